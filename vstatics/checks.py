@@ -1,0 +1,189 @@
+"""What a transmission must fulfil before it can be calculated.
+
+Each check yields `Problem`s with the path of the value in the model; the readers
+turn a path into a place in their text. Messages say what was read and what was
+expected; the reader puts the name of the field before them.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+
+from vstatics.errors import Path, Problem
+from vstatics.model import (
+    HOUSING,
+    Gear,
+    Mechanism,
+    ShiftElement,
+    Transmission,
+    element_name,
+    mechanism_name,
+)
+
+
+def problems(case: Transmission) -> Iterator[Problem]:
+    """Every error and warning of a case, in the order of its parts."""
+    yield from _sizes(case)
+    yield from _names(case)
+    yield from _ports(case)
+    for number, element in enumerate(case.shift_elements, 1):
+        yield from _element(element, ("shift_elements", number), case.links)
+    for number, mechanism in enumerate(case.mechanisms, 1):
+        yield from _mechanism(mechanism, ("mechanisms", number), case.links)
+    for number, gear in enumerate(case.gears, 1):
+        yield from _gear(case, gear, ("gears", number))
+    if case.idle not in ("exact", "published"):
+        yield Problem(f"read {case.idle!r}, expected `exact` or `published`", ("idle",))
+
+
+def _sizes(case: Transmission) -> Iterator[Problem]:
+    """Sizes that devices can fill; so no case asks for more memory than its text holds."""
+    joined = 2 * len(case.shift_elements) + 3 * len(case.mechanisms)
+    if case.links < 2:
+        message = f"read {case.links}, expected at least 2 links (input and output)"
+        yield Problem(message, ("links",))
+    elif case.links > max(joined, 2):
+        yield Problem(
+            f"read {case.links} links, but {len(case.shift_elements)} shift elements and "
+            f"{len(case.mechanisms)} mechanisms can join {joined} at most",
+            ("links",),
+        )
+    if case.link_names and len(case.link_names) != case.links:
+        message = f"{case.links} links, but {len(case.link_names)} names of links"
+        yield Problem(message, ("link_names",))
+    if not case.gears:
+        yield Problem("there is no gear, expected at least one", ("gears",))
+
+
+def _names(case: Transmission) -> Iterator[Problem]:
+    """Names are one line of text, and each is the only one of its kind."""
+    elements = [e.name or element_name(n, e) for n, e in enumerate(case.shift_elements, 1)]
+    mechanisms = [m.name or mechanism_name(n) for n, m in enumerate(case.mechanisms, 1)]
+    gears = [gear.name or str(number) for number, gear in enumerate(case.gears, 1)]
+    yield from _distinct(case.link_names, "link_names", "link")
+    yield from _distinct(elements, "shift_elements", "shift element")
+    yield from _distinct(mechanisms, "mechanisms", "mechanism")
+    yield from _distinct(gears, "gears", "gear")
+    for number, name in enumerate(case.link_names, 1):
+        if name in ("0", "housing"):
+            message = f"`{name}` is the housing, expected another name for link {number}"
+            yield Problem(message, ("link_names", number))
+    if case.name and not _is_name(case.name):
+        yield Problem(f"read {case.name!r}, expected one line of text", ("name",))
+
+
+def _distinct(names: Iterable[str], part: str, kind: str) -> Iterator[Problem]:
+    seen: dict[str, int] = {}
+    for number, name in enumerate(names, 1):
+        if not _is_name(name):
+            message = f"{name!r} is no name: expected one line of text, no blanks at its ends"
+            yield Problem(message, (part, number))
+        elif name in seen:
+            message = f"{kind} {number} has the name `{name}` of {kind} {seen[name]}"
+            yield Problem(message, (part, number))
+        seen.setdefault(name, number)
+
+
+def _is_name(name: str) -> bool:
+    return bool(name) and name == name.strip() and name.isprintable()
+
+
+def _ports(case: Transmission) -> Iterator[Problem]:
+    yield from _link(case.input, ("input",), case.links, lowest=1)
+    yield from _link(case.output or case.links, ("output",), case.links, lowest=1)
+    if case.input == (case.output or case.links):
+        yield Problem(f"input and output are both link {case.input}", ("output",))
+
+
+def _link(link: int, path: Path, links: int, lowest: int = HOUSING) -> Iterator[Problem]:
+    if not lowest <= link <= links:
+        expected = f"a link number from 1 to {links}"
+        if lowest == HOUSING:
+            expected += " (0 is the housing)"
+        yield Problem(f"read {link}, expected {expected}", path)
+
+
+def _element(element: ShiftElement, path: Path, links: int) -> Iterator[Problem]:
+    yield from _link(element.first, (*path, "first"), links)
+    yield from _link(element.second, (*path, "second"), links)
+    if element.first == element.second:
+        message = f"joins link {element.first} to itself, expected two different links"
+        yield Problem(message, (*path, "second"))
+
+
+def _mechanism(mechanism: Mechanism, path: Path, links: int) -> Iterator[Problem]:
+    members = [link for link in mechanism.links if link != HOUSING]
+    for member, link in zip(("first", "second", "third"), mechanism.links, strict=True):
+        yield from _link(link, (*path, member), links)
+    if not members:
+        yield Problem("all three links are the housing, expected at least one link", path)
+    if len(set(members)) < len(members):
+        yield Problem(f"links {mechanism.links}: expected different links", path)
+    ratio, efficiency = mechanism.ratio, mechanism.efficiency
+    if not math.isfinite(ratio):
+        yield Problem(f"read {ratio}, expected a finite number", (*path, "ratio"))
+    elif ratio == 0:
+        yield Problem("read 0, expected a ratio other than 0", (*path, "ratio"))
+    elif ratio == 1 and len(members) == 3:
+        message = "read 1, which joins the first link to the second and leaves the third loose"
+        yield Problem(f"{message}; expected another ratio with three links", (*path, "ratio"))
+    if not 0 < efficiency <= 1:
+        message = f"read {efficiency:g}, expected an efficiency above 0 and up to 1"
+        yield Problem(message, (*path, "efficiency"))
+    yield from _planet(mechanism, path)
+
+
+def _planet(mechanism: Mechanism, path: Path) -> Iterator[Problem]:
+    given = mechanism.planet_ratio
+    if given is not None and (given == 0 or not math.isfinite(given)):
+        message = f"read {given:g}, expected a finite ratio other than 0"
+        yield Problem(message, (*path, "planet_ratio"))
+    elif mechanism.third != HOUSING and mechanism.planet_ratio_at(mechanism.ratio) is None:
+        yield Problem(
+            f"ratio {mechanism.ratio:g} is not that of a plain planetary set: there is no "
+            "planet speed without a planet ratio",
+            path,
+            severity="warning",
+        )
+
+
+def _gear(case: Transmission, gear: Gear, path: Path) -> Iterator[Problem]:
+    yield from _engaged(gear.engaged, (*path, "engaged"), len(case.shift_elements))
+    ends = gear.input or case.input, gear.output or case.output or case.links
+    for end, link in (("input", gear.input), ("output", gear.output)):
+        if link is not None:
+            yield from _link(link, (*path, end), case.links, lowest=1)
+    if ends[0] == ends[1] and (gear.input is not None or gear.output is not None):
+        yield Problem(f"input and output are both link {ends[0]}", path)
+    yield from _given(gear.speeds, (*path, "speeds"), case.links)
+    yield from _given(gear.torques, (*path, "torques"), case.links)
+    if ends[0] in gear.speeds:
+        message = f"link {ends[0]} is the input, whose speed is 1; expected another link"
+        yield Problem(message, (*path, "speeds", ends[0]))
+    for link in gear.torques:
+        if link == ends[1]:
+            message = f"link {link} is the output, whose torque is calculated"
+            yield Problem(f"{message}; expected another link", (*path, "torques", link))
+        elif link in gear.speeds:
+            message = f"link {link} has a given speed, so its torque is calculated"
+            yield Problem(f"{message}; give one of the two", (*path, "torques", link))
+
+
+def _engaged(engaged: Sequence[int], path: Path, elements: int) -> Iterator[Problem]:
+    seen: set[int] = set()
+    for position, element in enumerate(engaged, 1):
+        if not 1 <= element <= elements:
+            expected = f"the number of a shift element, from 1 to {elements}"
+            yield Problem(f"read {element}, expected {expected}", (*path, position))
+        elif element in seen:
+            message = f"element {element} is engaged twice, expected each once"
+            yield Problem(message, (*path, position))
+        seen.add(element)
+
+
+def _given(values: Mapping[int, float], path: Path, links: int) -> Iterator[Problem]:
+    for link, value in values.items():
+        yield from _link(link, (*path, link), links, lowest=1)
+        if not math.isfinite(value):
+            yield Problem(f"read {value}, expected a finite number", (*path, link))

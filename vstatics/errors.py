@@ -1,0 +1,82 @@
+"""What can go wrong, and where.
+
+Three classes of error: `VstaticsError`, the parent of all; `CaseError`, a
+transmission that cannot be; `ReadError`, a text that cannot be read as one.
+The last two carry a list of `Problem`, because one run reports all of them.
+Only the command line prints.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Literal, NamedTuple
+
+Path = tuple[str | int, ...]
+"""Where a value stands in a model: ``("mechanisms", 2, "ratio")``, numbers from 1."""
+
+
+class Place(NamedTuple):
+    """A place in a text: file, line and column from 1, and the line itself."""
+
+    file: str
+    line: int
+    column: int
+    text: str = ""
+
+
+class Problem(NamedTuple):
+    """One thing that is wrong or doubtful: what was read, what was expected."""
+
+    message: str
+    path: Path = ()
+    place: Place | None = None
+    severity: Literal["error", "warning"] = "error"
+
+    def __str__(self) -> str:
+        """The problem in one line, in the wording of a compiler."""
+        if self.place is not None:
+            file, line, column, _ = self.place
+            where = f"{file}:{line}:{column}: " if line else f"{file}: "
+            return f"{where}{self.severity}: {self.message}"
+        return f"{path_text(self.path)}: {self.message}" if self.path else self.message
+
+
+class VstaticsError(Exception):
+    """Anything that this package raises on purpose."""
+
+
+class CaseError(VstaticsError):
+    """A transmission that cannot be; `problems` tells all that is wrong with it."""
+
+    def __init__(self, problems: Iterable[Problem]) -> None:
+        """Keep the problems; the text of the exception is one line for each."""
+        self.problems = list(problems)
+        super().__init__("\n".join(map(str, self.problems)))
+
+
+class ReadError(CaseError):
+    """A text that cannot be read as a case or a result; its problems have places."""
+
+
+def path_text(path: Path) -> str:
+    """A path as one writes it.
+
+    >>> path_text(("mechanisms", 2, "ratio"))
+    'mechanisms[2].ratio'
+    """
+    text = "".join(f"[{part}]" if isinstance(part, int) else f".{part}" for part in path)
+    return text.removeprefix(".")
+
+
+def nearest(word: str, known: Iterable[str]) -> str:
+    """A hint that names the known word nearest to a mistyped one, or nothing.
+
+    >>> nearest("ratoi", ["ratio", "efficiency"])
+    '; did you mean `ratio`?'
+    >>> nearest("xyz", ["ratio", "efficiency"])
+    ''
+    """
+    import difflib  # costs start-up time, and only mistakes need it
+
+    matches = difflib.get_close_matches(word, list(known), n=1)
+    return f"; did you mean `{matches[0]}`?" if matches else ""

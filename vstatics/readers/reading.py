@@ -1,0 +1,81 @@
+"""What every reader of cases shares: the text with its lines, and the way it ends."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from typing import Any, NamedTuple
+
+from vstatics.checks import problems as model_problems
+from vstatics.errors import CaseError, Path, Place, Problem, ReadError
+from vstatics.model import Transmission
+
+
+class Source:
+    """A text and its file name; gives places in it."""
+
+    def __init__(self, file: str, text: str) -> None:
+        """Split the text into lines, whatever ends them."""
+        self.file = file
+        self.lines = text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
+
+    def place(self, line: int, column: int = 1) -> Place:
+        """The place at a line and column, both from 1; line 0 is the file as a whole."""
+        text = self.lines[line - 1] if 0 < line <= len(self.lines) else ""
+        return Place(self.file, line, column, text)
+
+
+class Reading(NamedTuple):
+    """A case that was read, what is doubtful about it, and where its parts stand."""
+
+    case: Transmission
+    warnings: list[Problem]
+    locate: Callable[[Problem], Problem]
+    """Gives a problem of the model its place, and puts the name of the field before it."""
+
+
+def finish(
+    parts: dict[str, Any],
+    found: Iterable[Problem],
+    unreadable: Iterable[Path],
+    locate: Callable[[Problem], Problem],
+) -> Reading:
+    """Make the case from its parts, and report all problems of text and model together.
+
+    Parameters
+    ----------
+    parts : dict
+        The arguments of `Transmission`; what could not be read holds a stand-in.
+    found : iterable of Problem
+        What the reader itself found, with places.
+    unreadable : iterable of Path
+        Where the stand-ins are: what the model says about these is not reported.
+    locate : callable
+        Gives a problem of the model its place in the text.
+
+    Raises
+    ------
+    ReadError
+        If there is any error, with all of them in the order of the text.
+    """
+    found = list(found)
+    hidden = list(unreadable)
+
+    def told(problem: Problem) -> bool:
+        return not any(_related(problem.path, path) for path in hidden)
+
+    try:
+        case = Transmission(**parts)
+    except CaseError as error:
+        found += [locate(problem) for problem in error.problems if told(problem)]
+    else:
+        found += [locate(problem) for problem in model_problems(case) if told(problem)]
+    found.sort(key=lambda problem: problem.place[1:3] if problem.place else (0, 0))
+    if any(problem.severity == "error" for problem in found):
+        raise ReadError(found)
+    return Reading(case, found, locate)
+
+
+def _related(one: Path, other: Path) -> bool:
+    """Whether one path leads to or through the other."""
+    shared = min(len(one), len(other))
+    return one[:shared] == other[:shared]
