@@ -1,0 +1,1 @@
+"""Readers of cases: one module per format, text -> Transmission."""
