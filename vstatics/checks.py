@@ -139,7 +139,7 @@ def _planet(mechanism: Mechanism, path: Path) -> Iterator[Problem]:
     if given is not None and (given == 0 or not math.isfinite(given)):
         message = f"read {given:g}, expected a finite ratio other than 0"
         yield Problem(message, (*path, "planet_ratio"))
-    elif mechanism.third != HOUSING and mechanism.planet_ratio_at(mechanism.ratio) is None:
+    elif given is None and mechanism.third != HOUSING and not mechanism.is_plain(mechanism.ratio):
         yield Problem(
             f"ratio {mechanism.ratio:g} is not that of a plain planetary set: there is no "
             "planet speed without a planet ratio",

@@ -59,16 +59,13 @@ class Mechanism:
         """The first, second and third link."""
         return self.first, self.second, self.third
 
-    def planet_ratio_at(self, ratio: float) -> float | None:
-        """First link to planet when the internal ratio is `ratio`, if it is known.
+    def is_plain(self, ratio: float) -> bool:
+        """Whether a set of this internal ratio can be a plain planetary set.
 
-        A plain set has ``z_planet = (z_ring - z_sun)/2``, so ``(ratio + 1)/2``
-        with the sun or with the ring as first link.
+        Then ``z_planet = (z_ring - z_sun)/2``, so the ratio first link to planet is
+        ``(ratio + 1)/2``, with the sun or with the ring as first link.
         """
-        if self.planet_ratio is not None:
-            return self.planet_ratio
-        plain = self.third != HOUSING and ratio < 0 and ratio != -1
-        return (ratio + 1) / 2 if plain else None
+        return self.third != HOUSING and ratio < 0 and ratio != -1
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,0 +1,221 @@
+"""Random connected trains, as functions of a `random.Random` and as strategies.
+
+W = links - mechanisms; a gear of the right count engages W - 1 - given speeds
+elements. Ratios are short decimals of both signs, many of them near 1 or such
+that coincidences happen (-1, 2, 1/2).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from random import Random
+
+from hypothesis import strategies as st
+from oracle_systems import Speeds
+
+from vstatics.model import Gear, Mechanism, ShiftElement, Transmission
+
+Links = tuple[int, int, int]
+EASY = (-1.0, -2.0, -3.0, -0.5, -1.5, 2.0, 0.5, 3.0, 1.5)
+NEAR_ONE = (0.95, 0.99, 0.998, 1.002, 1.004, 1.01, 1.05, 1.25, 0.8)
+TRIES = 25
+
+
+def random_ratio(rng: Random, *, three_links: bool = True) -> float:
+    """An internal ratio; 1 (a shaft) only with two links."""
+    kind = rng.random()
+    if not three_links and kind < 0.2:
+        return 1.0
+    if kind < 0.55:
+        return round(rng.uniform(-4, -0.2), rng.choice((1, 2, 3)))
+    if kind < 0.75:
+        return round(rng.choice((rng.uniform(1.2, 4), rng.uniform(0.2, 0.85))), 2)
+    return rng.choice(NEAR_ONE if kind < 0.85 else EASY)
+
+
+def random_efficiency(rng: Random) -> float:
+    """From .8 to 1, often 1 and often good."""
+    kind = rng.random()
+    if kind < 0.15:
+        return 1.0
+    return round(rng.uniform(0.8 if kind < 0.5 else 0.95, 1), rng.choice((2, 3)))
+
+
+def random_value(rng: Random) -> float:
+    """A given speed or torque: a short decimal, sometimes 0 or 1."""
+    return rng.choice((0.0, 1.0, *(round(rng.uniform(-2, 2), 2) for _ in range(4))))
+
+
+def random_mechanism(rng: Random, links: Links) -> Mechanism:
+    """A mechanism on these links."""
+    three = 0 not in links
+    ratio = random_ratio(rng, three_links=three)
+    planet = round(rng.uniform(0.3, 3), 2) if rng.random() < 0.2 else None
+    return Mechanism(*links, ratio, random_efficiency(rng), planet)
+
+
+def random_links(rng: Random, mechanisms: int) -> tuple[int, list[Links]]:
+    """How many links there are, and those of each mechanism.
+
+    Each new mechanism shares links with earlier ones and mostly brings one new.
+    """
+    count, found = 0, []
+    for number in range(mechanisms):
+        two = rng.random() < 0.2
+        size = 2 if two else 3
+        fresh = size if number == 0 else rng.choice((0, 1, 1, 1, 1, 2)) if not two else 1
+        fresh = max(fresh, size - count)
+        members = rng.sample(range(1, count + 1), size - fresh)
+        members += range(count + 1, count + fresh + 1)
+        members += [0] * (3 - size)
+        rng.shuffle(members)
+        if two and rng.random() < 0.5:
+            members.sort(key=lambda link: link == 0)  # a gear pair: third is the housing
+        count += fresh
+        found.append((members[0], members[1], members[2]))
+    return count, found
+
+
+def random_elements(rng: Random, links: int, number: int) -> list[ShiftElement]:
+    """Brakes and clutches, no two between the same links."""
+    pairs: set[tuple[int, int]] = set()
+    for _ in range(4 * number):
+        if len(pairs) < number:
+            first, second = rng.sample(range(1, links + 1), 2)
+            brake = rng.random() < 0.55
+            pairs.add((first, 0) if brake else (min(first, second), max(first, second)))
+    elements = [ShiftElement(*pair) for pair in sorted(pairs)]
+    rng.shuffle(elements)
+    return elements
+
+
+def is_regular(case: Transmission, gear: Gear) -> bool:
+    """Both systems have exactly one solution: speeds do, and the output moves."""
+    speeds = Speeds(case, gear)
+    system = speeds.system
+    if not system.consistent or system.missing or system.excess:
+        return False
+    return bool(speeds.link(case.gear_output(gear)))
+
+
+def random_gear(rng: Random, case: Transmission, *, regular: bool) -> Gear:
+    """A gear; a regular one has one input, one output and the right count."""
+    kind = "plain" if regular else rng.choice(KINDS)
+    gear = Gear()
+    for _ in range(TRIES):
+        gear = _gear_of_kind(rng, case, kind)
+        if rng.random() < 0.02 or kind in ("fewer", "more") or is_regular(case, gear):
+            break
+    return gear
+
+
+KINDS = ("plain", "plain", "ports", "speeds", "torques", "both", "fewer", "more", "direct")
+
+
+def _gear_of_kind(rng: Random, case: Transmission, kind: str) -> Gear:
+    """One attempt at a gear; it may turn out to be singular."""
+    gear, count = Gear(), case.links - len(case.mechanisms) - 1
+    ends = case.input, case.output
+    if kind == "ports" or (kind in ("speeds", "torques", "both") and rng.random() < 0.3):
+        ends = tuple(rng.sample(range(1, case.links + 1), 2))[:2]
+        gear = replace(gear, input=ends[0], output=ends[1])
+    free = [link for link in range(1, case.links + 1) if link not in ends]
+    if kind in ("speeds", "both") and free and count > 0:
+        held = rng.sample(free, rng.randint(1, min(2, len(free), count)))
+        gear = replace(gear, speeds={link: random_value(rng) for link in held})
+        count -= len(held)
+        free = [link for link in free if link not in held]
+    if kind in ("torques", "both"):
+        loads = rng.sample([*free, ends[0]], rng.randint(1, min(2, len(free) + 1)))
+        gear = replace(gear, torques={link: random_value(rng) for link in loads})
+    count += {"fewer": -1, "more": rng.choice((1, 1, 2))}.get(kind, 0)
+    return replace(gear, engaged=_choice(rng, case, count, clutches=kind == "direct"))
+
+
+def _choice(rng: Random, case: Transmission, count: int, *, clutches: bool) -> list[int]:
+    """Numbers of `count` elements, or as many as there are; only clutches if wanted."""
+    numbers = [
+        n
+        for n, e in enumerate(case.shift_elements, 1)
+        if not clutches or 0 not in (e.first, e.second)
+    ]
+    return rng.sample(numbers, max(0, min(count, len(numbers))))
+
+
+def random_train(
+    rng: Random, *, regular: bool = False, gears: int = 3, coast: bool | None = None
+) -> Transmission:
+    """A random train of 2-6 mechanisms; `regular`: one-input-one-output gears only."""
+    while True:
+        mechanisms = rng.randint(2, 6)
+        links, members = random_links(rng, mechanisms)
+        freedom = links - mechanisms
+        if 1 <= freedom <= 5 and links >= 3:
+            break
+    members = _renumbered(rng, links, members)
+    elements = random_elements(rng, links, freedom - 1 + rng.randint(1, 4))
+    case = Transmission(
+        links,
+        elements,
+        [random_mechanism(rng, one) for one in members],
+        [Gear()],
+        output=0 if rng.random() < 0.8 else rng.randint(2, links),
+        idle=rng.choice(("exact", "published")),
+        coast=rng.random() < 0.25 if coast is None else coast,
+    )
+    return replace(case, gears=[random_gear(rng, case, regular=regular) for _ in range(gears)])
+
+
+def _renumbered(rng: Random, links: int, members: Sequence[Links]) -> list[Links]:
+    """The same train with its links in random order; 0 stays the housing."""
+    order = [0, *rng.sample(range(1, links + 1), links)]
+    return [(order[a], order[b], order[c]) for a, b, c in members]
+
+
+@st.composite
+def trains(
+    draw: st.DrawFn, *, regular: bool = False, gears: int = 1, coast: bool | None = None
+) -> Transmission:
+    """Random trains for hypothesis."""
+    rng = draw(st.randoms(use_true_random=False))
+    return random_train(rng, regular=regular, gears=gears, coast=coast)
+
+
+def regular_trains(*, gears: int = 1, coast: bool | None = None) -> st.SearchStrategy[Transmission]:
+    """Random trains whose gears have one input, one output and the right count."""
+    return trains(regular=True, gears=gears, coast=coast)
+
+
+def no_losses(case: Transmission) -> Transmission:
+    """The same train with all efficiencies 1."""
+    return replace(case, mechanisms=[replace(m, efficiency=1.0) for m in case.mechanisms])
+
+
+def shown(case: Transmission) -> str:
+    """The call that makes this train, without names; for messages and reports."""
+    elements = ", ".join(f"ShiftElement({e.first}, {e.second})" for e in case.shift_elements)
+    mechanisms = ", ".join(_mechanism_text(m) for m in case.mechanisms)
+    gears = ", ".join(_gear_text(g) for g in case.gears)
+    coast = ", coast=True" if case.coast else ""
+    return (
+        f"Transmission({case.links}, [{elements}], [{mechanisms}], [{gears}], "
+        f"input={case.input}, output={case.output}, idle={case.idle!r}{coast})"
+    )
+
+
+def _mechanism_text(one: Mechanism) -> str:
+    planet = "" if one.planet_ratio is None else f", {one.planet_ratio}"
+    first, second, third = one.links
+    return f"Mechanism({first}, {second}, {third}, {one.ratio}, {one.efficiency}{planet})"
+
+
+def _gear_text(gear: Gear) -> str:
+    parts = [str(list(gear.engaged))]
+    if gear.speeds:
+        parts.append(f"speeds={dict(gear.speeds)}")
+    if gear.torques:
+        parts.append(f"torques={dict(gear.torques)}")
+    if gear.input is not None or gear.output is not None:
+        parts.append(f"input={gear.input}, output={gear.output}")
+    return f"Gear({', '.join(parts)})"

@@ -1,0 +1,172 @@
+"""What to say about a gear: why a value does not exist, and what to do.
+
+`conditions` describes the count of conditions of a gear, `messages` speaks of what
+`Results` show. Both look at one case, not at arrays of variants.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from vstatics import elimination, losses, matrix, statics
+from vstatics.checks import problems
+from vstatics.errors import path_text
+from vstatics.model import Gear, Transmission
+from vstatics.results import Message, Results
+
+
+class Conditions(NamedTuple):
+    """The conditions for the speeds of a gear, counted."""
+
+    freedom: int
+    """Degrees of freedom of the train without shift elements."""
+    given: int
+    """Conditions of the gear: engaged elements, input speed, further given speeds."""
+    missing: int
+    excess: int
+
+
+def conditions(case: Transmission, gear: Gear, missing: int, excess: int) -> Conditions:
+    """Count the conditions of a gear; `missing` and `excess` as in `Results`."""
+    free = Gear()
+    ratios = [mechanism.ratio for mechanism in case.mechanisms]
+    rows = matrix.speed_rows(case, free, matrix.columns(case, ratios))[:-1]  # no input speed
+    freedom = int(elimination.solve(rows, case.links).missing[0])
+    return Conditions(freedom, len(gear.engaged) + 1 + len(gear.speeds), missing, excess)
+
+
+def messages(results: Results) -> Iterator[Message]:
+    """Everything worth saying about the results of one case."""
+    case = results.case
+    for problem in problems(case):
+        yield Message(problem.severity, _named(case, path_text(problem.path), problem.message))
+    for number, gear in enumerate(case.gears):
+        for severity, text in (
+            *_speed_messages(results, number, gear),
+            *_torque_messages(results, number, gear),
+            *_loss_messages(results, number, gear),
+        ):
+            yield Message(severity, text, gear.name)  # type: ignore[arg-type]
+
+
+def _named(case: Transmission, path: str, text: str) -> str:
+    for number, mechanism in enumerate(case.mechanisms, 1):
+        path = path.replace(f"mechanisms[{number}]", f"mechanism {mechanism.name}")
+    return f"{path}: {text}"
+
+
+def _list(names: Sequence[str]) -> str:
+    """Names as one says them: `a`, `a and b`, `a, b and c`."""
+    return " and ".join(filter(None, [", ".join(names[:-1]), *names[-1:]]))
+
+
+def _count(number: int, noun: str) -> str:
+    return f"{number} {noun}" + ("" if number == 1 else "s")
+
+
+def _speed_messages(results: Results, number: int, gear: Gear) -> Iterator[tuple[str, str]]:
+    """Too few conditions, too many, contradictions, an output that stands."""
+    case = results.case
+    missing, excess = int(results.missing[number]), int(results.excess[number])
+    if results.tied_up[number] or excess:
+        yield from _excess(results, number, gear)
+    if missing:
+        free = [case.link_names[i] for i in np.nonzero(np.isnan(results.speeds[number]))[0]]
+        links = f"; free: link{'s' * (len(free) > 1)} {_list(free)}" if not results.tied_up[number] else ""
+        yield "warning", (
+            f"{_count(missing, 'condition')} missing for the speeds (neutral){links}; "
+            "engage another shift element or give a speed"
+        )
+    output = case.gear_output(gear)
+    if results.speeds[number, output - 1] == 0:
+        name = case.link_name(output)
+        yield "warning", f"the output, link {name}, stands still: there is no ratio"
+
+
+def _excess(results: Results, number: int, gear: Gear) -> Iterator[tuple[str, str]]:
+    """One message for each set of conditions that repeat or contradict each other."""
+    case = results.case
+    ratios = [mechanism.ratio for mechanism in case.mechanisms]
+    rows = matrix.speed_rows(case, gear, matrix.columns(case, ratios))
+    names = matrix.speed_row_names(case, gear)
+    mechanisms = len(case.mechanisms)
+    for involved, agrees in elimination.dependencies(rows):
+        engaged = [names[i] for i in involved if mechanisms <= i < mechanisms + len(gear.engaged)]
+        others = [names[i] for i in involved if i >= mechanisms + len(gear.engaged)]
+        conditions = _list(engaged + others) or _list([names[i] for i in involved])
+        if not agrees:
+            yield "error", (
+                f"tied up: {conditions} contradict each other, so the input can't turn as "
+                "given; release one of the engaged elements or leave out a given speed"
+            )
+        elif engaged:
+            yield "warning", (
+                f"{_list(engaged)}: 1 engaged element is in excess; the speeds agree, the "
+                "torques that it shares are not determined"
+            )
+        else:
+            yield "warning", f"{conditions} say the same of the speeds: 1 condition in excess"
+
+
+def _torque_messages(results: Results, number: int, gear: Gear) -> Iterator[tuple[str, str]]:
+    """Torques that do not exist, or are not determined by statics."""
+    case = results.case
+    if results.tied_up[number]:
+        return
+    output = case.gear_output(gear)
+    if not results.balanced[number]:
+        advice = "nothing holds the torque of the input"
+        if output in gear.speeds:
+            advice = (
+                f"a speed is given on the output, link {case.link_name(output)}; give the "
+                "speed of the reacting link instead"
+            )
+        yield "warning", f"there are no torques in balance: {advice}"
+    elif np.isnan(results.torques[number]).any():
+        names = [*case.devices, "the output"]
+        open_ = [names[i] for i in np.nonzero(np.isnan(results.torques[number]))[0]]
+        yield "warning", f"statics does not determine the torque of {_list(open_)}"
+
+
+def _loss_messages(results: Results, number: int, gear: Gear) -> Iterator[tuple[str, str]]:
+    """Friction locks, flows that losses turn round, idle mechanisms that matter."""
+    case = results.case
+    names = [mechanism.name for mechanism in case.mechanisms]
+    if results.locked[number]:
+        way = "when coasting " if results.coast else ""
+        yield "warning", f"locked by friction {way}: no directions of power agree with losses"
+    elif results.undecided[number]:
+        yield "warning", (
+            "the search for directions of power that agree with the losses was cut short: "
+            "torques with losses and efficiency are unknown"
+        )
+    elif results.balanced[number] and not results.consistent[number]:
+        yield "warning", "the directions of power are not determined, so there are no losses"
+    if results.turned[number].any():
+        turned = [names[i] for i in np.nonzero(results.turned[number])[0]]
+        yield "note", f"losses turn the flow of power through {_list(turned)} round"
+    if results.choices[number] > 1:
+        yield "note", (
+            f"{results.choices[number]} sets of directions of power agree with the losses; "
+            "the one of the largest efficiency is taken"
+        )
+    if results.consistent[number] and results.idle[number].any():
+        yield from _coincidence(results, number, gear)
+
+
+def _coincidence(results: Results, number: int, gear: Gear) -> Iterator[tuple[str, str]]:
+    """Idle mechanisms whose sign changes the result."""
+    case = results.case
+    u = np.array([[mechanism.ratio] for mechanism in case.mechanisms])
+    eta = np.array([[mechanism.efficiency] for mechanism in case.mechanisms])
+    flow, _ = statics.ideal_flow(case, gear, u, eta, results.idle_convention, results.coast)
+    outcome = losses.search(flow, results.balanced[[number]])
+    matter = [case.mechanisms[i].name for i in losses.signs_matter(flow, outcome)]
+    if matter:
+        yield "warning", (
+            f"{_list(matter)}: idle by coincidence; torques with losses and efficiency "
+            "depend on the direction of power assumed there"
+        )

@@ -1,0 +1,110 @@
+"""Results: named arrays, and what was noticed."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Literal, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from vstatics.model import Transmission
+
+Floats = NDArray[np.float64]
+Integers = NDArray[np.int64]
+Booleans = NDArray[np.bool_]
+
+
+class Message(NamedTuple):
+    """What was noticed in a gear; a gear with an error makes the case fail."""
+
+    severity: Literal["error", "warning", "note"]
+    text: str
+    gear: str = ""
+
+    def __str__(self) -> str:
+        """The message in one line, with the gear it speaks of."""
+        gear = f"gear {self.gear}: " if self.gear else ""
+        return f"{self.severity}: {gear}{self.text}"
+
+
+@dataclass(frozen=True, slots=True)
+class Results:
+    """Everything that is calculated, for every gear.
+
+    The order of axes is the same everywhere: variants first (none for one case), then
+    gears, then links, shift elements, mechanisms or devices (shift elements, then
+    mechanisms). NaN stands for what does not exist. Speeds are relative to the input
+    speed, torques to the input torque, powers to the input power; signs as in
+    `vstatics.matrix`.
+    """
+
+    case: Transmission
+    idle_convention: str
+    """The convention used: ``exact`` or ``published``."""
+    coast: bool
+    """Whether power enters at the output."""
+
+    speeds: Floats
+    """(..., gears, links). [-]"""
+    planet_speeds: Floats
+    """(..., gears, mechanisms), against the third link (carrier). [-]"""
+    slip_speeds: Floats
+    """(..., gears, shift elements), first link against second. [-]"""
+    ratio: Floats
+    """(..., gears), ``w_input/w_output``. [-]"""
+
+    torques: Floats
+    """(..., gears, devices + 1), on the first link of each device; the last is the output
+    torque, given to the load. Without losses. [-]"""
+    holding_torques: Floats
+    """(..., gears, links), the external torque that holds a given speed. [-]"""
+
+    lossy_torques: Floats
+    """As `torques`, with losses. [-]"""
+    lossy_holding_torques: Floats
+    """As `holding_torques`, with losses. [-]"""
+    efficiency: Floats
+    """(..., gears). [-]"""
+    power_sign: Floats
+    """(..., gears, mechanisms): +1 the first link drives, -1 it is driven, 0 idle. [-]"""
+    idle: Booleans
+    """(..., gears, mechanisms): carries no torque, or turns as one piece."""
+    losses: Floats
+    """(..., gears, mechanisms), power lost; below 0 when coasting, as the flow turns. [-]"""
+    power_balance: Floats
+    """(..., gears), external power less losses, with losses: 0 to rounding. [-]"""
+
+    consistent: Booleans
+    """(..., gears): the lossy torques stand, with signs that agree with their flow."""
+    locked: Booleans
+    """(..., gears): locked by friction."""
+    undecided: Booleans
+    """(..., gears): the search for signs was cut short, so `locked` is unknown."""
+    turned: Booleans
+    """(..., gears, mechanisms): losses turn the flow round."""
+    choices: Integers
+    """(..., gears): how many sets of signs agree with their flow."""
+
+    tied_up: Booleans
+    """(..., gears): the conditions for the speeds contradict each other."""
+    missing: Integers
+    """(..., gears): conditions that the speeds lack."""
+    excess: Integers
+    """(..., gears): conditions for the speeds that others imply or contradict."""
+    balanced: Booleans
+    """(..., gears): torques without losses exist."""
+
+    messages: Sequence[Message] = ()
+    """What was noticed; for one case only, not for arrays of variants."""
+
+    @property
+    def output_torque(self) -> Floats:
+        """(..., gears), without losses. [-]"""
+        return self.torques[..., -1]
+
+    @property
+    def failed(self) -> bool:
+        """Whether a gear is tied up, which makes the case fail."""
+        return bool(self.tied_up.any())
