@@ -15,7 +15,7 @@ from vstatics import elimination, losses, matrix, statics
 from vstatics.checks import problems
 from vstatics.errors import path_text
 from vstatics.model import Gear, Transmission
-from vstatics.results import Message, Results
+from vstatics.results import Booleans, Message, Results
 
 
 class Conditions(NamedTuple):
@@ -63,8 +63,8 @@ def _list(names: Sequence[str]) -> str:
     return " and ".join(filter(None, [", ".join(names[:-1]), *names[-1:]]))
 
 
-def _count(number: int, noun: str) -> str:
-    return f"{number} {noun}" + ("" if number == 1 else "s")
+def _chosen(names: Sequence[str], marks: Booleans) -> list[str]:
+    return [name for name, mark in zip(names, marks, strict=True) if mark]
 
 
 def _speed_messages(results: Results, number: int, gear: Gear) -> Iterator[tuple[str, str]]:
@@ -72,13 +72,16 @@ def _speed_messages(results: Results, number: int, gear: Gear) -> Iterator[tuple
     case = results.case
     missing, excess = int(results.missing[number]), int(results.excess[number])
     if results.tied_up[number] or excess:
-        yield from _excess(results, number, gear)
+        yield from _excess(case, gear)
     if missing:
-        free = [case.link_names[i] for i in np.nonzero(np.isnan(results.speeds[number]))[0]]
-        links = f"; free: link{'s' * (len(free) > 1)} {_list(free)}" if not results.tied_up[number] else ""
-        yield "warning", (
-            f"{_count(missing, 'condition')} missing for the speeds (neutral){links}; "
-            "engage another shift element or give a speed"
+        free = _chosen(case.link_names, np.isnan(results.speeds[number]))
+        links = f"; free: link {_list(free)}" if free and not results.tied_up[number] else ""
+        yield (
+            "warning",
+            (
+                f"{missing} condition(s) missing for the speeds (neutral){links}; "
+                "engage another shift element or give a speed"
+            ),
         )
     output = case.gear_output(gear)
     if results.speeds[number, output - 1] == 0:
@@ -86,9 +89,8 @@ def _speed_messages(results: Results, number: int, gear: Gear) -> Iterator[tuple
         yield "warning", f"the output, link {name}, stands still: there is no ratio"
 
 
-def _excess(results: Results, number: int, gear: Gear) -> Iterator[tuple[str, str]]:
+def _excess(case: Transmission, gear: Gear) -> Iterator[tuple[str, str]]:
     """One message for each set of conditions that repeat or contradict each other."""
-    case = results.case
     ratios = [mechanism.ratio for mechanism in case.mechanisms]
     rows = matrix.speed_rows(case, gear, matrix.columns(case, ratios))
     names = matrix.speed_row_names(case, gear)
@@ -98,14 +100,20 @@ def _excess(results: Results, number: int, gear: Gear) -> Iterator[tuple[str, st
         others = [names[i] for i in involved if i >= mechanisms + len(gear.engaged)]
         conditions = _list(engaged + others) or _list([names[i] for i in involved])
         if not agrees:
-            yield "error", (
-                f"tied up: {conditions} contradict each other, so the input can't turn as "
-                "given; release one of the engaged elements or leave out a given speed"
+            yield (
+                "error",
+                (
+                    f"tied up: {conditions} contradict each other, so the input can't turn as "
+                    "given; release one of the engaged elements or leave out a given speed"
+                ),
             )
         elif engaged:
-            yield "warning", (
-                f"{_list(engaged)}: 1 engaged element is in excess; the speeds agree, the "
-                "torques that it shares are not determined"
+            yield (
+                "warning",
+                (
+                    f"{_list(engaged)}: 1 engaged element is in excess; the speeds agree, the "
+                    "torques that it shares are not determined"
+                ),
             )
         else:
             yield "warning", f"{conditions} say the same of the speeds: 1 condition in excess"
@@ -127,8 +135,8 @@ def _torque_messages(results: Results, number: int, gear: Gear) -> Iterator[tupl
         yield "warning", f"there are no torques in balance: {advice}"
     elif np.isnan(results.torques[number]).any():
         names = [*case.devices, "the output"]
-        open_ = [names[i] for i in np.nonzero(np.isnan(results.torques[number]))[0]]
-        yield "warning", f"statics does not determine the torque of {_list(open_)}"
+        unknown = _chosen(names, np.isnan(results.torques[number]))
+        yield "warning", f"statics does not determine the torque of {_list(unknown)}"
 
 
 def _loss_messages(results: Results, number: int, gear: Gear) -> Iterator[tuple[str, str]]:
@@ -136,37 +144,49 @@ def _loss_messages(results: Results, number: int, gear: Gear) -> Iterator[tuple[
     case = results.case
     names = [mechanism.name for mechanism in case.mechanisms]
     if results.locked[number]:
-        way = "when coasting " if results.coast else ""
+        way = "when coasting " if case.coast else ""
         yield "warning", f"locked by friction {way}: no directions of power agree with losses"
     elif results.undecided[number]:
-        yield "warning", (
-            "the search for directions of power that agree with the losses was cut short: "
-            "torques with losses and efficiency are unknown"
+        yield (
+            "warning",
+            (
+                "the search for directions of power that agree with the losses was cut short: "
+                "torques with losses and efficiency are unknown"
+            ),
         )
     elif results.balanced[number] and not results.consistent[number]:
         yield "warning", "the directions of power are not determined, so there are no losses"
     if results.turned[number].any():
-        turned = [names[i] for i in np.nonzero(results.turned[number])[0]]
+        turned = _chosen(names, results.turned[number])
         yield "note", f"losses turn the flow of power through {_list(turned)} round"
     if results.choices[number] > 1:
-        yield "note", (
-            f"{results.choices[number]} sets of directions of power agree with the losses; "
-            "the one of the largest efficiency is taken"
+        yield (
+            "note",
+            (
+                f"{results.choices[number]} sets of directions of power agree with the losses; "
+                "the one of the largest efficiency is taken"
+            ),
         )
-    if results.consistent[number] and results.idle[number].any():
+    mechanisms = slice(len(case.shift_elements), -1)
+    if (results.idle[number] & (results.lossy_torques[number, mechanisms] != 0)).any():
         yield from _coincidence(results, number, gear)
 
 
 def _coincidence(results: Results, number: int, gear: Gear) -> Iterator[tuple[str, str]]:
     """Idle mechanisms whose sign changes the result."""
     case = results.case
+    if not results.consistent[number]:
+        return
     u = np.array([[mechanism.ratio] for mechanism in case.mechanisms])
     eta = np.array([[mechanism.efficiency] for mechanism in case.mechanisms])
-    flow, _ = statics.ideal_flow(case, gear, u, eta, results.idle_convention, results.coast)
+    flow, _ = statics.ideal_flow(case, gear, u, eta)
     outcome = losses.search(flow, results.balanced[[number]])
     matter = [case.mechanisms[i].name for i in losses.signs_matter(flow, outcome)]
     if matter:
-        yield "warning", (
-            f"{_list(matter)}: idle by coincidence; torques with losses and efficiency "
-            "depend on the direction of power assumed there"
+        yield (
+            "warning",
+            (
+                f"{_list(matter)}: idle by coincidence; torques with losses and efficiency "
+                "depend on the direction of power assumed there"
+            ),
         )

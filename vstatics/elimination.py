@@ -14,12 +14,13 @@ That decides rank and consistency without any scale chosen from outside.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-Number = float | NDArray[np.float64]
+Number = Any
+"""A float, or an array with a number per variant: the operators are the same for both."""
 Entry = tuple[Number, Number]
 """A value and its size."""
 Row = dict[int, Entry]
@@ -152,7 +153,7 @@ class _Watch:
         """Note the variants for which this pivot is zero or small in its row."""
         if self.agree.size > 1:
             magnitude = np.abs(pivot[0])
-            self.agree &= magnitude > ZERO * np.asarray(pivot[1])
+            self.agree &= magnitude > ZERO * pivot[1]
             for column, (value, _) in row.items():
                 if column >= 0:
                     self.agree &= magnitude >= PIVOT_WATCHED * np.abs(value)
@@ -190,7 +191,7 @@ class _Elimination:
 
     def consistent(self) -> bool:
         """Whether no row says that zero is something else."""
-        return all([self.watch.is_zero(row[RIGHT]) for row in self.left if RIGHT in row])
+        return all(self.watch.is_zero(row[RIGHT]) for row in self.left if RIGHT in row)
 
     def values(self, unknowns: int, sums: Sequence[Mapping[int, float]]) -> list[Number]:
         """Back substitution: each unknown and sum, NaN where it hangs on a free unknown."""
@@ -206,10 +207,10 @@ class _Elimination:
             known[column] = {c: _quotient(entry, pivot) for c, entry in total.items()}
         wanted = [known[column] for column in range(unknowns)]
         for terms in sums:
-            total = {}
-            for column, factor in terms.items():
-                _subtract(total, (-factor, 0.0), known[column], self.watch)
-            wanted.append(total)
+            summed: Row = {}
+            for column, coefficient in terms.items():
+                _subtract(summed, (-coefficient, 0.0), known[column], self.watch)
+            wanted.append(summed)
         return [self._value(row) for row in wanted]
 
     def _value(self, row: Row) -> Number:
@@ -218,7 +219,7 @@ class _Elimination:
             return float("nan")
         value, size = row.get(RIGHT, (0.0, 0.0))
         if isinstance(value, np.ndarray):
-            return np.where(np.abs(value) <= ZERO * np.asarray(size), 0.0, value)
+            return np.where(np.abs(value) <= ZERO * size, 0.0, value)
         return 0.0 if abs(value) <= ZERO * size else value
 
 

@@ -8,7 +8,6 @@ All arrays have the variants as their last axis.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from itertools import product
 from typing import NamedTuple
 
@@ -31,10 +30,6 @@ class Flow(NamedTuple):
 
     case: Transmission
     gear: Gear
-    direction: int
-    """+1, or -1 when coasting: all flows turn."""
-    published: bool
-    """The published idle convention."""
     ratios: Floats
     efficiencies: Floats
     speeds: Floats
@@ -48,8 +43,13 @@ class Flow(NamedTuple):
 
     def part(self, chosen: Integers) -> Flow:
         """The flow of some variants; one may be chosen more than once."""
-        arrays = [value[:, chosen] for value in self[4:]]
-        return Flow(*self[:4], *arrays)
+        arrays = [value[:, chosen] for value in self[2:]]
+        return Flow(self.case, self.gear, *arrays)
+
+    @property
+    def direction(self) -> int:
+        """+1, or -1 when coasting: all flows turn."""
+        return -1 if self.case.coast else 1
 
 
 class Lossy(NamedTuple):
@@ -139,7 +139,8 @@ def powers(flow: Flow, torques: Floats, holding: Floats) -> Floats:
 
 def _power(torque: Floats, speed: Floats) -> Floats:
     """Torque times speed, 0 where one of them is 0 even if the other does not exist."""
-    return np.where((torque == 0) | (speed == 0), 0.0, torque * speed)
+    power: Floats = np.where((torque == 0) | (speed == 0), 0.0, torque * speed)
+    return power
 
 
 def _efficiency(flow: Flow, torques: Floats, entering: Floats) -> Floats:
@@ -156,7 +157,8 @@ def _efficiency(flow: Flow, torques: Floats, entering: Floats) -> Floats:
     received = np.sum(np.where(side > 0, entering, 0.0), axis=0)
     given = -np.sum(np.where(side < 0, entering, 0.0), axis=0)
     unknown = np.isnan(side).any(axis=0)
-    return np.where(unknown, np.nan, given / received)
+    efficiency: Floats = np.where(unknown, np.nan, given / received)
+    return efficiency
 
 
 def attempt(flow: Flow, signs: Floats) -> Lossy:
@@ -227,7 +229,7 @@ class _Start(NamedTuple):
     still: Booleans
 
     def part(self, chosen: Integers) -> _Start:
-        return _Start(*(value[:, chosen] for value in self))
+        return _Start(self.signs[:, chosen], self.unloaded[:, chosen], self.still[:, chosen])
 
 
 def _start(flow: Flow) -> _Start:
@@ -238,7 +240,7 @@ def _start(flow: Flow) -> _Start:
     torque = loaded(flow, flow.ratios, flow.torques, flow.holding)
     unloaded, still = torque == 0, flow.motion == 0
     signs = np.sign(_power(torque, flow.motion)) * flow.direction
-    if flow.published:
+    if flow.case.idle == "published":
         signs = np.where(still, np.sign(flow.ratios), signs)
         signs = np.where(unloaded, 1.0, signs)
     else:
@@ -339,13 +341,16 @@ def _search_one(flow: Flow, start: _Start) -> tuple[Lossy | None, int]:
     flows = {tuple(column) for column in (lossy.signs * lossy.flow**2)[:, found].T}
     best = found[np.argmax(np.nan_to_num(lossy.efficiency[found], nan=-np.inf))]
     idle = start.unloaded & (lossy.flow[:, [best]] == 0)
-    one = Lossy(*(value[..., [best]] for value in lossy))
+    one = _nothing(flow, start.signs)
+    _put(one, np.array([0]), lossy, np.array([best]))
     return one._replace(signs=np.where(idle, start.signs, one.signs)), len(flows)
 
 
 def _follow(flow: Flow, start: _Start, moving: Booleans) -> tuple[Lossy | None, int]:
-    """Let the signs follow the flow until they agree; where that runs in a circle turn
-    only the one that gains most."""
+    """Let the signs follow the flow until they agree.
+
+    Where that runs in a circle only the sign that loses most is turned.
+    """
     signs = start.signs
     seen: set[bytes] = set()
     for _ in range(ROUNDS):

@@ -54,9 +54,7 @@ def columns(case: Transmission, ratios: Sequence[Number]) -> list[Column]:
     return made
 
 
-def distribution_matrix(
-    case: Transmission, ratios: ArrayLike | None = None
-) -> NDArray[np.float64]:
+def distribution_matrix(case: Transmission, ratios: ArrayLike | None = None) -> NDArray[np.float64]:
     """Structural-distribution matrix AJK.
 
     Parameters
@@ -152,7 +150,7 @@ def torque_rows(case: Transmission, gear: Gear, columns: Sequence[Column]) -> li
 
 
 def external_torques(case: Transmission, gear: Gear) -> dict[int, float]:
-    """Known external torques by link: 1 on the input, and the gear's further ones. [-]"""
+    """Known external torques by link [-]: 1 on the input, and the gear's further ones."""
     torques = {case.gear_input(gear): 1.0}
     for link, torque in gear.torques.items():
         torques[link] = torques.get(link, 0.0) + torque

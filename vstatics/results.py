@@ -41,10 +41,7 @@ class Results:
     """
 
     case: Transmission
-    idle_convention: str
-    """The convention used: ``exact`` or ``published``."""
-    coast: bool
-    """Whether power enters at the output."""
+    """What was calculated, with the conventions that were used."""
 
     speeds: Floats
     """(..., gears, links). [-]"""
@@ -101,7 +98,7 @@ class Results:
 
     @property
     def output_torque(self) -> Floats:
-        """(..., gears), without losses. [-]"""
+        """Of shape (..., gears), without losses [-]."""
         return self.torques[..., -1]
 
     @property

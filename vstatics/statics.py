@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 
 from vstatics import diagnosis, elimination, losses, matrix
 from vstatics.errors import CaseError, Problem
-from vstatics.model import HOUSING, Gear, IdleConvention, Transmission
+from vstatics.model import HOUSING, Gear, IdleConvention, Mechanism, Transmission
 from vstatics.results import Booleans, Floats, Integers, Results
 
 
@@ -62,19 +62,32 @@ def solve(
            [1. , 3.5],
            [1. , 4. ]])
     """
-    coast = case.coast if coast is None else coast
-    idle = case.idle if idle is None else idle
+    case = replace(
+        case,
+        coast=case.coast if coast is None else coast,
+        idle=case.idle if idle is None else idle,
+    )
     axes, u, eta = _variants(case, ratios, efficiencies)
+    if axes == ():
+        case = replace(case, mechanisms=_with_numbers(case, u[:, 0], eta[:, 0]))
     with np.errstate(all="ignore"):
-        gears = [_solve_gear(case, gear, u, eta, idle, coast) for gear in case.gears]
+        gears = [_solve_gear(case, gear, u, eta) for gear in case.gears]
         arrays = {
             name: _with_axes(np.stack([getattr(gear, name) for gear in gears]), axes)
             for name in _Gear._fields
         }
-        results = Results(case=case, idle_convention=idle, coast=coast, **arrays)
+        results = Results(case=case, **arrays)
         if axes == ():
             results = replace(results, messages=tuple(diagnosis.messages(results)))
     return results
+
+
+def _with_numbers(case: Transmission, ratios: Floats, efficiencies: Floats) -> list[Mechanism]:
+    """The mechanisms with other ratios and efficiencies."""
+    return [
+        replace(mechanism, ratio=float(ratio), efficiency=float(efficiency))
+        for mechanism, ratio, efficiency in zip(case.mechanisms, ratios, efficiencies, strict=True)
+    ]
 
 
 def _variants(
@@ -141,11 +154,9 @@ class _Gear(NamedTuple):
     balanced: Booleans
 
 
-def _solve_gear(
-    case: Transmission, gear: Gear, u: Floats, eta: Floats, idle: str, coast: bool
-) -> _Gear:
-    flow, solution = ideal_flow(case, gear, u, eta, idle, coast)
-    balanced = ~np.isnan(flow.torques).all(axis=0)
+def _solve_gear(case: Transmission, gear: Gear, u: Floats, eta: Floats) -> _Gear:
+    flow, solution = ideal_flow(case, gear, u, eta)
+    balanced: Booleans = np.logical_not(np.isnan(flow.torques).all(axis=0))
     outcome = losses.search(flow, balanced)
     lossy = outcome.lossy
     slips = solution.values[case.links + len(case.mechanisms) :]
@@ -177,7 +188,7 @@ def _solve_gear(
 
 
 def ideal_flow(
-    case: Transmission, gear: Gear, u: Floats, eta: Floats, idle: str, coast: bool
+    case: Transmission, gear: Gear, u: Floats, eta: Floats
 ) -> tuple[losses.Flow, elimination.Solution]:
     """Speeds and torques of a gear without losses.
 
@@ -203,12 +214,9 @@ def ideal_flow(
     torques, holding = losses.solve_torques(case, gear, u)
     torques[:, ~solution.consistent] = np.nan
     holding[:, ~solution.consistent] = np.nan
-    direction = -1 if coast else 1
     flow = losses.Flow(
         case,
         gear,
-        direction,
-        published=idle == "published",
         ratios=u,
         efficiencies=eta,
         speeds=speeds,
@@ -239,5 +247,7 @@ def _planet_ratios(case: Transmission, u: Floats) -> Floats:
 
 
 def _with_axes(array: Any, axes: tuple[int, ...]) -> Any:
-    """(gears, ..., variants) -> (axes of the variants, gears, ...)."""
+    """(gears, ..., variants) -> (axes of the variants, gears, ...), without -0."""
+    if array.dtype == np.float64:
+        array = array + 0.0
     return np.ascontiguousarray(np.moveaxis(array, -1, 0)).reshape(*axes, *array.shape[:-1])
