@@ -12,8 +12,9 @@ the torque of an element that is not engaged as well. Losses need both to have
 a solution; else signs, losses and all lossy quantities are None.
 
 Where the flow through a mechanism is not determined (redundancy with relative
-motion) its sign is None; a lossy quantity is given if every guess of such
-signs leads to the same value. `consistent` is then None.
+motion) its sign is None. With an efficiency of 1 that does not matter; else a
+lossy quantity is given if every guess of such signs leads to the same value,
+nothing if one leads to an efficiency of 0 or less, and `consistent` is None.
 """
 
 from __future__ import annotations
@@ -89,7 +90,7 @@ def solve_gear(case: Transmission, gear: Gear) -> OracleGear:
     flow = flow_of(case, gear)
     if not (flow.speeds.system.consistent and flow.ideal.system.consistent):
         return _without_losses(flow)
-    if None in flow.powers:
+    if flow.open:
         return _guessed(flow)
     return _decided(flow)
 
@@ -147,13 +148,18 @@ def _without_losses(flow: Flow, **lossy: object) -> OracleGear:
     return OracleGear(**(values | lossy))  # type: ignore[arg-type]
 
 
+def _idle(flow: Flow) -> tuple[bool | None, ...]:
+    """Which mechanisms carry no power, None where that is not determined."""
+    return tuple(None if power is None else power == 0 for power in flow.powers)
+
+
 def _decided(flow: Flow) -> OracleGear:
     """Ideal signs if they are admissible, else the best of all others, else locked."""
     found = [trial for trial in trials(flow, turned=False) if trial.admissible]
     turned = not found
     if turned:
         found = [trial for trial in trials(flow, turned=True) if trial.admissible]
-    idle = tuple(power == 0 for power in flow.powers)
+    idle = _idle(flow)
     if not found:
         return _without_losses(
             flow, idle=idle, power_sign=flow.closed_form, consistent=False, locked=True
@@ -182,7 +188,10 @@ def _lossy(flow: Flow, trial: Trial) -> dict[str, object]:
 
 def _guessed(flow: Flow) -> OracleGear:
     """What all guesses of the unknown signs agree on."""
+    idle = _idle(flow)
     guesses = every_guess(flow)
+    if any(trial.eta is not None and trial.eta <= 0 for trial in guesses):
+        return _without_losses(flow, idle=idle, power_sign=flow.closed_form)
     listed = [_listed(trial.torques) for trial in guesses]
     holding = [_holding(trial.torques) for trial in guesses]
 
@@ -194,7 +203,7 @@ def _guessed(flow: Flow) -> OracleGear:
 
     return _without_losses(
         flow,
-        idle=tuple(None if power is None else power == 0 for power in flow.powers),
+        idle=idle,
         power_sign=flow.closed_form,
         lossy_torques=OracleTorques(
             each([torques.elements for torques in listed]),

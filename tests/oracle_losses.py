@@ -74,6 +74,11 @@ class Flow:
             for k, power in enumerate(self.powers)
         )
 
+    @property
+    def open(self) -> list[int]:
+        """Mechanisms with losses whose ideal flow is not determined."""
+        return [k for k, eta in enumerate(self.efficiencies) if self.powers[k] is None and eta < 1]
+
     @cached_property
     def fickle(self) -> frozenset[int]:
         """Mechanisms without ideal torque that get some when ratios change, and that move.
@@ -90,7 +95,7 @@ class Flow:
         )
 
     def torques(self, signs: Signs) -> Torques:
-        """Torques with losses for a set of signs, all of them known."""
+        """Torques with losses for a set of signs; None only where the efficiency is 1."""
         lossy = [
             u * eta ** (x or 0)
             for u, eta, x in zip(self.loss_free, self.efficiencies, signs, strict=True)
@@ -163,13 +168,16 @@ class Trial:
 
 
 def trials(flow: Flow, *, turned: bool) -> Iterator[Trial]:
-    """The ideal signs, or all sets that differ from them (fewest turned signs first)."""
+    """The ideal signs, or all sets that differ from them (fewest turned signs first).
+
+    A mechanism without losses keeps its ideal sign: it changes nothing.
+    """
     ideal = flow.closed_form
     choices: list[Sequence[int | None]] = []
     for k, x in enumerate(ideal):
         if k in flow.fickle:
             choices.append(sorted({flow.convention(k), 1, -1}, reverse=True))
-        elif turned and flow.powers[k]:
+        elif turned and flow.powers[k] and flow.efficiencies[k] < 1:
             choices.append((1, -1))
         else:
             choices.append((x,))
@@ -196,7 +204,7 @@ def best(found: Sequence[Trial]) -> Trial:
 
 def every_guess(flow: Flow) -> list[Trial]:
     """Where flows are not determined: all signs of these, the ideal signs of the others."""
-    choices = [(1, -1) if x is None else (x,) for x in flow.closed_form]
+    choices = [(1, -1) if k in flow.open else (x,) for k, x in enumerate(flow.closed_form)]
     return [Trial(flow, signs) for signs in product(*choices)]
 
 

@@ -22,10 +22,15 @@ NEAR_ONE = (0.95, 0.99, 0.998, 1.002, 1.004, 1.01, 1.05, 1.25, 0.8)
 TRIES = 25
 
 
-def random_ratio(rng: Random, *, three_links: bool = True) -> float:
-    """An internal ratio; 1 (a shaft) only with two links."""
+def seeded(seed: int) -> Random:
+    """Random numbers that are the same in every run."""
+    return Random(seed)  # noqa: S311
+
+
+def random_ratio(rng: Random, links: Links) -> float:
+    """An internal ratio; 1 for shafts (third = 0), hardly ever for other two-link ones."""
     kind = rng.random()
-    if not three_links and kind < 0.2:
+    if kind < (0.2 if links[2] == 0 else 0.02 if 0 in links else 0):
         return 1.0
     if kind < 0.55:
         return round(rng.uniform(-4, -0.2), rng.choice((1, 2, 3)))
@@ -49,8 +54,7 @@ def random_value(rng: Random) -> float:
 
 def random_mechanism(rng: Random, links: Links) -> Mechanism:
     """A mechanism on these links."""
-    three = 0 not in links
-    ratio = random_ratio(rng, three_links=three)
+    ratio = random_ratio(rng, links)
     planet = round(rng.uniform(0.3, 3), 2) if rng.random() < 0.2 else None
     return Mechanism(*links, ratio, random_efficiency(rng), planet)
 
@@ -58,19 +62,19 @@ def random_mechanism(rng: Random, links: Links) -> Mechanism:
 def random_links(rng: Random, mechanisms: int) -> tuple[int, list[Links]]:
     """How many links there are, and those of each mechanism.
 
-    Each new mechanism shares links with earlier ones and mostly brings one new.
+    Each new mechanism shares links with earlier ones and mostly brings one new;
+    one link alone is a support.
     """
     count, found = 0, []
     for number in range(mechanisms):
-        two = rng.random() < 0.2
-        size = 2 if two else 3
-        fresh = size if number == 0 else rng.choice((0, 1, 1, 1, 1, 2)) if not two else 1
-        fresh = max(fresh, size - count)
+        size = rng.choices((3, 2, 1), (0.8, 0.18, 0.02 if number else 0))[0]
+        fresh = {3: rng.choice((0, 1, 1, 1, 1, 2)), 2: 1, 1: 0}[size]
+        fresh = size if number == 0 else max(fresh, size - count)
         members = rng.sample(range(1, count + 1), size - fresh)
         members += range(count + 1, count + fresh + 1)
         members += [0] * (3 - size)
         rng.shuffle(members)
-        if two and rng.random() < 0.5:
+        if size < 3 and rng.random() < 0.5:
             members.sort(key=lambda link: link == 0)  # a gear pair: third is the housing
         count += fresh
         found.append((members[0], members[1], members[2]))
@@ -118,7 +122,8 @@ def _gear_of_kind(rng: Random, case: Transmission, kind: str) -> Gear:
     gear, count = Gear(), case.links - len(case.mechanisms) - 1
     ends = case.input, case.output
     if kind == "ports" or (kind in ("speeds", "torques", "both") and rng.random() < 0.3):
-        ends = tuple(rng.sample(range(1, case.links + 1), 2))[:2]
+        first, second = rng.sample(range(1, case.links + 1), 2)
+        ends = first, second
         gear = replace(gear, input=ends[0], output=ends[1])
     free = [link for link in range(1, case.links + 1) if link not in ends]
     if kind in ("speeds", "both") and free and count > 0:
@@ -148,6 +153,16 @@ def random_train(
 ) -> Transmission:
     """A random train of 2-6 mechanisms; `regular`: one-input-one-output gears only."""
     while True:
+        case = _random_case(rng, coast=coast)
+        found = [random_gear(rng, case, regular=regular) for _ in range(gears)]
+        good = not regular or all(is_regular(case, gear) for gear in found)
+        if good or rng.random() < 0.15:
+            return replace(case, gears=found)
+
+
+def _random_case(rng: Random, *, coast: bool | None) -> Transmission:
+    """Links, devices and conventions, with a gear that stands for nothing yet."""
+    while True:
         mechanisms = rng.randint(2, 6)
         links, members = random_links(rng, mechanisms)
         freedom = links - mechanisms
@@ -155,7 +170,7 @@ def random_train(
             break
     members = _renumbered(rng, links, members)
     elements = random_elements(rng, links, freedom - 1 + rng.randint(1, 4))
-    case = Transmission(
+    return Transmission(
         links,
         elements,
         [random_mechanism(rng, one) for one in members],
@@ -164,7 +179,6 @@ def random_train(
         idle=rng.choice(("exact", "published")),
         coast=rng.random() < 0.25 if coast is None else coast,
     )
-    return replace(case, gears=[random_gear(rng, case, regular=regular) for _ in range(gears)])
 
 
 def _renumbered(rng: Random, links: int, members: Sequence[Links]) -> list[Links]:

@@ -1,3 +1,44 @@
-"""Vehicle transmissions calculated from their kinematic scheme."""
+"""Vehicle transmissions calculated from their kinematic scheme.
+
+Speeds, planet and slip speeds, torques with and without losses, efficiency and
+power flow in every gear, by the matrix method of Algin.
+
+>>> from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
+>>> case = Transmission(
+...     links=3,
+...     shift_elements=[ShiftElement(1, 2), ShiftElement(2, 0)],
+...     mechanisms=[Mechanism(1, 2, 3, ratio=-2.5, efficiency=0.96)],
+...     gears=[Gear([1], name="direct"), Gear([2], name="low")],
+... )
+>>> results = solve(case)
+>>> results.ratio
+array([1. , 3.5])
+>>> results.efficiency.round(4)
+array([1.    , 0.9714])
+"""
+
+from vstatics.errors import CaseError, Place, Problem, ReadError, VstaticsError
+from vstatics.matrix import distribution_matrix
+from vstatics.model import Gear, Mechanism, ShiftElement, Transmission
+from vstatics.readers import load
+from vstatics.results import Message, Results
+from vstatics.statics import solve
 
 __version__ = "0.1.0"
+
+__all__ = [
+    "CaseError",
+    "Gear",
+    "Mechanism",
+    "Message",
+    "Place",
+    "Problem",
+    "ReadError",
+    "Results",
+    "ShiftElement",
+    "Transmission",
+    "VstaticsError",
+    "distribution_matrix",
+    "load",
+    "solve",
+]

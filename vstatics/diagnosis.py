@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics import elimination, losses, matrix, statics
+from vstatics import elimination, matrix, signs, statics
 from vstatics.checks import problems
 from vstatics.errors import path_text
 from vstatics.model import Gear, Transmission
@@ -123,7 +123,7 @@ def _torque_messages(results: Results, number: int, gear: Gear) -> Iterator[tupl
     """Torques that do not exist, or are not determined by statics."""
     case = results.case
     if results.tied_up[number]:
-        return
+        return  # said as an error already
     output = case.gear_output(gear)
     if not results.balanced[number]:
         advice = "nothing holds the torque of the input"
@@ -154,7 +154,7 @@ def _loss_messages(results: Results, number: int, gear: Gear) -> Iterator[tuple[
                 "torques with losses and efficiency are unknown"
             ),
         )
-    elif results.balanced[number] and not results.consistent[number]:
+    elif results.calculable[number] and not results.consistent[number]:
         yield "warning", "the directions of power are not determined, so there are no losses"
     if results.turned[number].any():
         turned = _chosen(names, results.turned[number])
@@ -180,8 +180,8 @@ def _coincidence(results: Results, number: int, gear: Gear) -> Iterator[tuple[st
     u = np.array([[mechanism.ratio] for mechanism in case.mechanisms])
     eta = np.array([[mechanism.efficiency] for mechanism in case.mechanisms])
     flow, _ = statics.ideal_flow(case, gear, u, eta)
-    outcome = losses.search(flow, results.balanced[[number]])
-    matter = [case.mechanisms[i].name for i in losses.signs_matter(flow, outcome)]
+    outcome = signs.search(flow, results.calculable[[number]])
+    matter = [case.mechanisms[i].name for i in signs.signs_matter(flow, outcome)]
     if matter:
         yield (
             "warning",

@@ -16,6 +16,57 @@ Integers = NDArray[np.int64]
 Booleans = NDArray[np.bool_]
 
 
+class TableShape(NamedTuple):
+    """A table of the results as it is written and read back."""
+
+    name: str
+    """In JSON and CSV: the deck's name, or that of the library where the deck has none."""
+    printed: str
+    """In a listing."""
+    rows: Literal["links", "elements", "mechanisms", "torques", "one"]
+    """What a row stands for; `one` is a list over the gears."""
+    kind: type = float
+    """float, int or bool: how a number is written."""
+    published: bool = True
+    """Whether the report of the source has it."""
+
+
+TABLES = (
+    TableShape("AJK", "AJK", "links"),
+    TableShape("W", "W", "links"),
+    TableShape("WSAT", "WSAT", "mechanisms"),
+    TableShape("WFRI", "WFRI", "elements"),
+    TableShape("AMLG", "AMLG", "torques"),
+    TableShape("AMLGP", "AMLGP", "torques"),
+    TableShape("ETA", "ETA", "one"),
+    TableShape("IX", "IX", "mechanisms", int),
+    TableShape("ratio", "RATIO", "one", published=False),
+    TableShape("idle", "IDLING", "mechanisms", bool, published=False),
+    TableShape("losses", "LOSS", "mechanisms", published=False),
+    TableShape("power_balance", "BALANCE", "one", published=False),
+    TableShape("consistent", "CONSISTENT", "one", bool, published=False),
+    TableShape("locked", "LOCKED", "one", bool, published=False),
+    TableShape("AMWZ", "AMWZ", "links", published=False),
+    TableShape("AMWZP", "AMWZP", "links", published=False),
+)
+"""All tables in the order in which they are written."""
+
+OUTPUT = "Mx"
+"""The name of the row of the output torque."""
+
+
+def row_names(case: Transmission, shape: TableShape) -> Sequence[str]:
+    """The names of a table's rows."""
+    names = {
+        "links": case.link_names,
+        "elements": [element.name for element in case.shift_elements],
+        "mechanisms": [mechanism.name for mechanism in case.mechanisms],
+        "torques": [*case.devices, OUTPUT],
+        "one": [shape.name],
+    }
+    return names[shape.rows]
+
+
 class Message(NamedTuple):
     """What was noticed in a gear; a gear with an error makes the case fail."""
 
@@ -95,6 +146,11 @@ class Results:
 
     messages: Sequence[Message] = ()
     """What was noticed; for one case only, not for arrays of variants."""
+
+    @property
+    def calculable(self) -> Booleans:
+        """Of shape (..., gears): speeds and torques exist, so that losses can be asked for."""
+        return self.balanced & ~self.tied_up
 
     @property
     def output_torque(self) -> Floats:

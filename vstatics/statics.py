@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from vstatics import diagnosis, elimination, losses, matrix
+from vstatics import diagnosis, elimination, losses, matrix, signs
 from vstatics.errors import CaseError, Problem
 from vstatics.model import HOUSING, Gear, IdleConvention, Mechanism, Transmission
 from vstatics.results import Booleans, Floats, Integers, Results
@@ -157,7 +157,7 @@ class _Gear(NamedTuple):
 def _solve_gear(case: Transmission, gear: Gear, u: Floats, eta: Floats) -> _Gear:
     flow, solution = ideal_flow(case, gear, u, eta)
     balanced: Booleans = np.logical_not(np.isnan(flow.torques).all(axis=0))
-    outcome = losses.search(flow, balanced)
+    outcome = signs.search(flow, balanced & solution.consistent)
     lossy = outcome.lossy
     slips = solution.values[case.links + len(case.mechanisms) :]
     output_speed = flow.speeds[case.gear_output(gear) - 1]
@@ -212,8 +212,6 @@ def ideal_flow(
     speeds = solution.values[: case.links]
     motion = solution.values[case.links : case.links + len(case.mechanisms)]
     torques, holding = losses.solve_torques(case, gear, u)
-    torques[:, ~solution.consistent] = np.nan
-    holding[:, ~solution.consistent] = np.nan
     flow = losses.Flow(
         case,
         gear,

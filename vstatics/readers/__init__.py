@@ -1,1 +1,85 @@
 """Readers of cases: one module per format, text -> Transmission."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from importlib import import_module
+from os import PathLike, fspath
+from pathlib import PurePath
+from typing import Literal
+
+from vstatics.model import Transmission
+from vstatics.readers.reading import Reading
+
+Format = Literal["deck", "yaml", "json"]
+
+READERS: dict[Format, tuple[str, str]] = {
+    "deck": ("vstatics.readers.deck", "read"),
+    "yaml": ("vstatics.readers.named", "read_yaml"),
+    "json": ("vstatics.readers.named", "read_json"),
+}
+"""Module and function of each format; imported when needed, as YAML costs start-up time."""
+
+SUFFIXES: dict[str, Format] = {
+    ".dat": "deck",
+    ".deck": "deck",
+    ".lst": "deck",
+    ".yaml": "yaml",
+    ".yml": "yaml",
+    ".json": "json",
+}
+
+
+def format_of(file: str, data: bytes) -> Format:
+    """The format of a case: told by the suffix, else by the content."""
+    suffix = PurePath(file).suffix.lower()
+    if suffix in SUFFIXES:
+        return SUFFIXES[suffix]
+    from vstatics.readers.deck_text import holds_deck
+
+    if data.lstrip(b"\xef\xbb\xbf \t\r\n")[:1] == b"{":
+        return "json"
+    return "deck" if holds_deck(data) else "yaml"
+
+
+def read(data: bytes, file: str, format: Format | None = None) -> Reading:  # noqa: A002
+    """Read a case from bytes.
+
+    Parameters
+    ----------
+    data : bytes
+        The content of a file.
+    file : str
+        Its name, for messages and to tell the format.
+    format : {"deck", "yaml", "json"}, optional
+        The format, where it is known.
+
+    Raises
+    ------
+    ReadError
+        With every problem and its place.
+    """
+    module, function = READERS[format or format_of(file, data)]
+    reader: Callable[[bytes, str], Reading] = getattr(import_module(module), function)
+    return reader(data, file)
+
+
+def load(path: str | PathLike[str], *, format: Format | None = None) -> Transmission:  # noqa: A002
+    """Read a case from a file: a Visual-Statics deck, YAML or JSON.
+
+    Parameters
+    ----------
+    path : path-like
+        The file.
+    format : {"deck", "yaml", "json"}, optional
+        The format; told by the suffix, else by the content, when not given.
+
+    Raises
+    ------
+    ReadError
+        With every problem and its place.
+    OSError
+        If the file cannot be opened.
+    """
+    with open(path, "rb") as file:  # noqa: PTH123 (pathlib costs nothing less)
+        return read(file.read(), fspath(path), format).case

@@ -1,0 +1,59 @@
+# Everything runs in virtual environments of its own; nothing is installed elsewhere.
+PYTHON ?= python3
+BIN = .venv/bin
+OLDEST = .venv-oldest/bin
+CASE ?= cases/mzkt7922.dat
+
+help: ## list the targets
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "  make %-12s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
+
+run: .venv/run.stamp ## calculate the published case (another: make run CASE=file)
+	@$(BIN)/vstatics run $(CASE)
+
+test: .venv/dev.stamp ## the fast tests (under two minutes)
+	$(BIN)/pytest -q -m "not slow"
+
+test-slow: .venv/dev.stamp ## the slow tests
+	$(BIN)/pytest -q -m slow
+
+test-oldest: .venv-oldest/stamp ## the fast tests with the oldest versions allowed (Python 3.11)
+	$(OLDEST)/pytest -q -m "not slow" -p no:cacheprovider
+
+coverage: .venv/dev.stamp ## the fast tests, with the lines that they miss
+	$(BIN)/pytest -q -m "not slow" --cov=vstatics --cov-report=term-missing
+
+lint: .venv/dev.stamp ## ruff: lint and format
+	$(BIN)/ruff check .
+	$(BIN)/ruff format --check .
+
+types: .venv/dev.stamp ## mypy --strict
+	$(BIN)/mypy
+
+golden: .venv/dev.stamp ## rewrite tests/golden; fails where something changed
+	$(BIN)/pytest -q tests/test_golden.py --regenerate
+
+schema: .venv/run.stamp ## rewrite schemas/case.schema.json from its declaration
+	$(BIN)/python -m vstatics.readers.schema > schemas/case.schema.json
+
+bench: .venv/run.stamp ## time of a whole run against importing numpy and click
+	$(BIN)/python benchmarks/startup.py
+
+clean: ## remove what make has made
+	rm -rf .venv .venv-oldest .coverage .hypothesis .mypy_cache .pytest_cache .ruff_cache
+
+.venv/run.stamp: pyproject.toml
+	$(PYTHON) -m venv .venv
+	$(BIN)/pip install -q --disable-pip-version-check -e .
+	touch $@
+
+.venv/dev.stamp: .venv/run.stamp
+	$(BIN)/pip install -q --disable-pip-version-check -e ".[dev]"
+	touch $@
+
+.venv-oldest/stamp: pyproject.toml constraints-oldest.txt
+	$(PYTHON) -m venv .venv-oldest
+	$(OLDEST)/pip install -q --disable-pip-version-check -e ".[dev]" -c constraints-oldest.txt
+	touch $@
+
+.DEFAULT_GOAL := help
+.PHONY: help run test test-slow test-oldest coverage lint types golden schema bench clean

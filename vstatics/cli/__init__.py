@@ -1,0 +1,60 @@
+"""The command line: it alone prints, opens files and exits."""
+
+from __future__ import annotations
+
+from importlib import import_module
+
+import click
+
+from vstatics import __version__
+
+COMMANDS = {
+    "run": ("vstatics.cli.run", "Calculate every gear of each case."),
+    "check": ("vstatics.cli.check", "Report problems of the input, and the conditions per gear."),
+    "convert": ("vstatics.cli.convert", "Convert a case between deck, YAML and JSON."),
+    "compare": ("vstatics.cli.compare", "Compare two results number by number."),
+}
+"""Module and summary of each command; a module is imported when its command is called."""
+
+
+class Commands(click.Group):
+    """A group that imports a command when it is called."""
+
+    def list_commands(self, ctx: click.Context) -> list[str]:  # noqa: ARG002
+        """All names, in the order of use."""
+        return list(COMMANDS)
+
+    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:  # noqa: ARG002
+        """The command of that name."""
+        if cmd_name not in COMMANDS:
+            return None
+        module, _ = COMMANDS[cmd_name]
+        command: click.Command = getattr(import_module(module), cmd_name)
+        return command
+
+    def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:  # noqa: ARG002
+        """List the commands without importing them."""
+        with formatter.section("Commands"):
+            formatter.write_dl([(name, summary) for name, (_, summary) in COMMANDS.items()])
+
+
+@click.group(cls=Commands, context_settings={"help_option_names": ["-h", "--help"]})
+@click.version_option(__version__, prog_name="vstatics")
+def main() -> None:
+    """Vehicle transmissions calculated from their kinematic scheme.
+
+    Speeds, planet and slip speeds, torques with and without losses, efficiency
+    and power flow in every gear, from a Visual-Statics deck or YAML.
+
+    \b
+    Examples:
+      vstatics run gearbox.dat                 the printed report
+      vstatics run gearbox.yaml -f json        the same for programs
+      vstatics check gearbox.yaml              what is wrong or doubtful
+      vstatics convert gearbox.dat gearbox.yaml
+      vstatics compare result.json golden.json
+
+    \b
+    Completion in the shell (bash; zsh and fish likewise):
+      eval "$(_VSTATICS_COMPLETE=bash_source vstatics)"
+    """

@@ -1,0 +1,66 @@
+"""`vstatics compare`: two results, number by number."""
+
+from __future__ import annotations
+
+import click
+
+from vstatics.cli import files
+from vstatics.compare import Difference, differences
+from vstatics.errors import ReadError
+from vstatics.readers.results import Report, read_results
+
+
+def _differ(actual: list[Report], expected: list[Report], atol: float, rtol: float) -> list[str]:
+    """The lines to print: one for each difference, with the number of the result."""
+    if len(actual) != len(expected):
+        counts = f"{len(actual)} results", f"{len(expected)} results"
+        return [str(Difference("file", "", "", *counts))]
+    lines = []
+    for number, (one, other) in enumerate(zip(actual, expected, strict=True), 1):
+        front = f"result {number}: " if len(actual) > 1 else ""
+        found = differences(one, other, atol=atol, rtol=rtol)
+        lines += [f"{front}{difference}" for difference in found]
+    return lines
+
+
+@click.command()
+@click.argument("actual", type=click.Path())
+@click.argument("expected", type=click.Path())
+@click.option(
+    "--atol",
+    type=click.FloatRange(min=0),
+    default=1e-12,
+    show_default=True,
+    help="Absolute tolerance.",
+)
+@click.option(
+    "--rtol",
+    type=click.FloatRange(min=0),
+    default=1e-9,
+    show_default=True,
+    help="Tolerance relative to the expected number.",
+)
+@click.pass_context
+def compare(context: click.Context, actual: str, expected: str, atol: float, rtol: float) -> None:
+    """Compare two results, listing or JSON, number by number; - is standard input.
+
+    A number from a listing matches anything within half of its last digit. What
+    differs is named by table, row and gear; then the exit status is 1.
+
+    \b
+    Example, in CI:
+      vstatics run gearbox.yaml -f json | vstatics compare - golden/gearbox.json
+    """
+    if actual == expected == files.STDIN:
+        raise click.UsageError("standard input (-) can be read once")
+    try:
+        reports = [read_results(*files.read_input(file)) for file in (actual, expected)]
+    except ReadError as error:
+        files.show(error.problems)
+        context.exit(1)
+    lines = _differ(*reports, atol, rtol)
+    for line in lines:
+        click.echo(line)
+    if lines:
+        click.echo(f"{actual} and {expected} differ in {len(lines)} places", err=True)
+    context.exit(1 if lines else 0)

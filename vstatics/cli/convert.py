@@ -1,0 +1,75 @@
+"""`vstatics convert`: a case from one format to another."""
+
+from __future__ import annotations
+
+import click
+
+from vstatics import readers
+from vstatics.cli import files
+from vstatics.errors import ReadError
+from vstatics.model import Transmission
+
+
+def write(case: Transmission, output_format: readers.Format) -> tuple[str, list[str]]:
+    """A case as text, and what the format cannot keep of it."""
+    if output_format == "deck":
+        from vstatics.writers import deck
+
+        return deck.write(case), deck.lost(case)
+    from vstatics.writers import named
+
+    writer = named.write_yaml if output_format == "yaml" else named.write_json
+    return writer(case), []
+
+
+@click.command()
+@click.argument("source", type=click.Path(), metavar="IN")
+@click.argument("target", type=click.Path(), metavar="OUT")
+@click.option(
+    "--from",
+    "input_format",
+    type=click.Choice(list(readers.READERS)),
+    help="Format of IN; else told by the suffix, then by the content.",
+)
+@click.option(
+    "--to",
+    "output_format",
+    type=click.Choice(list(readers.READERS)),
+    help="Format of OUT; else told by the suffix.",
+)
+@click.pass_context
+def convert(
+    context: click.Context,
+    source: str,
+    target: str,
+    input_format: readers.Format | None,
+    output_format: readers.Format | None,
+) -> None:
+    """Convert the case IN to OUT: deck (.dat), YAML (.yaml) or JSON (.json); - is a stream.
+
+    Numbers and names are kept to the last digit. What the format cannot keep is
+    listed, and the exit status is 1.
+
+    \b
+    Examples:
+      vstatics convert gearbox.dat gearbox.yaml
+      vstatics convert gearbox.yaml - --to deck
+    """
+    suffix = target[target.rfind(".") :].lower() if "." in target else ""
+    wanted = output_format or readers.SUFFIXES.get(suffix)
+    if wanted is None:
+        raise click.UsageError(
+            f"can't tell the format of {target}: expected a suffix such as .dat, .yaml, .json, "
+            "or --to"
+        )
+    try:
+        reading = readers.read(*files.read_input(source), input_format)
+        files.show(reading.warnings)
+        text, lost = write(reading.case, wanted)
+        files.write_output(text, target)
+    except ReadError as error:
+        files.show(error.problems)
+        context.exit(1)
+    for what in lost:
+        click.echo(f"{target}: not kept: {what}", err=True)
+    context.exit(1 if lost else 0)

@@ -1,0 +1,254 @@
+"""The values of a deck's fields: as many as the sizes say, each with its place."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from typing import Generic, NamedTuple
+
+from vstatics.readers.deck_numbers import (
+    DECIMAL_COMMA,
+    NotANumberError,
+    Number,
+    Token,
+    is_attempt,
+    is_number,
+    leading_numbers,
+    numbers_alone,
+    real,
+    repeated,
+    starts_values,
+    token_lines,
+)
+from vstatics.readers.deck_text import Field, Scan
+
+Spot = tuple[int, int]
+"""Line and column, from 1."""
+
+
+class Values(NamedTuple, Generic[Number]):
+    """The values of a field, with stand-ins where they could not be read."""
+
+    numbers: list[Number]
+    spots: list[Spot]
+    unreadable: set[int]
+    """Positions from 0 that hold stand-ins."""
+
+
+class Wanted(NamedTuple):
+    """What a field has to hold."""
+
+    name: str
+    label: Callable[[int], str]
+    """The name of a value by its position from 0: ``IAB(1)``."""
+    need: int
+    why: str
+    """What fixes the number of values: ``KG``."""
+
+
+def take(
+    found: Scan, field: Field, wanted: Wanted, parse: Callable[[str], Number]
+) -> Values[Number]:
+    """The values of a field; what is wrong with them is noted in `found`."""
+
+    def ending(line: int) -> str:
+        return _ending(found, field, line)
+
+    taker = _Taker(found, (field.line, field.value + 1), wanted, parse, ending)
+    return taker.take(token_lines(found, field))
+
+
+def take_rows(
+    found: Scan,
+    field: Field,
+    counts: Sequence[int],
+    counted: str,
+    parse: Callable[[str], Number],
+) -> Values[Number]:
+    """The values of all gears, in one line or in a line for each gear that has any."""
+    gears = [gear for gear, count in enumerate(counts, 1) if count]
+    rows = _rows(found, field, len(gears))
+    if len(rows) < 2:
+        names = [f"{field.key}({k},{gear})" for gear in gears for k in range(1, counts[gear - 1] + 1)]
+        wanted = Wanted(
+            field.key, lambda n: names[n] if n < len(names) else field.key, len(names), counted
+        )
+        return take(found, field, wanted, parse)
+    if len(rows) != len(gears):
+        surplus = rows[len(gears) : len(gears) + 1]
+        spot = surplus[0][0].spot if surplus else (rows[-1][-1].line, rows[-1][-1].after)
+        expected = f"expected {len(gears)} (one for each gear with {counted} above 0)"
+        end = "" if surplus else f" before {_ending(found, field, spot[0] + 1)}"
+        found.error(f"{field.key}: read {len(rows)} lines of numbers{end}, {expected}", *spot)
+        return stand_ins(field, sum(counts), parse)
+    values = Values[Number]([], [], set())
+    for gear, tokens in zip(gears, rows, strict=True):
+        row = _row(found, field.key, gear, counts[gear - 1], counted, tokens, parse)
+        values.unreadable.update(len(values.numbers) + position for position in row.unreadable)
+        values.numbers.extend(row.numbers)
+        values.spots.extend(row.spots)
+    return values
+
+
+def stand_ins(field: Field | None, need: int, parse: Callable[[str], Number]) -> Values[Number]:
+    """Values of a field that is not there, or cannot be read at all."""
+    spot = (field.line, field.column) if field else (0, 0)
+    return Values([parse("0")] * need, [spot] * need, set(range(need)))
+
+
+def _rows(found: Scan, field: Field, expected: int) -> list[list[Token]]:
+    """The lines of numbers of a field, up to the first line of prose."""
+    rows: list[list[Token]] = []
+    for tokens in token_lines(found, field):
+        alone = numbers_alone(tokens)
+        if not alone and (len(rows) >= expected or not starts_values(tokens)):
+            break
+        rows.append(tokens)
+    return rows
+
+
+def _row(
+    found: Scan,
+    key: str,
+    gear: int,
+    need: int,
+    counted: str,
+    tokens: list[Token],
+    parse: Callable[[str], Number],
+) -> Values[Number]:
+    """The values of one gear from its line."""
+    wanted = Wanted(
+        f"{key}(1,{gear})", lambda n: f"{key}({n + 1},{gear})", need, f"{counted}({gear})"
+    )
+    taker = _Taker(found, tokens[0].spot, wanted, parse, lambda _: "the end of the line")
+    return taker.take([tokens])
+
+
+def _ending(found: Scan, field: Field, line: int) -> str:
+    """What the values end at from a line on: prose, the next field, the end of the file."""
+    lines = found.source.lines
+    if field.end is not None:
+        return f"'{lines[field.line - 1][field.end - 1 :].strip()[:30]}'"
+    while line <= found.last and not lines[line - 1].strip():
+        line += 1
+    if line > found.last:
+        return "the end of the input"
+    return f"'{lines[line - 1].strip()[:30]}' in line {line}"
+
+
+class _Taker(Generic[Number]):
+    """Takes the values of one field, token by token."""
+
+    def __init__(
+        self,
+        found: Scan,
+        start: Spot,
+        wanted: Wanted,
+        parse: Callable[[str], Number],
+        ending: Callable[[int], str],
+    ) -> None:
+        """Start before the first value."""
+        self.found, self.wanted, self.parse, self.ending = found, wanted, parse, ending
+        self.need = wanted.need
+        self.values = Values[Number]([], [], set())
+        self.start = self.end = start
+        self.total = 0
+        self.surplus: Token | None = None
+        self.after_comma = True
+        self.failed = False
+        self.complete_at = 0
+        """The line that completes the values if its mistyped ones are counted."""
+
+    def take(self, lines: Iterable[list[Token]]) -> Values[Number]:
+        """Take all values and check their count."""
+        for tokens in lines:
+            later = tokens[0].line > self.start[0]
+            if later and self.total >= self.need and not numbers_alone(tokens):
+                break
+            if (later and not starts_values(tokens)) or not self._line(tokens):
+                break
+        if not self.failed and self.total != self.need:
+            self._count()
+        missing = range(len(self.values.numbers), self.need)
+        self.values.unreadable.update(missing)
+        self.values.numbers.extend([self.parse("0")] * len(missing))
+        self.values.spots.extend([self.start] * len(missing))
+        return self.values
+
+    def _line(self, tokens: list[Token]) -> bool:
+        """Take the values of a line; whether there may be more below."""
+        for position, token in enumerate(tokens):
+            if token.text == ",":
+                if not self._comma(token):
+                    return False
+                continue
+            self.after_comma = False
+            try:
+                count, number = repeated(token, self.parse)
+            except NotANumberError as error:
+                if self.total >= self.need and not is_number(token):
+                    return False  # prose behind the last value
+                if self.total < self.need and not self._wrong(token, error, tokens[position:]):
+                    return False
+                count, number = 1, self.parse("0")
+            self._keep(token, count, number)
+        return True
+
+    def _comma(self, token: Token) -> bool:
+        if self.after_comma and self.total < self.need:
+            what = "two commas with nothing between" if self.total else "nothing before the comma"
+            label, hint = self.wanted.label(self.total), self._hint(token.line)
+            self._fail(f"{label}: {what}, expected a number{hint}", token)
+            return False
+        self.after_comma = True
+        return True
+
+    def _wrong(self, token: Token, error: NotANumberError, rest: list[Token]) -> bool:
+        """Report a token that is no number; whether those behind it can be told to be values."""
+        hint = self._hint(token.line) if token.text in "+-" else ""
+        label = self.wanted.label(self.total)
+        self._fail(f"{label}: read '{token.text[:30]}', {error}{hint}", token)
+        if not is_attempt(token):
+            return False
+        if self.complete_at != token.line:
+            left = sum(max(leading_numbers([token]), 1) for token in rest if token.text != ",")
+            if left != self.need - self.total:
+                return False
+            self.complete_at = token.line
+        self.values.unreadable.add(len(self.values.numbers))
+        return True
+
+    def _fail(self, message: str, token: Token) -> None:
+        self.found.error(message, *token.spot)
+        self.failed = True
+
+    def _keep(self, token: Token, count: int, number: Number) -> None:
+        """Keep as many values as are needed; the rest is counted, not kept."""
+        kept = min(count, max(self.need - self.total, 0))
+        self.values.numbers.extend([number] * kept)
+        self.values.spots.extend([token.spot] * kept)
+        self.total += count
+        self.end = token.line, token.after
+        if self.total > self.need and self.surplus is None:
+            self.surplus = token
+
+    def _count(self) -> None:
+        """Report too few or too many values."""
+        expected = f"expected {self.need} ({self.wanted.why})" if self.wanted.why else "expected one"
+        read = f"read {self.total} value{'s' * (self.total != 1)}"
+        if self.surplus is None:
+            label = self.wanted.label(self.total)
+            end = self.ending(self.end[0] + 1)
+            self.found.error(f"{label}: {read} before {end}, {expected}", *self.end)
+        else:
+            hint = self._hint(self.surplus.line)
+            message = f"{self.wanted.name}: {read}, {expected}{hint}"
+            self.found.error(message, *self.surplus.spot)
+            self.values.unreadable.update(range(self.need))
+
+    def _hint(self, last: int) -> str:
+        """A word on decimal commas, where they are likely."""
+        first, column = self.start
+        lines = self.found.source.lines[first - 1 : last]
+        lines[0] = lines[0][column - 1 :]
+        likely = self.parse is real and any(map(DECIMAL_COMMA.search, lines))
+        return "; write a decimal point, not a decimal comma" if likely else ""

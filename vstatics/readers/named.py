@@ -1,0 +1,99 @@
+"""Reads cases in YAML and JSON: bytes -> tree of nodes -> Transmission."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from vstatics.errors import Path
+from vstatics.model import Gear, Mechanism, ShiftElement
+from vstatics.readers.nodes import Found, Mapping, Node, decode, what
+from vstatics.readers.reading import Reading, finish
+from vstatics.readers.shape import CASE
+from vstatics.readers.spots import Spot, Spots
+from vstatics.readers.walk import Walk
+
+
+def read_yaml(data: bytes, file: str) -> Reading:
+    """Read a case in YAML.
+
+    Parameters
+    ----------
+    data : bytes
+        UTF-8, or another Unicode encoding with its byte order mark.
+    file : str
+        The name that problems give.
+
+    Raises
+    ------
+    ReadError
+        With every problem that can be told from the others.
+
+    Examples
+    --------
+    >>> text = b'''
+    ... links: [sun, ring, carrier]
+    ... mechanisms: {set: {first: sun, second: ring, third: carrier, ratio: -96/39}}
+    ... shift_elements: {brake: [ring, housing]}
+    ... gears: {"1": {engaged: [brake]}}
+    ... '''
+    >>> read_yaml(text, "case.yaml").case.mechanisms[0].links
+    (1, 2, 3)
+    """
+    from vstatics.readers.yaml_nodes import yaml_tree  # yaml costs start-up time
+
+    found = Found(decode(data, file))
+    return _reading(yaml_tree(found), found)
+
+
+def read_json(data: bytes, file: str) -> Reading:
+    """Read a case in JSON, of the same shape as in YAML.
+
+    Parameters
+    ----------
+    data : bytes
+        UTF-8, or another Unicode encoding with its byte order mark.
+    file : str
+        The name that problems give.
+
+    Raises
+    ------
+    ReadError
+        With every problem that can be told from the others.
+    """
+    from vstatics.readers.json_nodes import json_tree  # json likewise
+
+    found = Found(decode(data, file))
+    return _reading(json_tree(found), found)
+
+
+def _reading(root: Node, found: Found) -> Reading:
+    """The case of a tree of nodes."""
+    if not isinstance(root, Mapping):
+        expected = "expected a case: a mapping with `links`, `mechanisms` and `gears`"
+        found.stop(f"read {what(root)}, {expected}", root.line, root.column)
+    spots = Spots(found)
+    walk = Walk(spots)
+    values = walk.read(Spot((), "", root), CASE)
+    parts = _parts(values) | {"link_names": walk.references.link_names}
+    return finish(parts, found.problems, _untold(spots.unreadable), spots.locate)
+
+
+def _parts(values: dict[str, Any]) -> dict[str, Any]:
+    """The arguments of `Transmission`."""
+    return values | {
+        "shift_elements": [
+            ShiftElement(first, second, name)
+            for name, (first, second) in values.get("shift_elements", ())
+        ],
+        "mechanisms": [Mechanism(**record, name=name) for name, record in values["mechanisms"]],
+        "gears": [Gear(**record, name=name) for name, record in values["gears"]],
+    }
+
+
+def _untold(unreadable: list[Path]) -> list[Path]:
+    """Where the model's complaints would be about stand-ins.
+
+    Links are counted against the devices, so these count too.
+    """
+    devices = {("shift_elements",), ("mechanisms",)}
+    return [*unreadable, ("links",)] if devices.intersection(unreadable) else unreadable

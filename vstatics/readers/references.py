@@ -1,0 +1,98 @@
+"""What a document calls its links and shift elements."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+from vstatics.model import HOUSING
+from vstatics.readers import scalars
+from vstatics.readers.nodes import Found
+
+NO_LINK = -1
+"""Stands in for a link that is not known; no other link is equal to it."""
+
+NO_ELEMENT = 0
+_HOUSING = ("0", "housing")
+
+
+class References:
+    """Numbers of links and shift elements by their names.
+
+    Attributes
+    ----------
+    link_names : list of str
+        Names of the links, empty when they are numbers.
+    links_known, elements_known : bool
+        Whether they could be read; if not, it is no use to complain about names.
+    """
+
+    def __init__(self, found: Found) -> None:
+        """Start with nothing to refer to."""
+        self.link_names: list[str] = []
+        self.links_known = False
+        self.elements_known = True
+        self._found = found
+        self._links = 0
+        self._link_numbers: dict[str, int] = {}
+        self._elements: dict[str, int] = {}
+
+    def set_links(self, links: int) -> None:
+        """Links that have numbers only."""
+        self._links, self.links_known = links, True
+
+    def set_link_names(self, names: Sequence[str]) -> None:
+        """Links that have names only."""
+        self.link_names = list(names)
+        self._link_numbers = _numbered(names)
+        self.links_known = True
+
+    def set_elements(self, names: Iterable[str]) -> None:
+        """The shift elements in order."""
+        self._elements = _numbered(names)
+
+    def link(self, text: str) -> int:
+        """The number of a link, 0 for the housing, `NO_LINK` if no links are known.
+
+        Raises
+        ------
+        ValueError
+            With what was expected.
+        """
+        if text in _HOUSING:
+            return HOUSING
+        if self.link_names:
+            if text in self._link_numbers:
+                return self._link_numbers[text]
+            hint = self._found.hint(text, [*self.link_names, "housing"])
+            raise ValueError(f"expected the name of a link or `housing`{hint}")
+        number = scalars.link_number(text)
+        if number is not None:
+            return number
+        if not self.links_known:
+            return NO_LINK
+        hint = self._found.hint(text, ["housing"])
+        raise ValueError(f"expected a link number from 1 to {self._links} or `housing`{hint}")
+
+    def element(self, text: str) -> int:
+        """The number of a shift element, `NO_ELEMENT` if none are known.
+
+        Raises
+        ------
+        ValueError
+            With what was expected.
+        """
+        if text in self._elements:
+            return self._elements[text]
+        if not self.elements_known:
+            return NO_ELEMENT
+        if not self._elements:
+            raise ValueError("but there are no shift elements")
+        hint = self._found.hint(text, self._elements)
+        raise ValueError(f"expected the name of a shift element{hint}")
+
+
+def _numbered(names: Iterable[str]) -> dict[str, int]:
+    numbers: dict[str, int] = {}
+    for number, name in enumerate(names, 1):
+        numbers.setdefault(name, number)
+    return numbers

@@ -1,0 +1,151 @@
+"""Written results, a listing or JSON, back to tables of numbers, for comparison."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Sequence
+from typing import Any, NamedTuple
+
+from vstatics.errors import Problem, ReadError
+from vstatics.model import Transmission
+from vstatics.readers import read
+from vstatics.readers.deck_text import decode, head
+from vstatics.readers.reading import Source
+from vstatics.results import TABLES
+
+PRINTED = {shape.printed: shape.name for shape in TABLES}
+
+
+class Figure(NamedTuple):
+    """A number as it was written: NaN stands for none."""
+
+    value: float
+    slack: float = 0.0
+    """Half of the last digit, for a number from a listing."""
+
+
+Figures = list[list[Figure]]
+"""Rows of a table; a list over gears is one row."""
+
+
+class Report(NamedTuple):
+    """The tables of one result."""
+
+    tables: dict[str, Figures]
+    case: Transmission | None
+    """For the names of rows and gears; a foreign listing may have none."""
+    printed: bool
+    """Whether it was a listing."""
+    errors: bool = False
+    """Whether it stands for a case that failed."""
+
+
+def read_results(data: bytes, file: str) -> list[Report]:
+    """Read a listing or a JSON result; several in one file come in their order.
+
+    Raises
+    ------
+    ReadError
+        If the text is no result.
+    """
+    text = decode(data, file)
+    if text.lstrip()[:1] in ("{", "["):
+        return _read_json(text, file)
+    return _read_listing(text, file)
+
+
+def _fail(message: str, file: str, line: int = 0, column: int = 1) -> ReadError:
+    place = Source(file, "").place(line, column)
+    return ReadError([Problem(message, place=place)])
+
+
+def _read_json(text: str, file: str) -> list[Report]:
+    try:
+        found = json.loads(text)
+    except json.JSONDecodeError as error:
+        raise _fail(f"no JSON: {error.msg}", file, error.lineno, error.colno) from None
+    except (RecursionError, ValueError) as error:
+        raise _fail(f"no JSON that can be read: {error}", file) from None
+    documents = found if isinstance(found, list) else [found]
+    return [_report(document, file, number) for number, document in enumerate(documents, 1)]
+
+
+def _report(document: Any, file: str, number: int) -> Report:
+    if not isinstance(document, dict):
+        raise _fail(f"result {number} is no JSON object; expected one of `vstatics run`", file)
+    if "errors" in document:
+        return Report({}, None, printed=False, errors=True)
+    tables = {}
+    for shape in TABLES:
+        if shape.name in document:
+            rows = document[shape.name]
+            try:
+                given = [rows] if shape.rows == "one" else rows
+                tables[shape.name] = [[_from_json(value) for value in row] for row in given]
+            except (TypeError, ValueError, OverflowError):
+                message = f"{shape.name} of result {number} is no table of numbers"
+                raise _fail(message, file) from None
+    if not tables:
+        known = ", ".join(shape.name for shape in TABLES[:3])
+        raise _fail(f"result {number} has none of the tables {known}, ...", file)
+    return Report(tables, _case(json.dumps(document.get("case")), "json"), printed=False)
+
+
+def _from_json(value: Any) -> Figure:
+    if isinstance(value, str):
+        raise TypeError(value)
+    return Figure(math.nan if value is None else float(value))
+
+
+def _case(text: str, kind: str) -> Transmission | None:
+    """The case that a result tells of, if it does."""
+    try:
+        return read(text.encode(), "", format=kind).case
+    except ReadError:
+        return None
+
+
+def _read_listing(text: str, file: str) -> list[Report]:
+    """A report begins at each KJG= that follows a table."""
+    reports: list[Report] = []
+    tables: dict[str, Figures] = {}
+    first = 0
+    rows: Figures | None = None
+    lines = Source(file, text).lines
+    for number, line in enumerate([*lines, "KJG="]):
+        field = head(line)
+        if field == "KJG" and tables:
+            part = "\n".join(lines[first:number])
+            reports.append(Report(tables, _case(part, "deck"), printed=True))
+            tables, first, rows = {}, number, None
+        elif field in PRINTED:
+            rows = tables.setdefault(PRINTED[field], [])
+        elif rows is not None and line.strip():
+            figures = _figures(line.split())
+            if figures is None:
+                rows = None
+            else:
+                rows.append(figures)
+    if not reports:
+        raise _fail("no table of results found; expected a listing or JSON of `vstatics run`", file)
+    return reports
+
+
+def _figures(words: Sequence[str]) -> list[Figure] | None:
+    """The numbers of a printed row, or None if it is something else."""
+    made = []
+    for word in words:
+        if set(word) == {"*"}:
+            made.append(Figure(math.nan))
+            continue
+        mantissa, _, exponent = word.upper().replace("D", "E").partition("E")
+        _, point, decimals = mantissa.partition(".")
+        try:
+            value = float(word.upper().replace("D", "E"))
+            scale = int(exponent or 0) - len(decimals)
+            slack = 0.5 * 10.0**scale if point else 0.0
+        except (ValueError, OverflowError):
+            return None
+        made.append(Figure(value, slack))
+    return made

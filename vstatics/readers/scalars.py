@@ -1,0 +1,65 @@
+"""What single values mean: numbers, link numbers, switches.
+
+Python's own conversions take more (`1_000`, `nan`, `٣`) than a case should.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+
+_DECIMAL = r"[+-]?([0-9]+(\.[0-9]*)?|\.[0-9]+)([eE][+-]?[0-9]+)?"
+NUMBER = rf"^{_DECIMAL}( */ *{_DECIMAL})?$"
+"""A decimal number or a fraction of two, as a pattern for Python and ECMAScript."""
+
+LINK_NUMBER = "^(0|[1-9][0-9]*)$"
+"""Plain digits; `010` would be 8 to some readers of YAML."""
+
+_NUMBER = re.compile(NUMBER.removesuffix("$") + r"\Z")
+_LINK_NUMBER = re.compile(LINK_NUMBER.removesuffix("$") + r"\Z")
+_MOST_DIGITS = 9
+
+
+def number(text: str) -> float:
+    """A decimal number or a fraction.
+
+    Raises
+    ------
+    ValueError
+        With what was expected.
+
+    Examples
+    --------
+    >>> number("-2.5e-1"), number("-96/39") == -96 / 39
+    (-0.25, True)
+    """
+    if not _NUMBER.match(text):
+        comma = " (with a decimal point)" if "," in text else ""
+        raise ValueError(f"expected a number or a fraction such as -96/39{comma}")
+    parts = [float(part) for part in text.split("/")]
+    if parts[1:] == [0]:
+        raise ValueError("expected a denominator other than 0")
+    value = parts[0] / parts[1] if len(parts) == 2 else parts[0]
+    if not math.isfinite(value):
+        raise ValueError("expected a number that is not so large")
+    return value
+
+
+def link_number(text: str) -> int | None:
+    """A link number, or none if the text is not one.
+
+    >>> link_number("12"), link_number("0x10")
+    (12, None)
+    """
+    if not _LINK_NUMBER.match(text):
+        return None
+    if len(text) > _MOST_DIGITS:
+        raise ValueError(f"expected a number of at most {_MOST_DIGITS} digits")
+    return int(text)
+
+
+def flag(text: str, *, plain: bool) -> bool:
+    """A switch, `true` or `false` without quotes."""
+    if not plain or text not in ("true", "false"):
+        raise ValueError("expected `true` or `false`" + ("" if plain else " without quotes"))
+    return text == "true"

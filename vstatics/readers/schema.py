@@ -1,0 +1,140 @@
+"""The JSON Schema of a case, made from its declared shape.
+
+``python -m vstatics.readers.schema`` gives the text of ``schemas/case.schema.json``.
+"""
+
+from __future__ import annotations
+
+import json
+import sys
+from typing import Any
+
+from vstatics.readers.scalars import LINK_NUMBER, NUMBER
+from vstatics.readers.shape import (
+    CASE,
+    ByLink,
+    Ends,
+    Engaged,
+    Key,
+    Leaf,
+    Links,
+    Named,
+    Record,
+    Shape,
+)
+
+Words = dict[str, Any]
+
+_NAME: Words = {"type": ["string", "integer"], "minLength": 1}
+_DEFINITIONS: dict[str, Words] = {
+    "link": {
+        "title": "Link",
+        "description": "Number or name of a link; 0 and `housing` are the housing.",
+        "type": ["integer", "string"],
+        "minimum": 0,
+        "minLength": 1,
+    },
+    "number": {
+        "title": "Number",
+        "description": "A number, or a fraction of two such as -96/39.",
+        "type": ["number", "string"],
+        "pattern": NUMBER,
+    },
+}
+
+
+def json_schema() -> Words:
+    """The JSON Schema (draft 2020-12) of a case in YAML or JSON.
+
+    Names of links and shift elements are not looked up: a schema cannot do that.
+
+    Examples
+    --------
+    >>> json_schema()["required"]
+    ['links', 'mechanisms', 'gears']
+    """
+    schema = {"$schema": "https://json-schema.org/draft/2020-12/schema", **_record(CASE)}
+    return {**schema, "$defs": _DEFINITIONS}
+
+
+def schema_text() -> str:
+    """The JSON Schema as it stands in the repository."""
+    return json.dumps(json_schema(), indent=2, ensure_ascii=False) + "\n"
+
+
+def _record(shape: Record) -> Words:
+    words: Words = {
+        "title": shape.title,
+        "description": shape.description,
+        "type": "object" if shape.required else ["object", "null"],
+        "properties": {key.name: _key(key) for key in shape.keys},
+        "additionalProperties": False,
+    }
+    return {**words, "required": shape.required} if shape.required else words
+
+
+def _key(key: Key) -> Words:
+    words = {"description": key.description, **_shape(key.shape), **key.limits}
+    if key.default is not None:
+        words["default"] = key.default
+    if key.examples:
+        words["examples"] = list(key.examples)
+    return words if key.required else _optional(words)
+
+
+def _optional(words: Words) -> Words:
+    """An optional key without a value is not given."""
+    if "$ref" in words:
+        reference = {"$ref": words.pop("$ref")}
+        return {**words, "anyOf": [reference, {"type": "null"}]}
+    if "enum" in words:
+        return {**words, "enum": [*words["enum"], None]}
+    types = words["type"] if isinstance(words["type"], list) else [words["type"]]
+    return {**words, "type": [*types, "null"]}
+
+
+def _shape(shape: Shape) -> Words:  # noqa: PLR0911 - a table
+    link: Words = {"$ref": "#/$defs/link"}
+    match shape:
+        case Record():
+            return _record(shape)
+        case Named():
+            least = {"minProperties": 1} if shape.kind == "gear" else {}
+            return _by_name(_shape(shape.item)) | least
+        case Links():
+            number: Words = {"type": ["integer", "string", "array"], "minimum": 2}
+            names: Words = {"items": _NAME, "minItems": 2, "uniqueItems": True}
+            return {**number, "pattern": LINK_NUMBER, **names}
+        case Ends():
+            return {"type": "array", "items": link, "minItems": 2, "maxItems": 2}
+        case Engaged():
+            return {"type": "array", "items": _NAME, "uniqueItems": True}
+        case ByLink():
+            return _by_name({"$ref": "#/$defs/number"})
+        case Leaf():
+            return _leaf(shape)
+
+
+def _by_name(item: Words) -> Words:
+    return {
+        "type": "object",
+        "propertyNames": {"minLength": 1},
+        "additionalProperties": item,
+    }
+
+
+def _leaf(shape: Leaf) -> Words:
+    match shape.kind:
+        case "number" | "link":
+            return {"$ref": f"#/$defs/{shape.kind}"}
+        case "flag":
+            return {"type": "boolean"}
+        case "choice":
+            return {"enum": list(shape.choices)}
+        case "element":
+            return dict(_NAME)
+    return {"type": ["string", "number", "boolean"]}
+
+
+if __name__ == "__main__":
+    sys.stdout.write(schema_text())

@@ -1,0 +1,168 @@
+"""The shape of a case in YAML and JSON, declared once.
+
+The reader checks documents against it, the JSON Schema is made from it. Keys are
+the attributes of the model's classes, in the order in which they are read: what
+others refer to comes first.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any, Literal, TypeAlias
+
+LeafKind = Literal["text", "number", "link", "element", "flag", "choice"]
+
+
+@dataclass(frozen=True, slots=True)
+class Leaf:
+    """A single value."""
+
+    kind: LeafKind
+    choices: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Links:
+    """The number of links, or their names in order."""
+
+
+@dataclass(frozen=True, slots=True)
+class Ends:
+    """The links of a shift element, first and second."""
+
+
+@dataclass(frozen=True, slots=True)
+class Engaged:
+    """Names of shift elements."""
+
+
+@dataclass(frozen=True, slots=True)
+class ByLink:
+    """Links with a number for each."""
+
+
+@dataclass(frozen=True, slots=True)
+class Key:
+    """A key of a record: its attribute in the model, and what stands behind it.
+
+    `default` is for keys whose default the document fixes; `limits` are words of
+    JSON Schema for numbers, which the model checks in its own words.
+    """
+
+    name: str
+    shape: Shape
+    description: str
+    required: bool = False
+    default: Any = None
+    limits: Mapping[str, Any] = field(default_factory=dict)
+    examples: tuple[Any, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Record:
+    """A mapping of known keys."""
+
+    title: str
+    description: str
+    keys: tuple[Key, ...]
+
+    @property
+    def required(self) -> list[str]:
+        """Names of the keys that must be there."""
+        return [key.name for key in self.keys if key.required]
+
+
+@dataclass(frozen=True, slots=True)
+class Named:
+    """Items of one kind in order, each under its name."""
+
+    kind: str
+    item: Shape
+
+
+Shape: TypeAlias = Leaf | Links | Ends | Engaged | ByLink | Record | Named
+
+TEXT, NUMBER, LINK, FLAG = Leaf("text"), Leaf("number"), Leaf("link"), Leaf("flag")
+
+MECHANISM = Record(
+    "Mechanism",
+    "A three-link device of constant structure: planetary set, gear pair, shaft, support.",
+    (
+        Key("first", LINK, "First link; the sun of a planetary set.", required=True),
+        Key("second", LINK, "Second link; the ring of a planetary set.", required=True),
+        Key("third", LINK, "Third link; the carrier of a planetary set.", default=0),
+        Key(
+            "ratio",
+            NUMBER,
+            "Internal ratio (w_first - w_third)/(w_second - w_third).",
+            required=True,
+            limits={"not": {"const": 0}},
+            examples=(-2.461, "-96/39"),
+        ),
+        Key(
+            "efficiency",
+            NUMBER,
+            "Efficiency with the third link held, above 0 and up to 1.",
+            default=1,
+            limits={"exclusiveMinimum": 0, "maximum": 1},
+            examples=(0.97,),
+        ),
+        Key(
+            "planet_ratio",
+            NUMBER,
+            "Ratio first link to planet, third link held; known by itself for a plain set.",
+            limits={"not": {"const": 0}},
+        ),
+    ),
+)
+
+GEAR = Record(
+    "Gear",
+    "A shift state: what is engaged, and what is given besides.",
+    (
+        Key("engaged", Engaged(), "Names of the engaged shift elements.", examples=(["T1", "F2"],)),
+        Key("speeds", ByLink(), "Further given link speeds, relative to the input speed."),
+        Key("torques", ByLink(), "Further external torques, relative to the input torque."),
+        Key("input", LINK, "This gear's own input link."),
+        Key("output", LINK, "This gear's own output link."),
+    ),
+)
+
+CASE = Record(
+    "Transmission",
+    "A vehicle transmission by its kinematic scheme.",
+    (
+        Key("name", TEXT, "Name of the transmission, on one line."),
+        Key("description", TEXT, "What the transmission is, as long as you like."),
+        Key("source", TEXT, "Where its data come from."),
+        Key(
+            "links",
+            Links(),
+            "Main links without the housing: their number, or their names in order.",
+            required=True,
+            examples=(6, ["sun", "ring", "carrier"]),
+        ),
+        Key("input", LINK, "Input link.", default=1),
+        Key("output", LINK, "Output link; the last one when not given."),
+        Key(
+            "idle",
+            Leaf("choice", ("exact", "published")),
+            "Sign of idle mechanisms: 0 (exact), or as in the published tables.",
+            default="exact",
+        ),
+        Key("coast", FLAG, "Power enters at the output (engine braking).", default=False),
+        Key(
+            "shift_elements",
+            Named("shift element", Ends()),
+            "Clutches and brakes in order: name and [first link, second link].",
+        ),
+        Key(
+            "mechanisms",
+            Named("mechanism", MECHANISM),
+            "Mechanisms in order, each under its name.",
+            required=True,
+        ),
+        Key("gears", Named("gear", GEAR), "Gears in order, each under its name.", required=True),
+    ),
+)

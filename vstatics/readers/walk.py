@@ -1,0 +1,237 @@
+"""The walk through a tree of nodes along the declared shape of a case.
+
+It gives plain values for the model's classes, remembers where each of the model's
+paths stands in the document, and leaves a stand-in where nothing can be read.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from typing import Any
+
+from vstatics.readers import scalars
+from vstatics.readers.nodes import Listing, Mapping, Node, Scalar, is_null, shown, what
+from vstatics.readers.references import NO_ELEMENT, NO_LINK, References
+from vstatics.readers.shape import (
+    ByLink,
+    Ends,
+    Engaged,
+    Key,
+    Leaf,
+    LeafKind,
+    Links,
+    Named,
+    Record,
+    Shape,
+)
+from vstatics.readers.spots import Spot, Spots
+
+_MANY_LINKS = 10**9  # takes every link number in; the model refuses it, and this is not told
+_LEAVES: dict[LeafKind, tuple[str, Any]] = {  # what is expected, what stands in for it
+    "text": ("text", ""),
+    "number": ("a number", 1.0),
+    "link": ("a link", NO_LINK),
+    "element": ("the name of a shift element", NO_ELEMENT),
+    "flag": ("`true` or `false`", False),
+    "choice": ("text", None),
+}
+_COLLECTIONS: dict[type[Shape], Any] = {
+    Links: _MANY_LINKS,
+    Ends: (NO_LINK, NO_LINK),
+    Named: (),
+    ByLink: {},
+    Engaged: (),
+}
+
+
+class Walk:
+    """Reads nodes by their shapes."""
+
+    def __init__(self, spots: Spots) -> None:
+        """Start with nothing read."""
+        self.spots = spots
+        self.references = References(spots.found)
+        self._readers: dict[type[Shape], Callable[[Spot, Any], Any]] = {
+            Record: self._record,
+            Named: self._named,
+            Links: self._links,
+            Ends: self._ends,
+            Engaged: self._engaged,
+            ByLink: self._by_link,
+            Leaf: self._leaf,
+        }
+
+    def read(self, spot: Spot, shape: Shape) -> Any:
+        """The value at a spot, or a stand-in after a problem."""
+        self.spots.keep(spot)
+        return self._readers[type(shape)](spot, shape)
+
+    def _refuse(self, spot: Spot, shape: Shape, expected: object, read: str = "") -> Any:
+        self.spots.refuse(spot, f"read {read or what(spot.node)}, {expected}")
+        return _stand_in(shape)
+
+    def _entries(self, spot: Spot, node: Mapping) -> Iterator[tuple[Scalar, Node]]:
+        """Keys with their values, without those that a case cannot have."""
+        seen: dict[str, Scalar] = {}
+        for key, value in node.entries:
+            if key.plain and key.text == "<<":
+                message = "merge key `<<` is not taken, write its keys out"
+                self.spots.complain(spot, message, key)
+            elif is_null(key) or not key.text:
+                self.spots.complain(spot, "an empty key, expected a name", key)
+            elif key.text in seen:
+                first = seen[key.text]
+                message = f"key `{shown(key.text)}` is given twice"
+                other = f"the first is on line {first.line}, column {first.column}"
+                self.spots.complain(spot, f"{message}, {other}", key)
+            else:
+                seen[key.text] = key
+                yield key, value
+
+    def _record(self, spot: Spot, shape: Record) -> Any:
+        node = spot.node
+        given: dict[str, Node] = {}
+        if isinstance(node, Mapping):
+            given = self._known_keys(spot, shape, node)
+        elif not is_null(node) or shape.required:
+            expected = "expected a mapping with " + _listed(key.name for key in shape.keys)
+            return self._refuse(spot, shape, expected)
+        values = _stand_ins(shape)
+        for key in shape.keys:
+            if key.name in given:
+                inner = spot.key(key.name, key.name, given[key.name])
+                values[key.name] = self.read(inner, key.shape)
+            elif key.required:
+                self.spots.missing(spot, key.name)
+        return values
+
+    def _known_keys(self, spot: Spot, shape: Record, node: Mapping) -> dict[str, Node]:
+        """What is given; an optional key without a value is not."""
+        known: dict[str, Key] = {key.name: key for key in shape.keys}
+        given = {}
+        for key, value in self._entries(spot, node):
+            if key.text not in known:
+                hint = self.spots.found.hint(key.text, known) or f", expected {_listed(known)}"
+                self.spots.complain(spot, f"unknown key `{shown(key.text)}`{hint}", key)
+            elif known[key.text].required or not is_null(value):
+                given[key.text] = value
+        return given
+
+    def _named(self, spot: Spot, shape: Named) -> Any:
+        elements = shape.kind == "shift element"
+        if not isinstance(spot.node, Mapping):
+            self.references.elements_known &= not elements
+            return self._refuse(spot, shape, f"expected a mapping: a name for each {shape.kind}")
+        entries = list(self._entries(spot, spot.node))
+        if elements:
+            self.references.set_elements(key.text for key, _ in entries)
+        items = []
+        for number, (key, value) in enumerate(entries, 1):
+            inner = spot.key(number, key.text, value)
+            self.spots.keep(inner, key)
+            items.append((key.text, self.read(inner, shape.item)))
+        return items
+
+    def _links(self, spot: Spot, shape: Links) -> Any:
+        node = spot.node
+        if isinstance(node, Listing):
+            named = spot._replace(path=("link_names",))
+            self.spots.keep(named)
+            items = [named.item(number, number, item) for number, item in enumerate(node.items, 1)]
+            self.references.set_link_names([self.read(item, Leaf("text")) for item in items])
+            return len(items)
+        try:
+            links = scalars.link_number(node.text) if isinstance(node, Scalar) else None
+        except ValueError as error:
+            return self._refuse(spot, shape, error)
+        if links is None:
+            expected = "expected the number of links or a list of their names"
+            return self._refuse(spot, shape, expected)
+        self.references.set_links(links)
+        return links
+
+    def _ends(self, spot: Spot, shape: Ends) -> Any:
+        node = spot.node
+        if not isinstance(node, Listing) or len(node.items) != 2:
+            read = f"a list of {len(node.items)}" if isinstance(node, Listing) else ""
+            return self._refuse(spot, shape, "expected two links: [first, second]", read)
+        first, second = node.items
+        return (
+            self.read(spot.item("first", 1, first), Leaf("link")),
+            self.read(spot.item("second", 2, second), Leaf("link")),
+        )
+
+    def _engaged(self, spot: Spot, shape: Engaged) -> Any:
+        if not isinstance(spot.node, Listing):
+            return self._refuse(spot, shape, "expected a list of shift elements")
+        return tuple(
+            self.read(spot.item(number, number, item), Leaf("element"))
+            for number, item in enumerate(spot.node.items, 1)
+        )
+
+    def _by_link(self, spot: Spot, shape: ByLink) -> Any:
+        if not isinstance(spot.node, Mapping):
+            return self._refuse(spot, shape, "expected a mapping: a number for each link")
+        values: dict[int, float] = {}
+        for key, value in self._entries(spot, spot.node):
+            try:
+                link = self.references.link(key.text)
+            except ValueError as error:
+                self.spots.complain(spot, f"read {what(key)}, {error}", key)
+                link = NO_LINK
+            inner = spot.key(link, key.text, value)
+            self.spots.keep(inner, key)
+            if link in values:
+                self.spots.complain(inner, f"link {link} is given twice", key)
+            number = self.read(inner, Leaf("number"))
+            if link != NO_LINK:
+                values[link] = number
+        return values
+
+    def _leaf(self, spot: Spot, shape: Leaf) -> Any:
+        node = spot.node
+        if not isinstance(node, Scalar) or is_null(node):
+            return self._refuse(spot, shape, f"expected {_LEAVES[shape.kind][0]}")
+        try:
+            value = self._scalar(node, shape)
+        except ValueError as error:
+            return self._refuse(spot, shape, error)
+        if value == _stand_in(shape) and shape.kind in ("link", "element"):
+            self.spots.unreadable.append(spot.path)
+        return value
+
+    def _scalar(self, node: Scalar, shape: Leaf) -> Any:
+        match shape.kind:
+            case "number":
+                return scalars.number(node.text)
+            case "link":
+                return self.references.link(node.text)
+            case "element":
+                return self.references.element(node.text)
+            case "flag":
+                return scalars.flag(node.text, plain=node.plain)
+            case "choice" if node.text not in shape.choices:
+                hint = self.spots.found.hint(node.text, shape.choices)
+                raise ValueError(f"expected {_listed(shape.choices, 'or')}{hint}")
+        return node.text
+
+
+def _stand_in(shape: Shape) -> Any:
+    """What stands in for a value that cannot be read."""
+    match shape:
+        case Record():
+            return _stand_ins(shape)
+        case Leaf():
+            return shape.choices[0] if shape.choices else _LEAVES[shape.kind][1]
+    return _COLLECTIONS[type(shape)]
+
+
+def _stand_ins(shape: Record) -> dict[str, Any]:
+    """The values of a record as far as they are known before it is read."""
+    defaults = {key.name: key.default for key in shape.keys if key.default is not None}
+    return {key.name: _stand_in(key.shape) for key in shape.keys if key.required} | defaults
+
+
+def _listed(words: Iterable[str], last: str = "and") -> str:
+    *others, end = (f"`{word}`" for word in words)
+    return f"{', '.join(others)} {last} {end}" if others else end

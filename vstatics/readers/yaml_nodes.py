@@ -1,0 +1,158 @@
+"""YAML text -> tree of nodes, from the parser's events.
+
+Events come one at a time, so a document that nests without end, or expands
+aliases without end, is refused where it starts to. Tags are not obeyed: nothing
+is ever made but texts, lists and mappings.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import Any, NamedTuple
+
+import yaml
+
+from vstatics.readers.nodes import (
+    MOST_DEEP,
+    Found,
+    Listing,
+    Mapping,
+    Node,
+    Scalar,
+    position,
+    shown,
+    well_formed,
+)
+
+MOST_VALUES = 200_000
+"""Values that aliases may expand a document to."""
+
+_UNPRINTABLE = re.compile("[^\t\n\r -~\x85\xa0-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
+_STANDARD = "tag:yaml.org,2002:"
+_TAGS = {
+    Scalar: {"!", *(_STANDARD + kind for kind in ("str", "int", "float", "bool", "null"))},
+    Listing: {"!", _STANDARD + "seq"},
+    Mapping: {"!", _STANDARD + "map"},
+}
+
+
+class _Anchored(NamedTuple):
+    node: Node | None  # none as long as it is being read
+    size: int
+
+
+def yaml_tree(found: Found) -> Node:
+    """The tree of the one YAML document of a text.
+
+    Raises
+    ------
+    ReadError
+        If the text is not YAML, or holds none or several documents, or what no
+        case needs: nesting without end, aliases of themselves.
+    """
+    text = "\n".join(found.source.lines)
+    unprintable = _UNPRINTABLE.search(text)
+    if unprintable:
+        code = f"U+{ord(unprintable[0]):04X}"
+        found.stop(f"{code}, a character that YAML has not", *position(text[: unprintable.start()]))
+    return _Builder(found, text).document()
+
+
+class _Builder:
+    """Takes the events one after the other, and keeps anchors and sizes."""
+
+    def __init__(self, found: Found, text: str) -> None:
+        loader: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
+        self.found = found
+        self.events: Iterator[yaml.Event] = yaml.parse(text, Loader=loader)
+        self.anchors: dict[str, _Anchored] = {}
+        self.values = 0
+        self.last = (1, 1)
+
+    def document(self) -> Node:
+        self.next()
+        if isinstance(self.next(), yaml.StreamEndEvent):
+            self.found.stop("the file is empty, expected a case", 1, 1)
+        root = self.node(self.next(), 1)
+        self.next()
+        if not isinstance(self.next(), yaml.StreamEndEvent):
+            self.found.stop("a second document starts here, expected one in a file", *self.last)
+        return root
+
+    def next(self) -> yaml.Event:
+        try:
+            event = next(self.events)
+        except yaml.MarkedYAMLError as error:
+            mark = error.problem_mark or error.context_mark
+            place = (mark.line + 1, mark.column + 1) if mark else self.last
+            told = ", ".join(part for part in (error.context, error.problem) if part)
+            self.found.stop(f"not YAML: {told}", *place)
+        except (yaml.YAMLError, ValueError, OverflowError) as error:  # such as "\U00110000"
+            self.found.stop(f"not YAML: {error}", *self.last)
+        if event.start_mark:
+            self.last = event.start_mark.line + 1, event.start_mark.column + 1
+        return event
+
+    def node(self, event: yaml.Event, depth: int) -> Node:
+        line, column = self.last
+        if depth > MOST_DEEP:
+            message = f"nested deeper than {MOST_DEEP} levels, expected at most that"
+            self.found.stop(message, line, column)
+        if isinstance(event, yaml.AliasEvent):
+            return self.alias(event)
+        anchor = getattr(event, "anchor", None)
+        before = self.values
+        self.values += 1
+        if anchor:
+            self.anchors[anchor] = _Anchored(None, 0)
+        node: Node
+        match event:
+            case yaml.SequenceStartEvent():
+                node = Listing(list(self.items(depth)), line, column)
+            case yaml.MappingStartEvent():
+                node = Mapping(list(self.entries(depth)), line, column)
+            case _:
+                node = self.scalar(event, line, column)
+        self.check_tag(event, node)
+        if anchor:
+            self.anchors[anchor] = _Anchored(node, self.values - before)
+        return node
+
+    def items(self, depth: int) -> Iterator[Node]:
+        while not isinstance(event := self.next(), yaml.SequenceEndEvent):
+            yield self.node(event, depth + 1)
+
+    def entries(self, depth: int) -> Iterator[tuple[Scalar, Node]]:
+        while not isinstance(event := self.next(), yaml.MappingEndEvent):
+            key = self.node(event, depth + 1)
+            if not isinstance(key, Scalar):
+                message = "a key that is a list or a mapping, expected text"
+                self.found.stop(message, key.line, key.column)
+            yield key, self.node(self.next(), depth + 1)
+
+    def scalar(self, event: Any, line: int, column: int) -> Scalar:
+        if not well_formed(event.value):
+            self.found.stop("half a character (a lone surrogate)", line, column)
+        plain = not event.style and event.tag not in ("!", _STANDARD + "str")
+        return Scalar(event.value, line, column, plain)
+
+    def alias(self, event: yaml.AliasEvent) -> Node:
+        anchor = event.anchor or ""
+        name = shown(anchor)
+        known = self.anchors.get(anchor)
+        if known is None:
+            hint = self.found.hint(anchor, self.anchors)
+            self.found.stop(f"alias *{name} of no anchor before it{hint}", *self.last)
+        if known.node is None:
+            self.found.stop(f"alias *{name} stands inside what it repeats", *self.last)
+        self.values += known.size
+        if self.values > MOST_VALUES:
+            message = f"alias *{name} makes more than {MOST_VALUES} values of this document"
+            self.found.stop(message, *self.last)
+        return known.node
+
+    def check_tag(self, event: Any, node: Node) -> None:
+        if event.tag and event.tag not in _TAGS[type(node)]:
+            tag = shown(event.tag.replace(_STANDARD, "!!"))
+            self.found.add(f"tag {tag} is not taken, expected none", node.line, node.column)

@@ -1,0 +1,195 @@
+"""Results as the printed report of the source: the input, then the tables.
+
+Rows and columns are as printed there, under the same names and index lists; the
+program's own tables follow. The report starts with the deck of its case, so it is
+itself a deck that can be run again.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Literal, NamedTuple
+
+from vstatics.results import Results
+from vstatics.writers import deck
+from vstatics.writers.numbers import fixed
+from vstatics.writers.tables import Table, tables
+
+Language = Literal["en", "ru"]
+
+
+class Heading(NamedTuple):
+    """What stands over a table: a short label, and the name with its index list."""
+
+    index_list: str
+    en: str
+    ru: str
+
+
+class Words(NamedTuple):
+    """The lines of a report that are neither table nor deck."""
+
+    results: str
+    conventions: tuple[str, ...]
+    messages: str
+
+
+WORDS: dict[str, Words] = {
+    "en": Words(
+        "RESULTS",
+        (
+            "Conventions: speeds relative to the input speed, torques to the input torque;",
+            "a torque is that on the first link of its device, the last one (KLG1) is the",
+            "output torque, given to the load; ratio is w_input/w_output.",
+        ),
+        "Messages:",
+    ),
+    "ru": Words(
+        "РЕЗУЛЬТАТЫ РАСЧЕТОВ",
+        (
+            "Условности: скорости отнесены к скорости входа, моменты - к моменту входа;",
+            "момент устройства - на его первом звене, последний (KLG1) - на выходном",
+            "звене, отдаваемый нагрузке; передаточное отношение - w_вход/w_выход.",
+        ),
+        "Сообщения:",
+    ),
+}
+
+REST = " of mechanisms and output"
+"""The second part of a table of torques, which the source prints by itself."""
+
+HEADINGS: dict[str, Heading] = {
+    "AJK": Heading(
+        "(AJK(I,K),K=1,KLG),I=1,KJG:",
+        "Structural-distribution matrix, KLG = KL + KG:",
+        "Структурно-распределительная матрица, KLG = KL + KG:",
+    ),
+    "W": Heading(
+        "(W(I,J),J=1,NP),I=1,KJG:",
+        "A. Speeds of the links in each gear:",
+        "А. Угловые скорости звеньев на передачах:",
+    ),
+    "WSAT": Heading(
+        "(WSAT(I,J),J=1,NP),I=1,KG:",
+        "Speeds of the planets against the carrier:",
+        "Скорости сателлитов относительно водила:",
+    ),
+    "WFRI": Heading(
+        "(WFRI(I,J),J=1,NP),I=1,KL:",
+        "Slip speeds of clutches and brakes:",
+        "Скорости скольжения муфт и тормозов:",
+    ),
+    "AMLG": Heading(
+        "(AMLG(I,J),J=1,NP),I=1,KL:",
+        "B. Torques of clutches and brakes, without losses:",
+        "Б. Моменты муфт и тормозов без потерь:",
+    ),
+    "AMLG" + REST: Heading(
+        "(AMLG(I,J),J=1,NP),I=(KL+1),KLG1:",
+        "Torques of mechanisms and output, KLG1 = KLG + 1, without losses:",
+        "Моменты механизмов и выходного звена, KLG1 = KLG + 1, без потерь:",
+    ),
+    "AMLGP": Heading(
+        "(AMLGP(I,J),J=1,NP),I=1,KL:",
+        "C. Torques of clutches and brakes, with losses:",
+        "В. Моменты муфт и тормозов с учетом потерь:",
+    ),
+    "AMLGP" + REST: Heading(
+        "(AMLGP(I,J),J=1,NP),I=(KL+1),KLG1:",
+        "Torques of mechanisms and output, with losses:",
+        "Моменты механизмов и выходного звена с учетом потерь:",
+    ),
+    "ETA": Heading(
+        "ETA(J),J=1,NP:",
+        "Efficiency of the gears:",
+        "КПД на передачах:",
+    ),
+    "IX": Heading(
+        "(IX(I,J),J=1,NP),I=1,KG:",
+        "Sign of the power flow, first link drives (+1) or is driven (-1):",
+        "Признак ведущего (+1) или ведомого (-1) первого звена механизма:",
+    ),
+    "ratio": Heading(
+        "RATIO(J),J=1,NP:",
+        "Ratio of the gears, input speed to output speed:",
+        "Передаточные отношения на передачах:",
+    ),
+    "idle": Heading(
+        "(IDLING(I,J),J=1,NP),I=1,KG:",
+        "Mechanisms that idle (1):",
+        "Механизмы без потока мощности (1):",
+    ),
+    "losses": Heading(
+        "(LOSS(I,J),J=1,NP),I=1,KG:",
+        "Power lost in the mechanisms:",
+        "Потери мощности в механизмах:",
+    ),
+    "power_balance": Heading(
+        "BALANCE(J),J=1,NP:",
+        "Balance of power, external power less losses:",
+        "Баланс мощностей:",
+    ),
+    "consistent": Heading(
+        "CONSISTENT(J),J=1,NP:",
+        "Directions of power agree with the losses (1):",
+        "Направления потоков согласованы с потерями (1):",
+    ),
+    "locked": Heading(
+        "LOCKED(J),J=1,NP:",
+        "Locked by friction (1):",
+        "Самоторможение (1):",
+    ),
+    "AMWZ": Heading(
+        "(AMWZ(I,J),J=1,NP),I=1,KJG:",
+        "Torques that hold the given speeds, without losses:",
+        "Моменты, удерживающие заданные скорости, без потерь:",
+    ),
+    "AMWZP": Heading(
+        "(AMWZP(I,J),J=1,NP),I=1,KJG:",
+        "Torques that hold the given speeds, with losses:",
+        "Моменты, удерживающие заданные скорости, с учетом потерь:",
+    ),
+}
+
+
+def write(results: Results, lang: Language = "en") -> str:
+    """The report of one case; numbers in Fortran style with three decimals.
+
+    Parameters
+    ----------
+    lang : {"en", "ru"}
+        Language of the headings.
+    """
+    words = WORDS[lang]
+    lines = [deck.write(results.case, lang), words.results, *words.conventions]
+    for name, table in _parts(results):
+        heading = HEADINGS[name]
+        lines += ["", heading.ru if lang == "ru" else heading.en, heading.index_list]
+        lines += _rows(table)
+    if results.messages:
+        lines += ["", words.messages, *map(str, results.messages)]
+    return "\n".join(lines) + "\n"
+
+
+def _parts(results: Results) -> Iterator[tuple[str, Table]]:
+    """The tables that have rows, by heading; torques in two parts."""
+    elements = len(results.case.shift_elements)
+    for table in tables(results):
+        name, values = table.shape.name, table.values
+        if table.shape.rows == "torques":
+            if elements:
+                yield name, table._replace(values=values[:elements])
+            yield name + REST, table._replace(values=values[elements:])
+        elif values.size:
+            yield name, table
+
+
+def _rows(table: Table) -> list[str]:
+    """Rows of equal fields: 7 wide with three decimals, 3 wide for whole numbers."""
+    decimals, width = (3, 7) if table.shape.kind is float else (0, 3)
+    longest = max(len(fixed(value, decimals=decimals)) for value in table.values.flat)
+    width = max(width, longest)
+    return [
+        " ".join(fixed(value, width=width, decimals=decimals) for value in row)
+        for row in table.values
+    ]

@@ -1,0 +1,86 @@
+"""Results as one JSON object; its shape is in schemas/result.schema.json."""
+
+from __future__ import annotations
+
+import json
+import math
+from typing import Any
+
+from vstatics.results import Results
+from vstatics.writers.named import mapping
+from vstatics.writers.tables import tables
+
+VERSION = 1
+
+CONVENTIONS = {
+    "ratio": "w_input/w_output",
+    "internal_ratio": "(w_first - w_third)/(w_second - w_third)",
+    "speeds": "relative to the input speed",
+    "torques": "relative to the input torque; external torques act on a link, positive like "
+    "the input's; a device's torque is that on its first link; the output torque, in the last "
+    "row of AMLG and AMLGP, is that given to the load",
+    "power_sign": "IX: +1 the first link drives, -1 it is driven, 0 idle",
+    "null": "does not exist, or is not determined",
+}
+
+
+def document(results: Results) -> dict[str, Any]:
+    """Results as a plain mapping, ready for JSON.
+
+    Tables stand under their names as lists of rows, those of one row as lists over the
+    gears; NaN becomes None.
+    """
+    made: dict[str, Any] = {
+        "format": "vstatics-result",
+        "version": VERSION,
+        "conventions": CONVENTIONS,
+        "case": mapping(results.case),
+        "gears": [gear.name for gear in results.case.gears],
+    }
+    for table in tables(results):
+        kind = table.shape.kind
+        rows = [[_number(value, kind) for value in row] for row in table.values.tolist()]
+        made[table.shape.name] = rows[0] if table.shape.rows == "one" else rows
+    made["messages"] = [str(message) for message in results.messages]
+    return made
+
+
+def _number(value: float, kind: type) -> Any:
+    return None if math.isnan(value) else kind(value)
+
+
+def write(documents: list[dict[str, Any]], *, several: bool) -> str:
+    """Documents as text: a row of a table a line; several as an array.
+
+    Examples
+    --------
+    >>> print(write([{"W": [[1.0, 1.0], [0.5, None]], "ETA": [0.9]}], several=False), end="")
+    {
+      "W": [
+        [1.0, 1.0],
+        [0.5, null]
+      ],
+      "ETA": [0.9]
+    }
+    """
+    texts = [_object(made) for made in documents]
+    return "[\n" + ",\n".join(texts) + "\n]\n" if several else texts[0] + "\n"
+
+
+def _object(made: dict[str, Any]) -> str:
+    entries = (f"  {_text(key)}: {_value(key, value)}" for key, value in made.items())
+    return "{\n" + ",\n".join(entries) + "\n}"
+
+
+def _value(key: str, value: Any) -> str:
+    """A value on one line, but a table or a list of messages, and a mapping, an entry a line."""
+    if isinstance(value, dict) and value:
+        inner = (f"    {_text(key)}: {_text(entry)}" for key, entry in value.items())
+        return "{\n" + ",\n".join(inner) + "\n  }"
+    if isinstance(value, list) and value and (isinstance(value[0], list) or key == "messages"):
+        return "[\n" + ",\n".join(f"    {_text(entry)}" for entry in value) + "\n  ]"
+    return _text(value)
+
+
+def _text(value: Any) -> str:
+    return json.dumps(value, ensure_ascii=False, allow_nan=False)

@@ -1,0 +1,62 @@
+"""Results as the tables that every output format shows, in the order of the source."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from vstatics.matrix import distribution_matrix
+from vstatics.results import TABLES, Results, TableShape, row_names
+
+
+class Table(NamedTuple):
+    """One table: rows are links, devices or mechanisms, columns are gears.
+
+    In AJK columns are devices. A list over gears is a table of one row.
+    """
+
+    shape: TableShape
+    rows: Sequence[str]
+    columns: Sequence[str]
+    values: NDArray[np.float64]
+    """(rows, columns), NaN for what does not exist."""
+
+
+def tables(results: Results) -> list[Table]:
+    """All tables of the results of one case; holding torques only where there are any."""
+    case = results.case
+    gears = [gear.name for gear in case.gears]
+    exists = results.calculable
+    decided = exists & ~results.undecided
+    values: dict[str, Any] = {
+        "W": results.speeds,
+        "WSAT": results.planet_speeds,
+        "WFRI": results.slip_speeds,
+        "AMLG": results.torques,
+        "AMLGP": results.lossy_torques,
+        "ETA": results.efficiency,
+        "IX": results.power_sign,
+        "ratio": results.ratio,
+        "idle": np.where(exists[:, None], results.idle, np.nan),
+        "losses": results.losses,
+        "power_balance": results.power_balance,
+        "consistent": np.where(exists, results.consistent, np.nan),
+        "locked": np.where(decided, results.locked, np.nan),
+        "AMWZ": results.holding_torques,
+        "AMWZP": results.lossy_holding_torques,
+    }
+    if np.isnan(results.holding_torques).all():
+        del values["AMWZ"], values["AMWZP"]
+    made = []
+    for shape in TABLES:
+        names = row_names(case, shape)
+        if shape.name == "AJK":
+            made.append(Table(shape, names, case.devices, distribution_matrix(case) + 0.0))
+        elif shape.name in values:
+            array = np.asarray(values[shape.name], dtype=np.float64)
+            by_gear = array.reshape(len(gears), len(names)).T
+            made.append(Table(shape, names, gears, by_gear))
+    return made
