@@ -52,12 +52,12 @@ def transmissions(draw: st.DrawFn, numbers: st.SearchStrategy[float] = MODERATE)
             draw(_mechanisms(links, numbers, name)) for name in mechanism_names or [""] * mechanisms
         ],
         gears=[
-            draw(_gears(links, elements, (first, output), numbers, name))
+            draw(_gears((links, elements), (first, output), numbers, name))
             for name in gear_names or [""] * gears
         ],
         input=first,
         output=output,
-        idle=draw(st.sampled_from(["exact", "published"])),  # type: ignore[arg-type]
+        idle=draw(st.sampled_from(["exact", "published"])),
         coast=draw(st.booleans()),
         name=draw(st.one_of(st.just(""), NAMES)),
         description=draw(TEXTS),
@@ -93,19 +93,20 @@ def _mechanisms(
     ratio = draw(numbers.filter(lambda ratio: ratio != 0 and not (whole and ratio == 1)))
     planet_ratio = draw(st.one_of(st.none(), numbers.filter(bool)))
     efficiency = draw(st.one_of(st.just(1.0), st.floats(0.5, 1)))
-    return Mechanism(*members, ratio, efficiency, planet_ratio, name)
+    first, second, third = members
+    return Mechanism(first, second, third, ratio, efficiency, planet_ratio, name)
 
 
 @st.composite
 def _gears(
     draw: st.DrawFn,
-    links: int,
-    elements: int,
+    sizes: tuple[int, int],
     ends: tuple[int, int],
     numbers: st.SearchStrategy[float],
     name: str,
 ) -> Gear:
     """Some have ends of their own, given speeds, external torques."""
+    links, elements = sizes
     own: dict[str, Any] = {}
     if draw(st.booleans()):
         ends = draw(_ends(links))

@@ -30,13 +30,13 @@ def differential(**other: object) -> Transmission:
 @example(differential(description="a long one " * 100, source="long " * 100 + "\nand two lines"))
 @example(differential(gears=[Gear([1], speeds={2: 1e-05, 3: 1e300}, torques={1: 5e-324})]))
 @example(differential(gears=[Gear(name="long " * 60 + "name")]))
-def test_what_is_written_is_read_again(case: Transmission):
+def test_what_is_written_is_read_again(case: Transmission) -> None:
     assert read_yaml(write_yaml(case).encode(), "case.yaml").case == case
     assert read_json(write_json(case).encode(), "case.json").case == case
 
 
 @pytest.mark.parametrize("name", ODD_NAMES)
-def test_odd_names_stay_what_they_are(name: str):
+def test_odd_names_stay_what_they_are(name: str) -> None:
     case = differential(
         name=name,
         link_names=["first", name, "third"],
@@ -48,7 +48,7 @@ def test_odd_names_stay_what_they_are(name: str):
     assert read_json(write_json(case).encode(), "case.json").case == case
 
 
-def test_defaults_are_left_out():
+def test_defaults_are_left_out() -> None:
     assert mapping(differential()) == {
         "links": 3,
         "shift_elements": {"F1": [1, 2], "T2": ["housing", 2]},
@@ -57,7 +57,7 @@ def test_defaults_are_left_out():
     }
 
 
-def test_everything_else_is_written():
+def test_everything_else_is_written() -> None:
     case = differential(
         name="N",
         description="D",
@@ -102,7 +102,7 @@ def test_everything_else_is_written():
     }
 
 
-def test_yaml_looks_as_one_would_write_it():
+def test_yaml_looks_as_one_would_write_it() -> None:
     case = differential(description="Two\nlines\n", gears=[Gear([1], {3: 0.5}), Gear([2])])
     assert (
         write_yaml(case)
@@ -123,12 +123,12 @@ gears:
     )
 
 
-def test_json_is_indented_and_keeps_letters():
+def test_json_is_indented_and_keeps_letters() -> None:
     text = write_json(differential(name="Дифференциал"))
     assert text.startswith('{\n  "name": "Дифференциал",\n  "links": 3,\n')
     assert text.endswith("}\n")
 
 
-def test_both_hold_the_same_data():
+def test_both_hold_the_same_data() -> None:
     case = differential(coast=True)
     assert yaml.safe_load(write_yaml(case)) == json.loads(write_json(case)) == mapping(case)

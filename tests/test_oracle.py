@@ -17,6 +17,7 @@ from typing import Any
 import pytest
 from hypothesis import given, settings
 from oracle import OracleGear, flow_of, solve, solve_gear
+from oracle_cases import NASTY
 from oracle_linear import exact, sign
 from oracle_losses import Trial, admissible_sets, probed_sign, published_sign
 from oracle_systems import Values, mechanism_column
@@ -349,3 +350,17 @@ def test_most_regular_gears_can_be_solved() -> None:
     cases = [random_train(seeded(seed), regular=True, gears=1) for seed in range(200)]
     good = sum(is_regular(case, case.gears[0]) for case in cases)
     assert good >= 170
+
+
+@pytest.mark.parametrize("name", NASTY)
+def test_nasty_cases_are_what_their_names_say(name: str) -> None:
+    (gear,) = solve(NASTY[name])
+    assert gear.power_balance in (0, None)
+    assert gear.locked == name.startswith("locked")
+    assert gear.tied_up == name.startswith(("tied up", "right count"))
+    assert gear.several == (name.startswith("several") or "largest" in name)
+    assert gear.turned == (gear.several or name.startswith("turned"))
+    if name.startswith("redundant"):
+        assert gear.power_sign[0] is None
+        assert gear.torques.output is not None
+        assert gear.efficiency is None

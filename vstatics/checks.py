@@ -128,6 +128,9 @@ def _mechanism(mechanism: Mechanism, path: Path, links: int) -> Iterator[Problem
     elif ratio == 1 and len(members) == 3:
         message = "read 1, which joins the first link to the second and leaves the third loose"
         yield Problem(f"{message}; expected another ratio with three links", (*path, "ratio"))
+    elif ratio == 1 and mechanism.third != HOUSING:
+        message = "ratio 1 leaves the third link loose"
+        yield Problem(f"{message}; is another ratio meant?", (*path, "ratio"), severity="warning")
     if not 0 < efficiency <= 1:
         message = f"read {efficiency:g}, expected an efficiency above 0 and up to 1"
         yield Problem(message, (*path, "efficiency"))

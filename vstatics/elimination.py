@@ -87,9 +87,10 @@ def solve(
     todo = np.arange(variants)
     while todo.size:
         watch = _Watch(todo.size)
-        run = _Elimination([_part(row, todo, variants) for row in rows], watch)
-        sound = run.consistent()
-        found = run.values(unknowns, sums) if sound else [np.nan] * len(values)
+        with np.errstate(all="ignore"):  # variants that the pivots do not suit
+            run = _Elimination([_part(row, todo, variants) for row in rows], watch)
+            sound = run.consistent()
+            found = run.values(unknowns, sums) if sound else [np.nan] * len(values)
         done = todo[watch.agree]
         for number, value in enumerate(found):
             values[number, done] = value[watch.agree] if isinstance(value, np.ndarray) else value

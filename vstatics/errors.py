@@ -30,7 +30,7 @@ class Problem(NamedTuple):
     message: str
     path: Path = ()
     place: Place | None = None
-    severity: Literal["error", "warning"] = "error"
+    severity: Literal["error", "warning", "note"] = "error"
 
     def __str__(self) -> str:
         """The problem in one line, in the wording of a compiler."""

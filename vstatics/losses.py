@@ -122,7 +122,10 @@ def powers(flow: Flow, torques: Floats, holding: Floats) -> Floats:
 
 
 def power(torque: Floats, speed: Floats) -> Floats:
-    """Torque times speed, 0 where one of them is 0 even if the other does not exist."""
+    """Torque times speed, or power times a share.
+
+    It is 0 where one of them is 0, even if the other does not exist.
+    """
     product: Floats = np.where((torque == 0) | (speed == 0), 0.0, torque * speed)
     return product
 
@@ -155,7 +158,7 @@ def attempt(flow: Flow, signs: Floats) -> Lossy:
     ratios = flow.ratios * flow.efficiencies**signs
     torques, holding = solve_torques(flow.case, flow.gear, ratios)
     by_first = power(loaded(flow, ratios, torques, holding), flow.motion)
-    losses = by_first * (1 - flow.efficiencies**signs)
+    losses = power(by_first, 1 - flow.efficiencies**signs)
     entering = powers(flow, torques, holding)
     efficiency = _efficiency(flow, torques, entering)
     agrees = (by_first * signs * flow.direction >= 0) | (flow.efficiencies == 1)

@@ -76,6 +76,9 @@ def search(flow: Flow, moving: Booleans) -> Outcome:
     lossy = _nothing(flow, start.signs)
     locked, undecided = np.zeros((2, variants), dtype=np.bool_)
     choices = np.zeros(variants, dtype=np.int64)
+    for variant in np.nonzero(moving & ~known)[0]:
+        here = np.array([variant])
+        _put(lossy, here, _guess(flow.part(here), start.part(here)), np.array([0]))
     chosen = np.nonzero(known)[0]
     if chosen.size:
         first = _follow_unloaded(flow.part(chosen), start.part(chosen))
@@ -141,11 +144,7 @@ def _search_one(flow: Flow, start: _Start) -> tuple[Lossy | None, int]:
         free = np.nonzero(moving & ~start.unloaded[:, 0])[0]
     if free.size > SEARCHED:
         return _follow(flow, start, moving)
-    sets = np.array(list(product((1.0, -1.0), repeat=free.size))).T.reshape(free.size, -1)
-    all_of_them = np.zeros(sets.shape[1], dtype=np.int64)
-    signs = start.signs[:, all_of_them]
-    signs[free] = sets
-    lossy = attempt(flow.part(all_of_them), signs)
+    lossy = _attempt_all(flow, start, free)
     found = np.nonzero(lossy.admissible)[0]
     if not found.size:
         return None, 0
@@ -155,6 +154,33 @@ def _search_one(flow: Flow, start: _Start) -> tuple[Lossy | None, int]:
     one = _nothing(flow, start.signs)
     _put(one, np.array([0]), lossy, np.array([best]))
     return one._replace(signs=np.where(idle, start.signs, one.signs)), len(flows)
+
+
+def _attempt_all(flow: Flow, start: _Start, free: Integers) -> Lossy:
+    """All sets of signs of the `free` mechanisms of one variant, as variants."""
+    sets = np.array(list(product((1.0, -1.0), repeat=free.size))).T.reshape(free.size, -1)
+    many = np.zeros(sets.shape[1], dtype=np.int64)
+    signs = start.signs[:, many]
+    signs[free] = sets
+    return attempt(flow.part(many), signs)
+
+
+def _guess(flow: Flow, start: _Start) -> Lossy:
+    """What every guess leads to, where statics leaves the flow through mechanisms open.
+
+    So a redundant part of a train does not hide what is determined in the rest of it.
+    """
+    open_ = np.nonzero(np.isnan(start.signs[:, 0]) & (flow.efficiencies[:, 0] < 1))[0]
+    one = _nothing(flow, start.signs)
+    if open_.size > SEARCHED:
+        return one
+    lossy = _attempt_all(flow, start, open_)
+    if not (lossy.efficiency <= 0).any():
+        for into, values in zip(one[:-1], lossy[:-1], strict=True):
+            first = values[..., :1]
+            agree = np.abs(values - first) <= TIE * np.abs(first)
+            into[...] = np.where(agree.all(axis=-1, keepdims=True), first, np.nan)
+    return one
 
 
 def _follow(flow: Flow, start: _Start, moving: Booleans) -> tuple[Lossy | None, int]:

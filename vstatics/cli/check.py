@@ -5,10 +5,10 @@ from __future__ import annotations
 import click
 
 from vstatics import readers
+from vstatics.cli import cases as arguments
 from vstatics.cli import files
-from vstatics.cli.run import calculate, located
+from vstatics.cli.cases import calculate
 from vstatics.diagnosis import conditions
-from vstatics.errors import ReadError
 from vstatics.results import Results
 
 
@@ -22,7 +22,7 @@ def summary(file: str, results: Results) -> str:
     lines = [
         f"{file}: {case.links} links, {len(case.shift_elements)} shift elements, "
         f"{len(case.mechanisms)} mechanisms, {len(case.gears)} gears; "
-        f"{counts[0].freedom} degrees of freedom"
+        f"degrees of freedom: {counts[0].freedom}"
     ]
     names = [element.name for element in case.shift_elements]
     width = max(len(gear.name) for gear in case.gears)
@@ -39,13 +39,8 @@ def summary(file: str, results: Results) -> str:
 
 
 @click.command()
-@click.argument("cases", nargs=-1, required=True, type=click.Path(), metavar="CASE...")
-@click.option(
-    "--from",
-    "input_format",
-    type=click.Choice(list(readers.READERS)),
-    help="Format of the input; else told by the suffix, then by the content.",
-)
+@arguments.argument
+@arguments.input_format
 @click.pass_context
 def check(
     context: click.Context, cases: tuple[str, ...], input_format: readers.Format | None
@@ -61,18 +56,9 @@ def check(
 
     Exit status: 0 no errors; 1 a case is in error or a gear is tied up; 2 wrong use.
     """
-    if cases.count(files.STDIN) > 1:
-        raise click.UsageError("standard input (-) can be read once")
     failed = False
-    for file in cases:
-        try:
-            reading, results = calculate(file, input_format, None, None)
-        except ReadError as error:
-            files.show(error.problems)
-            failed = True
-            continue
-        files.show([*reading.warnings, *located(reading, results)])
-        name = files.STDIN_NAME if file == files.STDIN else file
-        files.write_output(summary(name, results), None)
-        failed |= results.failed
+    for outcome in calculate(cases, input_format):
+        failed |= outcome.failed
+        if outcome.results is not None:
+            files.write_output(summary(outcome.file, outcome.results), None)
     context.exit(1 if failed else 0)

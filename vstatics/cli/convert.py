@@ -5,6 +5,7 @@ from __future__ import annotations
 import click
 
 from vstatics import readers
+from vstatics.cli import cases as arguments
 from vstatics.cli import files
 from vstatics.errors import ReadError
 from vstatics.model import Transmission
@@ -25,12 +26,7 @@ def write(case: Transmission, output_format: readers.Format) -> tuple[str, list[
 @click.command()
 @click.argument("source", type=click.Path(), metavar="IN")
 @click.argument("target", type=click.Path(), metavar="OUT")
-@click.option(
-    "--from",
-    "input_format",
-    type=click.Choice(list(readers.READERS)),
-    help="Format of IN; else told by the suffix, then by the content.",
-)
+@arguments.input_format
 @click.option(
     "--to",
     "output_format",

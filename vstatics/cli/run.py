@@ -2,66 +2,40 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-from typing import Any, Literal
+from collections.abc import Sequence
+from typing import Literal
 
 import click
 
-from vstatics import readers, statics
+from vstatics import readers
+from vstatics.cli import cases as arguments
 from vstatics.cli import files
-from vstatics.errors import Problem, ReadError
-from vstatics.readers.reading import Reading
-from vstatics.results import Results
+from vstatics.cli.cases import Outcome, calculate
+from vstatics.errors import ReadError
+from vstatics.model import IdleConvention
 
 OutputFormat = Literal["listing", "json", "csv"]
+Language = Literal["en", "ru"]
 
 
-def calculate(
-    file: str, format_: readers.Format | None, coast: bool | None, idle: Any
-) -> tuple[Reading, Results]:
-    """Read a case and calculate it, with the conventions of the command line.
+def as_text(outcomes: Sequence[Outcome], output_format: OutputFormat, lang: Language) -> str:
+    """Results in the format asked for; each writer is imported when it is needed.
 
-    Raises
-    ------
-    ReadError
-        If the file cannot be read as a case.
+    A single case that failed gives nothing; among several it has an entry in JSON.
     """
-    reading = readers.read(*files.read_input(file), format_)
-    case = reading.case
-    case = replace(
-        case,
-        coast=case.coast if coast is None else coast,
-        idle=idle or case.idle,
-    )
-    return reading, statics.solve(case)
-
-
-def located(reading: Reading, results: Results) -> list[Problem]:
-    """The messages of a result as problems with the place of their gear."""
-    numbers = {gear.name: number for number, gear in enumerate(results.case.gears, 1)}
-    found = []
-    for message in results.messages:
-        if message.gear:
-            place = reading.locate(Problem("", ("gears", numbers[message.gear]))).place
-            text = f"gear {message.gear}: {message.text}"
-            found.append(Problem(text, place=place, severity=message.severity))
-    return found
-
-
-def write(
-    results: list[Results],
-    documents: list[dict[str, Any]],
-    output_format: OutputFormat,
-    lang: Literal["en", "ru"],
-    *,
-    several: bool,
-) -> str:
-    """Results as text in the format asked for; each writer is imported when it is needed."""
-    if output_format == "json":
+    results = [outcome.results for outcome in outcomes if outcome.results is not None]
+    several = len(outcomes) > 1
+    if output_format == "json" and (results or several):
         from vstatics.writers import result_json
 
+        documents = [
+            result_json.failure(outcome.file, outcome.problems)
+            if outcome.results is None
+            else result_json.document(outcome.results)
+            for outcome in outcomes
+        ]
         return result_json.write(documents, several=several)
-    if output_format == "csv":
+    if output_format == "csv" and results:
         from vstatics.writers import result_csv
 
         return result_csv.write(results, several=several)
@@ -71,7 +45,7 @@ def write(
 
 
 @click.command()
-@click.argument("cases", nargs=-1, required=True, type=click.Path(), metavar="CASE...")
+@arguments.argument
 @click.option(
     "-f",
     "--format",
@@ -82,12 +56,7 @@ def write(
     help="Format of the results.",
 )
 @click.option("-o", "--output", type=click.Path(), help="Write to this file, whole or not at all.")
-@click.option(
-    "--from",
-    "input_format",
-    type=click.Choice(list(readers.READERS)),
-    help="Format of the input; else told by the suffix, then by the content.",
-)
+@arguments.input_format
 @click.option(
     "--lang",
     type=click.Choice(["en", "ru"]),
@@ -112,9 +81,9 @@ def run(
     output_format: OutputFormat,
     output: str | None,
     input_format: readers.Format | None,
-    lang: Literal["en", "ru"],
+    lang: Language,
     coast: bool | None,
-    idle: str | None,
+    idle: IdleConvention | None,
 ) -> None:
     """Calculate every gear of each CASE: a deck, YAML or JSON; - is standard input.
 
@@ -129,30 +98,11 @@ def run(
     Exit status: 0 done; 1 a case is in error or a gear is tied up; 2 wrong use.
     Neutral, indeterminate and friction-locked gears are messages, not errors.
     """
-    if cases.count(files.STDIN) > 1:
-        raise click.UsageError("standard input (-) can be read once")
-    failed = False
-    results: list[Results] = []
-    documents: list[dict[str, Any]] = []
-    for file in cases:
+    outcomes = list(calculate(cases, input_format, coast, idle))
+    failed = any(outcome.failed for outcome in outcomes)
+    text = as_text(outcomes, output_format, lang)
+    if text:
         try:
-            reading, result = calculate(file, input_format, coast, idle)
-        except ReadError as error:
-            files.show(error.problems)
-            documents.append({"case": file, "errors": [str(p) for p in error.problems]})
-            failed = True
-            continue
-        files.show([*reading.warnings, *located(reading, result)])
-        failed |= result.failed
-        results.append(result)
-        if output_format == "json":
-            from vstatics.writers import result_json
-
-            documents.append(result_json.document(result))
-    several = len(cases) > 1
-    if results or (several and output_format == "json"):
-        try:
-            text = write(results, documents, output_format, lang, several=several)
             files.write_output(text, output)
         except ReadError as error:
             files.show(error.problems)

@@ -6,25 +6,18 @@ values; here they become a transmission.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
-from itertools import count
+from collections.abc import Iterable
 from typing import Any
 
-from vstatics.errors import Path, Place, Problem, ReadError, nearest
+from vstatics.errors import Place, Problem, ReadError
 from vstatics.model import Gear, Mechanism, ShiftElement
-from vstatics.readers.deck_numbers import Number, integer, loose_count, real
-from vstatics.readers.deck_places import Places
-from vstatics.readers.deck_text import Named, Scan, scan, texts
-from vstatics.readers.deck_values import Values, Wanted, stand_ins, take, take_rows
+from vstatics.readers.deck_fields import Fields
+from vstatics.readers.deck_numbers import integer, real
+from vstatics.readers.deck_text import scan
+from vstatics.readers.encodings import texts
 from vstatics.readers.reading import Reading, Source, finish
 
-KINDS = "J (link), F (shift element), D (mechanism), P (gear) or T (title)"
-EXPECTED = {
-    "KJG": "the number of links",
-    "KL": "the number of shift elements",
-    "KG": "the number of mechanisms",
-    "NP": "the number of gears",
-}
+NAMED = {"J": "link", "F": "shift element", "D": "mechanism", "P": "gear", "T": "title"}
 
 
 def read(data: bytes, file: str) -> Reading:
@@ -70,126 +63,199 @@ def _read_text(text: str, file: str, damage: Iterable[Problem]) -> Reading:
             message = "the file is empty, expected a deck that starts with `KJG=`"
         raise ReadError([Problem(message, place=Place(file, 1, 1))])
     found.problems.extend(damage)
-    deck = _Deck(found, len(text))
-    parts = deck.parts()
-    return finish(parts, found.problems, deck.hidden, deck.places.locate)
+    fields = Fields(found, len(text))
+    parts = _parts(fields)
+    return finish(parts, found.problems, fields.hidden, fields.places.locate)
 
 
-class _Deck:
-    """Turns the fields of a deck into the arguments of `Transmission`."""
+def _parts(fields: Fields) -> dict[str, Any]:
+    """The arguments of `Transmission`; what could not be read is noted."""
+    sizes = {
+        "J": fields.size("KJG", "links (input and output)", 2),
+        "F": fields.size("KL", "shift elements", 0),
+        "D": fields.size("KG", "mechanisms", 0),
+        "P": fields.size("NP", "gears", 1),
+    }
+    names = _names(fields, sizes)
+    elements = fields.or_guess(sizes["F"], "NZF(I,1)", "shift_elements")
+    mechanisms = fields.or_guess(sizes["D"], "NZD(I,1)", "mechanisms")
+    gears = fields.or_guess(sizes["P"], "KFRI", "gears")
+    parts: dict[str, Any] = {
+        "shift_elements": _elements(fields, elements, names),
+        "mechanisms": _mechanisms(fields, mechanisms, names),
+        "gears": _gears(fields, gears, names),
+        "input": _port(fields, "INP", 1),
+        "output": _port(fields, "IOUT", 0),
+        "idle": "exact" if _flag(fields, "IDLE", "published", "exact") else "published",
+        "coast": _flag(fields, "COAST", "driving", "coasting"),
+        "name": names.get("T", ""),
+    }
+    links = sizes["J"]
+    if None in sizes.values():
+        fields.hidden += [("links",), ("input",), ("output",)]
+    if sizes["F"] is None and not elements:
+        fields.hidden += [("gears", gear, "engaged") for gear in range(1, gears + 1)]
+    if links is not None and any(name.startswith("J") for name in names):
+        numbers = range(1, links + 1)
+        parts["link_names"] = [names.get(f"J{link}", str(link)) for link in numbers]
+    parts["links"] = _above_all(parts) if links is None else links
+    return parts
 
-    def __init__(self, found: Scan, capacity: int) -> None:
-        self.found = found
-        self.capacity = capacity
-        """No size or count is larger than the text has characters."""
-        self.places = Places(found.source)
-        self.hidden: list[Path] = []
 
-    def parts(self) -> dict[str, Any]:
-        """All arguments; what could not be read is noted and holds a stand-in."""
-        links, elements = self._size("KJG", 2), self._size("KL", 0)
-        mechanisms, gears = self._size("KG", 0), self._size("NP", 1)
-        sizes = {"J": links, "F": elements, "D": mechanisms, "P": gears}
-        names = self._names(sizes)
-        if elements is None:
-            elements = self._guess("NZF(I,1)", ("shift_elements",))
-        if mechanisms is None:
-            mechanisms = self._guess("NZD(I,1)", ("mechanisms",))
-        if gears is None:
-            gears = self._guess("KFRI", ("gears",))
-        parts: dict[str, Any] = {
-            "shift_elements": self._elements(elements, names),
-            "mechanisms": self._mechanisms(mechanisms, names),
-            "gears": self._gears(gears, names),
-            "idle": "exact" if self._choice("IDLE", "published", "exact") else "published",
-            "coast": bool(self._choice("COAST", "driving", "coasting")),
-            "name": names.get("T", ""),
-            "input": self._port("INP", ("input",), 1),
-            "output": self._port("IOUT", ("output",), 0),
-        }
-        if sizes["F"] is None and not elements:
-            self.hidden += [("gears", gear, "engaged") for gear in range(1, gears + 1)]
-        if None in sizes.values():
-            self.hidden += [("links",), ("input",), ("output",)]
-        parts["links"] = links if links is not None else _above_all(parts)
-        if links is not None and any(name.startswith("J") for name in names):
-            numbers = range(1, links + 1)
-            parts["link_names"] = [names.get(f"J{link}", str(link)) for link in numbers]
-        return parts
+def _elements(fields: Fields, count: int, names: dict[str, str]) -> list[ShiftElement]:
+    first, second = (fields.whole(f"NZF(I,{part})", count, "KL") for part in (1, 2))
+    return [
+        ShiftElement(*links, name=names.get(f"F{number}", ""))
+        for number, links in enumerate(zip(first, second, strict=True), 1)
+    ]
 
-    # Values of fields.
 
-    def _error(self, label: str, message: str) -> None:
-        self.found.error(f"{label}: {message}", *self.places.spots[label])
+def _mechanisms(fields: Fields, count: int, names: dict[str, str]) -> list[Mechanism]:
+    first, second, third = (fields.whole(f"NZD(I,{part})", count, "KG") for part in (1, 2, 3))
+    ratios, efficiencies = (fields.real(key, count, "KG") for key in ("IAB", "ETAI"))
+    planets = _planets(fields, count)
+    return [
+        Mechanism(
+            *links,
+            ratio=ratios[number - 1],
+            efficiency=efficiencies[number - 1],
+            planet_ratio=planets.get(number),
+            name=names.get(f"D{number}", ""),
+        )
+        for number, links in enumerate(zip(first, second, third, strict=True), 1)
+    ]
 
-    def _missing(self, key: str, what: str = "") -> None:
-        expected = f"expected {EXPECTED.get(key, what)}"
-        name = key.partition("(")[0]
-        for word, line in self.found.unknown.items():
-            if nearest(word, [name]):
-                expected += f"; line {line} starts with `{word}`"
-                break
-        line = self.found.last
-        column = len(self.found.source.lines[line - 1]) + 1
-        self.found.error(f"{key} is missing: {expected}", line, column)
 
-    def _values(
-        self,
-        key: str,
-        need: int,
-        why: str,
-        parse: Callable[[str], Number],
-        paths: Callable[[int], Path],
-    ) -> Values[Number]:
-        """The values of a list, numbered from 1; `paths` tells which part each is."""
-        field = self.found.fields.get(key)
-
-        def label(position: int) -> str:
-            name, _, index = key.partition("(I,")
-            return f"{name}({position + 1},{index}" if index else f"{name}({position + 1})"
-
-        if field is None:
-            if need:
-                self._missing(key, f"{need} values ({why})")
-            values = stand_ins(field, need, parse)
+def _planets(fields: Fields, mechanisms: int) -> dict[int, float]:
+    """The planet ratios of the non-standard mechanisms, by their numbers."""
+    known = "KG" in fields.places.spots
+    count = fields.optional("KNM", 0, mechanisms if known else None)
+    if count is None:
+        fields.hidden += [("mechanisms", number) for number in range(1, mechanisms + 1)]
+        return {}
+    numbers = fields.whole("NNM", count, "KNM")
+    ratios = fields.real("UAQ", count, "KNM")
+    planets: dict[int, float] = {}
+    for position, (number, ratio) in enumerate(zip(numbers, ratios, strict=True), 1):
+        if fields.is_unreadable(f"NNM({position})"):
+            fields.hidden += [("mechanisms", each) for each in range(1, mechanisms + 1)]
+            continue
+        if not 1 <= number <= mechanisms:
+            expected = f"expected the number of a mechanism, from 1 to {mechanisms}"
+            fields.error(f"NNM({position})", f"read {number}, {expected}")
+        elif number in planets:
+            fields.error(f"NNM({position})", f"mechanism {number} is given twice, expected once")
         else:
-            if key in ("INP(I)", "IOUT(I)"):
-                key = key.removesuffix("(I)")
-            values = take(self.found, field, Wanted(key, label, need, why), parse)
-            self.places.spots.update(zip(map(label, range(need)), values.spots, strict=True))
-        self.hidden += [paths(position + 1) for position in values.unreadable]
-        return values
+            planets[number] = ratio
+            fields.places.planet[number] = position
+            if fields.is_unreadable(f"UAQ({position})"):
+                fields.hidden.append(("mechanisms", number, "planet_ratio"))
+    return planets
 
-    def _scalar(self, key: str) -> int | None:
-        """The value of a field of one value; None if it is missing or unreadable."""
-        field = self.found.fields.get(key)
-        if field is None:
-            return None
-        self.places.spots[key] = field.line, field.column
-        values = take(self.found, field, Wanted(key, lambda _: key, 1, ""), integer)
-        self.places.spots[key] = values.spots[0]
-        return None if values.unreadable else values.numbers[0]
 
-    def _size(self, key: str, lowest: int) -> int | None:
-        size = self._scalar(key)
-        if key not in self.found.fields:
-            self._missing(key)
-        elif size is not None and size < lowest:
-            self._error(key, f"read {size}, expected at least {lowest}")
-            size = None
-        elif size is not None and not self._fits(key, size):
-            size = None
-        return size
+def _gears(fields: Fields, count: int, names: dict[str, str]) -> list[Gear]:
+    engaged = _engaged(fields, count)
+    speeds = _given(fields, count, "speeds", ("KWZ", "NWZ", "WZ"))
+    torques = _given(fields, count, "torques", ("KMZ", "NMZ", "AMZ"))
+    ends = [_ports(fields, key, count) for key in ("INP(I)", "IOUT(I)")]
+    return [
+        Gear(
+            engaged[gear],
+            speeds=speeds[gear],
+            torques=torques[gear],
+            input=ends[0][gear] or None,
+            output=ends[1][gear] or None,
+            name=names.get(f"P{gear + 1}", ""),
+        )
+        for gear in range(count)
+    ]
 
-    def _fits(self, label: str, size: int) -> bool:
-        if size > self.capacity:
-            message = f"a file of {self.capacity} characters cannot hold so many"
-            self._error(label, f"read {size}, but {message}")
-        return size <= self.capacity
 
-    def _guess(self, key: str, part: Path) -> int:
-        """A size that could not be read, from the list that it is for."""
-        size = min(loose_count(self.found, key), self.capacity)
-        if not size:
-            self.hidden.append(part)
-        return size
+def _engaged(fields: Fields, gears: int) -> list[list[int]]:
+    counts = fields.counts("KFRI", gears, required=True)
+    engaged = fields.rows("NFRI", counts, "KFRI", integer)
+    for gear in engaged.unreadable:
+        fields.hidden.append(("gears", gear, "engaged"))
+    return engaged.numbers
+
+
+def _given(
+    fields: Fields, gears: int, part: str, keys: tuple[str, str, str]
+) -> list[dict[int, float]]:
+    """The extra speeds or torques of each gear, by links."""
+    counted, name, amount = keys
+    counts = fields.counts(counted, gears, required=False)
+    links = fields.rows(name, counts, counted, integer)
+    values = fields.rows(amount, counts, counted, real)
+    for gear in links.unreadable | values.unreadable:
+        fields.hidden.append(("gears", gear, part))
+    given: list[dict[int, float]] = []
+    for gear, (row, numbers) in enumerate(zip(links.numbers, values.numbers, strict=True), 1):
+        given.append({})
+        for position, (link, value) in enumerate(zip(row, numbers, strict=True), 1):
+            if link in given[-1] and gear not in links.unreadable:
+                message = f"link {link} is given twice in gear {gear}, expected once"
+                fields.error(f"{name}({position},{gear})", message)
+            else:
+                given[-1][link] = value
+                fields.places.given[part, gear, link] = position
+    return given
+
+
+def _ports(fields: Fields, key: str, gears: int) -> list[int]:
+    """The input or output link of each gear; 0 where it is the case's own."""
+    if key not in fields.found.fields:
+        return [0] * gears
+    return fields.whole(key, gears, "NP")
+
+
+def _port(fields: Fields, key: str, default: int) -> int:
+    """The input or output link of the case."""
+    link = fields.optional(key, default, lowest=1)
+    if link is None:
+        fields.hidden += [("input",), ("output",)]
+    return default if link is None else link
+
+
+def _flag(fields: Fields, key: str, off: str, on: str) -> bool:
+    return fields.optional(key, 0, 1, f"0 ({off}) or 1 ({on})") == 1
+
+
+def _names(fields: Fields, sizes: dict[str, int | None]) -> dict[str, str]:
+    """The names by kind and number; ``T`` is the title."""
+    names: dict[str, str] = {}
+    for kind, number, name, *spot in fields.found.names:
+        label = f"{kind}{int(number) if number else ''}"
+        largest = sizes.get(kind)
+        wrong = ""
+        if kind not in NAMED:
+            kinds = ", ".join(f"{letter} ({what})" for letter, what in NAMED.items())
+            wrong = f"`{kind}` names nothing, expected one of {kinds}"
+        elif kind == "T" and number:
+            wrong = "the title has no number, expected `NAME T:`"
+        elif kind != "T" and largest is not None and not 1 <= int(number) <= largest:
+            wrong = f"read {number}, expected the number of a {NAMED[kind]}, from 1 to {largest}"
+        elif label in names:
+            line, column = fields.places.spots[f"NAME {label}"]
+            before = f"line {line}, column {column}"
+            wrong = f"given again, first given in {before}; expected once"
+        elif not name:
+            wrong = "read nothing, expected a name after the colon"
+        if wrong:
+            fields.found.error(f"NAME {kind}{number}: {wrong}", *spot)
+        else:
+            names[label] = name
+            fields.places.spots[f"NAME {label}"] = spot[0], spot[1]
+    return names
+
+
+def _above_all(parts: dict[str, Any]) -> int:
+    """A number of links that admits every link there is, when KJG is unknown."""
+    links: list[int] = [2, parts["input"], parts["output"]]
+    for element in parts["shift_elements"]:
+        links += [element.first, element.second]
+    for mechanism in parts["mechanisms"]:
+        links += mechanism.links
+    for gear in parts["gears"]:
+        links += [gear.input or 0, gear.output or 0, *gear.speeds, *gear.torques]
+    return max(links) + 1

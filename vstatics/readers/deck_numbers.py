@@ -15,9 +15,7 @@ Number = TypeVar("Number", int, float)
 TOKEN = re.compile(r"[^\s,]+|,")
 REPEATED = re.compile(r"([0-9]{1,18})\*(.+)")
 INTEGER = re.compile(r"[+-]?[0-9]+")
-REAL = re.compile(
-    r"([+-]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+))(?:[EDQ]([+-]?[0-9]+)|([+-][0-9]+))?"
-)
+REAL = re.compile(r"([+-]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+))(?:[EDQ]([+-]?[0-9]+)|([+-][0-9]+))?")
 DECIMAL_COMMA = re.compile(r"(?<![.0-9])[0-9]*,[0-9]+(?![.0-9])")
 LONGEST = 1000
 """Characters of a number; none that means anything is longer."""

@@ -1,4 +1,4 @@
-"""The text of a deck: its encoding, and where its fields stand.
+"""The text of a deck: where its fields stand.
 
 A field counts only at the start of a line, before ``(`` or ``=``; blanks inside its
 name and Cyrillic look-alikes do not matter. Everything else is prose.
@@ -7,21 +7,19 @@ name and Cyrillic look-alikes do not matter. Everything else is prose.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
-from vstatics.errors import Place, Problem, ReadError
+from vstatics.errors import Problem, ReadError
+from vstatics.readers.encodings import texts
 from vstatics.readers.reading import Source
 
 SCALARS = {"KJG", "KL", "KG", "KNM", "NP", "INP", "IOUT", "IDLE", "COAST"}
 """Fields of one value; they have no index list, and may share a line."""
 
 LISTS = {
-    **{name: name for name in ("IAB", "ETAI", "NNM", "UAQ", "KFRI", "NFRI", "KWZ", "KMZ")},
-    **{name: name for name in ("NWZ", "WZ", "NMZ", "AMZ")},
-    "NZF": "NZF",
-    "NZD": "NZD",
+    *("NZF", "NZD", "IAB", "ETAI", "NNM", "UAQ", "KFRI", "NFRI"),
+    *("KWZ", "NWZ", "WZ", "KMZ", "NMZ", "AMZ"),
 }
 GEAR_LISTS = {"INP": "INP(I)", "IOUT": "IOUT(I)"}
 """Lists with the name of a scalar: they count only with an index list."""
@@ -88,72 +86,69 @@ class Scan:
         self.problems.append(Problem(message, place=self.source.place(line, column)))
 
 
-def texts(data: bytes, file: str) -> Iterator[tuple[str, list[Problem]]]:
-    """The text of a file in each encoding that is possible, the likeliest first.
+def latin(text: str) -> str:
+    """Upper case, Cyrillic letters that look like Latin ones made Latin."""
+    return text.upper().translate(LATIN)
+
+
+def decode(data: bytes, file: str) -> str:
+    """The text of a deck or a report, in the encoding that shows most of its names.
 
     Raises
     ------
     ReadError
         If the file holds no text.
     """
-    if data.startswith((b"\xff\xfe", b"\xfe\xff")):
-        raise _unreadable(file, "the file is UTF-16 text, expected UTF-8: save it as UTF-8")
-    if b"\0" in data:
-        message = "the file is binary, expected a deck as text: save it as text in UTF-8"
-        raise _unreadable(file, message)
+
+    def names(text: str) -> int:
+        return sum(head(line) != "" for line in Source(file, text).lines)
+
+    return max((text for text, _ in texts(data, file)), key=names)
+
+
+def holds_deck(data: bytes) -> bool:
+    """Whether any line of a file starts with the name of a deck's field."""
     try:
-        yield data.decode("utf-8-sig"), []
-    except UnicodeDecodeError as error:
-        for encoding in ("cp1251", "cp866", "koi8-r"):
-            try:
-                yield data.decode(encoding), []
-            except UnicodeDecodeError:  # CP1251 lacks one byte
-                continue
-        yield _damaged(data, error.start, file)
+        return any(scan(Source("", text)).fields for text, _ in texts(data, ""))
+    except ReadError:
+        return False
 
 
-def _unreadable(file: str, message: str) -> ReadError:
-    return ReadError([Problem(message, place=Place(file, 1, 1))])
+def head(line: str) -> str:
+    """The name of the field or result that a line starts with, if any.
 
-
-def _damaged(data: bytes, start: int, file: str) -> tuple[str, list[Problem]]:
-    """The text as UTF-8 with a fault, so that a cut file does not read as gibberish."""
-    before = data[:start].decode("utf-8-sig").replace("\r\n", "\n").replace("\r", "\n")
-    line, column = before.count("\n") + 1, len(before) - before.rfind("\n")
-    text = data.decode("utf-8-sig", errors="replace")
-    message = f"byte 0x{data[start]:02X} is no UTF-8 here: the file is damaged or cut"
-    return text, [Problem(message, place=Source(file, text).place(line, column))]
-
-
-def latin(text: str) -> str:
-    """Upper case, Cyrillic letters that look like Latin ones made Latin."""
-    return text.upper().translate(LATIN)
+    >>> head("N ZD(I,1),I=1,K G : 1 1 4"), head("WSAT(K,I) ..."), head("W = 3"), head("number")
+    ('NZD', 'WSAT', '', '')
+    """
+    word, opened, start = _opening(line)
+    return word if _kind(line, word, opened, start) else ""
 
 
 def scan(source: Source) -> Scan:
     """Find the fields and the names of a deck."""
     found = Scan(source, len(source.lines))
     for number, line in enumerate(source.lines, 1):
-        head, opened, start = _head(line)
-        if opened == "(" and head in RESULTS and _is_index(line, start):
+        word, opened, start = _opening(line)
+        kind = _kind(line, word, opened, start)
+        if kind == "result":
             found.last = number - 1
             break
-        if head in SCALARS and opened == "=":
+        if kind == "scalar":
             _scalars(found, number, line)
-        elif head in LISTS or (head in GEAR_LISTS and opened == "("):
-            _list(found, number, line, start, head)
+        elif kind == "list":
+            _list(found, number, line, start, word)
         elif (match := _name_line(line)) is not None:
             found.stops.append(number)
             column = len(line) - len(line.lstrip()) + 1
             found.names.append(Named(*match, number, column))
-        elif head and opened and head.isascii() and len(head) < 8 and len(found.unknown) < 50:
-            found.unknown.setdefault(head, number)
+        elif word.isascii() and 0 < len(word) < 8 and len(found.unknown) < 50:
+            found.unknown.setdefault(word, number)
     while found.last > 1 and not source.lines[found.last - 1].strip():
         found.last -= 1
     return found
 
 
-def _head(line: str) -> tuple[str, str, int]:
+def _opening(line: str) -> tuple[str, str, int]:
     """The word at the start of a line, the sign that follows it, and where that stands."""
     start = len(line) - len(line.lstrip())
     start += line.startswith("(", start)
@@ -162,6 +157,15 @@ def _head(line: str) -> tuple[str, str, int]:
         return "", "", start
     end = min(ends)
     return latin("".join(line[start:end].split())), line[end], end
+
+
+def _kind(line: str, word: str, opened: str, start: int) -> str:
+    """What a line starts with: a ``scalar``, a ``list``, a ``result``, or nothing of these."""
+    if opened == "(" and word in RESULTS and _is_index(line, start):
+        return "result"
+    if opened == "=" and word in SCALARS:
+        return "scalar"
+    return "list" if word in LISTS or (opened == "(" and word in GEAR_LISTS) else ""
 
 
 def _is_index(line: str, start: int) -> bool:
@@ -202,26 +206,26 @@ def _scalars(found: Scan, number: int, line: str) -> None:
         _add(found, Field(key, number, start + 1, value, end))
 
 
-def _list(found: Scan, number: int, line: str, start: int, head: str) -> None:
+def _list(found: Scan, number: int, line: str, start: int, name: str) -> None:
     """A field such as ``IAB(I),I=1,KG:``; the colon or the whole index list may be missing."""
     column = len(line) - len(line.lstrip()) + 1
-    key, value, index = GEAR_LISTS.get(head, head), start + 1, ""
+    key, value, index = GEAR_LISTS.get(name, name), start + 1, ""
     if line[start] == "(":
         match = INDEX_LIST.match(line, start)
         if match is not None:
             value, index = match.end(), _squeezed(match)
         if match is None or not match[2]:
             value = _past_colon(line, value)
-    if head in PARTS:
-        parts = PARTS[head]
+    if name in PARTS:
+        parts = PARTS[name]
         part = index.partition(",")[2]
         if part not in parts:
-            expected = " or ".join(f"{head}(I,{part})" for part in parts)
-            read = f"{head}({index})" if index else line.strip()[:30]
-            found.error(f"{head}: read '{read}', expected {expected}", number, column)
+            expected = " or ".join(f"{name}(I,{part})" for part in parts)
+            read = f"{name}({index})" if index else line.strip()[:30]
+            found.error(f"{name}: read '{read}', expected {expected}", number, column)
             found.stops.append(number)
             return
-        key = f"{head}(I,{part})"
+        key = f"{name}(I,{part})"
     _add(found, Field(key, number, column, value))
 
 

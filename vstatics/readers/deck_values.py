@@ -68,7 +68,9 @@ def take_rows(
     gears = [gear for gear, count in enumerate(counts, 1) if count]
     rows = _rows(found, field, len(gears))
     if len(rows) < 2:
-        names = [f"{field.key}({k},{gear})" for gear in gears for k in range(1, counts[gear - 1] + 1)]
+        names = [
+            f"{field.key}({k},{gear})" for gear in gears for k in range(1, counts[gear - 1] + 1)
+        ]
         wanted = Wanted(
             field.key, lambda n: names[n] if n < len(names) else field.key, len(names), counted
         )
@@ -80,9 +82,11 @@ def take_rows(
         end = "" if surplus else f" before {_ending(found, field, spot[0] + 1)}"
         found.error(f"{field.key}: read {len(rows)} lines of numbers{end}, {expected}", *spot)
         return stand_ins(field, sum(counts), parse)
-    values = Values[Number]([], [], set())
+    values: Values[Number] = Values([], [], set())
     for gear, tokens in zip(gears, rows, strict=True):
-        row = _row(found, field.key, gear, counts[gear - 1], counted, tokens, parse)
+        wanted = _row(field.key, gear, counts[gear - 1], counted)
+        taker = _Taker(found, tokens[0].spot, wanted, parse, lambda _: "the end of the line")
+        row = taker.take([tokens])
         values.unreadable.update(len(values.numbers) + position for position in row.unreadable)
         values.numbers.extend(row.numbers)
         values.spots.extend(row.spots)
@@ -106,21 +110,13 @@ def _rows(found: Scan, field: Field, expected: int) -> list[list[Token]]:
     return rows
 
 
-def _row(
-    found: Scan,
-    key: str,
-    gear: int,
-    need: int,
-    counted: str,
-    tokens: list[Token],
-    parse: Callable[[str], Number],
-) -> Values[Number]:
-    """The values of one gear from its line."""
-    wanted = Wanted(
-        f"{key}(1,{gear})", lambda n: f"{key}({n + 1},{gear})", need, f"{counted}({gear})"
-    )
-    taker = _Taker(found, tokens[0].spot, wanted, parse, lambda _: "the end of the line")
-    return taker.take([tokens])
+def _row(key: str, gear: int, need: int, counted: str) -> Wanted:
+    """What the line of one gear has to hold."""
+
+    def label(position: int) -> str:
+        return f"{key}({position + 1},{gear})"
+
+    return Wanted(label(0), label, need, f"{counted}({gear})")
 
 
 def _ending(found: Scan, field: Field, line: int) -> str:
@@ -147,9 +143,10 @@ class _Taker(Generic[Number]):
         ending: Callable[[int], str],
     ) -> None:
         """Start before the first value."""
-        self.found, self.wanted, self.parse, self.ending = found, wanted, parse, ending
+        self.found, self.wanted, self.ending = found, wanted, ending
+        self.parse: Callable[[str], Number] = parse
         self.need = wanted.need
-        self.values = Values[Number]([], [], set())
+        self.values: Values[Number] = Values([], [], set())
         self.start = self.end = start
         self.total = 0
         self.surplus: Token | None = None
@@ -233,7 +230,9 @@ class _Taker(Generic[Number]):
 
     def _count(self) -> None:
         """Report too few or too many values."""
-        expected = f"expected {self.need} ({self.wanted.why})" if self.wanted.why else "expected one"
+        expected = (
+            f"expected {self.need} ({self.wanted.why})" if self.wanted.why else "expected one"
+        )
         read = f"read {self.total} value{'s' * (self.total != 1)}"
         if self.surplus is None:
             label = self.wanted.label(self.total)

@@ -58,10 +58,14 @@ def finish(
         If there is any error, with all of them in the order of the text.
     """
     found = list(found)
-    hidden = list(unreadable)
+    hidden = set(unreadable)
+    above_hidden = {path[:length] for path in hidden for length in range(len(path))}
 
     def told(problem: Problem) -> bool:
-        return not any(_related(problem.path, path) for path in hidden)
+        """Whether no stand-in is above or below the part that the problem is about."""
+        path = problem.path
+        below_hidden = any(path[:length] in hidden for length in range(len(path) + 1))
+        return path not in above_hidden and not below_hidden
 
     try:
         case = Transmission(**parts)
@@ -73,9 +77,3 @@ def finish(
     if any(problem.severity == "error" for problem in found):
         raise ReadError(found)
     return Reading(case, found, locate)
-
-
-def _related(one: Path, other: Path) -> bool:
-    """Whether one path leads to or through the other."""
-    shared = min(len(one), len(other))
-    return one[:shared] == other[:shared]

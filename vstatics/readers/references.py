@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Iterable, Sequence
 
 from vstatics.model import HOUSING
 from vstatics.readers import scalars
-from vstatics.readers.nodes import Found
+from vstatics.readers.nodes import Found, shown
 
 NO_LINK = -1
 """Stands in for a link that is not known; no other link is equal to it."""
 
 NO_ELEMENT = 0
+_FEW = 8
 _HOUSING = ("0", "housing")
 
 
@@ -63,8 +64,8 @@ class References:
         if self.link_names:
             if text in self._link_numbers:
                 return self._link_numbers[text]
-            hint = self._found.hint(text, [*self.link_names, "housing"])
-            raise ValueError(f"expected the name of a link or `housing`{hint}")
+            known = self._known(text, [*self.link_names, "housing"])
+            raise ValueError(f"expected the name of a link or `housing`{known}")
         number = scalars.link_number(text)
         if number is not None:
             return number
@@ -87,8 +88,13 @@ class References:
             return NO_ELEMENT
         if not self._elements:
             raise ValueError("but there are no shift elements")
-        hint = self._found.hint(text, self._elements)
-        raise ValueError(f"expected the name of a shift element{hint}")
+        known = self._known(text, self._elements)
+        raise ValueError(f"expected the name of a shift element{known}")
+
+    def _known(self, text: str, names: Collection[str]) -> str:
+        """The nearest of the names, or all of them if they are few."""
+        few = ": " + ", ".join(map(shown, names)) if len(names) <= _FEW else ""
+        return self._found.hint(text, names) or few
 
 
 def _numbered(names: Iterable[str]) -> dict[str, int]:

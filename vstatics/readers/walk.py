@@ -106,16 +106,22 @@ class Walk:
         return values
 
     def _known_keys(self, spot: Spot, shape: Record, node: Mapping) -> dict[str, Node]:
-        """What is given; an optional key without a value is not."""
+        """What is given; an optional key without a value is not.
+
+        A mistyped key is read as what was meant, so that one slip brings no others.
+        """
         known: dict[str, Key] = {key.name: key for key in shape.keys}
-        given = {}
+        given: dict[str, Node] = {}
+        meant: dict[str, Node] = {}
         for key, value in self._entries(spot, node):
             if key.text not in known:
-                hint = self.spots.found.hint(key.text, known) or f", expected {_listed(known)}"
-                self.spots.complain(spot, f"unknown key `{shown(key.text)}`{hint}", key)
+                hint = self.spots.found.hint(key.text, known)
+                expected = hint or f", expected {_listed(known)}"
+                self.spots.complain(spot, f"unknown key `{shown(key.text)}`{expected}", key)
+                meant.update((name, value) for name in known if f"`{name}`" in hint)
             elif known[key.text].required or not is_null(value):
                 given[key.text] = value
-        return given
+        return meant | given
 
     def _named(self, spot: Spot, shape: Named) -> Any:
         elements = shape.kind == "shift element"

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import json
 import math
+from collections.abc import Sequence
 from typing import Any
 
+from vstatics.errors import Problem
 from vstatics.results import Results
 from vstatics.writers.named import mapping
 from vstatics.writers.tables import tables
@@ -45,6 +47,11 @@ def document(results: Results) -> dict[str, Any]:
     return made
 
 
+def failure(file: str, problems: Sequence[Problem]) -> dict[str, Any]:
+    """What stands for a case in error among several results."""
+    return {"case": file, "errors": [str(problem) for problem in problems]}
+
+
 def _number(value: float, kind: type) -> Any:
     return None if math.isnan(value) else kind(value)
 
@@ -77,7 +84,11 @@ def _value(key: str, value: Any) -> str:
     if isinstance(value, dict) and value:
         inner = (f"    {_text(key)}: {_text(entry)}" for key, entry in value.items())
         return "{\n" + ",\n".join(inner) + "\n  }"
-    if isinstance(value, list) and value and (isinstance(value[0], list) or key == "messages"):
+    if (
+        isinstance(value, list)
+        and value
+        and (isinstance(value[0], list) or key in ("messages", "errors"))
+    ):
         return "[\n" + ",\n".join(f"    {_text(entry)}" for entry in value) + "\n  ]"
     return _text(value)
 

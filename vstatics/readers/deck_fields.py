@@ -1,0 +1,198 @@
+"""The fields of a deck as lists of the length that the sizes say."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from itertools import pairwise
+from typing import Generic, NamedTuple
+
+from vstatics.errors import Path, Problem, nearest
+from vstatics.readers.deck_numbers import Number, integer, loose_count, real
+from vstatics.readers.deck_places import Places
+from vstatics.readers.deck_text import Scan
+from vstatics.readers.deck_values import Values, Wanted, stand_ins, take, take_rows
+
+PARTS = {
+    "NZF(I,1)": ("shift_elements", "first"),
+    "NZF(I,2)": ("shift_elements", "second"),
+    "NZD(I,1)": ("mechanisms", "first"),
+    "NZD(I,2)": ("mechanisms", "second"),
+    "NZD(I,3)": ("mechanisms", "third"),
+    "IAB": ("mechanisms", "ratio"),
+    "ETAI": ("mechanisms", "efficiency"),
+    "INP(I)": ("gears", "input"),
+    "IOUT(I)": ("gears", "output"),
+}
+"""What the values of a list are in the model, where each is a part of its own."""
+
+
+class Rows(NamedTuple, Generic[Number]):
+    """The values of each gear, and the gears (from 1) of which some could not be read."""
+
+    numbers: list[list[Number]]
+    unreadable: set[int]
+
+
+class Fields:
+    """Gives the values of fields; notes what is wrong, and where everything stands."""
+
+    def __init__(self, found: Scan, capacity: int) -> None:
+        """Start from the fields that were found in a text of `capacity` characters."""
+        self.found = found
+        self.capacity = capacity
+        """No size or count is larger than the text has characters."""
+        self.places = Places(found.source)
+        self.hidden: list[Path] = []
+        """Parts of the model that hold stand-ins."""
+        self.unreadable: set[str] = set()
+
+    def error(self, label: str, message: str) -> None:
+        """Note an error at a value that was read."""
+        self.found.error(f"{label}: {message}", *self.places.spots[label])
+
+    def is_unreadable(self, label: str) -> bool:
+        """Whether a value is a stand-in."""
+        return label in self.unreadable
+
+    def size(self, key: str, what: str, lowest: int) -> int | None:
+        """A size that must be there; None if it cannot be used."""
+        if key not in self.found.fields:
+            self._missing(key, f"`{key}=` and the number of {what}")
+            return None
+        size = self._scalar(key)
+        if size is not None and size < lowest:
+            self.error(key, f"read {size}, expected at least {lowest} {what}")
+            return None
+        return size if size is not None and self._fits(key, size) else None
+
+    def or_guess(self, size: int | None, key: str, part: str) -> int:
+        """A size, or when it is unknown the length of a list that it fixes."""
+        if size is not None:
+            return size
+        guess = min(loose_count(self.found, key), self.capacity)
+        if not guess:
+            self.hidden.append((part,))
+        return guess
+
+    def optional(
+        self, key: str, default: int, highest: int | None = None, what: str = "", lowest: int = 0
+    ) -> int | None:
+        """A field of one value that may be left out; None if it cannot be used."""
+        if key not in self.found.fields:
+            return default
+        value = self._scalar(key)
+        if value is None or (value >= lowest and (highest is None or value <= highest)):
+            return value if value is None or self._fits(key, value) else None
+        span = f"at least {lowest}" if highest is None else f"{lowest} to {highest}"
+        self.error(key, f"read {value}, expected {what or span}")
+        return None
+
+    def whole(self, key: str, need: int, why: str) -> list[int]:
+        """A list of whole numbers."""
+        return self._list(key, need, why, integer).numbers
+
+    def real(self, key: str, need: int, why: str) -> list[float]:
+        """A list of numbers."""
+        return self._list(key, need, why, real).numbers
+
+    def counts(self, key: str, gears: int, *, required: bool) -> list[int]:
+        """How many values each gear has in another field; -1 where it cannot be told."""
+        if key not in self.found.fields and not required:
+            message = f"{key} is missing: taken as 0; a cut file looks the same"
+            place = self.found.source.place(*self._end())
+            self.found.problems.append(Problem(message, place=place, severity="warning"))
+            return [0] * gears
+        values = self._list(key, gears, "NP", integer)
+        counts, total = values.numbers, 0
+        for position, count in enumerate(counts):
+            label = f"{key}({position + 1})"
+            total += max(count, 0)
+            if position in values.unreadable:
+                counts[position] = -1
+            elif count < 0:
+                self.error(label, f"read {count}, expected a count, 0 or more")
+                counts[position] = -1
+            elif not self._fits(label, total):
+                return [-1] * gears
+        return counts
+
+    def rows(
+        self, key: str, counts: Sequence[int], counted: str, parse: Callable[[str], Number]
+    ) -> Rows[Number]:
+        """The values of each gear, as many as `counts` says."""
+        gears = len(counts)
+        if min(counts, default=0) < 0:
+            return Rows([[] for _ in counts], set(range(1, gears + 1)))
+        need, field = sum(counts), self.found.fields.get(key)
+        if field is not None:
+            values = take_rows(self.found, field, counts, counted, parse)
+        else:
+            values = stand_ins(None, need, parse)
+            if need:
+                self._missing(key, f"{_values(need)} ({counted})")
+        ends = [0]
+        for count in counts:
+            ends.append(ends[-1] + count)
+        unreadable = set()
+        for gear, (start, end) in enumerate(pairwise(ends), 1):
+            if any(position in values.unreadable for position in range(start, end)):
+                unreadable.add(gear)
+            if field is not None:
+                for position in range(start, end):
+                    label = f"{key}({position - start + 1},{gear})"
+                    self.places.spots[label] = values.spots[position]
+        return Rows([values.numbers[start:end] for start, end in pairwise(ends)], unreadable)
+
+    def _list(
+        self, key: str, need: int, why: str, parse: Callable[[str], Number]
+    ) -> Values[Number]:
+        """The values of a list; what could not be read is hidden from the model's checks."""
+        field = self.found.fields.get(key)
+        base, _, second = key.rstrip(")").partition("(I")
+
+        def label(position: int) -> str:
+            return f"{base}({position + 1}{second})"
+
+        if field is not None:
+            values = take(self.found, field, Wanted(key, label, need, why), parse)
+            self.places.spots.update(zip(map(label, range(need)), values.spots, strict=True))
+        else:
+            values = stand_ins(None, need, parse)
+            if need:
+                self._missing(key, f"{_values(need)} ({why})")
+        self.unreadable.update(map(label, values.unreadable))
+        if key in PARTS:
+            part, name = PARTS[key]
+            self.hidden += [(part, position + 1, name) for position in values.unreadable]
+        return values
+
+    def _scalar(self, key: str) -> int | None:
+        """The value of a field of one value; None if it is unreadable."""
+        field = self.found.fields[key]
+        values = take(self.found, field, Wanted(key, lambda _: key, 1, ""), integer)
+        self.places.spots[key] = values.spots[0]
+        return None if values.unreadable else values.numbers[0]
+
+    def _fits(self, label: str, size: int) -> bool:
+        """Whether the file can hold so many; an error if not."""
+        if size > self.capacity:
+            cannot = f"the file has {self.capacity} characters and cannot hold so many"
+            self.error(label, f"read {size}, expected fewer: {cannot}")
+        return size <= self.capacity
+
+    def _missing(self, key: str, expected: str) -> None:
+        name, hint = key.partition("(")[0], ""
+        for word, line in self.found.unknown.items():
+            if nearest(word, [name]):
+                hint = f"; line {line} starts with `{word}`, which is no field"
+                break
+        self.found.error(f"{key} is missing: expected {expected}{hint}", *self._end())
+
+    def _end(self) -> tuple[int, int]:
+        """The end of the input."""
+        line = self.found.last
+        return line, len(self.found.source.lines[line - 1]) + 1
+
+
+def _values(need: int) -> str:
+    return f"{need} value{'s' * (need != 1)}"

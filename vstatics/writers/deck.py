@@ -1,0 +1,181 @@
+"""Writer of the deck: a case in the published template and order of fields."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from typing import Literal
+
+from vstatics.model import Transmission, element_name, mechanism_name
+from vstatics.writers.numbers import exponent
+
+RUSSIAN = {
+    "STRUCTURE": "СТРУКТУРА",
+    "Shift elements, first links:": "Первые звенья элементов управления:",
+    "Shift elements, second links (0 is the housing):": (
+        "Вторые звенья элементов управления (0 - корпус):"
+    ),
+    "Mechanisms, first links (suns):": "Первые звенья механизмов (солнечные колеса):",
+    "Mechanisms, second links (rings):": "Вторые звенья механизмов (эпициклы):",
+    "Mechanisms, third links (carriers; 0 if there is none):": (
+        "Третьи звенья механизмов (водила; 0, если их нет):"
+    ),
+    "Ratios, third link held:": "Передаточные числа при неподвижном третьем звене:",
+    "Efficiencies, third link held:": "КПД при неподвижном третьем звене:",
+    "Mechanisms with a planet ratio of their own:": (
+        "Механизмы с заданным отношением к сателлиту:"
+    ),
+    "Ratios from the first link to the planet:": "Отношения от первого звена к сателлиту:",
+    "GEARS": "ПЕРЕДАЧИ",
+    "Engaged elements in each gear:": "Сколько элементов включено на каждой передаче:",
+    "Their numbers, a line for each gear:": "Их номера, строка на каждую передачу:",
+    "Further given speeds in each gear:": "Сколько скоростей задано дополнительно:",
+    "Further external torques in each gear:": "Сколько внешних моментов задано дополнительно:",
+    "Their links:": "Их звенья:",
+    "Their values:": "Их значения:",
+    "Further conditions:": "Прочие условия:",
+    "Input link in each gear (0: that of the case):": (
+        "Входное звено на каждой передаче (0 - общее):"
+    ),
+    "Output link in each gear (0: that of the case):": (
+        "Выходное звено на каждой передаче (0 - общее):"
+    ),
+    "Given names:": "Обозначения:",
+}
+"""The headings in Russian. None of them may start like a field or a line NAME."""
+
+
+def write(case: Transmission, lang: Literal["en", "ru"] = "en") -> str:
+    """The case as a deck, which reads back as an equal case; see `lost`.
+
+    Parameters
+    ----------
+    lang : {"en", "ru"}
+        Language of the headings.
+    """
+    lines = [*_structure(case), *_gears(case), *_conditions(case), *_names(case)]
+    if lang == "ru":
+        lines = [RUSSIAN.get(line, line) for line in lines]
+    return "\n".join(lines) + "\n"
+
+
+def lost(case: Transmission) -> list[str]:
+    """What a case has and a deck cannot keep: ``description``, ``source``."""
+    return [part for part in ("description", "source") if getattr(case, part)]
+
+
+def _structure(case: Transmission) -> Iterator[str]:
+    """Links, shift elements and mechanisms."""
+    elements, mechanisms = case.shift_elements, case.mechanisms
+    planets = {
+        number: mechanism.planet_ratio
+        for number, mechanism in enumerate(mechanisms, 1)
+        if mechanism.planet_ratio is not None
+    }
+    yield "STRUCTURE"
+    yield f"KJG= {case.links} KL= {len(elements)} KG= {len(mechanisms)} KNM= {len(planets)}"
+    if elements:
+        yield "Shift elements, first links:"
+        yield _row("NZF(I,1),I=1,KL:", (element.first for element in elements))
+        yield "Shift elements, second links (0 is the housing):"
+        yield _row("NZF(I,2),I=1,KL:", (element.second for element in elements))
+    yield "Mechanisms, first links (suns):"
+    yield _row("NZD(I,1),I=1,KG:", (mechanism.first for mechanism in mechanisms))
+    yield "Mechanisms, second links (rings):"
+    yield _row("NZD(I,2),I=1,KG:", (mechanism.second for mechanism in mechanisms))
+    yield "Mechanisms, third links (carriers; 0 if there is none):"
+    yield _row("NZD(I,3),I=1,KG:", (mechanism.third for mechanism in mechanisms))
+    yield "Ratios, third link held:"
+    yield "IAB(I),I=1,KG:"
+    yield _row("", (exponent(mechanism.ratio) for mechanism in mechanisms))
+    yield "Efficiencies, third link held:"
+    yield "ETAI(I),I=1,KG:"
+    yield _row("", (exponent(mechanism.efficiency) for mechanism in mechanisms))
+    if planets:
+        yield "Mechanisms with a planet ratio of their own:"
+        yield _row("NNM(K),K=1,KNM:", planets)
+        yield "Ratios from the first link to the planet:"
+        yield "UAQ(K),K=1,KNM:"
+        yield _row("", map(exponent, planets.values()))
+
+
+def _gears(case: Transmission) -> Iterator[str]:
+    """What is engaged and given in each gear."""
+    gears = case.gears
+    yield "GEARS"
+    yield f"NP= {len(gears)}"
+    yield "Engaged elements in each gear:"
+    yield _row("KFRI(I),I=1,NP:", (len(gear.engaged) for gear in gears))
+    if any(gear.engaged for gear in gears):
+        yield "Their numbers, a line for each gear:"
+        yield "(NFRI(K,I),K=1,KFRI(I)),I=1,NP:"
+        yield from (_row("", gear.engaged) for gear in gears if gear.engaged)
+    yield "Further given speeds in each gear:"
+    yield _row("KWZ(I),I=1,NP:", (len(gear.speeds) for gear in gears))
+    yield from _given([gear.speeds for gear in gears], "KWZ", "NWZ", "WZ")
+    yield "Further external torques in each gear:"
+    yield _row("KMZ(I),I=1,NP:", (len(gear.torques) for gear in gears))
+    yield from _given([gear.torques for gear in gears], "KMZ", "NMZ", "AMZ")
+
+
+def _given(
+    given: Sequence[Mapping[int, float]], count: str, links: str, values: str
+) -> Iterator[str]:
+    """Links and values of given speeds or torques, a line for each gear that has any."""
+    if any(given):
+        yield "Their links:"
+        yield f"({links}(K,I),K=1,{count}(I)),I=1,NP:"
+        yield from (_row("", row) for row in given if row)
+        yield "Their values:"
+        yield f"({values}(K,I),K=1,{count}(I)),I=1,NP:"
+        yield from (_row("", map(exponent, row.values())) for row in given if row)
+
+
+def _conditions(case: Transmission) -> Iterator[str]:
+    """Input, output and conventions, each only if it is not the default."""
+    conditions = []
+    if case.input != 1:
+        conditions.append(f"INP= {case.input}")
+    if case.output != case.links:
+        conditions.append(f"IOUT= {case.output}")
+    if case.idle == "exact":
+        conditions.append("IDLE= 1")
+    if case.coast:
+        conditions.append("COAST= 1")
+    if conditions:
+        yield "Further conditions:"
+        yield from conditions
+    if any(gear.input for gear in case.gears):
+        yield "Input link in each gear (0: that of the case):"
+        yield _row("INP(I),I=1,NP:", (gear.input or 0 for gear in case.gears))
+    if any(gear.output for gear in case.gears):
+        yield "Output link in each gear (0: that of the case):"
+        yield _row("IOUT(I),I=1,NP:", (gear.output or 0 for gear in case.gears))
+
+
+def _names(case: Transmission) -> Iterator[str]:
+    """The names that differ from those that everything gets by itself."""
+    links = [("J", name, str(number)) for number, name in enumerate(case.link_names, 1)]
+    elements = [
+        ("F", element.name, element_name(number, element))
+        for number, element in enumerate(case.shift_elements, 1)
+    ]
+    mechanisms = [
+        ("D", mechanism.name, mechanism_name(number))
+        for number, mechanism in enumerate(case.mechanisms, 1)
+    ]
+    gears = [("P", gear.name, str(number)) for number, gear in enumerate(case.gears, 1)]
+    named = [
+        f"NAME {kind}{number}: {name}"
+        for part in (links, elements, mechanisms, gears)
+        for number, (kind, name, default) in enumerate(part, 1)
+        if name != default
+    ]
+    if case.name:
+        named.insert(0, f"NAME T: {case.name}")
+    if named:
+        yield "Given names:"
+        yield from named
+
+
+def _row(heading: str, values: Iterable[object]) -> str:
+    return " ".join([*([heading] if heading else []), *map(str, values)])

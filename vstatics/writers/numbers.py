@@ -1,0 +1,59 @@
+"""Numbers in the style of Fortran's F and E formats."""
+
+from __future__ import annotations
+
+from math import isfinite
+
+DIGITS = 4
+"""Digits of the E format, where they are enough."""
+
+
+def fixed(value: float, width: int = 0, decimals: int = 3) -> str:
+    """A number in F format, without the zero before the point.
+
+    Parameters
+    ----------
+    value : float
+        NaN and infinities stand for a value that does not exist: asterisks.
+    width : int
+        The field is at least so wide, and grows where a number does not fit.
+    decimals : int
+        Digits after the point; with 0 the point is left out, too.
+
+    Examples
+    --------
+    >>> [fixed(value) for value in (0.726, -2.656, 1, -0.0001)]
+    ['.726', '-2.656', '1.000', '.000']
+    >>> fixed(float("nan"), width=7), fixed(0.5, width=7), fixed(-3, decimals=0)
+    ('*******', '   .500', '-3')
+    """
+    if not isfinite(value):
+        return "*" * (width or decimals + 2)
+    text = f"{abs(value):.{decimals}f}"
+    sign = "-" if value < 0 and text.strip("0.") else ""
+    if decimals:
+        text = text.removeprefix("0")
+    return f"{sign}{text}".rjust(width)
+
+
+def exponent(value: float) -> str:
+    """A number in E format: four digits, or as many as give the same number back.
+
+    Examples
+    --------
+    >>> exponent(-0.8), exponent(2.461), exponent(1 / 3), exponent(1e300)
+    ('-.8000E+00', '.2461E+01', '.3333333333333333E+00', '.1000E+301')
+    """
+    if not isfinite(value):
+        return "*" * (DIGITS + 6)
+    for digits in range(DIGITS, 18):
+        text = _exponent(value, digits)
+        if float(text) == value:
+            break
+    return text
+
+
+def _exponent(value: float, digits: int) -> str:
+    mantissa, _, power = f"{value:.{digits - 1}e}".partition("e")
+    scale = int(power) + 1 if value else 0
+    return f"{'-' * mantissa.startswith('-')}.{mantissa.lstrip('-').replace('.', '')}E{scale:+03d}"
