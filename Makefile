@@ -3,11 +3,12 @@ PYTHON ?= python3
 BIN = .venv/bin
 OLDEST = .venv-oldest/bin
 CASE ?= cases/mzkt7922.dat
+SOURCES := $(shell find vstatics -name '*.py')
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "  make %-12s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
 
-run: .venv/run.stamp ## calculate the published case (another: make run CASE=file)
+run: .venv/compiled.stamp ## calculate the published case (another: make run CASE=file)
 	@$(BIN)/vstatics run $(CASE)
 
 test: .venv/dev.stamp ## the fast tests (under two minutes)
@@ -35,7 +36,7 @@ golden: .venv/dev.stamp ## rewrite tests/golden; fails where something changed
 schema: .venv/run.stamp ## rewrite schemas/case.schema.json from its declaration
 	$(BIN)/python -m vstatics.readers.schema > schemas/case.schema.json
 
-bench: .venv/run.stamp ## time of a whole run against importing numpy and click
+bench: .venv/compiled.stamp ## time of a whole run against importing numpy and click
 	$(BIN)/python benchmarks/startup.py
 
 clean: ## remove what make has made
@@ -46,7 +47,12 @@ clean: ## remove what make has made
 	$(BIN)/pip install -q --disable-pip-version-check -e .
 	touch $@
 
-.venv/dev.stamp: .venv/run.stamp
+# Where PYTHONDONTWRITEBYTECODE is set every start would compile the package anew.
+.venv/compiled.stamp: .venv/run.stamp $(SOURCES)
+	$(BIN)/python -m compileall -q vstatics
+	touch $@
+
+.venv/dev.stamp: .venv/compiled.stamp
 	$(BIN)/pip install -q --disable-pip-version-check -e ".[dev]"
 	touch $@
 

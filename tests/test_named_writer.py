@@ -6,7 +6,7 @@ import json
 
 import pytest
 import yaml
-from hypothesis import example, given
+from hypothesis import example, given, settings
 from strategies import ANY_NUMBER, ODD_NAMES, transmissions
 
 from vstatics.model import Gear, Mechanism, ShiftElement, Transmission
@@ -24,6 +24,7 @@ def differential(**other: object) -> Transmission:
     return Transmission(**{**parts, **other})  # type: ignore[arg-type]
 
 
+@settings(deadline=None)
 @given(transmissions(ANY_NUMBER))
 @example(differential(description="\x85 \u2028 \u2029 \ufeff \x00 \x1b \t\r\n \r"))
 @example(differential(description="\n", source=" \n x\n\n"))

@@ -11,11 +11,15 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics import elimination, matrix, signs, statics
+from vstatics import elimination, matrix
 from vstatics.checks import problems
 from vstatics.errors import path_text
 from vstatics.model import Gear, Transmission
 from vstatics.results import Booleans, Message, Results
+from vstatics.speeds import solve_speeds
+
+OTHER = 1e-3
+"""Ratios that differ by this part, and by other parts among each other, are other ratios."""
 
 
 class Conditions(NamedTuple):
@@ -167,26 +171,34 @@ def _loss_messages(results: Results, number: int, gear: Gear) -> Iterator[tuple[
                 "the one of the largest efficiency is taken"
             ),
         )
-    mechanisms = slice(len(case.shift_elements), -1)
-    if (results.idle[number] & (results.lossy_torques[number, mechanisms] != 0)).any():
-        yield from _coincidence(results, number, gear)
-
-
-def _coincidence(results: Results, number: int, gear: Gear) -> Iterator[tuple[str, str]]:
-    """Idle mechanisms whose sign changes the result."""
-    case = results.case
-    if not results.consistent[number]:
-        return
-    u = np.array([[mechanism.ratio] for mechanism in case.mechanisms])
-    eta = np.array([[mechanism.efficiency] for mechanism in case.mechanisms])
-    flow, _ = statics.ideal_flow(case, gear, u, eta)
-    outcome = signs.search(flow, results.calculable[[number]])
-    matter = [case.mechanisms[i].name for i in signs.signs_matter(flow, outcome)]
-    if matter:
+    idle = _coincidences(results, number, gear)
+    if idle:
         yield (
             "warning",
             (
-                f"{_list(matter)}: idle by coincidence; torques with losses and efficiency "
+                f"{_list(idle)}: idle by coincidence; torques with losses and efficiency "
                 "depend on the direction of power assumed there"
             ),
         )
+
+
+def _coincidences(results: Results, number: int, gear: Gear) -> list[str]:
+    """Names of the mechanisms that idle for these ratios only, and carry torque with losses.
+
+    A mechanism that engaged elements hold as one piece does so whatever the ratios; then
+    nothing depends on its sign, as ``dMx/du = M (w_second - w_third)/w_output`` stays 0.
+    """
+    case = results.case
+    mechanisms = slice(len(case.shift_elements), -1)
+    loaded = results.lossy_torques[number, mechanisms] != 0
+    lossy = np.array([mechanism.efficiency < 1 for mechanism in case.mechanisms], dtype=np.bool_)
+    idle = results.idle[number] & loaded & lossy
+    if not results.consistent[number] or not idle.any():
+        return []
+    others = [
+        ratio if ratio == 1 else ratio * (1 + OTHER / place)
+        for place, ratio in enumerate((one.ratio for one in case.mechanisms), 1)
+    ]
+    motion = solve_speeds(case, gear, np.array(others)[:, None]).motion
+    carries = results.torques[number, mechanisms] != 0
+    return _chosen([one.name for one in case.mechanisms], idle & ~(carries & (motion[:, 0] == 0)))

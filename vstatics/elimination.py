@@ -13,6 +13,7 @@ That decides rank and consistency without any scale chosen from outside.
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
 
@@ -226,15 +227,17 @@ class _Elimination:
 
 def _choose(active: list[Row]) -> tuple[Row, int]:
     """The pivot that fills least (Markowitz) among those large enough in a shortest row."""
-    counts: dict[int, int] = {}
-    lengths = []
+    shortest = len(active[0]) + 1
+    candidates: list[Row] = []
     for row in active:
-        columns = [column for column in row if column >= 0]
-        lengths.append(len(columns))
-        for column in columns:
-            counts[column] = counts.get(column, 0) + 1
-    shortest = min(lengths)
-    candidates = [row for row, length in zip(active, lengths, strict=True) if length == shortest]
+        length = len(row) - (RIGHT in row)
+        if length == 1:
+            return row, max(row)
+        if length < shortest:
+            shortest, candidates = length, []
+        if length == shortest:
+            candidates.append(row)
+    counts = Counter(column for row in active for column in row)
     best: tuple[int, float] = (len(active) + 1, 0.0)
     choice = candidates[0], max(candidates[0])  # stands only if an overflow left no number
     for row in candidates:

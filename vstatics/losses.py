@@ -12,12 +12,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics import elimination, matrix
+from vstatics import matrix
 from vstatics.model import HOUSING, Gear, Transmission
 from vstatics.results import Booleans, Floats, Integers
-
-TIE = 1e-9
-"""Speeds, or torques on a link, that differ by less than this part are the same."""
+from vstatics.speeds import TIE
+from vstatics.torques import solve_torques
 
 
 class Flow(NamedTuple):
@@ -61,23 +60,6 @@ class Lossy(NamedTuple):
     admissible: Booleans
 
 
-def motion(flow_speeds: Floats, case: Transmission, difference: Floats) -> Floats:
-    """Speed of each first link against the third, 0 where it is a tie.
-
-    Parameters
-    ----------
-    flow_speeds : ndarray, shape (links, variants)
-    difference : ndarray, shape (mechanisms, variants)
-        ``w_first - w_third`` as solved; it may exist where the speeds do not.
-    """
-    still = np.zeros((1, flow_speeds.shape[1]))
-    speeds = np.concatenate([still, np.abs(flow_speeds)])
-    first = speeds[[mechanism.first for mechanism in case.mechanisms]]
-    third = speeds[[mechanism.third for mechanism in case.mechanisms]]
-    tie = np.abs(difference) <= TIE * np.fmax(first, third)
-    return np.where(tie, 0.0, difference)
-
-
 def loaded(flow: Flow, ratios: Floats, torques: Floats, holding: Floats) -> Floats:
     """Torque on the first link of each mechanism, 0 where it is a tie.
 
@@ -86,6 +68,9 @@ def loaded(flow: Flow, ratios: Floats, torques: Floats, holding: Floats) -> Floa
     """
     case, gear = flow.case, flow.gear
     elements = len(case.shift_elements)
+    found: Floats = torques[elements:-1].copy()
+    if _all_large(flow, ratios, torques, holding):
+        return found
     columns = matrix.columns(case, list(ratios))
     acting: list[list[tuple[int, Floats]]] = [[] for _ in range(case.links + 1)]
     for device, column in enumerate(columns):
@@ -96,7 +81,6 @@ def loaded(flow: Flow, ratios: Floats, torques: Floats, holding: Floats) -> Floa
         acting[link].append((-1, np.full(torques.shape[1], abs(torque))))
     for link in matrix.held_links(case, gear):
         acting[link].append((-1, np.abs(holding[link - 1])))
-    found = torques[elements:-1].copy()
     for number, mechanism in enumerate(case.mechanisms):
         tie = np.ones(torques.shape[1], dtype=np.bool_)
         for link in mechanism.links:
@@ -107,6 +91,18 @@ def loaded(flow: Flow, ratios: Floats, torques: Floats, holding: Floats) -> Floa
                 tie &= own[0] <= TIE * largest
         found[number, tie] = 0.0
     return found
+
+
+def _all_large(flow: Flow, ratios: Floats, torques: Floats, holding: Floats) -> bool:
+    """Whether each torque is 0 or large beside all others, so that there can be no tie."""
+    size = np.abs(torques[len(flow.case.shift_elements) : -1])
+    third = np.abs(ratios - 1)
+    smallest = np.minimum(np.minimum(np.abs(ratios), 1.0), np.where(third == 0, 1.0, third))
+    external = max(map(abs, matrix.external_torques(flow.case, flow.gear).values()))
+    acting = np.fmax(np.fmax.reduce(np.abs(torques)), np.fmax.reduce(np.abs(holding)))
+    largest = np.fmax(acting * (1 + np.abs(ratios)), external)
+    largest = np.fmax.reduce(largest) if largest.size else largest
+    return bool(((size == 0) | (size * smallest > TIE * largest)).all())
 
 
 def powers(flow: Flow, torques: Floats, holding: Floats) -> Floats:
@@ -179,31 +175,3 @@ def _passes_power(flow: Flow) -> Booleans:
     """Whether the gear has an efficiency without losses, which is then 1."""
     entering = powers(flow, flow.torques, flow.holding)
     return np.isfinite(_efficiency(flow, flow.torques, entering))
-
-
-def solve_torques(case: Transmission, gear: Gear, ratios: Floats) -> tuple[Floats, Floats]:
-    """Torques of a gear when the internal ratios of the torques are `ratios`.
-
-    Parameters
-    ----------
-    ratios : ndarray, shape (mechanisms, variants)
-
-    Returns
-    -------
-    torques : ndarray, shape (devices + 1, variants)
-        On the first link of each device, 0 on an element that is not engaged; then the
-        output torque. NaN where there is no single value.
-    holding : ndarray, shape (links, variants)
-        External torque on each link with a given speed, NaN on the others.
-    """
-    columns = matrix.columns(case, list(ratios))
-    devices = matrix.loaded_devices(case, gear)
-    held = matrix.held_links(case, gear)
-    variants = ratios.shape[1]
-    rows = matrix.torque_rows(case, gear, columns)
-    solution = elimination.solve(rows, len(devices) + 1 + len(held), variants=variants)
-    torques = np.where(solution.consistent, 0.0, np.nan) * np.ones((len(columns) + 1, 1))
-    torques[[*devices, len(columns)]] = solution.values[: len(devices) + 1]
-    holding = np.full((case.links, variants), np.nan)
-    holding[[link - 1 for link in held]] = solution.values[len(devices) + 1 :]
-    return torques, holding

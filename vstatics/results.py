@@ -80,7 +80,7 @@ class Message(NamedTuple):
         return f"{self.severity}: {gear}{self.text}"
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, eq=False)
 class Results:
     """Everything that is calculated, for every gear.
 

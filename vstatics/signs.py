@@ -11,8 +11,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.losses import TIE, Flow, Lossy, attempt, loaded, power
+from vstatics.losses import Flow, Lossy, attempt, loaded, power
 from vstatics.results import Booleans, Floats, Integers
+from vstatics.speeds import TIE
 
 SEARCHED = 12
 """Up to so many mechanisms all sets of signs are tried."""
@@ -208,20 +209,3 @@ def _follow(flow: Flow, start: _Start, moving: Booleans) -> tuple[Lossy | None, 
         seen.add(turned.tobytes())
         signs = turned
     return None, -1
-
-
-def signs_matter(flow: Flow, outcome: Outcome) -> list[int]:
-    """Mechanisms idle by coincidence: their sign changes torque or efficiency of the gear.
-
-    One variant only. Where engaged elements hold a mechanism as one piece nothing
-    depends on its sign; in a balanced differential, say, it does.
-    """
-    found = []
-    for number in np.nonzero(outcome.idle[:, 0] & (flow.efficiencies[:, 0] < 1))[0]:
-        signs = outcome.lossy.signs[:, [0, 0]]
-        signs[number] = 1.0, -1.0
-        both = attempt(flow.part(np.array([0, 0])), signs)
-        for one, other in (both.efficiency, both.torques[-1]):
-            if abs(one - other) > TIE * abs(one) and number not in found:
-                found.append(int(number))
-    return found

@@ -4,15 +4,18 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
-from vstatics import diagnosis, elimination, losses, matrix, signs
+from vstatics import diagnosis, signs
 from vstatics.errors import CaseError, Problem
+from vstatics.losses import Flow
 from vstatics.model import HOUSING, Gear, IdleConvention, Mechanism, Transmission
-from vstatics.results import Booleans, Floats, Integers, Results
+from vstatics.results import Booleans, Floats, Results
+from vstatics.speeds import solve_speeds
+from vstatics.torques import solve_torques
 
 
 def solve(
@@ -62,20 +65,19 @@ def solve(
            [1. , 3.5],
            [1. , 4. ]])
     """
-    case = replace(
-        case,
-        coast=case.coast if coast is None else coast,
-        idle=case.idle if idle is None else idle,
-    )
+    if coast not in (None, case.coast) or idle not in (None, case.idle):
+        case = replace(
+            case,
+            coast=case.coast if coast is None else coast,
+            idle=case.idle if idle is None else idle,
+        )
     axes, u, eta = _variants(case, ratios, efficiencies)
-    if axes == ():
+    given = ratios is not None or efficiencies is not None
+    if axes == () and given:
         case = replace(case, mechanisms=_with_numbers(case, u[:, 0], eta[:, 0]))
     with np.errstate(all="ignore"):
         gears = [_solve_gear(case, gear, u, eta) for gear in case.gears]
-        arrays = {
-            name: _with_axes(np.stack([getattr(gear, name) for gear in gears]), axes)
-            for name in _Gear._fields
-        }
+        arrays = {name: _stacked([gear[name] for gear in gears], axes) for name in gears[0]}
         results = Results(case=case, **arrays)
         if axes == ():
             results = replace(results, messages=tuple(diagnosis.messages(results)))
@@ -127,109 +129,39 @@ def _wrong(name: str, given: Floats, wrong: Booleans, expected: str) -> list[Pro
     return [Problem(f"{message}, expected {expected}", ("mechanisms", mechanism + 1, name))]
 
 
-class _Gear(NamedTuple):
+def _solve_gear(case: Transmission, gear: Gear, u: Floats, eta: Floats) -> dict[str, NDArray[Any]]:
     """The arrays of `Results` for one gear, with the variants as last axis."""
-
-    speeds: Floats
-    planet_speeds: Floats
-    slip_speeds: Floats
-    ratio: Floats
-    torques: Floats
-    holding_torques: Floats
-    lossy_torques: Floats
-    lossy_holding_torques: Floats
-    efficiency: Floats
-    power_sign: Floats
-    idle: Booleans
-    losses: Floats
-    power_balance: Floats
-    consistent: Booleans
-    locked: Booleans
-    undecided: Booleans
-    turned: Booleans
-    choices: Integers
-    tied_up: Booleans
-    missing: Integers
-    excess: Integers
-    balanced: Booleans
-
-
-def _solve_gear(case: Transmission, gear: Gear, u: Floats, eta: Floats) -> _Gear:
-    flow, solution = ideal_flow(case, gear, u, eta)
-    balanced: Booleans = np.logical_not(np.isnan(flow.torques).all(axis=0))
-    outcome = signs.search(flow, balanced & solution.consistent)
+    speeds = solve_speeds(case, gear, u)
+    torques, holding = solve_torques(case, gear, u)
+    balanced: Booleans = np.logical_not(np.isnan(torques).all(axis=0))
+    flow = Flow(case, gear, u, eta, speeds.links, speeds.motion, torques, holding)
+    outcome = signs.search(flow, balanced & speeds.consistent)
     lossy = outcome.lossy
-    slips = solution.values[case.links + len(case.mechanisms) :]
-    output_speed = flow.speeds[case.gear_output(gear) - 1]
-    return _Gear(
-        speeds=flow.speeds,
-        planet_speeds=flow.motion / _planet_ratios(case, u),
-        slip_speeds=slips,
-        ratio=np.where(output_speed == 0, np.nan, 1 / output_speed),
-        torques=flow.torques,
-        holding_torques=flow.holding,
-        lossy_torques=lossy.torques,
-        lossy_holding_torques=lossy.holding,
-        efficiency=lossy.efficiency,
-        power_sign=lossy.signs,
-        idle=outcome.idle,
-        losses=lossy.losses,
-        power_balance=lossy.balance,
-        consistent=lossy.admissible,
-        locked=outcome.locked,
-        undecided=outcome.undecided,
-        turned=outcome.turned,
-        choices=outcome.choices,
-        tied_up=~solution.consistent,
-        missing=solution.missing,
-        excess=solution.excess,
-        balanced=balanced,
-    )
-
-
-def ideal_flow(
-    case: Transmission, gear: Gear, u: Floats, eta: Floats
-) -> tuple[losses.Flow, elimination.Solution]:
-    """Speeds and torques of a gear without losses.
-
-    Parameters
-    ----------
-    u, eta : ndarray, shape (mechanisms, variants)
-
-    Returns
-    -------
-    flow : losses.Flow
-    solution : elimination.Solution
-        Of the speeds: links, then ``w_first - w_third`` of each mechanism, then
-        the slip speed of each shift element.
-    """
-    columns = matrix.columns(case, list(u))
-    differences = [(mechanism.first, mechanism.third) for mechanism in case.mechanisms]
-    slips = [(element.first, element.second) for element in case.shift_elements]
-    sums = [_difference(*pair) for pair in (*differences, *slips)]
-    rows = matrix.speed_rows(case, gear, columns)
-    solution = elimination.solve(rows, case.links, sums, variants=u.shape[1])
-    speeds = solution.values[: case.links]
-    motion = solution.values[case.links : case.links + len(case.mechanisms)]
-    torques, holding = losses.solve_torques(case, gear, u)
-    flow = losses.Flow(
-        case,
-        gear,
-        ratios=u,
-        efficiencies=eta,
-        speeds=speeds,
-        motion=losses.motion(speeds, case, motion),
-        torques=torques,
-        holding=holding,
-    )
-    return flow, solution
-
-
-def _difference(first: int, second: int) -> dict[int, float]:
-    """The difference of two link speeds as a sum of unknowns."""
-    terms = {first - 1: 1.0, second - 1: -1.0}
-    terms.pop(HOUSING - 1, None)
-    return terms
+    output_speed = speeds.links[case.gear_output(gear) - 1]
+    return {
+        "speeds": speeds.links,
+        "planet_speeds": speeds.motion / _planet_ratios(case, u),
+        "slip_speeds": speeds.slips,
+        "ratio": np.where(output_speed == 0, np.nan, 1 / output_speed),
+        "torques": torques,
+        "holding_torques": holding,
+        "lossy_torques": lossy.torques,
+        "lossy_holding_torques": lossy.holding,
+        "efficiency": lossy.efficiency,
+        "power_sign": lossy.signs,
+        "idle": outcome.idle,
+        "losses": lossy.losses,
+        "power_balance": lossy.balance,
+        "consistent": lossy.admissible,
+        "locked": outcome.locked,
+        "undecided": outcome.undecided,
+        "turned": outcome.turned,
+        "choices": outcome.choices,
+        "tied_up": ~speeds.consistent,
+        "missing": speeds.missing,
+        "excess": speeds.excess,
+        "balanced": balanced,
+    }
 
 
 def _planet_ratios(case: Transmission, u: Floats) -> Floats:
@@ -244,8 +176,9 @@ def _planet_ratios(case: Transmission, u: Floats) -> Floats:
     return made
 
 
-def _with_axes(array: Any, axes: tuple[int, ...]) -> Any:
-    """(gears, ..., variants) -> (axes of the variants, gears, ...), without -0."""
+def _stacked(gears: list[NDArray[Any]], axes: tuple[int, ...]) -> Any:
+    """Arrays (..., variants) of the gears -> (axes of the variants, gears, ...), without -0."""
+    array = np.moveaxis(np.stack(gears), -1, 0)
     if array.dtype == np.float64:
         array = array + 0.0
-    return np.ascontiguousarray(np.moveaxis(array, -1, 0)).reshape(*axes, *array.shape[:-1])
+    return np.ascontiguousarray(array).reshape(*axes, *array.shape[1:])

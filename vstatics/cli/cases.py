@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
 from typing import NamedTuple
 
 import click
@@ -63,13 +62,7 @@ def _calculate(
         reading = readers.read(*files.read_input(file), form)
     except ReadError as error:
         return Outcome(name, None, error.problems)
-    case = reading.case
-    case = replace(
-        case,
-        coast=case.coast if coast is None else coast,
-        idle=idle or case.idle,
-    )
-    results = statics.solve(case)
+    results = statics.solve(reading.case, coast=coast, idle=idle)
     return Outcome(name, results, [*reading.warnings, *_located(reading, results)])
 
 

@@ -6,7 +6,6 @@ import contextlib
 import os
 import stat
 import sys
-import tempfile
 from collections.abc import Iterable
 
 import click
@@ -77,6 +76,8 @@ def _replace(path: str, data: bytes) -> None:
         with open(path, "wb") as opened:  # noqa: PTH123
             opened.write(data)
         return
+    import tempfile  # costs start-up time
+
     folder, name = os.path.split(path)
     handle, temporary = tempfile.mkstemp(prefix=f".{name}.", dir=folder)
     try:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from importlib import import_module
 from os import PathLike, fspath
-from pathlib import PurePath
+from os.path import splitext
 from typing import Literal
 
 from vstatics.model import Transmission
@@ -32,7 +32,7 @@ SUFFIXES: dict[str, Format] = {
 
 def format_of(file: str, data: bytes) -> Format:
     """The format of a case: told by the suffix, else by the content."""
-    suffix = PurePath(file).suffix.lower()
+    suffix = splitext(file)[1].lower()  # noqa: PTH122 (importing pathlib costs as much as a solve)
     if suffix in SUFFIXES:
         return SUFFIXES[suffix]
     from vstatics.readers.deck_text import holds_deck

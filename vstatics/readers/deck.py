@@ -44,7 +44,8 @@ def read(data: bytes, file: str) -> Reading:
             result = error
         problems = result.warnings if isinstance(result, Reading) else result.problems
         score = sum(problem.severity == "error" for problem in problems), len(problems)
-        if best is None or score < fewest:
+        damaged = bool(damage) and score[0] <= fewest[0]  # damage alone explains as much
+        if best is None or score < fewest or damaged:
             best, fewest = result, score
         if fewest == (0, 0):
             break
@@ -128,8 +129,7 @@ def _mechanisms(fields: Fields, count: int, names: dict[str, str]) -> list[Mecha
 
 def _planets(fields: Fields, mechanisms: int) -> dict[int, float]:
     """The planet ratios of the non-standard mechanisms, by their numbers."""
-    known = "KG" in fields.places.spots
-    count = fields.optional("KNM", 0, mechanisms if known else None)
+    count = fields.optional("KNM", 0, range(mechanisms + 1), f"0 to {mechanisms} (KG)")
     if count is None:
         fields.hidden += [("mechanisms", number) for number in range(1, mechanisms + 1)]
         return {}
@@ -211,14 +211,14 @@ def _ports(fields: Fields, key: str, gears: int) -> list[int]:
 
 def _port(fields: Fields, key: str, default: int) -> int:
     """The input or output link of the case."""
-    link = fields.optional(key, default, lowest=1)
+    link = fields.optional(key, default, range(1, 10**18), "a link number from 1")
     if link is None:
         fields.hidden += [("input",), ("output",)]
     return default if link is None else link
 
 
 def _flag(fields: Fields, key: str, off: str, on: str) -> bool:
-    return fields.optional(key, 0, 1, f"0 ({off}) or 1 ({on})") == 1
+    return fields.optional(key, 0, range(2), f"0 ({off}) or 1 ({on})") == 1
 
 
 def _names(fields: Fields, sizes: dict[str, int | None]) -> dict[str, str]:

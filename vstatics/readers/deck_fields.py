@@ -61,7 +61,7 @@ class Fields:
             return None
         size = self._scalar(key)
         if size is not None and size < lowest:
-            self.error(key, f"read {size}, expected at least {lowest} {what}")
+            self.error(key, f"read {size}, expected {lowest} or more {what}")
             return None
         return size if size is not None and self._fits(key, size) else None
 
@@ -74,18 +74,15 @@ class Fields:
             self.hidden.append((part,))
         return guess
 
-    def optional(
-        self, key: str, default: int, highest: int | None = None, what: str = "", lowest: int = 0
-    ) -> int | None:
+    def optional(self, key: str, default: int, allowed: range, expected: str) -> int | None:
         """A field of one value that may be left out; None if it cannot be used."""
         if key not in self.found.fields:
             return default
         value = self._scalar(key)
-        if value is None or (value >= lowest and (highest is None or value <= highest)):
-            return value if value is None or self._fits(key, value) else None
-        span = f"at least {lowest}" if highest is None else f"{lowest} to {highest}"
-        self.error(key, f"read {value}, expected {what or span}")
-        return None
+        if value is not None and value not in allowed:
+            self.error(key, f"read {value}, expected {expected}")
+            return None
+        return value
 
     def whole(self, key: str, need: int, why: str) -> list[int]:
         """A list of whole numbers."""
@@ -182,6 +179,8 @@ class Fields:
 
     def _missing(self, key: str, expected: str) -> None:
         name, hint = key.partition("(")[0], ""
+        if name in self.found.broken:
+            return  # it is there, and its fault was told
         for word, line in self.found.unknown.items():
             if nearest(word, [name]):
                 hint = f"; line {line} starts with `{word}`, which is no field"

@@ -135,7 +135,8 @@ def is_number(token: Token) -> bool:
 
 def is_attempt(token: Token) -> bool:
     """Whether a token is a number or a mistyped one, not a word of prose."""
-    return any(sign in "0123456789" for sign in token.text)
+    word = token.text.lstrip("+-").upper()
+    return word in ("NAN", "INF", "INFINITY") or any(sign in "0123456789" for sign in word)
 
 
 def starts_values(tokens: Sequence[Token]) -> bool:

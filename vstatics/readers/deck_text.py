@@ -38,7 +38,7 @@ LATIN = str.maketrans("АВЕКМНОРСТУХІЈЅԚԜ", "ABEKMHOPCTYXIJSQW")
 _LETTERS = r"[^\W\d_](?:\s*[^\W\d_])*"
 _BOUND = rf"(?:[0-9]+|{_LETTERS}(?:\s*\([^()]*\))?)"
 INDEX_LIST = re.compile(
-    rf"\s*\(([^()]*)\)(?:[\s)]*,\s*[^\W\d_]\s*=\s*[0-9]+\s*,\s*{_BOUND})*[\s)]*(:?)"
+    rf"\s*\(([^()]*)\)(?:[\s)]*,\s*[^\W\d_]\s*=\s*[0-9]+\s*,\s*{_BOUND})*[\s)]*([:=]?)"
 )
 NAME_LINE = re.compile(r"\s*N\s*A\s*M\s*E\s+([A-Z])\s*([0-9]*)\s*")
 WORD = re.compile(r"[^\s,;()]+")
@@ -79,6 +79,8 @@ class Scan:
     names: list[Named] = field(default_factory=list)
     unknown: dict[str, int] = field(default_factory=dict)
     """Words that stand where fields do, and their lines; for hints."""
+    broken: set[str] = field(default_factory=set)
+    """Names of fields that stand somewhere with an index that says nothing."""
     problems: list[Problem] = field(default_factory=list)
 
     def error(self, message: str, line: int, column: int = 1) -> None:
@@ -224,6 +226,7 @@ def _list(found: Scan, number: int, line: str, start: int, name: str) -> None:
             read = f"{name}({index})" if index else line.strip()[:30]
             found.error(f"{name}: read '{read}', expected {expected}", number, column)
             found.stops.append(number)
+            found.broken.add(name)
             return
         key = f"{name}(I,{part})"
     _add(found, Field(key, number, column, value))

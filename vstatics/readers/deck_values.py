@@ -24,6 +24,9 @@ from vstatics.readers.deck_text import Field, Scan
 Spot = tuple[int, int]
 """Line and column, from 1."""
 
+STAND_IN = "-1"
+"""For a value that cannot be read: equal to no link or number of anything."""
+
 
 class Values(NamedTuple, Generic[Number]):
     """The values of a field, with stand-ins where they could not be read."""
@@ -96,7 +99,7 @@ def take_rows(
 def stand_ins(field: Field | None, need: int, parse: Callable[[str], Number]) -> Values[Number]:
     """Values of a field that is not there, or cannot be read at all."""
     spot = (field.line, field.column) if field else (0, 0)
-    return Values([parse("0")] * need, [spot] * need, set(range(need)))
+    return Values([parse(STAND_IN)] * need, [spot] * need, set(range(need)))
 
 
 def _rows(found: Scan, field: Field, expected: int) -> list[list[Token]]:
@@ -167,7 +170,7 @@ class _Taker(Generic[Number]):
             self._count()
         missing = range(len(self.values.numbers), self.need)
         self.values.unreadable.update(missing)
-        self.values.numbers.extend([self.parse("0")] * len(missing))
+        self.values.numbers.extend([self.parse(STAND_IN)] * len(missing))
         self.values.spots.extend([self.start] * len(missing))
         return self.values
 
@@ -186,7 +189,7 @@ class _Taker(Generic[Number]):
                     return False  # prose behind the last value
                 if self.total < self.need and not self._wrong(token, error, tokens[position:]):
                     return False
-                count, number = 1, self.parse("0")
+                count, number = 1, self.parse(STAND_IN)
             self._keep(token, count, number)
         return True
 

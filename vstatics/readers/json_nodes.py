@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import re
-from bisect import bisect_right
-from itertools import accumulate
 from json import JSONDecodeError
 from json.decoder import scanstring  # type: ignore[attr-defined]
 from typing import NoReturn
@@ -46,12 +44,8 @@ class _Scanner:
 
     def __init__(self, found: Found) -> None:
         self.found = found
-        self.text = "\n".join(found.source.lines)
-        self.starts = [0, *accumulate(len(line) + 1 for line in found.source.lines)]
-
-    def place(self, at: int) -> tuple[int, int]:
-        line = bisect_right(self.starts, at)
-        return line, at - self.starts[line - 1] + 1
+        self.text = found.text
+        self.place = found.place
 
     def skip(self, at: int) -> int:
         blanks = _BLANKS.match(self.text, at)

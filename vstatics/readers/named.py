@@ -41,7 +41,7 @@ def read_yaml(data: bytes, file: str) -> Reading:
     """
     from vstatics.readers.yaml_nodes import yaml_tree  # yaml costs start-up time
 
-    found = Found(decode(data, file))
+    found = decode(data, file)
     return _reading(yaml_tree(found), found)
 
 
@@ -62,7 +62,7 @@ def read_json(data: bytes, file: str) -> Reading:
     """
     from vstatics.readers.json_nodes import json_tree  # json likewise
 
-    found = Found(decode(data, file))
+    found = decode(data, file)
     return _reading(json_tree(found), found)
 
 

@@ -7,8 +7,9 @@ so a gear may be called `on`, `1` or `1e3`.
 from __future__ import annotations
 
 import codecs
+from bisect import bisect_right
 from collections.abc import Iterable
-from itertools import islice
+from itertools import accumulate, islice
 from typing import NamedTuple, NoReturn, TypeAlias
 
 from vstatics.errors import Path, Place, Problem, ReadError, nearest
@@ -61,7 +62,14 @@ class Found:
     def __init__(self, source: Source) -> None:
         """Start without problems."""
         self.source = source
+        self.text = "\n".join(source.lines)
         self.problems: list[Problem] = []
+        self._starts = [0, *accumulate(len(line) + 1 for line in source.lines)]
+
+    def place(self, offset: int) -> tuple[int, int]:
+        """Line and column, from 1, of an offset in the text."""
+        line = bisect_right(self._starts, offset)
+        return line, offset - self._starts[line - 1] + 1
 
     def add(self, message: str, line: int, column: int, path: Path = ()) -> None:
         """Keep an error; give up when there are too many."""
@@ -117,7 +125,7 @@ def well_formed(text: str) -> bool:
     return not any("\ud800" <= character <= "\udfff" for character in text)
 
 
-def decode(data: bytes, file: str) -> Source:
+def decode(data: bytes, file: str) -> Found:
     """The text of a file in UTF-8, or in what its byte order mark tells.
 
     Raises
@@ -130,23 +138,14 @@ def decode(data: bytes, file: str) -> Source:
         text = data.decode(encoding)
     except UnicodeDecodeError as error:
         found = Found(Source(file, data.decode(encoding, "replace")))
-        line, column = position(data[: error.start].decode(encoding, "ignore"))
+        before = Source(file, data[: error.start].decode(encoding, "ignore")).lines
         message = f"no {encoding.removesuffix('-sig').upper()} text: {error.reason}"
-        found.stop(f"{message} (byte {error.start + 1} of the file)", line, column)
-    source = Source(file, text)
+        message = f"{message} (byte {error.start + 1} of the file)"
+        found.stop(message, len(before), len(before[-1]) + 1)
+    found = Found(Source(file, text))
     if not text.strip():
-        Found(source).stop("the file is empty, expected a case", 1, 1)
-    zero = text.find("\0")
+        found.stop("the file is empty, expected a case", 1, 1)
+    zero = found.text.find("\0")
     if zero >= 0:
-        Found(source).stop("a zero byte: this is no text", *position(text[:zero]))
-    return source
-
-
-def position(before: str) -> tuple[int, int]:
-    r"""Line and column, from 1, of what follows a text.
-
-    >>> position("ab\r\ncd")
-    (2, 3)
-    """
-    before = before.replace("\r\n", "\n").replace("\r", "\n")
-    return before.count("\n") + 1, len(before) - before.rfind("\n")
+        found.stop("a zero byte: this is no text", *found.place(zero))
+    return found

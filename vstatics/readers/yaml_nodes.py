@@ -20,7 +20,6 @@ from vstatics.readers.nodes import (
     Mapping,
     Node,
     Scalar,
-    position,
     shown,
     well_formed,
 )
@@ -51,21 +50,20 @@ def yaml_tree(found: Found) -> Node:
         If the text is not YAML, or holds none or several documents, or what no
         case needs: nesting without end, aliases of themselves.
     """
-    text = "\n".join(found.source.lines)
-    unprintable = _UNPRINTABLE.search(text)
+    unprintable = _UNPRINTABLE.search(found.text)
     if unprintable:
         code = f"U+{ord(unprintable[0]):04X}"
-        found.stop(f"{code}, a character that YAML has not", *position(text[: unprintable.start()]))
-    return _Builder(found, text).document()
+        found.stop(f"{code}, a character that YAML has not", *found.place(unprintable.start()))
+    return _Builder(found).document()
 
 
 class _Builder:
     """Takes the events one after the other, and keeps anchors and sizes."""
 
-    def __init__(self, found: Found, text: str) -> None:
+    def __init__(self, found: Found) -> None:
         loader: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
         self.found = found
-        self.events: Iterator[yaml.Event] = yaml.parse(text, Loader=loader)
+        self.events: Iterator[yaml.Event] = yaml.parse(found.text, Loader=loader)
         self.anchors: dict[str, _Anchored] = {}
         self.values = 0
         self.last = (1, 1)
@@ -85,13 +83,13 @@ class _Builder:
             event = next(self.events)
         except yaml.MarkedYAMLError as error:
             mark = error.problem_mark or error.context_mark
-            place = (mark.line + 1, mark.column + 1) if mark else self.last
+            place = self.found.place(mark.index) if mark else self.last
             told = ", ".join(part for part in (error.context, error.problem) if part)
             self.found.stop(f"not YAML: {told}", *place)
         except (yaml.YAMLError, ValueError, OverflowError) as error:  # such as "\U00110000"
             self.found.stop(f"not YAML: {error}", *self.last)
         if event.start_mark:
-            self.last = event.start_mark.line + 1, event.start_mark.column + 1
+            self.last = self.found.place(event.start_mark.index)
         return event
 
     def node(self, event: yaml.Event, depth: int) -> Node:
