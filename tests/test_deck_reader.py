@@ -2,6 +2,7 @@
 
 import time
 from pathlib import Path
+from random import Random
 
 import pytest
 from hypothesis import given, settings
@@ -245,17 +246,16 @@ def check_ends_well(data: bytes) -> None:
     """A case, or errors with places in the file."""
     start = time.perf_counter()
     try:
-        reading = deck.read(data, "case.dat")
+        problems = deck.read(data, "case.dat").warnings
+        severity = "warning"
     except ReadError as error:
-        assert any(problem.severity == "error" for problem in error.problems)
-        for problem in error.problems:
-            assert problem.place is not None
-            assert problem.place.file == "case.dat"
-            assert problem.place.line >= 1
-            assert problem.place.column >= 1
-    else:
-        assert reading.case.gears
+        problems, severity = error.problems, "error"
     assert time.perf_counter() - start < 1
+    assert severity == "warning" or any(problem.severity == "error" for problem in problems)
+    for problem in problems:
+        assert problem.place is not None
+        assert problem.place.file == "case.dat"
+        assert min(problem.place.line, problem.place.column) >= 1
 
 
 DECKS = st.sampled_from([PUBLISHED, SMALL, PUBLISHED.decode().encode("cp866")])
@@ -280,12 +280,13 @@ TOKENS = st.sampled_from(
 
 
 @given(DECKS, st.integers(0, 3000))
+@settings(deadline=None)
 def test_cut_decks(data: bytes, length: int) -> None:
     check_ends_well(data[:length])
 
 
 @given(DECKS, st.lists(st.tuples(st.integers(0, 3000), st.integers(0, 9), TOKENS), max_size=4))
-@settings(max_examples=300)
+@settings(max_examples=300, deadline=None)
 def test_decks_with_bytes_and_tokens_replaced(
     data: bytes, edits: list[tuple[int, int, bytes]]
 ) -> None:
@@ -295,7 +296,7 @@ def test_decks_with_bytes_and_tokens_replaced(
 
 
 @given(DECKS, st.data())
-@settings(max_examples=300)
+@settings(max_examples=300, deadline=None)
 def test_decks_with_words_replaced_dropped_or_doubled(data: bytes, draws: st.DataObject) -> None:
     lines = [line.split(b" ") for line in data.split(b"\n")]
     for _ in range(draws.draw(st.integers(1, 4))):
@@ -306,13 +307,15 @@ def test_decks_with_words_replaced_dropped_or_doubled(data: bytes, draws: st.Dat
 
 
 @given(DECKS, st.randoms(use_true_random=False), st.integers(0, 3), st.integers(0, 3))
-def test_decks_with_lines_shuffled(data: bytes, rng: object, dropped: int, doubled: int) -> None:
+@settings(deadline=None)
+def test_decks_with_lines_shuffled(data: bytes, rng: Random, dropped: int, doubled: int) -> None:
     lines = data.splitlines()
-    rng.shuffle(lines)  # type: ignore[attr-defined]
+    rng.shuffle(lines)
     check_ends_well(b"\n".join(lines[dropped:] + lines[:doubled]))
 
 
 @given(st.binary(max_size=200))
+@settings(deadline=None)
 def test_any_bytes(data: bytes) -> None:
     check_ends_well(data)
     check_ends_well(b"KJG= 2 KL= 1 KG= 0 NP= 1\n" + data)

@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import Literal
 
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from strategies import ANY_NUMBER, transmissions
 
@@ -108,5 +108,6 @@ def test_lost_is_what_a_deck_cannot_keep() -> None:
 
 
 @given(transmissions(ANY_NUMBER), st.sampled_from(["en", "ru"]))
+@settings(deadline=None)
 def test_any_case_reads_back_the_same(case: Transmission, lang: Literal["en", "ru"]) -> None:
     assert read_back(case, lang) == replace(case, description="", source="")
