@@ -34,7 +34,7 @@ golden: .venv/dev.stamp ## rewrite tests/golden; fails where something changed
 	$(BIN)/pytest -q tests/test_golden.py --regenerate
 
 schema: .venv/run.stamp ## rewrite schemas/case.schema.json from its declaration
-	$(BIN)/python -m vstatics.readers.schema > schemas/case.schema.json
+	$(BIN)/python -m vstatics.readers.named.schema > schemas/case.schema.json
 
 bench: .venv/compiled.stamp ## time of a whole run against importing numpy and click
 	$(BIN)/python benchmarks/startup.py

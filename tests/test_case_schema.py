@@ -16,8 +16,8 @@ from strategies import transmissions
 
 from vstatics.errors import ReadError
 from vstatics.model import Gear, Mechanism, Transmission
-from vstatics.readers.named import read_json
-from vstatics.readers.schema import json_schema, schema_text
+from vstatics.readers.named.reader import read_json
+from vstatics.readers.named.schema import json_schema, schema_text
 from vstatics.writers.named import mapping
 
 ROOT = Path(__file__).parents[1]
@@ -64,7 +64,7 @@ def changed(change: Change) -> Any:
 def test_the_file_is_up_to_date() -> None:
     file = ROOT / "schemas" / "case.schema.json"
     assert file.read_text(encoding="utf-8") == schema_text(), (
-        "run `python -m vstatics.readers.schema > schemas/case.schema.json`"
+        "run `python -m vstatics.readers.named.schema > schemas/case.schema.json`"
     )
 
 

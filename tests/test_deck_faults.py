@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from vstatics.errors import ReadError
-from vstatics.readers import deck
+from vstatics.readers.deck import reader as deck
 
 BAD = Path(__file__).parent / "bad"
 

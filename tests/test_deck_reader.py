@@ -10,8 +10,8 @@ from hypothesis import strategies as st
 
 from vstatics.errors import Problem, ReadError
 from vstatics.model import Gear, Mechanism, ShiftElement, Transmission
-from vstatics.readers import deck
-from vstatics.readers.deck_text import decode, head, holds_deck
+from vstatics.readers.deck import reader as deck
+from vstatics.readers.deck.text import decode, head, holds_deck
 
 PUBLISHED = (Path(__file__).parent.parent / "cases" / "mzkt7922.dat").read_bytes()
 SMALL = (Path(__file__).parent / "bad" / "no-fault.dat").read_bytes()

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from strategies import ANY_NUMBER, transmissions
 
 from vstatics.model import Gear, Mechanism, ShiftElement, Transmission
-from vstatics.readers import deck as reader
+from vstatics.readers.deck import reader
 from vstatics.writers import deck as writer
 
 PUBLISHED = Path(__file__).parent.parent / "cases" / "mzkt7922.dat"

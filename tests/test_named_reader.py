@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 
 from vstatics.errors import Problem, ReadError
 from vstatics.model import Gear, Mechanism, ShiftElement, Transmission
-from vstatics.readers.named import read_json, read_yaml
+from vstatics.readers.named.reader import read_json, read_yaml
 from vstatics.readers.reading import Reading
 
 BAD = Path(__file__).parent / "bad"

@@ -10,7 +10,7 @@ from hypothesis import example, given, settings
 from strategies import ANY_NUMBER, ODD_NAMES, transmissions
 
 from vstatics.model import Gear, Mechanism, ShiftElement, Transmission
-from vstatics.readers.named import read_json, read_yaml
+from vstatics.readers.named.reader import read_json, read_yaml
 from vstatics.writers.named import mapping, write_json, write_yaml
 
 

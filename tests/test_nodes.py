@@ -11,10 +11,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from vstatics.errors import ReadError
-from vstatics.readers.json_nodes import json_tree
-from vstatics.readers.nodes import Found, Listing, Mapping, Node, Scalar
+from vstatics.readers.named.json_nodes import json_tree
+from vstatics.readers.named.nodes import Found, Listing, Mapping, Node, Scalar
+from vstatics.readers.named.yaml_nodes import yaml_tree
 from vstatics.readers.reading import Source
-from vstatics.readers.yaml_nodes import yaml_tree
 
 LEAVES = (
     st.none()

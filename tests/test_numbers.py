@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from vstatics.readers.deck_numbers import NotANumberError, integer, real
+from vstatics.readers.deck.numbers import NotANumberError, integer, real
 from vstatics.writers.numbers import exponent, fixed
 
 FINITE = st.floats(allow_nan=False, allow_infinity=False)

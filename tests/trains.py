@@ -124,18 +124,18 @@ def _gear_of_kind(rng: Random, case: Transmission, kind: str) -> Gear:
     if kind == "ports" or (kind in ("speeds", "torques", "both") and rng.random() < 0.3):
         first, second = rng.sample(range(1, case.links + 1), 2)
         ends = first, second
-        gear = replace(gear, input=ends[0], output=ends[1])
+        gear = gear._replace(input=ends[0], output=ends[1])
     free = [link for link in range(1, case.links + 1) if link not in ends]
     if kind in ("speeds", "both") and free and count > 0:
         held = rng.sample(free, rng.randint(1, min(2, len(free), count)))
-        gear = replace(gear, speeds={link: random_value(rng) for link in held})
+        gear = gear._replace(speeds={link: random_value(rng) for link in held})
         count -= len(held)
         free = [link for link in free if link not in held]
     if kind in ("torques", "both"):
         loads = rng.sample([*free, ends[0]], rng.randint(1, min(2, len(free) + 1)))
-        gear = replace(gear, torques={link: random_value(rng) for link in loads})
+        gear = gear._replace(torques={link: random_value(rng) for link in loads})
     count += {"fewer": -1, "more": rng.choice((1, 1, 2))}.get(kind, 0)
-    return replace(gear, engaged=_choice(rng, case, count, clutches=kind == "direct"))
+    return gear._replace(engaged=_choice(rng, case, count, clutches=kind == "direct"))
 
 
 def _choice(rng: Random, case: Transmission, count: int, *, clutches: bool) -> list[int]:
@@ -203,7 +203,7 @@ def regular_trains(*, gears: int = 1, coast: bool | None = None) -> st.SearchStr
 
 def no_losses(case: Transmission) -> Transmission:
     """The same train with all efficiencies 1."""
-    return replace(case, mechanisms=[replace(m, efficiency=1.0) for m in case.mechanisms])
+    return replace(case, mechanisms=[m._replace(efficiency=1.0) for m in case.mechanisms])
 
 
 def shown(case: Transmission) -> str:

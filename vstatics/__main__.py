@@ -1,6 +1,6 @@
 """Run the command line: ``python -m vstatics``."""
 
-from vstatics.cli import main
+from vstatics.cli import entry
 
 if __name__ == "__main__":
-    main(prog_name="vstatics")
+    entry()

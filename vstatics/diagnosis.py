@@ -12,10 +12,11 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics import elimination, matrix
+from vstatics.arrays import Booleans, Floats
 from vstatics.checks import problems
 from vstatics.errors import path_text
 from vstatics.model import Gear, Transmission
-from vstatics.results import Booleans, Message, Results
+from vstatics.results import Message, Results
 from vstatics.speeds import solve_speeds
 
 OTHER = 1e-3
@@ -36,8 +37,7 @@ class Conditions(NamedTuple):
 def conditions(case: Transmission, gear: Gear, missing: int, excess: int) -> Conditions:
     """Count the conditions of a gear; `missing` and `excess` as in `Results`."""
     free = Gear()
-    ratios = [mechanism.ratio for mechanism in case.mechanisms]
-    rows = matrix.speed_rows(case, free, matrix.columns(case, ratios))[:-1]  # no input speed
+    rows = matrix.speed_rows(case, free, matrix.columns(case, _ratios(case)))[:-1]  # no input speed
     freedom = int(elimination.solve(rows, case.links).missing[0])
     return Conditions(freedom, len(gear.engaged) + 1 + len(gear.speeds), missing, excess)
 
@@ -60,6 +60,11 @@ def _named(case: Transmission, path: str, text: str) -> str:
     for number, mechanism in enumerate(case.mechanisms, 1):
         path = path.replace(f"mechanisms[{number}]", f"mechanism {mechanism.name}")
     return f"{path}: {text}"
+
+
+def _ratios(case: Transmission) -> Floats:
+    """The internal ratios, shape (mechanisms, 1)."""
+    return np.array([[mechanism.ratio] for mechanism in case.mechanisms]).reshape(-1, 1)
 
 
 def _list(names: Sequence[str]) -> str:
@@ -95,8 +100,7 @@ def _speed_messages(results: Results, number: int, gear: Gear) -> Iterator[tuple
 
 def _excess(case: Transmission, gear: Gear) -> Iterator[tuple[str, str]]:
     """One message for each set of conditions that repeat or contradict each other."""
-    ratios = [mechanism.ratio for mechanism in case.mechanisms]
-    rows = matrix.speed_rows(case, gear, matrix.columns(case, ratios))
+    rows = matrix.speed_rows(case, gear, matrix.columns(case, _ratios(case)))
     names = matrix.speed_row_names(case, gear)
     mechanisms = len(case.mechanisms)
     for involved, agrees in elimination.dependencies(rows):

@@ -18,7 +18,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
+
+from vstatics.arrays import Booleans, Floats, Integers
 
 Number = Any
 """A float, or an array with a number per variant: the operators are the same for both."""
@@ -39,13 +40,13 @@ PIVOT_WATCHED = 1e-3
 class Solution(NamedTuple):
     """What a system determines, for each variant (last axis)."""
 
-    values: NDArray[np.float64]
+    values: Floats
     """(unknowns + sums, variants); NaN where there is no single value."""
-    consistent: NDArray[np.bool_]
+    consistent: Booleans
     """(variants,): no equation contradicts the others."""
-    missing: NDArray[np.int64]
+    missing: Integers
     """(variants,): unknowns less rank."""
-    excess: NDArray[np.int64]
+    excess: Integers
     """(variants,): equations less rank."""
 
 
@@ -93,8 +94,12 @@ def solve(
             sound = run.consistent()
             found = run.values(unknowns, sums) if sound else [np.nan] * len(values)
         done = todo[watch.agree]
-        for number, value in enumerate(found):
-            values[number, done] = value[watch.agree] if isinstance(value, np.ndarray) else value
+        if todo.size == 1:
+            values[:, todo[0]] = found
+        else:
+            for number, value in enumerate(found):
+                each = isinstance(value, np.ndarray)
+                values[number, done] = value[watch.agree] if each else value
         consistent[done] = sound
         missing[done] = unknowns - len(run.pivots)
         excess[done] = len(run.left)
@@ -113,9 +118,9 @@ def dependencies(rows: Sequence[Row]) -> Iterator[tuple[list[int], bool]]:
         yield sorted(-2 - column for column in left if column < RIGHT), RIGHT not in left
 
 
-def _part(row: Row, chosen: NDArray[np.int64], variants: int) -> Row:
+def _part(row: Row, chosen: Integers, variants: int) -> Row:
     """The row for the chosen variants only; plain floats when there is but one."""
-    if chosen.size == variants > 1:
+    if chosen.size == variants:
         return dict(row)
 
     def part(number: Number) -> Number:
@@ -189,7 +194,7 @@ class _Elimination:
                     self._sort_in(other, active)
 
     def _sort_in(self, row: Row, active: list[Row]) -> None:
-        (active if any(column >= 0 for column in row) else self.left).append(row)
+        (active if max(row, default=RIGHT) >= 0 else self.left).append(row)
 
     def consistent(self) -> bool:
         """Whether no row says that zero is something else."""

@@ -13,8 +13,8 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics import matrix
+from vstatics.arrays import Booleans, Floats, Integers
 from vstatics.model import HOUSING, Gear, Transmission
-from vstatics.results import Booleans, Floats, Integers
 from vstatics.speeds import TIE
 from vstatics.torques import solve_torques
 
@@ -71,7 +71,7 @@ def loaded(flow: Flow, ratios: Floats, torques: Floats, holding: Floats) -> Floa
     found: Floats = torques[elements:-1].copy()
     if _all_large(flow, ratios, torques, holding):
         return found
-    columns = matrix.columns(case, list(ratios))
+    columns = matrix.columns(case, ratios)
     acting: list[list[tuple[int, Floats]]] = [[] for _ in range(case.links + 1)]
     for device, column in enumerate(columns):
         for link, (value, _) in column.items():
@@ -159,6 +159,8 @@ def attempt(flow: Flow, signs: Floats) -> Lossy:
     efficiency = _efficiency(flow, torques, entering)
     agrees = (by_first * signs * flow.direction >= 0) | (flow.efficiencies == 1)
     passes = (efficiency > 0) & np.isfinite(efficiency)
+    if not passes.all():
+        passes |= ~_passes_power(flow)
     return Lossy(
         signs=signs,
         torques=torques,
@@ -167,7 +169,7 @@ def attempt(flow: Flow, signs: Floats) -> Lossy:
         losses=losses,
         efficiency=efficiency,
         balance=np.sum(entering, axis=0) - np.sum(losses, axis=0),
-        admissible=agrees.all(axis=0) & (passes | ~_passes_power(flow)),
+        admissible=agrees.all(axis=0) & passes,
     )
 
 

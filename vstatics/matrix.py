@@ -12,11 +12,16 @@ the output torque equals the ratio.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
 
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+from vstatics.arrays import Floats
 from vstatics.elimination import RIGHT, Entry, Number, Row
 from vstatics.model import HOUSING, Gear, Transmission
 
@@ -27,7 +32,7 @@ Column = dict[int, Entry]
 """Link number -> torque on that link when the torque on the first link is 1."""
 
 
-def columns(case: Transmission, ratios: Sequence[Number]) -> list[Column]:
+def columns(case: Transmission, ratios: Floats) -> list[Column]:
     """Columns of the structural-distribution matrix, shift elements before mechanisms.
 
     Shift element (a, b): +1 at a, -1 at b. Mechanism (f, s, h): 1 at f, -u at s,
@@ -35,13 +40,14 @@ def columns(case: Transmission, ratios: Sequence[Number]) -> list[Column]:
 
     Parameters
     ----------
-    ratios : sequence of float or ndarray
-        Internal ratio of each mechanism, one number or one per variant. [-]
+    ratios : ndarray, shape (mechanisms, variants)
+        Internal ratios. [-]
     """
+    numbers: list[Number] = list(ratios) if ratios.shape[1] > 1 else ratios[:, 0].tolist()
     made: list[Column] = [
         {element.first: ONE, element.second: MINUS_ONE} for element in case.shift_elements
     ]
-    for mechanism, ratio in zip(case.mechanisms, ratios, strict=True):
+    for mechanism, ratio in zip(case.mechanisms, numbers, strict=True):
         size = abs(ratio)
         column: Column = {}
         for link, entry in zip(
@@ -54,7 +60,7 @@ def columns(case: Transmission, ratios: Sequence[Number]) -> list[Column]:
     return made
 
 
-def distribution_matrix(case: Transmission, ratios: ArrayLike | None = None) -> NDArray[np.float64]:
+def distribution_matrix(case: Transmission, ratios: ArrayLike | None = None) -> Floats:
     """Structural-distribution matrix AJK.
 
     Parameters
@@ -78,12 +84,12 @@ def distribution_matrix(case: Transmission, ratios: ArrayLike | None = None) -> 
     """
     own = [mechanism.ratio for mechanism in case.mechanisms]
     given = np.asarray(own if ratios is None else ratios, dtype=np.float64)
-    made = columns(case, list(np.moveaxis(given, -1, 0)))
-    matrix = np.zeros((*given.shape[:-1], case.links, len(made)))
+    made = columns(case, given.reshape(math.prod(given.shape[:-1]), given.shape[-1]).T)
+    matrix = np.zeros((math.prod(given.shape[:-1]), case.links, len(made)))
     for device, column in enumerate(made):
         for link, (value, _) in column.items():
-            matrix[..., link - 1, device] = value
-    return matrix
+            matrix[:, link - 1, device] = value
+    return matrix.reshape(*given.shape[:-1], case.links, len(made))
 
 
 def speed_rows(case: Transmission, gear: Gear, columns: Sequence[Column]) -> list[Row]:

@@ -7,8 +7,9 @@ gears count from 1, link 0 is the housing. They become indices in `matrix` only.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
-from typing import Literal
+from dataclasses import dataclass
+from types import MappingProxyType
+from typing import Literal, NamedTuple
 
 from vstatics.errors import CaseError
 
@@ -18,8 +19,7 @@ IdleConvention = Literal["published", "exact"]
 """Which sign an idle mechanism gets; see docs/method.md."""
 
 
-@dataclass(frozen=True, slots=True)
-class ShiftElement:
+class ShiftElement(NamedTuple):
     """A clutch joins two links; a brake joins a link to the housing (0)."""
 
     first: int
@@ -27,8 +27,7 @@ class ShiftElement:
     name: str = ""
 
 
-@dataclass(frozen=True, slots=True)
-class Mechanism:
+class Mechanism(NamedTuple):
     """A three-link device of constant structure.
 
     Parameters
@@ -68,8 +67,7 @@ class Mechanism:
         return self.third != HOUSING and ratio < 0 and ratio != -1
 
 
-@dataclass(frozen=True, slots=True)
-class Gear:
+class Gear(NamedTuple):
     """A shift state: what is engaged, and what is given besides.
 
     Parameters
@@ -87,14 +85,14 @@ class Gear:
     """
 
     engaged: Sequence[int] = ()
-    speeds: Mapping[int, float] = field(default_factory=dict)
-    torques: Mapping[int, float] = field(default_factory=dict)
+    speeds: Mapping[int, float] = MappingProxyType({})
+    torques: Mapping[int, float] = MappingProxyType({})
     input: int | None = None
     output: int | None = None
     name: str = ""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Transmission:
     """A whole transmission, checked when it is made.
 
@@ -193,16 +191,15 @@ def _completed(case: Transmission) -> dict[str, object]:
         "output": case.output or case.links,
         "link_names": tuple(case.link_names) or tuple(map(str, range(1, case.links + 1))),
         "shift_elements": tuple(
-            replace(element, name=element.name or element_name(number, element))
+            element._replace(name=element.name or element_name(number, element))
             for number, element in enumerate(case.shift_elements, 1)
         ),
         "mechanisms": tuple(
-            replace(mechanism, name=mechanism.name or mechanism_name(number))
+            mechanism._replace(name=mechanism.name or mechanism_name(number))
             for number, mechanism in enumerate(case.mechanisms, 1)
         ),
         "gears": tuple(
-            replace(
-                gear,
+            gear._replace(
                 name=gear.name or str(number),
                 engaged=tuple(gear.engaged),
                 speeds=dict(gear.speeds),

@@ -3,17 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Literal, NamedTuple
 
-import numpy as np
-from numpy.typing import NDArray
-
+from vstatics.arrays import Booleans, Floats, Integers
 from vstatics.model import Transmission
-
-Floats = NDArray[np.float64]
-Integers = NDArray[np.int64]
-Booleans = NDArray[np.bool_]
 
 
 class TableShape(NamedTuple):
@@ -80,8 +73,7 @@ class Message(NamedTuple):
         return f"{self.severity}: {gear}{self.text}"
 
 
-@dataclass(frozen=True, eq=False)
-class Results:
+class Results(NamedTuple):
     """Everything that is calculated, for every gear.
 
     The order of axes is the same everywhere: variants first (none for one case), then

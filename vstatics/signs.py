@@ -11,8 +11,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from vstatics.arrays import Booleans, Floats, Integers
 from vstatics.losses import Flow, Lossy, attempt, loaded, power
-from vstatics.results import Booleans, Floats, Integers
 from vstatics.speeds import TIE
 
 SEARCHED = 12

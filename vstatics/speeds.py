@@ -7,8 +7,8 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics import elimination, matrix
+from vstatics.arrays import Booleans, Floats, Integers
 from vstatics.model import HOUSING, Gear, Transmission
-from vstatics.results import Booleans, Floats, Integers
 
 TIE = 1e-9
 """Speeds, or torques on a link, that differ by less than this part are the same."""
@@ -39,7 +39,7 @@ def solve_speeds(case: Transmission, gear: Gear, ratios: Floats) -> Speeds:
     differences = [(mechanism.first, mechanism.third) for mechanism in case.mechanisms]
     slips = [(element.first, element.second) for element in case.shift_elements]
     sums = [_difference(*pair) for pair in (*differences, *slips)]
-    rows = matrix.speed_rows(case, gear, matrix.columns(case, list(ratios)))
+    rows = matrix.speed_rows(case, gear, matrix.columns(case, ratios))
     solution = elimination.solve(rows, case.links, sums, variants=ratios.shape[1])
     links, motion, slip = np.split(solution.values, [case.links, case.links + len(differences)])
     return Speeds(

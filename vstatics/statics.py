@@ -4,16 +4,19 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
 
 from vstatics import diagnosis, signs
+from vstatics.arrays import Booleans, Floats
 from vstatics.errors import CaseError, Problem
 from vstatics.losses import Flow
 from vstatics.model import HOUSING, Gear, IdleConvention, Mechanism, Transmission
-from vstatics.results import Booleans, Floats, Results
+from vstatics.results import Results
 from vstatics.speeds import solve_speeds
 from vstatics.torques import solve_torques
 
@@ -80,14 +83,14 @@ def solve(
         arrays = {name: _stacked([gear[name] for gear in gears], axes) for name in gears[0]}
         results = Results(case=case, **arrays)
         if axes == ():
-            results = replace(results, messages=tuple(diagnosis.messages(results)))
+            results = results._replace(messages=tuple(diagnosis.messages(results)))
     return results
 
 
 def _with_numbers(case: Transmission, ratios: Floats, efficiencies: Floats) -> list[Mechanism]:
     """The mechanisms with other ratios and efficiencies."""
     return [
-        replace(mechanism, ratio=float(ratio), efficiency=float(efficiency))
+        mechanism._replace(ratio=float(ratio), efficiency=float(efficiency))
         for mechanism, ratio, efficiency in zip(case.mechanisms, ratios, efficiencies, strict=True)
     ]
 
@@ -129,7 +132,7 @@ def _wrong(name: str, given: Floats, wrong: Booleans, expected: str) -> list[Pro
     return [Problem(f"{message}, expected {expected}", ("mechanisms", mechanism + 1, name))]
 
 
-def _solve_gear(case: Transmission, gear: Gear, u: Floats, eta: Floats) -> dict[str, NDArray[Any]]:
+def _solve_gear(case: Transmission, gear: Gear, u: Floats, eta: Floats) -> dict[str, Any]:
     """The arrays of `Results` for one gear, with the variants as last axis."""
     speeds = solve_speeds(case, gear, u)
     torques, holding = solve_torques(case, gear, u)
@@ -176,7 +179,7 @@ def _planet_ratios(case: Transmission, u: Floats) -> Floats:
     return made
 
 
-def _stacked(gears: list[NDArray[Any]], axes: tuple[int, ...]) -> Any:
+def _stacked(gears: list[Any], axes: tuple[int, ...]) -> Any:
     """Arrays (..., variants) of the gears -> (axes of the variants, gears, ...), without -0."""
     array = np.moveaxis(np.stack(gears), -1, 0)
     if array.dtype == np.float64:

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from vstatics import elimination, matrix
+from vstatics.arrays import Floats
 from vstatics.model import Gear, Transmission
-from vstatics.results import Floats
 
 
 def solve_torques(case: Transmission, gear: Gear, ratios: Floats) -> tuple[Floats, Floats]:
@@ -24,7 +24,7 @@ def solve_torques(case: Transmission, gear: Gear, ratios: Floats) -> tuple[Float
     holding : ndarray, shape (links, variants)
         External torque on each link with a given speed, NaN on the others.
     """
-    columns = matrix.columns(case, list(ratios))
+    columns = matrix.columns(case, ratios)
     devices = matrix.loaded_devices(case, gear)
     held = matrix.held_links(case, gear)
     variants = ratios.shape[1]

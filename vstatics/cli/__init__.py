@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+import sys
 from importlib import import_module
 
 import click
@@ -58,3 +60,25 @@ def main() -> None:
     Completion in the shell (bash; zsh and fish likewise):
       eval "$(_VSTATICS_COMPLETE=bash_source vstatics)"
     """
+
+
+def entry() -> None:
+    """Run the program and leave at once.
+
+    Tearing the interpreter down takes longer than a calculation, and all files are
+    closed by then; `main` alone is for calls from Python.
+    """
+    code: int | str | None = 0
+    try:
+        main(prog_name="vstatics")
+    except SystemExit as leaving:
+        code = leaving.code
+    try:
+        sys.stdout.flush()
+        sys.stderr.flush()
+    except BrokenPipeError:  # the reader has seen enough
+        code = code or 1
+    except OSError as error:
+        os.write(2, f"vstatics: can't write to stdout: {error.strerror}\n".encode())
+        code = 1
+    os._exit(code if isinstance(code, int) else 1)

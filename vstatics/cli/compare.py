@@ -54,11 +54,11 @@ def compare(context: click.Context, actual: str, expected: str, atol: float, rto
     if actual == expected == files.STDIN:
         raise click.UsageError("standard input (-) can be read once")
     try:
-        reports = [read_results(*files.read_input(file)) for file in (actual, expected)]
+        one, other = (read_results(*files.read_input(file)) for file in (actual, expected))
     except ReadError as error:
         files.show(error.problems)
         context.exit(1)
-    lines = _differ(*reports, atol, rtol)
+    lines = _differ(one, other, atol, rtol)
     for line in lines:
         click.echo(line)
     if lines:

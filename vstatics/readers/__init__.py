@@ -14,9 +14,9 @@ from vstatics.readers.reading import Reading
 Format = Literal["deck", "yaml", "json"]
 
 READERS: dict[Format, tuple[str, str]] = {
-    "deck": ("vstatics.readers.deck", "read"),
-    "yaml": ("vstatics.readers.named", "read_yaml"),
-    "json": ("vstatics.readers.named", "read_json"),
+    "deck": ("vstatics.readers.deck.reader", "read"),
+    "yaml": ("vstatics.readers.named.reader", "read_yaml"),
+    "json": ("vstatics.readers.named.reader", "read_json"),
 }
 """Module and function of each format; imported when needed, as YAML costs start-up time."""
 
@@ -35,7 +35,7 @@ def format_of(file: str, data: bytes) -> Format:
     suffix = splitext(file)[1].lower()  # noqa: PTH122 (importing pathlib costs as much as a solve)
     if suffix in SUFFIXES:
         return SUFFIXES[suffix]
-    from vstatics.readers.deck_text import holds_deck
+    from vstatics.readers.deck.text import holds_deck
 
     if data.lstrip(b"\xef\xbb\xbf \t\r\n")[:1] == b"{":
         return "json"

@@ -9,8 +9,8 @@ from typing import Any, NamedTuple
 
 from vstatics.errors import Problem, ReadError
 from vstatics.model import Transmission
-from vstatics.readers import read
-from vstatics.readers.deck_text import decode, head
+from vstatics.readers import Format, read
+from vstatics.readers.deck.text import decode, head
 from vstatics.readers.reading import Source
 from vstatics.results import TABLES
 
@@ -98,7 +98,7 @@ def _from_json(value: Any) -> Figure:
     return Figure(math.nan if value is None else float(value))
 
 
-def _case(text: str, kind: str) -> Transmission | None:
+def _case(text: str, kind: Format) -> Transmission | None:
     """The case that a result tells of, if it does."""
     try:
         return read(text.encode(), "", format=kind).case

@@ -6,8 +6,8 @@ from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from vstatics.arrays import Floats
 from vstatics.matrix import distribution_matrix
 from vstatics.results import TABLES, Results, TableShape, row_names
 
@@ -21,7 +21,7 @@ class Table(NamedTuple):
     shape: TableShape
     rows: Sequence[str]
     columns: Sequence[str]
-    values: NDArray[np.float64]
+    values: Floats
     """(rows, columns), NaN for what does not exist."""
 
 

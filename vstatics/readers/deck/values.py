@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterable, Sequence
 from typing import Generic, NamedTuple
 
-from vstatics.readers.deck_numbers import (
+from vstatics.readers.deck.numbers import (
     DECIMAL_COMMA,
     NotANumberError,
     Number,
@@ -19,7 +20,7 @@ from vstatics.readers.deck_numbers import (
     starts_values,
     token_lines,
 )
-from vstatics.readers.deck_text import Field, Scan
+from vstatics.readers.deck.text import Field, Scan
 
 Spot = tuple[int, int]
 """Line and column, from 1."""
@@ -252,5 +253,5 @@ class _Taker(Generic[Number]):
         first, column = self.start
         lines = self.found.source.lines[first - 1 : last]
         lines[0] = lines[0][column - 1 :]
-        likely = self.parse is real and any(map(DECIMAL_COMMA.search, lines))
+        likely = self.parse is real and any(re.search(DECIMAL_COMMA, line) for line in lines)
         return "; write a decimal point, not a decimal comma" if likely else ""

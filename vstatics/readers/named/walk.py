@@ -9,10 +9,10 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator
 from typing import Any
 
-from vstatics.readers import scalars
-from vstatics.readers.nodes import Listing, Mapping, Node, Scalar, is_null, shown, what
-from vstatics.readers.references import NO_ELEMENT, NO_LINK, References
-from vstatics.readers.shape import (
+from vstatics.readers.named import scalars
+from vstatics.readers.named.nodes import Listing, Mapping, Node, Scalar, is_null, shown, what
+from vstatics.readers.named.references import NO_ELEMENT, NO_LINK, References
+from vstatics.readers.named.shape import (
     ByLink,
     Ends,
     Engaged,
@@ -24,7 +24,7 @@ from vstatics.readers.shape import (
     Record,
     Shape,
 )
-from vstatics.readers.spots import Spot, Spots
+from vstatics.readers.named.spots import Spot, Spots
 
 _MANY_LINKS = 10**9  # takes every link number in; the model refuses it, and this is not told
 _LEAVES: dict[LeafKind, tuple[str, Any]] = {  # what is expected, what stands in for it

@@ -1,6 +1,6 @@
 """The JSON Schema of a case, made from its declared shape.
 
-``python -m vstatics.readers.schema`` gives the text of ``schemas/case.schema.json``.
+``python -m vstatics.readers.named.schema`` gives the text of ``schemas/case.schema.json``.
 """
 
 from __future__ import annotations
@@ -9,8 +9,8 @@ import json
 import sys
 from typing import Any
 
-from vstatics.readers.scalars import LINK_NUMBER, NUMBER
-from vstatics.readers.shape import (
+from vstatics.readers.named.scalars import LINK_NUMBER, NUMBER
+from vstatics.readers.named.shape import (
     CASE,
     ByLink,
     Ends,

@@ -7,11 +7,10 @@ name and Cyrillic look-alikes do not matter. Everything else is prose.
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, field
 from typing import NamedTuple
 
 from vstatics.errors import Problem, ReadError
-from vstatics.readers.encodings import texts
+from vstatics.readers.deck.encodings import texts
 from vstatics.readers.reading import Source
 
 SCALARS = {"KJG", "KL", "KG", "KNM", "NP", "INP", "IOUT", "IDLE", "COAST"}
@@ -40,7 +39,7 @@ _BOUND = rf"(?:[0-9]+|{_LETTERS}(?:\s*\([^()]*\))?)"
 INDEX_LIST = re.compile(
     rf"\s*\(([^()]*)\)(?:[\s)]*,\s*[^\W\d_]\s*=\s*[0-9]+\s*,\s*{_BOUND})*[\s)]*([:=]?)"
 )
-NAME_LINE = re.compile(r"\s*N\s*A\s*M\s*E\s+([A-Z])\s*([0-9]*)\s*")
+NAME_LINE = r"\s*N\s*A\s*M\s*E\s+([A-Z])\s*([0-9]*)\s*"
 WORD = re.compile(r"[^\s,;()]+")
 
 
@@ -66,22 +65,22 @@ class Named(NamedTuple):
     column: int
 
 
-@dataclass
 class Scan:
     """What a text holds: its fields and names in their order, and what is wrong."""
 
-    source: Source
-    last: int
-    """Number of the last line of the input."""
-    fields: dict[str, Field] = field(default_factory=dict)
-    stops: list[int] = field(default_factory=list)
-    """Lines at which the values of the field above end: those with a field or a name."""
-    names: list[Named] = field(default_factory=list)
-    unknown: dict[str, int] = field(default_factory=dict)
-    """Words that stand where fields do, and their lines; for hints."""
-    broken: set[str] = field(default_factory=set)
-    """Names of fields that stand somewhere with an index that says nothing."""
-    problems: list[Problem] = field(default_factory=list)
+    def __init__(self, source: Source, last: int) -> None:
+        """Begin with nothing; `last` is the number of the last line of the input."""
+        self.source = source
+        self.last = last
+        self.fields: dict[str, Field] = {}
+        self.stops: list[int] = []
+        """Lines at which the values of the field above end: those with a field or a name."""
+        self.names: list[Named] = []
+        self.unknown: dict[str, int] = {}
+        """Words that stand where fields do, and their lines; for hints."""
+        self.broken: set[str] = set()
+        """Names of fields that stand somewhere with an index that says nothing."""
+        self.problems: list[Problem] = []
 
     def error(self, message: str, line: int, column: int = 1) -> None:
         """Note an error at a place."""
@@ -172,7 +171,8 @@ def _kind(line: str, word: str, opened: str, start: int) -> str:
 
 def _is_index(line: str, start: int) -> bool:
     match = INDEX_LIST.match(line, start)
-    return match is not None and re.fullmatch(r"[A-Z0-9,]+", _squeezed(match)) is not None
+    index = "" if match is None else _squeezed(match).replace(",", "0")
+    return index.isascii() and index.isalnum()
 
 
 def _squeezed(match: re.Match[str]) -> str:
@@ -235,14 +235,15 @@ def _list(found: Scan, number: int, line: str, start: int, name: str) -> None:
 def _past_colon(line: str, value: int) -> int:
     """Where values start when the index list has no colon, or is broken before it."""
     colon = line.find(":", value)
-    starts_value = re.match(r"[\s,]*[-+.0-9]", line[value:]) is not None
+    starts_value = line[value:].lstrip(" \t,").startswith(tuple("-+.0123456789"))
     return value if colon < 0 or starts_value else colon + 1
 
 
 def _name_line(line: str) -> tuple[str, str, str] | None:
     """Kind, number and name of a line such as ``NAME F3: C1``."""
     before, colon, name = line.partition(":")
-    match = NAME_LINE.fullmatch(latin(before)) if colon and len(before) < 40 else None
+    short = colon and len(before) < 40 and before.lstrip()[:1] in ("N", "n")
+    match = re.fullmatch(NAME_LINE, latin(before)) if short else None
     if match is None or not (match[2] or match[1] == "T"):
         return None
     return match[1], match[2], name.strip()

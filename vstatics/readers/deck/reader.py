@@ -11,10 +11,10 @@ from typing import Any
 
 from vstatics.errors import Place, Problem, ReadError
 from vstatics.model import Gear, Mechanism, ShiftElement
-from vstatics.readers.deck_fields import Fields
-from vstatics.readers.deck_numbers import integer, real
-from vstatics.readers.deck_text import scan
-from vstatics.readers.encodings import texts
+from vstatics.readers.deck.encodings import texts
+from vstatics.readers.deck.fields import Fields
+from vstatics.readers.deck.numbers import integer, real
+from vstatics.readers.deck.text import scan
 from vstatics.readers.reading import Reading, Source, finish
 
 NAMED = {"J": "link", "F": "shift element", "D": "mechanism", "P": "gear", "T": "title"}

@@ -9,14 +9,14 @@ from itertools import islice
 from math import isfinite
 from typing import NamedTuple, TypeVar
 
-from vstatics.readers.deck_text import Field, Scan, latin
+from vstatics.readers.deck.text import Field, Scan, latin
 
 Number = TypeVar("Number", int, float)
 TOKEN = re.compile(r"[^\s,]+|,")
-REPEATED = re.compile(r"([0-9]{1,18})\*(.+)")
+REPEATED = r"([0-9]{1,18})\*(.+)"
 INTEGER = re.compile(r"[+-]?[0-9]+")
 REAL = re.compile(r"([+-]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+))(?:[EDQ]([+-]?[0-9]+)|([+-][0-9]+))?")
-DECIMAL_COMMA = re.compile(r"(?<![.0-9])[0-9]*,[0-9]+(?![.0-9])")
+DECIMAL_COMMA = r"(?<![.0-9])[0-9]*,[0-9]+(?![.0-9])"
 LONGEST = 1000
 """Characters of a number; none that means anything is longer."""
 
@@ -103,7 +103,7 @@ def repeated(token: Token, parse: Callable[[str], Number]) -> tuple[int, Number]
     NotANumberError
         If it is no number.
     """
-    match = REPEATED.fullmatch(token.text)
+    match = re.fullmatch(REPEATED, token.text) if "*" in token.text else None
     if match is None:
         return 1, parse(token.text)
     if int(match[1]) == 0:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from vstatics.errors import Path, Problem, path_text
-from vstatics.readers.nodes import Found, Node, shown
+from vstatics.readers.named.nodes import Found, Node, shown
 
 
 class Spot(NamedTuple):

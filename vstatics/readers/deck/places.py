@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 
 from vstatics.errors import Path, Problem
-from vstatics.readers.deck_values import Spot
+from vstatics.readers.deck.values import Spot
 from vstatics.readers.reading import Source
 
 MEMBERS = {"first": "1", "second": "2", "third": "3"}

@@ -7,7 +7,7 @@ from json import JSONDecodeError
 from json.decoder import scanstring  # type: ignore[attr-defined]
 from typing import NoReturn
 
-from vstatics.readers.nodes import (
+from vstatics.readers.named.nodes import (
     MOST_DEEP,
     Found,
     Listing,

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Sequence
 
 from vstatics.model import HOUSING
-from vstatics.readers import scalars
-from vstatics.readers.nodes import Found, shown
+from vstatics.readers.named import scalars
+from vstatics.readers.named.nodes import Found, shown
 
 NO_LINK = -1
 """Stands in for a link that is not known; no other link is equal to it."""

@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 
 import yaml
 
-from vstatics.readers.nodes import (
+from vstatics.readers.named.nodes import (
     MOST_DEEP,
     Found,
     Listing,

@@ -6,11 +6,11 @@ from typing import Any
 
 from vstatics.errors import Path
 from vstatics.model import Gear, Mechanism, ShiftElement
-from vstatics.readers.nodes import Found, Mapping, Node, decode, what
+from vstatics.readers.named.nodes import Found, Mapping, Node, decode, what
+from vstatics.readers.named.shape import CASE
+from vstatics.readers.named.spots import Spot, Spots
+from vstatics.readers.named.walk import Walk
 from vstatics.readers.reading import Reading, finish
-from vstatics.readers.shape import CASE
-from vstatics.readers.spots import Spot, Spots
-from vstatics.readers.walk import Walk
 
 
 def read_yaml(data: bytes, file: str) -> Reading:
@@ -39,7 +39,7 @@ def read_yaml(data: bytes, file: str) -> Reading:
     >>> read_yaml(text, "case.yaml").case.mechanisms[0].links
     (1, 2, 3)
     """
-    from vstatics.readers.yaml_nodes import yaml_tree  # yaml costs start-up time
+    from vstatics.readers.named.yaml_nodes import yaml_tree  # yaml costs start-up time
 
     found = decode(data, file)
     return _reading(yaml_tree(found), found)
@@ -60,7 +60,7 @@ def read_json(data: bytes, file: str) -> Reading:
     ReadError
         With every problem that can be told from the others.
     """
-    from vstatics.readers.json_nodes import json_tree  # json likewise
+    from vstatics.readers.named.json_nodes import json_tree  # json likewise
 
     found = decode(data, file)
     return _reading(json_tree(found), found)

@@ -7,10 +7,10 @@ from itertools import pairwise
 from typing import Generic, NamedTuple
 
 from vstatics.errors import Path, Problem, nearest
-from vstatics.readers.deck_numbers import Number, integer, loose_count, real
-from vstatics.readers.deck_places import Places
-from vstatics.readers.deck_text import Scan
-from vstatics.readers.deck_values import Values, Wanted, stand_ins, take, take_rows
+from vstatics.readers.deck.numbers import Number, integer, loose_count, real
+from vstatics.readers.deck.places import Places
+from vstatics.readers.deck.text import Scan
+from vstatics.readers.deck.values import Values, Wanted, stand_ins, take, take_rows
 
 PARTS = {
     "NZF(I,1)": ("shift_elements", "first"),

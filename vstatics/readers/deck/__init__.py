@@ -1,0 +1,1 @@
+"""The Visual-Statics deck: bytes -> text -> fields -> values -> Transmission."""

@@ -1,0 +1,1 @@
+"""YAML and JSON: text -> nodes -> walk along the declared shape -> Transmission."""
