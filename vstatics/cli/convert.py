@@ -14,9 +14,10 @@ from vstatics.model import Transmission
 def write(case: Transmission, output_format: readers.Format) -> tuple[str, list[str]]:
     """A case as text, and what the format cannot keep of it."""
     if output_format == "deck":
-        from vstatics.writers import deck
+        from vstatics.writers.deck import lost
+        from vstatics.writers.deck import write as write_deck
 
-        return deck.write(case), deck.lost(case)
+        return write_deck(case), lost(case)
     from vstatics.writers import named
 
     writer = named.write_yaml if output_format == "yaml" else named.write_json

@@ -55,14 +55,16 @@ def _around(place: Place, width: int = 76) -> tuple[str, str]:
 def write_output(text: str, output: str | None) -> None:
     """Write to a file, whole or not at all, or to stdout; always in UTF-8."""
     data = text.encode()
-    if output is None or output == STDIN:
-        click.echo(data, nl=False)
-        return
     try:
-        _replace(os.path.realpath(output), data)
+        if output is None or output == STDIN:
+            click.echo(data, nl=False)
+        else:
+            _replace(os.path.realpath(output), data)
+    except BrokenPipeError:
+        raise  # the reader has seen enough; click ends quietly
     except OSError as error:
-        message = f"can't be written: {error.strerror or error}; nothing was written there"
-        problem = Problem(message, place=Place(output, 0, 0))
+        message = f"can't be written: {error.strerror or error}"
+        problem = Problem(message, place=Place(output or "<stdout>", 0, 0))
         raise ReadError([problem]) from None
 
 
