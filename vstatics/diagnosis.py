@@ -152,8 +152,8 @@ def _loss_messages(results: Results, number: int, gear: Gear) -> Iterator[tuple[
     case = results.case
     names = [mechanism.name for mechanism in case.mechanisms]
     if results.locked[number]:
-        way = "when coasting " if case.coast else ""
-        yield "warning", f"locked by friction {way}: no directions of power agree with losses"
+        way = " when coasting" if case.coast else ""
+        yield "warning", f"locked by friction{way}: no directions of power agree with the losses"
     elif results.undecided[number]:
         yield (
             "warning",
