@@ -9,17 +9,20 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING
 
 from vstatics.errors import Path, Problem
-from vstatics.model import (
+from vstatics.parts import (
     HOUSING,
     Gear,
     Mechanism,
     ShiftElement,
-    Transmission,
     element_name,
     mechanism_name,
 )
+
+if TYPE_CHECKING:
+    from vstatics.model import Transmission
 
 
 def problems(case: Transmission) -> Iterator[Problem]:

@@ -1,0 +1,101 @@
+"""The parts of a transmission: shift elements, mechanisms, gears.
+
+Numbers are as printed in the source: links, shift elements, mechanisms and gears
+count from 1, link 0 is the housing. They become indices in `matrix` only.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from types import MappingProxyType
+from typing import NamedTuple
+
+HOUSING = 0
+
+
+class ShiftElement(NamedTuple):
+    """A clutch joins two links; a brake joins a link to the housing (0)."""
+
+    first: int
+    second: int = HOUSING
+    name: str = ""
+
+
+class Mechanism(NamedTuple):
+    """A three-link device of constant structure.
+
+    Parameters
+    ----------
+    first, second, third : int
+        Link numbers; 0 is the housing. In a planetary set: sun, ring, carrier.
+    ratio : float
+        ``(w_first - w_third)/(w_second - w_third)``, the internal ratio. [-]
+    efficiency : float
+        With the third link held still, above 0 and up to 1. [-]
+    planet_ratio : float, optional
+        First link to planet, third link held. Without it a plain planetary set
+        (ratio below 0, not -1) has ``(ratio + 1)/2``, any other has none. [-]
+    name : str
+        ``D`` and the number when not given.
+    """
+
+    first: int
+    second: int
+    third: int
+    ratio: float
+    efficiency: float = 1.0
+    planet_ratio: float | None = None
+    name: str = ""
+
+    @property
+    def links(self) -> tuple[int, int, int]:
+        """The first, second and third link."""
+        return self.first, self.second, self.third
+
+    def is_plain(self, ratio: float) -> bool:
+        """Whether a set of this internal ratio can be a plain planetary set.
+
+        Then ``z_planet = (z_ring - z_sun)/2``, so the ratio first link to planet is
+        ``(ratio + 1)/2``, with the sun or with the ring as first link.
+        """
+        return self.third != HOUSING and ratio < 0 and ratio != -1
+
+
+class Gear(NamedTuple):
+    """A shift state: what is engaged, and what is given besides.
+
+    Parameters
+    ----------
+    engaged : sequence of int
+        Numbers of the engaged shift elements.
+    speeds : mapping of int to float
+        Further given link speeds, relative to the input speed. [-]
+    torques : mapping of int to float
+        Further external torques on links, relative to the input torque. [-]
+    input, output : int, optional
+        This gear's own input and output link.
+    name : str
+        The gear's number when not given.
+    """
+
+    engaged: Sequence[int] = ()
+    speeds: Mapping[int, float] = MappingProxyType({})
+    torques: Mapping[int, float] = MappingProxyType({})
+    input: int | None = None
+    output: int | None = None
+    name: str = ""
+
+
+def element_name(number: int, element: ShiftElement) -> str:
+    """The name of an element that has none: F for a clutch, T for a brake.
+
+    >>> element_name(3, ShiftElement(2, 0))
+    'T3'
+    """
+    kind = "T" if HOUSING in (element.first, element.second) else "F"
+    return f"{kind}{number}"
+
+
+def mechanism_name(number: int) -> str:
+    """The name of a mechanism that has none: D and its number."""
+    return f"D{number}"
