@@ -19,6 +19,8 @@ from vstatics.model import Gear, Transmission
 from vstatics.results import Message, Results
 from vstatics.speeds import solve_speeds
 
+UNCERTAIN = 1e-6
+"""Speeds and torques that disagree by this part are told of."""
 OTHER = 1e-3
 """Ratios that differ by this part, and by other parts among each other, are other ratios."""
 
@@ -141,10 +143,26 @@ def _torque_messages(results: Results, number: int, gear: Gear) -> Iterator[tupl
                 "speed of the reacting link instead"
             )
         yield "warning", f"there are no torques in balance: {advice}"
+    elif _uncertain(results, number, gear):
+        yield (
+            "warning",
+            (
+                "the ratios are so close to a singular train that rounding shows: output torque "
+                "times output speed is not 1; few digits are certain"
+            ),
+        )
     elif np.isnan(results.torques[number]).any():
         names = [*case.devices, "the output"]
         unknown = _chosen(names, np.isnan(results.torques[number]))
         yield "warning", f"statics does not determine the torque of {_list(unknown)}"
+
+
+def _uncertain(results: Results, number: int, gear: Gear) -> bool:
+    """Whether speeds and torques, which check one another by Mx * w_output = 1, do not."""
+    if gear.speeds or gear.torques:
+        return False
+    speed = results.speeds[number, results.case.gear_output(gear) - 1]
+    return bool(abs(results.torques[number, -1] * speed - 1) > UNCERTAIN)
 
 
 def _loss_messages(results: Results, number: int, gear: Gear) -> Iterator[tuple[str, str]]:

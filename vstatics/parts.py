@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from types import MappingProxyType
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 HOUSING = 0
 
@@ -52,13 +52,13 @@ class Mechanism(NamedTuple):
         """The first, second and third link."""
         return self.first, self.second, self.third
 
-    def is_plain(self, ratio: float) -> bool:
-        """Whether a set of this internal ratio can be a plain planetary set.
+    def is_plain(self, ratio: Any) -> Any:
+        """Whether a set of this internal ratio, or of each in an array, can be a plain one.
 
         Then ``z_planet = (z_ring - z_sun)/2``, so the ratio first link to planet is
         ``(ratio + 1)/2``, with the sun or with the ring as first link.
         """
-        return self.third != HOUSING and ratio < 0 and ratio != -1
+        return (self.third != HOUSING) & (ratio < 0) & (ratio != -1)
 
 
 class Gear(NamedTuple):

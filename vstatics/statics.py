@@ -174,14 +174,17 @@ def _planet_ratios(case: Transmission, u: Floats) -> Floats:
         if mechanism.planet_ratio is not None:
             made[number] = mechanism.planet_ratio
         else:
-            plain = [mechanism.is_plain(ratio) for ratio in u[number]]
-            made[number] = np.where(plain, (u[number] + 1) / 2, np.nan)
+            made[number] = np.where(mechanism.is_plain(u[number]), (u[number] + 1) / 2, np.nan)
     return made
 
 
 def _stacked(gears: list[Any], axes: tuple[int, ...]) -> Any:
-    """Arrays (..., variants) of the gears -> (axes of the variants, gears, ...), without -0."""
+    """Arrays (..., variants) of the gears -> (axes of the variants, gears, ...).
+
+    Without -0; what overflowed does not exist.
+    """
     array = np.moveaxis(np.stack(gears), -1, 0)
     if array.dtype == np.float64:
         array = array + 0.0
+        array[np.isinf(array)] = np.nan
     return np.ascontiguousarray(array).reshape(*axes, *array.shape[1:])
