@@ -7,7 +7,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import NamedTuple
+from typing import Literal, NamedTuple
 
 import numpy as np
 
@@ -23,6 +23,21 @@ UNCERTAIN = 1e-6
 """Speeds and torques that disagree by this part are told of."""
 OTHER = 1e-3
 """Ratios that differ by this part, and by other parts among each other, are other ratios."""
+
+
+Said = tuple[Literal["error", "warning", "note"], str]
+
+
+def _error(text: str) -> Said:
+    return "error", text
+
+
+def _warning(text: str) -> Said:
+    return "warning", text
+
+
+def _note(text: str) -> Said:
+    return "note", text
 
 
 class Conditions(NamedTuple):
@@ -55,7 +70,7 @@ def messages(results: Results) -> Iterator[Message]:
             *_torque_messages(results, number, gear),
             *_loss_messages(results, number, gear),
         ):
-            yield Message(severity, text, gear.name)  # type: ignore[arg-type]
+            yield Message(severity, text, gear.name)
 
 
 def _named(case: Transmission, path: str, text: str) -> str:
@@ -74,11 +89,15 @@ def _list(names: Sequence[str]) -> str:
     return " and ".join(filter(None, [", ".join(names[:-1]), *names[-1:]]))
 
 
+def _s(count: int) -> str:
+    return "" if count == 1 else "s"
+
+
 def _chosen(names: Sequence[str], marks: Booleans) -> list[str]:
     return [name for name, mark in zip(names, marks, strict=True) if mark]
 
 
-def _speed_messages(results: Results, number: int, gear: Gear) -> Iterator[tuple[str, str]]:
+def _speed_messages(results: Results, number: int, gear: Gear) -> Iterator[Said]:
     """Too few conditions, too many, contradictions, an output that stands."""
     case = results.case
     missing, excess = int(results.missing[number]), int(results.excess[number])
@@ -86,21 +105,19 @@ def _speed_messages(results: Results, number: int, gear: Gear) -> Iterator[tuple
         yield from _excess(case, gear)
     if missing:
         free = _chosen(case.link_names, np.isnan(results.speeds[number]))
-        links = f"; free: link {_list(free)}" if free and not results.tied_up[number] else ""
-        yield (
-            "warning",
-            (
-                f"{missing} condition(s) missing for the speeds (neutral){links}; "
-                "engage another shift element or give a speed"
-            ),
+        named = f"; free: link{_s(len(free))} {_list(free)}" if free else ""
+        links = "" if results.tied_up[number] else named
+        yield _warning(
+            f"{missing} condition{_s(missing)} missing for the speeds (neutral){links}; "
+            "engage another shift element or give a speed"
         )
     output = case.gear_output(gear)
     if results.speeds[number, output - 1] == 0:
         name = case.link_name(output)
-        yield "warning", f"the output, link {name}, stands still: there is no ratio"
+        yield _warning(f"the output, link {name}, stands still: there is no ratio")
 
 
-def _excess(case: Transmission, gear: Gear) -> Iterator[tuple[str, str]]:
+def _excess(case: Transmission, gear: Gear) -> Iterator[Said]:
     """One message for each set of conditions that repeat or contradict each other."""
     rows = matrix.speed_rows(case, gear, matrix.columns(case, _ratios(case)))
     names = matrix.speed_row_names(case, gear)
@@ -110,26 +127,20 @@ def _excess(case: Transmission, gear: Gear) -> Iterator[tuple[str, str]]:
         others = [names[i] for i in involved if i >= mechanisms + len(gear.engaged)]
         conditions = _list(engaged + others) or _list([names[i] for i in involved])
         if not agrees:
-            yield (
-                "error",
-                (
-                    f"tied up: {conditions} contradict each other, so the input can't turn as "
-                    "given; release one of the engaged elements or leave out a given speed"
-                ),
+            yield _error(
+                f"tied up: {conditions} contradict each other, so the input can't turn as "
+                "given; release one of the engaged elements or leave out a given speed"
             )
         elif engaged:
-            yield (
-                "warning",
-                (
-                    f"{_list(engaged)}: 1 engaged element is in excess; the speeds agree, the "
-                    "torques that it shares are not determined"
-                ),
+            yield _warning(
+                f"{_list(engaged)}: 1 engaged element is in excess; the speeds agree, the "
+                "torques that it shares are not determined"
             )
         else:
-            yield "warning", f"{conditions} say the same of the speeds: 1 condition in excess"
+            yield _warning(f"{conditions} say the same of the speeds: 1 condition in excess")
 
 
-def _torque_messages(results: Results, number: int, gear: Gear) -> Iterator[tuple[str, str]]:
+def _torque_messages(results: Results, number: int, gear: Gear) -> Iterator[Said]:
     """Torques that do not exist, or are not determined by statics."""
     case = results.case
     if results.tied_up[number]:
@@ -142,19 +153,16 @@ def _torque_messages(results: Results, number: int, gear: Gear) -> Iterator[tupl
                 f"a speed is given on the output, link {case.link_name(output)}; give the "
                 "speed of the reacting link instead"
             )
-        yield "warning", f"there are no torques in balance: {advice}"
+        yield _warning(f"there are no torques in balance: {advice}")
     elif _uncertain(results, number, gear):
-        yield (
-            "warning",
-            (
-                "the ratios are so close to a singular train that rounding shows: output torque "
-                "times output speed is not 1; few digits are certain"
-            ),
+        yield _warning(
+            "the ratios are so close to a singular train that rounding shows: output torque "
+            "times output speed is not 1; few digits are certain"
         )
     elif np.isnan(results.torques[number]).any():
         names = [*case.devices, "the output"]
         unknown = _chosen(names, np.isnan(results.torques[number]))
-        yield "warning", f"statics does not determine the torque of {_list(unknown)}"
+        yield _warning(f"statics does not determine the torque of {_list(unknown)}")
 
 
 def _uncertain(results: Results, number: int, gear: Gear) -> bool:
@@ -165,42 +173,33 @@ def _uncertain(results: Results, number: int, gear: Gear) -> bool:
     return bool(abs(results.torques[number, -1] * speed - 1) > UNCERTAIN)
 
 
-def _loss_messages(results: Results, number: int, gear: Gear) -> Iterator[tuple[str, str]]:
+def _loss_messages(results: Results, number: int, gear: Gear) -> Iterator[Said]:
     """Friction locks, flows that losses turn round, idle mechanisms that matter."""
     case = results.case
     names = [mechanism.name for mechanism in case.mechanisms]
     if results.locked[number]:
         way = " when coasting" if case.coast else ""
-        yield "warning", f"locked by friction{way}: no directions of power agree with the losses"
+        yield _warning(f"locked by friction{way}: no directions of power agree with the losses")
     elif results.undecided[number]:
-        yield (
-            "warning",
-            (
-                "the search for directions of power that agree with the losses was cut short: "
-                "torques with losses and efficiency are unknown"
-            ),
+        yield _warning(
+            "the search for directions of power that agree with the losses was cut short: "
+            "torques with losses and efficiency are unknown"
         )
     elif results.calculable[number] and not results.consistent[number]:
-        yield "warning", "the directions of power are not determined, so there are no losses"
+        yield _warning("the directions of power are not determined, so there are no losses")
     if results.turned[number].any():
         turned = _chosen(names, results.turned[number])
-        yield "note", f"losses turn the flow of power through {_list(turned)} round"
+        yield _note(f"losses turn the flow of power through {_list(turned)} round")
     if results.choices[number] > 1:
-        yield (
-            "note",
-            (
-                f"{results.choices[number]} sets of directions of power agree with the losses; "
-                "the one of the largest efficiency is taken"
-            ),
+        yield _note(
+            f"{results.choices[number]} sets of directions of power agree with the losses; "
+            "the one of the largest efficiency is taken"
         )
     idle = _coincidences(results, number, gear)
     if idle:
-        yield (
-            "warning",
-            (
-                f"{_list(idle)}: idle by coincidence; torques with losses and efficiency "
-                "depend on the direction of power assumed there"
-            ),
+        yield _warning(
+            f"{_list(idle)}: idle by coincidence; torques with losses and efficiency "
+            "depend on the direction of power assumed there"
         )
 
 
