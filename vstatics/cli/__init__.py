@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 import sys
 from importlib import import_module
+from typing import Any
 
 import click
 
 from vstatics import __version__
+from vstatics.cli import files
+from vstatics.errors import ReadError
 
 COMMANDS = {
     "run": ("vstatics.cli.run", "Calculate every gear of each case."),
@@ -21,6 +25,14 @@ COMMANDS = {
 
 class Commands(click.Group):
     """A group that imports a command when it is called."""
+
+    def invoke(self, ctx: click.Context) -> Any:
+        """Run the command; what cannot be read or written ends it, and is told."""
+        try:
+            return super().invoke(ctx)
+        except ReadError as error:
+            files.show(error.problems)
+            ctx.exit(1)
 
     def list_commands(self, ctx: click.Context) -> list[str]:  # noqa: ARG002
         """All names, in the order of use."""
@@ -70,15 +82,17 @@ def entry() -> None:
     """
     code: int | str | None = 0
     try:
-        main(prog_name="vstatics")
-    except SystemExit as leaving:
-        code = leaving.code
-    try:
-        sys.stdout.flush()
-        sys.stderr.flush()
+        try:
+            main(prog_name="vstatics")
+        except SystemExit as leaving:
+            code = leaving.code
+        for stream in (sys.stdout, sys.stderr):
+            if stream is not None:  # whoever called may have closed it
+                stream.flush()
     except BrokenPipeError:  # the reader has seen enough
         code = code or 1
     except OSError as error:
-        os.write(2, f"vstatics: can't write to stdout: {error.strerror}\n".encode())
+        with contextlib.suppress(OSError):
+            os.write(2, f"vstatics: can't write to stdout: {error.strerror}\n".encode())
         code = 1
     os._exit(code if isinstance(code, int) else 1)

@@ -6,7 +6,6 @@ import click
 
 from vstatics.cli import files
 from vstatics.compare import Difference, differences
-from vstatics.errors import ReadError
 from vstatics.readers.results import Report, read_results
 
 
@@ -53,14 +52,9 @@ def compare(context: click.Context, actual: str, expected: str, atol: float, rto
     """
     if actual == expected == files.STDIN:
         raise click.UsageError("standard input (-) can be read once")
-    try:
-        one, other = (read_results(*files.read_input(file)) for file in (actual, expected))
-    except ReadError as error:
-        files.show(error.problems)
-        context.exit(1)
+    one, other = (read_results(*files.read_input(file)) for file in (actual, expected))
     lines = _differ(one, other, atol, rtol)
-    for line in lines:
-        click.echo(line)
     if lines:
-        click.echo(f"{actual} and {expected} differ in {len(lines)} places", err=True)
+        files.write_output("\n".join(lines) + "\n", None)
+        files.say(f"{actual} and {expected} differ in {len(lines)} place{'s' * (len(lines) > 1)}")
     context.exit(1 if lines else 0)

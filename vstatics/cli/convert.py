@@ -7,7 +7,6 @@ import click
 from vstatics import readers
 from vstatics.cli import cases as arguments
 from vstatics.cli import files
-from vstatics.errors import ReadError
 from vstatics.model import Transmission
 
 
@@ -59,14 +58,10 @@ def convert(
             f"can't tell the format of {target}: expected a suffix such as .dat, .yaml, .json, "
             "or --to"
         )
-    try:
-        reading = readers.read(*files.read_input(source), input_format)
-        files.show(reading.warnings)
-        text, lost = write(reading.case, wanted)
-        files.write_output(text, target)
-    except ReadError as error:
-        files.show(error.problems)
-        context.exit(1)
+    reading = readers.read(*files.read_input(source), input_format)
+    files.show(reading.warnings)
+    text, lost = write(reading.case, wanted)
+    files.write_output(text, target)
     for what in lost:
-        click.echo(f"{target}: not kept: {what}", err=True)
+        files.say(f"{target}: not kept: {what}")
     context.exit(1 if lost else 0)

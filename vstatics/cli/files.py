@@ -14,6 +14,7 @@ from vstatics.errors import Place, Problem, ReadError
 
 STDIN = "-"
 STDIN_NAME = "<stdin>"
+CLOSED = "it is closed"
 
 
 def read_input(file: str) -> tuple[bytes, str]:
@@ -24,24 +25,34 @@ def read_input(file: str) -> tuple[bytes, str]:
     ReadError
         If it cannot be read.
     """
-    if file == STDIN:
-        return sys.stdin.buffer.read(), STDIN_NAME
+    name = STDIN_NAME if file == STDIN else file
     try:
-        with open(file, "rb") as opened:  # noqa: PTH123
-            return opened.read(), file
+        if file != STDIN:
+            with open(file, "rb") as opened:  # noqa: PTH123
+                return opened.read(), name
+        if sys.stdin is not None:
+            return sys.stdin.buffer.read(), name
+        reason = CLOSED
     except OSError as error:
-        message = f"can't be read: {error.strerror or error}; expected a file with a case"
-        raise ReadError([Problem(message, place=Place(file, 0, 0))]) from None
+        reason = error.strerror or str(error)
+    message = f"can't be read: {reason}; expected a file with a case"
+    raise ReadError([Problem(message, place=Place(name, 0, 0))])
 
 
 def show(problems: Iterable[Problem]) -> None:
     """Print problems to stderr, in the wording of a compiler, with the line and a caret."""
     for problem in problems:
-        click.echo(str(problem), err=True)
+        say(str(problem))
         place = problem.place
         if place is not None and place.text.strip():
             shown, caret = _around(place)
-            click.echo(f"  {shown}\n  {caret}", err=True)
+            say(f"  {shown}\n  {caret}")
+
+
+def say(line: str) -> None:
+    """Print a line to stderr; the results do not suffer where that is not possible."""
+    with contextlib.suppress(OSError):
+        click.echo(line, err=True)
 
 
 def _around(place: Place, width: int = 76) -> tuple[str, str]:
@@ -53,19 +64,31 @@ def _around(place: Place, width: int = 76) -> tuple[str, str]:
 
 
 def write_output(text: str, output: str | None) -> None:
-    """Write to a file, whole or not at all, or to stdout; always in UTF-8."""
-    data = text.encode()
+    """Write to a file, whole or not at all, or to stdout; always in UTF-8.
+
+    Raises
+    ------
+    ReadError
+        If it cannot be written.
+    """
+    data = text.encode(errors="backslashreplace")  # names of files may hold half characters
+    name = "<stdout>" if output is None or output == STDIN else output
     try:
-        if output is None or output == STDIN:
-            click.echo(data, nl=False)
+        if name != output:
+            _print(data)
         else:
             _replace(os.path.realpath(output), data)
     except BrokenPipeError:
         raise  # the reader has seen enough; click ends quietly
     except OSError as error:
         message = f"can't be written: {error.strerror or error}"
-        problem = Problem(message, place=Place(output or "<stdout>", 0, 0))
-        raise ReadError([problem]) from None
+        raise ReadError([Problem(message, place=Place(name, 0, 0))]) from None
+
+
+def _print(data: bytes) -> None:
+    if sys.stdout is None:
+        raise OSError(CLOSED)
+    click.echo(data, nl=False)
 
 
 def _replace(path: str, data: bytes) -> None:
@@ -80,8 +103,7 @@ def _replace(path: str, data: bytes) -> None:
         return
     import tempfile  # costs start-up time
 
-    folder, name = os.path.split(path)
-    handle, temporary = tempfile.mkstemp(prefix=f".{name}.", dir=folder)
+    handle, temporary = tempfile.mkstemp(prefix=".vstatics-", dir=os.path.dirname(path))  # noqa: PTH120
     try:
         with os.fdopen(handle, "wb") as opened:
             opened.write(data)

@@ -11,7 +11,6 @@ from vstatics import readers
 from vstatics.cli import cases as arguments
 from vstatics.cli import files
 from vstatics.cli.cases import Outcome, calculate
-from vstatics.errors import ReadError
 from vstatics.model import IdleConvention
 
 OutputFormat = Literal["listing", "json", "csv"]
@@ -102,9 +101,5 @@ def run(
     failed = any(outcome.failed for outcome in outcomes)
     text = as_text(outcomes, output_format, lang)
     if text:
-        try:
-            files.write_output(text, output)
-        except ReadError as error:
-            files.show(error.problems)
-            failed = True
+        files.write_output(text, output)
     context.exit(1 if failed else 0)

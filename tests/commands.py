@@ -1,0 +1,98 @@
+"""The command line as tests call it: within this process, or as a process of its own."""
+
+from __future__ import annotations
+
+import inspect
+import os
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from click.testing import CliRunner
+
+from vstatics.cli import main
+
+ROOT = Path(__file__).parents[1]
+CASES = ROOT / "cases"
+MZKT = CASES / "mzkt7922.dat"
+
+NEUTRAL = """\
+links: 3
+shift_elements: {C: [1, 2], B: [2, housing]}
+mechanisms: {D: {first: 1, second: 2, third: 3, ratio: -2.5, efficiency: 0.96}}
+gears: {N: {}, low: {engaged: [B]}}
+"""
+"""A differential with clutch and brake; nothing is engaged in its first gear."""
+TIED_UP = NEUTRAL.replace("N: {}", "both: {engaged: [C, B]}")
+"""The clutch and the brake hold the input."""
+LOCKED = """\
+links: 3
+output: 2
+shift_elements: {T: [1, housing]}
+mechanisms: {D: {first: 1, second: 2, third: 3, ratio: 1.004, efficiency: 0.98}}
+gears: {"1": {engaged: [T], input: 2, output: 3}}
+"""
+"""251 to 1 driven from its slow end: friction locks it."""
+BAD = NEUTRAL.replace("ratio: -2.5, efficiency: 0.96", "ratoi: -2.5")
+"""A mistyped key in line 3."""
+
+
+class Said(NamedTuple):
+    """What a call of the command line gave."""
+
+    status: int
+    out: str
+    err: str
+
+    @property
+    def all(self) -> str:
+        """Everything that was printed."""
+        return self.out + self.err
+
+
+def vstatics(*arguments: object, stdin: bytes = b"") -> Said:
+    """Call a command within this process; an exception passes through."""
+    mixes = "mix_stderr" in inspect.signature(CliRunner).parameters  # click before 8.2
+    apart: dict[str, Any] = {"mix_stderr": False} if mixes else {}
+    result = CliRunner(**apart).invoke(
+        main, [str(one) for one in arguments], input=stdin, catch_exceptions=False
+    )
+    return Said(result.exit_code, result.stdout_bytes.decode(), result.stderr)
+
+
+def environment(**variables: str) -> dict[str, str]:
+    """The environment of a process that finds this package."""
+    kept = {key: value for key, value in os.environ.items() if key not in variables}
+    return {**kept, "PYTHONPATH": str(ROOT), **variables}
+
+
+def process(
+    *arguments: object, stdin: bytes = b"", cwd: Path = ROOT, **variables: str
+) -> tuple[int, bytes, bytes]:
+    """Call ``python -m vstatics`` as a process; exit status, stdout and stderr."""
+    done = subprocess.run(
+        [sys.executable, "-m", "vstatics", *map(str, arguments)],
+        input=stdin,
+        capture_output=True,
+        check=False,
+        cwd=cwd,
+        env=environment(**variables),
+        timeout=60,
+    )
+    return done.returncode, done.stdout, done.stderr
+
+
+def shell(command: str, **variables: str) -> tuple[int, bytes, bytes]:
+    """Run a line of bash with `pipefail` in the repository; ``vstatics`` is this one."""
+    line = f'set -o pipefail; vstatics() {{ "{sys.executable}" -m vstatics "$@"; }}; {command}'
+    done = subprocess.run(
+        ["bash", "-c", line],
+        stdin=subprocess.DEVNULL,
+        capture_output=True,
+        check=False,
+        cwd=ROOT,
+        env=environment(**variables),
+        timeout=60,
+    )
+    return done.returncode, done.stdout, done.stderr

@@ -1,0 +1,96 @@
+"""Cases from one format to another: nothing is lost without a word."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+from commands import CASES, MZKT, NEUTRAL, vstatics
+from hypothesis import given, settings
+from strategies import ANY_NUMBER, transmissions
+
+import vstatics as library
+from vstatics.model import Transmission
+from vstatics.readers import read
+from vstatics.writers import deck, named
+
+SHIPPED = sorted(path for path in CASES.iterdir() if path.suffix in (".yaml", ".dat"))
+SUFFIXES = {"deck": ".dat", "yaml": ".yaml", "json": ".json"}
+KEEPS_ALL = ("yaml", "json")
+
+
+def kept(case: Transmission, form: str) -> Transmission:
+    """What a format keeps of a case: a deck has no place for description and source."""
+    if form in KEEPS_ALL:
+        return case
+    texts = {"description": "", "source": ""}
+    return Transmission(**{**case.__dict__, **texts})
+
+
+@pytest.mark.parametrize("path", SHIPPED, ids=lambda path: path.name)
+def test_a_shipped_case_goes_round_all_formats(path: Path, tmp_path: Path) -> None:
+    case = library.load(path)
+    for form, suffix in SUFFIXES.items():
+        target = tmp_path / f"first{suffix}"
+        said = vstatics("convert", path, target)
+        lost = [what for what in ("description", "source") if getattr(case, what)]
+        expected = [] if form in KEEPS_ALL else [f"{target}: not kept: {what}" for what in lost]
+        assert (said.status, said.out) == (1 if expected else 0, "")
+        assert said.err.splitlines() == expected
+        assert library.load(target) == kept(case, form)
+        for again, ending in SUFFIXES.items():
+            second = tmp_path / f"second{ending}"
+            vstatics("convert", target, second)
+            assert library.load(second) == kept(library.load(target), again)
+
+
+@pytest.mark.parametrize("form", SUFFIXES)
+def test_a_stream_is_written_in_the_format_asked_for(form: str) -> None:
+    said = vstatics("convert", "-", "-", "--to", form, stdin=MZKT.read_bytes())
+    assert (said.status, said.err) == (0, "")
+    assert read(said.out.encode(), "", form).case == library.load(MZKT)  # type: ignore[arg-type]
+
+
+def test_the_option_is_above_the_suffix(tmp_path: Path) -> None:
+    target = tmp_path / "case.dat"
+    assert vstatics("convert", MZKT, target, "--to", "json").status == 0
+    assert json.loads(target.read_text(encoding="utf-8"))["links"] == 6
+    said = vstatics("convert", target, tmp_path / "back.dat")
+    assert (said.status, "case.dat:1:1: error" in said.err) == (1, True)
+    assert vstatics("convert", target, tmp_path / "back.dat", "--from", "json").status == 0
+    assert library.load(tmp_path / "back.dat") == library.load(MZKT)
+
+
+def test_a_printed_report_is_converted_like_its_deck() -> None:
+    report = vstatics("run", MZKT).out.encode()
+    assert vstatics("convert", "-", "-", "--to", "yaml", stdin=report) == vstatics(
+        "convert", MZKT, "-", "--to", "yaml"
+    )
+
+
+def test_warnings_of_the_input_are_told_and_it_is_converted() -> None:
+    """A planetary set with u > 0 and no planet ratio has no planet speed: a warning."""
+    text = NEUTRAL.replace("-2.5", "2.5").encode()
+    said = vstatics("convert", "-", "-", "--to", "deck", stdin=text)
+    assert said.status == 0
+    assert said.err.startswith("<stdin>:3:")
+    assert ": warning: " in said.err
+    assert "KJG= 3" in said.out
+
+
+def test_what_cannot_be_read_is_not_converted(tmp_path: Path) -> None:
+    said = vstatics("convert", tmp_path / "nowhere.dat", tmp_path / "new.yaml")
+    assert (said.status, list(tmp_path.iterdir())) == (1, [])
+    assert "nowhere.dat: error: can't be read" in said.err
+
+
+@settings(deadline=None, max_examples=60)
+@given(transmissions(ANY_NUMBER))
+def test_any_case_is_one_case_in_all_formats(case: Transmission) -> None:
+    assert read(named.write_yaml(case).encode(), "", "yaml").case == case
+    assert read(named.write_json(case).encode(), "", "json").case == case
+    assert read(deck.write(case).encode(), "", "deck").case == kept(case, "deck")
+    assert deck.lost(case) == [
+        what for what in ("description", "source") if getattr(case, what) != ""
+    ]

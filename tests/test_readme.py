@@ -1,0 +1,207 @@
+"""Every example of README.md and docs/ is run; what it prints is compared exactly.
+
+A block in ``text``, ``yaml`` or the like has the name of its file in a comment on the
+line before, ``<!-- file: box.yaml -->``, and is written to a temporary folder. In a
+``console`` block lines with ``$ `` are commands (``> `` continues them), the others
+are their output, both streams together; a line ``...`` stands for any lines. Blocks in
+``python`` are doctests. The blocks of a document share a folder and run in order.
+"""
+
+from __future__ import annotations
+
+import doctest
+import os
+import re
+import shutil
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from typing import NamedTuple
+
+import pytest
+
+ROOT = Path(__file__).parents[1]
+DOCUMENTS = [ROOT / "README.md", ROOT / "CHANGELOG.md", *sorted((ROOT / "docs").glob("*.md"))]
+NAMES = [str(document.relative_to(ROOT)) for document in DOCUMENTS]
+FENCE = re.compile(
+    r"^(?:<!-- file: (?P<file>\S+) -->\n)?```(?P<kind>\w*)\n(?P<text>.*?)^```$",
+    re.MULTILINE | re.DOTALL,
+)
+LINK = re.compile(r"\]\(([^)\s]+)\)")
+NOT_RUN = ("make", "pip ", ".venv/bin/", "git ", "cd ")
+"""How commands start that need another machine than this folder."""
+DONE = "--- end of a command ---"
+
+
+class Block(NamedTuple):
+    """A fenced block of a document."""
+
+    kind: str
+    file: str | None
+    text: str
+    line: int
+
+
+def blocks(document: Path) -> Iterator[Block]:
+    text = document.read_text(encoding="utf-8")
+    for match in FENCE.finditer(text):
+        line = text.count("\n", 0, match.start("text")) + 1
+        yield Block(match["kind"], match["file"], match["text"], line)
+
+
+def commands(block: Block) -> Iterator[tuple[str, str]]:
+    """The commands of a console block, each with the output that it shows."""
+    for part in re.split(r"^\$ ", block.text, flags=re.MULTILINE)[1:]:
+        lines = part.splitlines(keepends=True)
+        count = next((n for n, line in enumerate(lines) if n and line[:2] != "> "), len(lines))
+        command = "".join(line.removeprefix("> ") for line in lines[:count])
+        yield command, "".join(lines[count:])
+
+
+def is_run(command: str) -> bool:
+    return not command.startswith(NOT_RUN)
+
+
+def matches(actual: str, shown: str) -> bool:
+    """Whether an output is as shown; blanks at the ends of lines do not count."""
+    actual, shown = (
+        "".join(f"{line.rstrip()}\n" for line in text.splitlines()) for text in (actual, shown)
+    )
+    parts = re.split(r"^\.\.\.\n", shown, flags=re.MULTILINE)
+    return re.fullmatch(r"(?:.*\n)*?".join(map(re.escape, parts)), actual) is not None
+
+
+def run_all(asked: list[str], folder: Path) -> list[str]:
+    """The output of each command; they share one shell."""
+    script = "".join(
+        f"{command}\nlast=$?; printf '%s\\n' '{DONE}'; (exit $last)\n" for command in asked
+    )
+    environment = {
+        **os.environ,
+        "PATH": f"{folder / '.bin'}{os.pathsep}{os.environ['PATH']}",
+        "PYTHONPATH": str(ROOT),
+        "LC_ALL": "C.UTF-8",
+        "COLUMNS": "80",
+    }
+    done = subprocess.run(
+        ["bash", "-c", f"exec 2>&1\n{script}"],
+        cwd=folder,
+        env=environment,
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE,
+        check=False,
+        timeout=60,
+    )
+    return done.stdout.decode().split(f"{DONE}\n")[:-1]
+
+
+@pytest.fixture
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A folder with the shipped cases, in which `vstatics` is this program."""
+    for name in ("cases", "schemas"):
+        (tmp_path / name).symlink_to(ROOT / name)
+    program = tmp_path / ".bin" / "vstatics"
+    program.parent.mkdir()
+    program.write_text(f'#!/bin/sh\nexec "{sys.executable}" -m vstatics "$@"\n')
+    program.chmod(0o755)
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+def check_console(block: Block, folder: Path) -> Iterator[str]:
+    """What differs from the outputs shown."""
+    asked = [(command, shown) for command, shown in commands(block) if is_run(command)]
+    printed = run_all([command for command, _ in asked], folder)
+    for (command, shown), actual in zip(asked, printed, strict=True):
+        if not matches(actual, shown):
+            yield f"$ {command}printed:\n{actual}expected:\n{shown}"
+
+
+def check_python(block: Block, name: str, variables: dict[str, object]) -> Iterator[str]:
+    """What differs from the values shown."""
+    test = doctest.DocTestParser().get_doctest(block.text, variables, name, name, block.line)
+    report: list[str] = []
+    runner = doctest.DocTestRunner(verbose=False, optionflags=doctest.ELLIPSIS)
+    runner.run(test, out=report.append, clear_globs=False)
+    variables.update(test.globs)
+    if runner.failures:
+        yield "".join(report)
+
+
+@pytest.mark.skipif(shutil.which("bash") is None, reason="the examples are for a shell")
+@pytest.mark.parametrize("name", NAMES)
+def test_examples_print_what_they_show(name: str, folder: Path) -> None:
+    wrong: list[str] = []
+    variables: dict[str, object] = {}
+    for block in blocks(ROOT / name):
+        if block.file:
+            target = folder / block.file
+            target.parent.mkdir(parents=True, exist_ok=True)
+            target.write_text(block.text, encoding="utf-8")
+            continue
+        found: Iterator[str] = iter(())
+        if block.kind == "console" and (shutil.which("jq") or not re.search(r"\bjq\b", block.text)):
+            found = check_console(block, folder)
+        elif block.kind == "python":
+            found = check_python(block, name, variables)
+        wrong += [f"{name}:{block.line}: {message}" for message in found]
+    assert not wrong, "\n".join(wrong)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_every_block_is_of_a_kind_that_is_run(name: str) -> None:
+    """Blocks without a kind hold equations and pictures; files may be of any kind."""
+    for block in blocks(ROOT / name):
+        assert block.file or block.kind in ("", "console", "python"), f"{name}:{block.line}"
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_targets_of_make_exist(name: str) -> None:
+    made = set(
+        re.findall(r"^([a-z-]+):", (ROOT / "Makefile").read_text(encoding="utf-8"), re.MULTILINE)
+    )
+    text = (ROOT / name).read_text(encoding="utf-8")
+    named = set(re.findall(r"(?:`|^\$ )make ([a-z-]+)", text, re.MULTILINE))
+    assert named <= made
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_links_lead_somewhere(name: str) -> None:
+    document = ROOT / name
+    for link in LINK.findall(FENCE.sub("", document.read_text(encoding="utf-8"))):
+        path, _, heading = link.partition("#")
+        if "://" in link:
+            continue
+        target = document.parent / path if path else document
+        assert target.exists(), link
+        if heading:
+            lines = target.read_text(encoding="utf-8").splitlines()
+            titles = [line.lstrip("# ").lower() for line in lines if line.startswith("#")]
+            anchors = [re.sub(r"[^\w -]", "", title).replace(" ", "-") for title in titles]
+            assert heading in anchors, link
+
+
+def test_architecture_names_every_module() -> None:
+    text = (ROOT / "docs" / "architecture.md").read_text(encoding="utf-8")
+    modules = [path.relative_to(ROOT) for path in (ROOT / "vstatics").rglob("*.py")]
+    rooms = [str(path.relative_to("vstatics")) for path in modules if path.name != "__init__.py"]
+    assert [room for room in rooms if f"`{room}`" not in text] == []
+
+
+def test_deck_reference_names_every_field() -> None:
+    from vstatics.readers.deck.text import LISTS, RESULTS, SCALARS
+
+    text = (ROOT / "docs" / "deck.md").read_text(encoding="utf-8")
+    named = set(re.findall(r"[A-Z]+", "".join(re.findall(r"`[^`]*`", text))))
+    assert (SCALARS | LISTS | RESULTS) - named == set()
+
+
+def test_readme_starts_with_the_two_commands() -> None:
+    text = (ROOT / "README.md").read_text(encoding="utf-8")
+    first = next(blocks(ROOT / "README.md"))
+    assert [command.split("#")[0].strip() for command, _ in commands(first)] == [
+        "make run",
+        "make test",
+    ]
+    assert text.index("make run") < 1500
