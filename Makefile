@@ -33,8 +33,9 @@ types: .venv/dev.stamp ## mypy --strict
 golden: .venv/dev.stamp ## rewrite tests/golden; fails where something changed
 	$(BIN)/pytest -q tests/test_golden.py --regenerate
 
-schema: .venv/run.stamp ## rewrite schemas/case.schema.json from its declaration
+schema: .venv/run.stamp ## rewrite schemas/ from the declarations
 	$(BIN)/python -m vstatics.readers.named.schema > schemas/case.schema.json
+	$(BIN)/python -m vstatics.writers.result_schema > schemas/result.schema.json
 
 bench: .venv/compiled.stamp ## time of a whole run against importing numpy and click
 	$(BIN)/python benchmarks/startup.py

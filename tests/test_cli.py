@@ -148,10 +148,10 @@ def test_check_shows_the_part_of_a_long_line_around_the_place() -> None:
 def test_check_counts_conditions_and_prints_no_tables() -> None:
     """Two links turn freely in a differential of three: two degrees of freedom."""
     assert vstatics("check", "neutral.yaml", "tied.yaml").out.splitlines() == [
-        "neutral.yaml: 3 links, 2 shift elements, 1 mechanisms, 2 gears; degrees of freedom: 2",
+        "neutral.yaml: 3 links, 2 shift elements, 1 mechanism, 2 gears; degrees of freedom: 2",
         "  gear N    1 of 2 conditions: 1 missing (engaged: nothing)",
         "  gear low  2 of 2 conditions: ok (engaged: B)",
-        "tied.yaml: 3 links, 2 shift elements, 1 mechanisms, 2 gears; degrees of freedom: 2",
+        "tied.yaml: 3 links, 2 shift elements, 1 mechanism, 2 gears; degrees of freedom: 2",
         "  gear both  3 of 2 conditions: 1 in excess, tied up (engaged: C B)",
         "  gear low   2 of 2 conditions: ok (engaged: B)",
     ]

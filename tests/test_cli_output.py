@@ -124,7 +124,7 @@ def test_a_file_may_be_its_own_target(folder: Path) -> None:
     (folder / "case.dat").write_bytes(MZKT.read_bytes())
     assert vstatics("run", "case.dat", "-o", "case.dat").status == 0
     assert vstatics("run", "case.dat").out == vstatics("run", MZKT).out
-    assert vstatics("convert", "case.dat", "case.dat").status == 0
+    assert vstatics("convert", "case.dat", "case.dat").status == 2  # prose would be lost
     assert vstatics("run", "case.dat").out == vstatics("run", MZKT).out
 
 

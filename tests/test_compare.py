@@ -107,7 +107,7 @@ def test_standard_input_is_either_of_them(written: Callable[..., Path]) -> None:
         (".161", ".162", "W, row 6, gear 1: 0.162, expected 0.161"),
         (".953    .979", ".953 *******", "ETA, gear 2: no value, expected 0.979"),
         ("  1  -1   1", "  1   1   1", "IX, row D1, gear 2: 1.0, expected -1.0"),
-        (".800    .000", ".900    .000", "AJK, row 2, gear D1: 0.9, expected 0.8"),
+        (".800    .000", ".900    .000", "AJK, row 2, device D1: 0.9, expected 0.8"),
     ],
 )  # fmt: skip
 def test_a_difference_is_named_by_table_row_and_gear(

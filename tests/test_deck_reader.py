@@ -144,12 +144,18 @@ def test_missing_kwz_and_kmz_are_warned_of_at_the_end() -> None:
 
 def test_results_end_the_input() -> None:
     tables = (
-        "\nResults\n(AJK(I,J),J=1,KL+KG),I=1,KJG:\n.000 1.000\nKJG= 3\n"
+        "\nResults\n(AJK(I,J),J=1,KL+KG),I=1,KJG:\n.000 1.000\nNP= 3\n"
         "NZF(I,1),I=1,KL: 9\nW(I,J): ***\n"
     )
     assert case_of(PUBLISHED.decode() + tables) == MZKT7922
     text = published("Число передач:", "W (угловые скорости), ETA (КПД):\nW = 3")
     assert case_of(text) == MZKT7922
+
+
+def test_a_second_report_is_an_error() -> None:
+    text = PUBLISHED.decode() + "\n(AJK(I,J),J=1,KL+KG),I=1,KJG:\n.000 1.000\nKJG= 3\n"
+    (error,) = errors_of(text)
+    assert "KJG: another report begins here, expected one case in a file" in str(error)
 
 
 def test_planet_warning_has_the_place_of_its_ratio() -> None:

@@ -96,7 +96,12 @@ def _ports(case: Transmission) -> Iterator[Problem]:
     yield from _link(case.input, ("input",), case.links, lowest=1)
     yield from _link(case.output or case.links, ("output",), case.links, lowest=1)
     if case.input == (case.output or case.links):
-        yield Problem(f"input and output are both link {case.input}", ("output",))
+        yield Problem(f"input and output are both link {_called(case, case.input)}", ("output",))
+
+
+def _called(case: Transmission, link: int) -> str:
+    """The name of a link, or its number."""
+    return case.link_names[link - 1] if 0 < link <= len(case.link_names) else str(link)
 
 
 def _link(link: int, path: Path, links: int, lowest: int = HOUSING) -> Iterator[Problem]:
@@ -161,18 +166,18 @@ def _gear(case: Transmission, gear: Gear, path: Path) -> Iterator[Problem]:
         if link is not None:
             yield from _link(link, (*path, end), case.links, lowest=1)
     if ends[0] == ends[1] and (gear.input is not None or gear.output is not None):
-        yield Problem(f"input and output are both link {ends[0]}", path)
+        yield Problem(f"input and output are both link {_called(case, ends[0])}", path)
     yield from _given(gear.speeds, (*path, "speeds"), case.links)
     yield from _given(gear.torques, (*path, "torques"), case.links)
     if ends[0] in gear.speeds:
-        message = f"link {ends[0]} is the input, whose speed is 1; expected another link"
+        message = f"link {_called(case, ends[0])} is the input, whose speed is 1; expected another"
         yield Problem(message, (*path, "speeds", ends[0]))
     for link in gear.torques:
         if link == ends[1]:
-            message = f"link {link} is the output, whose torque is calculated"
+            message = f"link {_called(case, link)} is the output, whose torque is calculated"
             yield Problem(f"{message}; expected another link", (*path, "torques", link))
         elif link in gear.speeds:
-            message = f"link {link} has a given speed, so its torque is calculated"
+            message = f"link {_called(case, link)} has a given speed, so its torque is calculated"
             yield Problem(f"{message}; give one of the two", (*path, "torques", link))
 
 

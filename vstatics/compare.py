@@ -17,12 +17,14 @@ class Difference(NamedTuple):
     table: str
     row: str
     gear: str
+    """Or the device, in AJK."""
     actual: str
     expected: str
 
     def __str__(self) -> str:
         """The difference in one line."""
-        place = [self.table, self.row and f"row {self.row}", self.gear and f"gear {self.gear}"]
+        column = "device" if self.table == "AJK" else "gear"
+        place = [self.table, self.row and f"row {self.row}", self.gear and f"{column} {self.gear}"]
         return f"{', '.join(filter(None, place))}: {self.actual}, expected {self.expected}"
 
 
@@ -57,7 +59,7 @@ def _lacking(shape: TableShape, actual: Report, expected: Report) -> Iterator[Di
     """
     one = actual if shape.name in actual.tables else expected
     other = expected if one is actual else actual
-    if not one.tables.get(shape.name):
+    if not any(one.tables.get(shape.name, ())):
         return
     foreign = other.printed and "ratio" not in other.tables
     if shape.published or not foreign:

@@ -17,13 +17,11 @@ from vstatics.checks import problems
 from vstatics.errors import path_text
 from vstatics.model import Gear, Transmission
 from vstatics.results import Message, Results
-from vstatics.speeds import solve_speeds
+from vstatics.speeds import TIE
+from vstatics.torques import solve_torques
 
 UNCERTAIN = 1e-6
 """Speeds and torques that disagree by this part are told of."""
-OTHER = 1e-3
-"""Ratios that differ by this part, and by other parts among each other, are other ratios."""
-
 
 Said = tuple[Literal["error", "warning", "note"], str]
 
@@ -107,9 +105,11 @@ def _speed_messages(results: Results, number: int, gear: Gear) -> Iterator[Said]
         free = _chosen(case.link_names, np.isnan(results.speeds[number]))
         named = f"; free: link{_s(len(free))} {_list(free)}" if free else ""
         links = "" if results.tied_up[number] else named
+        neutral = np.isnan(results.ratio[number]) and not results.tied_up[number]
+        advice = "; engage another shift element or give a speed" if neutral else ""
         yield _warning(
-            f"{missing} condition{_s(missing)} missing for the speeds (neutral){links}; "
-            "engage another shift element or give a speed"
+            f"{missing} condition{_s(missing)} missing for the speeds"
+            f"{' (neutral)' * bool(neutral)}{links}{advice}"
         )
     output = case.gear_output(gear)
     if results.speeds[number, output - 1] == 0:
@@ -204,22 +204,23 @@ def _loss_messages(results: Results, number: int, gear: Gear) -> Iterator[Said]:
 
 
 def _coincidences(results: Results, number: int, gear: Gear) -> list[str]:
-    """Names of the mechanisms that idle for these ratios only, and carry torque with losses.
+    """Names of the idle mechanisms whose direction of power, which is assumed, matters.
 
-    A mechanism that engaged elements hold as one piece does so whatever the ratios; then
-    nothing depends on its sign, as ``dMx/du = M (w_second - w_third)/w_output`` stays 0.
+    Where engaged elements hold a mechanism as one piece only the split of torque depends
+    on it. Otherwise a torque at the ports does, and so the efficiency.
     """
     case = results.case
     mechanisms = slice(len(case.shift_elements), -1)
     loaded = results.lossy_torques[number, mechanisms] != 0
-    lossy = np.array([mechanism.efficiency < 1 for mechanism in case.mechanisms], dtype=np.bool_)
-    idle = results.idle[number] & loaded & lossy
-    if not results.consistent[number] or not idle.any():
+    efficiencies = np.array([mechanism.efficiency for mechanism in case.mechanisms])
+    idle = np.nonzero(results.idle[number] & loaded & (efficiencies < 1))[0]
+    if not results.consistent[number] or not idle.size:
         return []
-    others = [
-        ratio if ratio == 1 else ratio * (1 + OTHER / place)
-        for place, ratio in enumerate((one.ratio for one in case.mechanisms), 1)
-    ]
-    motion = solve_speeds(case, gear, np.array(others)[:, None]).motion
-    carries = results.torques[number, mechanisms] != 0
-    return _chosen([one.name for one in case.mechanisms], idle & ~(carries & (motion[:, 0] == 0)))
+    signs = np.repeat(results.power_sign[number][:, None], 2 * idle.size, axis=1)
+    for place, mechanism in enumerate(idle):
+        signs[mechanism, 2 * place : 2 * place + 2] = 1, -1
+    torques, holding = solve_torques(case, gear, _ratios(case) * efficiencies[:, None] ** signs)
+    ports = np.vstack([torques[-1:], holding])
+    one, other = np.nan_to_num(ports[:, ::2]), np.nan_to_num(ports[:, 1::2])
+    matters = (np.abs(one - other) > TIE * np.abs(one).max(axis=0)).any(axis=0)
+    return [case.mechanisms[mechanism].name for mechanism in idle[matters]]

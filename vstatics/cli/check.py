@@ -12,6 +12,10 @@ from vstatics.diagnosis import conditions
 from vstatics.results import Results
 
 
+def _count(number: int, noun: str) -> str:
+    return f"{number} {noun}{'s' * (number != 1)}"
+
+
 def summary(file: str, results: Results) -> str:
     """What the case is, and how many conditions each gear has for its speeds."""
     case = results.case
@@ -20,8 +24,9 @@ def summary(file: str, results: Results) -> str:
         for gear, missing, excess in zip(case.gears, results.missing, results.excess, strict=True)
     ]
     lines = [
-        f"{file}: {case.links} links, {len(case.shift_elements)} shift elements, "
-        f"{len(case.mechanisms)} mechanisms, {len(case.gears)} gears; "
+        f"{file}: {_count(case.links, 'link')}, "
+        f"{_count(len(case.shift_elements), 'shift element')}, "
+        f"{_count(len(case.mechanisms), 'mechanism')}, {_count(len(case.gears), 'gear')}; "
         f"degrees of freedom: {counts[0].freedom}"
     ]
     names = [element.name for element in case.shift_elements]

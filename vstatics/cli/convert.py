@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+
 import click
 
 from vstatics import readers
@@ -51,6 +53,8 @@ def convert(
       vstatics convert gearbox.dat gearbox.yaml
       vstatics convert gearbox.yaml - --to deck
     """
+    if source != files.STDIN and os.path.exists(target) and os.path.samefile(source, target):  # noqa: PTH110, PTH121
+        raise click.UsageError(f"IN and OUT are the same file: {source}")
     suffix = target[target.rfind(".") :].lower() if "." in target else ""
     wanted = output_format or readers.SUFFIXES.get(suffix)
     if wanted is None:

@@ -57,10 +57,11 @@ def say(line: str) -> None:
 
 def _around(place: Place, width: int = 76) -> tuple[str, str]:
     """The part of a line around a place that fits on a terminal, and a caret below it."""
-    text = "".join(letter if letter.isprintable() else " " for letter in place.text)
-    column = min(place.column, len(text) + 1)
-    start = max(0, column - width // 2) if len(text) > width else 0
-    return text[start : start + width], " " * (column - 1 - start) + "^"
+    column = min(place.column, len(place.text) + 1)
+    start = max(0, column - width // 2) if len(place.text) > width else 0
+    part = place.text[start : start + width]
+    shown = "".join(letter if letter.isprintable() else " " for letter in part)
+    return shown, " " * (column - 1 - start) + "^"
 
 
 def write_output(text: str, output: str | None) -> None:

@@ -7,21 +7,23 @@ import io
 import math
 from collections.abc import Sequence
 
-from vstatics.results import OUTPUT, Results
+from vstatics.results import Results
 from vstatics.writers.tables import tables
 
-LABELS = {
-    OUTPUT: "Mx (given to the load; input torque = 1)",
-    "ratio": "w_input/w_output",
-}
-"""The conventions stand in names of rows: a line of comment would trouble spreadsheets."""
+CONVENTIONS = (
+    "ratio = w_input/w_output",
+    "torques: external ones act on a link, positive like the input's, which is 1; Mx is the "
+    "output torque, given to the load",
+)
+"""They stand in last rows without a value: a line of comment would trouble spreadsheets."""
 
 
 def write(results: Sequence[Results], *, several: bool) -> str:
     """One or several results; several have a column `case` in front.
 
     Columns: table, row, gear, value. AJK, which is the same in all gears, has the link
-    and the device in `row` and no gear. A value that does not exist is empty.
+    and the device in `row` and no gear. A value that does not exist is empty. The last
+    rows state the conventions and have no value either.
     """
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
@@ -31,12 +33,12 @@ def write(results: Sequence[Results], *, several: bool) -> str:
         for table in tables(result):
             for row, values in zip(table.rows, table.values, strict=True):
                 for column, value in zip(table.columns, values, strict=True):
-                    if table.shape.name == "AJK":
-                        place = [f"{row}:{column}", ""]
-                    else:
-                        place = [LABELS.get(row, row), column]
+                    ajk = table.shape.name == "AJK"
+                    place = [f"{row}:{column}", ""] if ajk else [row, column]
                     shown = "" if math.isnan(value) else _number(value, table.shape.kind)
                     writer.writerow([*front, table.shape.name, *place, shown])
+    for convention in CONVENTIONS:
+        writer.writerow([""] * several + ["conventions", convention, "", ""])
     return text.getvalue()
 
 

@@ -1,7 +1,7 @@
 """Reader of the deck: the input format of the published Visual-Statics example.
 
-`deck_text` finds the fields, `deck_values` their values, `deck_fields` knows how many
-there have to be; here they become a transmission.
+`text` finds the fields, `values` their values, `fields` knows how many there have to
+be; here they become a transmission.
 """
 
 from __future__ import annotations

@@ -12,6 +12,7 @@ from typing import NamedTuple
 from vstatics.errors import Problem, ReadError
 from vstatics.readers.deck.encodings import texts
 from vstatics.readers.reading import Source
+from vstatics.results import TABLES
 
 SCALARS = {"KJG", "KL", "KG", "KNM", "NP", "INP", "IOUT", "IDLE", "COAST"}
 """Fields of one value; they have no index list, and may share a line."""
@@ -26,10 +27,7 @@ GEAR_LISTS = {"INP": "INP(I)", "IOUT": "IOUT(I)"}
 PARTS = {"NZF": ("1", "2"), "NZD": ("1", "2", "3")}
 """Fields of which there are several, told apart by their second index."""
 
-RESULTS = {
-    *("AJK", "W", "WSAT", "WFRI", "AMLG", "AMLGP", "ETA", "IX"),
-    *("AMWZ", "AMWZP", "RATIO", "BALANCE", "LOSS", "IDLING", "CONSISTENT", "LOCKED"),
-}
+RESULTS = {shape.printed for shape in TABLES}
 """Names of printed results: a report starts with its input, which ends here."""
 
 LATIN = str.maketrans("АВЕКМНОРСТУХІЈЅԚԜ", "ABEKMHOPCTYXIJSQW")
@@ -133,6 +131,7 @@ def scan(source: Source) -> Scan:
         kind = _kind(line, word, opened, start)
         if kind == "result":
             found.last = number - 1
+            _only_report(found, number)
             break
         if kind == "scalar":
             _scalars(found, number, line)
@@ -147,6 +146,14 @@ def scan(source: Source) -> Scan:
     while found.last > 1 and not source.lines[found.last - 1].strip():
         found.last -= 1
     return found
+
+
+def _only_report(found: Scan, first: int) -> None:
+    """Note an error where another report follows the first."""
+    for number, line in enumerate(found.source.lines[first:], first + 1):
+        if head(line) == "KJG":
+            found.error("KJG: another report begins here, expected one case in a file", number)
+            return
 
 
 def _opening(line: str) -> tuple[str, str, int]:

@@ -71,11 +71,19 @@ def _reading(root: Node, found: Found) -> Reading:
     if not isinstance(root, Mapping):
         expected = "expected a case: a mapping with `links`, `mechanisms` and `gears`"
         found.stop(f"read {what(root)}, {expected}", root.line, root.column)
+    root = _case(root)
     spots = Spots(found)
     walk = Walk(spots)
     values = walk.read(Spot((), "", root), CASE)
     parts = _parts(values) | {"link_names": walk.references.link_names}
     return finish(parts, found.problems, _untold(spots.unreadable), spots.locate)
+
+
+def _case(root: Mapping) -> Mapping:
+    """The case itself, or that of a JSON result: so a result can be run again, as a listing can."""
+    entries = {key.text: value for key, value in root.entries}
+    inner = entries.get("case")
+    return inner if "format" in entries and isinstance(inner, Mapping) else root
 
 
 def _parts(values: dict[str, Any]) -> dict[str, Any]:

@@ -116,7 +116,8 @@ class Walk:
         for key, value in self._entries(spot, node):
             if key.text not in known:
                 hint = self.spots.found.hint(key.text, known)
-                expected = hint or f", expected {_listed(known)}"
+                comma = "; write a decimal point, not a decimal comma"
+                expected = comma if key.text.isdigit() else hint or f", expected {_listed(known)}"
                 self.spots.complain(spot, f"unknown key `{shown(key.text)}`{expected}", key)
                 meant.update((name, value) for name in known if f"`{name}`" in hint)
             elif known[key.text].required or not is_null(value):
