@@ -205,7 +205,8 @@ def test_json_has_null_for_what_does_not_exist(several: Results) -> None:
 
 
 def csv_of(results: list[Results], *, several: bool) -> list[list[str]]:
-    return list(csv.reader(io.StringIO(result_csv.write(results, several=several))))
+    named = [(f"{number}.dat", one) for number, one in enumerate(results, 1)]
+    return list(csv.reader(io.StringIO(result_csv.write(named, several=several))))
 
 
 def test_csv_has_a_number_a_row(several: Results) -> None:
@@ -222,7 +223,7 @@ def test_csv_has_a_number_a_row(several: Results) -> None:
     assert numbers["IX", "motor pair", "N"] == ""
     assert numbers["IX", "planetary set", "low"] == "1"
     assert len([place for place in numbers if place[0] == "W"]) == 4 * 4
-    assert "nan" not in result_csv.write([several], several=False).lower()
+    assert "nan" not in result_csv.write([("a", several)], several=False).lower()
 
 
 def test_csv_of_several_cases_has_a_column_for_the_case(
@@ -231,8 +232,8 @@ def test_csv_of_several_cases_has_a_column_for_the_case(
     head, *body = csv_of([several, published], several=True)
     body = [row for row in body if row[1] != "conventions"]
     assert head == ["case", "table", "row", "gear", "value"]
-    assert list(dict.fromkeys(row[0] for row in body)) == ["named train", "2"]
+    assert list(dict.fromkeys(row[0] for row in body)) == ["1.dat", "2.dat"]
     alone = csv_of([published], several=False)[1:]
-    assert [row[1:] for row in body if row[0] == "2"] == [
+    assert [row[1:] for row in body if row[0] == "2.dat"] == [
         row for row in alone if row[0] != "conventions"
     ]

@@ -14,6 +14,8 @@ from vstatics.errors import Place, Problem, ReadError
 
 STDIN = "-"
 STDIN_NAME = "<stdin>"
+TOLD = 100
+"""So many problems of a case are printed."""
 CLOSED = "it is closed"
 
 
@@ -41,12 +43,15 @@ def read_input(file: str) -> tuple[bytes, str]:
 
 def show(problems: Iterable[Problem]) -> None:
     """Print problems to stderr, in the wording of a compiler, with the line and a caret."""
-    for problem in problems:
+    told = list(problems)
+    for problem in told[:TOLD]:
         say(str(problem))
         place = problem.place
         if place is not None and place.text.strip():
             shown, caret = _around(place)
             say(f"  {shown}\n  {caret}")
+    if len(told) > TOLD:
+        say(f"... and {len(told) - TOLD} more")
 
 
 def say(line: str) -> None:

@@ -37,7 +37,8 @@ def as_text(outcomes: Sequence[Outcome], output_format: OutputFormat, lang: Lang
     if output_format == "csv" and results:
         from vstatics.writers import result_csv
 
-        return result_csv.write(results, several=several)
+        named = [(o.file, o.results) for o in outcomes if o.results is not None]
+        return result_csv.write(named, several=several)
     from vstatics.writers import listing
 
     return "\n".join(listing.write(result, lang) for result in results)

@@ -18,8 +18,8 @@ CONVENTIONS = (
 """They stand in last rows without a value: a line of comment would trouble spreadsheets."""
 
 
-def write(results: Sequence[Results], *, several: bool) -> str:
-    """One or several results; several have a column `case` in front.
+def write(results: Sequence[tuple[str, Results]], *, several: bool) -> str:
+    """One or several results by the names of their files; several have a column `case`.
 
     Columns: table, row, gear, value. AJK, which is the same in all gears, has the link
     and the device in `row` and no gear. A value that does not exist is empty. The last
@@ -28,8 +28,8 @@ def write(results: Sequence[Results], *, several: bool) -> str:
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(["case"] * several + ["table", "row", "gear", "value"])
-    for number, result in enumerate(results, 1):
-        front = [result.case.name or str(number)] * several
+    for file, result in results:
+        front = [file] * several
         for table in tables(result):
             for row, values in zip(table.rows, table.values, strict=True):
                 for column, value in zip(table.columns, values, strict=True):
