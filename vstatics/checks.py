@@ -31,7 +31,7 @@ def problems(case: Transmission) -> Iterator[Problem]:
     yield from _names(case)
     yield from _ports(case)
     for number, element in enumerate(case.shift_elements, 1):
-        yield from _element(element, ("shift_elements", number), case.links)
+        yield from _element(case, element, ("shift_elements", number))
     for number, mechanism in enumerate(case.mechanisms, 1):
         yield from _mechanism(mechanism, ("mechanisms", number), case.links)
     for number, gear in enumerate(case.gears, 1):
@@ -101,6 +101,8 @@ def _ports(case: Transmission) -> Iterator[Problem]:
 
 def _called(case: Transmission, link: int) -> str:
     """The name of a link, or its number."""
+    if link == HOUSING:
+        return "0 (the housing)"
     return case.link_names[link - 1] if 0 < link <= len(case.link_names) else str(link)
 
 
@@ -112,11 +114,12 @@ def _link(link: int, path: Path, links: int, lowest: int = HOUSING) -> Iterator[
         yield Problem(f"read {link}, expected {expected}", path)
 
 
-def _element(element: ShiftElement, path: Path, links: int) -> Iterator[Problem]:
-    yield from _link(element.first, (*path, "first"), links)
-    yield from _link(element.second, (*path, "second"), links)
+def _element(case: Transmission, element: ShiftElement, path: Path) -> Iterator[Problem]:
+    yield from _link(element.first, (*path, "first"), case.links)
+    yield from _link(element.second, (*path, "second"), case.links)
     if element.first == element.second:
-        message = f"joins link {element.first} to itself, expected two different links"
+        link = _called(case, element.first)
+        message = f"joins link {link} to itself, expected two different links"
         yield Problem(message, (*path, "second"))
 
 
@@ -160,7 +163,7 @@ def _planet(mechanism: Mechanism, path: Path) -> Iterator[Problem]:
 
 
 def _gear(case: Transmission, gear: Gear, path: Path) -> Iterator[Problem]:
-    yield from _engaged(gear.engaged, (*path, "engaged"), len(case.shift_elements))
+    yield from _engaged(case.shift_elements, gear.engaged, (*path, "engaged"))
     ends = gear.input or case.input, gear.output or case.output or case.links
     for end, link in (("input", gear.input), ("output", gear.output)):
         if link is not None:
@@ -181,14 +184,17 @@ def _gear(case: Transmission, gear: Gear, path: Path) -> Iterator[Problem]:
             yield Problem(f"{message}; give one of the two", (*path, "torques", link))
 
 
-def _engaged(engaged: Sequence[int], path: Path, elements: int) -> Iterator[Problem]:
+def _engaged(
+    elements: Sequence[ShiftElement], engaged: Sequence[int], path: Path
+) -> Iterator[Problem]:
     seen: set[int] = set()
     for position, element in enumerate(engaged, 1):
-        if not 1 <= element <= elements:
-            expected = f"the number of a shift element, from 1 to {elements}"
+        if not 1 <= element <= len(elements):
+            expected = f"the number of a shift element, from 1 to {len(elements)}"
             yield Problem(f"read {element}, expected {expected}", (*path, position))
         elif element in seen:
-            message = f"element {element} is engaged twice, expected each once"
+            name = elements[element - 1].name or str(element)
+            message = f"element {name} is engaged twice, expected each once"
             yield Problem(message, (*path, position))
         seen.add(element)
 

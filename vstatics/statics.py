@@ -44,7 +44,8 @@ def solve(
     Returns
     -------
     Results
-        Arrays with the leading axes of `ratios` and `efficiencies`, then gears.
+        Arrays with the leading axes of `ratios` and `efficiencies`, then gears. There are
+        `messages` for one case only, not for arrays of variants.
 
     Raises
     ------
@@ -128,8 +129,9 @@ def _wrong(name: str, given: Floats, wrong: Booleans, expected: str) -> list[Pro
     if not wrong.any():
         return []
     *variant, mechanism = (int(index) for index in np.argwhere(wrong)[0])
-    message = f"read {given[(*variant, mechanism)]:g} in variant {tuple(variant)}"
-    return [Problem(f"{message}, expected {expected}", ("mechanisms", mechanism + 1, name))]
+    where = f" in variant {', '.join(map(str, variant))}" if variant else ""
+    message = f"read {given[(*variant, mechanism)]:g}{where}, expected {expected}"
+    return [Problem(message, ("mechanisms", mechanism + 1, name))]
 
 
 def _solve_gear(case: Transmission, gear: Gear, u: Floats, eta: Floats) -> dict[str, Any]:

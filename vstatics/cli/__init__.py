@@ -6,7 +6,7 @@ import contextlib
 import os
 import sys
 from importlib import import_module
-from typing import Any
+from typing import Any, TextIO
 
 import click
 
@@ -82,17 +82,22 @@ def entry() -> None:
     """
     code: int | str | None = 0
     try:
-        try:
-            main(prog_name="vstatics")
-        except SystemExit as leaving:
-            code = leaving.code
-        for stream in (sys.stdout, sys.stderr):
-            if stream is not None:  # whoever called may have closed it
-                stream.flush()
+        main(prog_name="vstatics")
+    except SystemExit as leaving:
+        code = leaving.code
     except BrokenPipeError:  # the reader has seen enough
-        code = code or 1
-    except OSError as error:
-        with contextlib.suppress(OSError):
-            os.write(2, f"vstatics: can't write to stdout: {error.strerror}\n".encode())
         code = 1
+    if not code and not _flushed(sys.stdout):
+        files.say("vstatics: can't write to stdout")
+        code = 1
+    _flushed(sys.stderr)
     os._exit(code if isinstance(code, int) else 1)
+
+
+def _flushed(stream: TextIO | None) -> bool:
+    """Whether all that was written has gone out; nothing was where the stream is closed."""
+    with contextlib.suppress(OSError):
+        if stream is not None:
+            stream.flush()
+        return True
+    return False

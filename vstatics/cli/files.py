@@ -82,6 +82,9 @@ def write_output(text: str, output: str | None) -> None:
     try:
         if name != output:
             _print(data)
+        elif output.startswith("/dev/"):  # /dev/stdout is not to be replaced, whatever it is
+            with open(output, "ab") as opened:  # noqa: PTH123
+                opened.write(data)
         else:
             _replace(os.path.realpath(output), data)
     except BrokenPipeError:
@@ -95,6 +98,7 @@ def _print(data: bytes) -> None:
     if sys.stdout is None:
         raise OSError(CLOSED)
     click.echo(data, nl=False)
+    sys.stdout.flush()
 
 
 def _replace(path: str, data: bytes) -> None:

@@ -41,7 +41,8 @@ def as_text(outcomes: Sequence[Outcome], output_format: OutputFormat, lang: Lang
         return result_csv.write(named, several=several)
     from vstatics.writers import listing
 
-    return "\n".join(listing.write(result, lang) for result in results)
+    reports = [(o.file, listing.write(o.results, lang)) for o in outcomes if o.results is not None]
+    return "\n".join(f"==> {file} <==\n{text}" if several else text for file, text in reports)
 
 
 @click.command()

@@ -59,7 +59,10 @@ def read(data: bytes, file: str, format: Format | None = None) -> Reading:  # no
     ReadError
         With every problem and its place.
     """
-    module, function = READERS[format or format_of(file, data)]
+    wanted = format or format_of(file, data)
+    if wanted not in READERS:
+        raise ValueError(f"format {wanted!r}: expected one of {', '.join(READERS)}")
+    module, function = READERS[wanted]
     reader: Callable[[bytes, str], Reading] = getattr(import_module(module), function)
     return reader(data, file)
 
@@ -78,6 +81,8 @@ def load(path: str | PathLike[str], *, format: Format | None = None) -> Transmis
     ------
     ReadError
         With every problem and its place.
+    ValueError
+        If there is no such format.
     OSError
         If the file cannot be opened.
     """

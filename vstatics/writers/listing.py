@@ -31,6 +31,7 @@ class Words(NamedTuple):
 
     results: str
     conventions: tuple[str, ...]
+    coasting: str
     messages: str
 
 
@@ -42,6 +43,7 @@ WORDS: dict[str, Words] = {
             "a torque is that on the first link of its device, the last one (KLG1) is the",
             "output torque, given to the load; ratio is w_input/w_output.",
         ),
+        "Coasting: the power enters at the output; in this scaling losses are below 0.",
         "Messages:",
     ),
     "ru": Words(
@@ -51,6 +53,7 @@ WORDS: dict[str, Words] = {
             "момент устройства - на его первом звене, последний (KLG1) - на выходном",
             "звене, отдаваемый нагрузке; передаточное отношение - w_вход/w_выход.",
         ),
+        "Торможение двигателем: мощность входит с выхода, потери при этом меньше 0.",
         "Сообщения:",
     ),
 }
@@ -162,6 +165,8 @@ def write(results: Results, lang: Language = "en") -> str:
     """
     words = WORDS[lang]
     lines = [deck.write(results.case, lang), words.results, *words.conventions]
+    if results.case.coast:
+        lines.append(words.coasting)
     for name, table in _parts(results):
         heading = HEADINGS[name]
         lines += ["", heading.ru if lang == "ru" else heading.en, heading.index_list]

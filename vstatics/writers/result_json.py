@@ -21,6 +21,7 @@ CONVENTIONS = {
     "torques": "relative to the input torque; external torques act on a link, positive like "
     "the input's; a device's torque is that on its first link; the output torque, in the last "
     "row of AMLG and AMLGP, is that given to the load",
+    "powers": "relative to the input power; when coasting all of them turn, and losses are below 0",
     "power_sign": "IX: +1 the first link drives, -1 it is driven, 0 idle",
     "null": "does not exist, or is not determined",
 }

@@ -21,6 +21,7 @@ def texts(data: bytes, file: str) -> Iterator[tuple[str, list[Problem]]]:
     if b"\0" in data:
         message = "the file is binary, expected a deck as text: save it as text in UTF-8"
         raise _unreadable(file, message)
+    data = data.rstrip(b"\x1a")  # the end of a text for DOS
     try:
         yield data.decode("utf-8-sig"), []
     except UnicodeDecodeError as error:
