@@ -109,7 +109,7 @@ def test_many_cases_go_on_after_a_bad_one() -> None:
 @pytest.mark.usefixtures("files")
 def test_many_listings_follow_one_another_without_the_bad_one() -> None:
     said = vstatics("run", "neutral.yaml", "bad.yaml", MZKT)
-    apart = [vstatics("run", name).out for name in ("neutral.yaml", MZKT)]
+    apart = [f"==> {name} <==\n{vstatics('run', name).out}" for name in ("neutral.yaml", MZKT)]
     assert (said.status, said.out) == (1, "\n".join(apart))
     assert said.err.count("bad.yaml:3:") == 1
 

@@ -7,7 +7,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from vstatics.elimination import RIGHT, Row, dependencies, solve
+from vstatics.elimination import dependencies, solve
+from vstatics.entries import RIGHT, Row
 
 
 def rows(matrix: list[list[float]], right: list[float]) -> list[Row]:
@@ -93,3 +94,20 @@ def test_solutions_are_those_of_dense_elimination(size: int, rng: st.DataObject)
     expected = np.linalg.solve(matrix, right)
     found = solve(rows(matrix.tolist(), right.tolist()), size).values[:, 0]
     np.testing.assert_allclose(found, expected, rtol=1e-8, atol=1e-8)
+
+
+@pytest.mark.parametrize("variants", [1, 2, 3])
+def test_overflow_ends_without_a_value(variants: int) -> None:
+    # the stages multiply to 1e600, or to 1e-600, in every variant alike
+    for stage in (1e300, 1e-300):
+        u = np.full(variants, stage)
+        chain: list[Row] = [{0: (1.0, 1.0), RIGHT: (1.0, 1.0)}]
+        chain += [{i: (1.0, 1.0), i + 1: (-u, u)} for i in range(3)]
+        solution = solve(chain, 4, variants=variants)
+        assert solution.values.shape == (4, variants)
+
+
+def test_no_variants_have_no_solutions() -> None:
+    empty = np.empty(0)
+    solution = solve([{0: (empty, empty), RIGHT: (1.0, 1.0)}], 1, variants=0)
+    assert solution.values.shape == (1, 0)

@@ -41,7 +41,7 @@ FAULTS = [
         7,
         "shift_elements.T1: read a list of 1, expected two links: [first, second]",
     ),
-    ("element-twice.yaml", 9, 27, "gears.2.engaged[3]: element 2 is engaged twice"),
+    ("element-twice.yaml", 9, 27, "gears.2.engaged[3]: element F2 is engaged twice"),
     (
         "element-unknown.yaml",
         9,

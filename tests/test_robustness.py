@@ -67,7 +67,8 @@ def told(data: bytes, form: str) -> None:
     for output in ("listing", "json", "csv"):
         run = vstatics("run", "-", "--from", form, "-f", output, stdin=data)
         assert run.status == checked.status
-        assert "nan" not in run.out.lower()
+        if b"nan" not in data:  # a name may be that
+            assert "nan" not in run.out.lower()
         assert run.status == 0 or re.search(r"(?m)^<stdin>:\d+:\d+: error: ", run.err)
 
 

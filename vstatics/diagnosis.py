@@ -1,20 +1,19 @@
 """What to say about a gear: why a value does not exist, and what to do.
 
-`conditions` describes the count of conditions of a gear, `messages` speaks of what
-`Results` show. Both look at one case, not at arrays of variants.
+`freedom` and `given_conditions` count the conditions for the speeds, `messages` speaks
+of what `Results` show. All look at one case, not at arrays of variants.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import Literal, NamedTuple
 
 import numpy as np
 
 from vstatics import elimination, matrix
 from vstatics.arrays import Booleans, Floats
 from vstatics.checks import problems
-from vstatics.errors import path_text
+from vstatics.errors import Severity, path_text
 from vstatics.model import Gear, Transmission
 from vstatics.results import Message, Results
 from vstatics.speeds import TIE
@@ -23,7 +22,7 @@ from vstatics.torques import solve_torques
 UNCERTAIN = 1e-6
 """Speeds and torques that disagree by this part are told of."""
 
-Said = tuple[Literal["error", "warning", "note"], str]
+Said = tuple[Severity, str]
 
 
 def _error(text: str) -> Said:
@@ -38,23 +37,20 @@ def _note(text: str) -> Said:
     return "note", text
 
 
-class Conditions(NamedTuple):
-    """The conditions for the speeds of a gear, counted."""
+def freedom(case: Transmission) -> int:
+    """Degrees of freedom of the train without its shift elements.
 
-    freedom: int
-    """Degrees of freedom of the train without shift elements."""
-    given: int
-    """Conditions of the gear: engaged elements, input speed, further given speeds."""
-    missing: int
-    excess: int
+    >>> from vstatics.model import Mechanism, ShiftElement
+    >>> freedom(Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)], [Gear([1])]))
+    2
+    """
+    rows = matrix.speed_rows(case, Gear(), matrix.columns(case, _ratios(case)))[:-1]
+    return int(elimination.solve(rows, case.links).missing[0])
 
 
-def conditions(case: Transmission, gear: Gear, missing: int, excess: int) -> Conditions:
-    """Count the conditions of a gear; `missing` and `excess` as in `Results`."""
-    free = Gear()
-    rows = matrix.speed_rows(case, free, matrix.columns(case, _ratios(case)))[:-1]  # no input speed
-    freedom = int(elimination.solve(rows, case.links).missing[0])
-    return Conditions(freedom, len(gear.engaged) + 1 + len(gear.speeds), missing, excess)
+def given_conditions(gear: Gear) -> int:
+    """Conditions that a gear gives: engaged elements, input speed, further given speeds."""
+    return len(gear.engaged) + 1 + len(gear.speeds)
 
 
 def messages(results: Results) -> Iterator[Message]:
@@ -186,7 +182,10 @@ def _loss_messages(results: Results, number: int, gear: Gear) -> Iterator[Said]:
             "torques with losses and efficiency are unknown"
         )
     elif results.calculable[number] and not results.consistent[number]:
-        yield _warning("the directions of power are not determined, so there are no losses")
+        yield _warning(
+            "statics leaves directions of power open: with losses only what does not depend on "
+            "them is given"
+        )
     if results.turned[number].any():
         turned = _chosen(names, results.turned[number])
         yield _note(f"losses turn the flow of power through {_list(turned)} round")
@@ -219,8 +218,8 @@ def _coincidences(results: Results, number: int, gear: Gear) -> list[str]:
     signs = np.repeat(results.power_sign[number][:, None], 2 * idle.size, axis=1)
     for place, mechanism in enumerate(idle):
         signs[mechanism, 2 * place : 2 * place + 2] = 1, -1
-    torques, holding = solve_torques(case, gear, _ratios(case) * efficiencies[:, None] ** signs)
-    ports = np.vstack([torques[-1:], holding])
+    lossy = solve_torques(case, gear, _ratios(case) * efficiencies[:, None] ** signs)
+    ports = np.vstack([lossy.first[-1:], lossy.holding])
     one, other = np.nan_to_num(ports[:, ::2]), np.nan_to_num(ports[:, 1::2])
     matters = (np.abs(one - other) > TIE * np.abs(one).max(axis=0)).any(axis=0)
     return [case.mechanisms[mechanism].name for mechanism in idle[matters]]

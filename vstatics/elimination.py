@@ -3,34 +3,24 @@
 It knows nothing of transmissions. Rows are sparse, and an entry is a number or an
 array with one number per variant: all variants run through the same operations.
 The first variant chooses the pivots; the others are watched, and those for which
-the choice is not safe, or whose rank is another, are solved again by themselves.
+the choice is not safe, or whose rank is another, are solved again, the first of these
+choosing.
 
-Every entry carries its *size*: the sum of the magnitudes it was made from. The
-rounding error of an entry is a few units in the last place of its size (running
-error analysis: Wilkinson 1963), so an entry that is small against its size is zero.
-That decides rank and consistency without any scale chosen from outside.
+The size of an entry (see `entries`) tells whether it is zero; that decides rank and
+consistency without any scale chosen from outside.
 """
 
 from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
 from vstatics.arrays import Booleans, Floats, Integers
+from vstatics.entries import RIGHT, Entry, Number, Row, is_zero, quotient, subtract
 
-Number = Any
-"""A float, or an array with a number per variant: the operators are the same for both."""
-Entry = tuple[Number, Number]
-"""A value and its size."""
-Row = dict[int, Entry]
-"""Column -> entry of the equation ``sum(a_j x_j) = b``; b stands in column `RIGHT`."""
-
-RIGHT = -1
-ZERO = 32 * float(np.finfo(np.float64).eps)
-"""An entry is zero when its value is at most this part of its size."""
 PIVOT = 0.1
 """A pivot is at least this part of the largest entry in its row: so rows can't grow."""
 PIVOT_WATCHED = 1e-3
@@ -120,7 +110,7 @@ def dependencies(rows: Sequence[Row]) -> Iterator[tuple[list[int], bool]]:
 
 def _part(row: Row, chosen: Integers, variants: int) -> Row:
     """The row for the chosen variants only; plain floats when there is but one."""
-    if chosen.size == variants:
+    if chosen.size == variants > 1:
         return dict(row)
 
     def part(number: Number) -> Number:
@@ -137,10 +127,9 @@ class _Watch:
     def __init__(self, variants: int) -> None:
         self.agree = np.ones(variants, dtype=np.bool_)
 
-    def is_zero(self, entry: Entry) -> bool:
+    def decides_zero(self, entry: Entry) -> bool:
         """Whether an entry is zero; for all variants alike."""
-        value, size = entry
-        zero = abs(value) <= ZERO * size
+        zero = is_zero(*entry)
         if isinstance(zero, np.ndarray):
             self.agree &= zero == zero[0]
             return bool(zero[0])
@@ -148,8 +137,7 @@ class _Watch:
 
     def drops(self, entry: Entry) -> bool:
         """Whether an entry can be left out; one that can't may be zero in other variants."""
-        value, size = entry
-        zero = abs(value) <= ZERO * size
+        zero = is_zero(*entry)
         if not isinstance(zero, np.ndarray):
             return bool(zero)
         if zero[0]:
@@ -160,10 +148,11 @@ class _Watch:
         """Note the variants for which this pivot is zero or small in its row."""
         if self.agree.size > 1:
             magnitude = np.abs(pivot[0])
-            self.agree &= magnitude > ZERO * pivot[1]
+            self.agree &= np.logical_not(is_zero(*pivot))
             for column, (value, _) in row.items():
                 if column >= 0:
                     self.agree &= magnitude >= PIVOT_WATCHED * np.abs(value)
+            self.agree[0] = True  # it chose
 
 
 class _Elimination:
@@ -190,7 +179,7 @@ class _Elimination:
             for other in others:
                 if other is not row:
                     if column in other:
-                        _subtract(other, _quotient(other.pop(column), pivot), row, watch)
+                        subtract(other, quotient(other.pop(column), pivot), row, watch.drops)
                     self._sort_in(other, active)
 
     def _sort_in(self, row: Row, active: list[Row]) -> None:
@@ -198,7 +187,7 @@ class _Elimination:
 
     def consistent(self) -> bool:
         """Whether no row says that zero is something else."""
-        return all(self.watch.is_zero(row[RIGHT]) for row in self.left if RIGHT in row)
+        return all(self.watch.decides_zero(row[RIGHT]) for row in self.left if RIGHT in row)
 
     def values(self, unknowns: int, sums: Sequence[Mapping[int, float]]) -> list[Number]:
         """Back substitution: each unknown and sum, NaN where it hangs on a free unknown."""
@@ -210,24 +199,25 @@ class _Elimination:
             total: Row = {RIGHT: row[RIGHT]} if RIGHT in row else {}
             for other, factor in row.items():
                 if other >= 0:
-                    _subtract(total, factor, known[other], self.watch)
-            known[column] = {c: _quotient(entry, pivot) for c, entry in total.items()}
+                    subtract(total, factor, known[other], self.watch.drops)
+            known[column] = {c: quotient(entry, pivot) for c, entry in total.items()}
         wanted = [known[column] for column in range(unknowns)]
         for terms in sums:
             summed: Row = {}
             for column, coefficient in terms.items():
-                _subtract(summed, (-coefficient, 0.0), known[column], self.watch)
+                subtract(summed, (-coefficient, 0.0), known[column], self.watch.drops)
             wanted.append(summed)
         return [self._value(row) for row in wanted]
 
     def _value(self, row: Row) -> Number:
-        free = [not self.watch.is_zero(entry) for column, entry in row.items() if column >= 0]
+        free = [not self.watch.decides_zero(entry) for column, entry in row.items() if column >= 0]
         if any(free):
             return float("nan")
         value, size = row.get(RIGHT, (0.0, 0.0))
-        if isinstance(value, np.ndarray):
-            return np.where(np.abs(value) <= ZERO * size, 0.0, value)
-        return 0.0 if abs(value) <= ZERO * size else value
+        zero = is_zero(value, size)
+        if isinstance(zero, np.ndarray):
+            return np.where(zero, 0.0, value)
+        return 0.0 if zero else value
 
 
 def _choose(active: list[Row]) -> tuple[Row, int]:
@@ -257,26 +247,3 @@ def _choose(active: list[Row]) -> tuple[Row, int]:
 
 def _first(number: Number) -> float:
     return abs(float(number[0])) if isinstance(number, np.ndarray) else abs(number)
-
-
-def _quotient(entry: Entry, pivot: Entry) -> Entry:
-    value, size = entry
-    quotient = value / pivot[0]
-    return quotient, size / abs(pivot[0]) + abs(quotient) * (pivot[1] / abs(pivot[0]))
-
-
-def _subtract(row: Row, factor: Entry, other: Row, watch: _Watch) -> None:
-    """Take ``factor * other`` from `row`, in place."""
-    value, size = factor
-    for column, (term, term_size) in other.items():
-        change = value * term
-        change_size = size * abs(term) + abs(value) * term_size
-        if column in row:
-            old, old_size = row[column]
-            entry = old - change, old_size + change_size
-            if watch.drops(entry):
-                del row[column]
-            else:
-                row[column] = entry
-        else:
-            row[column] = -change, change_size

@@ -15,6 +15,9 @@ Path = tuple[str | int, ...]
 """Where a value stands in a model: ``("mechanisms", 2, "ratio")``, numbers from 1."""
 
 
+Severity = Literal["error", "warning", "note"]
+
+
 class Place(NamedTuple):
     """A place in a text: file, line and column from 1, and the line itself."""
 
@@ -30,7 +33,7 @@ class Problem(NamedTuple):
     message: str
     path: Path = ()
     place: Place | None = None
-    severity: Literal["error", "warning", "note"] = "error"
+    severity: Severity = "error"
 
     def __str__(self) -> str:
         """The problem in one line, in the wording of a compiler."""
@@ -55,7 +58,7 @@ class CaseError(VstaticsError):
 
 
 class ReadError(CaseError):
-    """A text that cannot be read as a case or a result; its problems have places."""
+    """A file that cannot be read as a case or a result, or not written; with places."""
 
 
 def path_text(path: Path) -> str:

@@ -47,17 +47,24 @@ class Flow(NamedTuple):
 
 
 class Lossy(NamedTuple):
-    """A gear with losses under one set of signs for each variant."""
+    """A gear with losses under one set of signs for each variant (last axis)."""
 
     signs: Floats
+    """(mechanisms, variants): the exponents x of the efficiencies."""
     torques: Floats
+    """(devices + 1, variants). [-]"""
     holding: Floats
+    """(links, variants). [-]"""
     flow: Floats
     """(mechanisms, variants): sign of the power by the first link, +1, 0, -1 or NaN."""
     losses: Floats
+    """(mechanisms, variants), power. [-]"""
     efficiency: Floats
+    """(variants,). [-]"""
     balance: Floats
+    """(variants,): external power less losses. [-]"""
     admissible: Booleans
+    """(variants,): the signs agree with the flow."""
 
 
 def loaded(flow: Flow, ratios: Floats, torques: Floats, holding: Floats) -> Floats:
@@ -152,7 +159,7 @@ def attempt(flow: Flow, signs: Floats) -> Lossy:
     efficiency is above 0 (where there is one without losses).
     """
     ratios = flow.ratios * flow.efficiencies**signs
-    torques, holding = solve_torques(flow.case, flow.gear, ratios)
+    torques, holding, _ = solve_torques(flow.case, flow.gear, ratios)
     by_first = power(loaded(flow, ratios, torques, holding), flow.motion)
     losses = power(by_first, 1 - flow.efficiencies**signs)
     entering = powers(flow, torques, holding)

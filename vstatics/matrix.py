@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
 from vstatics.arrays import Floats
-from vstatics.elimination import RIGHT, Entry, Number, Row
+from vstatics.entries import RIGHT, Entry, Number, Row
 from vstatics.model import HOUSING, Gear, Transmission
 
 ONE: Entry = (1.0, 1.0)
@@ -43,7 +43,7 @@ def columns(case: Transmission, ratios: Floats) -> list[Column]:
     ratios : ndarray, shape (mechanisms, variants)
         Internal ratios. [-]
     """
-    numbers: list[Number] = list(ratios) if ratios.shape[1] > 1 else ratios[:, 0].tolist()
+    numbers: list[Number] = list(ratios) if ratios.shape[1] != 1 else ratios[:, 0].tolist()
     made: list[Column] = [
         {element.first: ONE, element.second: MINUS_ONE} for element in case.shift_elements
     ]
@@ -73,6 +73,11 @@ def distribution_matrix(case: Transmission, ratios: ArrayLike | None = None) -> 
     ndarray, shape (..., links, shift elements + mechanisms)
         Torque on each link per torque on the first link of each device. [-]
 
+    Raises
+    ------
+    ValueError
+        If there is not one ratio for each mechanism.
+
     Examples
     --------
     >>> from vstatics.model import Gear, Mechanism, ShiftElement
@@ -83,13 +88,27 @@ def distribution_matrix(case: Transmission, ratios: ArrayLike | None = None) -> 
            [ 0. , -3.5]])
     """
     own = [mechanism.ratio for mechanism in case.mechanisms]
-    given = np.asarray(own if ratios is None else ratios, dtype=np.float64)
+    given = by_mechanism("ratios", own if ratios is None else ratios, len(own))
     made = columns(case, given.reshape(math.prod(given.shape[:-1]), given.shape[-1]).T)
     matrix = np.zeros((math.prod(given.shape[:-1]), case.links, len(made)))
     for device, column in enumerate(made):
         for link, (value, _) in column.items():
             matrix[:, link - 1, device] = value
     return matrix.reshape(*given.shape[:-1], case.links, len(made))
+
+
+def by_mechanism(name: str, given: ArrayLike, mechanisms: int) -> Floats:
+    """An array with a last axis of mechanisms.
+
+    Raises
+    ------
+    ValueError
+        If it has another; it is called `name`.
+    """
+    array = np.asarray(given, dtype=np.float64)
+    if array.ndim == 0 or array.shape[-1] != mechanisms:
+        raise ValueError(f"{name} of shape {array.shape}: expected a last axis of {mechanisms}")
+    return array
 
 
 def speed_rows(case: Transmission, gear: Gear, columns: Sequence[Column]) -> list[Row]:

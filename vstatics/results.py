@@ -6,7 +6,11 @@ from collections.abc import Sequence
 from typing import Literal, NamedTuple
 
 from vstatics.arrays import Booleans, Floats, Integers
+from vstatics.errors import Severity
 from vstatics.model import Transmission
+
+Language = Literal["en", "ru"]
+"""Of the headings of a listing and of a deck."""
 
 
 class TableShape(NamedTuple):
@@ -63,7 +67,7 @@ def row_names(case: Transmission, shape: TableShape) -> Sequence[str]:
 class Message(NamedTuple):
     """What was noticed in a gear; a gear with an error makes the case fail."""
 
-    severity: Literal["error", "warning", "note"]
+    severity: Severity
     text: str
     gear: str = ""
 

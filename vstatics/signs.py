@@ -22,10 +22,11 @@ ROUNDS = 200
 
 
 class Outcome(NamedTuple):
-    """What the search for admissible signs ended with."""
+    """What the search for admissible signs ended with; names as in `Results`."""
 
     lossy: Lossy
     idle: Booleans
+    """(mechanisms, variants), like `turned`; the others are (variants,)."""
     locked: Booleans
     undecided: Booleans
     turned: Booleans
@@ -148,6 +149,8 @@ def _search_one(flow: Flow, start: _Start) -> tuple[Lossy | None, int]:
     lossy = _attempt_all(flow, start, free)
     found = np.nonzero(lossy.admissible)[0]
     if not found.size:
+        if start.signs[start.still].any():  # a convention is no reason for a lock
+            return _search_one(flow, start._replace(signs=np.where(start.still, 0.0, start.signs)))
         return None, 0
     flows = {tuple(column) for column in (lossy.signs * lossy.flow**2)[:, found].T}
     best = found[np.argmax(np.nan_to_num(lossy.efficiency[found], nan=-np.inf))]
@@ -159,7 +162,7 @@ def _search_one(flow: Flow, start: _Start) -> tuple[Lossy | None, int]:
 
 def _attempt_all(flow: Flow, start: _Start, free: Integers) -> Lossy:
     """All sets of signs of the `free` mechanisms of one variant, as variants."""
-    sets = np.array(list(product((1.0, -1.0), repeat=free.size))).T.reshape(free.size, -1)
+    sets = np.array(list(product((1.0, -1.0), repeat=free.size))).T.reshape(free.size, 2**free.size)
     many = np.zeros(sets.shape[1], dtype=np.int64)
     signs = start.signs[:, many]
     signs[free] = sets
@@ -179,7 +182,7 @@ def _guess(flow: Flow, start: _Start) -> Lossy:
     if not (lossy.efficiency <= 0).any():
         for into, values in zip(one[:-1], lossy[:-1], strict=True):
             first = values[..., :1]
-            agree = np.abs(values - first) <= TIE * np.abs(first)
+            agree = np.abs(values - first) <= TIE * np.fmax(np.abs(first), 1.0)  # the input is 1
             into[...] = np.where(agree.all(axis=-1, keepdims=True), first, np.nan)
     return one
 

@@ -15,6 +15,7 @@ from vstatics import diagnosis, signs
 from vstatics.arrays import Booleans, Floats
 from vstatics.errors import CaseError, Problem
 from vstatics.losses import Flow
+from vstatics.matrix import by_mechanism
 from vstatics.model import HOUSING, Gear, IdleConvention, Mechanism, Transmission
 from vstatics.results import Results
 from vstatics.speeds import solve_speeds
@@ -35,7 +36,8 @@ def solve(
     ----------
     case : Transmission
     ratios, efficiencies : array_like, shape (..., mechanisms), optional
-        In place of the case's own numbers; the leading axes are the variants. [-]
+        In place of the case's own numbers; the leading axes are the variants. Planet
+        ratios that the case gives stay as they are. [-]
     coast : bool, optional
         Power enters at the output; the case's own when not given.
     idle : {"exact", "published"}, optional
@@ -44,13 +46,13 @@ def solve(
     Returns
     -------
     Results
-        Arrays with the leading axes of `ratios` and `efficiencies`, then gears. There are
-        `messages` for one case only, not for arrays of variants.
+        Arrays with the leading axes of `ratios` and `efficiencies`, then gears. For
+        arrays of variants there are no `messages`, and `case` is the one given.
 
     Raises
     ------
     CaseError
-        If a ratio or an efficiency in the arrays is none.
+        If a ratio or an efficiency in the arrays is none, or `idle` no convention.
     ValueError
         If the arrays do not have one number for each mechanism.
 
@@ -102,12 +104,11 @@ def _variants(
     """The axes of the variants, and ratios and efficiencies (mechanisms, variants)."""
     own_ratios = [mechanism.ratio for mechanism in case.mechanisms]
     own_efficiencies = [mechanism.efficiency for mechanism in case.mechanisms]
-    u = np.asarray(own_ratios if ratios is None else ratios, dtype=np.float64)
-    eta = np.asarray(own_efficiencies if efficiencies is None else efficiencies, dtype=np.float64)
     count = len(case.mechanisms)
-    for name, given in (("ratios", u), ("efficiencies", eta)):
-        if given.ndim == 0 or given.shape[-1] != count:
-            raise ValueError(f"{name} of shape {given.shape}: expected a last axis of {count}")
+    u = by_mechanism("ratios", own_ratios if ratios is None else ratios, count)
+    eta = by_mechanism(
+        "efficiencies", own_efficiencies if efficiencies is None else efficiencies, count
+    )
     u, eta = np.broadcast_arrays(u, eta)
     problems = []
     if ratios is not None:
@@ -137,10 +138,9 @@ def _wrong(name: str, given: Floats, wrong: Booleans, expected: str) -> list[Pro
 def _solve_gear(case: Transmission, gear: Gear, u: Floats, eta: Floats) -> dict[str, Any]:
     """The arrays of `Results` for one gear, with the variants as last axis."""
     speeds = solve_speeds(case, gear, u)
-    torques, holding = solve_torques(case, gear, u)
-    balanced: Booleans = np.logical_not(np.isnan(torques).all(axis=0))
-    flow = Flow(case, gear, u, eta, speeds.links, speeds.motion, torques, holding)
-    outcome = signs.search(flow, balanced & speeds.consistent)
+    torques = solve_torques(case, gear, u)
+    flow = Flow(case, gear, u, eta, speeds.links, speeds.motion, torques.first, torques.holding)
+    outcome = signs.search(flow, torques.consistent & speeds.consistent)
     lossy = outcome.lossy
     output_speed = speeds.links[case.gear_output(gear) - 1]
     return {
@@ -148,8 +148,8 @@ def _solve_gear(case: Transmission, gear: Gear, u: Floats, eta: Floats) -> dict[
         "planet_speeds": speeds.motion / _planet_ratios(case, u),
         "slip_speeds": speeds.slips,
         "ratio": np.where(output_speed == 0, np.nan, 1 / output_speed),
-        "torques": torques,
-        "holding_torques": holding,
+        "torques": torques.first,
+        "holding_torques": torques.holding,
         "lossy_torques": lossy.torques,
         "lossy_holding_torques": lossy.holding,
         "efficiency": lossy.efficiency,
@@ -165,7 +165,7 @@ def _solve_gear(case: Transmission, gear: Gear, u: Floats, eta: Floats) -> dict[
         "tied_up": ~speeds.consistent,
         "missing": speeds.missing,
         "excess": speeds.excess,
-        "balanced": balanced,
+        "balanced": torques.consistent,
     }
 
 

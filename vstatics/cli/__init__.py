@@ -6,7 +6,7 @@ import contextlib
 import os
 import sys
 from importlib import import_module
-from typing import Any, TextIO
+from typing import Any
 
 import click
 
@@ -82,22 +82,17 @@ def entry() -> None:
     """
     code: int | str | None = 0
     try:
-        main(prog_name="vstatics")
-    except SystemExit as leaving:
-        code = leaving.code
+        try:
+            main(prog_name="vstatics")
+        except SystemExit as leaving:
+            code = leaving.code
+        if not code and sys.stdout is not None:  # whoever called may have closed it
+            sys.stdout.flush()
     except BrokenPipeError:  # the reader has seen enough
         code = 1
-    if not code and not _flushed(sys.stdout):
-        files.say("vstatics: can't write to stdout")
+    except OSError as error:
+        files.say(f"vstatics: can't write to stdout: {error.strerror}")
         code = 1
-    _flushed(sys.stderr)
+    with contextlib.suppress(OSError, AttributeError):
+        sys.stderr.flush()
     os._exit(code if isinstance(code, int) else 1)
-
-
-def _flushed(stream: TextIO | None) -> bool:
-    """Whether all that was written has gone out; nothing was where the stream is closed."""
-    with contextlib.suppress(OSError):
-        if stream is not None:
-            stream.flush()
-        return True
-    return False

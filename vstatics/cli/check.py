@@ -8,7 +8,7 @@ from vstatics import readers
 from vstatics.cli import cases as arguments
 from vstatics.cli import files
 from vstatics.cli.cases import calculate
-from vstatics.diagnosis import conditions
+from vstatics.diagnosis import freedom, given_conditions
 from vstatics.results import Results
 
 
@@ -19,25 +19,23 @@ def _count(number: int, noun: str) -> str:
 def summary(file: str, results: Results) -> str:
     """What the case is, and how many conditions each gear has for its speeds."""
     case = results.case
-    counts = [
-        conditions(case, gear, int(missing), int(excess))
-        for gear, missing, excess in zip(case.gears, results.missing, results.excess, strict=True)
-    ]
+    free = freedom(case)
     lines = [
         f"{file}: {_count(case.links, 'link')}, "
         f"{_count(len(case.shift_elements), 'shift element')}, "
         f"{_count(len(case.mechanisms), 'mechanism')}, {_count(len(case.gears), 'gear')}; "
-        f"degrees of freedom: {counts[0].freedom}"
+        f"degrees of freedom: {free}"
     ]
     names = [element.name for element in case.shift_elements]
     width = max(len(gear.name) for gear in case.gears)
-    for gear, count, tied_up in zip(case.gears, counts, results.tied_up, strict=True):
+    states = zip(case.gears, results.missing, results.excess, results.tied_up, strict=True)
+    for gear, missing, excess, tied_up in states:
         engaged = " ".join(names[number - 1] for number in gear.engaged) or "nothing"
-        verdict = [f"{count.missing} missing"] * (count.missing > 0)
-        verdict += [f"{count.excess} in excess"] * (count.excess > 0)
+        verdict = [f"{missing} missing"] * bool(missing)
+        verdict += [f"{excess} in excess"] * bool(excess)
         verdict += ["tied up"] * bool(tied_up)
         lines.append(
-            f"  gear {gear.name:{width}}  {count.given} of {count.freedom} conditions: "
+            f"  gear {gear.name:{width}}  {given_conditions(gear)} of {free} conditions: "
             f"{', '.join(verdict) or 'ok'} (engaged: {engaged})"
         )
     return "\n".join(lines) + "\n"

@@ -55,8 +55,7 @@ def convert(
     """
     if source != files.STDIN and os.path.exists(target) and os.path.samefile(source, target):  # noqa: PTH110, PTH121
         raise click.UsageError(f"IN and OUT are the same file: {source}")
-    suffix = target[target.rfind(".") :].lower() if "." in target else ""
-    wanted = output_format or readers.SUFFIXES.get(suffix)
+    wanted = output_format or readers.format_of_name(target)
     if wanted is None:
         raise click.UsageError(
             f"can't tell the format of {target}: expected a suffix such as .dat, .yaml, .json, "

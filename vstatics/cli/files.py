@@ -37,7 +37,7 @@ def read_input(file: str) -> tuple[bytes, str]:
         reason = CLOSED
     except OSError as error:
         reason = error.strerror or str(error)
-    message = f"can't be read: {reason}; expected a file with a case"
+    message = f"can't be read: {reason}"
     raise ReadError([Problem(message, place=Place(name, 0, 0))])
 
 

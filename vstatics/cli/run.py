@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Literal
+from typing import Literal, get_args
 
 import click
 
@@ -12,9 +12,9 @@ from vstatics.cli import cases as arguments
 from vstatics.cli import files
 from vstatics.cli.cases import Outcome, calculate
 from vstatics.model import IdleConvention
+from vstatics.results import Language
 
 OutputFormat = Literal["listing", "json", "csv"]
-Language = Literal["en", "ru"]
 
 
 def as_text(outcomes: Sequence[Outcome], output_format: OutputFormat, lang: Language) -> str:
@@ -24,7 +24,9 @@ def as_text(outcomes: Sequence[Outcome], output_format: OutputFormat, lang: Lang
     """
     results = [outcome.results for outcome in outcomes if outcome.results is not None]
     several = len(outcomes) > 1
-    if output_format == "json" and (results or several):
+    if not results and not (several and output_format == "json"):
+        return ""
+    if output_format == "json":
         from vstatics.writers import result_json
 
         documents = [
@@ -34,7 +36,7 @@ def as_text(outcomes: Sequence[Outcome], output_format: OutputFormat, lang: Lang
             for outcome in outcomes
         ]
         return result_json.write(documents, several=several)
-    if output_format == "csv" and results:
+    if output_format == "csv":
         from vstatics.writers import result_csv
 
         named = [(o.file, o.results) for o in outcomes if o.results is not None]
@@ -51,7 +53,7 @@ def as_text(outcomes: Sequence[Outcome], output_format: OutputFormat, lang: Lang
     "-f",
     "--format",
     "output_format",
-    type=click.Choice(["listing", "json", "csv"]),
+    type=click.Choice(get_args(OutputFormat)),
     default="listing",
     show_default=True,
     help="Format of the results.",
@@ -60,7 +62,7 @@ def as_text(outcomes: Sequence[Outcome], output_format: OutputFormat, lang: Lang
 @arguments.input_format
 @click.option(
     "--lang",
-    type=click.Choice(["en", "ru"]),
+    type=click.Choice(get_args(Language)),
     default="en",
     show_default=True,
     help="Language of the headings of a listing.",
@@ -72,7 +74,7 @@ def as_text(outcomes: Sequence[Outcome], output_format: OutputFormat, lang: Lang
 )
 @click.option(
     "--idle",
-    type=click.Choice(["published", "exact"]),
+    type=click.Choice(get_args(IdleConvention)),
     help="Sign of idle mechanisms; else as the case says.",
 )
 @click.pass_context

@@ -30,11 +30,17 @@ SUFFIXES: dict[str, Format] = {
 }
 
 
+def format_of_name(file: str) -> Format | None:
+    """The format that the suffix of a file's name tells, if it does."""
+    suffix = splitext(file)[1]  # noqa: PTH122 (importing pathlib costs as much as a solve)
+    return SUFFIXES.get(suffix.lower())
+
+
 def format_of(file: str, data: bytes) -> Format:
     """The format of a case: told by the suffix, else by the content."""
-    suffix = splitext(file)[1].lower()  # noqa: PTH122 (importing pathlib costs as much as a solve)
-    if suffix in SUFFIXES:
-        return SUFFIXES[suffix]
+    named = format_of_name(file)
+    if named is not None:
+        return named
     from vstatics.readers.deck.text import holds_deck
 
     if data.lstrip(b"\xef\xbb\xbf \t\r\n")[:1] == b"{":

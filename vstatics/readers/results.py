@@ -68,6 +68,8 @@ def _read_json(text: str, file: str) -> list[Report]:
     except (RecursionError, ValueError) as error:
         raise _fail(f"no JSON that can be read: {error}", file) from None
     documents = found if isinstance(found, list) else [found]
+    if not documents:
+        raise _fail("an empty array; expected at least one result", file)
     return [_report(document, file, number) for number, document in enumerate(documents, 1)]
 
 

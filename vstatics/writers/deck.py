@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from typing import Literal
 
 from vstatics.model import Transmission, element_name, mechanism_name
+from vstatics.results import Language
 from vstatics.writers.numbers import exponent
 
 RUSSIAN = {
@@ -44,7 +44,7 @@ RUSSIAN = {
 """The headings in Russian. None of them may start like a field or a line NAME."""
 
 
-def write(case: Transmission, lang: Literal["en", "ru"] = "en") -> str:
+def write(case: Transmission, lang: Language = "en") -> str:
     """The case as a deck, which reads back as an equal case; see `lost`.
 
     Parameters

@@ -8,14 +8,12 @@ itself a deck that can be run again.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Literal, NamedTuple
+from typing import NamedTuple
 
-from vstatics.results import Results
+from vstatics.results import Language, Results
 from vstatics.writers import deck
 from vstatics.writers.numbers import fixed
 from vstatics.writers.tables import Table, tables
-
-Language = Literal["en", "ru"]
 
 
 class Heading(NamedTuple):
