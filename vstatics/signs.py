@@ -149,7 +149,8 @@ def _search_one(flow: Flow, start: _Start) -> tuple[Lossy | None, int]:
     lossy = _attempt_all(flow, start, free)
     found = np.nonzero(lossy.admissible)[0]
     if not found.size:
-        if start.signs[start.still].any():  # a convention is no reason for a lock
+        if not free.size and start.signs[start.still].any():
+            # nothing moves that could lock: the convention for idle mechanisms does not suit
             return _search_one(flow, start._replace(signs=np.where(start.still, 0.0, start.signs)))
         return None, 0
     flows = {tuple(column) for column in (lossy.signs * lossy.flow**2)[:, found].T}
