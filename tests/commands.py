@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import inspect
 import os
 import subprocess
 import sys
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from click.testing import CliRunner
 
@@ -53,9 +52,7 @@ class Said(NamedTuple):
 
 def vstatics(*arguments: object, stdin: bytes = b"") -> Said:
     """Call a command within this process; an exception passes through."""
-    mixes = "mix_stderr" in inspect.signature(CliRunner).parameters  # click before 8.2
-    apart: dict[str, Any] = {"mix_stderr": False} if mixes else {}
-    result = CliRunner(**apart).invoke(
+    result = CliRunner().invoke(
         main, [str(one) for one in arguments], input=stdin, catch_exceptions=False
     )
     return Said(result.exit_code, result.stdout_bytes.decode(), result.stderr)
