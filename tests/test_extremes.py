@@ -61,3 +61,11 @@ def test_arrays_of_another_shape_are_refused() -> None:
             solve(case, ratios=wrong)
         with pytest.raises(ValueError, match="expected a last axis of 3"):
             distribution_matrix(case, wrong)
+
+
+@pytest.mark.parametrize("wrong", ["F1", 1.0, None])
+def test_a_part_is_told_by_its_number(wrong: object) -> None:
+    with pytest.raises(vstatics.CaseError, match="expected the number of a shift element"):
+        Transmission(2, [ShiftElement(1, 2)], [], [Gear([wrong])])  # type: ignore[list-item]
+    with pytest.raises(vstatics.CaseError, match="expected a link number"):
+        Transmission(2, [ShiftElement(wrong, 2)], [], [Gear([1])])  # type: ignore[arg-type]

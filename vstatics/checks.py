@@ -106,12 +106,17 @@ def _called(case: Transmission, link: int) -> str:
     return case.link_names[link - 1] if 0 < link <= len(case.link_names) else str(link)
 
 
+def _is_whole(number: object) -> bool:
+    """Whether something can be a number of a link or an element; a name, say, can't."""
+    return hasattr(number, "__index__")
+
+
 def _link(link: int, path: Path, links: int, lowest: int = HOUSING) -> Iterator[Problem]:
-    if not lowest <= link <= links:
+    if not (_is_whole(link) and lowest <= link <= links):
         expected = f"a link number from 1 to {links}"
         if lowest == HOUSING:
             expected += " (0 is the housing)"
-        yield Problem(f"read {link}, expected {expected}", path)
+        yield Problem(f"read {link!r}, expected {expected}", path)
 
 
 def _element(case: Transmission, element: ShiftElement, path: Path) -> Iterator[Problem]:
@@ -189,9 +194,9 @@ def _engaged(
 ) -> Iterator[Problem]:
     seen: set[int] = set()
     for position, element in enumerate(engaged, 1):
-        if not 1 <= element <= len(elements):
+        if not (_is_whole(element) and 1 <= element <= len(elements)):
             expected = f"the number of a shift element, from 1 to {len(elements)}"
-            yield Problem(f"read {element}, expected {expected}", (*path, position))
+            yield Problem(f"read {element!r}, expected {expected}", (*path, position))
         elif element in seen:
             name = elements[element - 1].name or str(element)
             message = f"element {name} is engaged twice, expected each once"
