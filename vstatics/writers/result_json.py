@@ -31,14 +31,15 @@ def document(results: Results) -> dict[str, Any]:
     """Results as a plain mapping, ready for JSON.
 
     Tables stand under their names as lists of rows, those of one row as lists over the
-    gears; NaN becomes None.
+    gears; NaN becomes None. The case tells its conventions, defaults too.
     """
+    case = results.case
     made: dict[str, Any] = {
         "format": "vstatics-result",
         "version": VERSION,
         "conventions": CONVENTIONS,
-        "case": mapping(results.case),
-        "gears": [gear.name for gear in results.case.gears],
+        "case": mapping(case) | {"idle": case.idle, "coast": case.coast},
+        "gears": [gear.name for gear in case.gears],
     }
     for table in tables(results):
         kind = table.shape.kind
