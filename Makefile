@@ -37,8 +37,8 @@ schema: .venv/run.stamp ## rewrite schemas/ from the declarations
 	$(BIN)/python -m vstatics.readers.named.schema > schemas/case.schema.json
 	$(BIN)/python -m vstatics.writers.result_schema > schemas/result.schema.json
 
-bench: .venv/compiled.stamp ## time of a whole run against importing numpy and click
-	$(BIN)/python benchmarks/startup.py
+bench: .venv/dev.stamp ## all figures of docs/performance.md (needs a C compiler, 5 minutes)
+	$(BIN)/python benchmarks
 
 clean: ## remove what make has made
 	rm -rf .venv .venv-oldest .coverage .hypothesis .mypy_cache .pytest_cache .ruff_cache

@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+import fcntl
 import os
+import pty
+import struct
 import subprocess
 import sys
+import termios
 from pathlib import Path
 from typing import NamedTuple
 
@@ -93,3 +97,33 @@ def shell(command: str, **variables: str) -> tuple[int, bytes, bytes]:
         timeout=60,
     )
     return done.returncode, done.stdout, done.stderr
+
+
+def on_terminal(
+    *arguments: str, cwd: Path = ROOT, terminal: str = "xterm-256color", **variables: str
+) -> str:
+    """What a command shows on a terminal of 80 columns."""
+    main, other = pty.openpty()
+    fcntl.ioctl(other, termios.TIOCSWINSZ, struct.pack("HHHH", 24, 80, 0, 0))
+    command = [sys.executable, "-m", "vstatics", *arguments]
+    with subprocess.Popen(
+        command,
+        stdin=other,
+        stdout=other,
+        stderr=other,
+        cwd=cwd,
+        env=environment(TERM=terminal, **variables),
+    ) as running:
+        os.close(other)
+        shown = b""
+        while True:
+            try:
+                piece = os.read(main, 65536)
+            except OSError:  # Linux: the other end is closed
+                break
+            if not piece:
+                break
+            shown += piece
+        running.wait()
+    os.close(main)
+    return shown.decode().replace("\r\n", "\n")

@@ -2,22 +2,18 @@
 
 from __future__ import annotations
 
-import fcntl
 import os
-import pty
 import re
-import struct
 import subprocess
 import sys
-import termios
 from pathlib import Path
 
 import pytest
-from commands import CASES, MZKT, NEUTRAL, ROOT, environment, process, shell, vstatics
+from commands import CASES, MZKT, NEUTRAL, ROOT, environment, on_terminal, process, shell, vstatics
 
 from vstatics import __version__
 
-COMMANDS = ["run", "check", "convert", "compare"]
+COMMANDS = ["run", "sweep", "check", "convert", "compare"]
 RUSSIAN = NEUTRAL.replace("links: 3", "name: коробка\nlinks: 3").replace("low:", "низшая:")
 LISTING = vstatics("run", MZKT).out.encode()
 
@@ -122,38 +118,10 @@ def test_a_name_of_a_file_may_be_any_bytes(tmp_path: Path) -> None:
     assert b'"case": "\\udcfe"' in out
 
 
-def on_terminal(*arguments: str, **variables: str) -> str:
-    """What a command shows on a terminal of 80 columns."""
-    main, other = pty.openpty()
-    fcntl.ioctl(other, termios.TIOCSWINSZ, struct.pack("HHHH", 24, 80, 0, 0))
-    command = [sys.executable, "-m", "vstatics", *arguments]
-    with subprocess.Popen(
-        command,
-        stdin=other,
-        stdout=other,
-        stderr=other,
-        cwd=ROOT,
-        env=environment(TERM="xterm-256color", **variables),
-    ) as running:
-        os.close(other)
-        shown = b""
-        while True:
-            try:
-                piece = os.read(main, 65536)
-            except OSError:  # Linux: the other end is closed
-                break
-            if not piece:
-                break
-            shown += piece
-        running.wait()
-    os.close(main)
-    return shown.decode().replace("\r\n", "\n")
-
-
 @pytest.mark.parametrize("variables", [{}, {"NO_COLOR": "1"}], ids=["colour", "NO_COLOR"])
 def test_a_terminal_shows_what_a_pipe_gets(variables: dict[str, str]) -> None:
-    assert on_terminal("run", "cases/mzkt7922.dat", **variables) == LISTING.decode()
-    shown = on_terminal("check", "tests/bad/key-unknown.yaml", **variables)
+    assert on_terminal("run", "cases/mzkt7922.dat", cwd=ROOT, **variables) == LISTING.decode()
+    shown = on_terminal("check", "tests/bad/key-unknown.yaml", cwd=ROOT, **variables)
     assert "did you mean" in shown
     assert "\x1b" not in shown
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 import pytest
 from hypothesis import given
@@ -24,34 +26,34 @@ def rows(matrix: list[list[float]], right: list[float]) -> list[Row]:
 
 def test_a_regular_system_has_one_solution() -> None:
     solution = solve(rows([[2, 1], [1, 3]], [5, 10]), 2)
-    assert solution.values[:, 0] == pytest.approx([1, 3])
-    assert (solution.missing[0], solution.excess[0], solution.consistent[0]) == (0, 0, True)
+    assert solution.values == pytest.approx([1, 3])
+    assert solution[1:] == (True, 0, 0)
 
 
 def test_what_is_determined_is_given_though_the_rest_is_open() -> None:
     # x0 = 1; x1 - x2 = 4 leaves x1 and x2 open, but not their difference
     system = rows([[1, 0, 0], [0, 1, -1]], [1, 4])
     solution = solve(system, 3, sums=[{1: 1.0, 2: -1.0}, {1: 1.0, 2: 1.0}])
-    np.testing.assert_array_equal(solution.values[:, 0], [1, np.nan, np.nan, 4, np.nan])
-    assert solution.missing[0] == 1
+    assert solution.values == pytest.approx([1, math.nan, math.nan, 4, math.nan], nan_ok=True)
+    assert solution.missing == 1
 
 
 def test_a_contradiction_leaves_no_value() -> None:
     solution = solve(rows([[1, 1], [2, 2], [1, 0]], [1, 3, 0]), 2)
-    assert not solution.consistent[0]
-    assert np.isnan(solution.values).all()
+    assert not solution.consistent
+    assert all(map(math.isnan, solution.values))
 
 
 def test_an_equation_in_excess_that_agrees_does_no_harm() -> None:
     solution = solve(rows([[0.1, 0.2], [0.3, 0.6], [1, -1]], [0.3, 0.9, 0]), 2)
-    assert solution.values[:, 0] == pytest.approx([1, 1])
-    assert (solution.consistent[0], solution.excess[0]) == (True, 1)
+    assert solution.values == pytest.approx([1, 1])
+    assert (solution.consistent, solution.excess) == (True, 1)
 
 
 def test_zero_is_told_from_small_by_what_it_was_made_of() -> None:
     # .1 + .2 is not .3 in binary; 1e-12 is a number
-    assert solve(rows([[0.1 + 0.2, 1], [0.3, 1]], [1, 1]), 2).missing[0] == 1
-    assert solve(rows([[0.3 + 1e-12, 1], [0.3, 1]], [1, 1]), 2).missing[0] == 0
+    assert solve(rows([[0.1 + 0.2, 1], [0.3, 1]], [1, 1]), 2).missing == 1
+    assert solve(rows([[0.3 + 1e-12, 1], [0.3, 1]], [1, 1]), 2).missing == 0
 
 
 def test_scales_that_differ_widely_are_no_trouble() -> None:
@@ -60,7 +62,7 @@ def test_scales_that_differ_widely_are_no_trouble() -> None:
         [[1, 0, 0, 0], [1, -1e10, 0, 0], [0, 1, -1e10, 0], [0, 0, 1, -1e10]], [1, 0, 0, 0]
     )
     solution = solve(system, 4)
-    assert solution.values[:, 0] == pytest.approx([1, 1e-10, 1e-20, 1e-30], rel=1e-14)
+    assert solution.values == pytest.approx([1, 1e-10, 1e-20, 1e-30], rel=1e-14)
 
 
 def test_dependencies_name_their_equations() -> None:
@@ -68,19 +70,6 @@ def test_dependencies_name_their_equations() -> None:
     assert list(dependencies(system)) == [([0, 1, 2], True)]
     system = rows([[1, 0], [0, 1], [1, 1]], [1, 1, 3])
     assert list(dependencies(system)) == [([0, 1, 2], False)]
-
-
-def test_variants_of_another_rank_are_solved_by_themselves() -> None:
-    # a x0 + x1 = 1, x0 + x1 = 1: regular but for a = 1, where both are open
-    a = np.array([2.0, 1.0, 3.0, 1.0])
-    system: list[Row] = [
-        {0: (a, a), 1: (1.0, 1.0), RIGHT: (1.0, 1.0)},
-        {0: (1.0, 1.0), 1: (1.0, 1.0), RIGHT: (1.0, 1.0)},
-    ]
-    solution = solve(system, 2, variants=4)
-    np.testing.assert_array_equal(solution.missing, [0, 1, 0, 1])
-    np.testing.assert_array_equal(solution.values[:, 0], [0, 1])
-    assert np.isnan(solution.values[:, 1]).all()
 
 
 @given(st.integers(1, 6), st.randoms(use_true_random=False))
@@ -92,23 +81,15 @@ def test_solutions_are_those_of_dense_elimination(size: int, rng: st.DataObject)
     if np.linalg.cond(matrix) > 1e6:
         return
     expected = np.linalg.solve(matrix, right)
-    found = solve(rows(matrix.tolist(), right.tolist()), size).values[:, 0]
+    found = solve(rows(matrix.tolist(), right.tolist()), size).values
     np.testing.assert_allclose(found, expected, rtol=1e-8, atol=1e-8)
 
 
-@pytest.mark.parametrize("variants", [1, 2, 3])
-def test_overflow_harms_nothing_before_it(variants: int) -> None:
-    # the stages multiply to 1e900, or to 1e-900, in every variant alike
-    for stage in (1e300, 1e-300):
-        u = np.full(variants, stage)
-        chain: list[Row] = [{0: (1.0, 1.0), RIGHT: (1.0, 1.0)}]
-        chain += [{i: (1.0, 1.0), i + 1: (-u, u)} for i in range(3)]
-        solution = solve(chain, 4, variants=variants)
-        assert (solution.values[0] == 1).all()
-        np.testing.assert_allclose(solution.values[1], 1 / stage, rtol=1e-14)
-
-
-def test_no_variants_have_no_solutions() -> None:
-    empty = np.empty(0)
-    solution = solve([{0: (empty, empty), RIGHT: (1.0, 1.0)}], 1, variants=0)
-    assert solution.values.shape == (1, 0)
+@pytest.mark.parametrize("stage", [1e300, 1e-300])
+def test_overflow_harms_nothing_before_it(stage: float) -> None:
+    # the stages multiply to 1e900, or to 1e-900
+    chain = [{0: (1.0, 1.0), RIGHT: (1.0, 1.0)}]
+    chain += [{i: (1.0, 1.0), i + 1: (-stage, stage)} for i in range(3)]
+    values = solve(chain, 4).values
+    assert values[0] == 1
+    assert values[1] == pytest.approx(1 / stage, rel=1e-14)

@@ -29,7 +29,7 @@ FENCE = re.compile(
     re.MULTILINE | re.DOTALL,
 )
 LINK = re.compile(r"\]\(([^)\s]+)\)")
-NOT_RUN = ("make", "pip ", ".venv/bin/", "git ", "cd ")
+NOT_RUN = ("make", "pip ", "python benchmarks", ".venv/bin/", "git ", "cd ")
 """How commands start that need another machine than this folder."""
 DONE = "--- end of a command ---"
 

@@ -23,6 +23,7 @@ from vstatics.model import Gear, Mechanism, ShiftElement, Transmission
 from vstatics.readers import load
 from vstatics.results import Message, Results
 from vstatics.statics import solve
+from vstatics.sweep import sweep
 
 __version__ = "0.1.0"
 
@@ -41,4 +42,5 @@ __all__ = [
     "distribution_matrix",
     "load",
     "solve",
+    "sweep",
 ]

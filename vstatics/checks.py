@@ -8,7 +8,7 @@ expected; the reader puts the name of the field before them.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from vstatics.errors import Path, Problem
@@ -38,6 +38,12 @@ def problems(case: Transmission) -> Iterator[Problem]:
         yield from _gear(case, gear, ("gears", number))
     if case.idle not in ("exact", "published"):
         yield Problem(f"read {case.idle!r}, expected `exact` or `published`", ("idle",))
+
+
+def doubts(case: Transmission) -> Iterator[Problem]:
+    """The warnings alone, of a case that has no error."""
+    for number, mechanism in enumerate(case.mechanisms, 1):
+        yield from _doubtful(mechanism, ("mechanisms", number))
 
 
 def _sizes(case: Transmission) -> Iterator[Problem]:
@@ -76,7 +82,9 @@ def _names(case: Transmission) -> Iterator[Problem]:
         yield Problem(f"read {case.name!r}, expected one line of text", ("name",))
 
 
-def _distinct(names: Iterable[str], part: str, kind: str) -> Iterator[Problem]:
+def _distinct(names: Sequence[str], part: str, kind: str) -> Iterator[Problem]:
+    if len(set(names)) == len(names) and all(map(_is_name, names)):
+        return
     seen: dict[str, int] = {}
     for number, name in enumerate(names, 1):
         if not _is_name(name):
@@ -106,13 +114,13 @@ def _called(case: Transmission, link: int) -> str:
     return case.link_names[link - 1] if 0 < link <= len(case.link_names) else str(link)
 
 
-def _is_whole(number: object) -> bool:
-    """Whether something can be a number of a link or an element; a name, say, can't."""
-    return hasattr(number, "__index__")
+def _is_number(number: object, last: int, first: int = HOUSING) -> bool:
+    """Whether something is the number of a link or an element; a name, say, is none."""
+    return hasattr(number, "__index__") and first <= number <= last  # type: ignore[operator]
 
 
 def _link(link: int, path: Path, links: int, lowest: int = HOUSING) -> Iterator[Problem]:
-    if not (_is_whole(link) and lowest <= link <= links):
+    if not _is_number(link, links, lowest):
         expected = f"a link number from 1 to {links}"
         if lowest == HOUSING:
             expected += " (0 is the housing)"
@@ -120,18 +128,20 @@ def _link(link: int, path: Path, links: int, lowest: int = HOUSING) -> Iterator[
 
 
 def _element(case: Transmission, element: ShiftElement, path: Path) -> Iterator[Problem]:
-    yield from _link(element.first, (*path, "first"), case.links)
-    yield from _link(element.second, (*path, "second"), case.links)
-    if element.first == element.second:
-        link = _called(case, element.first)
-        message = f"joins link {link} to itself, expected two different links"
+    first, second, links = element.first, element.second, case.links
+    if not (_is_number(first, links) and _is_number(second, links)):
+        yield from _link(first, (*path, "first"), links)
+        yield from _link(second, (*path, "second"), links)
+    if first == second:
+        message = f"joins link {_called(case, first)} to itself, expected two different links"
         yield Problem(message, (*path, "second"))
 
 
 def _mechanism(mechanism: Mechanism, path: Path, links: int) -> Iterator[Problem]:
     members = [link for link in mechanism.links if link != HOUSING]
-    for member, link in zip(("first", "second", "third"), mechanism.links, strict=True):
-        yield from _link(link, (*path, member), links)
+    if not all(_is_number(link, links) for link in members):
+        for member, link in zip(("first", "second", "third"), mechanism.links, strict=True):
+            yield from _link(link, (*path, member), links)
     if not members:
         yield Problem("all three links are the housing, expected at least one link", path)
     if len(set(members)) < len(members):
@@ -144,23 +154,27 @@ def _mechanism(mechanism: Mechanism, path: Path, links: int) -> Iterator[Problem
     elif ratio == 1 and len(members) == 3:
         message = "read 1, which joins the first link to the second and leaves the third loose"
         yield Problem(f"{message}; expected another ratio with three links", (*path, "ratio"))
-    elif ratio == 1 and mechanism.third != HOUSING:
-        message = "ratio 1 leaves the third link loose"
-        yield Problem(f"{message}; is another ratio meant?", (*path, "ratio"), severity="warning")
     if not 0 < efficiency <= 1:
         message = f"read {efficiency:g}, expected an efficiency above 0 and up to 1"
         yield Problem(message, (*path, "efficiency"))
-    yield from _planet(mechanism, path)
-
-
-def _planet(mechanism: Mechanism, path: Path) -> Iterator[Problem]:
     given = mechanism.planet_ratio
     if given is not None and (given == 0 or not math.isfinite(given)):
         message = f"read {given:g}, expected a finite ratio other than 0"
         yield Problem(message, (*path, "planet_ratio"))
-    elif given is None and mechanism.third != HOUSING and not mechanism.is_plain(mechanism.ratio):
+    yield from _doubtful(mechanism, path)
+
+
+def _doubtful(mechanism: Mechanism, path: Path) -> Iterator[Problem]:
+    """What may be meant, but is likely to be a mistake."""
+    ratio = mechanism.ratio
+    if mechanism.third == HOUSING:
+        return
+    if ratio == 1 and HOUSING in mechanism.links:
+        message = "ratio 1 leaves the third link loose"
+        yield Problem(f"{message}; is another ratio meant?", (*path, "ratio"), severity="warning")
+    if mechanism.planet_ratio is None and not mechanism.is_plain(ratio):
         yield Problem(
-            f"ratio {mechanism.ratio:g} is not that of a plain planetary set: there is no "
+            f"ratio {ratio:g} is not that of a plain planetary set: there is no "
             "planet speed without a planet ratio",
             path,
             severity="warning",
@@ -168,13 +182,16 @@ def _planet(mechanism: Mechanism, path: Path) -> Iterator[Problem]:
 
 
 def _gear(case: Transmission, gear: Gear, path: Path) -> Iterator[Problem]:
-    yield from _engaged(case.shift_elements, gear.engaged, (*path, "engaged"))
+    if gear.engaged:
+        yield from _engaged(case.shift_elements, gear.engaged, (*path, "engaged"))
     ends = gear.input or case.input, gear.output or case.output or case.links
     for end, link in (("input", gear.input), ("output", gear.output)):
         if link is not None:
             yield from _link(link, (*path, end), case.links, lowest=1)
     if ends[0] == ends[1] and (gear.input is not None or gear.output is not None):
         yield Problem(f"input and output are both link {_called(case, ends[0])}", path)
+    if not gear.speeds and not gear.torques:
+        return
     yield from _given(gear.speeds, (*path, "speeds"), case.links)
     yield from _given(gear.torques, (*path, "torques"), case.links)
     if ends[0] in gear.speeds:
@@ -194,7 +211,7 @@ def _engaged(
 ) -> Iterator[Problem]:
     seen: set[int] = set()
     for position, element in enumerate(engaged, 1):
-        if not (_is_whole(element) and 1 <= element <= len(elements)):
+        if not _is_number(element, len(elements), 1):
             expected = f"the number of a shift element, from 1 to {len(elements)}"
             yield Problem(f"read {element!r}, expected {expected}", (*path, position))
         elif element in seen:

@@ -6,17 +6,18 @@ of what `Results` show. All look at one case, not at arrays of variants.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 import numpy as np
 
 from vstatics import elimination, matrix
-from vstatics.arrays import Booleans, Floats
-from vstatics.checks import problems
+from vstatics.arrays import Booleans
+from vstatics.checks import doubts
 from vstatics.errors import Severity, path_text
+from vstatics.losses import with_loss
 from vstatics.model import Gear, Transmission
 from vstatics.results import Message, Results
-from vstatics.speeds import TIE
+from vstatics.speeds import TIE, solve_speeds
 from vstatics.torques import solve_torques
 
 UNCERTAIN = 1e-6
@@ -45,7 +46,7 @@ def freedom(case: Transmission) -> int:
     2
     """
     rows = matrix.speed_rows(case, Gear(), matrix.columns(case, _ratios(case)))[:-1]
-    return int(elimination.solve(rows, case.links).missing[0])
+    return elimination.solve(rows, case.links).missing
 
 
 def given_conditions(gear: Gear) -> int:
@@ -56,7 +57,7 @@ def given_conditions(gear: Gear) -> int:
 def messages(results: Results) -> Iterator[Message]:
     """Everything worth saying about the results of one case."""
     case = results.case
-    for problem in problems(case):
+    for problem in doubts(case):
         yield Message(problem.severity, _named(case, path_text(problem.path), problem.message))
     for number, gear in enumerate(case.gears):
         for severity, text in (
@@ -73,9 +74,9 @@ def _named(case: Transmission, path: str, text: str) -> str:
     return f"{path}: {text}"
 
 
-def _ratios(case: Transmission) -> Floats:
-    """The internal ratios, shape (mechanisms, 1)."""
-    return np.array([[mechanism.ratio] for mechanism in case.mechanisms]).reshape(-1, 1)
+def _ratios(case: Transmission) -> list[float]:
+    """The internal ratios."""
+    return [mechanism.ratio for mechanism in case.mechanisms]
 
 
 def _list(names: Sequence[str]) -> str:
@@ -166,7 +167,7 @@ def _uncertain(results: Results, number: int, gear: Gear) -> bool:
     if gear.speeds or gear.torques:
         return False
     speed = results.speeds[number, results.case.gear_output(gear) - 1]
-    return bool(abs(results.torques[number, -1] * speed - 1) > UNCERTAIN)
+    return abs(float(results.torques[number, -1]) * float(speed) - 1) > UNCERTAIN
 
 
 def _loss_messages(results: Results, number: int, gear: Gear) -> Iterator[Said]:
@@ -209,17 +210,87 @@ def _coincidences(results: Results, number: int, gear: Gear) -> list[str]:
     on it. Otherwise a torque at the ports does, and so the efficiency.
     """
     case = results.case
-    mechanisms = slice(len(case.shift_elements), -1)
-    loaded = results.lossy_torques[number, mechanisms] != 0
-    efficiencies = np.array([mechanism.efficiency for mechanism in case.mechanisms])
-    idle = np.nonzero(results.idle[number] & loaded & (efficiencies < 1))[0]
-    if not results.consistent[number] or not idle.size:
+    torques = results.lossy_torques[number].tolist()[len(case.shift_elements) : -1]
+    efficiencies = [mechanism.efficiency for mechanism in case.mechanisms]
+    marks = zip(results.idle[number].tolist(), torques, efficiencies, strict=True)
+    idle = [
+        place for place, (is_idle, t, eta) in enumerate(marks) if is_idle and t != 0 and eta < 1
+    ]
+    if idle and results.consistent[number]:
+        held = _held_as_one(case, gear)
+        idle = [place for place in idle if place not in held]
+    if not idle or not results.consistent[number]:
         return []
-    signs = np.repeat(results.power_sign[number][:, None], 2 * idle.size, axis=1)
-    for place, mechanism in enumerate(idle):
-        signs[mechanism, 2 * place : 2 * place + 2] = 1, -1
-    lossy = solve_torques(case, gear, _ratios(case) * efficiencies[:, None] ** signs)
-    ports = np.vstack([lossy.first[-1:], lossy.holding])
-    one, other = np.nan_to_num(ports[:, ::2]), np.nan_to_num(ports[:, 1::2])
-    matters = (np.abs(one - other) > TIE * np.abs(one).max(axis=0)).any(axis=0)
-    return [case.mechanisms[mechanism].name for mechanism in idle[matters]]
+    signs = results.power_sign[number].tolist()
+
+    def at_ports(place: int, sign: float) -> list[float]:
+        turned = [*signs[:place], sign, *signs[place + 1 :]]
+        ratios = list(map(with_loss, _ratios(case), efficiencies, turned))
+        torques = solve_torques(case, gear, ratios)
+        return [torques.first[-1], *torques.holding.values()]
+
+    if not gear.speeds and not gear.torques:
+        # by virtual work the output torque depends on a ratio only where its mechanism
+        # moves in the train that has the ratios with losses
+        ratios = list(map(with_loss, _ratios(case), efficiencies, signs))
+        motion = solve_speeds(case, gear, ratios).motion
+        idle = [place for place in idle if motion[place] != 0]
+    return [
+        case.mechanisms[place].name
+        for place in idle
+        if _differ(at_ports(place, 1.0), at_ports(place, -1.0))
+    ]
+
+
+def _differ(one: list[float], other: list[float]) -> bool:
+    """Whether torques are other ones; those that do not exist count for nothing."""
+    pairs = [(a, b) for a, b in zip(one, other, strict=True) if a == a and b == b]  # noqa: PLR0124
+    largest = max((abs(a) for a, _ in pairs), default=0.0)
+    return any(abs(a - b) > TIE * largest for a, b in pairs)
+
+
+def _held_as_one(case: Transmission, gear: Gear) -> set[int]:
+    """Indices of mechanisms that turn as one piece whatever their losses, as far as plain to see.
+
+    An engaged element makes two links one body. Where two links of a mechanism are one,
+    so is the third; and two mechanisms of different ratios that join the same three
+    bodies leave them one.
+    """
+    bodies = list(range(case.links + 1))
+
+    def join(*links: int) -> None:
+        one = {bodies[link] for link in links}
+        bodies[:] = [min(one) if body in one else body for body in bodies]
+
+    for number in gear.engaged:
+        join(case.shift_elements[number - 1].first, case.shift_elements[number - 1].second)
+    held: set[int] = set()
+    while True:
+        free = [number for number in range(len(case.mechanisms)) if number not in held]
+        joined = _joined(case, free, bodies)
+        if not joined:
+            return held
+        for number in joined:
+            join(*case.mechanisms[number].links)
+        held.update(joined)
+
+
+def _joined(case: Transmission, mechanisms: Iterable[int], bodies: Sequence[int]) -> set[int]:
+    """Those of some mechanisms whose links are one body."""
+    found: set[int] = set()
+    known: dict[tuple[int, ...], tuple[int, float, float]] = {}
+    for number in mechanisms:
+        one = case.mechanisms[number]
+        own = [bodies[link] for link in one.links]
+        if len(set(own)) < 3:
+            if own[0] != own[1] or one.ratio != 1:  # with ratio 1 the third link is loose
+                found.add(number)
+            continue
+        factors = zip(own, (1, -one.ratio, one.ratio - 1), strict=True)
+        (first, factor), (second, other), (third, _) = sorted(factors)
+        entry = number, factor, other
+        before, old_factor, old_other = known.setdefault((first, second, third), entry)
+        left, right = factor * old_other, other * old_factor
+        if abs(left - right) > UNCERTAIN * (abs(left) + abs(right)):
+            found |= {before, number}
+    return found

@@ -56,6 +56,10 @@ class CaseError(VstaticsError):
         self.problems = list(problems)
         super().__init__("\n".join(map(str, self.problems)))
 
+    def __reduce__(self) -> tuple[type[CaseError], tuple[list[Problem]]]:
+        """Come out of another process as what went in."""
+        return type(self), (self.problems,)
+
 
 class ReadError(CaseError):
     """A file that cannot be read as a case or a result, or not written; with places."""

@@ -3,20 +3,22 @@
 With losses the internal ratio u of a mechanism becomes ``u * efficiency**x`` in the
 torque system; x is +1 where power enters by the first link, seen from the third, and
 -1 where it leaves by it (closed form of the published test: docs/method.md).
-All arrays have the variants as their last axis.
 """
 
 from __future__ import annotations
 
+import math
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
-import numpy as np
-
 from vstatics import matrix
-from vstatics.arrays import Booleans, Floats, Integers
 from vstatics.model import HOUSING, Gear, Transmission
 from vstatics.speeds import TIE
-from vstatics.torques import solve_torques
+from vstatics.torques import Torques, solve_torques
+from vstatics.traced import Number, rest
+
+Signs = tuple[float, ...]
+"""By mechanism: the exponent x of its efficiency, +1, -1 or 0; NaN where it is open."""
 
 
 class Flow(NamedTuple):
@@ -24,21 +26,13 @@ class Flow(NamedTuple):
 
     case: Transmission
     gear: Gear
-    ratios: Floats
-    efficiencies: Floats
-    speeds: Floats
-    """(links, variants)."""
-    motion: Floats
-    """(mechanisms, variants): speed of the first link against the third, 0 if a tie."""
-    torques: Floats
-    """(devices + 1, variants)."""
-    holding: Floats
-    """(links, variants)."""
-
-    def part(self, chosen: Integers) -> Flow:
-        """The flow of some variants; one may be chosen more than once."""
-        arrays = [value[:, chosen] for value in self[2:]]
-        return Flow(self.case, self.gear, *arrays)
+    ratios: Sequence[Number]
+    efficiencies: Sequence[Number]
+    speeds: Sequence[Number]
+    """By link."""
+    motion: Sequence[Number]
+    """By mechanism: speed of the first link against the third, 0 if a tie."""
+    torques: Torques
 
     @property
     def direction(self) -> int:
@@ -47,93 +41,99 @@ class Flow(NamedTuple):
 
 
 class Lossy(NamedTuple):
-    """A gear with losses under one set of signs for each variant (last axis)."""
+    """A gear with losses under one set of signs."""
 
-    signs: Floats
-    """(mechanisms, variants): the exponents x of the efficiencies."""
-    torques: Floats
-    """(devices + 1, variants). [-]"""
-    holding: Floats
-    """(links, variants). [-]"""
-    flow: Floats
-    """(mechanisms, variants): sign of the power by the first link, +1, 0, -1 or NaN."""
-    losses: Floats
-    """(mechanisms, variants), power. [-]"""
-    efficiency: Floats
-    """(variants,). [-]"""
-    balance: Floats
-    """(variants,): external power less losses. [-]"""
-    admissible: Booleans
-    """(variants,): the signs agree with the flow."""
+    signs: Signs
+    torques: Sequence[Number]
+    """By device, then the output torque. [-]"""
+    holding: dict[int, Number]
+    """By link. [-]"""
+    flow: Signs
+    """By mechanism: sign of the power by the first link, +1, 0, -1 or NaN."""
+    losses: Sequence[Number]
+    """By mechanism, power. [-]"""
+    efficiency: Number
+    """[-]"""
+    balance: Number
+    """External power less losses. [-]"""
+    admissible: bool
+    """The signs agree with the flow."""
 
 
-def loaded(flow: Flow, ratios: Floats, torques: Floats, holding: Floats) -> Floats:
+def sign(number: Number) -> float:
+    """+1, -1 or 0, or NaN."""
+    if number > 0:
+        return 1.0
+    if number < 0:
+        return -1.0
+    return 0.0 if number == 0 else math.nan
+
+
+def loaded(flow: Flow, ratios: Sequence[Number], torques: Torques) -> list[Number]:
     """Torque on the first link of each mechanism, 0 where it is a tie.
 
     It is a tie when on each of its links the mechanism's torque is nothing beside the
     other torques there: so a stage of a large ratio is measured by its own links.
     """
-    case, gear = flow.case, flow.gear
+    case = flow.case
     elements = len(case.shift_elements)
-    found: Floats = torques[elements:-1].copy()
-    if _all_large(flow, ratios, torques, holding):
-        return found
-    columns = matrix.columns(case, ratios)
-    acting: list[list[tuple[int, Floats]]] = [[] for _ in range(case.links + 1)]
-    for device, column in enumerate(columns):
-        for link, (value, _) in column.items():
-            acting[link].append((device, np.abs(value * torques[device])))
-    acting[case.gear_output(gear)].append((-1, np.abs(torques[-1])))
-    for link, torque in matrix.external_torques(case, gear).items():
-        acting[link].append((-1, np.full(torques.shape[1], abs(torque))))
-    for link in matrix.held_links(case, gear):
-        acting[link].append((-1, np.abs(holding[link - 1])))
-    for number, mechanism in enumerate(case.mechanisms):
-        tie = np.ones(torques.shape[1], dtype=np.bool_)
-        for link in mechanism.links:
-            if link != HOUSING:
-                own = [size for device, size in acting[link] if device == elements + number]
-                rest = [size for device, size in acting[link] if device != elements + number]
-                largest = np.fmax.reduce(rest) if rest else np.zeros(torques.shape[1])
-                tie &= own[0] <= TIE * largest
-        found[number, tie] = 0.0
-    return found
+    acting = _acting(flow, ratios, torques)
+
+    def is_nothing(device: int, link: int) -> bool:
+        own = next(torque for by, torque in acting[link] if by == device)
+        others = [torque for by, torque in acting[link] if by != device]
+        return bool(own == 0 or any(own <= TIE * torque for torque in others))
+
+    return [
+        0.0
+        if all(is_nothing(device, link) for link in mechanism.links if link != HOUSING)
+        else torques.first[device]
+        for device, mechanism in enumerate(case.mechanisms, elements)
+    ]
 
 
-def _all_large(flow: Flow, ratios: Floats, torques: Floats, holding: Floats) -> bool:
-    """Whether each torque is 0 or large beside all others, so that there can be no tie."""
-    size = np.abs(torques[len(flow.case.shift_elements) : -1])
-    third = np.abs(ratios - 1)
-    smallest = np.minimum(np.minimum(np.abs(ratios), 1.0), np.where(third == 0, 1.0, third))
-    external = max(map(abs, matrix.external_torques(flow.case, flow.gear).values()))
-    acting = np.fmax(np.fmax.reduce(np.abs(torques)), np.fmax.reduce(np.abs(holding)))
-    largest = np.fmax(acting * (1 + np.abs(ratios)), external)
-    largest = np.fmax.reduce(largest) if largest.size else largest
-    return bool(((size == 0) | (size * smallest > TIE * largest)).all())
-
-
-def powers(flow: Flow, torques: Floats, holding: Floats) -> Floats:
-    """Power that enters by each port: shape (links, variants); 0 where there is none."""
+def _acting(
+    flow: Flow, ratios: Sequence[Number], torques: Torques
+) -> list[list[tuple[int, Number]]]:
+    """By link: what acts there (a device, or -1 from outside), and the size of its torque."""
     case, gear = flow.case, flow.gear
-    external = np.zeros_like(flow.speeds)
+    acting: list[list[tuple[int, Number]]] = [[] for _ in range(case.links + 1)]
+    coefficients: list[tuple[Sequence[int], Sequence[Number]]] = [
+        ((element.first, element.second), (1.0, -1.0)) for element in case.shift_elements
+    ]
+    coefficients += [
+        (mechanism.links, (1.0, -ratio, ratio - 1))
+        for mechanism, ratio in zip(case.mechanisms, ratios, strict=True)
+    ]
+    for device, (links, shares) in enumerate(coefficients):
+        for link, share in zip(links, shares, strict=True):
+            acting[link].append((device, abs(share * torques.first[device])))
+    acting[case.gear_output(gear)].append((-1, abs(torques.first[-1])))
     for link, torque in matrix.external_torques(case, gear).items():
-        external[link - 1] = torque
-    for link in matrix.held_links(case, gear):
-        external[link - 1] = holding[link - 1]
-    external[case.gear_output(gear) - 1] -= torques[-1]
-    return power(external, flow.speeds)
+        acting[link].append((-1, abs(torque)))
+    for link, torque in torques.holding.items():
+        acting[link].append((-1, abs(torque)))
+    return acting
 
 
-def power(torque: Floats, speed: Floats) -> Floats:
+def powers(flow: Flow, torques: Torques) -> list[Number]:
+    """Power that enters by each port: the links on which external torques act."""
+    case, gear = flow.case, flow.gear
+    external: dict[int, Number] = {**matrix.external_torques(case, gear), **torques.holding}
+    output = case.gear_output(gear)
+    external[output] = external.get(output, 0.0) - torques.first[-1]
+    return [power(torque, flow.speeds[link - 1]) for link, torque in external.items()]
+
+
+def power(torque: Number, speed: Number) -> Number:
     """Torque times speed, or power times a share.
 
     It is 0 where one of them is 0, even if the other does not exist.
     """
-    product: Floats = np.where((torque == 0) | (speed == 0), 0.0, torque * speed)
-    return product
+    return 0.0 if torque == 0 or speed == 0 else torque * speed
 
 
-def _efficiency(flow: Flow, torques: Floats, entering: Floats) -> Floats:
+def _efficiency(flow: Flow, output_torque: Number, entering: Sequence[Number]) -> Number:
     """Efficiency by the ports, which the flow without losses divides in two.
 
     With one input and one output it is ``Mx_lossy/Mx``, or its inverse when coasting.
@@ -141,46 +141,73 @@ def _efficiency(flow: Flow, torques: Floats, entering: Floats) -> Floats:
     a port without any counts on neither.
     """
     if not flow.gear.speeds and not flow.gear.torques:
-        ratio: Floats = torques[-1] / flow.torques[-1]
-        return ratio if flow.direction > 0 else 1 / ratio
-    side = powers(flow, flow.torques, flow.holding) * flow.direction
-    received = np.sum(np.where(side > 0, entering, 0.0), axis=0)
-    given = -np.sum(np.where(side < 0, entering, 0.0), axis=0)
-    unknown = np.isnan(side).any(axis=0)
-    efficiency: Floats = np.where(unknown, np.nan, given / received)
-    return efficiency
+        ideal = flow.torques.first[-1]
+        one, other = (output_torque, ideal) if flow.direction > 0 else (ideal, output_torque)
+        return math.nan if other == 0 else one / other
+    received: Number = 0.0
+    given: Number = 0.0
+    for ideal, actual in zip(powers(flow, flow.torques), entering, strict=True):
+        side = sign(ideal) * flow.direction
+        if math.isnan(side):
+            return math.nan
+        if side > 0:
+            received = received + actual
+        elif side < 0:
+            given = given - actual
+    return math.nan if received == 0 else given / received
 
 
-def attempt(flow: Flow, signs: Floats) -> Lossy:
+def with_loss(ratio: Number, efficiency: Number, exponent: float) -> Number:
+    """``ratio * efficiency**exponent``."""
+    if exponent == 0 or efficiency == 1:
+        return ratio
+    if math.isnan(exponent):
+        return math.nan
+    return ratio * efficiency if exponent > 0 else ratio / efficiency
+
+
+def _losses(by_first: Sequence[Number], flow: Flow, signs: Signs) -> Iterator[Number]:
+    """Power lost in each mechanism, from the power by its first link."""
+    for entering, efficiency, exponent in zip(by_first, flow.efficiencies, signs, strict=True):
+        yield power(entering, 1 - with_loss(1.0, efficiency, exponent))
+
+
+def attempt(flow: Flow, signs: Signs) -> Lossy:
     """Torques with losses under given signs, and whether the signs agree with the flow.
 
     A set of signs is admissible when the loss of every mechanism is not negative, which
     is the same as: its sign is that of its flow, or its flow is 0; and when the
     efficiency is above 0 (where there is one without losses).
     """
-    ratios = flow.ratios * flow.efficiencies**signs
-    torques, holding, _ = solve_torques(flow.case, flow.gear, ratios)
-    by_first = power(loaded(flow, ratios, torques, holding), flow.motion)
-    losses = power(by_first, 1 - flow.efficiencies**signs)
-    entering = powers(flow, torques, holding)
-    efficiency = _efficiency(flow, torques, entering)
-    agrees = (by_first * signs * flow.direction >= 0) | (flow.efficiencies == 1)
-    passes = (efficiency > 0) & np.isfinite(efficiency)
-    if not passes.all():
-        passes |= ~_passes_power(flow)
+    ratios = list(map(with_loss, flow.ratios, flow.efficiencies, signs))
+    return judge(flow, signs, ratios, solve_torques(flow.case, flow.gear, ratios))
+
+
+def judge(flow: Flow, signs: Signs, ratios: Sequence[Number], torques: Torques) -> Lossy:
+    """What torques with losses mean: losses, efficiency, and whether the signs agree."""
+    by_first = list(map(power, loaded(flow, ratios, torques), flow.motion))
+    losses = list(_losses(by_first, flow, signs))
+    entering = powers(flow, torques)
+    efficiency = _efficiency(flow, torques.first[-1], entering)
+    turned = tuple(sign(entered) * flow.direction for entered in by_first)
+    agrees = all(
+        given * found >= 0 or full == 1
+        for given, found, full in zip(signs, turned, flow.efficiencies, strict=True)
+    )
+    passes = 0 < efficiency < math.inf or not _passes_power(flow)
     return Lossy(
         signs=signs,
-        torques=torques,
-        holding=holding,
-        flow=np.sign(by_first * flow.direction),
+        torques=torques.first,
+        holding=torques.holding,
+        flow=turned,
         losses=losses,
         efficiency=efficiency,
-        balance=np.sum(entering, axis=0) - np.sum(losses, axis=0),
-        admissible=agrees.all(axis=0) & passes,
+        balance=rest([*entering, *(-loss for loss in losses)]),
+        admissible=agrees and passes,
     )
 
 
-def _passes_power(flow: Flow) -> Booleans:
+def _passes_power(flow: Flow) -> bool:
     """Whether the gear has an efficiency without losses, which is then 1."""
-    entering = powers(flow, flow.torques, flow.holding)
-    return np.isfinite(_efficiency(flow, flow.torques, entering))
+    entering = powers(flow, flow.torques)
+    return bool(abs(_efficiency(flow, flow.torques.first[-1], entering)) < math.inf)

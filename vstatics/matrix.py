@@ -12,7 +12,6 @@ the output torque equals the ratio.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
@@ -22,17 +21,17 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
 from vstatics.arrays import Floats
-from vstatics.entries import RIGHT, Entry, Number, Row
+from vstatics.entries import EXACTLY_ONE, FLOATS, MINUS_ONE, ONE, RIGHT, Arithmetic, Entry, Row
 from vstatics.model import HOUSING, Gear, Transmission
-
-ONE: Entry = (1.0, 1.0)
-MINUS_ONE: Entry = (-1.0, 1.0)
+from vstatics.traced import Number
 
 Column = dict[int, Entry]
 """Link number -> torque on that link when the torque on the first link is 1."""
 
 
-def columns(case: Transmission, ratios: Floats) -> list[Column]:
+def columns(
+    case: Transmission, ratios: Sequence[Number], arithmetic: Arithmetic = FLOATS
+) -> list[Column]:
     """Columns of the structural-distribution matrix, shift elements before mechanisms.
 
     Shift element (a, b): +1 at a, -1 at b. Mechanism (f, s, h): 1 at f, -u at s,
@@ -40,20 +39,19 @@ def columns(case: Transmission, ratios: Floats) -> list[Column]:
 
     Parameters
     ----------
-    ratios : ndarray, shape (mechanisms, variants)
-        Internal ratios. [-]
+    ratios : sequence of Number
+        Internal ratio of each mechanism. [-]
+    arithmetic : Arithmetic
+        Of the entries.
     """
-    numbers: list[Number] = list(ratios) if ratios.shape[1] != 1 else ratios[:, 0].tolist()
     made: list[Column] = [
         {element.first: ONE, element.second: MINUS_ONE} for element in case.shift_elements
     ]
-    for mechanism, ratio in zip(case.mechanisms, numbers, strict=True):
-        size = abs(ratio)
-        column: Column = {}
-        for link, entry in zip(
-            mechanism.links, (ONE, (-ratio, size), (ratio - 1, size + 1)), strict=True
-        ):
-            column[link] = entry
+    for mechanism, ratio in zip(case.mechanisms, ratios, strict=True):
+        given = arithmetic.entry(ratio)
+        column: Column = {mechanism.first: ONE, mechanism.second: (-ratio, given[1])}
+        if mechanism.third != HOUSING:  # there the ratio may be 1
+            column[mechanism.third] = arithmetic.less(given, EXACTLY_ONE, ONE)
         made.append(column)
     for column in made:
         column.pop(HOUSING, None)
@@ -89,12 +87,16 @@ def distribution_matrix(case: Transmission, ratios: ArrayLike | None = None) -> 
     """
     own = [mechanism.ratio for mechanism in case.mechanisms]
     given = by_mechanism("ratios", own if ratios is None else ratios, len(own))
-    made = columns(case, given.reshape(math.prod(given.shape[:-1]), given.shape[-1]).T)
-    matrix = np.zeros((math.prod(given.shape[:-1]), case.links, len(made)))
-    for device, column in enumerate(made):
-        for link, (value, _) in column.items():
-            matrix[:, link - 1, device] = value
-    return matrix.reshape(*given.shape[:-1], case.links, len(made))
+    elements = len(case.shift_elements)
+    matrix = np.zeros((*given.shape[:-1], 1 + case.links, elements + len(own)))
+    for number, element in enumerate(case.shift_elements):
+        matrix[..., element.first, number] = 1
+        matrix[..., element.second, number] = -1
+    for number, mechanism in enumerate(case.mechanisms):
+        matrix[..., mechanism.first, elements + number] = 1
+        matrix[..., mechanism.second, elements + number] = -given[..., number]
+        matrix[..., mechanism.third, elements + number] = given[..., number] - 1
+    return matrix[..., 1:, :]
 
 
 def by_mechanism(name: str, given: ArrayLike, mechanisms: int) -> Floats:
@@ -111,7 +113,12 @@ def by_mechanism(name: str, given: ArrayLike, mechanisms: int) -> Floats:
     return array
 
 
-def speed_rows(case: Transmission, gear: Gear, columns: Sequence[Column]) -> list[Row]:
+def speed_rows(
+    case: Transmission,
+    gear: Gear,
+    columns: Sequence[Column],
+    arithmetic: Arithmetic = FLOATS,
+) -> list[Row]:
     """Equations for the link speeds of a gear; unknown ``link - 1`` is the link's speed.
 
     The column of a mechanism, or of an engaged element, is its equation; the input
@@ -125,7 +132,7 @@ def speed_rows(case: Transmission, gear: Gear, columns: Sequence[Column]) -> lis
     ]
     rows.append({case.gear_input(gear) - 1: ONE, RIGHT: ONE})
     for link, speed in gear.speeds.items():
-        rows.append({link - 1: ONE, RIGHT: (speed, abs(speed))})
+        rows.append({link - 1: ONE, RIGHT: arithmetic.entry(speed)})
     return rows
 
 
@@ -154,7 +161,12 @@ def held_links(case: Transmission, gear: Gear) -> list[int]:
     return [link for link in gear.speeds if link != case.gear_output(gear)]
 
 
-def torque_rows(case: Transmission, gear: Gear, columns: Sequence[Column]) -> list[Row]:
+def torque_rows(
+    case: Transmission,
+    gear: Gear,
+    columns: Sequence[Column],
+    arithmetic: Arithmetic = FLOATS,
+) -> list[Row]:
     """Equilibrium of each link of a gear (figure 4).
 
     Unknowns: the torque on the first link of each of `loaded_devices`, the output
@@ -170,7 +182,7 @@ def torque_rows(case: Transmission, gear: Gear, columns: Sequence[Column]) -> li
     for unknown, link in enumerate(held_links(case, gear), len(loaded) + 1):
         rows[link - 1][unknown] = MINUS_ONE
     for link, torque in external_torques(case, gear).items():
-        rows[link - 1][RIGHT] = (torque, abs(torque))
+        rows[link - 1][RIGHT] = arithmetic.entry(torque)
     return rows
 
 

@@ -114,19 +114,27 @@ def _completed(case: Transmission) -> dict[str, object]:
         "output": case.output or case.links,
         "link_names": tuple(case.link_names) or tuple(map(str, range(1, case.links + 1))),
         "shift_elements": tuple(
-            element._replace(name=element.name or element_name(number, element))
+            element
+            if element.name
+            else ShiftElement(element.first, element.second, element_name(number, element))
             for number, element in enumerate(case.shift_elements, 1)
         ),
         "mechanisms": tuple(
-            mechanism._replace(name=mechanism.name or mechanism_name(number))
+            mechanism._replace(
+                ratio=float(mechanism.ratio),
+                efficiency=float(mechanism.efficiency),
+                name=mechanism.name or mechanism_name(number),
+            )
             for number, mechanism in enumerate(case.mechanisms, 1)
         ),
         "gears": tuple(
-            gear._replace(
-                name=gear.name or str(number),
-                engaged=tuple(gear.engaged),
-                speeds=dict(gear.speeds),
-                torques=dict(gear.torques),
+            Gear(
+                tuple(gear.engaged),
+                {link: float(speed) for link, speed in gear.speeds.items()},
+                {link: float(torque) for link, torque in gear.torques.items()},
+                gear.input,
+                gear.output,
+                gear.name or str(number),
             )
             for number, gear in enumerate(case.gears, 1)
         ),

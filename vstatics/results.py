@@ -2,15 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import Literal, NamedTuple
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Literal, NamedTuple
 
 from vstatics.arrays import Booleans, Floats, Integers
 from vstatics.errors import Severity
 from vstatics.model import Transmission
 
+if TYPE_CHECKING:
+    import pandas as pd
+
 Language = Literal["en", "ru"]
 """Of the headings of a listing and of a deck."""
+
+
+Rows = Literal["links", "elements", "mechanisms", "torques", "one"]
+"""What the rows of a table stand for; `torques`: devices and the output; `one`: none."""
 
 
 class TableShape(NamedTuple):
@@ -20,7 +27,7 @@ class TableShape(NamedTuple):
     """In JSON and CSV: the deck's name, or that of the library where the deck has none."""
     printed: str
     """In a listing."""
-    rows: Literal["links", "elements", "mechanisms", "torques", "one"]
+    rows: Rows
     """What a row stands for; `one` is a list over the gears."""
     kind: type = float
     """float, int or bool: how a number is written."""
@@ -62,6 +69,33 @@ def row_names(case: Transmission, shape: TableShape) -> Sequence[str]:
         "one": [shape.name],
     }
     return names[shape.rows]
+
+
+ARRAYS: Mapping[str, Rows] = {
+    "speeds": "links",
+    "planet_speeds": "mechanisms",
+    "slip_speeds": "elements",
+    "ratio": "one",
+    "torques": "torques",
+    "holding_torques": "links",
+    "lossy_torques": "torques",
+    "lossy_holding_torques": "links",
+    "efficiency": "one",
+    "power_sign": "mechanisms",
+    "idle": "mechanisms",
+    "losses": "mechanisms",
+    "power_balance": "one",
+    "consistent": "one",
+    "locked": "one",
+    "undecided": "one",
+    "turned": "mechanisms",
+    "choices": "one",
+    "tied_up": "one",
+    "missing": "one",
+    "excess": "one",
+    "balanced": "one",
+}
+"""The arrays of `Results`, and what their last axis stands for."""
 
 
 class Message(NamedTuple):
@@ -142,6 +176,15 @@ class Results(NamedTuple):
 
     messages: Sequence[Message] = ()
     """What was noticed; for one case only, not for arrays of variants."""
+
+    def to_dataframe(self) -> pd.DataFrame:
+        """One row per variant and gear, a column per table and row; needs pandas.
+
+        See `vstatics.frames.to_dataframe`.
+        """
+        from vstatics.frames import to_dataframe
+
+        return to_dataframe(self)
 
     @property
     def calculable(self) -> Booleans:

@@ -1,19 +1,18 @@
 """Signs of the power flow: the closed form, and the search where losses turn a flow.
 
-Source of the closed form and its proof: docs/method.md. All arrays have the variants
-as their last axis.
+Source of the closed form and its proof: docs/method.md.
 """
 
 from __future__ import annotations
 
+import math
+from collections.abc import Iterator, Sequence
 from itertools import product
 from typing import NamedTuple
 
-import numpy as np
-
-from vstatics.arrays import Booleans, Floats, Integers
-from vstatics.losses import Flow, Lossy, attempt, loaded, power
+from vstatics.losses import Flow, Lossy, Signs, attempt, loaded, power, sign
 from vstatics.speeds import TIE
+from vstatics.traced import Number
 
 SEARCHED = 12
 """Up to so many mechanisms all sets of signs are tried."""
@@ -25,149 +24,165 @@ class Outcome(NamedTuple):
     """What the search for admissible signs ended with; names as in `Results`."""
 
     lossy: Lossy
-    idle: Booleans
-    """(mechanisms, variants), like `turned`; the others are (variants,)."""
-    locked: Booleans
-    undecided: Booleans
-    turned: Booleans
-    choices: Integers
+    idle: Sequence[bool]
+    """By mechanism, like `turned`."""
+    locked: bool
+    undecided: bool
+    turned: Sequence[bool]
+    choices: int
 
 
 class _Start(NamedTuple):
-    """The signs that the flow without losses gives, (mechanisms, variants) each."""
+    """By mechanism: the sign that the flow without losses gives, and why it may give none."""
 
-    signs: Floats
-    unloaded: Booleans
-    still: Booleans
-
-    def part(self, chosen: Integers) -> _Start:
-        return _Start(self.signs[:, chosen], self.unloaded[:, chosen], self.still[:, chosen])
+    signs: Signs
+    unloaded: Sequence[bool]
+    still: Sequence[bool]
 
 
-def _start(flow: Flow, moving: Booleans) -> _Start:
+def _start(flow: Flow, *, moving: bool) -> _Start:
     """Signs by the closed form ``x = sign(M (w_first - w_third))``, ties by convention.
 
     NaN where torque or motion is not determined.
     """
-    torque = loaded(flow, flow.ratios, flow.torques, flow.holding)
-    unloaded, still = (torque == 0) & moving, (flow.motion == 0) & moving
-    signs = np.sign(power(torque, flow.motion)) * flow.direction
-    if flow.case.idle == "published":
-        signs = np.where(still, np.sign(flow.ratios), signs)
-        signs = np.where(unloaded, 1.0, signs)
-    else:
-        signs = np.where(still | unloaded, 0.0, signs)
-    signs[:, ~moving] = np.nan
-    return _Start(signs, unloaded, still)
+    if not moving:
+        none = [False] * len(flow.ratios)
+        return _Start((math.nan,) * len(none), none, none)
+    torques = loaded(flow, flow.ratios, flow.torques)
+    unloaded = [bool(torque == 0) for torque in torques]
+    still = [bool(motion == 0) for motion in flow.motion]
+    signs = []
+    for place, ratio in enumerate(flow.ratios):
+        if unloaded[place] or still[place]:
+            published = 1.0 if unloaded[place] else sign(ratio)
+            signs.append(published if flow.case.idle == "published" else 0.0)
+        else:
+            signs.append(sign(power(torques[place], flow.motion[place])) * flow.direction)
+    return _Start(tuple(signs), unloaded, still)
 
 
-def search(flow: Flow, moving: Booleans) -> Outcome:
-    """Find the signs that agree with the flow they lead to, variant by variant.
+def search(flow: Flow, *, moving: bool) -> Outcome:
+    """Find the signs that agree with the flow they lead to.
 
     The signs without losses are tried first, then all sets of signs.
 
     Parameters
     ----------
-    moving : ndarray, shape (variants,)
-        Where speeds, and torques without losses, exist.
+    moving : bool
+        Whether speeds, and torques without losses, exist.
     """
-    start = _start(flow, moving)
-    unknown = np.isnan(start.signs) & (flow.efficiencies < 1)
-    known = moving & ~unknown.any(axis=0)
-    variants = known.size
-    lossy = _nothing(flow, start.signs)
-    locked, undecided = np.zeros((2, variants), dtype=np.bool_)
-    choices = np.zeros(variants, dtype=np.int64)
-    for variant in np.nonzero(moving & ~known)[0]:
-        here = np.array([variant])
-        _put(lossy, here, _guess(flow.part(here), start.part(here)), np.array([0]))
-    chosen = np.nonzero(known)[0]
-    if chosen.size:
-        first = _follow_unloaded(flow.part(chosen), start.part(chosen))
-        _put(lossy, chosen[first.admissible], first, np.nonzero(first.admissible)[0])
-        choices[chosen[first.admissible]] = 1
-        for variant in chosen[~first.admissible]:
-            here = np.array([variant])
-            found, count = _search_one(flow.part(here), start.part(here))
-            choices[variant] = count
-            undecided[variant] = found is None and count < 0
-            locked[variant] = found is None and count == 0
-            if found is not None:
-                _put(lossy, here, found, np.array([0]))
-    np.maximum(choices, 0, out=choices)
-    idle = start.unloaded | start.still
-    turned = lossy.admissible & ~idle & (lossy.signs != start.signs) & (flow.efficiencies < 1)
-    return Outcome(lossy, idle, locked, undecided, turned, choices)
+    start = _start(flow, moving=moving)
+    lossy, choices, undecided, locked = _nothing(flow, start.signs), 0, False, False
+    if moving and _open(flow, start):
+        lossy = _guess(flow, start)
+    elif moving:
+        first = _follow_unloaded(flow, start)
+        found, choices = (first, 1) if first.admissible else _search(flow, start)
+        undecided = found is None and choices < 0
+        locked = found is None and choices == 0
+        lossy = found or lossy
+    idle = [a or b for a, b in zip(start.unloaded, start.still, strict=True)]
+    turned = [
+        lossy.admissible and not idles and x != given and bool(efficiency < 1)
+        for idles, x, given, efficiency in zip(
+            idle, lossy.signs, start.signs, flow.efficiencies, strict=True
+        )
+    ]
+    return Outcome(lossy, idle, locked, undecided, turned, max(choices, 0))
 
 
-def _nothing(flow: Flow, signs: Floats) -> Lossy:
+def _nothing(flow: Flow, signs: Signs) -> Lossy:
     """No lossy torques at all; the signs without losses."""
-    variants = signs.shape[1]
-    nan = np.full(variants, np.nan)
+    nan = math.nan
     return Lossy(
-        signs=signs.copy(),
-        torques=np.full_like(flow.torques, np.nan),
-        holding=np.full_like(flow.holding, np.nan),
-        flow=np.full_like(signs, np.nan),
-        losses=np.full_like(signs, np.nan),
-        efficiency=nan.copy(),
-        balance=nan.copy(),
-        admissible=np.zeros(variants, dtype=np.bool_),
+        signs=signs,
+        torques=[nan] * len(flow.torques.first),
+        holding=dict.fromkeys(flow.torques.holding, nan),
+        flow=(nan,) * len(signs),
+        losses=[nan] * len(signs),
+        efficiency=nan,
+        balance=nan,
+        admissible=False,
     )
 
 
-def _put(into: Lossy, variants: Integers, found: Lossy, chosen: Integers) -> None:
-    """Copy some variants of what was found to their place."""
-    for target, value in zip(into, found, strict=True):
-        target[..., variants] = value[..., chosen]
+def _open(flow: Flow, start: _Start) -> list[int]:
+    """Mechanisms with losses whose direction of power statics leaves open."""
+    return [
+        place
+        for place, x in enumerate(start.signs)
+        if math.isnan(x) and flow.efficiencies[place] < 1
+    ]
 
 
 def _follow_unloaded(flow: Flow, start: _Start) -> Lossy:
     """The signs without losses; unloaded mechanisms take the sign of their lossy flow."""
     signs = start.signs
     lossy = attempt(flow, signs)
-    for _ in flow.case.mechanisms:
-        turns = start.unloaded & (np.abs(lossy.flow) == 1) & (lossy.flow != signs)
-        if not turns.any():
+    for _ in signs:
+        followed = _turned(signs, lossy.flow, start.unloaded)
+        if followed == signs:
             break
-        signs = np.where(turns, lossy.flow, signs)
+        signs = followed
         lossy = attempt(flow, signs)
     return lossy
 
 
-def _search_one(flow: Flow, start: _Start) -> tuple[Lossy | None, int]:
-    """Admissible signs of the largest efficiency for one variant, and how many there are.
+def _turned(signs: Signs, flow: Signs, allowed: Sequence[bool]) -> Signs:
+    """The signs with those of the flow where that is allowed and there is any."""
+    return tuple(
+        found if may and abs(found) == 1 else x
+        for x, found, may in zip(signs, flow, allowed, strict=True)
+    )
+
+
+def _search(flow: Flow, start: _Start) -> tuple[Lossy | None, int]:
+    """Admissible signs of the largest efficiency, and how many there are.
 
     The count is -1 where the search was cut short.
     """
-    moving = ~start.still[:, 0] & (flow.efficiencies[:, 0] < 1)
-    free = np.nonzero(moving)[0]
-    if free.size > SEARCHED:
-        free = np.nonzero(moving & ~start.unloaded[:, 0])[0]
-    if free.size > SEARCHED:
+    moving = [
+        not still and bool(efficiency < 1)
+        for still, efficiency in zip(start.still, flow.efficiencies, strict=True)
+    ]
+    free = [place for place, moves in enumerate(moving) if moves]
+    if len(free) > SEARCHED:
+        free = [place for place in free if not start.unloaded[place]]
+    if len(free) > SEARCHED:
         return _follow(flow, start, moving)
-    lossy = _attempt_all(flow, start, free)
-    found = np.nonzero(lossy.admissible)[0]
-    if not found.size:
-        if not free.size and start.signs[start.still].any():
+    found = [lossy for lossy in _attempt_all(flow, start, free) if lossy.admissible]
+    if not found:
+        if not free and any(x for x, still in zip(start.signs, start.still, strict=True) if still):
             # nothing moves that could lock: the convention for idle mechanisms does not suit
-            return _search_one(flow, start._replace(signs=np.where(start.still, 0.0, start.signs)))
+            signs = tuple(
+                0.0 if still else x for x, still in zip(start.signs, start.still, strict=True)
+            )
+            return _search(flow, start._replace(signs=signs))
         return None, 0
-    flows = {tuple(column) for column in (lossy.signs * lossy.flow**2)[:, found].T}
-    best = found[np.argmax(np.nan_to_num(lossy.efficiency[found], nan=-np.inf))]
-    idle = start.unloaded & (lossy.flow[:, [best]] == 0)
-    one = _nothing(flow, start.signs)
-    _put(one, np.array([0]), lossy, np.array([best]))
-    return one._replace(signs=np.where(idle, start.signs, one.signs)), len(flows)
+    flows = {
+        tuple(x * turns * turns for x, turns in zip(one.signs, one.flow, strict=True))
+        for one in found
+    }
+    best = found[0]
+    for other in found[1:]:
+        if other.efficiency > best.efficiency or not best.efficiency < math.inf:
+            best = other
+    signs = tuple(
+        given if unloaded and turns == 0 else x
+        for x, given, unloaded, turns in zip(
+            best.signs, start.signs, start.unloaded, best.flow, strict=True
+        )
+    )
+    return best._replace(signs=signs), len(flows)
 
 
-def _attempt_all(flow: Flow, start: _Start, free: Integers) -> Lossy:
-    """All sets of signs of the `free` mechanisms of one variant, as variants."""
-    sets = np.array(list(product((1.0, -1.0), repeat=free.size))).T.reshape(free.size, 2**free.size)
-    many = np.zeros(sets.shape[1], dtype=np.int64)
-    signs = start.signs[:, many]
-    signs[free] = sets
-    return attempt(flow.part(many), signs)
+def _attempt_all(flow: Flow, start: _Start, free: Sequence[int]) -> Iterator[Lossy]:
+    """All sets of signs of the `free` mechanisms."""
+    for chosen in product((1.0, -1.0), repeat=len(free)):
+        signs = list(start.signs)
+        for place, x in zip(free, chosen, strict=True):
+            signs[place] = x
+        yield attempt(flow, tuple(signs))
 
 
 def _guess(flow: Flow, start: _Start) -> Lossy:
@@ -175,41 +190,63 @@ def _guess(flow: Flow, start: _Start) -> Lossy:
 
     So a redundant part of a train does not hide what is determined in the rest of it.
     """
-    open_ = np.nonzero(np.isnan(start.signs[:, 0]) & (flow.efficiencies[:, 0] < 1))[0]
     one = _nothing(flow, start.signs)
-    if open_.size > SEARCHED:
+    open_ = _open(flow, start)
+    if len(open_) > SEARCHED:
         return one
-    lossy = _attempt_all(flow, start, open_)
-    if not (lossy.efficiency <= 0).any():
-        for into, values in zip(one[:-1], lossy[:-1], strict=True):
-            first = values[..., :1]
-            agree = np.abs(values - first) <= TIE * np.fmax(np.abs(first), 1.0)  # the input is 1
-            into[...] = np.where(agree.all(axis=-1, keepdims=True), first, np.nan)
-    return one
+    guesses = list(_attempt_all(flow, start, open_))
+    if any(guess.efficiency <= 0 for guess in guesses):
+        return one
+
+    def common(values: Sequence[Number]) -> Number:
+        first = values[0]
+        most = max(abs(first), 1.0) if first == first else 1.0  # noqa: PLR0124 the input is 1
+        agree = all(abs(value - first) <= TIE * most for value in values)
+        return first if agree else math.nan
+
+    def by_place(rows: Sequence[Sequence[Number]]) -> list[Number]:
+        return [common(values) for values in zip(*rows, strict=True)]
+
+    return Lossy(
+        signs=tuple(by_place([guess.signs for guess in guesses])),
+        torques=by_place([guess.torques for guess in guesses]),
+        holding={link: common([guess.holding[link] for guess in guesses]) for link in one.holding},
+        flow=tuple(by_place([guess.flow for guess in guesses])),
+        losses=by_place([guess.losses for guess in guesses]),
+        efficiency=common([guess.efficiency for guess in guesses]),
+        balance=common([guess.balance for guess in guesses]),
+        admissible=False,
+    )
 
 
-def _follow(flow: Flow, start: _Start, moving: Booleans) -> tuple[Lossy | None, int]:
+def _follow(flow: Flow, start: _Start, moving: Sequence[bool]) -> tuple[Lossy | None, int]:
     """Let the signs follow the flow until they agree.
 
     Where that runs in a circle only the sign that loses most is turned.
     """
     signs = start.signs
-    seen: set[bytes] = set()
+    seen: set[Signs] = set()
     for _ in range(ROUNDS):
         lossy = attempt(flow, signs)
-        if lossy.admissible[0]:
+        if lossy.admissible:
             return lossy, 1
-        turns = moving[:, None] & (np.abs(lossy.flow) == 1) & (lossy.flow != signs)
-        if not turns.any():
+        turned = _turned(signs, lossy.flow, moving)
+        if turned == signs:
             break
-        turned = np.where(turns, lossy.flow, signs)
-        if turned.tobytes() in seen:
-            gains = np.where(turns, -lossy.losses * flow.direction, -np.inf)
-            worst = np.argmax(gains)
-            turned = signs.copy()
-            turned[worst] = -turned[worst]
-        if turned.tobytes() in seen:
+        if turned in seen:
+            turned = _worst_turned(flow, signs, turned, lossy)
+        if turned in seen:
             break
-        seen.add(turned.tobytes())
+        seen.add(turned)
         signs = turned
     return None, -1
+
+
+def _worst_turned(flow: Flow, signs: Signs, turned: Signs, lossy: Lossy) -> Signs:
+    """Of the signs that should turn, only the one whose mechanism gains most."""
+    gains = [
+        -loss * flow.direction if x != y else -math.inf
+        for x, y, loss in zip(signs, turned, lossy.losses, strict=True)
+    ]
+    worst = max(range(len(gains)), key=gains.__getitem__)
+    return tuple(-x if place == worst else x for place, x in enumerate(signs))

@@ -2,50 +2,56 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
-import numpy as np
-
-from vstatics import elimination, matrix
-from vstatics.arrays import Booleans, Floats, Integers
+from vstatics import elimination, entries, matrix
 from vstatics.model import HOUSING, Gear, Transmission
+from vstatics.traced import Number
 
 TIE = 1e-9
 """Speeds, or torques on a link, that differ by less than this part are the same."""
 
 
 class Speeds(NamedTuple):
-    """The speeds of a gear; the variants are the last axis. NaN: not determined."""
+    """The speeds of a gear. NaN: not determined."""
 
-    links: Floats
-    """(links, variants). [-]"""
-    motion: Floats
-    """(mechanisms, variants): first link against the third, 0 where it is a tie. [-]"""
-    slips: Floats
-    """(shift elements, variants). [-]"""
-    consistent: Booleans
-    missing: Integers
-    excess: Integers
+    links: list[Number]
+    """By link. [-]"""
+    motion: list[Number]
+    """By mechanism: first link against the third, 0 where it is a tie. [-]"""
+    slips: list[Number]
+    """By shift element. [-]"""
+    consistent: bool
+    missing: int
+    excess: int
 
 
-def solve_speeds(case: Transmission, gear: Gear, ratios: Floats) -> Speeds:
+def solve_speeds(case: Transmission, gear: Gear, ratios: Sequence[Number]) -> Speeds:
     """Solve the speed system of a gear.
 
     Parameters
     ----------
-    ratios : ndarray, shape (mechanisms, variants)
-        Internal ratios. [-]
+    ratios : sequence of Number
+        Internal ratio of each mechanism. [-]
     """
     differences = [(mechanism.first, mechanism.third) for mechanism in case.mechanisms]
     slips = [(element.first, element.second) for element in case.shift_elements]
     sums = [_difference(*pair) for pair in (*differences, *slips)]
-    rows = matrix.speed_rows(case, gear, matrix.columns(case, ratios))
-    solution = elimination.solve(rows, case.links, sums, variants=ratios.shape[1])
-    links, motion, slip = np.split(solution.values, [case.links, case.links + len(differences)])
+    arithmetic = entries.of(ratios)
+    columns = matrix.columns(case, ratios, arithmetic)
+    rows = matrix.speed_rows(case, gear, columns, arithmetic)
+    solution = elimination.solve(rows, case.links, sums, arithmetic)
+    links = solution.values[: case.links]
+    motion = solution.values[case.links : case.links + len(differences)]
+    by_link = [0.0, *map(abs, links)]
     return Speeds(
         links,
-        _without_ties(case, links, motion),
-        slip,
+        [
+            0.0 if _is_tie(abs(speed), by_link[first], by_link[third]) else speed
+            for speed, (first, third) in zip(motion, differences, strict=True)
+        ],
+        solution.values[case.links + len(differences) :],
         solution.consistent,
         solution.missing,
         solution.excess,
@@ -59,9 +65,6 @@ def _difference(first: int, second: int) -> dict[int, float]:
     return terms
 
 
-def _without_ties(case: Transmission, links: Floats, motion: Floats) -> Floats:
-    """The motion of the mechanisms, 0 where it is nothing beside the speeds themselves."""
-    speeds = np.concatenate([np.zeros((1, links.shape[1])), np.abs(links)])
-    first = speeds[[mechanism.first for mechanism in case.mechanisms]]
-    third = speeds[[mechanism.third for mechanism in case.mechanisms]]
-    return np.where(np.abs(motion) <= TIE * np.fmax(first, third), 0.0, motion)
+def _is_tie(motion: Number, first: Number, third: Number) -> bool:
+    """Whether a difference of speeds is nothing beside the speeds themselves."""
+    return bool(motion <= TIE * first or motion <= TIE * third)

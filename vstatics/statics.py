@@ -4,22 +4,23 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
-from vstatics import diagnosis, signs
+from vstatics import diagnosis
 from vstatics.arrays import Booleans, Floats
+from vstatics.batch import solve_variants
 from vstatics.errors import CaseError, Problem
-from vstatics.losses import Flow
 from vstatics.matrix import by_mechanism
-from vstatics.model import HOUSING, Gear, IdleConvention, Mechanism, Transmission
+from vstatics.model import HOUSING, IdleConvention, Mechanism, Transmission
 from vstatics.results import Results
-from vstatics.speeds import solve_speeds
-from vstatics.torques import solve_torques
+
+Quantity = Literal["ratio", "efficiency"]
+"""What of a mechanism can differ from variant to variant."""
 
 
 def solve(
@@ -78,115 +79,98 @@ def solve(
             idle=case.idle if idle is None else idle,
         )
     axes, u, eta = _variants(case, ratios, efficiencies)
-    given = ratios is not None or efficiencies is not None
-    if axes == () and given:
-        case = replace(case, mechanisms=_with_numbers(case, u[:, 0], eta[:, 0]))
+    if axes == () and (u is not None or eta is not None):
+        case = _with_numbers(case, u, eta)
+        u = eta = None
     with np.errstate(all="ignore"):
-        gears = [_solve_gear(case, gear, u, eta) for gear in case.gears]
-        arrays = {name: _stacked([gear[name] for gear in gears], axes) for name in gears[0]}
-        results = Results(case=case, **arrays)
-        if axes == ():
-            results = results._replace(messages=tuple(diagnosis.messages(results)))
+        arrays = solve_variants(case, u, eta, math.prod(axes))
+    results = Results(
+        case=case, **{n: array.reshape(*axes, *array.shape[1:]) for n, array in arrays.items()}
+    )
+    if axes == ():
+        results = results._replace(messages=tuple(diagnosis.messages(results)))
     return results
 
 
-def _with_numbers(case: Transmission, ratios: Floats, efficiencies: Floats) -> list[Mechanism]:
-    """The mechanisms with other ratios and efficiencies."""
-    return [
-        mechanism._replace(ratio=float(ratio), efficiency=float(efficiency))
-        for mechanism, ratio, efficiency in zip(case.mechanisms, ratios, efficiencies, strict=True)
-    ]
+def _with_numbers(case: Transmission, u: Floats | None, eta: Floats | None) -> Transmission:
+    """The case with other ratios and efficiencies, of shape (1, mechanisms)."""
+    mechanisms = list(case.mechanisms)
+    for quantity, given in (("ratio", u), ("efficiency", eta)):
+        if given is not None:
+            mechanisms = [
+                mechanism._replace(**{quantity: number})
+                for mechanism, number in zip(mechanisms, given[0].tolist(), strict=True)
+            ]
+    return replace(case, mechanisms=mechanisms)
 
 
 def _variants(
     case: Transmission, ratios: ArrayLike | None, efficiencies: ArrayLike | None
-) -> tuple[tuple[int, ...], Floats, Floats]:
-    """The axes of the variants, and ratios and efficiencies (mechanisms, variants)."""
-    own_ratios = [mechanism.ratio for mechanism in case.mechanisms]
-    own_efficiencies = [mechanism.efficiency for mechanism in case.mechanisms]
+) -> tuple[tuple[int, ...], Floats | None, Floats | None]:
+    """The axes of the variants, and what is given of ratios and efficiencies.
+
+    Both of shape (variants, mechanisms).
+    """
     count = len(case.mechanisms)
-    u = by_mechanism("ratios", own_ratios if ratios is None else ratios, count)
-    eta = by_mechanism(
-        "efficiencies", own_efficiencies if efficiencies is None else efficiencies, count
-    )
-    u, eta = np.broadcast_arrays(u, eta)
-    problems = []
-    if ratios is not None:
-        joined = [HOUSING not in mechanism.links for mechanism in case.mechanisms]
-        wrong = ~np.isfinite(u) | (u == 0) | ((u == 1) & np.array(joined, dtype=np.bool_))
-        problems += _wrong("ratio", u, wrong, "a finite ratio, not 0, and not 1 with three links")
-    if efficiencies is not None:
-        expected = "an efficiency above 0 and up to 1"
-        problems += _wrong("efficiency", eta, ~((eta > 0) & (eta <= 1)), expected)
+    given = {
+        name: None if numbers is None else by_mechanism(name, numbers, count)
+        for name, numbers in (("ratios", ratios), ("efficiencies", efficiencies))
+    }
+    axes = np.broadcast_shapes(*(array.shape[:-1] for array in given.values() if array is not None))
+    problems = [
+        *_wrong(case, "ratio", given["ratios"]),
+        *_wrong(case, "efficiency", given["efficiencies"]),
+    ]
     if problems:
         raise CaseError(problems)
-    axes = u.shape[:-1]
-    variants = math.prod(axes)
-    return axes, u.reshape(variants, count).T, eta.reshape(variants, count).T
+    u, eta = (
+        None
+        if array is None
+        else np.broadcast_to(array, (*axes, count)).reshape(math.prod(axes), count)
+        for array in given.values()
+    )
+    return axes, u, eta
 
 
-def _wrong(name: str, given: Floats, wrong: Booleans, expected: str) -> list[Problem]:
-    """The first wrong number in an array of variants."""
-    if not wrong.any():
-        return []
-    *variant, mechanism = (int(index) for index in np.argwhere(wrong)[0])
-    where = f" in variant {', '.join(map(str, variant))}" if variant else ""
-    message = f"read {given[(*variant, mechanism)]:g}{where}, expected {expected}"
-    return [Problem(message, ("mechanisms", mechanism + 1, name))]
+EXPECTED = {
+    "ratio": "a finite ratio, not 0, and not 1 with three links",
+    "efficiency": "an efficiency above 0 and up to 1",
+}
 
 
-def _solve_gear(case: Transmission, gear: Gear, u: Floats, eta: Floats) -> dict[str, Any]:
-    """The arrays of `Results` for one gear, with the variants as last axis."""
-    speeds = solve_speeds(case, gear, u)
-    torques = solve_torques(case, gear, u)
-    flow = Flow(case, gear, u, eta, speeds.links, speeds.motion, torques.first, torques.holding)
-    outcome = signs.search(flow, torques.consistent & speeds.consistent)
-    lossy = outcome.lossy
-    output_speed = speeds.links[case.gear_output(gear) - 1]
-    return {
-        "speeds": speeds.links,
-        "planet_speeds": speeds.motion / _planet_ratios(case, u),
-        "slip_speeds": speeds.slips,
-        "ratio": np.where(output_speed == 0, np.nan, 1 / output_speed),
-        "torques": torques.first,
-        "holding_torques": torques.holding,
-        "lossy_torques": lossy.torques,
-        "lossy_holding_torques": lossy.holding,
-        "efficiency": lossy.efficiency,
-        "power_sign": lossy.signs,
-        "idle": outcome.idle,
-        "losses": lossy.losses,
-        "power_balance": lossy.balance,
-        "consistent": lossy.admissible,
-        "locked": outcome.locked,
-        "undecided": outcome.undecided,
-        "turned": outcome.turned,
-        "choices": outcome.choices,
-        "tied_up": ~speeds.consistent,
-        "missing": speeds.missing,
-        "excess": speeds.excess,
-        "balanced": torques.consistent,
-    }
+def impossible(mechanism: Mechanism, quantity: Quantity, numbers: Floats) -> Booleans:
+    """Which numbers can be no ratio, or no efficiency, of a mechanism.
 
+    Parameters
+    ----------
+    numbers : ndarray, shape (variants,)
+        [-]
 
-def _planet_ratios(case: Transmission, u: Floats) -> Floats:
-    """First link to planet with the third link held, NaN where there is none."""
-    made = np.full_like(u, np.nan)
-    for number, mechanism in enumerate(case.mechanisms):
-        if mechanism.planet_ratio is not None:
-            made[number] = mechanism.planet_ratio
-        else:
-            made[number] = np.where(mechanism.is_plain(u[number]), (u[number] + 1) / 2, np.nan)
-    return made
-
-
-def _stacked(gears: list[Any], axes: tuple[int, ...]) -> Any:
-    """Arrays (..., variants) of the gears -> (axes of the variants, gears, ...).
-
-    Without -0; what overflowed does not exist.
+    Examples
+    --------
+    >>> from vstatics.model import Mechanism
+    >>> impossible(Mechanism(1, 2, 3, -2.5), "ratio", np.array([-2.0, 0.0, 1.0, np.nan]))
+    array([False,  True,  True,  True])
     """
-    array = np.moveaxis(np.stack(gears), -1, 0)
-    if array.dtype == np.float64:
-        array = array + 0.0
-        array[np.isinf(array)] = np.nan
-    return np.ascontiguousarray(array).reshape(*axes, *array.shape[1:])
+    if quantity == "efficiency":
+        return ~((numbers > 0) & (numbers <= 1))
+    low, high = numbers.min(initial=math.inf), numbers.max(initial=-math.inf)
+    if -math.inf < low <= high < 0 or 1 < low <= high < math.inf:  # as it is nearly always
+        return np.zeros_like(numbers, np.bool_)
+    wrong: Booleans = ~np.isfinite(numbers) | (numbers == 0)
+    if HOUSING not in mechanism.links:
+        wrong |= numbers == 1
+    return wrong
+
+
+def _wrong(case: Transmission, quantity: Quantity, given: Floats | None) -> list[Problem]:
+    """The first wrong number in an array of variants, of shape (..., mechanisms)."""
+    for number, mechanism in enumerate(case.mechanisms if given is not None else ()):
+        column = np.asarray(given)[..., number]
+        wrong = impossible(mechanism, quantity, column)
+        if wrong.any():
+            variant = tuple(int(index) for index in np.argwhere(wrong)[0])
+            where = f" in variant {', '.join(map(str, variant))}" if variant else ""
+            message = f"read {column[variant]:g}{where}, expected {EXPECTED[quantity]}"
+            return [Problem(message, ("mechanisms", number + 1, quantity))]
+    return []

@@ -2,44 +2,43 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Sequence
 from typing import NamedTuple
 
-import numpy as np
-
-from vstatics import elimination, matrix
-from vstatics.arrays import Booleans, Floats
+from vstatics import elimination, entries, matrix
 from vstatics.model import Gear, Transmission
+from vstatics.traced import Number
 
 
 class Torques(NamedTuple):
-    """The torques of a gear; the variants are the last axis. NaN: no single value."""
+    """The torques of a gear. NaN: no single value."""
 
-    first: Floats
-    """(devices + 1, variants): on the first link of each device, 0 on an element that is
-    not engaged; then the output torque. [-]"""
-    holding: Floats
-    """(links, variants): external torque that holds a given speed, NaN on other links. [-]"""
-    consistent: Booleans
-    """(variants,): there is an equilibrium."""
+    first: list[Number]
+    """By device: on its first link, 0 on an element that is not engaged; then the output
+    torque. [-]"""
+    holding: dict[int, Number]
+    """Link -> external torque that holds its given speed. [-]"""
+    consistent: bool
+    """There is an equilibrium."""
 
 
-def solve_torques(case: Transmission, gear: Gear, ratios: Floats) -> Torques:
+def solve_torques(case: Transmission, gear: Gear, ratios: Sequence[Number]) -> Torques:
     """Solve the torque system of a gear.
 
     Parameters
     ----------
-    ratios : ndarray, shape (mechanisms, variants)
-        Internal ratios, with or without losses. [-]
+    ratios : sequence of Number
+        Ratio of each mechanism, with or without losses. [-]
     """
-    columns = matrix.columns(case, ratios)
+    arithmetic = entries.of(ratios)
+    columns = matrix.columns(case, ratios, arithmetic)
     devices = matrix.loaded_devices(case, gear)
     held = matrix.held_links(case, gear)
-    variants = ratios.shape[1]
-    rows = matrix.torque_rows(case, gear, columns)
-    solution = elimination.solve(rows, len(devices) + 1 + len(held), variants=variants)
-    first = np.zeros((len(columns) + 1, variants))
-    first[[*devices, len(columns)]] = solution.values[: len(devices) + 1]
-    first[:, ~solution.consistent] = np.nan
-    holding = np.full((case.links, variants), np.nan)
-    holding[[link - 1 for link in held]] = solution.values[len(devices) + 1 :]
+    rows = matrix.torque_rows(case, gear, columns, arithmetic)
+    solution = elimination.solve(rows, len(devices) + 1 + len(held), arithmetic=arithmetic)
+    first = [0.0 if solution.consistent else math.nan] * (len(columns) + 1)
+    for device, torque in zip([*devices, len(columns)], solution.values, strict=False):
+        first[device] = torque
+    holding = dict(zip(held, solution.values[len(devices) + 1 :], strict=True))
     return Torques(first, holding, solution.consistent)

@@ -16,6 +16,7 @@ from vstatics.errors import ReadError
 
 COMMANDS = {
     "run": ("vstatics.cli.run", "Calculate every gear of each case."),
+    "sweep": ("vstatics.cli.sweep", "Calculate variants of a case, to a table."),
     "check": ("vstatics.cli.check", "Report problems of the input, and the conditions per gear."),
     "convert": ("vstatics.cli.convert", "Convert a case between deck, YAML and JSON."),
     "compare": ("vstatics.cli.compare", "Compare two results number by number."),

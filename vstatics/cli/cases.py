@@ -1,15 +1,16 @@
-"""What `run` and `check` share: their arguments, and reading and calculating each case."""
+"""What commands share: their arguments, and reading and calculating each case."""
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator, Sequence
-from typing import NamedTuple
+from typing import NamedTuple, get_args
 
 import click
 
 from vstatics import readers, statics
 from vstatics.cli import files
-from vstatics.errors import Problem, ReadError
+from vstatics.errors import Place, Problem, ReadError
 from vstatics.model import IdleConvention
 from vstatics.readers.reading import Reading
 from vstatics.results import Results
@@ -20,6 +21,16 @@ input_format = click.option(
     "input_format",
     type=click.Choice(list(readers.READERS)),
     help="Format of the input; else told by the suffix, then by the content.",
+)
+coast = click.option(
+    "--coast/--drive",
+    default=None,
+    help="Power enters at the output (engine braking), or at the input; else as the case says.",
+)
+idle = click.option(
+    "--idle",
+    type=click.Choice(get_args(IdleConvention)),
+    help="Sign of idle mechanisms; else as the case says.",
 )
 
 
@@ -36,38 +47,60 @@ class Outcome(NamedTuple):
         return self.results is None or self.results.failed
 
 
-def calculate(
-    cases: Sequence[str],
-    form: readers.Format | None,
-    coast: bool | None = None,
-    idle: IdleConvention | None = None,
-) -> Iterator[Outcome]:
-    """Read and calculate each case, print its problems, and go on after a bad one.
+class Settings(NamedTuple):
+    """How cases are read and calculated; what is None is as the case says."""
 
-    `coast` and `idle` override the case's own.
-    """
-    if cases.count(files.STDIN) > 1:
-        raise click.UsageError("standard input (-) can be read once")
+    input_format: readers.Format | None = None
+    coast: bool | None = None
+    idle: IdleConvention | None = None
+
+
+def calculate(cases: Sequence[str], settings: Settings) -> Iterator[Outcome]:
+    """Read and calculate each case, print its problems, and go on after a bad one."""
+    check_streams(cases)
     for file in cases:
-        outcome = _calculate(file, form, coast, idle)
+        outcome = calculate_one(file, settings)
         files.show(outcome.problems)
         yield outcome
 
 
-def _calculate(
-    file: str, form: readers.Format | None, coast: bool | None, idle: IdleConvention | None
-) -> Outcome:
+def check_streams(cases: Sequence[str]) -> None:
+    """Standard input can be one case only."""
+    if cases.count(files.STDIN) > 1:
+        raise click.UsageError("standard input (-) can be read once")
+
+
+def calculate_one(file: str, settings: Settings) -> Outcome:
+    """Read and calculate a case; whatever goes wrong with it is a problem of this case."""
     name = files.STDIN_NAME if file == files.STDIN else file
     try:
-        reading = readers.read(*files.read_input(file), form)
+        reading = readers.read(*files.read_input(file), settings.input_format)
+        results = statics.solve(reading.case, coast=settings.coast, idle=settings.idle)
+        problems = [*reading.warnings, *_located(reading, results)]
     except ReadError as error:
         return Outcome(name, None, error.problems)
-    results = statics.solve(reading.case, coast=coast, idle=idle)
-    return Outcome(name, results, [*reading.warnings, *_located(reading, results)])
+    except Exception as error:  # noqa: BLE001 - the other cases are to go on
+        return Outcome(name, None, [unexpected(name, error)])
+    return Outcome(name, results, problems)
+
+
+def unexpected(name: str, error: Exception) -> Problem:
+    """The problem that the program itself has a fault, with the line to look at."""
+    trace = error.__traceback__
+    while trace is not None and trace.tb_next is not None:
+        trace = trace.tb_next
+    where = ""
+    if trace is not None:
+        where = f" in {os.path.basename(trace.tb_frame.f_code.co_filename)}:{trace.tb_lineno}"  # noqa: PTH119
+    text = " ".join(f"{type(error).__name__}: {error}".split())
+    message = f"an error of vstatics, please report it with this case: {text}{where}"
+    return Problem(message, place=Place(name, 0, 0))
 
 
 def _located(reading: Reading, results: Results) -> Iterator[Problem]:
     """The messages of a result as problems at the place of their gear."""
+    if not results.messages:
+        return
     numbers = {gear.name: number for number, gear in enumerate(results.case.gears, 1)}
     for message in results.messages:
         if message.gear:

@@ -7,7 +7,7 @@ import click
 from vstatics import readers
 from vstatics.cli import cases as arguments
 from vstatics.cli import files
-from vstatics.cli.cases import calculate
+from vstatics.cli.cases import Settings, calculate
 from vstatics.diagnosis import freedom, given_conditions
 from vstatics.results import Results
 
@@ -60,7 +60,7 @@ def check(
     Exit status: 0 no errors; 1 a case is in error or a gear is tied up; 2 wrong use.
     """
     failed = False
-    for outcome in calculate(cases, input_format):
+    for outcome in calculate(cases, Settings(input_format)):
         failed |= outcome.failed
         if outcome.results is not None:
             files.write_output(summary(outcome.file, outcome.results), None)

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import contextlib
+import errno
+import itertools
 import os
 import stat
 import sys
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Iterator
+from functools import partial
 
 import click
 
@@ -57,7 +60,25 @@ def show(problems: Iterable[Problem]) -> None:
 def say(line: str) -> None:
     """Print a line to stderr; the results do not suffer where that is not possible."""
     with contextlib.suppress(OSError):
-        click.echo(line, err=True)
+        _speakers[-1](line)
+
+
+def _echo(line: str) -> None:
+    click.echo(line, err=True)
+
+
+_speakers: list[Callable[[str], None]] = [_echo]
+"""The last one prints: a bar on the terminal puts itself here, so that lines go above it."""
+
+
+@contextlib.contextmanager
+def speaking(speaker: Callable[[str], None]) -> Iterator[None]:
+    """Let `speaker` print the lines for `say`, for a while."""
+    _speakers.append(speaker)
+    try:
+        yield
+    finally:
+        _speakers.remove(speaker)
 
 
 def _around(place: Place, width: int = 76) -> tuple[str, str]:
@@ -77,47 +98,130 @@ def write_output(text: str, output: str | None) -> None:
     ReadError
         If it cannot be written.
     """
-    data = text.encode(errors="backslashreplace")  # names of files may hold half characters
-    name = "<stdout>" if output is None or output == STDIN else output
+    data = encoded(text)
     try:
-        if name != output:
-            _print(data)
-        elif output.startswith("/dev/"):  # /dev/stdout is not to be replaced, whatever it is
+        if output is None or output == STDIN:
+            print_bytes(data)
+        elif is_stream(output):
             with open(output, "ab") as opened:  # noqa: PTH123
                 opened.write(data)
         else:
-            _replace(os.path.realpath(output), data)
+            replace(output, data)
     except BrokenPipeError:
         raise  # the reader has seen enough; click ends quietly
     except OSError as error:
-        message = f"can't be written: {error.strerror or error}"
-        raise ReadError([Problem(message, place=Place(name, 0, 0))]) from None
+        raise ReadError([unwritable(output, error)]) from None
 
 
-def _print(data: bytes) -> None:
+@contextlib.contextmanager
+def stream(output: str | None) -> Iterator[Callable[[bytes], object]]:
+    """Write bit by bit: to stdout or a device at once, to a file that is there at the end.
+
+    Raises
+    ------
+    ReadError
+        If it cannot be written.
+    """
+    try:
+        if output is None or output == STDIN:
+            yield print_bytes
+        elif is_stream(output):
+            with open(output, "ab", buffering=0) as opened:  # noqa: PTH123
+                yield partial(_write, opened.fileno())
+        else:
+            with replacing(output) as write:
+                yield write
+    except BrokenPipeError:
+        raise  # the reader has seen enough; click ends quietly
+    except OSError as error:
+        raise ReadError([unwritable(output, error)]) from None
+
+
+def is_stream(output: str | None) -> bool:
+    """Whether an output is stdout, or is there and no file that could be replaced."""
+    if output is None or output == STDIN:
+        return True
+    if output.startswith("/dev/") and not output.startswith("/dev/shm/"):  # noqa: S108
+        return True  # /dev/stdout is not to be replaced, whatever it is
+    try:
+        mode = os.stat(output).st_mode  # noqa: PTH116
+    except OSError:
+        return False
+    return not (stat.S_ISREG(mode) or stat.S_ISDIR(mode))
+
+
+def encoded(text: str) -> bytes:
+    """A text in UTF-8; names of files may hold half characters."""
+    return text.encode(errors="backslashreplace")
+
+
+def read_names(file: str) -> list[str]:
+    r"""The names in a list of files: one a line, or ended by NUL as `find -print0` does.
+
+    Raises
+    ------
+    ReadError
+        If the list cannot be read, or names nothing.
+    """
+    data, name = read_input(file)
+    data = data.removeprefix(b"\xef\xbb\xbf")
+    ended = data.split(b"\0") if b"\0" in data else data.replace(b"\r\n", b"\n").split(b"\n")
+    names = [os.fsdecode(one) for one in ended if one]
+    if not names:
+        message = "names no file, expected one a line"
+        raise ReadError([Problem(message, place=Place(name, 0, 0))])
+    return names
+
+
+def unwritable(output: str | None, error: OSError) -> Problem:
+    """The problem that an output, or stdout, cannot be written."""
+    name = "<stdout>" if output is None or output == STDIN else output
+    return Problem(f"can't be written: {error.strerror or error}", place=Place(name, 0, 0))
+
+
+def print_bytes(data: bytes) -> None:
+    """Write to stdout at once.
+
+    Raises
+    ------
+    OSError
+        If that is not possible.
+    """
     if sys.stdout is None:
         raise OSError(CLOSED)
     click.echo(data, nl=False)
     sys.stdout.flush()
 
 
-def _replace(path: str, data: bytes) -> None:
-    """Write beside the file and move it into place; devices and pipes are written directly."""
-    try:
-        mode = os.stat(path).st_mode  # noqa: PTH116
-    except FileNotFoundError:
-        mode = None
-    if mode is not None and not stat.S_ISREG(mode):
-        with open(path, "wb") as opened:  # noqa: PTH123
-            opened.write(data)
-        return
-    import tempfile  # costs start-up time
+def replace(path: str, data: bytes) -> None:
+    """Write a file, whole or not at all.
 
-    handle, temporary = tempfile.mkstemp(prefix=".vstatics-", dir=os.path.dirname(path))  # noqa: PTH120
+    Raises
+    ------
+    OSError
+        If it cannot be written; then the file is as it was.
+    """
+    with replacing(path) as write:
+        write(data)
+
+
+@contextlib.contextmanager
+def replacing(path: str) -> Iterator[Callable[[bytes], None]]:
+    """Write beside a file, and move it into place when the block ends well.
+
+    An old file keeps its permissions; a link stays, and its file is written.
+    """
+    if os.path.islink(path):  # noqa: PTH114
+        path = os.path.realpath(path)
+    mode = _mode(path or os.curdir)
+    temporary, handle = _beside(path)
     try:
-        with os.fdopen(handle, "wb") as opened:
-            opened.write(data)
-        os.chmod(temporary, stat.S_IMODE(mode) if mode else 0o666 & ~_umask())  # noqa: PTH101
+        try:
+            if mode is not None:
+                os.fchmod(handle, stat.S_IMODE(mode))
+            yield partial(_write, handle)
+        finally:
+            os.close(handle)
         os.replace(temporary, path)  # noqa: PTH105
     except BaseException:
         with contextlib.suppress(OSError):
@@ -125,7 +229,39 @@ def _replace(path: str, data: bytes) -> None:
         raise
 
 
-def _umask() -> int:
-    mask = os.umask(0)
-    os.umask(mask)
-    return mask
+def forget(folder: str, process: int) -> None:
+    """Remove the file that a process was writing in a folder when it was ended."""
+    with contextlib.suppress(OSError):
+        os.unlink(_temporary_name(folder, process))  # noqa: PTH108
+
+
+def _temporary_name(folder: str, process: int, number: int = 0) -> str:
+    """The name under which a process writes a file before it moves it into place."""
+    return os.path.join(folder, f".vstatics-{process}-{number}")  # noqa: PTH118
+
+
+def _beside(path: str) -> tuple[str, int]:
+    """A new file in the same folder, with the permissions of the umask; its name and handle."""
+    folder = os.path.dirname(path)  # noqa: PTH120
+    for number in itertools.count():
+        temporary = _temporary_name(folder, os.getpid(), number)
+        with contextlib.suppress(FileExistsError):  # left by a process that was killed
+            return temporary, os.open(temporary, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o666)
+    raise AssertionError
+
+
+def _write(handle: int, data: bytes) -> None:
+    """Write all of it; a file system that is nearly full may take a part at a time."""
+    while data:
+        data = data[os.write(handle, data) :]
+
+
+def _mode(path: str) -> int | None:
+    """Type and permissions of a file, if it is there; it is no directory."""
+    try:
+        mode = os.stat(path).st_mode  # noqa: PTH116
+    except FileNotFoundError:
+        return None
+    if stat.S_ISDIR(mode):
+        raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR))
+    return mode

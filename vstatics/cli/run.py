@@ -2,63 +2,52 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import Literal, get_args
+from typing import get_args
 
 import click
 
 from vstatics import readers
 from vstatics.cli import cases as arguments
-from vstatics.cli import files
-from vstatics.cli.cases import Outcome, calculate
+from vstatics.cli import files, texts
+from vstatics.cli.cases import Settings, calculate
 from vstatics.model import IdleConvention
 from vstatics.results import Language
 
-OutputFormat = Literal["listing", "json", "csv"]
-
-
-def as_text(outcomes: Sequence[Outcome], output_format: OutputFormat, lang: Language) -> str:
-    """Results in the format asked for; each writer is imported when it is needed.
-
-    A single case that failed gives nothing; among several it has an entry in JSON.
-    """
-    results = [outcome.results for outcome in outcomes if outcome.results is not None]
-    several = len(outcomes) > 1
-    if not results and not (several and output_format == "json"):
-        return ""
-    if output_format == "json":
-        from vstatics.writers import result_json
-
-        documents = [
-            result_json.failure(outcome.file, outcome.problems)
-            if outcome.results is None
-            else result_json.document(outcome.results)
-            for outcome in outcomes
-        ]
-        return result_json.write(documents, several=several)
-    if output_format == "csv":
-        from vstatics.writers import result_csv
-
-        named = [(o.file, o.results) for o in outcomes if o.results is not None]
-        return result_csv.write(named, several=several)
-    from vstatics.writers import listing
-
-    reports = [(o.file, listing.write(o.results, lang)) for o in outcomes if o.results is not None]
-    return "\n".join(f"==> {file} <==\n{text}" if several else text for file, text in reports)
-
 
 @click.command()
-@arguments.argument
+@click.argument("cases", nargs=-1, type=click.Path(), metavar="CASE...")
 @click.option(
     "-f",
     "--format",
     "output_format",
-    type=click.Choice(get_args(OutputFormat)),
+    type=click.Choice(get_args(texts.OutputFormat)),
     default="listing",
     show_default=True,
     help="Format of the results.",
 )
-@click.option("-o", "--output", type=click.Path(), help="Write to this file, whole or not at all.")
+@click.option(
+    "-o",
+    "--output",
+    type=click.Path(),
+    help="Write to this file, whole or not at all; several cases to this directory.",
+)
+@click.option(
+    "--files-from",
+    type=click.Path(),
+    metavar="FILE",
+    help="More cases: one a line, or ended by NUL; - is standard input.",
+)
+@click.option(
+    "-j",
+    "--jobs",
+    type=click.IntRange(min=1),
+    default=1,
+    show_default=True,
+    help="Processes that share several cases.",
+)
+@click.option(
+    "--resume", is_flag=True, help="Leave out cases whose result is in the directory already."
+)
 @arguments.input_format
 @click.option(
     "--lang",
@@ -67,22 +56,17 @@ def as_text(outcomes: Sequence[Outcome], output_format: OutputFormat, lang: Lang
     show_default=True,
     help="Language of the headings of a listing.",
 )
-@click.option(
-    "--coast/--drive",
-    default=None,
-    help="Power enters at the output (engine braking), or at the input; else as the case says.",
-)
-@click.option(
-    "--idle",
-    type=click.Choice(get_args(IdleConvention)),
-    help="Sign of idle mechanisms; else as the case says.",
-)
+@arguments.coast
+@arguments.idle
 @click.pass_context
 def run(
     context: click.Context,
     cases: tuple[str, ...],
-    output_format: OutputFormat,
+    output_format: texts.OutputFormat,
     output: str | None,
+    files_from: str | None,
+    jobs: int,
+    resume: bool,
     input_format: readers.Format | None,
     lang: Language,
     coast: bool | None,
@@ -94,16 +78,57 @@ def run(
     Examples:
       vstatics run gearbox.dat
       vstatics run gearbox.yaml -f json | jq .ratio
-      vstatics run *.dat -f csv -o all.csv
       cat gearbox.dat | vstatics run - --coast
+      vstatics run variants/*.dat -f json -o results/ --jobs 4
+      find . -name '*.dat' | vstatics run --files-from - -f jsonl -o all.jsonl
+
+    Into a directory each case gives a file: its stem and .lst, .json or .csv. A case
+    that fails does not stop the others. After Ctrl-C, --resume goes on.
 
     \b
-    Exit status: 0 done; 1 a case is in error or a gear is tied up; 2 wrong use.
+    Exit status: 0 done; 1 a case is in error or a gear is tied up; 2 wrong use;
+    130 or 143 stopped by Ctrl-C or SIGTERM.
     Neutral, indeterminate and friction-locked gears are messages, not errors.
     """
-    outcomes = list(calculate(cases, input_format, coast, idle))
-    failed = any(outcome.failed for outcome in outcomes)
-    text = as_text(outcomes, output_format, lang)
-    if text:
-        files.write_output(text, output)
-    context.exit(1 if failed else 0)
+    names = _named(cases, files_from)
+    several = len(names) > 1 or files_from is not None
+    settings = Settings(input_format, coast, idle)
+    folder = _folder(output, output_format, several=several)
+    if resume and folder is None:
+        raise click.UsageError("--resume needs a directory to go on with: -o DIRECTORY/")
+    if several or folder is not None or output_format == "jsonl":
+        from vstatics.cli import many
+        from vstatics.cli.work import Job
+
+        job = Job(settings, output_format, lang)
+        if folder is None:
+            context.exit(many.to_stream(names, output, job, jobs=jobs))
+        lists = [] if files_from in (None, files.STDIN) else [str(files_from)]
+        context.exit(many.to_directory(names, folder, job, jobs=jobs, resume=resume, others=lists))
+    [outcome] = calculate(names, settings)
+    if outcome.results is not None:
+        files.write_output(texts.alone(outcome, output_format, lang), output)
+    context.exit(1 if outcome.failed else 0)
+
+
+def _folder(output: str | None, output_format: texts.OutputFormat, *, several: bool) -> str | None:
+    """The directory that results go to, if they do."""
+    if output is None:
+        return None
+    from vstatics.cli.targets import is_directory
+
+    return output if is_directory(output, output_format, several=several) else None
+
+
+def _named(cases: tuple[str, ...], files_from: str | None) -> list[str]:
+    """All cases, of arguments and of the list."""
+    if files_from is None:
+        if not cases:
+            raise click.UsageError("Missing argument 'CASE...'.")
+        names = list(cases)
+    else:
+        if files_from == files.STDIN and files.STDIN in cases:
+            raise click.UsageError("standard input (-) is the list of cases, and no case")
+        names = [*cases, *files.read_names(files_from)]
+    arguments.check_streams(names)
+    return names

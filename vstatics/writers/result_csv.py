@@ -5,7 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 from vstatics.results import Results
 from vstatics.writers.tables import tables
@@ -25,20 +25,39 @@ def write(results: Sequence[tuple[str, Results]], *, several: bool) -> str:
     and the device in `row` and no gear. A value that does not exist is empty. The last
     rows state the conventions and have no value either.
     """
+    bodies = [rows(file if several else None, result) for file, result in results]
+    return "".join([head(several=several), *bodies, tail(several=several)])
+
+
+def head(*, several: bool) -> str:
+    """The names of the columns."""
+    return _lines([["case"] * several + ["table", "row", "gear", "value"]])
+
+
+def rows(file: str | None, results: Results) -> str:
+    """The rows of one result; `file` is the first column among several."""
+    front = [] if file is None else [file]
+    made = []
+    for table in tables(results):
+        name, kind = table.shape.name, table.shape.kind
+        for row, values in zip(table.rows, table.values.tolist(), strict=True):
+            for column, value in zip(table.columns, values, strict=True):
+                place = [f"{row}:{column}", ""] if name == "AJK" else [row, column]
+                shown = "" if math.isnan(value) else _number(value, kind)
+                made.append([*front, name, *place, shown])
+    return _lines(made)
+
+
+def tail(*, several: bool) -> str:
+    """The rows of the conventions."""
+    return _lines(
+        [""] * several + ["conventions", convention, "", ""] for convention in CONVENTIONS
+    )
+
+
+def _lines(cells: Iterable[Sequence[str]]) -> str:
     text = io.StringIO()
-    writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(["case"] * several + ["table", "row", "gear", "value"])
-    for file, result in results:
-        front = [file] * several
-        for table in tables(result):
-            for row, values in zip(table.rows, table.values, strict=True):
-                for column, value in zip(table.columns, values, strict=True):
-                    ajk = table.shape.name == "AJK"
-                    place = [f"{row}:{column}", ""] if ajk else [row, column]
-                    shown = "" if math.isnan(value) else _number(value, table.shape.kind)
-                    writer.writerow([*front, table.shape.name, *place, shown])
-    for convention in CONVENTIONS:
-        writer.writerow([""] * several + ["conventions", convention, "", ""])
+    csv.writer(text, lineterminator="\n").writerows(cells)
     return text.getvalue()
 
 

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import json
-import math
 from collections.abc import Sequence
+from functools import cache
 from typing import Any
 
 from vstatics.errors import Problem
@@ -42,8 +42,7 @@ def document(results: Results) -> dict[str, Any]:
         "gears": [gear.name for gear in case.gears],
     }
     for table in tables(results):
-        kind = table.shape.kind
-        rows = [[_number(value, kind) for value in row] for row in table.values.tolist()]
+        rows = [_row(row, table.shape.kind) for row in table.values.tolist()]
         made[table.shape.name] = rows[0] if table.shape.rows == "one" else rows
     made["messages"] = [str(message) for message in results.messages]
     return made
@@ -54,8 +53,11 @@ def failure(file: str, problems: Sequence[Problem]) -> dict[str, Any]:
     return {"case": file, "errors": [str(problem) for problem in problems]}
 
 
-def _number(value: float, kind: type) -> Any:
-    return None if math.isnan(value) else kind(value)
+def _row(values: list[float], kind: type) -> list[Any]:
+    """The numbers of a row as JSON has them."""
+    if kind is float:
+        return [None if value != value else value for value in values]  # noqa: PLR0124 - NaN
+    return [None if value != value else kind(value) for value in values]  # noqa: PLR0124
 
 
 def write(documents: list[dict[str, Any]], *, several: bool) -> str:
@@ -72,28 +74,44 @@ def write(documents: list[dict[str, Any]], *, several: bool) -> str:
       "ETA": [0.9]
     }
     """
-    texts = [_object(made) for made in documents]
+    texts = [text(made) for made in documents]
     return "[\n" + ",\n".join(texts) + "\n]\n" if several else texts[0] + "\n"
 
 
-def _object(made: dict[str, Any]) -> str:
-    entries = (f"  {_text(key)}: {_value(key, value)}" for key, value in made.items())
+def line(made: dict[str, Any]) -> str:
+    """A document on one line, with its end."""
+    return _text(made) + "\n"
+
+
+def text(made: dict[str, Any]) -> str:
+    """A document on many lines, without the end of the last."""
+    entries = [f"  {_text(key)}: {_value(key, value)}" for key, value in made.items()]
     return "{\n" + ",\n".join(entries) + "\n}"
 
 
 def _value(key: str, value: Any) -> str:
     """A value on one line, but a table or a list of messages, and a mapping, an entry a line."""
+    if value is CONVENTIONS:
+        return _conventions()
     if isinstance(value, dict) and value:
-        inner = (f"    {_text(key)}: {_text(entry)}" for key, entry in value.items())
-        return "{\n" + ",\n".join(inner) + "\n  }"
-    if (
-        isinstance(value, list)
-        and value
-        and (isinstance(value[0], list) or key in ("messages", "errors"))
-    ):
-        return "[\n" + ",\n".join(f"    {_text(entry)}" for entry in value) + "\n  ]"
+        return _mapping(value)
+    if isinstance(value, list) and value:
+        if isinstance(value[0], list):  # of numbers: nothing else in it looks like this
+            return "[\n    " + _text(value)[1:-1].replace("], [", "],\n    [") + "\n  ]"
+        if key in ("messages", "errors"):
+            return "[\n" + ",\n".join(f"    {_text(entry)}" for entry in value) + "\n  ]"
     return _text(value)
 
 
-def _text(value: Any) -> str:
-    return json.dumps(value, ensure_ascii=False, allow_nan=False)
+def _mapping(value: dict[str, Any]) -> str:
+    inner = [f"    {_text(key)}: {_text(entry)}" for key, entry in value.items()]
+    return "{\n" + ",\n".join(inner) + "\n  }"
+
+
+@cache
+def _conventions() -> str:
+    """They are the same in every result."""
+    return _mapping(CONVENTIONS)
+
+
+_text = json.JSONEncoder(ensure_ascii=False, allow_nan=False).encode

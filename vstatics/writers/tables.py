@@ -11,6 +11,9 @@ from vstatics.arrays import Floats
 from vstatics.matrix import distribution_matrix
 from vstatics.results import TABLES, Results, TableShape, row_names
 
+KINDS: dict[str, TableShape] = {shape.rows: shape for shape in TABLES if shape.rows != "one"}
+"""A table of each kind of rows, for their names."""
+
 
 class Table(NamedTuple):
     """One table: rows are links, devices or mechanisms, columns are gears.
@@ -50,9 +53,10 @@ def tables(results: Results) -> list[Table]:
     }
     if np.isnan(results.holding_torques).all():
         del values["AMWZ"], values["AMWZP"]
+    rows = {kind: row_names(case, shape) for kind, shape in KINDS.items()}
     made = []
     for shape in TABLES:
-        names = row_names(case, shape)
+        names = rows.get(shape.rows, [shape.name])
         if shape.name == "AJK":
             made.append(Table(shape, names, case.devices, distribution_matrix(case) + 0.0))
         elif shape.name in values:

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from itertools import pairwise
+from collections.abc import Callable, Iterator, Sequence
+from itertools import accumulate, pairwise
 from typing import Generic, NamedTuple
 
 from vstatics.errors import Path, Problem, nearest
@@ -101,6 +101,8 @@ class Fields:
             return [0] * gears
         values = self._list(key, gears, "NP", integer)
         counts, total = values.numbers, 0
+        if not values.unreadable and min(counts, default=0) >= 0 and sum(counts) <= self.capacity:
+            return counts
         for position, count in enumerate(counts):
             label = f"{key}({position + 1})"
             total += max(count, 0)
@@ -127,17 +129,14 @@ class Fields:
             values = stand_ins(None, need, parse)
             if need:
                 self._missing(key, f"{_values(need)} ({counted})")
-        ends = [0]
-        for count in counts:
-            ends.append(ends[-1] + count)
-        unreadable = set()
-        for gear, (start, end) in enumerate(pairwise(ends), 1):
-            if any(position in values.unreadable for position in range(start, end)):
-                unreadable.add(gear)
-            if field is not None:
-                for position in range(start, end):
-                    label = f"{key}({position - start + 1},{gear})"
-                    self.places.spots[label] = values.spots[position]
+        if field is not None:
+            self.places.named.append((_row_labels(key, counts), values.spots))
+        ends = [0, *accumulate(counts)]
+        unreadable = {
+            gear
+            for gear, (start, end) in enumerate(pairwise(ends), 1)
+            if values.unreadable and not values.unreadable.isdisjoint(range(start, end))
+        }
         return Rows([values.numbers[start:end] for start, end in pairwise(ends)], unreadable)
 
     def _list(
@@ -152,7 +151,7 @@ class Fields:
 
         if field is not None:
             values = take(self.found, field, Wanted(key, label, need, why), parse)
-            self.places.spots.update(zip(map(label, range(need)), values.spots, strict=True))
+            self.places.named.append((map(label, range(need)), values.spots))
         else:
             values = stand_ins(None, need, parse)
             if need:
@@ -167,7 +166,7 @@ class Fields:
         """The value of a field of one value; None if it is unreadable."""
         field = self.found.fields[key]
         values = take(self.found, field, Wanted(key, lambda _: key, 1, ""), integer)
-        self.places.spots[key] = values.spots[0]
+        self.places.named.append(([key], values.spots))
         return None if values.unreadable else values.numbers[0]
 
     def _fits(self, label: str, size: int) -> bool:
@@ -191,6 +190,13 @@ class Fields:
         """The end of the input."""
         line = self.found.last
         return line, len(self.found.source.lines[line - 1]) + 1
+
+
+def _row_labels(key: str, counts: Sequence[int]) -> Iterator[str]:
+    """The names of the values of each gear."""
+    for gear, count in enumerate(counts, 1):
+        for position in range(1, count + 1):
+            yield f"{key}({position},{gear})"
 
 
 def _values(need: int) -> str:

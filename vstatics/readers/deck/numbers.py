@@ -80,19 +80,34 @@ def real(text: str) -> float:
     return number
 
 
-def token_lines(found: Scan, field: Field) -> Iterator[list[Token]]:
-    """The tokens of a field line by line, blank lines aside, to the next field."""
+def value_lines(found: Scan, field: Field) -> Iterator[tuple[int, str, int, int]]:
+    """The lines to the next field: number, text, and where values start and end in it."""
     following = bisect_right(found.stops, field.line)
     last = found.stops[following] - 1 if following < len(found.stops) else found.last
-    if field.end is not None:
-        last = field.line
-    for number in range(field.line, last + 1):
-        text = found.source.lines[number - 1]
-        start, end = (field.value, field.end) if number == field.line else (0, None)
-        matches = TOKEN.finditer(text, start, len(text) if end is None else end)
+    lines = found.source.lines
+    text = lines[field.line - 1]
+    yield field.line, text, field.value, len(text) if field.end is None else field.end
+    if field.end is None:
+        for number in range(field.line + 1, last + 1):
+            text = lines[number - 1]
+            yield number, text, 0, len(text)
+
+
+def token_lines(found: Scan, field: Field) -> Iterator[list[Token]]:
+    """The tokens of a field line by line, blank lines aside, to the next field."""
+    for number, text, start, end in value_lines(found, field):
+        matches = TOKEN.finditer(text, start, end)
         tokens = [Token(match[0], number, match.start() + 1) for match in matches]
         if tokens:
             yield tokens
+
+
+def plain_numbers(text: str, parse: Callable[[str], Number]) -> tuple[Number, ...] | None:
+    """The numbers of a text with blanks between them; None if there is anything else."""
+    try:
+        return tuple(map(parse, text.split()))
+    except NotANumberError:
+        return None
 
 
 def repeated(token: Token, parse: Callable[[str], Number]) -> tuple[int, Number]:

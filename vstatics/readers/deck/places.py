@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 
 from vstatics.errors import Path, Problem
@@ -31,19 +31,30 @@ class Places:
     """Where the values of a deck stand, by names such as ``NZF(1,2)``."""
 
     source: Source
-    spots: dict[str, Spot] = field(default_factory=dict)
+    named: list[tuple[Iterable[str], Callable[[], Iterable[Spot]]]] = field(default_factory=list)
+    """Names of values, and what gives their places; put together when one is asked for."""
     planet: dict[int, int] = field(default_factory=dict)
     """Position in NNM of each mechanism that is there."""
     given: dict[tuple[str, int, int], int] = field(default_factory=dict)
     """Position of a link in NWZ or NMZ, by ``("speeds", gear, link)``."""
+    _spots: dict[str, Spot] = field(default_factory=dict)
+
+    @property
+    def spots(self) -> dict[str, Spot]:
+        """The place of each value that was read."""
+        for names, places in self.named:
+            self._spots.update(zip(names, places(), strict=True))
+        self.named.clear()
+        return self._spots
 
     def locate(self, problem: Problem) -> Problem:
         """Give a problem of the model its place, and put the name of the field before it."""
         if problem.place is not None or not problem.path:
             return problem
+        spots = self.spots
         for label in (*self._labels(problem), "KJG"):
-            if label in self.spots:
-                place = self.source.place(*self.spots[label])
+            if label in spots:
+                place = self.source.place(*spots[label])
                 return problem._replace(message=f"{label}: {problem.message}", place=place)
         return problem
 

@@ -7,7 +7,8 @@ name and Cyrillic look-alikes do not matter. Everything else is prose.
 from __future__ import annotations
 
 import re
-from typing import NamedTuple
+from functools import lru_cache
+from typing import Any, NamedTuple
 
 from vstatics.errors import Problem, ReadError
 from vstatics.readers.deck.encodings import texts
@@ -127,25 +128,51 @@ def scan(source: Source) -> Scan:
     """Find the fields and the names of a deck."""
     found = Scan(source, len(source.lines))
     for number, line in enumerate(source.lines, 1):
-        word, opened, start = _opening(line)
-        kind = _kind(line, word, opened, start)
+        kind, what = _meaning(line) if len(line) <= KEPT else _read_line(line)
         if kind == "result":
             found.last = number - 1
             _only_report(found, number)
             break
-        if kind == "scalar":
-            _scalars(found, number, line)
-        elif kind == "list":
-            _list(found, number, line, start, word)
-        elif (match := _name_line(line)) is not None:
+        if kind == "fields":
+            for key, column, value, end in what:
+                _add(found, Field(key, number, column, value, end))
+        elif kind == "broken":
+            _add_broken(found, number, *what)
+        elif kind == "name":
             found.stops.append(number)
-            column = len(line) - len(line.lstrip()) + 1
-            found.names.append(Named(*match, number, column))
-        elif word.isascii() and 0 < len(word) < 8 and len(found.unknown) < 50:
-            found.unknown.setdefault(word, number)
+            kind, counted, name, column = what
+            found.names.append(Named(kind, counted, name, number, column))
+        elif kind == "word" and len(found.unknown) < 50:
+            found.unknown.setdefault(what, number)
     while found.last > 1 and not source.lines[found.last - 1].strip():
         found.last -= 1
     return found
+
+
+def _read_line(line: str) -> tuple[str, Any]:
+    """What a line is, and what it says; the same line says the same in every deck.
+
+    A ``result``; ``fields``, each with its key, column, and offsets of its values; a
+    ``broken`` field with its name, column and message; a ``name`` with its kind, number,
+    text and column; a ``word`` that stands where fields do; or nothing of these.
+    """
+    word, opened, start = _opening(line)
+    kind = _kind(line, word, opened, start)
+    if kind == "result":
+        return kind, None
+    if kind == "scalar":
+        return "fields", _scalars(line)
+    if kind == "list":
+        return _list(line, start, word)
+    match = _name_line(line)
+    if match is not None:
+        return "name", (*match, len(line) - len(line.lstrip()) + 1)
+    return ("word", word) if word.isascii() and 0 < len(word) < 8 else ("", None)
+
+
+KEPT = 200
+"""Lines of so many characters are kept by `_meaning`, which many decks share."""
+_meaning = lru_cache(maxsize=2000)(_read_line)
 
 
 def _only_report(found: Scan, first: int) -> None:
@@ -197,7 +224,14 @@ def _add(found: Scan, new: Field) -> None:
         found.error(message, new.line, new.column)
 
 
-def _scalars(found: Scan, number: int, line: str) -> None:
+def _add_broken(found: Scan, number: int, name: str, column: int, message: str) -> None:
+    """Note a field with an index that says nothing."""
+    found.error(message, number, column)
+    found.stops.append(number)
+    found.broken.add(name)
+
+
+def _scalars(line: str) -> tuple[tuple[str, int, int, int | None], ...]:
     """All fields of a line such as ``KJG= 6 KL= 5 KG= 3 KNM = 2``."""
     heads: list[tuple[str, int, int]] = []
     before = 0
@@ -209,13 +243,13 @@ def _scalars(found: Scan, number: int, line: str) -> None:
                 heads.append((key, words[word].start(), equals.end()))
                 break
         before = equals.end()
-    for position, (key, start, value) in enumerate(heads):
-        following = heads[position + 1 : position + 2]
-        end = following[0][1] if following else None
-        _add(found, Field(key, number, start + 1, value, end))
+    ends = [*(start for _, start, _ in heads[1:]), None]
+    return tuple(
+        (key, start + 1, value, end) for (key, start, value), end in zip(heads, ends, strict=True)
+    )
 
 
-def _list(found: Scan, number: int, line: str, start: int, name: str) -> None:
+def _list(line: str, start: int, name: str) -> tuple[str, Any]:
     """A field such as ``IAB(I),I=1,KG:``; the colon or the whole index list may be missing."""
     column = len(line) - len(line.lstrip()) + 1
     key, value, index = GEAR_LISTS.get(name, name), start + 1, ""
@@ -231,12 +265,9 @@ def _list(found: Scan, number: int, line: str, start: int, name: str) -> None:
         if part not in parts:
             expected = " or ".join(f"{name}(I,{part})" for part in parts)
             read = f"{name}({index})" if index else line.strip()[:30]
-            found.error(f"{name}: read '{read}', expected {expected}", number, column)
-            found.stops.append(number)
-            found.broken.add(name)
-            return
+            return "broken", (name, column, f"{name}: read '{read}', expected {expected}")
         key = f"{name}(I,{part})"
-    _add(found, Field(key, number, column, value))
+    return "fields", ((key, column, value, None),)
 
 
 def _past_colon(line: str, value: int) -> int:

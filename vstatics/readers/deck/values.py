@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Sequence
+from functools import lru_cache, partial
 from typing import Generic, NamedTuple
 
 from vstatics.readers.deck.numbers import (
@@ -15,10 +16,12 @@ from vstatics.readers.deck.numbers import (
     is_number,
     leading_numbers,
     numbers_alone,
+    plain_numbers,
     real,
     repeated,
     starts_values,
     token_lines,
+    value_lines,
 )
 from vstatics.readers.deck.text import Field, Scan
 
@@ -33,7 +36,8 @@ class Values(NamedTuple, Generic[Number]):
     """The values of a field, with stand-ins where they could not be read."""
 
     numbers: list[Number]
-    spots: list[Spot]
+    spots: Callable[[], list[Spot]]
+    """Gives the place of each value; few are ever asked for."""
     unreadable: set[int]
     """Positions from 0 that hold stand-ins."""
 
@@ -53,6 +57,14 @@ def take(
     found: Scan, field: Field, wanted: Wanted, parse: Callable[[str], Number]
 ) -> Values[Number]:
     """The values of a field; what is wrong with them is noted in `found`."""
+    plain = _plain(found, field, wanted.need, parse)
+    return _take_with_care(found, field, wanted, parse) if plain is None else plain[0]
+
+
+def _take_with_care(
+    found: Scan, field: Field, wanted: Wanted, parse: Callable[[str], Number]
+) -> Values[Number]:
+    """The values of a field that holds more than plain numbers, or has a fault."""
 
     def ending(line: int) -> str:
         return _ending(found, field, line)
@@ -69,6 +81,9 @@ def take_rows(
     parse: Callable[[str], Number],
 ) -> Values[Number]:
     """The values of all gears, in one line or in a line for each gear that has any."""
+    plain = _plain(found, field, sum(counts), parse)
+    if plain is not None and (len(plain[1]) < 2 or plain[1] == [n for n in counts if n]):
+        return plain[0]
     gears = [gear for gear, count in enumerate(counts, 1) if count]
     rows = _rows(found, field, len(gears))
     if len(rows) < 2:
@@ -78,7 +93,7 @@ def take_rows(
         wanted = Wanted(
             field.key, lambda n: names[n] if n < len(names) else field.key, len(names), counted
         )
-        return take(found, field, wanted, parse)
+        return _take_with_care(found, field, wanted, parse)
     if len(rows) != len(gears):
         surplus = rows[len(gears) : len(gears) + 1]
         spot = surplus[0][0].spot if surplus else (rows[-1][-1].line, rows[-1][-1].after)
@@ -86,21 +101,63 @@ def take_rows(
         end = "" if surplus else f" before {_ending(found, field, spot[0] + 1)}"
         found.error(f"{field.key}: read {len(rows)} lines of numbers{end}, {expected}", *spot)
         return stand_ins(field, sum(counts), parse)
-    values: Values[Number] = Values([], [], set())
+    numbers: list[Number] = []
+    spots: list[Spot] = []
+    unreadable: set[int] = set()
     for gear, tokens in zip(gears, rows, strict=True):
         wanted = _row(field.key, gear, counts[gear - 1], counted)
         taker = _Taker(found, tokens[0].spot, wanted, parse, lambda _: "the end of the line")
         row = taker.take([tokens])
-        values.unreadable.update(len(values.numbers) + position for position in row.unreadable)
-        values.numbers.extend(row.numbers)
-        values.spots.extend(row.spots)
-    return values
+        unreadable.update(len(numbers) + position for position in row.unreadable)
+        numbers.extend(row.numbers)
+        spots.extend(row.spots())
+    return Values(numbers, lambda: spots, unreadable)
 
 
 def stand_ins(field: Field | None, need: int, parse: Callable[[str], Number]) -> Values[Number]:
     """Values of a field that is not there, or cannot be read at all."""
     spot = (field.line, field.column) if field else (0, 0)
-    return Values([parse(STAND_IN)] * need, [spot] * need, set(range(need)))
+    return Values([parse(STAND_IN)] * need, lambda: [spot] * need, set(range(need)))
+
+
+KEPT = 200
+"""The numbers of texts of so many characters are kept, which many decks share."""
+_kept_numbers = lru_cache(maxsize=2000)(plain_numbers)
+
+
+def _plain(
+    found: Scan, field: Field, need: int, parse: Callable[[str], Number]
+) -> tuple[Values[Number], list[int]] | None:
+    """The values of a field, and how many each line has.
+
+    None if it holds anything but so many plain numbers with blanks between them, and
+    prose behind the line of the last one: then one has to look at each token.
+    """
+    numbers: list[Number] = []
+    counts: list[int] = []
+    for _, line, start, end in value_lines(found, field):
+        text = line[start:end]
+        if len(numbers) == need:
+            first = text.lstrip()[:1]
+            if first and first in "+-.,0123456789":
+                return None
+            if first:
+                break
+            continue
+        row = (_kept_numbers if len(text) <= KEPT else plain_numbers)(text, parse)
+        if row is None:
+            return None
+        if row:
+            numbers += row
+            counts.append(len(row))
+    if len(numbers) != need:
+        return None
+    return Values(numbers, partial(_spots, found, field, need), set()), counts
+
+
+def _spots(found: Scan, field: Field, need: int) -> list[Spot]:
+    """Where the values of a field of plain numbers stand."""
+    return [token.spot for tokens in token_lines(found, field) for token in tokens][:need]
 
 
 def _rows(found: Scan, field: Field, expected: int) -> list[list[Token]]:
@@ -150,7 +207,9 @@ class _Taker(Generic[Number]):
         self.found, self.wanted, self.ending = found, wanted, ending
         self.parse: Callable[[str], Number] = parse
         self.need = wanted.need
-        self.values: Values[Number] = Values([], [], set())
+        self.numbers: list[Number] = []
+        self.spots: list[Spot] = []
+        self.unreadable: set[int] = set()
         self.start = self.end = start
         self.total = 0
         self.surplus: Token | None = None
@@ -169,11 +228,11 @@ class _Taker(Generic[Number]):
                 break
         if not self.failed and self.total != self.need:
             self._count()
-        missing = range(len(self.values.numbers), self.need)
-        self.values.unreadable.update(missing)
-        self.values.numbers.extend([self.parse(STAND_IN)] * len(missing))
-        self.values.spots.extend([self.start] * len(missing))
-        return self.values
+        missing = range(len(self.numbers), self.need)
+        self.unreadable.update(missing)
+        self.numbers.extend([self.parse(STAND_IN)] * len(missing))
+        self.spots.extend([self.start] * len(missing))
+        return Values(self.numbers, lambda: self.spots, self.unreadable)
 
     def _line(self, tokens: list[Token]) -> bool:
         """Take the values of a line; whether there may be more below."""
@@ -215,7 +274,7 @@ class _Taker(Generic[Number]):
             if left != self.need - self.total:
                 return False
             self.complete_at = token.line
-        self.values.unreadable.add(len(self.values.numbers))
+        self.unreadable.add(len(self.numbers))
         return True
 
     def _fail(self, message: str, token: Token) -> None:
@@ -225,8 +284,8 @@ class _Taker(Generic[Number]):
     def _keep(self, token: Token, count: int, number: Number) -> None:
         """Keep as many values as are needed; the rest is counted, not kept."""
         kept = min(count, max(self.need - self.total, 0))
-        self.values.numbers.extend([number] * kept)
-        self.values.spots.extend([token.spot] * kept)
+        self.numbers.extend([number] * kept)
+        self.spots.extend([token.spot] * kept)
         self.total += count
         self.end = token.line, token.after
         if self.total > self.need and self.surplus is None:
@@ -246,7 +305,7 @@ class _Taker(Generic[Number]):
             hint = self._hint(self.surplus.line)
             message = f"{self.wanted.name}: {read}, {expected}{hint}"
             self.found.error(message, *self.surplus.spot)
-            self.values.unreadable.update(range(self.need))
+            self.unreadable.update(range(self.need))
 
     def _hint(self, last: int) -> str:
         """A word on decimal commas, where they are likely."""

@@ -1,0 +1,214 @@
+"""Several cases: to a directory, a file each, or to one stream."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from functools import partial
+
+import click
+
+from vstatics import __version__
+from vstatics.cli import files, texts
+from vstatics.cli.progress import progress
+from vstatics.cli.record import Options, Record
+from vstatics.cli.stopping import Stop, StoppedError, stoppable
+from vstatics.cli.targets import Task, tasks
+from vstatics.cli.work import Done, Job, lost, work
+from vstatics.errors import ReadError
+
+
+class _HaltedError(Exception):
+    """No case can be written any more."""
+
+
+class _Count:
+    """How far a run has come."""
+
+    def __init__(self, total: int, kept: int = 0) -> None:
+        """Begin with the cases that need not be calculated again."""
+        self.total, self.kept = total, kept
+        self.done = kept
+        self.failures: list[str] = []
+        """A line for each case that failed."""
+
+    def add(self, done: Done) -> None:
+        """Count a case."""
+        self.done += 1
+        if done.failed:
+            self.failures.append(_failure(done))
+
+    @property
+    def status(self) -> int:
+        """The exit status."""
+        return 1 if self.failures else 0
+
+    def summary(self) -> None:
+        """Say what became of the cases."""
+        line = f"{self.done - len(self.failures)} of {self.total} cases calculated"
+        if self.kept:
+            line += f" ({self.kept} of them before)"
+        if self.failures:
+            line += f", {len(self.failures)} failed:"
+        for told in (line, *self.failures):
+            files.say(told)
+
+
+def _failure(done: Done) -> str:
+    """The line of a case that failed: its first error, and how many more there are."""
+    errors = [problem for problem in done.problems if problem.severity == "error"]
+    first = str(errors[0]) if errors else "failed"
+    named = bool(errors) and errors[0].place is not None and errors[0].place.file == done.file
+    line = f"  {first}" if named else f"  {done.file}: {first}"
+    if len(errors) > 1:
+        line += f" ... and {len(errors) - 1} more problem{'s' * (len(errors) > 2)}"
+    return line + (f" (its earlier result is {done.left} now)" if done.left else "")
+
+
+def to_directory(
+    cases: Sequence[str],
+    folder: str,
+    job: Job,
+    *,
+    jobs: int,
+    resume: bool,
+    others: Sequence[str],
+) -> int:
+    """Write the result of each case into a directory; the exit status.
+
+    Parameters
+    ----------
+    others : sequence of str
+        Further files that no result may overwrite.
+
+    Raises
+    ------
+    UsageError
+        If results would overwrite one another or a case, or --resume does not fit.
+    ReadError
+        If the directory cannot be written to.
+    """
+    suffix = texts.SUFFIXES[job.output_format]
+    record = Record(folder, suffix)
+    todo = tasks(cases, folder, suffix, [*others, record.path])
+    try:
+        os.makedirs(folder, exist_ok=True)  # noqa: PTH103
+        if resume and record.resume(_options(job)):
+            todo = [task for task in todo if not record.is_done(task.file, str(task.target))]
+        else:
+            if resume:
+                files.say(f"{folder}: there is no run to go on with; every case is calculated")
+            record.begin(_options(job))
+    except FileExistsError:
+        raise click.UsageError(f"{folder} is a file: expected a directory") from None
+    except OSError as error:
+        raise ReadError([files.unwritable(folder, error)]) from None
+    count = _Count(len(cases), len(cases) - len(todo))
+    kept = f"results are in {folder}; the same command with --resume goes on"
+    job = job._replace(record=record)
+    with _telling(count, kept) as stop, _results(job, todo, jobs, folder) as results:
+        for _ in _follow(count, results, stop):
+            pass
+    if count.total > 1:
+        count.summary()
+    return count.status
+
+
+def to_stream(cases: Sequence[str], output: str | None, job: Job, *, jobs: int) -> int:
+    """Write the results of all cases to one stream or file as they come; the exit status.
+
+    Raises
+    ------
+    ReadError
+        If it cannot be written.
+    """
+    count = _Count(len(cases))
+    whole = not files.is_stream(output)
+    kept = f"{output} was not written" if whole else "what was written ends there"
+    framed = texts.frame(job.output_format)
+    todo = [Task(file) for file in cases]
+    with (
+        _telling(count, kept) as stop,
+        files.stream(output) as write,
+        _results(job, todo, jobs) as results,
+    ):
+        before = framed.first
+        for text in _follow(count, results, stop, beside_stdout=output in (None, files.STDIN)):
+            if text:
+                write(files.encoded(before) + text)
+                before = framed.between
+        if before != framed.first:
+            write(files.encoded(framed.last))
+    if whole and count.total > 1:
+        count.summary()
+    return count.status
+
+
+@contextmanager
+def _results(
+    job: Job, todo: Sequence[Task], jobs: int, folder: str = ""
+) -> Iterator[Iterator[Done]]:
+    """What becomes of each case, in their order, by so many processes."""
+    try:
+        if min(jobs, len(todo)) < 2:
+            yield map(partial(work, job), todo)
+            return
+        from vstatics.cli.crew import Crew
+
+        with Crew(
+            partial(work, job), lost, min(jobs, len(todo)), partial(files.forget, folder)
+        ) as crew:
+            yield crew.each(todo, here=_is_only_here)
+    finally:
+        if folder:
+            files.forget(folder, os.getpid())
+
+
+def _is_only_here(task: Task) -> bool:
+    """Whether only this process can read a case: another one has other streams."""
+    return task.file == files.STDIN or task.file.startswith(("/dev/", "/proc/"))
+
+
+def _follow(
+    count: _Count, results: Iterator[Done], stop: Stop, *, beside_stdout: bool = False
+) -> Iterator[bytes]:
+    """Tell and count what becomes of each case, and give its part of a stream."""
+    with progress(count.total, "cases", beside_stdout=beside_stdout) as advance:
+        advance(count.kept)
+        for done in results:
+            files.show(done.problems)
+            if done.stop:
+                raise _HaltedError
+            yield done.text
+            count.add(done)
+            advance(1)
+            stop.check()
+
+
+@contextmanager
+def _telling(count: _Count, kept: str) -> Iterator[Stop]:
+    """Let Ctrl-C, SIGTERM and a full disk end a run with a word on how far it came."""
+    try:
+        with stoppable() as stop:
+            yield stop
+    except StoppedError as stopped:
+        status = stopped.status
+    except _HaltedError:
+        status = 1
+    else:
+        return
+    files.say(f"stopped after {count.done} of {count.total} cases; {kept}")
+    raise click.exceptions.Exit(status)
+
+
+def _options(job: Job) -> Options:
+    """What the results depend on, besides the cases."""
+    listing = job.output_format == "listing"
+    return {
+        "version": __version__,
+        "--from": job.settings.input_format,
+        "--coast": job.settings.coast,
+        "--idle": job.settings.idle,
+        "--lang": job.lang if listing else None,
+    }

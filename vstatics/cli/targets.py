@@ -1,0 +1,123 @@
+"""Where the results of several cases go, and what is refused before anything is calculated."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import click
+
+from vstatics import readers
+from vstatics.cli import files
+from vstatics.cli.texts import SUFFIXES, OutputFormat
+
+STDIN_STEM = "stdin"
+
+
+class Task(NamedTuple):
+    """A case, and the file for its result; None where it goes to a stream."""
+
+    file: str
+    target: str | None = None
+
+
+def is_directory(output: str, output_format: OutputFormat, *, several: bool) -> bool:
+    """Whether results go into a directory: a file each.
+
+    Raises
+    ------
+    UsageError
+        If several cases were to fill one file.
+    """
+    if output.endswith("/") or os.path.isdir(output):  # noqa: PTH112
+        if output_format == "jsonl":
+            raise click.UsageError(f"jsonl is one stream: expected -o FILE, not {output}")
+        return True
+    if not several or output_format == "jsonl" or files.is_stream(output):
+        return False
+    suffix = os.path.splitext(output)[1].lower()  # noqa: PTH122
+    if suffix in (*SUFFIXES.values(), ".txt") or suffix in readers.SUFFIXES:
+        raise click.UsageError(
+            f"several cases give a result each, and {output} looks like one file: "
+            f"expected a directory ({os.path.splitext(output)[0]}/), "  # noqa: PTH122
+            f"or one stream (> {output}), or -f jsonl"
+        )
+    if os.path.exists(output):  # noqa: PTH110
+        raise click.UsageError(
+            f"several cases give a result each, and {output} is a file: expected a directory"
+        )
+    return True
+
+
+def tasks(cases: Sequence[str], folder: str, suffix: str, others: Sequence[str] = ()) -> list[Task]:
+    """The file for the result of each case: its stem with the suffix, in the folder.
+
+    Parameters
+    ----------
+    others : sequence of str
+        Further files that must not be overwritten.
+
+    Raises
+    ------
+    UsageError
+        If a case is named twice, two results have one name, or one would overwrite a
+        case; every pair is named.
+
+    Examples
+    --------
+    >>> [task.target for task in tasks(["a/x.dat", "y.v2.yaml"], "results", ".json")]
+    ['results/x.json', 'results/y.v2.json']
+    """
+    made = [Task(file, os.path.join(folder, _stem(file) + suffix)) for file in cases]  # noqa: PTH118
+    real = _RealPaths()
+    refused = []
+    inputs: dict[str, Task] = {}
+    for task in made:
+        before = inputs.setdefault(real(task.file), task)
+        if before is not task:
+            same = f" (the same file as {before.file})" if before.file != task.file else ""
+            refused.append(f"{task.file} is named twice{same}")
+    results: dict[str, str] = {}
+    for file, target in inputs.values():
+        place = real(str(target))
+        before_file = results.setdefault(place, file)
+        if before_file is not file:
+            refused.append(f"{before_file} and {file} would both give {target}")
+        if place in inputs:
+            refused.append(f"the result of {file} would overwrite the case {inputs[place].file}")
+    refused += [
+        f"the result of {results[real(other)]} would overwrite {other}"
+        for other in others
+        if real(other) in results
+    ]
+    if refused:
+        raise click.UsageError("nothing was calculated:\n  " + "\n  ".join(refused))
+    return made
+
+
+def _stem(file: str) -> str:
+    """The name of a case without folder and suffix."""
+    if file == files.STDIN:
+        return STDIN_STEM
+    return os.path.splitext(os.path.basename(file))[0]  # noqa: PTH119, PTH122
+
+
+class _RealPaths:
+    """Real paths of many files; those of their folders are looked up once."""
+
+    def __init__(self) -> None:
+        self.folders: dict[str, str] = {}
+
+    def __call__(self, file: str) -> str:
+        """The path of a file without links; what is no file is itself."""
+        if file == files.STDIN:
+            return file
+        if os.path.islink(file):  # noqa: PTH114
+            return os.path.realpath(file)
+        folder, name = os.path.split(file)
+        if name in ("", ".", ".."):
+            return os.path.realpath(file)
+        if folder not in self.folders:
+            self.folders[folder] = os.path.realpath(folder)
+        return os.path.join(self.folders[folder], name)  # noqa: PTH118

@@ -1,0 +1,121 @@
+"""Memory for the tables of results, used again when they are gone.
+
+Fresh memory costs more time than the calculation that fills it: the system clears each
+page, and values that are the same for all variants are written again and again. So a
+block that nobody looks at any more is kept for the next results of the same shape, with
+a note of what it holds. For that nobody else may write to it.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Mapping
+from typing import Any, NamedTuple
+
+import numpy as np
+
+KEPT = 2**27
+"""So many bytes are kept at most for results to come."""
+
+
+class Form(NamedTuple):
+    """Shape and type of a table: (gears, width, variants)."""
+
+    shape: tuple[int, int, int]
+    kind: type
+
+
+class Rows(NamedTuple):
+    """The rows of all tables of one gear, each over the variants."""
+
+    arrays: list[Any]
+    holds: dict[int, Any]
+    """Row -> the value that it is known to hold for every variant."""
+
+    def fill(self, row: int, value: Any) -> None:
+        """Let a row hold one value for all variants."""
+        known = self.holds.get(row, self)
+        if known is self or (known != value and (known == known or value == value)):  # noqa: PLR0124
+            self.arrays[row].fill(value)
+            self.holds[row] = value
+
+    def vary(self, row: int) -> Any:
+        """The array of a row, to be written to."""
+        self.holds.pop(row, None)
+        return self.arrays[row]
+
+
+class Block:
+    """Memory for some tables: the tables, and the same by gears."""
+
+    def __init__(self, forms: Mapping[str, Form]) -> None:
+        self.forms = dict(forms)
+        self.bytes = np.empty(sum(map(_size, forms.values())), dtype=np.uint8)
+        tables = self.tables(self.bytes)
+        gears = max((form.shape[0] for form in forms.values()), default=0)
+        self.gears = [
+            Rows([row for table in tables.values() for row in table[gear]], {})
+            for gear in range(gears)
+        ]
+
+    def tables(self, memory: Any) -> dict[str, Any]:
+        """The tables in memory of this form."""
+        made, start = {}, 0
+        for name, form in self.forms.items():
+            part = memory[start : start + _size(form)]
+            made[name] = part.view(form.kind).reshape(form.shape)
+            start += part.size
+        return made
+
+
+def _size(form: Form) -> int:
+    gears, width, variants = form.shape
+    return gears * width * variants * np.dtype(form.kind).itemsize
+
+
+class _Lent:
+    """Owner of a block in use: the base of all arrays that show it, gone when they are."""
+
+    def __init__(self, block: Block) -> None:
+        self.block = block
+        interface = block.bytes.__array_interface__
+        self.__array_interface__: dict[str, Any] = {
+            **interface,
+            "data": (interface["data"][0], True),  # read only
+        }
+
+    def __del__(self) -> None:
+        # The collector may call this at any moment, so nothing is locked here.
+        while sum(block.bytes.nbytes for block in tuple(_free)) + self.block.bytes.nbytes > KEPT:
+            try:
+                _free.popleft()
+            except IndexError:
+                return  # too large to be kept
+        _free.append(self.block)
+
+
+_free: deque[Block] = deque()
+"""Blocks to be used again, the oldest first."""
+
+
+def block(forms: Mapping[str, Form]) -> Block:
+    """A block for tables of this form; those of the largest type first.
+
+    >>> made = block({"ratio": Form((6, 1, 100), np.float64)})
+    >>> made.gears[0].fill(0, 1.0)
+    >>> shown(made)["ratio"].shape
+    (6, 1, 100)
+    """
+    for free in reversed(tuple(_free)):
+        if free.forms == forms:
+            try:
+                _free.remove(free)
+            except ValueError:
+                continue  # somebody else has just taken it
+            return free
+    return Block(forms)
+
+
+def shown(block: Block) -> dict[str, Any]:
+    """The tables of a block for everybody, to read; the block is free again without them."""
+    return block.tables(np.asarray(_Lent(block)))

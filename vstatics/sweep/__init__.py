@@ -1,0 +1,116 @@
+"""Sweeps: thousands and millions of variants of a case, and what is kept of them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING, Any, Literal
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+    from vstatics.model import IdleConvention, Transmission
+    from vstatics.sweep.chunk import Chunk
+
+__all__ = ["sweep"]
+
+
+def sweep(  # noqa: PLR0913 (as on the command line)
+    case: Transmission,
+    vary: Mapping[str, ArrayLike | str] | Sequence[str] = (),
+    *,
+    zip: bool = False,  # noqa: A002
+    sample: int | None = None,
+    method: Literal["sobol", "lhs", "random"] = "sobol",
+    seed: int = 0,
+    variants: Mapping[str, ArrayLike] | None = None,
+    out: str | Sequence[str] = "ratio,efficiency",
+    where: str | None = None,
+    coast: bool | None = None,
+    idle: IdleConvention | None = None,
+    jobs: int = 1,
+) -> Iterator[Chunk]:
+    """Calculate variants of a case, a chunk at a time.
+
+    Parameters
+    ----------
+    case : Transmission
+    vary : mapping of str to array_like or str, or sequence of str
+        What is varied: ``{"D1.ratio": [-0.9, -0.8]}``, ``{"D1.ratio": "-0.9:-0.7:201"}``
+        or ``["D1.ratio=-0.9:-0.7:201"]``; a grid, whose last number runs fastest. [-]
+    zip : bool
+        Take the values in parallel, in place of a grid.
+    sample : int, optional
+        So many points between ``low:high`` of each, in place of a grid.
+    method : {"sobol", "lhs", "random"}
+        How they are picked (by scipy).
+    seed : int
+        The same seed picks the same.
+    variants : mapping of str to array_like, optional
+        A table of variants in place of `vary`: equally many values of each. [-]
+    out : str or sequence of str
+        The columns, as in ``--out`` of the command line.
+    where : str, optional
+        Which variants get a row.
+    coast, idle : optional
+        As in `vstatics.solve`.
+    jobs : int
+        Processes that calculate.
+
+    Yields
+    ------
+    Chunk
+        In order of the variants; `Chunk.columns` has the shape (rows, columns).
+
+    Raises
+    ------
+    ReadError
+        If a text can't be read, with the place of what is wrong.
+    CaseError
+        If there can be no such sweep, or a package is missing.
+
+    Examples
+    --------
+    >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission
+    >>> case = Transmission(3, [ShiftElement(1, 2), ShiftElement(2, 0)],
+    ...                     [Mechanism(1, 2, 3, -2.5, 0.96)], [Gear([1]), Gear([2])])
+    >>> chunk, = sweep(case, {"D1.ratio": [-2, -2.5, -3]}, out="ratio", where="ratio[2] > 3.2")
+    >>> chunk.headings, chunk.variants
+    (('ratio[1]', 'ratio[2]'), array([1, 2]))
+    >>> chunk.columns
+    array([[1. , 3.5],
+           [1. , 4. ]])
+    """
+    from vstatics.sweep import build
+    from vstatics.sweep.extras import require
+    from vstatics.sweep.file import Settings, Text
+
+    if jobs < 1:
+        raise ValueError(f"jobs is {jobs}, expected 1 or more")
+    if sample is not None and method != "random":
+        require("scipy", f"the method {method}")
+    arrays = dict(vary) if isinstance(vary, Mapping) else {}
+    texts = [f"{name}={values}" for name, values in arrays.items() if isinstance(values, str)]
+    texts += [] if isinstance(vary, Mapping) else vary
+    settings = Settings(
+        vary=tuple(map(Text, texts)),
+        zip=zip,
+        sample=sample,
+        method=method,
+        seed=seed,
+        out=Text(out if isinstance(out, str) else ",".join(out)),
+        where=None if where is None else Text(where),
+        coast=coast,
+        idle=idle,
+    )
+    numbers = {name: values for name, values in arrays.items() if not isinstance(values, str)}
+    return _chunks(build.plan(case, settings, arrays=numbers, table=variants), jobs)
+
+
+def _chunks(plan: Any, jobs: int) -> Iterator[Chunk]:
+    from vstatics.sweep.jobs import workers
+    from vstatics.sweep.tasks import Task, calculate
+
+    task = Task(plan, "csv")
+    with workers(task, task.describe, jobs=min(jobs, plan.pieces)) as called:
+        for _, chunk in called.each(calculate, range(plan.pieces), ordered=True):
+            yield chunk

@@ -1,0 +1,162 @@
+"""Options, from the command line, a sweep file or a call, -> Plan."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import replace
+from typing import TYPE_CHECKING, TypeVar, cast
+
+import numpy as np
+
+from vstatics.errors import CaseError, Problem, ReadError
+from vstatics.model import IdleConvention, Transmission
+from vstatics.sweep.columns import read_columns
+from vstatics.sweep.extras import require
+from vstatics.sweep.file import Settings, Text, located
+from vstatics.sweep.formats import Format
+from vstatics.sweep.plan import Plan
+from vstatics.sweep.samples import Method, Sample
+from vstatics.sweep.selection import read_objective, read_where
+from vstatics.sweep.table import load_table
+from vstatics.sweep.targets import target
+from vstatics.sweep.variants import Grid, Table, Variants, Zip
+from vstatics.sweep.variation import Variation, read_variation
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+Read = TypeVar("Read")
+
+OUT = "ratio,efficiency"
+
+
+def check_packages(settings: Settings, form: Format, scheduler: str | None) -> None:
+    """Make sure of the packages that a sweep needs, before anything is calculated.
+
+    Raises
+    ------
+    CaseError
+    """
+    if form == "parquet":
+        require("pyarrow", "Parquet")
+    if scheduler is not None:
+        require("distributed", "--scheduler")
+    if settings.sample is not None and settings.method != "random":
+        require("scipy", f"--method {settings.method or 'sobol'}")
+
+
+def plan(
+    case: Transmission,
+    settings: Settings,
+    *,
+    arrays: Mapping[str, ArrayLike] | None = None,
+    table: Mapping[str, ArrayLike] | None = None,
+) -> Plan:
+    """Make a plan from settings.
+
+    Parameters
+    ----------
+    case : Transmission
+    settings : Settings
+    arrays : mapping of str to array_like, optional
+        Further numbers to vary. [-]
+    table : mapping of str to array_like, optional
+        A table of variants in place of what is varied. [-]
+
+    Raises
+    ------
+    ReadError
+        With all that is wrong with the texts of the options.
+    CaseError
+        If there can be no such sweep.
+    """
+    case = _with_conventions(case, settings)
+    variants = _table(case, table) if table is not None else _variants(case, settings, arrays or {})
+    try:
+        return _with_expressions(case, settings, variants)
+    except BaseException:
+        if isinstance(variants, Table):
+            variants.close()
+        raise
+
+
+def _with_conventions(case: Transmission, settings: Settings) -> Transmission:
+    coast = case.coast if settings.coast is None else settings.coast
+    idle = cast("IdleConvention", settings.idle or case.idle)
+    return (
+        case if (coast, idle) == (case.coast, case.idle) else replace(case, coast=coast, idle=idle)
+    )
+
+
+def _variants(case: Transmission, settings: Settings, arrays: Mapping[str, ArrayLike]) -> Variants:
+    if settings.variants is not None:
+        return load_table(settings.variants, case)
+    texts = _all(settings.vary, lambda text: read_variation(text, case))
+    variations = [
+        *texts,
+        *(Variation(target(name, case), _list(name, values)) for name, values in arrays.items()),
+    ]
+    if settings.sample is not None:
+        method = cast("Method", settings.method or "sobol")
+        return Sample(variations, settings.sample, method, settings.seed or 0)
+    return Zip(variations) if settings.zip else Grid(variations)
+
+
+def _list(name: str, values: ArrayLike) -> np.ndarray[tuple[int], np.dtype[np.float64]]:
+    array = np.asarray(values, dtype=np.float64)
+    if array.ndim != 1:
+        raise CaseError([Problem(f"{name}: read {array.ndim} axes, expected a list of numbers")])
+    return array
+
+
+def _table(case: Transmission, columns: Mapping[str, ArrayLike]) -> Table:
+    targets = [target(name, case) for name in columns]
+    arrays = [_list(name, values) for name, values in columns.items()]
+    if len({len(array) for array in arrays}) != 1:
+        lengths = ", ".join(f"{name} {len(a)}" for name, a in zip(columns, arrays, strict=True))
+        message = f"variants: expected equally many values of each number ({lengths or 'none'})"
+        raise CaseError([Problem(message)])
+    return Table(targets, np.column_stack(arrays))
+
+
+def _with_expressions(case: Transmission, settings: Settings, variants: Variants) -> Plan:
+    targets = variants.targets
+    problems: list[Problem] = []
+
+    def read(text: Text, reader: Callable[[str], Read]) -> list[Read]:
+        try:
+            return _all([text], reader)
+        except ReadError as error:
+            problems.extend(error.problems)
+            return []
+
+    columns = read(settings.out or Text(OUT), lambda text: read_columns(text, case, targets))
+    where = [
+        made
+        for text in filter(None, [settings.where])
+        for made in read(text, lambda text: read_where(text, case, targets))
+    ]
+    objectives = [
+        made
+        for option, texts in (("--min", settings.min), ("--max", settings.max))
+        for text in texts
+        for made in read(text, lambda text: read_objective(text, case, targets, option))  # noqa: B023
+    ]
+    if problems:
+        raise ReadError(problems)
+    condition = where[0] if where else None
+    return Plan(case, variants, columns[0], condition, tuple(objectives), settings.best)
+
+
+def _all(texts: Iterable[Text], reader: Callable[[str], Read]) -> list[Read]:
+    """Read several texts, and report the problems of all."""
+    read, problems = [], []
+    for text in texts:
+        try:
+            with located(text):
+                read.append(reader(text.text))
+        except ReadError as error:
+            problems += error.problems
+    if problems:
+        raise ReadError(problems)
+    return read

@@ -1,0 +1,238 @@
+"""A part of a sweep: from a plan and two numbers of variants to the rows between them.
+
+Everything is calculated in blocks, so that the results of a block stay in tens of
+megabytes. Where blocks begin is told by the case and the part alone, never by who
+calculates it: the same build gives the same numbers for any number of jobs.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import pairwise
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple
+
+import numpy as np
+
+from vstatics import statics
+from vstatics.arrays import Booleans, Floats, Integers
+from vstatics.results import Results
+
+if TYPE_CHECKING:
+    import pandas as pd
+
+    from vstatics.model import Transmission
+    from vstatics.sweep.plan import Plan
+    from vstatics.sweep.targets import Target
+
+Codes = np.ndarray[Any, np.dtype[np.uint8]]
+
+STATUS = ("ok", "open", "undecided", "locked", "tied up", "invalid")
+"""What can be said of a variant, the worse the later; a variant has the worst of its gears."""
+OPEN, UNDECIDED, LOCKED, TIED_UP, INVALID = range(1, len(STATUS))
+
+BLOCK_BYTES = 32 * 2**20
+LEAST_BLOCK, MOST_BLOCK = 256, 16384
+
+
+class Chunk(NamedTuple):
+    """The variants of a part of a sweep that passed its conditions."""
+
+    start: int
+    """The first variant of the part, from 0."""
+    variants: Integers
+    """(rows,) numbers of the variants."""
+    values: Floats
+    """(rows, targets): the varied numbers. [-]"""
+    status: Codes
+    """(rows,) index into `STATUS`."""
+    columns: Floats
+    """(rows, columns): what was asked for; NaN does not exist."""
+    objectives: Floats
+    """(rows, objectives): what is to be small, or large."""
+    counts: Mapping[str, int]
+    """How many variants of the whole part have a status, those without a row too."""
+    names: tuple[str, ...]
+    """Of the varied numbers."""
+    headings: tuple[str, ...]
+    """Of the columns."""
+
+    def to_dataframe(self) -> pd.DataFrame:
+        """One row per variant, which is the index, with columns named as in a file.
+
+        Raises
+        ------
+        CaseError
+            If pandas is missing.
+        """
+        from vstatics.sweep.extras import require
+
+        require("pandas", "to_dataframe")
+        import pandas as pd
+
+        codes = self.status.astype(np.int64)
+        status: Any = pd.Categorical.from_codes(codes, categories=pd.Index(STATUS))
+        columns: dict[str, Any] = {
+            **dict(zip(self.names, np.transpose(self.values), strict=True)),
+            "status": status,
+            **dict(zip(self.headings, self.columns.T, strict=True)),
+        }
+        return pd.DataFrame(columns, index=pd.Index(self.variants, name="variant"))
+
+    def rows(self, chosen: Integers | Booleans) -> Chunk:
+        """The chunk with these rows only."""
+        return self._replace(
+            variants=self.variants[chosen],
+            values=self.values[chosen],
+            status=self.status[chosen],
+            columns=self.columns[chosen],
+            objectives=self.objectives[chosen],
+        )
+
+
+class _Numbers(NamedTuple):
+    """What `statics.solve` takes, and which variants cannot be given to it."""
+
+    ratios: Floats | None
+    efficiencies: Floats | None
+    invalid: Booleans
+
+
+def calculate(plan: Plan, start: int, stop: int) -> Chunk:
+    """Calculate the variants from `start` up to `stop`.
+
+    Parameters
+    ----------
+    plan : Plan
+    start, stop : int
+        Numbers of variants, from 0; `stop` is not included.
+
+    Returns
+    -------
+    Chunk
+        With a row for each variant that passed the plan's condition.
+    """
+    own = statics.solve(plan.case)
+    parts = [_block(plan, own, *ends) for ends in blocks(plan.case, start, stop)]
+    return joined(parts)
+
+
+def joined(parts: Sequence[Chunk]) -> Chunk:
+    """The rows of several chunks, and all that was counted, as one."""
+    if len(parts) == 1:
+        return parts[0]
+    counts: dict[str, int] = {}
+    for part in parts:
+        for status, count in part.counts.items():
+            counts[status] = counts.get(status, 0) + count
+    fields = ("variants", "values", "status", "columns", "objectives")
+    rows: dict[str, Any] = {
+        name: np.concatenate([getattr(part, name) for part in parts]) for name in fields
+    }
+    return parts[0]._replace(**rows, counts=counts)
+
+
+def blocks(case: Transmission, start: int, stop: int) -> Iterator[tuple[int, int]]:
+    """The ends of the blocks of a part, of nearly equal size."""
+    most = min(max(BLOCK_BYTES // variant_bytes(case), LEAST_BLOCK), MOST_BLOCK)
+    number = -(-(stop - start) // most)
+    ends = [start + (stop - start) * block // number for block in range(number + 1)]
+    return pairwise(ends)
+
+
+def variant_bytes(case: Transmission) -> int:
+    """About how much memory the results of a variant take."""
+    elements, mechanisms = len(case.shift_elements), len(case.mechanisms)
+    numbers = 3 * case.links + 3 * elements + 5 * mechanisms + 10
+    return len(case.gears) * (8 * numbers + 2 * mechanisms + 5)
+
+
+def _block(plan: Plan, own: Results, start: int, stop: int) -> Chunk:
+    """The rows of a block; the plan's condition is asked before columns are made."""
+    case, targets = plan.case, plan.variants.targets
+    values = plan.variants.block(start, stop)
+    numbers = _numbers(case, targets, values)
+    variants = np.arange(start, stop)
+    if numbers.ratios is None and numbers.efficiencies is None:  # nothing is varied
+        numbers = numbers._replace(ratios=_own(case, "ratio", len(variants)).T)
+    results = statics.solve(case, ratios=numbers.ratios, efficiencies=numbers.efficiencies)
+    status = _status(results, own)
+    status[numbers.invalid] = INVALID
+    with np.errstate(all="ignore"):
+        columns = _existing(plan.columns(results, values), numbers.invalid)
+        objectives = _existing(plan.objective_values(results, values), numbers.invalid)
+        passed = None if plan.where is None else plan.where(results, values).astype(np.bool_)
+    counted = np.bincount(status, minlength=len(STATUS)).tolist()
+    chunk = Chunk(
+        start,
+        variants,
+        values,
+        status,
+        columns,
+        objectives,
+        {name: count for name, count in zip(STATUS, counted, strict=True) if count},
+        tuple(target.name for target in targets),
+        tuple(plan.columns.headings),
+    )
+    if passed is None:
+        return chunk
+    passed &= ~numbers.invalid
+    return chunk if passed.all() else chunk.rows(passed)
+
+
+def _own(case: Transmission, quantity: Literal["ratio", "efficiency"], count: int) -> Floats:
+    """The case's own numbers, (mechanisms, variants): each mechanism's lie together."""
+    made = np.empty((len(case.mechanisms), count))
+    made.T[:] = [getattr(mechanism, quantity) for mechanism in case.mechanisms]
+    return made
+
+
+def _numbers(case: Transmission, targets: tuple[Target, ...], values: Floats) -> _Numbers:
+    """Ratios and efficiencies of a block; the case's own where a number can be none."""
+    made: dict[str, Floats] = {}
+    invalid = np.zeros(len(values), dtype=np.bool_)
+    for column, target in enumerate(targets):
+        quantity = target.quantity
+        if quantity not in made:
+            made[quantity] = _own(case, quantity, len(values))
+        given = values[:, column]
+        mechanism = case.mechanisms[target.mechanism]
+        wrong = statics.impossible(mechanism, quantity, given)
+        made[quantity][target.mechanism] = given
+        if wrong.any():
+            made[quantity][target.mechanism][wrong] = getattr(mechanism, quantity)
+            invalid |= wrong
+    ratios, efficiencies = made.get("ratio"), made.get("efficiency")
+    return _Numbers(
+        None if ratios is None else ratios.T,
+        None if efficiencies is None else efficiencies.T,
+        invalid,
+    )
+
+
+def _status(results: Results, own: Results) -> Codes:
+    """The worst that can be said of the gears of each variant.
+
+    Whole arrays are asked first: most often nothing is to be said of any variant.
+    """
+    status = np.zeros(len(results.ratio), dtype=np.uint8)
+    unlike = ((results.missing > 0) & (own.missing == 0), ~results.balanced & own.balanced)
+    for code, said in (
+        *((OPEN, wrong) for wrong in unlike),
+        (UNDECIDED, results.undecided),
+        (LOCKED, results.locked),
+        (TIED_UP, results.tied_up),
+    ):
+        if said.any():
+            status[said.any(axis=1)] = code
+    return status
+
+
+def _existing(columns: Floats, invalid: Booleans) -> Floats:
+    """Columns without -0, with NaN for what is infinite or belongs to an invalid variant."""
+    columns += 0.0
+    infinite = np.isinf(columns)
+    if infinite.any():
+        columns[infinite] = np.nan
+    if invalid.any():
+        columns[invalid] = np.nan
+    return columns

@@ -1,0 +1,123 @@
+"""NPZ: an uncompressed ZIP archive with a NumPy array for each column.
+
+The data of the pieces are copied into place as they are. So the archive is laid out by
+hand: the sizes of all members are known, and the check sum of a member follows from those
+of its segments. Sizes are given in 64 bits throughout (ZIP64).
+"""
+
+from __future__ import annotations
+
+import io
+import struct
+import zlib
+from collections.abc import Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from vstatics.sweep.chunk import STATUS
+from vstatics.sweep.formats.checksum import combined
+from vstatics.sweep.pieces import Account, Copy
+
+_LOCAL = struct.Struct("<4s5H3L2H")
+_LOCAL_SIZES = struct.Struct("<2H2Q")
+_CENTRAL = struct.Struct("<4s6H3L5H2L")
+_CENTRAL_SIZES = struct.Struct("<2H3Q")
+_END_64 = struct.Struct("<4sQ2H2L4Q")
+_END_64_PLACE = struct.Struct("<4sLQL")
+_END = struct.Struct("<4s4H2LH")
+_VERSION = 45  # ZIP64
+_UTF_8 = 0x800
+_DAY_ONE = 0, 0x21  # midnight, 1 January 1980: the archive tells no time
+_FULL = 0xFFFFFFFF
+
+
+class Column(NamedTuple):
+    """A column of the output: its name and the type of its numbers."""
+
+    name: str
+    dtype: np.dtype[Any]
+
+
+class Layout(NamedTuple):
+    """A file as texts that are known and stretches to copy."""
+
+    texts: list[tuple[int, bytes]]
+    copies: list[Copy]
+    length: int
+
+
+def layout(columns: Sequence[Column], accounts: Sequence[Account]) -> Layout:
+    """Where everything goes in the archive.
+
+    Parameters
+    ----------
+    columns : sequence of Column
+        In the order of the segments of the pieces.
+    accounts : sequence of Account
+        Of all pieces, in order.
+    """
+    rows = sum(account.rows for account in accounts)
+    texts: list[tuple[int, bytes]] = []
+    copies: list[Copy] = []
+    central: list[bytes] = []
+    place = 0
+    starts = [0] * len(accounts)  # where a column begins in the data of each piece
+    for index, column in enumerate(columns):
+        array = _array_head(column.dtype, rows)
+        segments = [account.segments[index] for account in accounts]
+        crc = zlib.crc32(array)
+        for segment in segments:
+            crc = combined(crc, segment.crc, segment.length)
+        size = len(array) + sum(segment.length for segment in segments)
+        local, entry = _heads(f"{column.name}.npy", crc, size, place)
+        central.append(entry)
+        texts.append((place, local + array))
+        place += len(local) + len(array)
+        for number, (account, segment) in enumerate(zip(accounts, segments, strict=True)):
+            copies.append(Copy(account.piece, starts[number], place, segment.length))
+            starts[number] += segment.length
+            place += segment.length
+    codes = _array_bytes(np.array(STATUS))
+    local, entry = _heads("statuses.npy", zlib.crc32(codes), len(codes), place)
+    texts.append((place, local + codes))
+    place += len(local) + len(codes)
+    end = _end([*central, entry], place)
+    texts.append((place, end))
+    copies.sort(key=lambda copy: copy.piece)  # stable: a piece is opened once
+    return Layout(texts, copies, place + len(end))
+
+
+def _array_head(dtype: np.dtype[Any], rows: int) -> bytes:
+    head = io.BytesIO()
+    described = {"descr": np.lib.format.dtype_to_descr(dtype), "fortran_order": False}
+    np.lib.format.write_array_header_1_0(head, {**described, "shape": (rows,)})
+    return head.getvalue()
+
+
+def _array_bytes(array: Any) -> bytes:
+    file = io.BytesIO()
+    np.lib.format.write_array(file, array)
+    return file.getvalue()
+
+
+def _heads(name: str, crc: int, size: int, place: int) -> tuple[bytes, bytes]:
+    """The two heads of a member: before its data, and in the directory at the end."""
+    text = name.encode()
+    sizes = _LOCAL_SIZES.pack(1, 16, size, size)
+    common = _VERSION, _UTF_8, 0, *_DAY_ONE, crc, _FULL, _FULL, len(text)
+    local = _LOCAL.pack(b"PK\3\4", *common, len(sizes)) + text + sizes
+    sizes = _CENTRAL_SIZES.pack(1, 24, size, size, place)
+    entry = _CENTRAL.pack(b"PK\1\2", _VERSION, *common, len(sizes), 0, 0, 0, 0, _FULL)
+    return local, entry + text + sizes
+
+
+def _end(entries: Sequence[bytes], place: int) -> bytes:
+    """The directory of the archive and its end."""
+    central = b"".join(entries)
+    count = len(entries)
+    end_64 = _END_64.pack(
+        b"PK\6\6", 44, _VERSION, _VERSION, 0, 0, count, count, len(central), place
+    )
+    where = _END_64_PLACE.pack(b"PK\6\7", 0, place + len(central), 1)
+    return central + end_64 + where + _END.pack(b"PK\5\6", 0, 0, *[0xFFFF] * 2, _FULL, _FULL, 0)

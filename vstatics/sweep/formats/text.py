@@ -1,0 +1,124 @@
+r"""Rows as text: CSV and JSON lines, twelve significant digits.
+
+A block of rows is one call of Python's `%`, with the format of a row repeated. The status,
+what does not exist and what is the same in all rows stand in the format itself.
+"""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+from collections.abc import Sequence
+from typing import Literal
+
+import numpy as np
+
+from vstatics.arrays import Floats
+from vstatics.sweep.chunk import STATUS, Chunk
+
+TextFormat = Literal["csv", "jsonl"]
+ROWS = 512
+"""Rows to format at once: few, so that many columns are the same throughout in a grid."""
+NUMBER = "%.12g"
+
+
+def head(form: TextFormat, names: Sequence[str], headings: Sequence[str]) -> bytes:
+    r"""The line of headings of a CSV file; JSON lines have none.
+
+    >>> head("csv", ["D1.ratio"], ["ratio[1]", "speeds[C1,1]"])
+    b'variant,D1.ratio,status,ratio[1],"speeds[C1,1]"\n'
+    """
+    if form == "jsonl":
+        return b""
+    line = io.StringIO()
+    csv.writer(line, lineterminator="\n").writerow(["variant", *names, "status", *headings])
+    return line.getvalue().encode()
+
+
+def rows(form: TextFormat, chunk: Chunk) -> bytes:
+    """The rows of a chunk as text.
+
+    Parameters
+    ----------
+    form : {"csv", "jsonl"}
+    chunk : Chunk
+
+    Returns
+    -------
+    bytes
+        A line for each row, in UTF-8.
+    """
+    row = _Row(form, chunk.names, chunk.headings)
+    parts = []
+    for start in range(0, len(chunk.variants), ROWS):
+        part = slice(start, start + ROWS)
+        parts.append(_formatted(row, _numbers(chunk, part), chunk.status[part].tolist()))
+    return "".join(parts).encode()
+
+
+def _formatted(row: _Row, numbers: Floats, status: list[int]) -> str:
+    """Rows as text; a column of one number throughout is formatted once."""
+    alike = (numbers == numbers[0]).all(axis=0)
+    row.begin(numbers[0], alike.tolist())
+    varied = numbers[:, ~alike]
+    exists = np.isfinite(varied)
+    if not exists.all():
+        patterns = map(row.pattern, status, map(bytes, exists))
+        return "".join(patterns) % tuple(varied[exists].tolist())
+    several = any(status)
+    pattern = "".join(map(row.pattern, status)) if several else row.pattern(0) * len(status)
+    return pattern % tuple(varied.ravel().tolist())
+
+
+def _numbers(chunk: Chunk, part: slice) -> Floats:
+    """All numbers of some rows, in the order of the text."""
+    variants = chunk.variants[part]
+    values = len(chunk.names)
+    numbers = np.empty((len(variants), 1 + values + len(chunk.headings)))
+    numbers[:, 0] = variants
+    numbers[:, 1 : 1 + values] = chunk.values[part]
+    numbers[:, 1 + values :] = chunk.columns[part]
+    return numbers
+
+
+class _Row:
+    """The format of a row, with what is known of the rows that are formatted together."""
+
+    def __init__(self, form: TextFormat, names: Sequence[str], headings: Sequence[str]) -> None:
+        if form == "csv":
+            self.keys = ["", *"," * (len(names) + 1 + len(headings))]
+            self.end, self.null, self.quote = "\n", "", ""
+        else:
+            keys = ["variant", *names, "status", *headings]
+            texts = [json.dumps(key, ensure_ascii=False).replace("%", "%%") for key in keys]
+            self.keys = [f"{', ' if number else '{'}{key}: " for number, key in enumerate(texts)]
+            self.end, self.null, self.quote = "}\n", "null", '"'
+        self.place = 1 + len(names)  # of the status
+        self.cells: list[str] = []
+        self.varied: list[int] = []
+        self.made: dict[tuple[int, bytes], str] = {}
+
+    def begin(self, first: Floats, alike: Sequence[bool]) -> None:
+        """Begin with rows of which some columns are those of the first row throughout."""
+        self.cells = ["%d", *[NUMBER] * (len(first) - 1)]
+        self.varied = [column for column, same in enumerate(alike) if not same]
+        for column, same in enumerate(alike):
+            if same:
+                known = bool(np.isfinite(first[column]))
+                self.cells[column] = self.cells[column] % first[column] if known else self.null
+        self.made.clear()
+
+    def pattern(self, status: int, exists: bytes = b"") -> str:
+        """The format of a row of a status; `exists` tells which of the varied numbers there are."""
+        pattern = self.made.get((status, exists))
+        if pattern is None:
+            cells = self.cells.copy()
+            for column, mark in zip(self.varied, exists, strict=False):
+                if not mark:
+                    cells[column] = self.null
+            cells.insert(self.place, f"{self.quote}{STATUS[status]}{self.quote}")
+            pairs = zip(self.keys, cells, strict=True)
+            pattern = "".join(key + cell for key, cell in pairs) + self.end
+            self.made[status, exists] = pattern
+        return pattern

@@ -1,0 +1,223 @@
+"""The output file of a sweep: calculated piece by piece, then assembled and moved into place."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Iterator, Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from vstatics.sweep import best, chunk, pieces, tasks
+from vstatics.sweep.chunk import Chunk
+from vstatics.sweep.formats import TEXTS, Format, text
+from vstatics.sweep.formats.npz import Column, Layout
+from vstatics.sweep.formats.npz import layout as npz_layout
+from vstatics.sweep.jobs import Alone, Workers
+from vstatics.sweep.pieces import Account, Copy
+from vstatics.sweep.plan import Plan
+from vstatics.sweep.store import Store
+from vstatics.sweep.tasks import Task, text_format, text_of
+
+Advance = Callable[[int], None]
+
+
+class Report(NamedTuple):
+    """What became of a sweep."""
+
+    rows: int
+    counts: dict[str, int]
+    """How many variants have a status."""
+
+    @property
+    def variants(self) -> int:
+        """All variants that were calculated."""
+        return sum(self.counts.values())
+
+
+def description(plan: Plan, form: Format) -> dict[str, Any]:
+    """What a sweep is, for its directory of pieces and for whoever looks into that."""
+    return {
+        "what": "unfinished sweep of vstatics; the same command with --resume goes on",
+        "fingerprint": plan.fingerprint(form),
+        "pieces": plan.pieces,
+        "variants": plan.variants.count,
+        "varied": list(plan.names),
+        "columns": list(plan.headings),
+        "where": plan.where and plan.where.text,
+        "objectives": [
+            f"{'min' if objective.sign > 0 else 'max'} {objective.expression.text}"
+            for objective in plan.objectives
+        ],
+        "format": form,
+    }
+
+
+def column_types(plan: Plan) -> list[Column]:
+    """Names and types of the columns of the output."""
+    number = np.dtype("<f8")
+    return [
+        Column("variant", np.dtype("<i8")),
+        *(Column(name, number) for name in plan.names),
+        Column("status", np.dtype("u1")),
+        *(Column(heading, number) for heading in plan.headings),
+    ]
+
+
+class Output:
+    """The way of a sweep to its file; `store` is to be opened before."""
+
+    def __init__(self, plan: Plan, form: Format, store: Store) -> None:
+        """Take the pieces that the store has."""
+        self.task = Task(plan, form, store.directory)
+        self.store = store
+
+    @property
+    def pending(self) -> list[int]:
+        """The pieces that are not there."""
+        return [piece for piece in range(self.task.plan.pieces) if piece not in self.store.accounts]
+
+    @property
+    def finished(self) -> int:
+        """Variants of the pieces that are there, also of those that nobody has told of yet."""
+        plan = self.task.plan
+        spans = [plan.span(piece) for piece in self.store.finished() if piece < plan.pieces]
+        return sum(stop - start for start, stop in spans)
+
+    def calculate(self, workers: Workers, advance: Advance) -> None:
+        """Calculate what is not there.
+
+        Raises
+        ------
+        CaseError
+            If a piece can't be calculated; it names the variants.
+        OSError
+            If a piece can't be written.
+        """
+        for account in self._accounts(workers):
+            self.store.accounts[account.piece] = account
+            advance(account.variants)
+
+    def _accounts(self, workers: Workers) -> Iterator[Account]:
+        if workers.remote:
+            items = tasks.items(self.task, self.pending, remote=True)
+            for _, (account, data) in workers.each(tasks.piece_sent, items):
+                pieces.write_piece(self.task.directory, account.piece, [data])
+                yield account
+        else:
+            for _, account in workers.each(tasks.write_piece, self.pending):
+                yield account
+
+    def assemble(self, workers: Workers) -> Report:
+        """Put the pieces together and the output into its place.
+
+        Raises
+        ------
+        OSError
+            If it can't be written; the pieces stay.
+        """
+        plan = self.task.plan
+        accounts = [self.store.accounts[piece] for piece in range(plan.pieces)]
+        counts = _counted(accounts)
+        if plan.objectives:
+            accounts = list(self._select(accounts))
+        try:
+            self._write(workers, accounts)
+        except BaseException:
+            self.store.discard(pieces.ASSEMBLED)  # what is there of it may fill a disk
+            raise
+        self.store.finish()
+        return Report(sum(account.rows for account in accounts), counts)
+
+    def _write(self, workers: Workers, accounts: Sequence[Account]) -> None:
+        plan = self.task.plan
+        if self.task.form == "parquet":
+            from vstatics.sweep.formats import parquet
+
+            path = self.store.path(pieces.ASSEMBLED)
+            parquet.write(path, plan.names, plan.headings, self._chunks(accounts))
+        else:
+            self._copy(workers, self._layout(accounts))
+
+    def _layout(self, accounts: Sequence[Account]) -> Layout:
+        plan, form = self.task.plan, self.task.form
+        if form == "npz":
+            return npz_layout(column_types(plan), accounts)
+        head = text.head(text_format(form), plan.names, plan.headings)
+        copies, place = [], len(head)
+        for account in accounts:
+            copies.append(Copy(account.piece, 0, place, account.length))
+            place += account.length
+        return Layout([(0, head)], copies, place)
+
+    def _copy(self, workers: Workers, layout: Layout) -> None:
+        """Write what is known and let the workers copy the rest, each piece to its place."""
+        with open(self.store.path(pieces.ASSEMBLED), "wb") as file:  # noqa: PTH123
+            file.truncate(layout.length)
+            for place, known in layout.texts:
+                file.seek(place)
+                file.write(known)
+        by_piece: dict[int, list[Copy]] = {}
+        for one in layout.copies:
+            by_piece.setdefault(one.piece, []).append(one)
+        here: Workers = Alone(self.task, self.task.describe) if workers.remote else workers
+        for _ in here.each(tasks.copy, by_piece.values()):
+            pass
+
+    def _chunks(self, accounts: Sequence[Account]) -> Iterator[Chunk]:
+        for account in accounts:
+            yield tasks.read_chunk(self.task, account)
+
+    def _select(self, accounts: Sequence[Account]) -> Iterator[Account]:
+        """The best rows of all pieces, as pieces of their own behind the others."""
+        number = self.task.plan.pieces
+        for selected in best.among(self.task.plan, lambda: self._chunks(accounts)):
+            data: list[Any]
+            if self.task.form in TEXTS:
+                data = [text_of(self.task, selected)]
+            else:
+                data = tasks.columns_of(selected)
+            account, buffers = pieces.piece_bytes(number, len(selected.variants), {}, data)
+            pieces.write_piece(self.task.directory, number, buffers)
+            yield account
+            number += 1
+
+
+def stream(task: Task, workers: Workers, advance: Advance, write: Callable[[bytes], Any]) -> Report:
+    """Calculate everything and write it as text, in order; nothing is kept on disk.
+
+    Raises
+    ------
+    CaseError
+        If a piece can't be calculated; it names the variants.
+    OSError
+        As `write` raises it.
+    """
+    plan, form = task.plan, text_format(task.form)
+    counts: Counter[str] = Counter()
+    rows = 0
+    items = tasks.items(task, range(plan.pieces), remote=workers.remote)
+    write(text.head(form, plan.names, plan.headings))
+    if plan.objectives:
+        kept: list[Chunk] = []
+        for _, made in workers.each(tasks.calculate, items, ordered=True):
+            counts.update(made.counts)
+            advance(sum(made.counts.values()))
+            kept = [best.within(plan, chunk.joined([*kept, made]))]
+        for made in best.among(plan, lambda: kept):
+            rows += len(made.variants)
+            write(text.rows(form, made))
+        return Report(rows, dict(counts))
+    for _, (account, data) in workers.each(tasks.lines, items, ordered=True):
+        counts.update(account.counts)
+        rows += account.rows
+        write(data)
+        advance(account.variants)
+    return Report(rows, dict(counts))
+
+
+def _counted(accounts: Sequence[Account]) -> dict[str, int]:
+    counts: Counter[str] = Counter()
+    for account in accounts:
+        counts.update(account.counts)
+    return dict(counts)

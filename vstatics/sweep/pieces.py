@@ -1,0 +1,194 @@
+"""A finished piece of a sweep as a file.
+
+It is written under another name and then renamed: it is whole or absent. Its data come
+first, so that they can be copied into the output as they are, then an account of them in
+JSON, with check sums.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import errno
+import json
+import os
+import struct
+import zlib
+from collections.abc import Iterator, Sequence
+from typing import Any, NamedTuple
+
+ASSEMBLED = "output"
+"""The file that becomes the output."""
+_END = struct.Struct("<Q8s")
+_MAGIC = b"vstpiece"
+_BUFFER = 2**20
+
+
+class Segment(NamedTuple):
+    """A stretch of the data of a piece: a column of numbers, or all its text."""
+
+    length: int
+    crc: int
+
+
+class Account(NamedTuple):
+    """What a finished piece holds."""
+
+    piece: int
+    rows: int
+    counts: dict[str, int]
+    """How many variants have a status, those without a row too."""
+    segments: tuple[Segment, ...]
+
+    @property
+    def variants(self) -> int:
+        """All variants of the piece."""
+        return sum(self.counts.values())
+
+    @property
+    def length(self) -> int:
+        """Bytes of the data."""
+        return sum(segment.length for segment in self.segments)
+
+
+class Copy(NamedTuple):
+    """A stretch of a piece, and where it goes."""
+
+    piece: int
+    source: int
+    target: int
+    length: int
+
+
+def piece_bytes(
+    piece: int, rows: int, counts: dict[str, int], data: Sequence[Any]
+) -> tuple[Account, list[Any]]:
+    """A finished piece as buffers to write one behind the other.
+
+    Parameters
+    ----------
+    piece, rows : int
+    counts : dict
+        See `Account`.
+    data : sequence of bytes-like
+        A segment each.
+    """
+    segments = tuple(Segment(memoryview(one).nbytes, zlib.crc32(one)) for one in data)
+    account = Account(piece, rows, counts, segments)
+    text = json.dumps(account._asdict()).encode()
+    return account, [*data, text, _END.pack(len(text), _MAGIC)]
+
+
+def write_piece(directory: str, piece: int, buffers: Sequence[Any]) -> None:
+    """Write a piece, whole or not at all.
+
+    Raises
+    ------
+    OSError
+    """
+    path = piece_path(directory, piece)
+    temporary = f"{path}.{os.getpid()}.tmp"
+    try:
+        with open(temporary, "wb", buffering=0) as file:  # noqa: PTH123
+            for buffer in buffers:
+                write_all(file.fileno(), memoryview(buffer).cast("B"))
+        os.replace(temporary, path)  # noqa: PTH105
+    except BaseException:
+        with contextlib.suppress(OSError):
+            os.unlink(temporary)  # noqa: PTH108
+        raise
+
+
+def write_all(file: int, data: memoryview) -> None:
+    """Write everything: one call writes 2 GB at most, and less where a disk gets full."""
+    while data:
+        data = data[os.write(file, data) :]
+
+
+def read_account(directory: str, piece: int) -> Account | None:
+    """The account of a piece, if it is there and its data are what was written."""
+    try:
+        with open(piece_path(directory, piece), "rb") as file:  # noqa: PTH123
+            size = file.seek(0, os.SEEK_END)
+            file.seek(size - _END.size)
+            length, magic = _END.unpack(file.read(_END.size))
+            if magic != _MAGIC:
+                return None
+            file.seek(size - _END.size - length)
+            account = _account(json.loads(file.read(length)))
+            file.seek(0)
+            whole = all(_crc(file, segment.length) == segment.crc for segment in account.segments)
+    except (OSError, ValueError, KeyError, TypeError, struct.error):
+        return None
+    return account if whole and account.piece == piece else None
+
+
+def _account(read: dict[str, Any]) -> Account:
+    segments = tuple(Segment(*segment) for segment in read["segments"])
+    return Account(read["piece"], read["rows"], read["counts"], segments)
+
+
+def _crc(file: Any, length: int) -> int:
+    crc = 0
+    while length:
+        data = file.read(min(length, _BUFFER))
+        if not data:
+            return -1
+        crc = zlib.crc32(data, crc)
+        length -= len(data)
+    return crc
+
+
+def piece_path(directory: str, piece: int) -> str:
+    """The file of a piece."""
+    return os.path.join(directory, f"{piece:08}")  # noqa: PTH118
+
+
+def copy(directory: str, copies: Sequence[Copy]) -> int:
+    """Copy stretches of pieces into the file that becomes the output; how many bytes.
+
+    The kernel does it where it can.
+
+    Raises
+    ------
+    OSError
+    """
+    target = os.open(os.path.join(directory, ASSEMBLED), os.O_WRONLY)  # noqa: PTH118
+    try:
+        for piece, group in _grouped(copies):
+            source = os.open(piece_path(directory, piece), os.O_RDONLY)
+            try:
+                for one in group:
+                    _copy(source, target, one)
+            finally:
+                os.close(source)
+    finally:
+        os.close(target)
+    return sum(one.length for one in copies)
+
+
+def _grouped(copies: Sequence[Copy]) -> Iterator[tuple[int, list[Copy]]]:
+    from itertools import groupby
+
+    for piece, group in groupby(copies, key=lambda one: one.piece):
+        yield piece, list(group)
+
+
+def _copy(source: int, target: int, one: Copy) -> None:
+    done = 0
+    in_kernel = hasattr(os, "copy_file_range")
+    while done < one.length:
+        left = one.length - done
+        ends = one.source + done, one.target + done
+        if in_kernel:
+            try:
+                copied = os.copy_file_range(source, target, left, *ends)
+            except OSError as error:
+                if error.errno not in (errno.ENOSYS, errno.EXDEV, errno.EINVAL, errno.EOPNOTSUPP):
+                    raise
+                in_kernel = False
+                continue
+        else:
+            copied = os.pwrite(target, os.pread(source, min(left, 8 * _BUFFER), ends[0]), ends[1])
+        if not copied:
+            raise OSError("a finished piece is shorter than it was")
+        done += copied

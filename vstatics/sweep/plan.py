@@ -1,0 +1,121 @@
+"""Everything that a sweep is: what is varied, what is kept of each variant."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, fields, is_dataclass
+from typing import Any
+
+import numpy as np
+
+import vstatics
+from vstatics.arrays import Floats
+from vstatics.model import Transmission
+from vstatics.results import Results
+from vstatics.sweep.columns import Columns
+from vstatics.sweep.expressions import Expression
+from vstatics.sweep.selection import Objective
+from vstatics.sweep.variants import Variants
+
+PIECE = 65536
+"""Variants of a piece: what is calculated, kept and taken up again as a whole. Constant,
+so that the result does not depend on the number of jobs."""
+
+
+@dataclass(frozen=True)
+class Plan:
+    """A sweep, checked when its parts were made; the same plan gives the same result.
+
+    Parameters
+    ----------
+    case : Transmission
+        With the conventions to use (`coast`, `idle`).
+    variants : Variants
+        The numbered variants.
+    columns : Columns
+        What is written of each.
+    where : Expression, optional
+        Which variants are written; all when not given.
+    objectives : sequence of Objective
+        If there are any only the best variants are written.
+    best : int, optional
+        So many at most. When not given 20 by one objective, all by several.
+    piece : int
+        Variants of a piece.
+    """
+
+    case: Transmission
+    variants: Variants
+    columns: Columns
+    where: Expression | None = None
+    objectives: tuple[Objective, ...] = ()
+    best: int | None = None
+    piece: int = PIECE
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Of the varied numbers."""
+        return tuple(target.name for target in self.variants.targets)
+
+    @property
+    def headings(self) -> tuple[str, ...]:
+        """Of the columns."""
+        return tuple(self.columns.headings)
+
+    @property
+    def pieces(self) -> int:
+        """How many pieces there are."""
+        return -(-self.variants.count // self.piece)
+
+    def span(self, piece: int) -> tuple[int, int]:
+        """The first variant of a piece, and the one behind its last."""
+        return piece * self.piece, min((piece + 1) * self.piece, self.variants.count)
+
+    def objective_values(self, results: Results, values: Floats) -> Floats:
+        """(variants, objectives): each is better the smaller it is."""
+        made = np.empty((len(values), len(self.objectives)))
+        for column, objective in enumerate(self.objectives):
+            made[:, column] = objective.sign * objective.expression(results, values)
+        return made
+
+    def fingerprint(self, *more: str) -> str:
+        """A number for everything that decides the result, and for more texts.
+
+        Two plans with the same fingerprint give the same file, with the same version of
+        this package.
+        """
+        digest = hashlib.sha256()
+        for part in _canonical((vstatics.__version__, self, more)):
+            digest.update(part)
+        return digest.hexdigest()
+
+
+def _canonical(part: Any) -> Iterator[bytes]:
+    """A part of a plan as bytes that tell it from any other, the same in every process.
+
+    What a class keeps in attributes that begin with an underscore follows from the others.
+    """
+    yield f"{type(part).__name__}(".encode()
+    if isinstance(part, np.ndarray):
+        yield f"{part.dtype.str} {part.shape} ".encode()
+        yield np.ascontiguousarray(part).tobytes()
+    elif isinstance(part, str | bytes | int | float | type(None)):
+        yield repr(part).encode()
+    else:
+        for name, value in _parts(part):
+            yield f"{name}=".encode()
+            yield from _canonical(value)
+    yield b")"
+
+
+def _parts(part: Any) -> Iterator[tuple[object, Any]]:
+    """What a part of a plan consists of, each with a name."""
+    if isinstance(part, Mapping):
+        yield from sorted(part.items(), key=lambda item: str(item[0]))
+    elif is_dataclass(part):
+        yield from ((field.name, getattr(part, field.name)) for field in fields(part))
+    elif isinstance(part, Sequence):
+        yield from enumerate(part)
+    else:
+        yield from sorted(item for item in vars(part).items() if not item[0].startswith("_"))

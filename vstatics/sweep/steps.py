@@ -1,0 +1,106 @@
+"""Evenly spaced numbers, calculated when they are asked for."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from math import isfinite, lcm
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from vstatics.arrays import Floats, Integers
+
+if TYPE_CHECKING:
+    from fractions import Fraction
+
+_WHOLE = 2**53
+"""Up to here every whole number is a double."""
+_HIT = 1e-6
+"""An end that is missed by such a part of a step is hit."""
+
+
+@dataclass(frozen=True)
+class Steps:
+    """Numbers from `start` to `stop`, both included, evenly spaced.
+
+    Where start and step are short decimals or fractions each number is the double next to
+    the exact one, as if it were written by hand: -0.3 to 0.3 in seven numbers has a 0 in
+    the middle, not 5e-17. Otherwise the numbers are interpolated.
+
+    Parameters
+    ----------
+    start, stop : float
+        Finite.
+    number : int
+        How many, at least 1; 1 only if start and stop are equal.
+
+    Examples
+    --------
+    >>> Steps(-0.3, 0.3, 7)[np.arange(7)]
+    array([-0.3, -0.2, -0.1,  0. ,  0.1,  0.2,  0.3])
+    """
+
+    start: float
+    stop: float
+    number: int
+
+    def __len__(self) -> int:
+        """How many numbers there are."""
+        return self.number
+
+    def __getitem__(self, indices: Integers) -> Floats:
+        """The numbers at these indices, in an array of the same shape."""
+        if self._whole is not None:
+            first, step, divisor = self._whole
+            numbers: Floats = indices * np.float64(step)
+            numbers += first
+            numbers /= divisor
+            return numbers
+        part: Floats = indices / np.float64(max(self.number - 1, 1))
+        return (1 - part) * self.start + part * self.stop
+
+    @cached_property
+    def _whole(self) -> tuple[float, float, float] | None:
+        """Start and step as whole numbers over a common divisor, if none gets too large."""
+        start = _exact(self.start)
+        step = (_exact(self.stop) - start) / max(self.number - 1, 1)
+        divisor = lcm(start.denominator, step.denominator)
+        first, last = start * divisor, (start + step * (self.number - 1)) * divisor
+        sizes: tuple[Fraction, ...] = (first, last, last - first)
+        if divisor > _WHOLE or any(abs(size) > _WHOLE for size in sizes):
+            return None
+        return float(first), float(step * divisor), float(divisor)
+
+
+def stepped(start: float, stop: float, step: float) -> Steps | None:
+    """Numbers from `start` on by `step`, up to `stop`, which is included if it is hit.
+
+    None if the step does not lead there.
+
+    >>> stepped(0.9, 1, 0.05), stepped(0.9, 1, 0.03)
+    (Steps(start=0.9, stop=1.0, number=3), Steps(start=0.9, stop=0.99, number=4))
+    """
+    if start == stop:
+        return Steps(start, stop, 1)
+    if step == 0 or (step > 0) != (stop > start):
+        return None
+    steps = (_exact(stop) - _exact(start)) / _exact(step)
+    whole = round(steps)
+    if whole and abs(steps - whole) <= _HIT:
+        return Steps(start, float(stop), whole + 1)
+    whole = int(steps)
+    return Steps(start, float(_exact(start) + whole * _exact(step)), whole + 1)
+
+
+def _exact(value: float) -> Fraction:
+    """The decimal number that a double stands for.
+
+    >>> _exact(0.1)
+    Fraction(1, 10)
+    """
+    from fractions import Fraction
+
+    if not isfinite(value):
+        raise ValueError(f"read {value}, expected a finite number")
+    return Fraction(repr(float(value)))

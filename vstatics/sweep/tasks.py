@@ -1,0 +1,150 @@
+"""What a worker does with a piece of a sweep."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+
+from vstatics.sweep import best, chunk, pieces
+from vstatics.sweep.chunk import Chunk
+from vstatics.sweep.formats import TEXTS, Format, text
+from vstatics.sweep.pieces import Account, Copy
+from vstatics.sweep.plan import Plan
+from vstatics.sweep.variants import Part, Table
+
+if TYPE_CHECKING:
+    from vstatics.sweep.formats.text import TextFormat
+
+
+class Task(NamedTuple):
+    """What a worker needs to know to do a piece."""
+
+    plan: Plan
+    form: Format
+    directory: str = ""
+
+    def describe(self, item: object) -> str:
+        """The variants of a piece, in words."""
+        piece = item.piece if isinstance(item, Portion) else item
+        if not isinstance(piece, int):
+            return "putting the output together"
+        start, stop = self.plan.span(piece)
+        return f"variants {start} to {stop - 1}"
+
+
+class Portion(NamedTuple):
+    """A piece with its variants, for a worker that does not see the file they are in."""
+
+    piece: int
+    variants: Part
+
+
+Item = int | Portion
+
+
+def items(task: Task, pieces: Iterable[int], *, remote: bool) -> Iterator[Item]:
+    """The numbers of pieces, or pieces with their variants where workers need these."""
+    variants = task.plan.variants
+    for piece in pieces:
+        if remote and isinstance(variants, Table):
+            yield Portion(piece, Part(variants, *task.plan.span(piece)))
+        else:
+            yield piece
+
+
+def calculate(task: Task, item: Item) -> Chunk:
+    """The rows of a piece that may get into the output."""
+    plan, piece = task.plan, _number(item)
+    if isinstance(item, Portion):
+        plan = replace(plan, variants=item.variants)
+    made = chunk.calculate(plan, *plan.span(piece))
+    return best.within(plan, made) if plan.objectives else made
+
+
+def _number(item: Item) -> int:
+    return item.piece if isinstance(item, Portion) else item
+
+
+def text_of(task: Task, made: Chunk) -> bytes:
+    """The rows of a chunk as text."""
+    return text.rows(text_format(task.form), made)
+
+
+def lines(task: Task, item: Item) -> tuple[Account, bytes]:
+    """An account of a piece, and its rows as text."""
+    made = calculate(task, item)
+    account = Account(_number(item), len(made.variants), dict(made.counts), ())
+    return account, text_of(task, made)
+
+
+def piece_data(task: Task, item: Item) -> tuple[Account, list[Any]]:
+    """A piece as it lies on disk: text if that can be the output, else columns."""
+    made = calculate(task, item)
+    if task.form in TEXTS and not task.plan.objectives:
+        data: list[Any] = [text_of(task, made)]
+    else:
+        data = columns_of(made)
+    return pieces.piece_bytes(_number(item), len(made.variants), dict(made.counts), data)
+
+
+def piece_sent(task: Task, item: Item) -> tuple[Account, bytes]:
+    """A piece from another machine."""
+    account, data = piece_data(task, item)
+    return account, b"".join(memoryview(one).cast("B") for one in data)
+
+
+def write_piece(task: Task, piece: int) -> Account:
+    """Calculate a piece and leave it on disk."""
+    account, data = piece_data(task, piece)
+    pieces.write_piece(task.directory, piece, data)
+    return account
+
+
+def copy(task: Task, copies: Sequence[Copy]) -> int:
+    """Copy stretches of pieces into the output."""
+    return pieces.copy(task.directory, copies)
+
+
+def columns_of(made: Chunk) -> list[Any]:
+    """The columns of a chunk, each in one stretch."""
+    return [
+        np.ascontiguousarray(made.variants, dtype="<i8"),
+        *(np.ascontiguousarray(column, dtype="<f8") for column in made.values.T),
+        made.status,
+        *(np.ascontiguousarray(column, dtype="<f8") for column in made.columns.T),
+        *(np.ascontiguousarray(column, dtype="<f8") for column in made.objectives.T),
+    ]
+
+
+def read_chunk(task: Task, account: Account) -> Chunk:
+    """A piece of columns back from disk."""
+    with open(pieces.piece_path(task.directory, account.piece), "rb") as file:  # noqa: PTH123
+        data = [file.read(segment.length) for segment in account.segments]
+    names, headings = task.plan.names, task.plan.headings
+    values, columns = 1 + len(names), 2 + len(names) + len(headings)
+
+    def table(texts: Sequence[bytes]) -> Any:
+        arrays = [np.frombuffer(one, dtype="<f8") for one in texts]
+        return np.array(arrays).reshape(len(arrays), account.rows).T
+
+    return Chunk(
+        account.piece * task.plan.piece,
+        np.frombuffer(data[0], dtype="<i8"),
+        table(data[1:values]),
+        np.frombuffer(data[values], dtype=np.uint8),
+        table(data[values + 1 : columns]),
+        table(data[columns:]),
+        account.counts,
+        names,
+        headings,
+    )
+
+
+def text_format(form: Format) -> TextFormat:
+    """A format that is text."""
+    if form == "csv" or form == "jsonl":  # noqa: PLR1714 (mypy follows this)
+        return form
+    raise ValueError(f"{form} is no text")

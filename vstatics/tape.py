@@ -1,0 +1,63 @@
+"""The operations of a calculation in their order, and the guards of its decisions."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+LONGEST = 20_000
+"""Operations on a tape; a calculation that needs more is not worth its tape."""
+GUARDS = frozenset({"less", "less_equal", "equal", "not_equal"})
+"""Operations that compare: the tape is right for the variants for which all of them hold."""
+
+
+class Untraceable(Exception):  # noqa: N818
+    """The first variant is a special case, that does not stand for others."""
+
+
+class Plain(NamedTuple):
+    """A plain number as operand; a number by itself is a slot of the tape."""
+
+    number: float
+
+
+Operand = int | Plain
+
+
+class Operation(NamedTuple):
+    """A step of a tape: the name of a NumPy function of two operands."""
+
+    name: str
+    one: Operand
+    other: Operand
+
+
+class Tape:
+    """Operations and guards in their order; the first slots are the inputs."""
+
+    def __init__(self, inputs: int) -> None:
+        self.inputs = inputs
+        self.operations: list[Operation] = []
+        self._slots: dict[Operation, int] = {}
+
+    def note(self, name: str, one: Operand, other: Operand) -> int:
+        """The slot of an operation's result; the same operation is noted once.
+
+        Raises
+        ------
+        Untraceable
+            If the tape becomes too long.
+
+        Examples
+        --------
+        >>> tape = Tape(inputs=2)
+        >>> tape.note("add", 0, 1), tape.note("multiply", 2, Plain(0.5)), tape.note("add", 0, 1)
+        (2, 3, 2)
+        """
+        operation = Operation(name, one, other)
+        slot = self._slots.get(operation)
+        if slot is None:
+            slot = self._slots[operation] = self.inputs + len(self.operations)
+            self.operations.append(operation)
+            if len(self.operations) > LONGEST:
+                raise Untraceable
+        return slot
