@@ -18,6 +18,8 @@ Result = TypeVar("Result")
 PATIENCE = 10
 """Seconds to wait for a scheduler, and then for a first worker."""
 RETRIES = 3
+LOST = ("CommClosedError", "CancelledError", "FutureCancelledError")
+"""How Dask tells that the scheduler went away: while a result was fetched, or before."""
 
 
 class Cluster:
@@ -134,7 +136,7 @@ class Cluster:
         except CaseError:
             raise
         except Exception as error:
-            if "Cancelled" in type(error).__name__:
+            if type(error).__name__ in LOST:
                 raise self._problem("the connection to the scheduler is lost") from None
             if type(error).__name__ == "KilledWorker":
                 message = "the workers that were at it died, one after the other"
