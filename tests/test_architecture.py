@@ -20,6 +20,7 @@ ROOMS = [
     {"gears"},
     {"batch"},
     {"statics"},
+    {"elements"},
     {"readers", "writers"},
     {"compare", "sweep"},
     {"frames"},

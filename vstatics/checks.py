@@ -32,8 +32,11 @@ def problems(case: Transmission) -> Iterator[Problem]:
     yield from _ports(case)
     for number, element in enumerate(case.shift_elements, 1):
         yield from _element(case, element, ("shift_elements", number))
+    drawn = _drawn(case)
     for number, mechanism in enumerate(case.mechanisms, 1):
         yield from _mechanism(mechanism, ("mechanisms", number), case.links)
+        if number > drawn:
+            yield from _doubtful(mechanism, ("mechanisms", number))
     for number, gear in enumerate(case.gears, 1):
         yield from _gear(case, gear, ("gears", number))
     if case.idle not in ("exact", "published"):
@@ -42,8 +45,14 @@ def problems(case: Transmission) -> Iterator[Problem]:
 
 def doubts(case: Transmission) -> Iterator[Problem]:
     """The warnings alone, of a case that has no error."""
-    for number, mechanism in enumerate(case.mechanisms, 1):
+    drawn = _drawn(case)
+    for number, mechanism in enumerate(case.mechanisms[drawn:], drawn + 1):
         yield from _doubtful(mechanism, ("mechanisms", number))
+
+
+def _drawn(case: Transmission) -> int:
+    """How many mechanisms, the first ones, were made from elements that are checked as such."""
+    return len(case.mechanisms) - len(case.drawing.mechanisms) if case.drawing else 0
 
 
 def _sizes(case: Transmission) -> Iterator[Problem]:
@@ -161,7 +170,6 @@ def _mechanism(mechanism: Mechanism, path: Path, links: int) -> Iterator[Problem
     if given is not None and (given == 0 or not math.isfinite(given)):
         message = f"read {given:g}, expected a finite ratio other than 0"
         yield Problem(message, (*path, "planet_ratio"))
-    yield from _doubtful(mechanism, path)
 
 
 def _doubtful(mechanism: Mechanism, path: Path) -> Iterator[Problem]:

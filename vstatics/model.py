@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
 
 from vstatics.checks import problems
 from vstatics.errors import CaseError
@@ -16,6 +16,9 @@ from vstatics.parts import (
     element_name,
     mechanism_name,
 )
+
+if TYPE_CHECKING:
+    from vstatics.elements.element import Drawing
 
 __all__ = [
     "HOUSING",
@@ -50,6 +53,8 @@ class Transmission:
         Power enters at the output (engine braking).
     link_names : sequence of str
         The link numbers when not given.
+    drawing : Drawing, optional
+        The elements that links and mechanisms were made from; nothing is calculated of it.
 
     Raises
     ------
@@ -80,6 +85,7 @@ class Transmission:
     description: str = ""
     source: str = ""
     link_names: Sequence[str] = ()
+    drawing: Drawing | None = None
 
     def __post_init__(self) -> None:
         """Check everything, then fill in the defaults."""

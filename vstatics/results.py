@@ -16,8 +16,11 @@ Language = Literal["en", "ru"]
 """Of the headings of a listing and of a deck."""
 
 
-Rows = Literal["links", "elements", "mechanisms", "torques", "one"]
-"""What the rows of a table stand for; `torques`: devices and the output; `one`: none."""
+Rows = Literal["links", "elements", "mechanisms", "torques", "meshes", "one"]
+"""What the rows of a table stand for; `torques`: devices and the output; `one`: none.
+
+`meshes` are those of a case that is drawn, with planets as links.
+"""
 
 
 class TableShape(NamedTuple):
@@ -52,6 +55,8 @@ TABLES = (
     TableShape("locked", "LOCKED", "one", bool, published=False),
     TableShape("AMWZ", "AMWZ", "links", published=False),
     TableShape("AMWZP", "AMWZP", "links", published=False),
+    TableShape("mesh_torques", "MESH", "meshes", published=False),
+    TableShape("lossy_mesh_torques", "MESHP", "meshes", published=False),
 )
 """All tables in the order in which they are written."""
 
@@ -66,6 +71,7 @@ def row_names(case: Transmission, shape: TableShape) -> Sequence[str]:
         "elements": [element.name for element in case.shift_elements],
         "mechanisms": [mechanism.name for mechanism in case.mechanisms],
         "torques": [*case.devices, OUTPUT],
+        "meshes": (),
         "one": [shape.name],
     }
     return names[shape.rows]

@@ -20,12 +20,18 @@ def summary(file: str, results: Results) -> str:
     """What the case is, and how many conditions each gear has for its speeds."""
     case = results.case
     free = freedom(case)
-    lines = [
-        f"{file}: {_count(case.links, 'link')}, "
-        f"{_count(len(case.shift_elements), 'shift element')}, "
-        f"{_count(len(case.mechanisms), 'mechanism')}, {_count(len(case.gears), 'gear')}; "
-        f"degrees of freedom: {free}"
+    counts = [
+        _count(case.links, "link"),
+        _count(len(case.shift_elements), "shift element"),
+        _count(len(case.mechanisms), "mechanism"),
+        _count(len(case.gears), "gear"),
     ]
+    if case.drawing is not None:
+        planets = case.links - case.drawing.links
+        counts[0] = _count(case.drawing.links, "link")
+        counts[2] = f"{_count(len(case.drawing.elements), 'element')} as {counts[2]}"
+        counts[2] += f" and {_count(planets, 'planet')}" * bool(planets)
+    lines = [f"{file}: {', '.join(counts)}; degrees of freedom: {free}"]
     names = [element.name for element in case.shift_elements]
     width = max(len(gear.name) for gear in case.gears)
     states = zip(case.gears, results.missing, results.excess, results.tied_up, strict=True)

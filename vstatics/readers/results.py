@@ -124,7 +124,7 @@ def _read_listing(text: str, file: str) -> list[Report]:
         elif field in PRINTED:
             rows = tables.setdefault(PRINTED[field], [])
         elif rows is not None and line.strip():
-            figures = _figures(line.split())
+            figures = _figures(line.partition("|")[0].split())  # the name of the row behind
             if figures is None:
                 rows = None
             else:

@@ -15,6 +15,9 @@ from vstatics.writers import deck
 from vstatics.writers.numbers import fixed
 from vstatics.writers.tables import Table, tables
 
+NAME = "|"
+"""Stands before the name of a row."""
+
 
 class Heading(NamedTuple):
     """What stands over a table: a short label, and the name with its index list."""
@@ -150,7 +153,31 @@ HEADINGS: dict[str, Heading] = {
         "Torques that hold the given speeds, with losses:",
         "Моменты, удерживающие заданные скорости, с учетом потерь:",
     ),
+    "mesh_torques": Heading(
+        "(MESH(I,J),J=1,NP),I=1,KM:",
+        "Torques of the meshes, on the first wheel or planet, without losses:",
+        "Моменты зацеплений на первом колесе или сателлите без потерь:",
+    ),
+    "lossy_mesh_torques": Heading(
+        "(MESHP(I,J),J=1,NP),I=1,KM:",
+        "Torques of the meshes, with losses:",
+        "Моменты зацеплений с учетом потерь:",
+    ),
 }
+
+DRAWN: dict[str, Heading] = {
+    "AMLG" + REST: Heading(
+        "(AMLG(I,J),J=1,NP),I=(KL+1),KLG1:",
+        "Torques of the members of the elements and of the output, without losses:",
+        "Моменты звеньев элементов и выходного звена без потерь:",
+    ),
+    "AMLGP" + REST: Heading(
+        "(AMLGP(I,J),J=1,NP),I=(KL+1),KLG1:",
+        "Torques of the members of the elements and of the output, with losses:",
+        "Моменты звеньев элементов и выходного звена с учетом потерь:",
+    ),
+}
+"""In place of the torques of mechanisms, where a case is drawn."""
 
 
 def write(results: Results, lang: Language = "en") -> str:
@@ -165,10 +192,12 @@ def write(results: Results, lang: Language = "en") -> str:
     lines = [deck.write(results.case, lang), words.results, *words.conventions]
     if results.case.coast:
         lines.append(words.coasting)
+    drawn = results.case.drawing is not None
+    headings = HEADINGS | DRAWN if drawn else HEADINGS
     for name, table in _parts(results):
-        heading = HEADINGS[name]
+        heading = headings[name]
         lines += ["", heading.ru if lang == "ru" else heading.en, heading.index_list]
-        lines += _rows(table)
+        lines += _rows(table, named=drawn and table.shape.rows != "one")
     if results.messages:
         lines += ["", words.messages, *map(str, results.messages)]
     return "\n".join(lines) + "\n"
@@ -181,18 +210,24 @@ def _parts(results: Results) -> Iterator[tuple[str, Table]]:
         name, values = table.shape.name, table.values
         if table.shape.rows == "torques":
             if elements:
-                yield name, table._replace(values=values[:elements])
-            yield name + REST, table._replace(values=values[elements:])
+                yield name, table._replace(rows=table.rows[:elements], values=values[:elements])
+            yield name + REST, table._replace(rows=table.rows[elements:], values=values[elements:])
         elif values.size:
             yield name, table
 
 
-def _rows(table: Table) -> list[str]:
-    """Rows of equal fields: 7 wide with three decimals, 3 wide for whole numbers."""
+def _rows(table: Table, *, named: bool) -> list[str]:
+    """Rows of equal fields: 7 wide with three decimals, 3 wide for whole numbers.
+
+    Where the case is drawn each row ends with its name.
+    """
     decimals, width = (3, 7) if table.shape.kind is float else (0, 3)
     longest = max(len(fixed(value, decimals=decimals)) for value in table.values.flat)
     width = max(width, longest)
-    return [
+    rows = [
         " ".join(fixed(value, width=width, decimals=decimals) for value in row)
         for row in table.values
     ]
+    if not named:
+        return rows
+    return [f"{row}  {NAME} {name}" for row, name in zip(rows, table.rows, strict=True)]

@@ -34,10 +34,11 @@ def mapping(case: Transmission) -> dict[str, Any]:
     links = _link_words(case)
     texts = {"name": case.name, "description": case.description, "source": case.source}
     data: dict[str, Any] = {key: str(text) for key, text in texts.items() if text}
-    data["links"] = case.links if _numbered(case) else links[1:]
+    own = case.links if case.drawing is None else case.drawing.links
+    data["links"] = own if _numbered(case) else links[1 : own + 1]
     if case.input != 1:
         data["input"] = links[case.input]
-    if case.output != case.links:
+    if case.output != own:
         data["output"] = links[case.output]
     if case.idle != "exact":
         data["idle"] = str(case.idle)
@@ -48,7 +49,14 @@ def mapping(case: Transmission) -> dict[str, Any]:
             str(element.name): [links[element.first], links[element.second]]
             for element in case.shift_elements
         }
-    data["mechanisms"] = {str(m.name): _mechanism(m, links) for m in case.mechanisms}
+    mechanisms = case.mechanisms
+    if case.drawing is not None:
+        from vstatics.writers import elements
+
+        data |= elements.mapping(case.drawing, links)
+        mechanisms = case.drawing.mechanisms
+    if mechanisms or case.drawing is None:
+        data["mechanisms"] = {str(m.name): _mechanism(m, links) for m in mechanisms}
     data["gears"] = {str(gear.name): _gear(gear, case, links) for gear in case.gears}
     return data
 
@@ -77,8 +85,9 @@ def write_json(case: Transmission) -> str:
 
 
 def _numbered(case: Transmission) -> bool:
-    """Whether the links are called by their numbers."""
-    return list(case.link_names) == [str(number) for number in range(1, case.links + 1)]
+    """Whether the case's own links are called by their numbers."""
+    own = case.links if case.drawing is None else case.drawing.links
+    return list(case.link_names[:own]) == [str(number) for number in range(1, own + 1)]
 
 
 def _link_words(case: Transmission) -> list[int | str]:

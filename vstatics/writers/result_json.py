@@ -41,7 +41,10 @@ def document(results: Results) -> dict[str, Any]:
         "case": mapping(case) | {"idle": case.idle, "coast": case.coast},
         "gears": [gear.name for gear in case.gears],
     }
-    for table in tables(results):
+    found = tables(results)
+    if case.drawing is not None:
+        made["rows"] = {t.shape.name: list(t.rows) for t in found if t.shape.rows != "one"}
+    for table in found:
         rows = [_row(row, table.shape.kind) for row in table.values.tolist()]
         made[table.shape.name] = rows[0] if table.shape.rows == "one" else rows
     made["messages"] = [str(message) for message in results.messages]

@@ -17,8 +17,11 @@ ROWS = {
     "elements": "shift elements",
     "mechanisms": "mechanisms",
     "torques": "shift elements, then mechanisms, then the output",
+    "meshes": "meshes",
     "one": "",
 }
+SOMETIMES = {"rows", "AMWZ", "AMWZP", "mesh_torques", "lossy_mesh_torques"}
+"""What only some results have."""
 NUMBERS: dict[type, dict[str, Any]] = {
     float: {"type": ["number", "null"]},
     int: {"enum": [-1, 0, 1, None]},
@@ -39,10 +42,16 @@ def json_schema() -> dict[str, Any]:
         },
         "case": {"$ref": "case.schema.json", "description": "The case as it was calculated."},
         "gears": {**texts, "description": "Names of the gears."},
+        "rows": {
+            "type": "object",
+            "additionalProperties": texts,
+            "description": "Names of the rows of each table, for a case that is drawn: its own "
+            "links and elements, planets, members, meshes.",
+        },
     }
     properties |= {shape.name: _table(shape) for shape in TABLES}
     properties["messages"] = {**texts, "description": "What was noticed, gear by gear."}
-    required = [name for name in properties if name not in ("AMWZ", "AMWZP")]
+    required = [name for name in properties if name not in SOMETIMES]
     return {
         "$schema": "https://json-schema.org/draft/2020-12/schema",
         "$id": "result.schema.json",

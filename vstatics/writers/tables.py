@@ -54,11 +54,19 @@ def tables(results: Results) -> list[Table]:
     if np.isnan(results.holding_torques).all():
         del values["AMWZ"], values["AMWZP"]
     rows = {kind: row_names(case, shape) for kind, shape in KINDS.items()}
+    drawn: dict[str, Any] = {}
+    if case.drawing is not None:
+        from vstatics.elements.view import shown  # most cases do without
+
+        drawn = dict(shown(results))
     made = []
     for shape in TABLES:
         names = rows.get(shape.rows, [shape.name])
         if shape.name == "AJK":
             made.append(Table(shape, names, case.devices, distribution_matrix(case) + 0.0))
+        elif shape.name in drawn and (shape.name in values or shape.rows == "meshes"):
+            own = drawn[shape.name]
+            made.append(Table(shape, own.rows, gears, own.values.T))
         elif shape.name in values:
             array = np.asarray(values[shape.name], dtype=np.float64)
             by_gear = array.reshape(len(gears), len(names)).T

@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
-
-from vstatics.errors import Path
-from vstatics.model import Gear, Mechanism, ShiftElement
+from vstatics.readers.named.arguments import arguments, untold
 from vstatics.readers.named.nodes import Found, Mapping, Node, decode, what
 from vstatics.readers.named.shape import CASE
 from vstatics.readers.named.spots import Spot, Spots
@@ -72,11 +69,15 @@ def _reading(root: Node, found: Found) -> Reading:
         expected = "expected a case: a mapping with `links`, `mechanisms` and `gears`"
         found.stop(f"read {what(root)}, {expected}", root.line, root.column)
     root = _case(root)
-    spots = Spots(found)
-    walk = Walk(spots)
+    walk = Walk(Spots(found))
+    if any(key.text == "elements" for key, _ in root.entries):
+        from vstatics.readers.named.drawing import read_drawing  # others do without
+
+        return read_drawing(root, walk)
     values = walk.read(Spot((), "", root), CASE)
-    parts = _parts(values) | {"link_names": walk.references.link_names}
-    return finish(parts, found.problems, _untold(spots.unreadable), spots.locate)
+    return finish(
+        arguments(values, walk), found.problems, untold(walk.spots.unreadable), walk.spots.locate
+    )
 
 
 def _case(root: Mapping) -> Mapping:
@@ -84,24 +85,3 @@ def _case(root: Mapping) -> Mapping:
     entries = {key.text: value for key, value in root.entries}
     inner = entries.get("case")
     return inner if "format" in entries and isinstance(inner, Mapping) else root
-
-
-def _parts(values: dict[str, Any]) -> dict[str, Any]:
-    """The arguments of `Transmission`."""
-    return values | {
-        "shift_elements": [
-            ShiftElement(first, second, name)
-            for name, (first, second) in values.get("shift_elements", ())
-        ],
-        "mechanisms": [Mechanism(**record, name=name) for name, record in values["mechanisms"]],
-        "gears": [Gear(**record, name=name) for name, record in values["gears"]],
-    }
-
-
-def _untold(unreadable: list[Path]) -> list[Path]:
-    """Where the model's complaints would be about stand-ins.
-
-    Links are counted against the devices, so these count too.
-    """
-    devices = {("shift_elements",), ("mechanisms",)}
-    return [*unreadable, ("links",)] if devices.intersection(unreadable) else unreadable

@@ -58,6 +58,18 @@ def link_number(text: str) -> int | None:
     return int(text)
 
 
+def count(text: str) -> int:
+    """A whole number from 1, such as one of teeth.
+
+    >>> count("48")
+    48
+    """
+    number = link_number(text)
+    if not number:
+        raise ValueError("expected a whole number from 1")
+    return number
+
+
 def flag(text: str, *, plain: bool) -> bool:
     """A switch, `true` or `false` without quotes."""
     if not plain or text not in ("true", "false"):

@@ -9,16 +9,20 @@ import json
 import sys
 from typing import Any
 
+from vstatics.readers.named.elements_shape import with_elements
 from vstatics.readers.named.scalars import LINK_NUMBER, NUMBER
 from vstatics.readers.named.shape import (
     CASE,
+    ByKind,
     ByLink,
     Ends,
     Engaged,
     Key,
     Leaf,
     Links,
+    ListOf,
     Named,
+    Pair,
     Record,
     Shape,
 )
@@ -42,6 +46,12 @@ _DEFINITIONS: dict[str, Words] = {
     },
 }
 
+_GIVEN: Words = {"not": {"type": "null"}}
+_WITHOUT_ELEMENTS: Words = {
+    "required": ["links", "mechanisms"],
+    "properties": {"links": _GIVEN, "mechanisms": _GIVEN},
+}
+
 
 def json_schema() -> Words:
     """The JSON Schema (draft 2020-12) of a case in YAML or JSON.
@@ -51,9 +61,13 @@ def json_schema() -> Words:
     Examples
     --------
     >>> json_schema()["required"]
-    ['links', 'mechanisms', 'gears']
+    ['gears']
     """
-    schema = {"$schema": "https://json-schema.org/draft/2020-12/schema", **_record(CASE)}
+    schema = {
+        "$schema": "https://json-schema.org/draft/2020-12/schema",
+        **_record(with_elements(CASE)),
+        "anyOf": [{"required": ["elements"]}, _WITHOUT_ELEMENTS],
+    }
     return {**schema, "$defs": _DEFINITIONS}
 
 
@@ -90,10 +104,10 @@ def _optional(words: Words) -> Words:
     if "enum" in words:
         return {**words, "enum": [*words["enum"], None]}
     types = words["type"] if isinstance(words["type"], list) else [words["type"]]
-    return {**words, "type": [*types, "null"]}
+    return {**words, "type": [*dict.fromkeys([*types, "null"])]}
 
 
-def _shape(shape: Shape) -> Words:  # noqa: PLR0911 - a table
+def _shape(shape: Shape) -> Words:  # noqa: PLR0911, C901 - a table
     link: Words = {"$ref": "#/$defs/link"}
     match shape:
         case Record():
@@ -111,8 +125,20 @@ def _shape(shape: Shape) -> Words:  # noqa: PLR0911 - a table
             return {"type": "array", "items": _NAME, "uniqueItems": True}
         case ByLink():
             return _by_name({"$ref": "#/$defs/number"})
+        case ListOf():
+            return {"type": "array", "items": _shape(shape.item)}
+        case Pair():
+            return {"type": "array", "items": _NAME, "minItems": 2, "maxItems": 2}
+        case ByKind():
+            return {"oneOf": [_of_kind(kind, record) for kind, record in shape.records.items()]}
         case Leaf():
             return _leaf(shape)
+
+
+def _of_kind(kind: str, record: Record) -> Words:
+    words = _record(record)
+    words["properties"]["kind"] = {"const": kind}
+    return {**words, "type": "object", "required": ["kind", *record.required]}
 
 
 def _by_name(item: Words) -> Words:
@@ -127,6 +153,8 @@ def _leaf(shape: Leaf) -> Words:
     match shape.kind:
         case "number" | "link":
             return {"$ref": f"#/$defs/{shape.kind}"}
+        case "count":
+            return {"type": ["integer", "string"], "minimum": 1, "pattern": LINK_NUMBER}
         case "flag":
             return {"type": "boolean"}
         case "choice":

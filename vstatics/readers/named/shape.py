@@ -11,7 +11,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any, Literal, TypeAlias
 
-LeafKind = Literal["text", "number", "link", "element", "flag", "choice"]
+LeafKind = Literal["text", "number", "count", "link", "element", "flag", "choice"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,9 +81,31 @@ class Named:
     item: Shape
 
 
-Shape: TypeAlias = Leaf | Links | Ends | Engaged | ByLink | Record | Named
+@dataclass(frozen=True, slots=True)
+class ListOf:
+    """Items of one shape in order."""
+
+    item: Shape
+
+
+@dataclass(frozen=True, slots=True)
+class Pair:
+    """Two names."""
+
+    kind: str
+
+
+@dataclass(frozen=True, slots=True)
+class ByKind:
+    """A mapping whose other keys depend on its `kind`."""
+
+    records: Mapping[str, Record]
+
+
+Shape: TypeAlias = Leaf | Links | Ends | Engaged | ByLink | Record | Named | ListOf | Pair | ByKind
 
 TEXT, NUMBER, LINK, FLAG = Leaf("text"), Leaf("number"), Leaf("link"), Leaf("flag")
+COUNT = Leaf("count")
 
 MECHANISM = Record(
     "Mechanism",

@@ -13,6 +13,7 @@ from vstatics.readers.named import scalars
 from vstatics.readers.named.nodes import Listing, Mapping, Node, Scalar, is_null, shown, what
 from vstatics.readers.named.references import NO_ELEMENT, NO_LINK, References
 from vstatics.readers.named.shape import (
+    ByKind,
     ByLink,
     Ends,
     Engaged,
@@ -20,7 +21,9 @@ from vstatics.readers.named.shape import (
     Leaf,
     LeafKind,
     Links,
+    ListOf,
     Named,
+    Pair,
     Record,
     Shape,
 )
@@ -30,6 +33,7 @@ _MANY_LINKS = 10**9  # takes every link number in; the model refuses it, and thi
 _LEAVES: dict[LeafKind, tuple[str, Any]] = {  # what is expected, what stands in for it
     "text": ("text", ""),
     "number": ("a number", 1.0),
+    "count": ("a whole number", 1),
     "link": ("a link", NO_LINK),
     "element": ("the name of a shift element", NO_ELEMENT),
     "flag": ("`true` or `false`", False),
@@ -41,6 +45,9 @@ _COLLECTIONS: dict[type[Shape], Any] = {
     Named: (),
     ByLink: {},
     Engaged: (),
+    ListOf: (),
+    Pair: ("", ""),
+    ByKind: {},
 }
 
 
@@ -59,6 +66,9 @@ class Walk:
             Engaged: self._engaged,
             ByLink: self._by_link,
             Leaf: self._leaf,
+            ListOf: self._list_of,
+            Pair: self._pair,
+            ByKind: self._by_kind,
         }
 
     def read(self, spot: Spot, shape: Shape) -> Any:
@@ -195,6 +205,35 @@ class Walk:
                 values[link] = number
         return values
 
+    def _list_of(self, spot: Spot, shape: ListOf) -> Any:
+        if not isinstance(spot.node, Listing):
+            return self._refuse(spot, shape, "expected a list")
+        items = enumerate(spot.node.items, 1)
+        return [self.read(spot.item(number, number, item), shape.item) for number, item in items]
+
+    def _pair(self, spot: Spot, shape: Pair) -> Any:
+        node = spot.node
+        if not isinstance(node, Listing) or len(node.items) != 2:
+            read = f"a list of {len(node.items)}" if isinstance(node, Listing) else ""
+            return self._refuse(spot, shape, f"expected two: [{shape.kind}, {shape.kind}]", read)
+        items = enumerate(node.items, 1)
+        return [self.read(spot.item(number, number, item), Leaf("text")) for number, item in items]
+
+    def _by_kind(self, spot: Spot, shape: ByKind) -> Any:
+        node = spot.node
+        known = tuple(shape.records)
+        if not isinstance(node, Mapping):
+            return self._refuse(spot, shape, "expected a mapping with `kind` and members")
+        given = [value for key, value in node.entries if key.text == "kind"]
+        if not given:
+            self.spots.complain(spot, f"`kind` is missing; expected one of {_listed(known, 'or')}")
+            self.spots.unreadable.append(spot.path)
+            return {}
+        kind = self.read(spot.key("kind", "kind", given[0]), Leaf("choice", known))
+        if (*spot.path, "kind") in self.spots.unreadable:
+            return {}
+        return self._record(spot, shape.records[kind])
+
     def _leaf(self, spot: Spot, shape: Leaf) -> Any:
         node = spot.node
         if not isinstance(node, Scalar) or is_null(node):
@@ -211,6 +250,8 @@ class Walk:
         match shape.kind:
             case "number":
                 return scalars.number(node.text)
+            case "count":
+                return scalars.count(node.text)
             case "link":
                 return self.references.link(node.text)
             case "element":

@@ -1,0 +1,129 @@
+"""A case as it is drawn: typical elements with teeth, in place of three-link mechanisms."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Literal, NamedTuple
+
+from vstatics.elements.kinds import KINDS, Kind
+from vstatics.model import HOUSING, Mechanism
+
+Losses = Literal["meshes", "reduced"]
+"""Whether losses are calculated at each mesh, or in as few mechanisms as the speeds need."""
+
+
+class MeshEfficiency(NamedTuple):
+    """Efficiency of a single mesh, both axes held [-].
+
+    The defaults of gear meshes are those of the published comparison of loss models;
+    see docs/elements.md for all sources.
+    """
+
+    external: float = 0.98
+    internal: float = 0.99
+    bevel: float = 0.97
+    chain: float = 0.97
+    belt: float = 0.95
+
+
+class CentralWheel(NamedTuple):
+    """A sun or ring of a group of planets.
+
+    Attributes
+    ----------
+    member : str
+        Its name within the element.
+    link : int
+        The link that it belongs to; 0 is the housing.
+    teeth : int
+    internal : bool
+        A ring; a sun is external.
+    rim : str
+        The rim of a planet that it meshes with.
+    """
+
+    member: str
+    link: int
+    teeth: int
+    internal: bool
+    rim: str
+
+
+@dataclass(frozen=True)
+class Element:
+    """A typical element: what a drawing shows as one thing.
+
+    Parameters
+    ----------
+    name : str
+    kind : str
+        One of `vstatics.elements.kinds.KINDS`.
+    members : mapping of str to int
+        Link of each member; 0 is the housing.
+    teeth : mapping of str to number
+        Of wheels and of rims of planets (diameters of a belt drive).
+    planets : int, optional
+        How many planets, or sets of meshed planets, stand around; for the checks of teeth.
+    efficiency : float, optional
+        Of the element as one mechanism, its carrier held; else it follows from the meshes. [-]
+    back_efficiency : float, optional
+        Of a worm pair that the wheel drives. [-]
+    mesh_efficiency : mapping of mesh to float
+        Fields of `MeshEfficiency` that differ from the case's in this element. [-]
+    rims : mapping of planet to its rims with their teeth
+        Of a `planet_group`.
+    wheels : sequence of CentralWheel
+        Of a `planet_group`.
+    meshes : sequence of pairs of rims
+        Of a `planet_group`: planets that mesh with one another.
+    """
+
+    name: str
+    kind: str
+    members: Mapping[str, int]
+    teeth: Mapping[str, float] = field(default_factory=dict)
+    planets: int | None = None
+    efficiency: float | None = None
+    back_efficiency: float | None = None
+    mesh_efficiency: Mapping[str, float] = field(default_factory=dict)
+    rims: Mapping[str, Mapping[str, int]] = field(default_factory=dict)
+    wheels: Sequence[CentralWheel] = ()
+    meshes: Sequence[tuple[str, str]] = ()
+
+    @property
+    def shape(self) -> Kind:
+        """What its kind is made of."""
+        return KINDS[self.kind]
+
+    def link(self, member: str) -> int:
+        """The link of a member, the housing where it has none."""
+        return self.members.get(member, HOUSING)
+
+
+@dataclass(frozen=True)
+class Drawing:
+    """What a case draws: elements, and mechanisms that stand beside them.
+
+    Parameters
+    ----------
+    links : int
+        The case's own links; those of planets come after them.
+    elements : sequence of Element
+    mechanisms : sequence of Mechanism
+        Those that are given as such.
+    losses : {"meshes", "reduced"}, optional
+        ``meshes`` where planets are shared when not given.
+    mesh_efficiency : mapping of mesh to float
+        Fields of `MeshEfficiency` that differ from the defaults. [-]
+    """
+
+    links: int
+    elements: Sequence[Element] = ()
+    mechanisms: Sequence[Mechanism] = ()
+    losses: Losses | None = None
+    mesh_efficiency: Mapping[str, float] = field(default_factory=dict)
+
+    def efficiency_of(self, element: Element) -> MeshEfficiency:
+        """The efficiencies of an element's meshes."""
+        return MeshEfficiency(**{**self.mesh_efficiency, **element.mesh_efficiency})

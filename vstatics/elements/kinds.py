@@ -1,0 +1,177 @@
+"""The kinds of typical elements: their members, their wheels, and which of them mesh.
+
+This is the one place that knows what a planetary set or a Ravigneaux set is; readers,
+the schema of cases, the lowering and the checks follow from it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import NamedTuple
+
+
+class WheelKind(NamedTuple):
+    """A central wheel: whether its teeth point inward, and the planet rim that it meshes with."""
+
+    internal: bool
+    rim: str
+
+
+def sun(rim: str) -> WheelKind:
+    """A wheel inside the planets."""
+    return WheelKind(internal=False, rim=rim)
+
+
+def ring(rim: str) -> WheelKind:
+    """A wheel around the planets."""
+    return WheelKind(internal=True, rim=rim)
+
+
+class Planetary(NamedTuple):
+    """A kind with planets on a carrier.
+
+    Attributes
+    ----------
+    wheels : mapping of member to WheelKind
+        The central wheels, in the order of the links of the mechanism.
+    planets : mapping of planet to its rims
+        All rims of a planet turn together.
+    meshes : pairs of rims
+        Planets that mesh with one another.
+    optional : set of members
+        Central wheels that a transmission may leave out.
+    """
+
+    description: str
+    wheels: Mapping[str, WheelKind]
+    planets: Mapping[str, tuple[str, ...]]
+    meshes: tuple[tuple[str, str], ...] = ()
+    optional: frozenset[str] = frozenset()
+
+    @property
+    def members(self) -> tuple[str, ...]:
+        """The members that name links."""
+        return (*self.wheels, "carrier")
+
+    @property
+    def toothed(self) -> tuple[str, ...]:
+        """What has teeth: central wheels, then rims of planets."""
+        return (*self.wheels, *(rim for rims in self.planets.values() for rim in rims))
+
+
+class Simple(NamedTuple):
+    """A kind without a group of planets: two wheels, a shaft, a support.
+
+    Attributes
+    ----------
+    members : names
+        First, second and third link of the mechanism; the housing where there are fewer.
+    toothed : names
+        What has teeth; the first and the last are the wheels whose ratio counts.
+    sign : int
+        Of ``w_first/w_second`` with the third link held.
+    meshes : sequence of str
+        The meshes that power passes: ``external``, ``internal`` or the kind's own.
+    size : str
+        What is counted: ``teeth`` or ``diameters``; none where there is no ratio.
+    """
+
+    description: str
+    members: tuple[str, ...]
+    toothed: tuple[str, ...] = ()
+    sign: int = 1
+    meshes: tuple[str, ...] = ()
+    size: str = "teeth"
+    optional_teeth: bool = False
+
+
+Kind = Planetary | Simple
+
+EXTERNAL, INTERNAL = "external", "internal"
+
+KINDS: Mapping[str, Kind] = {
+    "planetary": Planetary(
+        "Planetary set: sun, planets, ring.",
+        {"sun": sun("planet"), "ring": ring("planet")},
+        {"planet": ("planet",)},
+    ),
+    "double_planet": Planetary(
+        "Planetary set with meshed planets: sun, inner planets, outer planets, ring.",
+        {"sun": sun("inner"), "ring": ring("outer")},
+        {"inner": ("inner",), "outer": ("outer",)},
+        (("inner", "outer"),),
+    ),
+    "stepped": Planetary(
+        "Stepped planets: sun and ring mesh with the rim `planet`, sun2 and ring2 with `planet2`.",
+        {
+            "sun": sun("planet"),
+            "ring": ring("planet"),
+            "sun2": sun("planet2"),
+            "ring2": ring("planet2"),
+        },
+        {"planet": ("planet", "planet2")},
+        optional=frozenset({"sun", "ring", "sun2", "ring2"}),
+    ),
+    "ravigneaux": Planetary(
+        "Ravigneaux set: the small sun meshes with the short planets, the large sun and the ring "
+        "with the long ones.",
+        {
+            "small_sun": sun("short"),
+            "large_sun": sun("long"),
+            "ring": ring("long"),
+        },
+        {"short": ("short",), "long": ("long",)},
+        (("short", "long"),),
+        optional=frozenset({"small_sun", "large_sun", "ring"}),
+    ),
+    "planet_group": Planetary(
+        "Planets with any rims on one carrier, and any central wheels.", {}, {}
+    ),
+    "bevel": Simple(
+        "Bevel differential: two side wheels, planets on a carrier; equal wheels without teeth.",
+        ("left", "right", "carrier"),
+        ("left", "planet", "right"),
+        sign=-1,
+        meshes=("bevel", "bevel"),
+        optional_teeth=True,
+    ),
+    "gear_pair": Simple(
+        "External gear pair: the wheels turn in opposite directions.",
+        ("first", "second"),
+        ("first", "second"),
+        sign=-1,
+        meshes=(EXTERNAL,),
+    ),
+    "internal_pair": Simple(
+        "Internal gear pair: the wheels turn in the same direction.",
+        ("first", "second"),
+        ("first", "second"),
+        meshes=(INTERNAL,),
+    ),
+    "idler": Simple(
+        "Two wheels with an idler between them: they turn in the same direction.",
+        ("first", "second"),
+        ("first", "idler", "second"),
+        meshes=(EXTERNAL, EXTERNAL),
+    ),
+    "chain": Simple("Chain drive.", ("first", "second"), ("first", "second"), meshes=("chain",)),
+    "belt": Simple(
+        "Belt drive.",
+        ("first", "second"),
+        ("first", "second"),
+        meshes=("belt",),
+        size="diameters",
+    ),
+    "shaft": Simple("Shaft or bearing with a loss: the ratio is 1.", ("first", "second")),
+    "worm": Simple(
+        "Worm pair: `teeth` of the worm are its starts.",
+        ("worm", "wheel"),
+        ("worm", "wheel"),
+        meshes=("worm",),
+    ),
+    "held": Simple("A link that is held for good.", ("link",)),
+}
+"""Every kind by the name that a case gives it."""
+
+PLANETARY = tuple(name for name, kind in KINDS.items() if isinstance(kind, Planetary))
+GROUP = "planet_group"

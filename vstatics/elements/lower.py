@@ -1,0 +1,201 @@
+"""Elements -> three-link mechanisms, which is all that the solver knows.
+
+A group of planets becomes mechanisms in one of two ways. *Reduced*: between central
+wheels, as few as the speeds need. *At the meshes*: its planets are links too, and each
+mesh is a mechanism (wheel, planet, carrier). Without losses both give the same; with
+losses and shared planets only the second is right, as power may run from wheel to
+wheel past the planets in ways that the first cannot tell apart.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from fractions import Fraction
+from typing import NamedTuple
+
+from vstatics.elements.element import CentralWheel, Drawing, Element, MeshEfficiency
+from vstatics.elements.group import PlanetGroup, group_of
+from vstatics.elements.kinds import Simple
+from vstatics.model import Mechanism
+
+
+class Lowered(NamedTuple):
+    """A mechanism that an element became."""
+
+    mechanism: Mechanism
+    members: tuple[str, str, str]
+    """What its links are within the element: members, planets, or nothing."""
+    is_mesh: bool = False
+    """Whether it is a single mesh."""
+
+
+class Part(NamedTuple):
+    """An element, or a mechanism that was given as such, and what it became."""
+
+    name: str
+    element: Element | None
+    lowered: tuple[Lowered, ...]
+    planet_links: Mapping[str, int]
+    """Planets that are links."""
+
+    @property
+    def members(self) -> dict[str, int]:
+        """The members of the element itself, with their links, planets apart."""
+        found: dict[str, int] = {}
+        for mechanism, members, _ in self.lowered:
+            for member, link in zip(members, mechanism.links, strict=True):
+                if member and member not in self.planet_links:
+                    found.setdefault(member, link)
+        carrier = found.pop("carrier", None)  # it stands last
+        return found if carrier is None else {**found, "carrier": carrier}
+
+
+def parts(drawing: Drawing) -> list[Part]:
+    """What each element of a drawing becomes; planets that are links count on from its links."""
+    made: list[Part] = []
+    last = drawing.links
+    for element in drawing.elements:
+        part = _part(element, drawing, last)
+        last += len(part.planet_links)
+        made.append(part)
+    for mechanism in drawing.mechanisms:
+        members = ("first", "second", "third" if mechanism.third else "")
+        made.append(Part(mechanism.name, None, (Lowered(mechanism, members),), {}))
+    return made
+
+
+def at_meshes(element: Element, group: PlanetGroup, drawing: Drawing) -> bool:
+    """Whether the losses of a group are calculated at its meshes."""
+    if element.efficiency is not None:
+        return False
+    if drawing.losses is None:
+        return group.is_shared
+    return drawing.losses == "meshes"
+
+
+def _part(element: Element, drawing: Drawing, last: int) -> Part:
+    given = drawing.efficiency_of(element)
+    if isinstance(element.shape, Simple):
+        return Part(element.name, element, (_simple(element, element.shape, given),), {})
+    group = group_of(element)
+    if not at_meshes(element, group, drawing):
+        return Part(element.name, element, tuple(_reduced(element, group, given)), {})
+    links = {planet: last + number for number, planet in enumerate(group.planets, 1)}
+    return Part(element.name, element, tuple(_meshes(element, group, links, given)), links)
+
+
+def _simple(element: Element, kind: Simple, given: MeshEfficiency) -> Lowered:
+    """A gear pair, a chain, a shaft, a support: one mechanism."""
+    first, second, third = (*kind.members, "", "")[:3]
+    efficiency = element.efficiency
+    if efficiency is None:
+        efficiency = math.prod(getattr(given, mesh) for mesh in kind.meshes if mesh != "worm")
+    mechanism = Mechanism(
+        element.link(first),
+        element.link(second),
+        element.link(third),
+        ratio=float(simple_ratio(element, kind)),
+        efficiency=efficiency,
+        planet_ratio=_between(element, kind),
+        name=element.name,
+    )
+    return Lowered(mechanism, (first, second, third), is_mesh=bool(kind.meshes))
+
+
+def simple_ratio(element: Element, kind: Simple) -> Fraction:
+    """``w_first/w_second`` with the third link held: the sizes of the wheels, inverted.
+
+    >>> from vstatics.elements.kinds import KINDS
+    >>> pair = Element("G", "gear_pair", {"first": 1, "second": 2}, {"first": 20, "second": 41})
+    >>> simple_ratio(pair, KINDS["gear_pair"])
+    Fraction(-41, 20)
+    """
+    if not kind.toothed or kind.toothed[0] not in element.teeth:
+        return Fraction(kind.sign)
+    first, last = kind.toothed[0], kind.toothed[-1]
+    return kind.sign * Fraction(element.teeth[last]) / Fraction(element.teeth[first])
+
+
+def _between(element: Element, kind: Simple) -> float | None:
+    """Ratio of the first wheel to what meshes between the two: an idler, a bevel planet."""
+    for middle in kind.toothed[1:-1]:
+        if middle in element.teeth:
+            return -element.teeth[middle] / element.teeth[kind.toothed[0]]
+    return None
+
+
+def _reduced(element: Element, group: PlanetGroup, given: MeshEfficiency) -> Iterator[Lowered]:
+    """Mechanisms from each wheel of a train of planets to one of them."""
+    for train in group.trains:
+        wheels = group.wheels_of(train)
+        if len(wheels) < 2:
+            continue
+        reference = wheels[-1]
+        if len(wheels) > 2:
+            reference = next((wheel for wheel in wheels if wheel.internal), reference)
+        for wheel in wheels:
+            if wheel is not reference:
+                single = len(wheels) == 2 and len(group.trains) == 1
+                name = "" if single else f".{wheel.member}-{reference.member}"
+                mechanism = Mechanism(
+                    wheel.link,
+                    reference.link,
+                    group.carrier,
+                    ratio=float(group.ratio(wheel, reference)),
+                    efficiency=element.efficiency or _of_path(group, wheel, reference, given),
+                    planet_ratio=_to_planet(group, wheel),
+                    name=element.name + name,
+                )
+                yield Lowered(mechanism, (wheel.member, reference.member, "carrier"))
+
+
+def _of_path(
+    group: PlanetGroup, first: CentralWheel, second: CentralWheel, given: MeshEfficiency
+) -> float:
+    """Efficiency of the meshes between two wheels, the carrier held."""
+    between = group.path(group.planet_of[first.rim], group.planet_of[second.rim])
+    return _of_wheel(first, given) * given.external ** len(between) * _of_wheel(second, given)
+
+
+def _to_planet(group: PlanetGroup, wheel: CentralWheel) -> float | None:
+    """Ratio of a wheel to the planet that it meshes with, where the planet's teeth are known."""
+    known = group.is_known(group.planet_of[wheel.rim])
+    return float(group.mesh_ratio(wheel)) if known else None
+
+
+def _meshes(
+    element: Element, group: PlanetGroup, links: Mapping[str, int], given: MeshEfficiency
+) -> Iterator[Lowered]:
+    """A mechanism for each mesh; the planets are links."""
+    for wheel in group.wheels:
+        planet = group.planet_of[wheel.rim]
+        ratio = float(group.mesh_ratio(wheel))
+        mechanism = Mechanism(
+            wheel.link,
+            links[planet],
+            group.carrier,
+            ratio=ratio,
+            efficiency=_of_wheel(wheel, given),
+            planet_ratio=ratio,
+            name=f"{element.name}.{wheel.member}-{planet}",
+        )
+        yield Lowered(mechanism, (wheel.member, planet, "carrier"), is_mesh=True)
+    for one, other in group.meshes:
+        a, b = group.planet_of[one], group.planet_of[other]
+        ratio = float(-group.teeth(other) / group.teeth(one))
+        mechanism = Mechanism(
+            links[a],
+            links[b],
+            group.carrier,
+            ratio=ratio,
+            efficiency=given.external,
+            planet_ratio=ratio,
+            name=f"{element.name}.{a}-{b}",
+        )
+        yield Lowered(mechanism, (a, b, "carrier"), is_mesh=True)
+
+
+def _of_wheel(wheel: CentralWheel, given: MeshEfficiency) -> float:
+    """Efficiency of the mesh of a central wheel."""
+    return given.internal if wheel.internal else given.external
