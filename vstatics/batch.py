@@ -111,7 +111,7 @@ def _remembered(
     key = (
         case.links,
         tuple((element.first, element.second) for element in case.shift_elements),
-        tuple((*mechanism.links, mechanism.planet_ratio) for mechanism in case.mechanisms),
+        tuple((*one.links, one.planet_ratio, one.back_efficiency) for one in case.mechanisms),
         (tuple(gear.engaged), tuple(gear.speeds.items()), tuple(gear.torques.items())),
         (case.gear_input(gear), case.gear_output(gear), case.coast, case.idle),
         tuple(fixed),

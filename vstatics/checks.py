@@ -155,7 +155,7 @@ def _mechanism(mechanism: Mechanism, path: Path, links: int) -> Iterator[Problem
         yield Problem("all three links are the housing, expected at least one link", path)
     if len(set(members)) < len(members):
         yield Problem(f"links {mechanism.links}: expected different links", path)
-    ratio, efficiency = mechanism.ratio, mechanism.efficiency
+    ratio = mechanism.ratio
     if not math.isfinite(ratio):
         yield Problem(f"read {ratio}, expected a finite number", (*path, "ratio"))
     elif ratio == 0:
@@ -163,13 +163,21 @@ def _mechanism(mechanism: Mechanism, path: Path, links: int) -> Iterator[Problem
     elif ratio == 1 and len(members) == 3:
         message = "read 1, which joins the first link to the second and leaves the third loose"
         yield Problem(f"{message}; expected another ratio with three links", (*path, "ratio"))
-    if not 0 < efficiency <= 1:
-        message = f"read {efficiency:g}, expected an efficiency above 0 and up to 1"
-        yield Problem(message, (*path, "efficiency"))
+    yield from _efficiencies(mechanism, path)
     given = mechanism.planet_ratio
     if given is not None and (given == 0 or not math.isfinite(given)):
         message = f"read {given:g}, expected a finite ratio other than 0"
         yield Problem(message, (*path, "planet_ratio"))
+
+
+def _efficiencies(mechanism: Mechanism, path: Path) -> Iterator[Problem]:
+    efficiency, back = mechanism.efficiency, mechanism.back_efficiency
+    if not 0 < efficiency <= 1:
+        message = f"read {efficiency:g}, expected an efficiency above 0 and up to 1"
+        yield Problem(message, (*path, "efficiency"))
+    if back is not None and not 0 <= back <= 1:
+        message = f"read {back:g}, expected an efficiency from 0 (self-locking) to 1"
+        yield Problem(message, (*path, "back_efficiency"))
 
 
 def _doubtful(mechanism: Mechanism, path: Path) -> Iterator[Problem]:

@@ -14,7 +14,7 @@ from vstatics import elimination, matrix
 from vstatics.arrays import Booleans
 from vstatics.checks import doubts
 from vstatics.errors import Severity, path_text
-from vstatics.losses import with_loss
+from vstatics.losses import both_ways, with_loss
 from vstatics.model import Gear, Transmission
 from vstatics.results import Message, Results
 from vstatics.speeds import TIE, solve_speeds
@@ -211,10 +211,10 @@ def _coincidences(results: Results, number: int, gear: Gear) -> list[str]:
     """
     case = results.case
     torques = results.lossy_torques[number].tolist()[len(case.shift_elements) : -1]
-    efficiencies = [mechanism.efficiency for mechanism in case.mechanisms]
+    efficiencies = both_ways(case, [mechanism.efficiency for mechanism in case.mechanisms])
     marks = zip(results.idle[number].tolist(), torques, efficiencies, strict=True)
     idle = [
-        place for place, (is_idle, t, eta) in enumerate(marks) if is_idle and t != 0 and eta < 1
+        place for place, (is_idle, t, eta) in enumerate(marks) if is_idle and t != 0 and eta.lossy
     ]
     if idle and results.consistent[number]:
         held = _held_as_one(case, gear)
@@ -238,7 +238,7 @@ def _coincidences(results: Results, number: int, gear: Gear) -> list[str]:
     return [
         case.mechanisms[place].name
         for place in idle
-        if _differ(at_ports(place, 1.0), at_ports(place, -1.0))
+        if _differ(at_ports(place, 1.0), at_ports(place, -1.0 if efficiencies[place].back else 0.0))
     ]
 
 

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from vstatics import signs
-from vstatics.losses import Flow
+from vstatics.losses import Flow, both_ways
 from vstatics.model import Gear, Mechanism, Transmission
 from vstatics.results import ARRAYS, Rows
 from vstatics.speeds import solve_speeds
@@ -57,7 +57,8 @@ def solve_gear(case: Transmission, gear: Gear, ratios: Numbers, efficiencies: Nu
     """
     speeds = solve_speeds(case, gear, ratios)
     torques = solve_torques(case, gear, ratios)
-    flow = Flow(case, gear, ratios, efficiencies, speeds.links, speeds.motion, torques)
+    both = both_ways(case, efficiencies)
+    flow = Flow(case, gear, ratios, both, speeds.links, speeds.motion, torques)
     outcome = signs.search(flow, moving=torques.consistent and speeds.consistent)
     lossy = outcome.lossy
     output_speed = speeds.links[case.gear_output(gear) - 1]

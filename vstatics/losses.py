@@ -2,7 +2,8 @@
 
 With losses the internal ratio u of a mechanism becomes ``u * efficiency**x`` in the
 torque system; x is +1 where power enters by the first link, seen from the third, and
--1 where it leaves by it (closed form of the published test: docs/method.md).
+-1 where it leaves by it (closed form of the published test: docs/method.md). Some
+mechanisms, worm gears say, have another efficiency for x = -1.
 """
 
 from __future__ import annotations
@@ -21,13 +22,41 @@ Signs = tuple[float, ...]
 """By mechanism: the exponent x of its efficiency, +1, -1 or 0; NaN where it is open."""
 
 
+class Efficiency(NamedTuple):
+    """The efficiency of a mechanism for each direction of power."""
+
+    forward: Number
+    """From the first link to the second."""
+    back: Number
+    """0: power can't flow back."""
+
+    @property
+    def lossless(self) -> bool:
+        """Whether the direction does not matter."""
+        return bool(self.forward == 1 and self.back == 1)
+
+    @property
+    def lossy(self) -> bool:
+        """Whether there are losses in one of the directions."""
+        return bool(self.forward < 1 or self.back < 1)
+
+
+def both_ways(case: Transmission, efficiencies: Sequence[Number]) -> list[Efficiency]:
+    """The efficiencies of the mechanisms, where a case may give others for the way back."""
+    backs = (mechanism.back_efficiency for mechanism in case.mechanisms)
+    return [
+        Efficiency(forward, forward if back is None else back)
+        for forward, back in zip(efficiencies, backs, strict=True)
+    ]
+
+
 class Flow(NamedTuple):
     """A gear without losses: what decides where power enters each mechanism."""
 
     case: Transmission
     gear: Gear
     ratios: Sequence[Number]
-    efficiencies: Sequence[Number]
+    efficiencies: Sequence[Efficiency]
     speeds: Sequence[Number]
     """By link."""
     motion: Sequence[Number]
@@ -157,13 +186,40 @@ def _efficiency(flow: Flow, output_torque: Number, entering: Sequence[Number]) -
     return math.nan if received == 0 else given / received
 
 
-def with_loss(ratio: Number, efficiency: Number, exponent: float) -> Number:
-    """``ratio * efficiency**exponent``."""
-    if exponent == 0 or efficiency == 1:
+def with_loss(ratio: Number, efficiency: Efficiency, exponent: float) -> Number:
+    """``ratio * efficiency**exponent``; NaN where power can't flow back."""
+    if exponent == 0:
         return ratio
     if math.isnan(exponent):
+        return ratio if efficiency.lossless else math.nan
+    if exponent > 0:
+        return ratio if efficiency.forward == 1 else ratio * efficiency.forward
+    if efficiency.back == 0:
         return math.nan
-    return ratio * efficiency if exponent > 0 else ratio / efficiency
+    return ratio if efficiency.back == 1 else ratio / efficiency.back
+
+
+def is_possible(flow: Flow, signs: Signs) -> bool:
+    """Whether power flows back through no mechanism that is self-locking."""
+    return not any(
+        x < 0 and bool(efficiency.back == 0)
+        for x, efficiency in zip(signs, flow.efficiencies, strict=True)
+    )
+
+
+def nothing(flow: Flow, signs: Signs) -> Lossy:
+    """No lossy torques at all."""
+    nan = math.nan
+    return Lossy(
+        signs=signs,
+        torques=[nan] * len(flow.torques.first),
+        holding=dict.fromkeys(flow.torques.holding, nan),
+        flow=(nan,) * len(signs),
+        losses=[nan] * len(signs),
+        efficiency=nan,
+        balance=nan,
+        admissible=False,
+    )
 
 
 def _losses(by_first: Sequence[Number], flow: Flow, signs: Signs) -> Iterator[Number]:
@@ -177,8 +233,11 @@ def attempt(flow: Flow, signs: Signs) -> Lossy:
 
     A set of signs is admissible when the loss of every mechanism is not negative, which
     is the same as: its sign is that of its flow, or its flow is 0; and when the
-    efficiency is above 0 (where there is one without losses).
+    efficiency is above 0 (where there is one without losses). Power that flows back through
+    a self-locking mechanism is never admissible.
     """
+    if not is_possible(flow, signs):
+        return nothing(flow, signs)
     ratios = list(map(with_loss, flow.ratios, flow.efficiencies, signs))
     return judge(flow, signs, ratios, solve_torques(flow.case, flow.gear, ratios))
 
@@ -188,20 +247,20 @@ def judge(flow: Flow, signs: Signs, ratios: Sequence[Number], torques: Torques) 
     by_first = list(map(power, loaded(flow, ratios, torques), flow.motion))
     losses = list(_losses(by_first, flow, signs))
     entering = powers(flow, torques)
-    efficiency = _efficiency(flow, torques.first[-1], entering)
+    share = _efficiency(flow, torques.first[-1], entering)
     turned = tuple(sign(entered) * flow.direction for entered in by_first)
     agrees = all(
-        given * found >= 0 or full == 1
-        for given, found, full in zip(signs, turned, flow.efficiencies, strict=True)
+        given * found >= 0 or efficiency.lossless
+        for given, found, efficiency in zip(signs, turned, flow.efficiencies, strict=True)
     )
-    passes = 0 < efficiency < math.inf or not _passes_power(flow)
+    passes = 0 < share < math.inf or not _passes_power(flow)
     return Lossy(
         signs=signs,
         torques=torques.first,
         holding=torques.holding,
         flow=turned,
         losses=losses,
-        efficiency=efficiency,
+        efficiency=share,
         balance=rest([*entering, *(-loss for loss in losses)]),
         admissible=agrees and passes,
     )

@@ -130,6 +130,9 @@ def _completed(case: Transmission) -> dict[str, object]:
                 ratio=float(mechanism.ratio),
                 efficiency=float(mechanism.efficiency),
                 name=mechanism.name or mechanism_name(number),
+                back_efficiency=(
+                    None if mechanism.back_efficiency is None else float(mechanism.back_efficiency)
+                ),
             )
             for number, mechanism in enumerate(case.mechanisms, 1)
         ),

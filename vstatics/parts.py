@@ -32,6 +32,9 @@ class Mechanism(NamedTuple):
         ``(w_first - w_third)/(w_second - w_third)``, the internal ratio. [-]
     efficiency : float
         With the third link held still, above 0 and up to 1. [-]
+    back_efficiency : float, optional
+        The same where power flows from the second link to the first (seen from the
+        third); `efficiency` when not given. 0: self-locking. [-]
     planet_ratio : float, optional
         First link to planet, third link held. Without it a plain planetary set
         (ratio below 0, not -1) has ``(ratio + 1)/2``, any other has none. [-]
@@ -46,6 +49,7 @@ class Mechanism(NamedTuple):
     efficiency: float = 1.0
     planet_ratio: float | None = None
     name: str = ""
+    back_efficiency: float | None = None
 
     @property
     def links(self) -> tuple[int, int, int]:

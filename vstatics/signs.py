@@ -10,7 +10,17 @@ from collections.abc import Iterator, Sequence
 from itertools import product
 from typing import NamedTuple
 
-from vstatics.losses import Flow, Lossy, Signs, attempt, loaded, power, sign
+from vstatics.losses import (
+    Flow,
+    Lossy,
+    Signs,
+    attempt,
+    is_possible,
+    loaded,
+    nothing,
+    power,
+    sign,
+)
 from vstatics.speeds import TIE
 from vstatics.traced import Number
 
@@ -55,6 +65,8 @@ def _start(flow: Flow, *, moving: bool) -> _Start:
     for place, ratio in enumerate(flow.ratios):
         if unloaded[place] or still[place]:
             published = 1.0 if unloaded[place] else sign(ratio)
+            if published < 0 and flow.efficiencies[place].back == 0:
+                published = 0.0
             signs.append(published if flow.case.idle == "published" else 0.0)
         else:
             signs.append(sign(power(torques[place], flow.motion[place])) * flow.direction)
@@ -72,7 +84,7 @@ def search(flow: Flow, *, moving: bool) -> Outcome:
         Whether speeds, and torques without losses, exist.
     """
     start = _start(flow, moving=moving)
-    lossy, choices, undecided, locked = _nothing(flow, start.signs), 0, False, False
+    lossy, choices, undecided, locked = nothing(flow, start.signs), 0, False, False
     if moving and _open(flow, start):
         lossy = _guess(flow, start)
     elif moving:
@@ -83,7 +95,7 @@ def search(flow: Flow, *, moving: bool) -> Outcome:
         lossy = found or lossy
     idle = [a or b for a, b in zip(start.unloaded, start.still, strict=True)]
     turned = [
-        lossy.admissible and not idles and x != given and bool(efficiency < 1)
+        lossy.admissible and not idles and x != given and efficiency.lossy
         for idles, x, given, efficiency in zip(
             idle, lossy.signs, start.signs, flow.efficiencies, strict=True
         )
@@ -91,27 +103,12 @@ def search(flow: Flow, *, moving: bool) -> Outcome:
     return Outcome(lossy, idle, locked, undecided, turned, max(choices, 0))
 
 
-def _nothing(flow: Flow, signs: Signs) -> Lossy:
-    """No lossy torques at all; the signs without losses."""
-    nan = math.nan
-    return Lossy(
-        signs=signs,
-        torques=[nan] * len(flow.torques.first),
-        holding=dict.fromkeys(flow.torques.holding, nan),
-        flow=(nan,) * len(signs),
-        losses=[nan] * len(signs),
-        efficiency=nan,
-        balance=nan,
-        admissible=False,
-    )
-
-
 def _open(flow: Flow, start: _Start) -> list[int]:
     """Mechanisms with losses whose direction of power statics leaves open."""
     return [
         place
         for place, x in enumerate(start.signs)
-        if math.isnan(x) and flow.efficiencies[place] < 1
+        if math.isnan(x) and flow.efficiencies[place].lossy
     ]
 
 
@@ -142,7 +139,7 @@ def _search(flow: Flow, start: _Start) -> tuple[Lossy | None, int]:
     The count is -1 where the search was cut short.
     """
     moving = [
-        not still and bool(efficiency < 1)
+        not still and efficiency.lossy
         for still, efficiency in zip(start.still, flow.efficiencies, strict=True)
     ]
     free = [place for place, moves in enumerate(moving) if moves]
@@ -177,12 +174,13 @@ def _search(flow: Flow, start: _Start) -> tuple[Lossy | None, int]:
 
 
 def _attempt_all(flow: Flow, start: _Start, free: Sequence[int]) -> Iterator[Lossy]:
-    """All sets of signs of the `free` mechanisms."""
+    """All possible sets of signs of the `free` mechanisms."""
     for chosen in product((1.0, -1.0), repeat=len(free)):
         signs = list(start.signs)
         for place, x in zip(free, chosen, strict=True):
             signs[place] = x
-        yield attempt(flow, tuple(signs))
+        if is_possible(flow, tuple(signs)):
+            yield attempt(flow, tuple(signs))
 
 
 def _guess(flow: Flow, start: _Start) -> Lossy:
@@ -190,12 +188,12 @@ def _guess(flow: Flow, start: _Start) -> Lossy:
 
     So a redundant part of a train does not hide what is determined in the rest of it.
     """
-    one = _nothing(flow, start.signs)
+    one = nothing(flow, start.signs)
     open_ = _open(flow, start)
     if len(open_) > SEARCHED:
         return one
     guesses = list(_attempt_all(flow, start, open_))
-    if any(guess.efficiency <= 0 for guess in guesses):
+    if not guesses or any(guess.efficiency <= 0 for guess in guesses):
         return one
 
     def common(values: Sequence[Number]) -> Number:
@@ -224,13 +222,13 @@ def _follow(flow: Flow, start: _Start, moving: Sequence[bool]) -> tuple[Lossy | 
 
     Where that runs in a circle only the sign that loses most is turned.
     """
-    signs = start.signs
+    signs = _possible(flow, start.signs)
     seen: set[Signs] = set()
     for _ in range(ROUNDS):
         lossy = attempt(flow, signs)
         if lossy.admissible:
             return lossy, 1
-        turned = _turned(signs, lossy.flow, moving)
+        turned = _possible(flow, _turned(signs, lossy.flow, moving))
         if turned == signs:
             break
         if turned in seen:
@@ -240,6 +238,14 @@ def _follow(flow: Flow, start: _Start, moving: Sequence[bool]) -> tuple[Lossy | 
         seen.add(turned)
         signs = turned
     return None, -1
+
+
+def _possible(flow: Flow, signs: Signs) -> Signs:
+    """The signs, but that no self-locking mechanism is driven back."""
+    return tuple(
+        1.0 if x < 0 and efficiency.back == 0 else x
+        for x, efficiency in zip(signs, flow.efficiencies, strict=True)
+    )
 
 
 def _worst_turned(flow: Flow, signs: Signs, turned: Signs, lossy: Lossy) -> Signs:

@@ -59,8 +59,15 @@ def write(case: Transmission, lang: Language = "en") -> str:
 
 
 def lost(case: Transmission) -> list[str]:
-    """What a case has and a deck cannot keep: ``description``, ``source``."""
-    return [part for part in ("description", "source") if getattr(case, part)]
+    """What a case has and a deck cannot keep: ``description``, ``source`` and some numbers."""
+    return [
+        *(part for part in ("description", "source") if getattr(case, part)),
+        *(
+            f"back_efficiency of mechanism {mechanism.name}"
+            for mechanism in case.mechanisms
+            if mechanism.back_efficiency is not None
+        ),
+    ]
 
 
 def _structure(case: Transmission) -> Iterator[str]:

@@ -104,6 +104,8 @@ def _mechanism(mechanism: Mechanism, links: list[int | str]) -> dict[str, Any]:
     data["ratio"] = float(mechanism.ratio)
     if mechanism.efficiency != 1:
         data["efficiency"] = float(mechanism.efficiency)
+    if mechanism.back_efficiency is not None:
+        data["back_efficiency"] = float(mechanism.back_efficiency)
     if mechanism.planet_ratio is not None:
         data["planet_ratio"] = float(mechanism.planet_ratio)
     return data

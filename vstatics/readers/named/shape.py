@@ -131,6 +131,14 @@ MECHANISM = Record(
             examples=(0.97,),
         ),
         Key(
+            "back_efficiency",
+            NUMBER,
+            "Efficiency where power flows from the second link to the first, if it is another "
+            "one; 0 is self-locking.",
+            limits={"minimum": 0, "maximum": 1},
+            examples=(0.7,),
+        ),
+        Key(
             "planet_ratio",
             NUMBER,
             "Ratio first link to planet, third link held; known by itself for a plain set.",
