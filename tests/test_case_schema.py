@@ -16,8 +16,8 @@ from strategies import transmissions
 
 from vstatics.errors import ReadError
 from vstatics.model import Gear, Mechanism, Transmission
-from vstatics.readers.named.reader import read_json
 from vstatics.readers.named.elements_shape import DRAWN
+from vstatics.readers.named.reader import read_json
 from vstatics.readers.named.schema import json_schema, schema_text
 from vstatics.writers.named import mapping
 

@@ -15,6 +15,7 @@ from vstatics.errors import Path, Problem
 from vstatics.parts import (
     HOUSING,
     Gear,
+    Load,
     Mechanism,
     ShiftElement,
     element_name,
@@ -37,8 +38,10 @@ def problems(case: Transmission) -> Iterator[Problem]:
         yield from _mechanism(mechanism, ("mechanisms", number), case.links)
         if number > drawn:
             yield from _doubtful(mechanism, ("mechanisms", number))
+    yield from _load(case.load, ())
     for number, gear in enumerate(case.gears, 1):
         yield from _gear(case, gear, ("gears", number))
+        yield from _load(gear.load, ("gears", number))
     if case.idle not in ("exact", "published"):
         yield Problem(f"read {case.idle!r}, expected `exact` or `published`", ("idle",))
 
@@ -220,6 +223,13 @@ def _gear(case: Transmission, gear: Gear, path: Path) -> Iterator[Problem]:
         elif link in gear.speeds:
             message = f"link {_called(case, link)} has a given speed, so its torque is calculated"
             yield Problem(f"{message}; give one of the two", (*path, "torques", link))
+
+
+def _load(load: Load | None, path: Path) -> Iterator[Problem]:
+    for quantity, value in (load or Load())._asdict().items():
+        if value is not None and (value == 0 or not math.isfinite(value)):
+            message = f"read {value}, expected a finite number other than 0"
+            yield Problem(message, (*path, "load", quantity))
 
 
 def _engaged(

@@ -11,6 +11,7 @@ from vstatics.errors import CaseError
 from vstatics.parts import (
     HOUSING,
     Gear,
+    Load,
     Mechanism,
     ShiftElement,
     element_name,
@@ -24,6 +25,7 @@ __all__ = [
     "HOUSING",
     "Gear",
     "IdleConvention",
+    "Load",
     "Mechanism",
     "ShiftElement",
     "Transmission",
@@ -53,6 +55,8 @@ class Transmission:
         Power enters at the output (engine braking).
     link_names : sequence of str
         The link numbers when not given.
+    load : Load, optional
+        Speed and torque of the input, for results in rpm, N*m and kW.
     drawing : Drawing, optional
         The elements that links and mechanisms were made from; nothing is calculated of it.
 
@@ -85,6 +89,7 @@ class Transmission:
     description: str = ""
     source: str = ""
     link_names: Sequence[str] = ()
+    load: Load | None = None
     drawing: Drawing | None = None
 
     def __post_init__(self) -> None:
@@ -102,6 +107,14 @@ class Transmission:
     def gear_output(self, gear: Gear) -> int:
         """The output link of a gear."""
         return gear.output or self.output
+
+    def gear_load(self, gear: Gear) -> Load:
+        """The load of a gear: its own, filled up with that of the case."""
+        own, common = gear.load or Load(), self.load or Load()
+        return Load(
+            common.speed if own.speed is None else own.speed,
+            common.torque if own.torque is None else own.torque,
+        )
 
     def link_name(self, link: int) -> str:
         """The name of a link; the housing is ``housing``."""
@@ -144,6 +157,7 @@ def _completed(case: Transmission) -> dict[str, object]:
                 gear.input,
                 gear.output,
                 gear.name or str(number),
+                gear.load,
             )
             for number, gear in enumerate(case.gears, 1)
         ),

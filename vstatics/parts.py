@@ -65,6 +65,21 @@ class Mechanism(NamedTuple):
         return (self.third != HOUSING) & (ratio < 0) & (ratio != -1)
 
 
+class Load(NamedTuple):
+    """What enters at the input link: with it there are results in rpm, N*m and kW.
+
+    Parameters
+    ----------
+    speed : float, optional
+        [rpm]
+    torque : float, optional
+        [N*m]
+    """
+
+    speed: float | None = None
+    torque: float | None = None
+
+
 class Gear(NamedTuple):
     """A shift state: what is engaged, and what is given besides.
 
@@ -80,6 +95,8 @@ class Gear(NamedTuple):
         This gear's own input and output link.
     name : str
         The gear's number when not given.
+    load : Load, optional
+        This gear's own; what it leaves open is as in the case.
     """
 
     engaged: Sequence[int] = ()
@@ -88,6 +105,7 @@ class Gear(NamedTuple):
     input: int | None = None
     output: int | None = None
     name: str = ""
+    load: Load | None = None
 
 
 def element_name(number: int, element: ShiftElement) -> str:

@@ -36,7 +36,31 @@ class TableShape(NamedTuple):
     """float, int or bool: how a number is written."""
     published: bool = True
     """Whether the report of the source has it."""
+    sometimes: bool = False
+    """Whether only some cases have it."""
+    of: str = ""
+    """The table that this one has in `unit`, where the case has a load."""
+    unit: str = ""
 
+
+def _with_unit(name: str, printed: str, rows: Rows, unit: str, of: str) -> TableShape:
+    """A table that only a case with a load has."""
+    return TableShape(name, printed, rows, published=False, sometimes=True, of=of, unit=unit)
+
+
+WITH_UNITS: tuple[tuple[str, str, Rows, str, str], ...] = (
+    ("W_rpm", "W_RPM", "links", "rpm", "W"),
+    ("WSAT_rpm", "WSAT_RPM", "mechanisms", "rpm", "WSAT"),
+    ("WFRI_rpm", "WFRI_RPM", "elements", "rpm", "WFRI"),
+    ("AMLG_Nm", "AMLG_NM", "torques", "Nm", "AMLG"),
+    ("AMLGP_Nm", "AMLGP_NM", "torques", "Nm", "AMLGP"),
+    ("mesh_torques_Nm", "MESH_NM", "meshes", "Nm", "mesh_torques"),
+    ("lossy_mesh_torques_Nm", "MESHP_NM", "meshes", "Nm", "lossy_mesh_torques"),
+    ("losses_kW", "LOSS_KW", "mechanisms", "kW", "losses"),
+    ("input_power_kW", "PIN_KW", "one", "kW", ""),
+    ("output_power_kW", "POUT_KW", "one", "kW", ""),
+)
+"""Name, printed name, rows, unit, and the table that it repeats in this unit."""
 
 TABLES = (
     TableShape("AJK", "AJK", "links"),
@@ -53,10 +77,11 @@ TABLES = (
     TableShape("power_balance", "BALANCE", "one", published=False),
     TableShape("consistent", "CONSISTENT", "one", bool, published=False),
     TableShape("locked", "LOCKED", "one", bool, published=False),
-    TableShape("AMWZ", "AMWZ", "links", published=False),
-    TableShape("AMWZP", "AMWZP", "links", published=False),
-    TableShape("mesh_torques", "MESH", "meshes", published=False),
-    TableShape("lossy_mesh_torques", "MESHP", "meshes", published=False),
+    TableShape("AMWZ", "AMWZ", "links", published=False, sometimes=True),
+    TableShape("AMWZP", "AMWZP", "links", published=False, sometimes=True),
+    TableShape("mesh_torques", "MESH", "meshes", published=False, sometimes=True),
+    TableShape("lossy_mesh_torques", "MESHP", "meshes", published=False, sometimes=True),
+    *(_with_unit(*table) for table in WITH_UNITS),
 )
 """All tables in the order in which they are written."""
 

@@ -39,7 +39,13 @@ def _problems(element: Element, path: Path) -> Iterator[Problem]:
     else:
         yield from _simple(element, kind, path)
     if element.efficiency is not None:
-        yield from _efficiency(element.efficiency, (*path, "efficiency"))
+        place = (*path, "efficiency")
+        worm = element.back_efficiency is not None
+        yield from _efficiency(element.efficiency, (*place, "worm") if worm else place)
+    back = element.back_efficiency
+    if back is not None and not 0 <= back <= 1:
+        message = f"read {back:g}, expected an efficiency from 0 (self-locking) to 1"
+        yield Problem(message, (*path, "efficiency", "wheel"))
     yield from _mesh_efficiency(element.mesh_efficiency, path)
     if element.planets is not None and element.planets < 1:
         message = f"read {element.planets}, expected the number of planets around the axis"

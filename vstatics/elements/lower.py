@@ -97,6 +97,7 @@ def _simple(element: Element, kind: Simple, given: MeshEfficiency) -> Lowered:
         element.link(third),
         ratio=float(simple_ratio(element, kind)),
         efficiency=efficiency,
+        back_efficiency=element.back_efficiency,
         planet_ratio=_between(element, kind),
         name=element.name,
     )

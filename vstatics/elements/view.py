@@ -122,9 +122,13 @@ def _ratios(case: Transmission) -> Floats:
 def _lossy_ratios(results: Results) -> Floats:
     """Internal ratios with losses in each gear, of shape (gears, mechanisms)."""
     ratios = _ratios(results.case)
-    forward = np.array([one.efficiency for one in results.case.mechanisms])
+    mechanisms = results.case.mechanisms
+    given = [(one.efficiency, one.back_efficiency) for one in mechanisms]
+    forward = np.array([one for one, _ in given])
+    # a self-locking one never has power flow back
+    back = 1 / np.array([(one if other is None else other) or np.nan for one, other in given])
     signs = results.power_sign
-    factor = np.where(signs > 0, forward, np.where(signs < 0, 1 / forward, 1.0))
+    factor = np.where(signs > 0, forward, np.where(signs < 0, back, 1.0))
     return np.where(np.isnan(signs), np.nan, ratios * factor)
 
 

@@ -165,6 +165,52 @@ HEADINGS: dict[str, Heading] = {
     ),
 }
 
+UNITS: dict[str, Heading] = {
+    "W_rpm": Heading(
+        "(W_RPM(I,J),J=1,NP),I=1,KJG:", "Speeds of the links, rpm:", "Скорости звеньев, об/мин:"
+    ),
+    "WSAT_rpm": Heading(
+        "(WSAT_RPM(I,J),J=1,NP),I=1,KG:",
+        "Speeds of the planets against the carrier, rpm:",
+        "Скорости сателлитов относительно водила, об/мин:",
+    ),
+    "WFRI_rpm": Heading(
+        "(WFRI_RPM(I,J),J=1,NP),I=1,KL:",
+        "Slip speeds of clutches and brakes, rpm:",
+        "Скорости скольжения муфт и тормозов, об/мин:",
+    ),
+    "AMLG_Nm": Heading(
+        "(AMLG_NM(I,J),J=1,NP),I=1,KLG1:",
+        "Torques without losses, N*m:",
+        "Моменты без потерь, Н*м:",
+    ),
+    "AMLGP_Nm": Heading(
+        "(AMLGP_NM(I,J),J=1,NP),I=1,KLG1:",
+        "Torques with losses, N*m:",
+        "Моменты с учетом потерь, Н*м:",
+    ),
+    "mesh_torques_Nm": Heading(
+        "(MESH_NM(I,J),J=1,NP),I=1,KM:",
+        "Torques of the meshes without losses, N*m:",
+        "Моменты зацеплений без потерь, Н*м:",
+    ),
+    "lossy_mesh_torques_Nm": Heading(
+        "(MESHP_NM(I,J),J=1,NP),I=1,KM:",
+        "Torques of the meshes with losses, N*m:",
+        "Моменты зацеплений с учетом потерь, Н*м:",
+    ),
+    "losses_kW": Heading(
+        "(LOSS_KW(I,J),J=1,NP),I=1,KG:", "Power lost, kW:", "Потери мощности, кВт:"
+    ),
+    "input_power_kW": Heading("PIN_KW(J),J=1,NP:", "Input power, kW:", "Мощность на входе, кВт:"),
+    "output_power_kW": Heading(
+        "POUT_KW(J),J=1,NP:",
+        "Output power with losses, kW:",
+        "Мощность на выходе с учетом потерь, кВт:",
+    ),
+}
+"""Of the tables with units, where a case has a load."""
+
 DRAWN: dict[str, Heading] = {
     "AMLG" + REST: Heading(
         "(AMLG(I,J),J=1,NP),I=(KL+1),KLG1:",
@@ -193,7 +239,7 @@ def write(results: Results, lang: Language = "en") -> str:
     if results.case.coast:
         lines.append(words.coasting)
     drawn = results.case.drawing is not None
-    headings = HEADINGS | DRAWN if drawn else HEADINGS
+    headings = HEADINGS | UNITS | (DRAWN if drawn else {})
     for name, table in _parts(results):
         heading = headings[name]
         lines += ["", heading.ru if lang == "ru" else heading.en, heading.index_list]
@@ -208,7 +254,7 @@ def _parts(results: Results) -> Iterator[tuple[str, Table]]:
     elements = len(results.case.shift_elements)
     for table in tables(results):
         name, values = table.shape.name, table.values
-        if table.shape.rows == "torques":
+        if table.shape.rows == "torques" and not table.shape.unit:
             if elements:
                 yield name, table._replace(rows=table.rows[:elements], values=values[:elements])
             yield name + REST, table._replace(rows=table.rows[elements:], values=values[elements:])

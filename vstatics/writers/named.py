@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING, Any
 
-from vstatics.model import Gear, Mechanism, Transmission
+from vstatics.model import Gear, Load, Mechanism, Transmission
 
 if TYPE_CHECKING:
     import yaml
@@ -44,6 +44,8 @@ def mapping(case: Transmission) -> dict[str, Any]:
         data["idle"] = str(case.idle)
     if case.coast:
         data["coast"] = True
+    if case.load is not None:
+        data["load"] = _load(case.load)
     if case.shift_elements:
         data["shift_elements"] = {
             str(element.name): [links[element.first], links[element.second]]
@@ -121,7 +123,18 @@ def _gear(gear: Gear, case: Transmission, links: list[int | str]) -> dict[str, A
     for key, end in (("input", gear.input), ("output", gear.output)):
         if end is not None:
             data[key] = links[end]
+    if gear.load is not None:
+        data["load"] = _load(gear.load)
     return data
+
+
+def _load(load: Load) -> dict[str, Any]:
+    units = {"speed": "rpm", "torque": "N*m"}
+    return {
+        quantity: f"{float(value)!r} {units[quantity]}"
+        for quantity, value in load._asdict().items()
+        if value is not None
+    }
 
 
 def _dumper() -> type[yaml.SafeDumper]:

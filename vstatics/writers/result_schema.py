@@ -20,7 +20,7 @@ ROWS = {
     "meshes": "meshes",
     "one": "",
 }
-SOMETIMES = {"rows", "AMWZ", "AMWZP", "mesh_torques", "lossy_mesh_torques"}
+SOMETIMES = {"rows", *(shape.name for shape in TABLES if shape.sometimes)}
 """What only some results have."""
 NUMBERS: dict[type, dict[str, Any]] = {
     float: {"type": ["number", "null"]},
@@ -66,11 +66,12 @@ def json_schema() -> dict[str, Any]:
 
 def _table(shape: TableShape) -> dict[str, Any]:
     row = {"type": "array", "items": NUMBERS[shape.kind]}
+    unit = f" [{shape.unit}]" if shape.unit else ""
     if shape.rows == "one":
-        return {"description": "A list over the gears.", **row}
+        return {"description": f"A list over the gears{unit}.", **row}
     columns = "devices" if shape.name == "AJK" else "gears"
     return {
-        "description": f"Rows: {ROWS[shape.rows]}; columns: {columns}.",
+        "description": f"Rows: {ROWS[shape.rows]}; columns: {columns}{unit}.",
         "type": "array",
         "items": row,
     }

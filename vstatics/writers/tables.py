@@ -71,4 +71,9 @@ def tables(results: Results) -> list[Table]:
             array = np.asarray(values[shape.name], dtype=np.float64)
             by_gear = array.reshape(len(gears), len(names)).T
             made.append(Table(shape, names, gears, by_gear))
-    return made
+    if case.load is None and not any(gear.load for gear in case.gears):
+        return made
+    from vstatics.writers.physical import physical
+
+    units = physical(results, {table.shape.name: table for table in made})
+    return [*made, *units.values()]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from vstatics.errors import Path
-from vstatics.model import Gear, Mechanism, ShiftElement
+from vstatics.model import Gear, Load, Mechanism, ShiftElement
 from vstatics.readers.named.walk import Walk
 
 
@@ -19,9 +19,19 @@ def arguments(values: dict[str, Any], walk: Walk) -> dict[str, Any]:
         "mechanisms": [
             Mechanism(**record, name=name) for name, record in values.get("mechanisms", ())
         ],
-        "gears": [Gear(**record, name=name) for name, record in values["gears"]],
+        "gears": [_gear(name, record) for name, record in values["gears"]],
+        "load": _load(values),
         "link_names": walk.references.link_names,
     }
+
+
+def _gear(name: str, record: dict[str, Any]) -> Gear:
+    return Gear(**(record | {"name": name, "load": _load(record)}))
+
+
+def _load(record: dict[str, Any]) -> Load | None:
+    given = record.get("load")
+    return Load(**given) if given else None
 
 
 def untold(unreadable: list[Path]) -> list[Path]:

@@ -149,12 +149,14 @@ def _by_name(item: Words) -> Words:
     }
 
 
-def _leaf(shape: Leaf) -> Words:
+def _leaf(shape: Leaf) -> Words:  # noqa: PLR0911 - a table
     match shape.kind:
         case "number" | "link":
             return {"$ref": f"#/$defs/{shape.kind}"}
         case "count":
             return {"type": ["integer", "string"], "minimum": 1, "pattern": LINK_NUMBER}
+        case "speed" | "torque":
+            return {"type": "string"}
         case "flag":
             return {"type": "boolean"}
         case "choice":

@@ -11,7 +11,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any, Literal, TypeAlias
 
-LeafKind = Literal["text", "number", "count", "link", "element", "flag", "choice"]
+LeafKind = Literal[
+    "text", "number", "count", "speed", "torque", "link", "element", "flag", "choice"
+]
 
 
 @dataclass(frozen=True, slots=True)
@@ -147,6 +149,15 @@ MECHANISM = Record(
     ),
 )
 
+LOAD = Record(
+    "Load",
+    "Speed and torque at the input link, for a second set of tables in rpm, N*m and kW.",
+    (
+        Key("speed", Leaf("speed"), "Speed of the input.", examples=("2100 rpm",)),
+        Key("torque", Leaf("torque"), "Torque of the input.", examples=("1200 N*m",)),
+    ),
+)
+
 GEAR = Record(
     "Gear",
     "A shift state: what is engaged, and what is given besides.",
@@ -156,6 +167,7 @@ GEAR = Record(
         Key("torques", ByLink(), "Further external torques, relative to the input torque."),
         Key("input", LINK, "This gear's own input link."),
         Key("output", LINK, "This gear's own output link."),
+        Key("load", LOAD, "This gear's own load."),
     ),
 )
 
@@ -181,6 +193,7 @@ CASE = Record(
             "Sign of idle mechanisms: 0 (exact), or as in the published tables.",
             default="exact",
         ),
+        Key("load", LOAD, "Load of all gears that give none themselves."),
         Key("coast", FLAG, "Power enters at the output (engine braking).", default=False),
         Key(
             "shift_elements",

@@ -34,6 +34,8 @@ _LEAVES: dict[LeafKind, tuple[str, Any]] = {  # what is expected, what stands in
     "text": ("text", ""),
     "number": ("a number", 1.0),
     "count": ("a whole number", 1),
+    "speed": ("a speed with its unit", 1.0),
+    "torque": ("a torque with its unit", 1.0),
     "link": ("a link", NO_LINK),
     "element": ("the name of a shift element", NO_ELEMENT),
     "flag": ("`true` or `false`", False),
@@ -246,12 +248,16 @@ class Walk:
             self.spots.unreadable.append(spot.path)
         return value
 
-    def _scalar(self, node: Scalar, shape: Leaf) -> Any:
+    def _scalar(self, node: Scalar, shape: Leaf) -> Any:  # noqa: PLR0911 - a table
         match shape.kind:
             case "number":
                 return scalars.number(node.text)
             case "count":
                 return scalars.count(node.text)
+            case "speed" | "torque":
+                from vstatics.readers.named.quantities import quantity  # only loads need it
+
+                return quantity(node.text, shape.kind)
             case "link":
                 return self.references.link(node.text)
             case "element":
