@@ -33,6 +33,8 @@ class TableShape(NamedTuple):
     """float, int or bool: how a number is written."""
     published: bool = True
     """Whether the report of the source has it."""
+    always: bool = True
+    """Whether every result has it, or only one of a case that has what it speaks of."""
 
 
 TABLES = (
@@ -50,8 +52,9 @@ TABLES = (
     TableShape("power_balance", "BALANCE", "one", published=False),
     TableShape("consistent", "CONSISTENT", "one", bool, published=False),
     TableShape("locked", "LOCKED", "one", bool, published=False),
-    TableShape("AMWZ", "AMWZ", "links", published=False),
-    TableShape("AMWZP", "AMWZP", "links", published=False),
+    TableShape("AMWZ", "AMWZ", "links", published=False, always=False),
+    TableShape("AMWZP", "AMWZP", "links", published=False, always=False),
+    TableShape("holds", "HOLDS", "elements", bool, published=False, always=False),
 )
 """All tables in the order in which they are written."""
 
@@ -94,6 +97,8 @@ ARRAYS: Mapping[str, Rows] = {
     "missing": "one",
     "excess": "one",
     "balanced": "one",
+    "holds": "elements",
+    "conflict": "one",
 }
 """The arrays of `Results`, and what their last axis stands for."""
 
@@ -174,6 +179,11 @@ class Results(NamedTuple):
     balanced: Booleans
     """(..., gears): torques without losses exist."""
 
+    holds: Booleans
+    """(..., gears, shift elements): is engaged, or a freewheel that holds."""
+    conflict: Booleans
+    """(..., gears): a freewheel can neither hold nor overrun."""
+
     messages: Sequence[Message] = ()
     """What was noticed; for one case only, not for arrays of variants."""
 
@@ -189,7 +199,7 @@ class Results(NamedTuple):
     @property
     def calculable(self) -> Booleans:
         """Of shape (..., gears): speeds and torques exist, so that losses can be asked for."""
-        return self.balanced & ~self.tied_up
+        return self.balanced & ~self.tied_up & ~self.conflict
 
     @property
     def output_torque(self) -> Floats:
@@ -198,5 +208,5 @@ class Results(NamedTuple):
 
     @property
     def failed(self) -> bool:
-        """Whether a gear is tied up, which makes the case fail."""
-        return bool(self.tied_up.any())
+        """Whether a gear is tied up, or its freewheels in conflict: then the case fails."""
+        return bool(self.tied_up.any() or self.conflict.any())

@@ -150,6 +150,11 @@ HEADINGS: dict[str, Heading] = {
         "Torques that hold the given speeds, with losses:",
         "Моменты, удерживающие заданные скорости, с учетом потерь:",
     ),
+    "holds": Heading(
+        "(HOLDS(I,J),J=1,NP),I=1,KL:",
+        "Elements that are engaged, and freewheels that hold (1):",
+        "Включенные элементы и замкнутые муфты свободного хода (1):",
+    ),
 }
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING, Any
 
-from vstatics.model import Gear, Mechanism, Transmission
+from vstatics.model import Gear, Mechanism, ShiftElement, Transmission
 
 if TYPE_CHECKING:
     import yaml
@@ -45,8 +45,7 @@ def mapping(case: Transmission) -> dict[str, Any]:
         data["coast"] = True
     if case.shift_elements:
         data["shift_elements"] = {
-            str(element.name): [links[element.first], links[element.second]]
-            for element in case.shift_elements
+            str(element.name): _element(element, links) for element in case.shift_elements
         }
     data["mechanisms"] = {str(m.name): _mechanism(m, links) for m in case.mechanisms}
     data["gears"] = {str(gear.name): _gear(gear, case, links) for gear in case.gears}
@@ -59,6 +58,11 @@ def write_yaml(case: Transmission) -> str:
 
     data = mapping(case)
     data["gears"] = {name: _OnOneLine(gear) for name, gear in data["gears"].items()}
+    if "shift_elements" in data:
+        data["shift_elements"] = {
+            name: _OnOneLine(element) if isinstance(element, dict) else element
+            for name, element in data["shift_elements"].items()
+        }
     return yaml.dump(
         data,
         Dumper=_dumper(),
@@ -86,6 +90,14 @@ def _link_words(case: Transmission) -> list[int | str]:
     if _numbered(case):
         return ["housing", *range(1, case.links + 1)]
     return ["housing", *map(str, case.link_names)]
+
+
+def _element(element: ShiftElement, links: list[int | str]) -> Any:
+    """Its links alone, where there is nothing else to say."""
+    ends = [links[element.first], links[element.second]]
+    data: dict[str, Any] = {"kind": str(element.kind)} if element.kind else {}
+    data["links"] = ends
+    return data if len(data) > 1 else ends
 
 
 def _mechanism(mechanism: Mechanism, links: list[int | str]) -> dict[str, Any]:

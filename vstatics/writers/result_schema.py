@@ -42,7 +42,8 @@ def json_schema() -> dict[str, Any]:
     }
     properties |= {shape.name: _table(shape) for shape in TABLES}
     properties["messages"] = {**texts, "description": "What was noticed, gear by gear."}
-    required = [name for name in properties if name not in ("AMWZ", "AMWZP")]
+    sometimes = {shape.name for shape in TABLES if not shape.always}
+    required = [name for name in properties if name not in sometimes]
     return {
         "$schema": "https://json-schema.org/draft/2020-12/schema",
         "$id": "result.schema.json",

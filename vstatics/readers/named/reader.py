@@ -90,12 +90,15 @@ def _parts(values: dict[str, Any]) -> dict[str, Any]:
     """The arguments of `Transmission`."""
     return values | {
         "shift_elements": [
-            ShiftElement(first, second, name)
-            for name, (first, second) in values.get("shift_elements", ())
+            _element(name, **record) for name, record in values.get("shift_elements", ())
         ],
         "mechanisms": [Mechanism(**record, name=name) for name, record in values["mechanisms"]],
         "gears": [Gear(**record, name=name) for name, record in values["gears"]],
     }
+
+
+def _element(name: str, links: tuple[int, int], **other: Any) -> ShiftElement:
+    return ShiftElement(*links, name, **other)
 
 
 def _untold(unreadable: list[Path]) -> list[Path]:
