@@ -19,10 +19,10 @@ from vstatics.readers.named.reader import read_json, read_yaml
 from vstatics.writers import deck, named
 
 
-def worm(back: float | None, *, coast: bool = False) -> Transmission:
+def worm(back: float | None) -> Transmission:
     """A worm, which drives in gear 1, and its wheel, which drives in gear 2; 20 to 1."""
     pair = Mechanism(1, 2, 0, 20, 0.8, back_efficiency=back)
-    return Transmission(2, [], [pair], [Gear(), Gear(input=2, output=1)], coast=coast)
+    return Transmission(2, [], [pair], [Gear(), Gear(input=2, output=1)])
 
 
 def test_a_worm_gear_from_each_side() -> None:

@@ -22,7 +22,7 @@ HOLDING = frozenset({"holding_torques", "lossy_holding_torques"})
 KINDS: dict[str, type] = {
     **dict.fromkeys(("choices", "missing", "excess"), np.int16),
     **dict.fromkeys(("idle", "consistent", "locked", "undecided"), np.bool_),
-    **dict.fromkeys(("turned", "tied_up", "balanced"), np.bool_),
+    **dict.fromkeys(("turned", "tied_up", "balanced", "holds", "conflict"), np.bool_),
 }
 
 _plans: dict[Hashable, Plans] = {}
@@ -110,7 +110,7 @@ def _remembered(
     """The plans of a gear; gears that differ only in numbers that vary have the same."""
     key = (
         case.links,
-        tuple((element.first, element.second) for element in case.shift_elements),
+        tuple((one.first, one.second, one.is_freewheel) for one in case.shift_elements),
         tuple((*one.links, one.planet_ratio, one.back_efficiency) for one in case.mechanisms),
         (tuple(gear.engaged), tuple(gear.speeds.items()), tuple(gear.torques.items())),
         (case.gear_input(gear), case.gear_output(gear), case.coast, case.idle),

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 
 from vstatics.errors import Path, Problem
 from vstatics.parts import (
+    ELEMENT_KINDS,
     HOUSING,
     Gear,
     Load,
@@ -25,6 +26,9 @@ from vstatics.parts import (
 if TYPE_CHECKING:
     from vstatics.model import Transmission
 
+MOST_FREEWHEELS = 8
+"""All sets of them are tried in every gear."""
+
 
 def problems(case: Transmission) -> Iterator[Problem]:
     """Every error and warning of a case, in the order of its parts."""
@@ -33,6 +37,7 @@ def problems(case: Transmission) -> Iterator[Problem]:
     yield from _ports(case)
     for number, element in enumerate(case.shift_elements, 1):
         yield from _element(case, element, ("shift_elements", number))
+    yield from _freewheels(case)
     drawn = _drawn(case)
     for number, mechanism in enumerate(case.mechanisms, 1):
         yield from _mechanism(mechanism, ("mechanisms", number), case.links)
@@ -147,6 +152,30 @@ def _element(case: Transmission, element: ShiftElement, path: Path) -> Iterator[
     if first == second:
         message = f"joins link {_called(case, first)} to itself, expected two different links"
         yield Problem(message, (*path, "second"))
+    elif element.kind:
+        yield from _kind(element, (*path, "kind"))
+
+
+def _kind(element: ShiftElement, path: Path) -> Iterator[Problem]:
+    """A kind that is one, and that the links of the element suit."""
+    to_housing = HOUSING in (element.first, element.second)
+    if element.kind not in ELEMENT_KINDS:
+        kinds = ", ".join(f"`{kind}`" for kind in ELEMENT_KINDS)
+        yield Problem(f"read {element.kind!r}, expected one of {kinds}", path)
+    elif element.kind == "brake" and not to_housing:
+        message = "a brake holds a link against the housing, expected `clutch` for two links"
+        yield Problem(message, path)
+    elif element.kind == "clutch" and to_housing:
+        message = "a clutch joins two links, expected `brake` for a link and the housing"
+        yield Problem(message, path)
+
+
+def _freewheels(case: Transmission) -> Iterator[Problem]:
+    """No more of them than can be tried."""
+    numbers = [n for n, element in enumerate(case.shift_elements, 1) if element.is_freewheel]
+    if len(numbers) > MOST_FREEWHEELS:
+        message = f"{len(numbers)} freewheels, expected {MOST_FREEWHEELS} at most"
+        yield Problem(message, ("shift_elements", numbers[MOST_FREEWHEELS]))
 
 
 def _mechanism(mechanism: Mechanism, path: Path, links: int) -> Iterator[Problem]:
@@ -244,6 +273,10 @@ def _engaged(
             name = elements[element - 1].name or str(element)
             message = f"element {name} is engaged twice, expected each once"
             yield Problem(message, (*path, position))
+        elif elements[element - 1].is_freewheel:
+            name = elements[element - 1].name or str(element)
+            message = f"element {name} is a freewheel, which finds by itself whether it holds"
+            yield Problem(f"{message}; leave it out", (*path, position))
         seen.add(element)
 
 

@@ -6,11 +6,12 @@ of what `Results` show. All look at one case, not at arrays of variants.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Iterator, Sequence
 
 import numpy as np
 
-from vstatics import elimination, matrix
+from vstatics import elimination, freewheels, matrix
 from vstatics.arrays import Booleans
 from vstatics.checks import doubts
 from vstatics.errors import Severity, path_text
@@ -59,13 +60,19 @@ def messages(results: Results) -> Iterator[Message]:
     case = results.case
     for problem in doubts(case):
         yield Message(problem.severity, _named(case, path_text(problem.path), problem.message))
-    for number, gear in enumerate(case.gears):
-        for severity, text in (
-            *_speed_messages(results, number, gear),
-            *_torque_messages(results, number, gear),
-            *_loss_messages(results, number, gear),
-        ):
+    for number, given in enumerate(case.gears):
+        held = _held(results, number)
+        gear = freewheels.holding(given, held)
+        said = _conflict(case, gear) if results.conflict[number] else _said(results, number, gear)
+        for severity, text in (*_freewheel_messages(case, held), *said):
             yield Message(severity, text, gear.name)
+
+
+def _said(results: Results, number: int, gear: Gear) -> Iterator[Said]:
+    """What there is to say of a gear whose freewheels have found their state."""
+    yield from _speed_messages(results, number, gear)
+    yield from _torque_messages(results, number, gear)
+    yield from _loss_messages(results, number, gear)
 
 
 def _named(case: Transmission, path: str, text: str) -> str:
@@ -92,6 +99,47 @@ def _chosen(names: Sequence[str], marks: Booleans) -> list[str]:
     return [name for name, mark in zip(names, marks, strict=True) if mark]
 
 
+def _held(results: Results, number: int) -> list[int]:
+    """Numbers of the freewheels that hold in a gear."""
+    marks = results.holds[number]
+    return [element for element in results.case.freewheels if marks[element - 1]]
+
+
+def _freewheel_messages(case: Transmission, held: Sequence[int]) -> Iterator[Said]:
+    """Which freewheels hold."""
+    if held:
+        names = _list([case.shift_elements[number - 1].name for number in held])
+        yield _note(f"freewheel {names} holds" if len(held) == 1 else f"freewheels {names} hold")
+
+
+def _conflict(case: Transmission, gear: Gear) -> Iterator[Said]:
+    """Freewheels that the engaged elements drive backward."""
+    speeds = solve_speeds(case, gear, _ratios(case))
+    for number in freewheels.driven_backward(case, gear, speeds):
+        yield _error(
+            f"conflict: freewheel {case.shift_elements[number - 1].name} can neither overrun (its "
+            f"slip would be {speeds.slips[number - 1]:.4g}, below 0) nor hold (the gear would be "
+            "tied up); release one of the engaged elements, or exchange the links of the "
+            "freewheel if it stands the wrong way round"
+        )
+
+
+def _overrunning(results: Results, number: int, gear: Gear) -> list[str]:
+    """Names of the freewheels that would put an end to a neutral if they held."""
+    case = results.case
+    output = case.gear_output(gear) - 1
+    free = [n for n in case.freewheels if n not in gear.engaged]
+
+    def drives(*held: int) -> bool:
+        speeds = solve_speeds(case, freewheels.holding(gear, held), _ratios(case))
+        return speeds.consistent and not math.isnan(speeds.links[output])
+
+    chosen = [n for n in free if math.isnan(results.slip_speeds[number, n - 1]) and drives(n)]
+    if not chosen and free and drives(*free):
+        chosen = free
+    return [case.shift_elements[n - 1].name for n in chosen]
+
+
 def _speed_messages(results: Results, number: int, gear: Gear) -> Iterator[Said]:
     """Too few conditions, too many, contradictions, an output that stands."""
     case = results.case
@@ -104,9 +152,12 @@ def _speed_messages(results: Results, number: int, gear: Gear) -> Iterator[Said]
         links = "" if results.tied_up[number] else named
         neutral = np.isnan(results.ratio[number]) and not results.tied_up[number]
         advice = "; engage another shift element or give a speed" if neutral else ""
+        over = _overrunning(results, number, gear) if neutral else []
+        verb = "overruns" if len(over) == 1 else "overrun"
+        why = f", as freewheel{_s(len(over))} {_list(over)} {verb}" if over else ""
         yield _warning(
             f"{missing} condition{_s(missing)} missing for the speeds"
-            f"{' (neutral)' * bool(neutral)}{links}{advice}"
+            f"{f' (neutral{why})' * bool(neutral)}{links}{advice}"
         )
     output = case.gear_output(gear)
     if results.speeds[number, output - 1] == 0:

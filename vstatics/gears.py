@@ -6,12 +6,9 @@ import math
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from vstatics import signs
-from vstatics.losses import Flow, both_ways
+from vstatics import freewheels
 from vstatics.model import Gear, Mechanism, Transmission
 from vstatics.results import ARRAYS, Rows
-from vstatics.speeds import solve_speeds
-from vstatics.torques import solve_torques
 from vstatics.traced import Number, Rest, Traced, guard_within
 
 CLOSED = 1e-9
@@ -45,6 +42,8 @@ class Solved(NamedTuple):
     missing: int
     excess: int
     balanced: bool
+    holds: Sequence[bool]
+    conflict: bool
 
 
 def solve_gear(case: Transmission, gear: Gear, ratios: Numbers, efficiencies: Numbers) -> Solved:
@@ -55,11 +54,8 @@ def solve_gear(case: Transmission, gear: Gear, ratios: Numbers, efficiencies: Nu
     ratios, efficiencies : sequence of Number
         Of each mechanism: floats, or traced numbers. [-]
     """
-    speeds = solve_speeds(case, gear, ratios)
-    torques = solve_torques(case, gear, ratios)
-    both = both_ways(case, efficiencies)
-    flow = Flow(case, gear, ratios, both, speeds.links, speeds.motion, torques)
-    outcome = signs.search(flow, moving=torques.consistent and speeds.consistent)
+    state = freewheels.settle(case, gear, ratios, efficiencies)
+    speeds, torques, outcome = state.speeds, state.torques, state.outcome
     lossy = outcome.lossy
     output_speed = speeds.links[case.gear_output(gear) - 1]
     return Solved(
@@ -88,6 +84,8 @@ def solve_gear(case: Transmission, gear: Gear, ratios: Numbers, efficiencies: Nu
         missing=speeds.missing,
         excess=speeds.excess,
         balanced=torques.consistent,
+        holds=[n in state.gear.engaged for n in range(1, len(case.shift_elements) + 1)],
+        conflict=state.conflict,
     )
 
 

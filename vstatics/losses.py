@@ -21,6 +21,9 @@ from vstatics.traced import Number, rest
 Signs = tuple[float, ...]
 """By mechanism: the exponent x of its efficiency, +1, -1 or 0; NaN where it is open."""
 
+Acting = tuple[int, Number]
+"""What acts on a link (a device, or -1 from outside), and the size of its torque."""
+
 
 class Efficiency(NamedTuple):
     """The efficiency of a mechanism for each direction of power."""
@@ -107,26 +110,34 @@ def loaded(flow: Flow, ratios: Sequence[Number], torques: Torques) -> list[Numbe
     case = flow.case
     elements = len(case.shift_elements)
     acting = _acting(flow, ratios, torques)
-
-    def is_nothing(device: int, link: int) -> bool:
-        own = next(torque for by, torque in acting[link] if by == device)
-        others = [torque for by, torque in acting[link] if by != device]
-        return bool(own == 0 or any(own <= TIE * torque for torque in others))
-
     return [
-        0.0
-        if all(is_nothing(device, link) for link in mechanism.links if link != HOUSING)
-        else torques.first[device]
+        0.0 if _is_nothing(acting, device, mechanism.links) else torques.first[device]
         for device, mechanism in enumerate(case.mechanisms, elements)
     ]
 
 
-def _acting(
-    flow: Flow, ratios: Sequence[Number], torques: Torques
-) -> list[list[tuple[int, Number]]]:
-    """By link: what acts there (a device, or -1 from outside), and the size of its torque."""
+def is_nothing(flow: Flow, ratios: Sequence[Number], torques: Torques, number: int) -> bool:
+    """Whether the torque of a shift element, by its number, is a tie; see `loaded`."""
+    element = flow.case.shift_elements[number - 1]
+    acting = _acting(flow, ratios, torques)
+    return _is_nothing(acting, number - 1, (element.first, element.second))
+
+
+def _is_nothing(acting: Sequence[Sequence[Acting]], device: int, links: Sequence[int]) -> bool:
+    """Whether a device's torque is nothing beside another one, on each of its links."""
+
+    def on(link: int) -> bool:
+        own = next(torque for by, torque in acting[link] if by == device)
+        others = [torque for by, torque in acting[link] if by != device]
+        return bool(own == 0 or any(own <= TIE * torque for torque in others))
+
+    return all(on(link) for link in links if link != HOUSING)
+
+
+def _acting(flow: Flow, ratios: Sequence[Number], torques: Torques) -> list[list[Acting]]:
+    """What acts on each link."""
     case, gear = flow.case, flow.gear
-    acting: list[list[tuple[int, Number]]] = [[] for _ in range(case.links + 1)]
+    acting: list[list[Acting]] = [[] for _ in range(case.links + 1)]
     coefficients: list[tuple[Sequence[int], Sequence[Number]]] = [
         ((element.first, element.second), (1.0, -1.0)) for element in case.shift_elements
     ]

@@ -121,6 +121,11 @@ class Transmission:
         return self.link_names[link - 1] if link else "housing"
 
     @property
+    def freewheels(self) -> list[int]:
+        """Numbers of the shift elements that are freewheels."""
+        return [n for n, element in enumerate(self.shift_elements, 1) if element.is_freewheel]
+
+    @property
     def devices(self) -> list[str]:
         """Names of all devices in the order of the structural-distribution matrix."""
         elements = [element.name for element in self.shift_elements]
@@ -133,9 +138,7 @@ def _completed(case: Transmission) -> dict[str, object]:
         "output": case.output or case.links,
         "link_names": tuple(case.link_names) or tuple(map(str, range(1, case.links + 1))),
         "shift_elements": tuple(
-            element
-            if element.name
-            else ShiftElement(element.first, element.second, element_name(number, element))
+            element if element.name else element._replace(name=element_name(number, element))
             for number, element in enumerate(case.shift_elements, 1)
         ),
         "mechanisms": tuple(

@@ -8,17 +8,39 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from types import MappingProxyType
-from typing import Any, NamedTuple
+from typing import Any, Literal, NamedTuple, get_args
 
 HOUSING = 0
 
+ElementKind = Literal["clutch", "brake", "dog_clutch", "freewheel"]
+"""What a shift element is, where it says so."""
+ELEMENT_KINDS: tuple[ElementKind, ...] = get_args(ElementKind)
+
 
 class ShiftElement(NamedTuple):
-    """A clutch joins two links; a brake joins a link to the housing (0)."""
+    """A clutch joins two links; a brake joins a link to the housing (0).
+
+    Parameters
+    ----------
+    first, second : int
+        Link numbers; 0 is the housing.
+    name : str
+        A letter and the number when not given; see `element_name`.
+    kind : {"clutch", "brake", "dog_clutch", "freewheel"}, optional
+        A brake if the housing is one of its links, else a clutch, when not given. A
+        freewheel keeps its first link from turning backward against the second; it is
+        never engaged, but finds by itself whether it holds.
+    """
 
     first: int
     second: int = HOUSING
     name: str = ""
+    kind: ElementKind | Literal[""] = ""
+
+    @property
+    def is_freewheel(self) -> bool:
+        """Whether it finds by itself whether it holds."""
+        return self.kind == "freewheel"
 
 
 class Mechanism(NamedTuple):
@@ -109,11 +131,13 @@ class Gear(NamedTuple):
 
 
 def element_name(number: int, element: ShiftElement) -> str:
-    """The name of an element that has none: F for a clutch, T for a brake.
+    """The name of an element that has none: F for a clutch, T for a brake, L for a freewheel.
 
     >>> element_name(3, ShiftElement(2, 0))
     'T3'
     """
+    if element.is_freewheel:
+        return f"L{number}"
     kind = "T" if HOUSING in (element.first, element.second) else "F"
     return f"{kind}{number}"
 

@@ -36,16 +36,16 @@ class TableShape(NamedTuple):
     """float, int or bool: how a number is written."""
     published: bool = True
     """Whether the report of the source has it."""
-    sometimes: bool = False
-    """Whether only some cases have it."""
     of: str = ""
     """The table that this one has in `unit`, where the case has a load."""
     unit: str = ""
+    always: bool = True
+    """Whether every result has it, or only one of a case that has what it speaks of."""
 
 
 def _with_unit(name: str, printed: str, rows: Rows, unit: str, of: str) -> TableShape:
     """A table that only a case with a load has."""
-    return TableShape(name, printed, rows, published=False, sometimes=True, of=of, unit=unit)
+    return TableShape(name, printed, rows, published=False, always=False, of=of, unit=unit)
 
 
 WITH_UNITS: tuple[tuple[str, str, Rows, str, str], ...] = (
@@ -77,10 +77,11 @@ TABLES = (
     TableShape("power_balance", "BALANCE", "one", published=False),
     TableShape("consistent", "CONSISTENT", "one", bool, published=False),
     TableShape("locked", "LOCKED", "one", bool, published=False),
-    TableShape("AMWZ", "AMWZ", "links", published=False, sometimes=True),
-    TableShape("AMWZP", "AMWZP", "links", published=False, sometimes=True),
-    TableShape("mesh_torques", "MESH", "meshes", published=False, sometimes=True),
-    TableShape("lossy_mesh_torques", "MESHP", "meshes", published=False, sometimes=True),
+    TableShape("AMWZ", "AMWZ", "links", published=False, always=False),
+    TableShape("AMWZP", "AMWZP", "links", published=False, always=False),
+    TableShape("holds", "HOLDS", "elements", bool, published=False, always=False),
+    TableShape("mesh_torques", "MESH", "meshes", published=False, always=False),
+    TableShape("lossy_mesh_torques", "MESHP", "meshes", published=False, always=False),
     *(_with_unit(*table) for table in WITH_UNITS),
 )
 """All tables in the order in which they are written."""
@@ -125,6 +126,8 @@ ARRAYS: Mapping[str, Rows] = {
     "missing": "one",
     "excess": "one",
     "balanced": "one",
+    "holds": "elements",
+    "conflict": "one",
 }
 """The arrays of `Results`, and what their last axis stands for."""
 
@@ -205,6 +208,11 @@ class Results(NamedTuple):
     balanced: Booleans
     """(..., gears): torques without losses exist."""
 
+    holds: Booleans
+    """(..., gears, shift elements): is engaged, or a freewheel that holds."""
+    conflict: Booleans
+    """(..., gears): a freewheel can neither hold nor overrun."""
+
     messages: Sequence[Message] = ()
     """What was noticed; for one case only, not for arrays of variants."""
 
@@ -220,7 +228,7 @@ class Results(NamedTuple):
     @property
     def calculable(self) -> Booleans:
         """Of shape (..., gears): speeds and torques exist, so that losses can be asked for."""
-        return self.balanced & ~self.tied_up
+        return self.balanced & ~self.tied_up & ~self.conflict
 
     @property
     def output_torque(self) -> Floats:
@@ -229,5 +237,5 @@ class Results(NamedTuple):
 
     @property
     def failed(self) -> bool:
-        """Whether a gear is tied up, which makes the case fail."""
-        return bool(self.tied_up.any())
+        """Whether a gear is tied up, or its freewheels in conflict: then the case fails."""
+        return bool(self.tied_up.any() or self.conflict.any())

@@ -48,7 +48,7 @@ def solve_speeds(case: Transmission, gear: Gear, ratios: Sequence[Number]) -> Sp
     return Speeds(
         links,
         [
-            0.0 if _is_tie(abs(speed), by_link[first], by_link[third]) else speed
+            0.0 if is_tie(abs(speed), by_link[first], by_link[third]) else speed
             for speed, (first, third) in zip(motion, differences, strict=True)
         ],
         solution.values[case.links + len(differences) :],
@@ -65,6 +65,6 @@ def _difference(first: int, second: int) -> dict[int, float]:
     return terms
 
 
-def _is_tie(motion: Number, first: Number, third: Number) -> bool:
+def is_tie(motion: Number, first: Number, third: Number) -> bool:
     """Whether a difference of speeds is nothing beside the speeds themselves."""
     return bool(motion <= TIE * first or motion <= TIE * third)

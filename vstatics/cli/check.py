@@ -34,14 +34,25 @@ def summary(file: str, results: Results) -> str:
     lines = [f"{file}: {', '.join(counts)}; degrees of freedom: {free}"]
     names = [element.name for element in case.shift_elements]
     width = max(len(gear.name) for gear in case.gears)
-    states = zip(case.gears, results.missing, results.excess, results.tied_up, strict=True)
-    for gear, missing, excess, tied_up in states:
-        engaged = " ".join(names[number - 1] for number in gear.engaged) or "nothing"
+    states = zip(
+        case.gears,
+        results.holds,
+        results.missing,
+        results.excess,
+        results.tied_up,
+        results.conflict,
+        strict=True,
+    )
+    for gear, holds, missing, excess, tied_up, conflict in states:
+        held = [number for number in case.freewheels if holds[number - 1]]
+        engaged = " ".join(names[number - 1] for number in (*gear.engaged, *held)) or "nothing"
         verdict = [f"{missing} missing"] * bool(missing)
         verdict += [f"{excess} in excess"] * bool(excess)
         verdict += ["tied up"] * bool(tied_up)
+        verdict += ["freewheels in conflict"] * bool(conflict)
+        given = given_conditions(gear) + len(held)
         lines.append(
-            f"  gear {gear.name:{width}}  {given_conditions(gear)} of {free} conditions: "
+            f"  gear {gear.name:{width}}  {given} of {free} conditions: "
             f"{', '.join(verdict) or 'ok'} (engaged: {engaged})"
         )
     return "\n".join(lines) + "\n"

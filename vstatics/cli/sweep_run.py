@@ -22,7 +22,7 @@ from vstatics.sweep.store import SUFFIX, Store
 from vstatics.sweep.tasks import Task
 from vstatics.sweep.variants import Table
 
-UNSOLVED = ("tied up", "invalid")
+UNSOLVED = ("tied up", "conflict", "invalid")
 """A variant of this status has no solution at all."""
 
 

@@ -26,9 +26,9 @@ if TYPE_CHECKING:
 
 Codes = np.ndarray[Any, np.dtype[np.uint8]]
 
-STATUS = ("ok", "open", "undecided", "locked", "tied up", "invalid")
+STATUS = ("ok", "open", "undecided", "locked", "tied up", "conflict", "invalid")
 """What can be said of a variant, the worse the later; a variant has the worst of its gears."""
-OPEN, UNDECIDED, LOCKED, TIED_UP, INVALID = range(1, len(STATUS))
+OPEN, UNDECIDED, LOCKED, TIED_UP, CONFLICT, INVALID = range(1, len(STATUS))
 
 BLOCK_BYTES = 32 * 2**20
 LEAST_BLOCK, MOST_BLOCK = 256, 16384
@@ -143,7 +143,7 @@ def variant_bytes(case: Transmission) -> int:
     """About how much memory the results of a variant take."""
     elements, mechanisms = len(case.shift_elements), len(case.mechanisms)
     numbers = 3 * case.links + 3 * elements + 5 * mechanisms + 10
-    return len(case.gears) * (8 * numbers + 2 * mechanisms + 5)
+    return len(case.gears) * (8 * numbers + elements + 2 * mechanisms + 6)
 
 
 def _block(plan: Plan, own: Results, start: int, stop: int) -> Chunk:
@@ -221,6 +221,7 @@ def _status(results: Results, own: Results) -> Codes:
         (UNDECIDED, results.undecided),
         (LOCKED, results.locked),
         (TIED_UP, results.tied_up),
+        (CONFLICT, results.conflict),
     ):
         if said.any():
             status[said.any(axis=1)] = code

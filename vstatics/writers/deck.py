@@ -63,6 +63,11 @@ def lost(case: Transmission) -> list[str]:
     return [
         *(part for part in ("description", "source") if getattr(case, part)),
         *(
+            f"kind {element.kind} of shift element {element.name}"
+            for element in case.shift_elements
+            if element.kind in ("dog_clutch", "freewheel")
+        ),
+        *(
             f"back_efficiency of mechanism {mechanism.name}"
             for mechanism in case.mechanisms
             if mechanism.back_efficiency is not None
@@ -163,7 +168,7 @@ def _names(case: Transmission) -> Iterator[str]:
     """The names that differ from those that everything gets by itself."""
     links = [("J", name, str(number)) for number, name in enumerate(case.link_names, 1)]
     elements = [
-        ("F", element.name, element_name(number, element))
+        ("F", element.name, element_name(number, element._replace(kind="")))
         for number, element in enumerate(case.shift_elements, 1)
     ]
     mechanisms = [

@@ -163,6 +163,11 @@ HEADINGS: dict[str, Heading] = {
         "Torques of the meshes, with losses:",
         "Моменты зацеплений с учетом потерь:",
     ),
+    "holds": Heading(
+        "(HOLDS(I,J),J=1,NP),I=1,KL:",
+        "Elements that are engaged, and freewheels that hold (1):",
+        "Включенные элементы и замкнутые муфты свободного хода (1):",
+    ),
 }
 
 UNITS: dict[str, Heading] = {

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING, Any
 
-from vstatics.model import Gear, Load, Mechanism, Transmission
+from vstatics.model import Gear, Load, Mechanism, ShiftElement, Transmission
 
 if TYPE_CHECKING:
     import yaml
@@ -48,8 +48,7 @@ def mapping(case: Transmission) -> dict[str, Any]:
         data["load"] = _load(case.load)
     if case.shift_elements:
         data["shift_elements"] = {
-            str(element.name): [links[element.first], links[element.second]]
-            for element in case.shift_elements
+            str(element.name): _element(element, links) for element in case.shift_elements
         }
     mechanisms = case.mechanisms
     if case.drawing is not None:
@@ -69,6 +68,11 @@ def write_yaml(case: Transmission) -> str:
 
     data = mapping(case)
     data["gears"] = {name: _OnOneLine(gear) for name, gear in data["gears"].items()}
+    if "shift_elements" in data:
+        data["shift_elements"] = {
+            name: _OnOneLine(element) if isinstance(element, dict) else element
+            for name, element in data["shift_elements"].items()
+        }
     return yaml.dump(
         data,
         Dumper=_dumper(),
@@ -97,6 +101,14 @@ def _link_words(case: Transmission) -> list[int | str]:
     if _numbered(case):
         return ["housing", *range(1, case.links + 1)]
     return ["housing", *map(str, case.link_names)]
+
+
+def _element(element: ShiftElement, links: list[int | str]) -> Any:
+    """Its links alone, where there is nothing else to say."""
+    ends = [links[element.first], links[element.second]]
+    data: dict[str, Any] = {"kind": str(element.kind)} if element.kind else {}
+    data["links"] = ends
+    return data if len(data) > 1 else ends
 
 
 def _mechanism(mechanism: Mechanism, links: list[int | str]) -> dict[str, Any]:

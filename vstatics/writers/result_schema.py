@@ -20,8 +20,6 @@ ROWS = {
     "meshes": "meshes",
     "one": "",
 }
-SOMETIMES = {"rows", *(shape.name for shape in TABLES if shape.sometimes)}
-"""What only some results have."""
 NUMBERS: dict[type, dict[str, Any]] = {
     float: {"type": ["number", "null"]},
     int: {"enum": [-1, 0, 1, None]},
@@ -51,7 +49,8 @@ def json_schema() -> dict[str, Any]:
     }
     properties |= {shape.name: _table(shape) for shape in TABLES}
     properties["messages"] = {**texts, "description": "What was noticed, gear by gear."}
-    required = [name for name in properties if name not in SOMETIMES]
+    sometimes = {"rows", *(shape.name for shape in TABLES if not shape.always)}
+    required = [name for name in properties if name not in sometimes]
     return {
         "$schema": "https://json-schema.org/draft/2020-12/schema",
         "$id": "result.schema.json",

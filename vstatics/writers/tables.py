@@ -29,7 +29,7 @@ class Table(NamedTuple):
 
 
 def tables(results: Results) -> list[Table]:
-    """All tables of the results of one case; holding torques only where there are any."""
+    """All tables of the results of one case; some only where the case has what they speak of."""
     case = results.case
     gears = [gear.name for gear in case.gears]
     exists = results.calculable
@@ -53,6 +53,8 @@ def tables(results: Results) -> list[Table]:
     }
     if np.isnan(results.holding_torques).all():
         del values["AMWZ"], values["AMWZP"]
+    if case.freewheels:
+        values["holds"] = results.holds
     rows = {kind: row_names(case, shape) for kind, shape in KINDS.items()}
     drawn: dict[str, Any] = {}
     if case.drawing is not None:

@@ -13,8 +13,7 @@ def arguments(values: dict[str, Any], walk: Walk) -> dict[str, Any]:
     """The arguments of `Transmission`."""
     return values | {
         "shift_elements": [
-            ShiftElement(first, second, name)
-            for name, (first, second) in values.get("shift_elements", ())
+            _element(name, **record) for name, record in values.get("shift_elements", ())
         ],
         "mechanisms": [
             Mechanism(**record, name=name) for name, record in values.get("mechanisms", ())
@@ -23,6 +22,10 @@ def arguments(values: dict[str, Any], walk: Walk) -> dict[str, Any]:
         "load": _load(values),
         "link_names": walk.references.link_names,
     }
+
+
+def _element(name: str, links: tuple[int, int], **other: Any) -> ShiftElement:
+    return ShiftElement(*links, name, **other)
 
 
 def _gear(name: str, record: dict[str, Any]) -> Gear:

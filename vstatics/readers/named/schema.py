@@ -15,6 +15,7 @@ from vstatics.readers.named.shape import (
     CASE,
     ByKind,
     ByLink,
+    Either,
     Ends,
     Engaged,
     Key,
@@ -120,7 +121,9 @@ def _shape(shape: Shape) -> Words:  # noqa: PLR0911, C901 - a table
             names: Words = {"items": _NAME, "minItems": 2, "uniqueItems": True}
             return {**number, "pattern": LINK_NUMBER, **names}
         case Ends():
-            return {"type": "array", "items": link, "minItems": 2, "maxItems": 2}
+            return {"type": "array", "items": link, "minItems": shape.least, "maxItems": 2}
+        case Either():
+            return {"anyOf": [_shape(shape.links), _record(shape.record)]}
         case Engaged():
             return {"type": "array", "items": _NAME, "uniqueItems": True}
         case ByLink():

@@ -11,6 +11,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any, Literal, TypeAlias
 
+from vstatics.parts import ELEMENT_KINDS
+
 LeafKind = Literal[
     "text", "number", "count", "speed", "torque", "link", "element", "flag", "choice"
 ]
@@ -32,6 +34,9 @@ class Links:
 @dataclass(frozen=True, slots=True)
 class Ends:
     """The links of a shift element, first and second."""
+
+    least: int = 2
+    """With 1 the second may be missing, which is the housing."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,6 +81,14 @@ class Record:
 
 
 @dataclass(frozen=True, slots=True)
+class Either:
+    """A list of links, or a record with the key `links`: a shift element."""
+
+    links: Ends
+    record: Record
+
+
+@dataclass(frozen=True, slots=True)
 class Named:
     """Items of one kind in order, each under its name."""
 
@@ -104,10 +117,33 @@ class ByKind:
     records: Mapping[str, Record]
 
 
-Shape: TypeAlias = Leaf | Links | Ends | Engaged | ByLink | Record | Named | ListOf | Pair | ByKind
+Shape: TypeAlias = (
+    Leaf | Links | Ends | Engaged | ByLink | Record | Either | Named | ListOf | Pair | ByKind
+)
 
 TEXT, NUMBER, LINK, FLAG = Leaf("text"), Leaf("number"), Leaf("link"), Leaf("flag")
 COUNT = Leaf("count")
+
+ELEMENT = Record(
+    "Shift element",
+    "A clutch, brake, dog clutch or freewheel.",
+    (
+        Key(
+            "kind",
+            Leaf("choice", ELEMENT_KINDS),
+            "What it is; with two links a clutch, with the housing a brake when not given. A "
+            "freewheel keeps its first link from turning backward against the second, and is "
+            "never engaged.",
+        ),
+        Key(
+            "links",
+            Ends(least=1),
+            "First and second link; one link alone is held against the housing.",
+            required=True,
+            examples=(["carrier", "housing"],),
+        ),
+    ),
+)
 
 MECHANISM = Record(
     "Mechanism",
@@ -197,8 +233,9 @@ CASE = Record(
         Key("coast", FLAG, "Power enters at the output (engine braking).", default=False),
         Key(
             "shift_elements",
-            Named("shift element", Ends()),
-            "Clutches and brakes in order: name and [first link, second link].",
+            Named("shift element", Either(Ends(), ELEMENT)),
+            "Clutches, brakes and freewheels in order: name and [first link, second link], or a "
+            "mapping with `links`.",
         ),
         Key(
             "mechanisms",

@@ -9,12 +9,14 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator
 from typing import Any
 
+from vstatics.model import HOUSING
 from vstatics.readers.named import scalars
 from vstatics.readers.named.nodes import Listing, Mapping, Node, Scalar, is_null, shown, what
 from vstatics.readers.named.references import NO_ELEMENT, NO_LINK, References
 from vstatics.readers.named.shape import (
     ByKind,
     ByLink,
+    Either,
     Ends,
     Engaged,
     Key,
@@ -29,6 +31,7 @@ from vstatics.readers.named.shape import (
 )
 from vstatics.readers.named.spots import Spot, Spots
 
+_ENDS = ("first", "second")
 _MANY_LINKS = 10**9  # takes every link number in; the model refuses it, and this is not told
 _LEAVES: dict[LeafKind, tuple[str, Any]] = {  # what is expected, what stands in for it
     "text": ("text", ""),
@@ -44,6 +47,7 @@ _LEAVES: dict[LeafKind, tuple[str, Any]] = {  # what is expected, what stands in
 _COLLECTIONS: dict[type[Shape], Any] = {
     Links: _MANY_LINKS,
     Ends: (NO_LINK, NO_LINK),
+    Either: {"links": (NO_LINK, NO_LINK)},
     Named: (),
     ByLink: {},
     Engaged: (),
@@ -65,6 +69,7 @@ class Walk:
             Named: self._named,
             Links: self._links,
             Ends: self._ends,
+            Either: self._either,
             Engaged: self._engaged,
             ByLink: self._by_link,
             Leaf: self._leaf,
@@ -171,14 +176,27 @@ class Walk:
 
     def _ends(self, spot: Spot, shape: Ends) -> Any:
         node = spot.node
-        if not isinstance(node, Listing) or len(node.items) != 2:
+        if not isinstance(node, Listing) or not shape.least <= len(node.items) <= 2:
             read = f"a list of {len(node.items)}" if isinstance(node, Listing) else ""
-            return self._refuse(spot, shape, "expected two links: [first, second]", read)
-        first, second = node.items
-        return (
-            self.read(spot.item("first", 1, first), Leaf("link")),
-            self.read(spot.item("second", 2, second), Leaf("link")),
-        )
+            one = " or one: [first]" if shape.least == 1 else ""
+            return self._refuse(spot, shape, f"expected two links: [first, second]{one}", read)
+        inner = [
+            spot.item(member, number, item)
+            for number, (member, item) in enumerate(zip(_ENDS, node.items, strict=False), 1)
+        ]
+        if spot.path[-1] == "links":  # in a record; the model has no such part
+            inner = [one._replace(path=(*spot.path[:-1], one.path[-1])) for one in inner]
+        first, *second = [self.read(one, Leaf("link")) for one in inner]
+        return first, *(second or [HOUSING])
+
+    def _either(self, spot: Spot, shape: Either) -> Any:
+        """A record; where its links can't be read the model has nothing to say of it."""
+        if not isinstance(spot.node, Mapping):
+            return {"links": self.read(spot, shape.links)}
+        record = self._record(spot, shape.record)
+        if (*spot.path, "links") in self.spots.unreadable:
+            self.spots.unreadable.append(spot.path)
+        return record
 
     def _engaged(self, spot: Spot, shape: Engaged) -> Any:
         if not isinstance(spot.node, Listing):

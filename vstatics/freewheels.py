@@ -1,0 +1,152 @@
+"""Freewheels: which of them hold in a gear, found by trying.
+
+A freewheel keeps its first link from turning backward against the second. It holds,
+like an engaged element, with a torque on its first link that is not above 0 (in units
+of an input torque that is below 0 when coasting: not below 0); or it overruns, with a
+slip that is not below 0.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from itertools import combinations
+from typing import NamedTuple
+
+from vstatics import matrix, signs
+from vstatics.losses import Efficiency, Flow, both_ways, is_nothing, sign, with_loss
+from vstatics.model import Gear, Transmission
+from vstatics.signs import Outcome
+from vstatics.speeds import Speeds, is_tie, solve_speeds
+from vstatics.torques import Torques, solve_torques
+from vstatics.traced import Number
+
+Held = tuple[int, ...]
+"""Numbers of the freewheels that hold."""
+
+
+class State(NamedTuple):
+    """A gear in which every freewheel either holds or overruns."""
+
+    gear: Gear
+    """With the freewheels that hold among the engaged elements."""
+    speeds: Speeds
+    torques: Torques
+    """Without losses."""
+    outcome: Outcome
+    conflict: bool = False
+    """There is no such state."""
+
+
+def settle(
+    case: Transmission, gear: Gear, ratios: Sequence[Number], efficiencies: Sequence[Number]
+) -> State:
+    """The gear with its freewheels where they belong.
+
+    All sets of freewheels that may hold are tried, the smallest first. The first is
+    taken that is possible and determines the output speed; if there is none they all
+    overrun, and the gear is neutral. Where one of them is driven backward while none
+    holds, holding it would tie the gear up: a conflict, without values.
+
+    Parameters
+    ----------
+    ratios, efficiencies : sequence of Number
+        Of each mechanism: floats, or traced numbers. [-]
+    """
+    both, output = both_ways(case, efficiencies), case.gear_output(gear) - 1
+    if not case.freewheels:
+        return _state(case, gear, ratios, both, solve_speeds(case, gear, ratios))
+    nobody = solve_speeds(case, gear, ratios)
+    if not nobody.consistent:  # tied up, whatever the freewheels do
+        return _state(case, gear, ratios, both, nobody)
+    if driven_backward(case, gear, nobody):
+        return _conflict(case, gear, ratios, both, nobody)
+    for held in _sets(case):
+        chosen = holding(gear, held)
+        speeds = solve_speeds(case, chosen, ratios) if held else nobody
+        drives = speeds.consistent and not math.isnan(sign(speeds.links[output]))
+        if drives and not driven_backward(case, chosen, speeds):
+            state = _state(case, chosen, ratios, both, speeds)
+            if all(_can_hold(case, state, ratios, both, number) for number in held):
+                return state
+    return _state(case, gear, ratios, both, nobody)
+
+
+def holding(gear: Gear, held: Sequence[int]) -> Gear:
+    """The gear with some freewheels engaged."""
+    return gear._replace(engaged=(*gear.engaged, *held)) if held else gear
+
+
+def driven_backward(case: Transmission, gear: Gear, speeds: Speeds) -> list[int]:
+    """Numbers of the freewheels that do not hold and would have to overrun backward."""
+    by_link = [0.0, *map(abs, speeds.links)]
+    found = []
+    for number in case.freewheels:
+        element, slip = case.shift_elements[number - 1], speeds.slips[number - 1]
+        if number not in gear.engaged and slip < 0:
+            ends = by_link[element.first], by_link[element.second]
+            found += [number] * (not is_tie(abs(slip), *ends))
+    return found
+
+
+def _sets(case: Transmission) -> Iterator[Held]:
+    """All sets of freewheels, the smallest first."""
+    for size in range(len(case.freewheels) + 1):
+        yield from combinations(case.freewheels, size)
+
+
+def _state(
+    case: Transmission,
+    gear: Gear,
+    ratios: Sequence[Number],
+    efficiencies: Sequence[Efficiency],
+    speeds: Speeds,
+) -> State:
+    """Torques without and with losses, for the elements that are engaged."""
+    torques = solve_torques(case, gear, ratios)
+    flow = Flow(case, gear, ratios, efficiencies, speeds.links, speeds.motion, torques)
+    moving = torques.consistent and speeds.consistent
+    return State(gear, speeds, torques, signs.search(flow, moving=moving))
+
+
+def _can_hold(
+    case: Transmission,
+    state: State,
+    ratios: Sequence[Number],
+    efficiencies: Sequence[Efficiency],
+    number: int,
+) -> bool:
+    """Whether a freewheel that holds has a torque of the right sign, with losses if they exist."""
+    torques, lossy = state.torques, state.outcome.lossy
+    if not math.isnan(sign(lossy.torques[number - 1])):
+        torques = Torques(list(lossy.torques), lossy.holding, consistent=True)
+        ratios = list(map(with_loss, ratios, efficiencies, lossy.signs))
+    pull = sign(torques.first[number - 1]) * (-1 if case.coast else 1)
+    if pull <= 0:
+        return True
+    speeds = state.speeds
+    flow = Flow(case, state.gear, ratios, efficiencies, speeds.links, speeds.motion, torques)
+    return pull > 0 and is_nothing(flow, ratios, torques, number)
+
+
+def _conflict(
+    case: Transmission,
+    gear: Gear,
+    ratios: Sequence[Number],
+    efficiencies: Sequence[Efficiency],
+    nobody: Speeds,
+) -> State:
+    """A gear without a state, and so without values."""
+    nan = math.nan
+    speeds = nobody._replace(
+        links=[nan] * len(nobody.links),
+        motion=[nan] * len(nobody.motion),
+        slips=[nan] * len(nobody.slips),
+    )
+    torques = Torques(
+        [nan] * (len(case.shift_elements) + len(case.mechanisms) + 1),
+        dict.fromkeys(matrix.held_links(case, gear), nan),
+        consistent=False,
+    )
+    flow = Flow(case, gear, ratios, efficiencies, speeds.links, speeds.motion, torques)
+    return State(gear, speeds, torques, signs.search(flow, moving=False), conflict=True)
