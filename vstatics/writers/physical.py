@@ -35,7 +35,7 @@ def physical(results: Results, relative: Mapping[str, Table]) -> dict[str, Table
         if shape.of in relative and shape.unit:
             base = relative[shape.of]
             values = base.values * scales[shape.unit]
-        elif shape.unit:
+        elif shape.unit and not shape.of:
             base = relative["ETA"]
             part = np.ones(len(gears)) if shape.name == "input_power_kW" else _output(results)
             values = (part * scales["kW"])[np.newaxis]
