@@ -12,6 +12,7 @@ from typing import Any
 from vstatics.readers.named.scalars import LINK_NUMBER, NUMBER
 from vstatics.readers.named.shape import (
     CASE,
+    ByElement,
     ByLink,
     Either,
     Ends,
@@ -112,8 +113,8 @@ def _shape(shape: Shape) -> Words:  # noqa: PLR0911 - a table
             return {"anyOf": [_shape(shape.links), _record(shape.record)]}
         case Engaged():
             return {"type": "array", "items": _NAME, "uniqueItems": True}
-        case ByLink():
-            return _by_name({"$ref": "#/$defs/number"})
+        case ByLink() | ByElement():
+            return _by_name({"$ref": "#/$defs/number", **shape.limits})
         case Leaf():
             return _leaf(shape)
 
