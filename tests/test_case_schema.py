@@ -117,6 +117,14 @@ GOOD: dict[str, Change] = {
     "efficiency as fraction": lambda c: c["mechanisms"]["D1"].update(efficiency="19/20"),
     "no planet ratio": lambda c: c["mechanisms"]["D1"].update(planet_ratio=None),
     "ends of a gear": lambda c: c["gears"]["tow"].update(input=6, output="1"),
+    "kinds": lambda c: c["shift_elements"].update(
+        T1={"kind": "brake", "links": [2]},
+        F2={"links": [2, 3], "drag": "1/100"},
+        T3={"kind": None, "links": [3, "housing"], "drag": None},
+        L={"kind": "freewheel", "links": [4, 0]},
+    ),
+    "drag": lambda c: c["gears"]["1"].update(drag={"5": 0.1}, open_drag={"F2": "1/50", "T3": 0}),
+    "worm": lambda c: c["mechanisms"]["D1"].update(back_efficiency=0),
     "texts": lambda c: c.update(name=7922, description="two\nlines", source=""),
 }
 
@@ -149,6 +157,17 @@ BAD: dict[str, Change] = {
     "ratio with underscore": lambda c: c["mechanisms"]["D1"].update(ratio="1_0"),
     "ratio a list": lambda c: c["mechanisms"]["D1"].update(ratio=[1]),
     "ratio null": lambda c: c["mechanisms"]["D1"].update(ratio=None),
+    "efficiency back above 1": lambda c: c["mechanisms"]["D1"].update(back_efficiency=1.5),
+    "element without links": lambda c: c["shift_elements"].update(T1={"kind": "brake"}),
+    "element of three links": lambda c: c["shift_elements"].update(T1={"links": [1, 2, 3]}),
+    "element of an unknown kind": lambda c: c["shift_elements"].update(
+        T1={"kind": "ratchet", "links": [2]}
+    ),
+    "drag of an element below 0": lambda c: c["shift_elements"].update(
+        T1={"links": [2], "drag": -1}
+    ),
+    "drag below 0": lambda c: c["gears"]["1"].update(drag={"5": -0.1}),
+    "open drag a list": lambda c: c["gears"]["1"].update(open_drag=[1]),
     "efficiency 0": lambda c: c["mechanisms"]["D1"].update(efficiency=0),
     "efficiency above 1": lambda c: c["mechanisms"]["D1"].update(efficiency=94),
     "planet ratio 0": lambda c: c["mechanisms"]["D1"].update(planet_ratio=0),

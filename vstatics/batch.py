@@ -110,9 +110,10 @@ def _remembered(
     """The plans of a gear; gears that differ only in numbers that vary have the same."""
     key = (
         case.links,
-        tuple((one.first, one.second, one.is_freewheel) for one in case.shift_elements),
+        tuple((one.first, one.second, one.is_freewheel, one.drag) for one in case.shift_elements),
         tuple((*one.links, one.planet_ratio, one.back_efficiency) for one in case.mechanisms),
         (tuple(gear.engaged), tuple(gear.speeds.items()), tuple(gear.torques.items())),
+        (tuple(gear.drag.items()), tuple(gear.open_drag.items())),
         (case.gear_input(gear), case.gear_output(gear), case.coast, case.idle),
         tuple(fixed),
         tuple(fields),

@@ -154,6 +154,16 @@ def _element(case: Transmission, element: ShiftElement, path: Path) -> Iterator[
         yield Problem(message, (*path, "second"))
     elif element.kind:
         yield from _kind(element, (*path, "kind"))
+    yield from _drag(element.drag, element, (*path, "drag"))
+
+
+def _drag(torque: float, element: ShiftElement | None, path: Path) -> Iterator[Problem]:
+    """The drag torque of a link or of an element."""
+    if not 0 <= torque < math.inf:
+        message = f"read {torque:g}, expected a torque of 0 or more: drag opposes any motion"
+        yield Problem(message, path)
+    elif torque and element is not None and element.kind == "dog_clutch":
+        yield Problem(f"read {torque:g}, but a dog clutch does not drag when it is open", path)
 
 
 def _kind(element: ShiftElement, path: Path) -> Iterator[Problem]:
@@ -238,6 +248,7 @@ def _gear(case: Transmission, gear: Gear, path: Path) -> Iterator[Problem]:
             yield from _link(link, (*path, end), case.links, lowest=1)
     if ends[0] == ends[1] and (gear.input is not None or gear.output is not None):
         yield Problem(f"input and output are both link {_called(case, ends[0])}", path)
+    yield from _dragging(case, gear, path)
     if not gear.speeds and not gear.torques:
         return
     yield from _given(gear.speeds, (*path, "speeds"), case.links)
@@ -259,6 +270,21 @@ def _load(load: Load | None, path: Path) -> Iterator[Problem]:
         if value is not None and (value == 0 or not math.isfinite(value)):
             message = f"read {value}, expected a finite number other than 0"
             yield Problem(message, (*path, "load", quantity))
+
+
+def _dragging(case: Transmission, gear: Gear, path: Path) -> Iterator[Problem]:
+    """The drag that a gear gives, of links and of open elements."""
+    for link, torque in gear.drag.items():
+        yield from _link(link, (*path, "drag", link), case.links, lowest=1)
+        yield from _drag(torque, None, (*path, "drag", link))
+    elements = case.shift_elements
+    for number, torque in gear.open_drag.items():
+        inner = (*path, "open_drag", number)
+        if _is_number(number, len(elements), 1):
+            yield from _drag(torque, elements[number - 1], inner)
+        else:
+            expected = f"the number of a shift element, from 1 to {len(elements)}"
+            yield Problem(f"read {number!r}, expected {expected}", inner)
 
 
 def _engaged(

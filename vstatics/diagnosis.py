@@ -11,7 +11,7 @@ from collections.abc import Iterable, Iterator, Sequence
 
 import numpy as np
 
-from vstatics import elimination, freewheels, matrix
+from vstatics import drag, elimination, freewheels, matrix
 from vstatics.arrays import Booleans
 from vstatics.checks import doubts
 from vstatics.errors import Severity, path_text
@@ -73,6 +73,12 @@ def _said(results: Results, number: int, gear: Gear) -> Iterator[Said]:
     yield from _speed_messages(results, number, gear)
     yield from _torque_messages(results, number, gear)
     yield from _loss_messages(results, number, gear)
+    speeds, slips = results.speeds[number].tolist(), results.slip_speeds[number].tolist()
+    unknown = drag.unknown(results.case, gear, speeds, slips)
+    if unknown and results.calculable[number]:
+        yield _warning(
+            f"the drag of {_list(unknown)} is left out, as statics does not determine a speed there"
+        )
 
 
 def _named(case: Transmission, path: str, text: str) -> str:
@@ -273,11 +279,13 @@ def _coincidences(results: Results, number: int, gear: Gear) -> list[str]:
     if not idle or not results.consistent[number]:
         return []
     signs = results.power_sign[number].tolist()
+    speeds, slips = results.speeds[number].tolist(), results.slip_speeds[number].tolist()
+    dragging = drag.acting(case, gear, speeds, slips)
 
     def at_ports(place: int, sign: float) -> list[float]:
         turned = [*signs[:place], sign, *signs[place + 1 :]]
         ratios = list(map(with_loss, _ratios(case), efficiencies, turned))
-        torques = solve_torques(case, gear, ratios)
+        torques = solve_torques(case, gear, ratios, dragging)
         return [torques.first[-1], *torques.holding.values()]
 
     if not gear.speeds and not gear.torques:

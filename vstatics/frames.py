@@ -39,7 +39,7 @@ def to_dataframe(results: Results) -> pd.DataFrame:
     ...                     [Mechanism(1, 2, 3, -2.5, 0.96)], [Gear([1]), Gear([2])])
     >>> table = to_dataframe(solve(case, ratios=[[-2.0], [-3.0]]))
     >>> table.shape, table.loc[(1, "2"), "ratio"].item()
-    ((4, 38), 4.0)
+    ((4, 39), 4.0)
     """
     from vstatics.sweep.extras import require
 

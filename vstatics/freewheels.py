@@ -14,6 +14,7 @@ from itertools import combinations
 from typing import NamedTuple
 
 from vstatics import matrix, signs
+from vstatics.drag import NO_DRAG, acting
 from vstatics.losses import Efficiency, Flow, both_ways, is_nothing, sign, with_loss
 from vstatics.model import Gear, Transmission
 from vstatics.signs import Outcome
@@ -31,8 +32,7 @@ class State(NamedTuple):
     gear: Gear
     """With the freewheels that hold among the engaged elements."""
     speeds: Speeds
-    torques: Torques
-    """Without losses."""
+    flow: Flow
     outcome: Outcome
     conflict: bool = False
     """There is no such state."""
@@ -67,7 +67,7 @@ def settle(
         drives = speeds.consistent and not math.isnan(sign(speeds.links[output]))
         if drives and not driven_backward(case, chosen, speeds):
             state = _state(case, chosen, ratios, both, speeds)
-            if all(_can_hold(case, state, ratios, both, number) for number in held):
+            if all(_can_hold(state, number) for number in held):
                 return state
     return _state(case, gear, ratios, both, nobody)
 
@@ -104,29 +104,24 @@ def _state(
 ) -> State:
     """Torques without and with losses, for the elements that are engaged."""
     torques = solve_torques(case, gear, ratios)
-    flow = Flow(case, gear, ratios, efficiencies, speeds.links, speeds.motion, torques)
+    drag = acting(case, gear, speeds.links, speeds.slips)
+    driving = torques if drag is NO_DRAG else solve_torques(case, gear, ratios, drag)
+    flow = Flow(
+        case, gear, ratios, efficiencies, speeds.links, speeds.motion, torques, drag, driving
+    )
     moving = torques.consistent and speeds.consistent
-    return State(gear, speeds, torques, signs.search(flow, moving=moving))
+    return State(gear, speeds, flow, signs.search(flow, moving=moving))
 
 
-def _can_hold(
-    case: Transmission,
-    state: State,
-    ratios: Sequence[Number],
-    efficiencies: Sequence[Efficiency],
-    number: int,
-) -> bool:
+def _can_hold(state: State, number: int) -> bool:
     """Whether a freewheel that holds has a torque of the right sign, with losses if they exist."""
-    torques, lossy = state.torques, state.outcome.lossy
+    flow, lossy = state.flow, state.outcome.lossy
+    torques, ratios = flow.driving, flow.ratios
     if not math.isnan(sign(lossy.torques[number - 1])):
         torques = Torques(list(lossy.torques), lossy.holding, consistent=True)
-        ratios = list(map(with_loss, ratios, efficiencies, lossy.signs))
-    pull = sign(torques.first[number - 1]) * (-1 if case.coast else 1)
-    if pull <= 0:
-        return True
-    speeds = state.speeds
-    flow = Flow(case, state.gear, ratios, efficiencies, speeds.links, speeds.motion, torques)
-    return pull > 0 and is_nothing(flow, ratios, torques, number)
+        ratios = list(map(with_loss, ratios, flow.efficiencies, lossy.signs))
+    pull = sign(torques.first[number - 1]) * flow.direction
+    return pull <= 0 or (pull > 0 and is_nothing(flow, ratios, torques, number))
 
 
 def _conflict(
@@ -148,5 +143,7 @@ def _conflict(
         dict.fromkeys(matrix.held_links(case, gear), nan),
         consistent=False,
     )
-    flow = Flow(case, gear, ratios, efficiencies, speeds.links, speeds.motion, torques)
-    return State(gear, speeds, torques, signs.search(flow, moving=False), conflict=True)
+    flow = Flow(
+        case, gear, ratios, efficiencies, speeds.links, speeds.motion, torques, NO_DRAG, torques
+    )
+    return State(gear, speeds, flow, signs.search(flow, moving=False), conflict=True)

@@ -33,6 +33,7 @@ class Solved(NamedTuple):
     idle: Sequence[bool]
     losses: Numbers
     power_balance: Number
+    drag_losses: Number
     consistent: bool
     locked: bool
     undecided: bool
@@ -55,7 +56,7 @@ def solve_gear(case: Transmission, gear: Gear, ratios: Numbers, efficiencies: Nu
         Of each mechanism: floats, or traced numbers. [-]
     """
     state = freewheels.settle(case, gear, ratios, efficiencies)
-    speeds, torques, outcome = state.speeds, state.torques, state.outcome
+    speeds, torques, outcome = state.speeds, state.flow.torques, state.outcome
     lossy = outcome.lossy
     output_speed = speeds.links[case.gear_output(gear) - 1]
     return Solved(
@@ -75,6 +76,7 @@ def solve_gear(case: Transmission, gear: Gear, ratios: Numbers, efficiencies: Nu
         idle=outcome.idle,
         losses=lossy.losses,
         power_balance=lossy.balance,
+        drag_losses=lossy.drag_losses,
         consistent=lossy.admissible,
         locked=outcome.locked,
         undecided=outcome.undecided,

@@ -13,6 +13,7 @@ from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from vstatics import matrix
+from vstatics.drag import Drag
 from vstatics.model import HOUSING, Gear, Transmission
 from vstatics.speeds import TIE
 from vstatics.torques import Torques, solve_torques
@@ -54,7 +55,7 @@ def both_ways(case: Transmission, efficiencies: Sequence[Number]) -> list[Effici
 
 
 class Flow(NamedTuple):
-    """A gear without losses: what decides where power enters each mechanism."""
+    """A gear with ideal mechanisms: what decides where power enters each of them."""
 
     case: Transmission
     gear: Gear
@@ -65,6 +66,10 @@ class Flow(NamedTuple):
     motion: Sequence[Number]
     """By mechanism: speed of the first link against the third, 0 if a tie."""
     torques: Torques
+    """Without drag."""
+    drag: Drag
+    driving: Torques
+    """With drag, which alone is what loads some mechanisms; else the same."""
 
     @property
     def direction(self) -> int:
@@ -86,8 +91,10 @@ class Lossy(NamedTuple):
     """By mechanism, power. [-]"""
     efficiency: Number
     """[-]"""
+    drag_losses: Number
+    """Power that drag takes in all. [-]"""
     balance: Number
-    """External power less losses. [-]"""
+    """External power less all losses. [-]"""
     admissible: bool
     """The signs agree with the flow."""
 
@@ -151,7 +158,7 @@ def _acting(flow: Flow, ratios: Sequence[Number], torques: Torques) -> list[list
     acting[case.gear_output(gear)].append((-1, abs(torques.first[-1])))
     for link, torque in matrix.external_torques(case, gear).items():
         acting[link].append((-1, abs(torque)))
-    for link, torque in torques.holding.items():
+    for link, torque in (*torques.holding.items(), *flow.drag.links.items()):
         acting[link].append((-1, abs(torque)))
     return acting
 
@@ -228,6 +235,7 @@ def nothing(flow: Flow, signs: Signs) -> Lossy:
         flow=(nan,) * len(signs),
         losses=[nan] * len(signs),
         efficiency=nan,
+        drag_losses=nan,
         balance=nan,
         admissible=False,
     )
@@ -250,7 +258,7 @@ def attempt(flow: Flow, signs: Signs) -> Lossy:
     if not is_possible(flow, signs):
         return nothing(flow, signs)
     ratios = list(map(with_loss, flow.ratios, flow.efficiencies, signs))
-    return judge(flow, signs, ratios, solve_torques(flow.case, flow.gear, ratios))
+    return judge(flow, signs, ratios, solve_torques(flow.case, flow.gear, ratios, flow.drag))
 
 
 def judge(flow: Flow, signs: Signs, ratios: Sequence[Number], torques: Torques) -> Lossy:
@@ -272,7 +280,8 @@ def judge(flow: Flow, signs: Signs, ratios: Sequence[Number], torques: Torques) 
         flow=turned,
         losses=losses,
         efficiency=share,
-        balance=rest([*entering, *(-loss for loss in losses)]),
+        drag_losses=sum(flow.drag.losses, 0.0),
+        balance=rest([*entering, *(-loss for loss in (*losses, *flow.drag.losses))]),
         admissible=agrees and passes,
     )
 

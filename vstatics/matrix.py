@@ -12,7 +12,8 @@ the output torque equals the ratio.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -166,12 +167,18 @@ def torque_rows(
     gear: Gear,
     columns: Sequence[Column],
     arithmetic: Arithmetic = FLOATS,
+    drag: Mapping[int, float] = MappingProxyType({}),
 ) -> list[Row]:
     """Equilibrium of each link of a gear (figure 4).
 
     Unknowns: the torque on the first link of each of `loaded_devices`, the output
     torque, the holding torque of each of `held_links`. An element that is not engaged
     carries none, so it is no unknown.
+
+    Parameters
+    ----------
+    drag : mapping of int to float
+        Link -> external torque of drag. [-]
     """
     rows: list[Row] = [{} for _ in range(case.links)]
     loaded = loaded_devices(case, gear)
@@ -181,7 +188,10 @@ def torque_rows(
     rows[case.gear_output(gear) - 1][len(loaded)] = ONE
     for unknown, link in enumerate(held_links(case, gear), len(loaded) + 1):
         rows[link - 1][unknown] = MINUS_ONE
-    for link, torque in external_torques(case, gear).items():
+    torques = external_torques(case, gear)
+    for link, torque in drag.items():
+        torques[link] = torques.get(link, 0.0) + torque
+    for link, torque in torques.items():
         rows[link - 1][RIGHT] = arithmetic.entry(torque)
     return rows
 

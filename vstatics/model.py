@@ -126,6 +126,14 @@ class Transmission:
         return [n for n, element in enumerate(self.shift_elements, 1) if element.is_freewheel]
 
     @property
+    def has_drag(self) -> bool:
+        """Whether anything drags, in one gear at least."""
+        given = [element.drag for element in self.shift_elements]
+        for gear in self.gears:
+            given += [*gear.drag.values(), *gear.open_drag.values()]
+        return any(given)
+
+    @property
     def devices(self) -> list[str]:
         """Names of all devices in the order of the structural-distribution matrix."""
         elements = [element.name for element in self.shift_elements]
@@ -138,7 +146,9 @@ def _completed(case: Transmission) -> dict[str, object]:
         "output": case.output or case.links,
         "link_names": tuple(case.link_names) or tuple(map(str, range(1, case.links + 1))),
         "shift_elements": tuple(
-            element if element.name else element._replace(name=element_name(number, element))
+            element._replace(
+                name=element.name or element_name(number, element), drag=float(element.drag)
+            )
             for number, element in enumerate(case.shift_elements, 1)
         ),
         "mechanisms": tuple(
@@ -160,6 +170,8 @@ def _completed(case: Transmission) -> dict[str, object]:
                 gear.input,
                 gear.output,
                 gear.name or str(number),
+                {link: float(torque) for link, torque in gear.drag.items()},
+                {element: float(torque) for element, torque in gear.open_drag.items()},
                 gear.load,
             )
             for number, gear in enumerate(case.gears, 1)

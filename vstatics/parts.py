@@ -30,12 +30,15 @@ class ShiftElement(NamedTuple):
         A brake if the housing is one of its links, else a clutch, when not given. A
         freewheel keeps its first link from turning backward against the second; it is
         never engaged, but finds by itself whether it holds.
+    drag : float
+        Torque with which it drags when open, relative to the input torque. [-]
     """
 
     first: int
     second: int = HOUSING
     name: str = ""
     kind: ElementKind | Literal[""] = ""
+    drag: float = 0.0
 
     @property
     def is_freewheel(self) -> bool:
@@ -117,6 +120,12 @@ class Gear(NamedTuple):
         This gear's own input and output link.
     name : str
         The gear's number when not given.
+    drag : mapping of int to float
+        Torque of bearings and oil on links, against their rotation, relative to the
+        input torque. [-]
+    open_drag : mapping of int to float
+        Number of a shift element -> torque with which it drags in this gear when it is
+        open, in place of its own `drag`. [-]
     load : Load, optional
         This gear's own; what it leaves open is as in the case.
     """
@@ -127,6 +136,8 @@ class Gear(NamedTuple):
     input: int | None = None
     output: int | None = None
     name: str = ""
+    drag: Mapping[int, float] = MappingProxyType({})
+    open_drag: Mapping[int, float] = MappingProxyType({})
     load: Load | None = None
 
 

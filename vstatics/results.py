@@ -79,6 +79,7 @@ TABLES = (
     TableShape("locked", "LOCKED", "one", bool, published=False),
     TableShape("AMWZ", "AMWZ", "links", published=False, always=False),
     TableShape("AMWZP", "AMWZP", "links", published=False, always=False),
+    TableShape("drag_losses", "DRAG", "one", published=False, always=False),
     TableShape("holds", "HOLDS", "elements", bool, published=False, always=False),
     TableShape("mesh_torques", "MESH", "meshes", published=False, always=False),
     TableShape("lossy_mesh_torques", "MESHP", "meshes", published=False, always=False),
@@ -117,6 +118,7 @@ ARRAYS: Mapping[str, Rows] = {
     "idle": "mechanisms",
     "losses": "mechanisms",
     "power_balance": "one",
+    "drag_losses": "one",
     "consistent": "one",
     "locked": "one",
     "undecided": "one",
@@ -186,7 +188,9 @@ class Results(NamedTuple):
     losses: Floats
     """(..., gears, mechanisms), power lost; below 0 when coasting, as the flow turns. [-]"""
     power_balance: Floats
-    """(..., gears), external power less losses, with losses: 0 to rounding. [-]"""
+    """(..., gears), external power less all losses, with losses: 0 to rounding. [-]"""
+    drag_losses: Floats
+    """(..., gears), power that drag takes in all; below 0 when coasting. [-]"""
 
     consistent: Booleans
     """(..., gears): the lossy torques stand, with signs that agree with their flow."""

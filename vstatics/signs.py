@@ -58,7 +58,7 @@ def _start(flow: Flow, *, moving: bool) -> _Start:
     if not moving:
         none = [False] * len(flow.ratios)
         return _Start((math.nan,) * len(none), none, none)
-    torques = loaded(flow, flow.ratios, flow.torques)
+    torques = loaded(flow, flow.ratios, flow.driving)
     unloaded = [bool(torque == 0) for torque in torques]
     still = [bool(motion == 0) for motion in flow.motion]
     signs = []
@@ -212,6 +212,7 @@ def _guess(flow: Flow, start: _Start) -> Lossy:
         flow=tuple(by_place([guess.flow for guess in guesses])),
         losses=by_place([guess.losses for guess in guesses]),
         efficiency=common([guess.efficiency for guess in guesses]),
+        drag_losses=guesses[0].drag_losses,
         balance=common([guess.balance for guess in guesses]),
         admissible=False,
     )

@@ -68,6 +68,17 @@ def lost(case: Transmission) -> list[str]:
             if element.kind in ("dog_clutch", "freewheel")
         ),
         *(
+            f"drag of shift element {element.name}"
+            for element in case.shift_elements
+            if element.drag
+        ),
+        *(
+            f"{part} of gear {gear.name}"
+            for gear in case.gears
+            for part in ("drag", "open_drag")
+            if getattr(gear, part)
+        ),
+        *(
             f"back_efficiency of mechanism {mechanism.name}"
             for mechanism in case.mechanisms
             if mechanism.back_efficiency is not None

@@ -153,6 +153,11 @@ HEADINGS: dict[str, Heading] = {
         "Torques that hold the given speeds, with losses:",
         "Моменты, удерживающие заданные скорости, с учетом потерь:",
     ),
+    "drag_losses": Heading(
+        "DRAG(J),J=1,NP:",
+        "Power that drag of bearings, oil and open elements takes:",
+        "Потери мощности от трения подшипников, масла и открытых муфт:",
+    ),
     "mesh_torques": Heading(
         "(MESH(I,J),J=1,NP),I=1,KM:",
         "Torques of the meshes, on the first wheel or planet, without losses:",

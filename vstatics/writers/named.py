@@ -108,6 +108,8 @@ def _element(element: ShiftElement, links: list[int | str]) -> Any:
     ends = [links[element.first], links[element.second]]
     data: dict[str, Any] = {"kind": str(element.kind)} if element.kind else {}
     data["links"] = ends
+    if element.drag:
+        data["drag"] = float(element.drag)
     return data if len(data) > 1 else ends
 
 
@@ -132,6 +134,13 @@ def _gear(gear: Gear, case: Transmission, links: list[int | str]) -> dict[str, A
     for key, given in (("speeds", gear.speeds), ("torques", gear.torques)):
         if given:
             data[key] = {links[link]: float(value) for link, value in given.items()}
+    if gear.drag:
+        data["drag"] = {links[link]: float(torque) for link, torque in gear.drag.items()}
+    if gear.open_drag:
+        data["open_drag"] = {
+            str(case.shift_elements[number - 1].name): float(torque)
+            for number, torque in gear.open_drag.items()
+        }
     for key, end in (("input", gear.input), ("output", gear.output)):
         if end is not None:
             data[key] = links[end]

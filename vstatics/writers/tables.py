@@ -53,6 +53,8 @@ def tables(results: Results) -> list[Table]:
     }
     if np.isnan(results.holding_torques).all():
         del values["AMWZ"], values["AMWZP"]
+    if case.has_drag:
+        values["drag_losses"] = results.drag_losses
     if case.freewheels:
         values["holds"] = results.holds
     rows = {kind: row_names(case, shape) for kind, shape in KINDS.items()}

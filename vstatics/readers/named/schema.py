@@ -13,6 +13,7 @@ from vstatics.readers.named.elements_shape import with_elements
 from vstatics.readers.named.scalars import LINK_NUMBER, NUMBER
 from vstatics.readers.named.shape import (
     CASE,
+    ByElement,
     ByKind,
     ByLink,
     Either,
@@ -126,14 +127,14 @@ def _shape(shape: Shape) -> Words:  # noqa: PLR0911, C901 - a table
             return {"anyOf": [_shape(shape.links), _record(shape.record)]}
         case Engaged():
             return {"type": "array", "items": _NAME, "uniqueItems": True}
-        case ByLink():
-            return _by_name({"$ref": "#/$defs/number"})
         case ListOf():
             return {"type": "array", "items": _shape(shape.item)}
         case Pair():
             return {"type": "array", "items": _NAME, "minItems": 2, "maxItems": 2}
         case ByKind():
             return {"oneOf": [_of_kind(kind, record) for kind, record in shape.records.items()]}
+        case ByLink() | ByElement():
+            return _by_name({"$ref": "#/$defs/number", **shape.limits})
         case Leaf():
             return _leaf(shape)
 

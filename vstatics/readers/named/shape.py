@@ -48,6 +48,16 @@ class Engaged:
 class ByLink:
     """Links with a number for each."""
 
+    limits: Mapping[str, Any] = field(default_factory=dict)
+    """As those of a `Key`, for each number."""
+
+
+@dataclass(frozen=True, slots=True)
+class ByElement:
+    """Names of shift elements with a number for each."""
+
+    limits: Mapping[str, Any] = field(default_factory=dict)
+
 
 @dataclass(frozen=True, slots=True)
 class Key:
@@ -118,7 +128,18 @@ class ByKind:
 
 
 Shape: TypeAlias = (
-    Leaf | Links | Ends | Engaged | ByLink | Record | Either | Named | ListOf | Pair | ByKind
+    Leaf
+    | Links
+    | Ends
+    | Engaged
+    | ByLink
+    | ByElement
+    | Record
+    | Either
+    | Named
+    | ListOf
+    | Pair
+    | ByKind
 )
 
 TEXT, NUMBER, LINK, FLAG = Leaf("text"), Leaf("number"), Leaf("link"), Leaf("flag")
@@ -141,6 +162,14 @@ ELEMENT = Record(
             "First and second link; one link alone is held against the housing.",
             required=True,
             examples=(["carrier", "housing"],),
+        ),
+        Key(
+            "drag",
+            NUMBER,
+            "Torque with which it drags when open, relative to the input torque.",
+            default=0,
+            limits={"minimum": 0},
+            examples=(0.002,),
         ),
     ),
 )
@@ -201,6 +230,17 @@ GEAR = Record(
         Key("engaged", Engaged(), "Names of the engaged shift elements.", examples=(["T1", "F2"],)),
         Key("speeds", ByLink(), "Further given link speeds, relative to the input speed."),
         Key("torques", ByLink(), "Further external torques, relative to the input torque."),
+        Key(
+            "drag",
+            ByLink({"minimum": 0}),
+            "Drag of bearings and oil on links, against their rotation, relative to the input "
+            "torque.",
+        ),
+        Key(
+            "open_drag",
+            ByElement({"minimum": 0}),
+            "Drag of shift elements in this gear when they are open, in place of their own.",
+        ),
         Key("input", LINK, "This gear's own input link."),
         Key("output", LINK, "This gear's own output link."),
         Key("load", LOAD, "This gear's own load."),

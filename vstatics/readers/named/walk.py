@@ -14,6 +14,7 @@ from vstatics.readers.named import scalars
 from vstatics.readers.named.nodes import Listing, Mapping, Node, Scalar, is_null, shown, what
 from vstatics.readers.named.references import NO_ELEMENT, NO_LINK, References
 from vstatics.readers.named.shape import (
+    ByElement,
     ByKind,
     ByLink,
     Either,
@@ -50,6 +51,7 @@ _COLLECTIONS: dict[type[Shape], Any] = {
     Either: {"links": (NO_LINK, NO_LINK)},
     Named: (),
     ByLink: {},
+    ByElement: {},
     Engaged: (),
     ListOf: (),
     Pair: ("", ""),
@@ -72,6 +74,7 @@ class Walk:
             Either: self._either,
             Engaged: self._engaged,
             ByLink: self._by_link,
+            ByElement: self._by_element,
             Leaf: self._leaf,
             ListOf: self._list_of,
             Pair: self._pair,
@@ -209,20 +212,31 @@ class Walk:
     def _by_link(self, spot: Spot, shape: ByLink) -> Any:
         if not isinstance(spot.node, Mapping):
             return self._refuse(spot, shape, "expected a mapping: a number for each link")
+        return self._numbers(spot, spot.node, self.references.link, NO_LINK)
+
+    def _by_element(self, spot: Spot, shape: ByElement) -> Any:
+        if not isinstance(spot.node, Mapping):
+            return self._refuse(spot, shape, "expected a mapping: a number for each shift element")
+        return self._numbers(spot, spot.node, self.references.element, NO_ELEMENT)
+
+    def _numbers(
+        self, spot: Spot, node: Mapping, refer: Callable[[str], int], nobody: int
+    ) -> dict[int, float]:
+        """Numbers by that which their keys refer to."""
         values: dict[int, float] = {}
-        for key, value in self._entries(spot, spot.node):
+        for key, value in self._entries(spot, node):
             try:
-                link = self.references.link(key.text)
+                place = refer(key.text)
             except ValueError as error:
                 self.spots.complain(spot, f"read {what(key)}, {error}", key)
-                link = NO_LINK
-            inner = spot.key(link, key.text, value)
+                place = nobody
+            inner = spot.key(place, key.text, value)
             self.spots.keep(inner, key)
-            if link in values:
-                self.spots.complain(inner, f"link {link} is given twice", key)
+            if place in values:
+                self.spots.complain(inner, f"link {place} is given twice", key)
             number = self.read(inner, Leaf("number"))
-            if link != NO_LINK:
-                values[link] = number
+            if place != nobody:
+                values[place] = number
         return values
 
     def _list_of(self, spot: Spot, shape: ListOf) -> Any:
