@@ -6,11 +6,13 @@ from typing import Any
 
 from vstatics.errors import Path
 from vstatics.model import Gear, Load, Mechanism, ShiftElement
+from vstatics.readers.named.drags import resolve
 from vstatics.readers.named.walk import Walk
 
 
 def arguments(values: dict[str, Any], walk: Walk) -> dict[str, Any]:
     """The arguments of `Transmission`."""
+    resolve(values, walk.spots)
     return values | {
         "shift_elements": [
             _element(name, **record) for name, record in values.get("shift_elements", ())

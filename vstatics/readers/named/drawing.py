@@ -138,7 +138,7 @@ def loose_links(
     found = list(joined_links(root))
     counts = Counter(node.text for node in found)
     carriers = {record.get("carrier") for _, record in values["elements"]}
-    told = {values["input"], values["output"]}
+    told = {values["input"], values["output"], *values.get("drag", ())}
     for _, gear in values["gears"]:
         told.update(gear.get("speeds", ()), gear.get("torques", ()))
         told.update((gear.get("input"), gear.get("output")))

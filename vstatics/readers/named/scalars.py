@@ -45,6 +45,36 @@ def number(text: str) -> float:
     return value
 
 
+class NewtonMetres(float):
+    """A torque in N*m, where others are relative to the input torque."""
+
+
+def torque(text: str) -> float:
+    """A torque relative to that of the input, or one with its unit.
+
+    Raises
+    ------
+    ValueError
+        With what was expected.
+
+    Examples
+    --------
+    >>> torque(".002"), torque("3 N*m")
+    (0.002, 3.0)
+    """
+    try:
+        return number(text)
+    except ValueError as error:
+        if not any(letter.isalpha() for letter in text):
+            raise
+        from vstatics.readers.named.quantities import quantity  # the library costs time
+
+        try:
+            return NewtonMetres(quantity(text, "torque"))
+        except ValueError as with_unit:
+            raise ValueError(f"{with_unit}, or one relative to the input torque") from error
+
+
 def link_number(text: str) -> int | None:
     """A link number, or none if the text is not one.
 

@@ -134,7 +134,7 @@ def _shape(shape: Shape) -> Words:  # noqa: PLR0911, C901 - a table
         case ByKind():
             return {"oneOf": [_of_kind(kind, record) for kind, record in shape.records.items()]}
         case ByLink() | ByElement():
-            return _by_name({"$ref": "#/$defs/number", **shape.limits})
+            return _by_name({**_leaf(shape.item), **shape.limits})
         case Leaf():
             return _leaf(shape)
 
@@ -159,6 +159,8 @@ def _leaf(shape: Leaf) -> Words:  # noqa: PLR0911 - a table
             return {"$ref": f"#/$defs/{shape.kind}"}
         case "count":
             return {"type": ["integer", "string"], "minimum": 1, "pattern": LINK_NUMBER}
+        case "drag":
+            return {"type": ["number", "string"], "minimum": 0}
         case "speed" | "torque":
             return {"type": "string"}
         case "flag":

@@ -14,7 +14,7 @@ from typing import Any, Literal, TypeAlias
 from vstatics.parts import ELEMENT_KINDS
 
 LeafKind = Literal[
-    "text", "number", "count", "speed", "torque", "link", "element", "flag", "choice"
+    "text", "number", "count", "speed", "torque", "drag", "link", "element", "flag", "choice"
 ]
 
 
@@ -50,6 +50,7 @@ class ByLink:
 
     limits: Mapping[str, Any] = field(default_factory=dict)
     """As those of a `Key`, for each number."""
+    item: Leaf = Leaf("number")
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,6 +58,7 @@ class ByElement:
     """Names of shift elements with a number for each."""
 
     limits: Mapping[str, Any] = field(default_factory=dict)
+    item: Leaf = Leaf("number")
 
 
 @dataclass(frozen=True, slots=True)
@@ -143,7 +145,7 @@ Shape: TypeAlias = (
 )
 
 TEXT, NUMBER, LINK, FLAG = Leaf("text"), Leaf("number"), Leaf("link"), Leaf("flag")
-COUNT = Leaf("count")
+COUNT, DRAG = Leaf("count"), Leaf("drag")
 
 ELEMENT = Record(
     "Shift element",
@@ -165,7 +167,7 @@ ELEMENT = Record(
         ),
         Key(
             "drag",
-            NUMBER,
+            DRAG,
             "Torque with which it drags when open, relative to the input torque.",
             default=0,
             limits={"minimum": 0},
@@ -232,13 +234,13 @@ GEAR = Record(
         Key("torques", ByLink(), "Further external torques, relative to the input torque."),
         Key(
             "drag",
-            ByLink({"minimum": 0}),
+            ByLink({"minimum": 0}, DRAG),
             "Drag of bearings and oil on links, against their rotation, relative to the input "
             "torque.",
         ),
         Key(
             "open_drag",
-            ByElement({"minimum": 0}),
+            ByElement({"minimum": 0}, DRAG),
             "Drag of shift elements in this gear when they are open, in place of their own.",
         ),
         Key("input", LINK, "This gear's own input link."),
@@ -270,6 +272,11 @@ CASE = Record(
             default="exact",
         ),
         Key("load", LOAD, "Load of all gears that give none themselves."),
+        Key(
+            "drag",
+            ByLink({"minimum": 0}, DRAG),
+            "Drag of bearings and oil on links in all gears that give none themselves.",
+        ),
         Key("coast", FLAG, "Power enters at the output (engine braking).", default=False),
         Key(
             "shift_elements",

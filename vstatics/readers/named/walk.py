@@ -40,6 +40,7 @@ _LEAVES: dict[LeafKind, tuple[str, Any]] = {  # what is expected, what stands in
     "count": ("a whole number", 1),
     "speed": ("a speed with its unit", 1.0),
     "torque": ("a torque with its unit", 1.0),
+    "drag": ("a torque", 0.0),
     "link": ("a link", NO_LINK),
     "element": ("the name of a shift element", NO_ELEMENT),
     "flag": ("`true` or `false`", False),
@@ -210,19 +211,19 @@ class Walk:
         )
 
     def _by_link(self, spot: Spot, shape: ByLink) -> Any:
-        if not isinstance(spot.node, Mapping):
-            return self._refuse(spot, shape, "expected a mapping: a number for each link")
-        return self._numbers(spot, spot.node, self.references.link, NO_LINK)
+        return self._numbers(spot, shape, "link", self.references.link)
 
     def _by_element(self, spot: Spot, shape: ByElement) -> Any:
-        if not isinstance(spot.node, Mapping):
-            return self._refuse(spot, shape, "expected a mapping: a number for each shift element")
-        return self._numbers(spot, spot.node, self.references.element, NO_ELEMENT)
+        return self._numbers(spot, shape, "shift element", self.references.element)
 
     def _numbers(
-        self, spot: Spot, node: Mapping, refer: Callable[[str], int], nobody: int
-    ) -> dict[int, float]:
+        self, spot: Spot, shape: ByLink | ByElement, of: str, refer: Callable[[str], int]
+    ) -> Any:
         """Numbers by that which their keys refer to."""
+        node = spot.node
+        if not isinstance(node, Mapping):
+            return self._refuse(spot, shape, f"expected a mapping: a number for each {of}")
+        nobody = NO_LINK if of == "link" else NO_ELEMENT
         values: dict[int, float] = {}
         for key, value in self._entries(spot, node):
             try:
@@ -233,8 +234,8 @@ class Walk:
             inner = spot.key(place, key.text, value)
             self.spots.keep(inner, key)
             if place in values:
-                self.spots.complain(inner, f"link {place} is given twice", key)
-            number = self.read(inner, Leaf("number"))
+                self.spots.complain(inner, f"{of} {place} is given twice", key)
+            number = self.read(inner, shape.item)
             if place != nobody:
                 values[place] = number
         return values
@@ -290,6 +291,8 @@ class Walk:
                 from vstatics.readers.named.quantities import quantity  # only loads need it
 
                 return quantity(node.text, shape.kind)
+            case "drag":
+                return scalars.torque(node.text)
             case "link":
                 return self.references.link(node.text)
             case "element":
