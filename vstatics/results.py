@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING, Literal, NamedTuple
 
 from vstatics.arrays import Booleans, Floats, Integers
@@ -238,6 +239,24 @@ class Results(NamedTuple):
     def output_torque(self) -> Floats:
         """Of shape (..., gears), without losses [-]."""
         return self.torques[..., -1]
+
+    @property
+    def settled(self) -> Transmission:
+        """The case with every freewheel engaged in the gears where it holds, as a plain element.
+
+        For a format that knows no freewheels; of one case, not of arrays of variants.
+        """
+        case = self.case
+        if not case.freewheels:
+            return case
+        plain = [e._replace(kind="") if e.is_freewheel else e for e in case.shift_elements]
+        gears = [
+            gear._replace(
+                engaged=(*gear.engaged, *(n for n in case.freewheels if holds[n - 1])),
+            )
+            for gear, holds in zip(case.gears, self.holds.tolist(), strict=True)
+        ]
+        return replace(case, shift_elements=plain, gears=gears)
 
     @property
     def failed(self) -> bool:

@@ -6,7 +6,7 @@ import os
 
 import click
 
-from vstatics import readers
+from vstatics import readers, statics
 from vstatics.cli import cases as arguments
 from vstatics.cli import files
 from vstatics.model import Transmission
@@ -18,7 +18,8 @@ def write(case: Transmission, output_format: readers.Format) -> tuple[str, list[
         from vstatics.writers.deck import lost
         from vstatics.writers.deck import write as write_deck
 
-        return write_deck(case), lost(case)
+        settled = statics.solve(case).settled if case.freewheels else case
+        return write_deck(settled), lost(case)
     from vstatics.writers import named
 
     writer = named.write_yaml if output_format == "yaml" else named.write_json
@@ -45,8 +46,9 @@ def convert(
 ) -> None:
     """Convert the case IN to OUT: deck (.dat), YAML (.yaml) or JSON (.json); - is a stream.
 
-    Numbers and names are kept to the last digit. What the format cannot keep is
-    listed, and the exit status is 1.
+    Numbers and names are kept to the last digit. A deck has mechanisms in place of
+    elements, and freewheels are engaged where they hold. What the format cannot keep
+    is listed, and the exit status is 1.
 
     \b
     Examples:

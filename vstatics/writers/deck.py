@@ -44,6 +44,13 @@ RUSSIAN = {
 """The headings in Russian. None of them may start like a field or a line NAME."""
 
 
+KINDS = {
+    "dog_clutch": "that {} is a dog clutch",
+    "freewheel": "that {} is a freewheel; it is engaged where it holds",
+}
+"""Kinds of shift elements that a deck does not know."""
+
+
 def write(case: Transmission, lang: Language = "en") -> str:
     """The case as a deck, which reads back as an equal case; see `lost`.
 
@@ -61,11 +68,11 @@ def write(case: Transmission, lang: Language = "en") -> str:
 def lost(case: Transmission) -> list[str]:
     """What a case has and a deck cannot keep: ``description``, ``source`` and some numbers."""
     return [
-        *(part for part in ("description", "source") if getattr(case, part)),
+        *(part for part in ("description", "source", "load") if getattr(case, part)),
         *(
-            f"kind {element.kind} of shift element {element.name}"
+            KINDS[element.kind].format(element.name)
             for element in case.shift_elements
-            if element.kind in ("dog_clutch", "freewheel")
+            if element.kind in KINDS
         ),
         *(
             f"drag of shift element {element.name}"
@@ -75,7 +82,7 @@ def lost(case: Transmission) -> list[str]:
         *(
             f"{part} of gear {gear.name}"
             for gear in case.gears
-            for part in ("drag", "open_drag")
+            for part in ("drag", "open_drag", "load")
             if getattr(gear, part)
         ),
         *(
