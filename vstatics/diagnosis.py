@@ -60,19 +60,22 @@ def messages(results: Results) -> Iterator[Message]:
     case = results.case
     for problem in doubts(case):
         yield Message(problem.severity, _named(case, path_text(problem.path), problem.message))
+    wheels, has_drag = case.freewheels, case.has_drag
     for number, given in enumerate(case.gears):
-        held = _held(results, number)
+        held = [element for element in wheels if results.holds[number, element - 1]]
         gear = freewheels.holding(given, held)
-        said = _conflict(case, gear) if results.conflict[number] else _said(results, number, gear)
-        for severity, text in (*_freewheel_messages(case, held), *said):
+        for severity, text in (
+            *_freewheel_messages(results, number, gear, held),
+            *_speed_messages(results, number, gear),
+            *_torque_messages(results, number, gear),
+            *_loss_messages(results, number, gear),
+            *(_drag_messages(results, number, gear) if has_drag else ()),
+        ):
             yield Message(severity, text, gear.name)
 
 
-def _said(results: Results, number: int, gear: Gear) -> Iterator[Said]:
-    """What there is to say of a gear whose freewheels have found their state."""
-    yield from _speed_messages(results, number, gear)
-    yield from _torque_messages(results, number, gear)
-    yield from _loss_messages(results, number, gear)
+def _drag_messages(results: Results, number: int, gear: Gear) -> Iterator[Said]:
+    """What would drag, but with an unknown speed."""
     speeds, slips = results.speeds[number].tolist(), results.slip_speeds[number].tolist()
     unknown = drag.unknown(results.case, gear, speeds, slips)
     if unknown and results.calculable[number]:
@@ -105,14 +108,13 @@ def _chosen(names: Sequence[str], marks: Booleans) -> list[str]:
     return [name for name, mark in zip(names, marks, strict=True) if mark]
 
 
-def _held(results: Results, number: int) -> list[int]:
-    """Numbers of the freewheels that hold in a gear."""
-    marks = results.holds[number]
-    return [element for element in results.case.freewheels if marks[element - 1]]
-
-
-def _freewheel_messages(case: Transmission, held: Sequence[int]) -> Iterator[Said]:
-    """Which freewheels hold."""
+def _freewheel_messages(
+    results: Results, number: int, gear: Gear, held: Sequence[int]
+) -> Iterator[Said]:
+    """Which freewheels hold, or that they are in conflict."""
+    case = results.case
+    if results.conflict[number]:
+        yield from _conflict(case, gear)
     if held:
         names = _list([case.shift_elements[number - 1].name for number in held])
         yield _note(f"freewheel {names} holds" if len(held) == 1 else f"freewheels {names} hold")
@@ -149,6 +151,8 @@ def _overrunning(results: Results, number: int, gear: Gear) -> list[str]:
 def _speed_messages(results: Results, number: int, gear: Gear) -> Iterator[Said]:
     """Too few conditions, too many, contradictions, an output that stands."""
     case = results.case
+    if results.conflict[number]:
+        return  # said as an error already
     missing, excess = int(results.missing[number]), int(results.excess[number])
     if results.tied_up[number] or excess:
         yield from _excess(case, gear)
@@ -197,7 +201,7 @@ def _excess(case: Transmission, gear: Gear) -> Iterator[Said]:
 def _torque_messages(results: Results, number: int, gear: Gear) -> Iterator[Said]:
     """Torques that do not exist, or are not determined by statics."""
     case = results.case
-    if results.tied_up[number]:
+    if results.tied_up[number] or results.conflict[number]:
         return  # said as an error already
     output = case.gear_output(gear)
     if not results.balanced[number]:
