@@ -9,7 +9,7 @@ import vstatics
 
 PACKAGE = Path(vstatics.__file__).parent
 ROOMS = [
-    {"arrays", "errors", "memory", "parts", "tape"},
+    {"arrays", "errors", "memory", "parts", "tape", "templates"},
     {"checks", "traced"},
     {"entries", "model", "replay"},
     {"elimination", "plans", "results"},

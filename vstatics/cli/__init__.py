@@ -15,6 +15,7 @@ from vstatics.cli import files
 from vstatics.errors import ReadError
 
 COMMANDS = {
+    "new": ("vstatics.cli.new", "Write a commented case to start from."),
     "run": ("vstatics.cli.run", "Calculate every gear of each case."),
     "sweep": ("vstatics.cli.sweep", "Calculate variants of a case, to a table."),
     "check": ("vstatics.cli.check", "Report problems of the input, and the conditions per gear."),
@@ -63,6 +64,7 @@ def main() -> None:
 
     \b
     Examples:
+      vstatics new gearbox.yaml --template ravigneaux
       vstatics run gearbox.dat                 the printed report
       vstatics run gearbox.yaml -f json        the same for programs
       vstatics check gearbox.yaml              what is wrong or doubtful

@@ -1,0 +1,48 @@
+"""`vstatics new`: a commented case to start from."""
+
+from __future__ import annotations
+
+import os
+
+import click
+
+from vstatics.cli import files
+from vstatics.errors import Place, Problem, ReadError, nearest
+from vstatics.templates import TEMPLATES, template
+
+
+def _known(context: click.Context, parameter: click.Parameter, value: str) -> str:
+    """The name of a template, or wrong use that tells the nearest."""
+    if value not in TEMPLATES:
+        names = ", ".join(TEMPLATES)
+        message = f"{value!r} is no template; expected one of {names}{nearest(value, TEMPLATES)}"
+        raise click.BadParameter(message, context, parameter)
+    return value
+
+
+@click.command()
+@click.argument("target", type=click.Path(), metavar="FILE", default=files.STDIN)
+@click.option(
+    "-t",
+    "--template",
+    "name",
+    metavar="NAME",
+    default=TEMPLATES[0],
+    show_default=True,
+    callback=_known,
+    help=f"One of {', '.join(TEMPLATES)}.",
+)
+def new(target: str, name: str) -> None:
+    """Write a commented case of typical elements to FILE, or to standard output.
+
+    \b
+    Examples:
+      vstatics new gearbox.yaml --template ravigneaux
+      vstatics run gearbox.yaml
+
+    A file that is there already is left as it is, and the exit status is 1.
+    """
+    if target != files.STDIN and os.path.lexists(target):
+        message = "is there already; expected the name of a new file"
+        raise ReadError([Problem(message, place=Place(target, 0, 0))])
+    files.write_output(template(name), target)
