@@ -13,7 +13,7 @@ from commands import CASES, MZKT, NEUTRAL, ROOT, environment, on_terminal, proce
 
 from vstatics import __version__
 
-COMMANDS = ["run", "sweep", "check", "convert", "compare"]
+COMMANDS = ["new", "run", "sweep", "check", "convert", "compare"]
 RUSSIAN = NEUTRAL.replace("links: 3", "name: коробка\nlinks: 3").replace("low:", "низшая:")
 LISTING = vstatics("run", MZKT).out.encode()
 

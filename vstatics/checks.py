@@ -58,6 +58,29 @@ def doubts(case: Transmission) -> Iterator[Problem]:
         yield from _doubtful(mechanism, ("mechanisms", number))
 
 
+def hints(case: Transmission) -> Iterator[Problem]:
+    """Notes on mechanisms that look as if planets were shared, whose losses are then doubtful.
+
+    Such mechanisms have the third link and one wheel in common, and losses.
+    """
+    seen: dict[tuple[int, int], str] = {}
+    drawn = _drawn(case)
+    for number, mechanism in enumerate(case.mechanisms[drawn:], drawn + 1):
+        if mechanism.third == HOUSING or mechanism.efficiency == 1:
+            continue
+        wheels = [link for link in mechanism.links[:2] if link != HOUSING]
+        others = [seen[mechanism.third, link] for link in wheels if (mechanism.third, link) in seen]
+        if others:
+            message = (
+                f"shares a wheel and the carrier with {others[0]}: if they share planets too, the "
+                "losses of this form are not exact; give the set as an element, or each mesh as a "
+                "mechanism (docs/elements.md)"
+            )
+            yield Problem(message, ("mechanisms", number), severity="note")
+        for link in wheels:
+            seen.setdefault((mechanism.third, link), mechanism.name or mechanism_name(number))
+
+
 def _drawn(case: Transmission) -> int:
     """How many mechanisms, the first ones, were made from elements that are checked as such."""
     return len(case.mechanisms) - len(case.drawing.mechanisms) if case.drawing else 0

@@ -65,7 +65,7 @@ def messages(results: Results) -> Iterator[Message]:
         held = [element for element in wheels if results.holds[number, element - 1]]
         gear = freewheels.holding(given, held)
         for severity, text in (
-            *_freewheel_messages(results, number, gear, held),
+            *(_conflict(case, gear) if results.conflict[number] else ()),
             *_speed_messages(results, number, gear),
             *_torque_messages(results, number, gear),
             *_loss_messages(results, number, gear),
@@ -106,18 +106,6 @@ def _s(count: int) -> str:
 
 def _chosen(names: Sequence[str], marks: Booleans) -> list[str]:
     return [name for name, mark in zip(names, marks, strict=True) if mark]
-
-
-def _freewheel_messages(
-    results: Results, number: int, gear: Gear, held: Sequence[int]
-) -> Iterator[Said]:
-    """Which freewheels hold, or that they are in conflict."""
-    case = results.case
-    if results.conflict[number]:
-        yield from _conflict(case, gear)
-    if held:
-        names = _list([case.shift_elements[number - 1].name for number in held])
-        yield _note(f"freewheel {names} holds" if len(held) == 1 else f"freewheels {names} hold")
 
 
 def _conflict(case: Transmission, gear: Gear) -> Iterator[Said]:

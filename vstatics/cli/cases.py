@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple, get_args
 
 import click
@@ -53,6 +53,8 @@ class Settings(NamedTuple):
     input_format: readers.Format | None = None
     coast: bool | None = None
     idle: IdleConvention | None = None
+    notes: bool = False
+    """Whether notes on the input are told besides its warnings."""
 
 
 def calculate(cases: Sequence[str], settings: Settings) -> Iterator[Outcome]:
@@ -76,12 +78,18 @@ def calculate_one(file: str, settings: Settings) -> Outcome:
     try:
         reading = readers.read(*files.read_input(file), settings.input_format)
         results = statics.solve(reading.case, coast=settings.coast, idle=settings.idle)
-        problems = [*reading.warnings, *_located(reading, results)]
+        found = reading.warnings if settings.notes else serious(reading.warnings)
+        problems = [*found, *_located(reading, results)]
     except ReadError as error:
         return Outcome(name, None, error.problems)
     except Exception as error:  # noqa: BLE001 - the other cases are to go on
         return Outcome(name, None, [unexpected(name, error)])
     return Outcome(name, results, problems)
+
+
+def serious(problems: Iterable[Problem]) -> list[Problem]:
+    """Problems without the notes, which `vstatics check` alone tells."""
+    return [problem for problem in problems if problem.severity != "note"]
 
 
 def unexpected(name: str, error: Exception) -> Problem:

@@ -65,7 +65,7 @@ def summary(file: str, results: Results) -> str:
 def check(
     context: click.Context, cases: tuple[str, ...], input_format: readers.Format | None
 ) -> None:
-    """Report all problems and warnings of each CASE, and its conditions per gear.
+    """Report all problems, warnings and notes of each CASE, and its conditions per gear.
 
     Problems go to stderr as file:line:col: message, with the line and a caret;
     the count of conditions goes to stdout. There are no tables.
@@ -77,7 +77,7 @@ def check(
     Exit status: 0 no errors; 1 a case is in error or a gear is tied up; 2 wrong use.
     """
     failed = False
-    for outcome in calculate(cases, Settings(input_format)):
+    for outcome in calculate(cases, Settings(input_format, notes=True)):
         failed |= outcome.failed
         if outcome.results is not None:
             files.write_output(summary(outcome.file, outcome.results), None)

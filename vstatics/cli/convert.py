@@ -64,7 +64,7 @@ def convert(
             "or --to"
         )
     reading = readers.read(*files.read_input(source), input_format)
-    files.show(reading.warnings)
+    files.show(arguments.serious(reading.warnings))
     text, lost = write(reading.case, wanted)
     files.write_output(text, target)
     for what in lost:

@@ -21,7 +21,7 @@ def _known(context: click.Context, parameter: click.Parameter, value: str) -> st
 
 
 @click.command()
-@click.argument("target", type=click.Path(), metavar="FILE", default=files.STDIN)
+@click.argument("target", type=click.Path(), metavar="[FILE]", default=files.STDIN)
 @click.option(
     "-t",
     "--template",

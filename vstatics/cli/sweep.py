@@ -168,7 +168,7 @@ def _checked(given: Settings, *, resume: bool, jobs: int, scheduler: str | None)
 
 def _case(file: str, input_format: readers.Format | None) -> Transmission:
     reading = readers.read(*files.read_input(file), input_format)
-    files.show(reading.warnings)
+    files.show(arguments.serious(reading.warnings))
     return reading.case
 
 

@@ -11,6 +11,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from vstatics.elements.element import CentralWheel, Drawing, Element
 from vstatics.elements.group import group_of
 from vstatics.elements.kinds import GROUP, KINDS, Planetary, Simple
+from vstatics.elements.lower import at_meshes
 from vstatics.errors import Path, Problem, nearest
 from vstatics.model import HOUSING
 
@@ -24,6 +25,19 @@ def problems(drawing: Drawing) -> Iterator[Problem]:
         yield from found
         if not found and isinstance(element.shape, Planetary):
             yield from _group(element, path)
+
+
+def hints(drawing: Drawing) -> Iterator[Problem]:
+    """Notes on elements that share planets and are calculated in the reduced form all the same."""
+    for number, element in enumerate(drawing.elements, 1):
+        if isinstance(element.shape, Planetary):
+            group = group_of(element)
+            if group.is_shared and not at_meshes(element, group, drawing):
+                message = (
+                    "several wheels share planets, and the losses of the reduced form are not "
+                    "exact then; `losses: meshes` calculates them at each mesh"
+                )
+                yield Problem(message, ("elements", number), severity="note")
 
 
 def _problems(element: Element, path: Path) -> Iterator[Problem]:

@@ -6,8 +6,9 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
+from vstatics.elements import teeth
 from vstatics.elements.build import lowered
-from vstatics.elements.checks import problems
+from vstatics.elements.checks import hints, problems
 from vstatics.elements.element import CentralWheel, Drawing, Element
 from vstatics.elements.kinds import GROUP, KINDS
 from vstatics.elements.lower import parts as parts_of
@@ -103,7 +104,8 @@ def read_drawing(root: nodes.Mapping, walk: Walk) -> Reading:
             parts |= lowered(drawn, names)
             parts["output"] = parts.get("output", drawn.links)
             locate = _locator(spots, drawn)
-            faults = [] if listed else list(loose_links(root, values, names, spots))
+            faults = [*hints(drawn), *teeth.doubts(drawn)]
+            faults += [] if listed else loose_links(root, values, names, spots)
         found += map(spots.locate, faults)
     for key in DRAWN:
         parts.pop(key.name, None)
