@@ -207,9 +207,8 @@ def stepped_teeth(wheels: Sequence[str]) -> st.SearchStrategy[dict[str, int]]:
 def ravigneaux_teeth(draw: st.DrawFn) -> dict[str, int]:
     """The long planet meets large sun and ring, the short one reaches the small sun."""
     large, long, short = (draw(st.integers(*ends)) for ends in ((24, 50), (14, 30), (14, 30)))
-    reach = large + long + 2 * short
-    small = draw(st.integers(14, 60).filter(lambda z: large - 2 * short < z < reach))
     ring = large + 2 * long
+    small = draw(st.integers(max(14, large - 2 * short + 1), ring - 1))
     return {"small_sun": small, "large_sun": large, "ring": ring, "short": short, "long": long}
 
 

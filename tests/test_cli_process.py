@@ -36,7 +36,7 @@ def test_a_case_comes_through_a_pipe() -> None:
     )
 
 
-@pytest.mark.parametrize("command", ["run cases/mzkt7922.dat", "check cases/mzkt7922.dat"])
+@pytest.mark.parametrize("command", ["run cases/mzkt7922.dat", "check cases/differential.yaml"])
 def test_a_reader_that_has_seen_enough_ends_the_program_quietly(command: str) -> None:
     status, out, err = shell(f"vstatics {command} | head -n 1")
     assert (status in (0, 1), err, out.count(b"\n")) == (True, b"", 1)
@@ -62,7 +62,7 @@ FULL = b"<stdout>: error: can't be written: No space left on device\n"
     ("command", "words"),
     [
         ("run cases/mzkt7922.dat", FULL),
-        ("check cases/mzkt7922.dat", FULL),
+        ("check cases/differential.yaml", FULL),
         ("convert cases/mzkt7922.dat - --to yaml", FULL),
         ("compare tests/golden/umdm-reduced.yaml.lst tests/golden/mzkt7922.dat.lst", FULL),
         ("--help", b"vstatics: can't write to stdout: No space left on device\n"),

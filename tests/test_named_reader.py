@@ -58,7 +58,7 @@ FAULTS = [
         "gear-not-a-mapping.yaml",
         9,
         8,
-        "gears.2: read a list, expected a mapping with `engaged`, `speeds`, `torques`, `drag`, `open_drag`, `input` and `output`",
+        "gears.2: read a list, expected a mapping with `engaged`, `speeds`, `torques`, `drag`, `open_drag`, `input`, `output` and `load`",
     ),
     ("gears-empty.yaml", 4, 8, "gears: there is no gear"),
     ("gears-missing.yaml", 1, 1, "`gears` is missing"),

@@ -9,6 +9,7 @@ from typing import NamedTuple, get_args
 import click
 
 from vstatics import readers, statics
+from vstatics.checks import hints
 from vstatics.cli import files
 from vstatics.errors import Place, Problem, ReadError
 from vstatics.model import IdleConvention
@@ -78,13 +79,18 @@ def calculate_one(file: str, settings: Settings) -> Outcome:
     try:
         reading = readers.read(*files.read_input(file), settings.input_format)
         results = statics.solve(reading.case, coast=settings.coast, idle=settings.idle)
-        found = reading.warnings if settings.notes else serious(reading.warnings)
+        found = _noted(reading) if settings.notes else serious(reading.warnings)
         problems = [*found, *_located(reading, results)]
     except ReadError as error:
         return Outcome(name, None, error.problems)
     except Exception as error:  # noqa: BLE001 - the other cases are to go on
         return Outcome(name, None, [unexpected(name, error)])
     return Outcome(name, results, problems)
+
+
+def _noted(reading: Reading) -> list[Problem]:
+    """Warnings and notes on the input."""
+    return [*reading.warnings, *map(reading.locate, hints(reading.case))]
 
 
 def serious(problems: Iterable[Problem]) -> list[Problem]:

@@ -23,8 +23,6 @@ class MeshEfficiency(NamedTuple):
     external: float = 0.98
     internal: float = 0.99
     bevel: float = 0.97
-    chain: float = 0.97
-    belt: float = 0.95
 
 
 class CentralWheel(NamedTuple):

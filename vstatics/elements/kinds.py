@@ -71,7 +71,7 @@ class Simple(NamedTuple):
     sign : int
         Of ``w_first/w_second`` with the third link held.
     meshes : sequence of str
-        The meshes that power passes: ``external``, ``internal`` or the kind's own.
+        The meshes that power passes: fields of `MeshEfficiency`.
     size : str
         What is counted: ``teeth`` or ``diameters``; none where there is no ratio.
     """
@@ -154,12 +154,15 @@ KINDS: Mapping[str, Kind] = {
         ("first", "idler", "second"),
         meshes=(EXTERNAL, EXTERNAL),
     ),
-    "chain": Simple("Chain drive.", ("first", "second"), ("first", "second"), meshes=("chain",)),
+    "chain": Simple(
+        "Chain drive; without `efficiency` it has no loss.",
+        ("first", "second"),
+        ("first", "second"),
+    ),
     "belt": Simple(
-        "Belt drive.",
+        "Belt drive; without `efficiency` it has no loss.",
         ("first", "second"),
         ("first", "second"),
-        meshes=("belt",),
         size="diameters",
     ),
     "shaft": Simple("Shaft or bearing with a loss: the ratio is 1.", ("first", "second")),
@@ -167,7 +170,6 @@ KINDS: Mapping[str, Kind] = {
         "Worm pair: `teeth` of the worm are its starts.",
         ("worm", "wheel"),
         ("worm", "wheel"),
-        meshes=("worm",),
     ),
     "held": Simple("A link that is held for good.", ("link",)),
 }

@@ -26,8 +26,6 @@ class Lowered(NamedTuple):
     mechanism: Mechanism
     members: tuple[str, str, str]
     """What its links are within the element: members, planets, or nothing."""
-    is_mesh: bool = False
-    """Whether it is a single mesh."""
 
 
 class Part(NamedTuple):
@@ -43,7 +41,7 @@ class Part(NamedTuple):
     def members(self) -> dict[str, int]:
         """The members of the element itself, with their links, planets apart."""
         found: dict[str, int] = {}
-        for mechanism, members, _ in self.lowered:
+        for mechanism, members in self.lowered:
             for member, link in zip(members, mechanism.links, strict=True):
                 if member and member not in self.planet_links:
                     found.setdefault(member, link)
@@ -90,7 +88,7 @@ def _simple(element: Element, kind: Simple, given: MeshEfficiency) -> Lowered:
     first, second, third = (*kind.members, "", "")[:3]
     efficiency = element.efficiency
     if efficiency is None:
-        efficiency = math.prod(getattr(given, mesh) for mesh in kind.meshes if mesh != "worm")
+        efficiency = math.prod(getattr(given, mesh) for mesh in kind.meshes)
     mechanism = Mechanism(
         element.link(first),
         element.link(second),
@@ -101,7 +99,7 @@ def _simple(element: Element, kind: Simple, given: MeshEfficiency) -> Lowered:
         planet_ratio=_between(element, kind),
         name=element.name,
     )
-    return Lowered(mechanism, (first, second, third), is_mesh=bool(kind.meshes))
+    return Lowered(mechanism, (first, second, third))
 
 
 def simple_ratio(element: Element, kind: Simple) -> Fraction:
@@ -181,7 +179,7 @@ def _meshes(
             planet_ratio=ratio,
             name=f"{element.name}.{wheel.member}-{planet}",
         )
-        yield Lowered(mechanism, (wheel.member, planet, "carrier"), is_mesh=True)
+        yield Lowered(mechanism, (wheel.member, planet, "carrier"))
     for one, other in group.meshes:
         a, b = group.planet_of[one], group.planet_of[other]
         ratio = float(-group.teeth(other) / group.teeth(one))
@@ -194,7 +192,7 @@ def _meshes(
             planet_ratio=ratio,
             name=f"{element.name}.{a}-{b}",
         )
-        yield Lowered(mechanism, (a, b, "carrier"), is_mesh=True)
+        yield Lowered(mechanism, (a, b, "carrier"))
 
 
 def _of_wheel(wheel: CentralWheel, given: MeshEfficiency) -> float:

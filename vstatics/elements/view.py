@@ -57,20 +57,14 @@ def shown(results: Results) -> dict[str, Shown]:
         "AMWZ": Shown(names, results.holding_torques[:, : drawing.links]),
         "AMWZP": Shown(names, results.lossy_holding_torques[:, : drawing.links]),
     }
-    meshes = [number for number, one in enumerate(_lowered(made)) if one]
+    at_meshes = [bool(part.planet_links) for part in made for _ in part.lowered]
+    meshes = np.flatnonzero(at_meshes).tolist()
     if meshes:
         rows = [case.mechanisms[number].name for number in meshes]
         columns = len(case.shift_elements) + np.array(meshes)
         tables["mesh_torques"] = Shown(rows, results.torques[:, columns])
         tables["lossy_mesh_torques"] = Shown(rows, results.lossy_torques[:, columns])
     return tables
-
-
-def _lowered(made: Sequence[Part]) -> Iterator[bool]:
-    """For each mechanism: whether it is a mesh of planets that are links."""
-    for part in made:
-        for lowered in part.lowered:
-            yield lowered.is_mesh and bool(part.planet_links)
 
 
 def _planets(results: Results, made: Sequence[Part]) -> Shown:

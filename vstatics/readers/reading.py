@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from typing import Any, NamedTuple
 
-from vstatics.checks import doubts, hints
+from vstatics.checks import doubts
 from vstatics.errors import CaseError, Path, Place, Problem, ReadError
 from vstatics.model import Transmission
 
@@ -72,7 +72,7 @@ def finish(
     except CaseError as error:
         found += [locate(problem) for problem in error.problems if told(problem)]
     else:
-        found += [locate(problem) for problem in (*doubts(case), *hints(case)) if told(problem)]
+        found += [locate(problem) for problem in doubts(case) if told(problem)]
     found.sort(key=lambda problem: problem.place[1:3] if problem.place else (0, 0))
     if any(problem.severity == "error" for problem in found):
         raise ReadError(found)

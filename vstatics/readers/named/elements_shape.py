@@ -26,8 +26,6 @@ _MESHES = {
     "external": "Two external wheels.",
     "internal": "A wheel in a ring.",
     "bevel": "Two bevel wheels.",
-    "chain": "A chain drive.",
-    "belt": "A belt drive.",
 }
 
 MESH_EFFICIENCY = Record(
