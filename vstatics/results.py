@@ -50,16 +50,16 @@ def _with_unit(name: str, printed: str, rows: Rows, unit: str, of: str) -> Table
 
 
 WITH_UNITS: tuple[tuple[str, str, Rows, str, str], ...] = (
-    ("W_rpm", "W_RPM", "links", "rpm", "W"),
-    ("WSAT_rpm", "WSAT_RPM", "mechanisms", "rpm", "WSAT"),
-    ("WFRI_rpm", "WFRI_RPM", "elements", "rpm", "WFRI"),
-    ("AMLG_Nm", "AMLG_NM", "torques", "Nm", "AMLG"),
-    ("AMLGP_Nm", "AMLGP_NM", "torques", "Nm", "AMLGP"),
-    ("mesh_torques_Nm", "MESH_NM", "meshes", "Nm", "mesh_torques"),
-    ("lossy_mesh_torques_Nm", "MESHP_NM", "meshes", "Nm", "lossy_mesh_torques"),
-    ("losses_kW", "LOSS_KW", "mechanisms", "kW", "losses"),
-    ("input_power_kW", "PIN_KW", "one", "kW", ""),
-    ("output_power_kW", "POUT_KW", "one", "kW", ""),
+    ("W_rpm", "WRPM", "links", "rpm", "W"),
+    ("WSAT_rpm", "WSATRPM", "mechanisms", "rpm", "WSAT"),
+    ("WFRI_rpm", "WFRIRPM", "elements", "rpm", "WFRI"),
+    ("AMLG_Nm", "AMLGNM", "torques", "Nm", "AMLG"),
+    ("AMLGP_Nm", "AMLGPNM", "torques", "Nm", "AMLGP"),
+    ("mesh_torques_Nm", "MESHNM", "meshes", "Nm", "mesh_torques"),
+    ("lossy_mesh_torques_Nm", "MESHPNM", "meshes", "Nm", "lossy_mesh_torques"),
+    ("losses_kW", "LOSSKW", "mechanisms", "kW", "losses"),
+    ("input_power_kW", "PINKW", "one", "kW", ""),
+    ("output_power_kW", "POUTKW", "one", "kW", ""),
 )
 """Name, printed name, rows, unit, and the table that it repeats in this unit."""
 

@@ -131,7 +131,7 @@ def _teeth(
 
 def _rims(element: Element, path: Path) -> Iterator[Problem]:
     """A group of planets: names of rims, each known and only once."""
-    seen: set[str] = set()
+    seen: dict[str, str] = {}
     for planet, rims in element.rims.items():
         place = (*path, "rims", planet)
         if not rims:
@@ -140,7 +140,7 @@ def _rims(element: Element, path: Path) -> Iterator[Problem]:
             if rim in seen:
                 message = f"rim `{rim}` is there already; expected a name of its own"
                 yield Problem(message, place)
-            seen.add(rim)
+            seen[rim] = planet
     if len(element.wheels) < 2:
         yield Problem(f"{len(element.wheels)} suns and rings, expected two or more", path)
     named: list[tuple[Path, str]]
@@ -149,7 +149,8 @@ def _rims(element: Element, path: Path) -> Iterator[Problem]:
         named += [(("meshes", number, side), pair[side - 1]) for side in (1, 2)]
     for place, rim in named:
         if rim not in seen:
-            message = f"read `{rim}`, expected the name of a rim{nearest(rim, seen)}"
+            known = nearest(rim, seen) or ": " + ", ".join(seen)
+            message = f"read `{rim}`, expected the name of a rim{known}"
             yield Problem(message, (*path, *place))
 
 

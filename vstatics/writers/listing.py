@@ -177,44 +177,44 @@ HEADINGS: dict[str, Heading] = {
 
 UNITS: dict[str, Heading] = {
     "W_rpm": Heading(
-        "(W_RPM(I,J),J=1,NP),I=1,KJG:", "Speeds of the links, rpm:", "Скорости звеньев, об/мин:"
+        "(WRPM(I,J),J=1,NP),I=1,KJG:", "Speeds of the links, rpm:", "Скорости звеньев, об/мин:"
     ),
     "WSAT_rpm": Heading(
-        "(WSAT_RPM(I,J),J=1,NP),I=1,KG:",
+        "(WSATRPM(I,J),J=1,NP),I=1,KG:",
         "Speeds of the planets against the carrier, rpm:",
         "Скорости сателлитов относительно водила, об/мин:",
     ),
     "WFRI_rpm": Heading(
-        "(WFRI_RPM(I,J),J=1,NP),I=1,KL:",
+        "(WFRIRPM(I,J),J=1,NP),I=1,KL:",
         "Slip speeds of clutches and brakes, rpm:",
         "Скорости скольжения муфт и тормозов, об/мин:",
     ),
     "AMLG_Nm": Heading(
-        "(AMLG_NM(I,J),J=1,NP),I=1,KLG1:",
+        "(AMLGNM(I,J),J=1,NP),I=1,KLG1:",
         "Torques without losses, N*m:",
         "Моменты без потерь, Н*м:",
     ),
     "AMLGP_Nm": Heading(
-        "(AMLGP_NM(I,J),J=1,NP),I=1,KLG1:",
+        "(AMLGPNM(I,J),J=1,NP),I=1,KLG1:",
         "Torques with losses, N*m:",
         "Моменты с учетом потерь, Н*м:",
     ),
     "mesh_torques_Nm": Heading(
-        "(MESH_NM(I,J),J=1,NP),I=1,KM:",
+        "(MESHNM(I,J),J=1,NP),I=1,KM:",
         "Torques of the meshes without losses, N*m:",
         "Моменты зацеплений без потерь, Н*м:",
     ),
     "lossy_mesh_torques_Nm": Heading(
-        "(MESHP_NM(I,J),J=1,NP),I=1,KM:",
+        "(MESHPNM(I,J),J=1,NP),I=1,KM:",
         "Torques of the meshes with losses, N*m:",
         "Моменты зацеплений с учетом потерь, Н*м:",
     ),
     "losses_kW": Heading(
-        "(LOSS_KW(I,J),J=1,NP),I=1,KG:", "Power lost, kW:", "Потери мощности, кВт:"
+        "(LOSSKW(I,J),J=1,NP),I=1,KG:", "Power lost, kW:", "Потери мощности, кВт:"
     ),
-    "input_power_kW": Heading("PIN_KW(J),J=1,NP:", "Input power, kW:", "Мощность на входе, кВт:"),
+    "input_power_kW": Heading("PINKW(J),J=1,NP:", "Input power, kW:", "Мощность на входе, кВт:"),
     "output_power_kW": Heading(
-        "POUT_KW(J),J=1,NP:",
+        "POUTKW(J),J=1,NP:",
         "Output power with losses, kW:",
         "Мощность на выходе с учетом потерь, кВт:",
     ),

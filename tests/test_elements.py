@@ -1,0 +1,314 @@
+"""Cases made of elements: what they become, what is shown of them, what is refused."""
+
+from __future__ import annotations
+
+import json
+import math
+from fractions import Fraction
+from pathlib import Path
+
+import numpy as np
+import pytest
+from commands import CASES, vstatics
+
+import vstatics as library
+from vstatics.elements import Drawing, Element, transmission
+from vstatics.elements.kinds import KINDS
+from vstatics.errors import CaseError, ReadError
+from vstatics.model import Gear, ShiftElement
+from vstatics.readers import read
+from vstatics.templates import TEMPLATES, template
+from vstatics.writers.tables import Table, tables
+
+SET = """
+input: sun
+output: carrier
+elements:
+  P1: {kind: planetary, sun: sun, ring: ring, carrier: carrier, teeth: {sun: 30, ring: 75}}
+shift_elements:
+  B: [ring, housing]
+  C: [sun, carrier]
+gears:
+  low: {engaged: [B]}
+  direct: {engaged: [C]}
+"""
+AOD = (CASES / "ravigneaux-aod.yaml").read_text(encoding="utf-8")
+
+
+def changed(before: str, after: str, text: str = SET) -> str:
+    assert before in text
+    return text.replace(before, after)
+
+
+def loaded(text: str) -> library.Transmission:
+    return read(text.encode(), "case.yaml").case
+
+
+def shown(text: str) -> dict[str, Table]:
+    """The tables of a case by their names."""
+    return {table.shape.name: table for table in tables(library.solve(loaded(text)))}
+
+
+def problems(text: str) -> list[str]:
+    with pytest.raises(ReadError) as refused:
+        read(text.encode(), "case.yaml")
+    return [str(problem) for problem in refused.value.problems]
+
+
+def test_links_are_the_names_that_elements_use() -> None:
+    case = loaded(SET)
+    assert list(case.link_names) == ["sun", "ring", "carrier"]
+    assert library.solve(case).ratio == pytest.approx([1 + 75 / 30, 1])
+
+
+def test_efficiency_of_a_set_is_the_product_of_its_meshes() -> None:
+    [mechanism] = loaded(SET).mechanisms
+    assert mechanism.efficiency == 0.98 * 0.99
+    [mechanism] = loaded("mesh_efficiency: {external: .97}" + SET).mechanisms
+    assert mechanism.efficiency == 0.97 * 0.99
+    own = changed("ring: 75}}", "ring: 75}, mesh_efficiency: {internal: 1}}")
+    [mechanism] = loaded("mesh_efficiency: {external: .97}" + own).mechanisms
+    assert mechanism.efficiency == 0.97
+    [mechanism] = loaded(changed("ring: 75}}", "ring: 75}, efficiency: .96}")).mechanisms
+    assert mechanism.efficiency == 0.96
+
+
+def test_a_gear_pair_an_idler_a_bevel_set_lose_at_each_mesh() -> None:
+    text = """
+input: a
+output: d
+elements:
+  pair: {kind: gear_pair, first: a, second: b, teeth: {first: 20, second: 30}}
+  idler: {kind: idler, first: b, second: c, teeth: {first: 20, idler: 7, second: 30}}
+  ring: {kind: internal_pair, first: c, second: d, teeth: {first: 20, second: 60}}
+gears: {all: {}}
+"""
+    results = library.solve(loaded(text))
+    assert results.ratio == pytest.approx([-1.5 * 1.5 * 3])
+    assert results.efficiency == pytest.approx([0.98**3 * 0.99])
+    bevel = Element("B", "bevel", {"left": 1, "right": 2, "carrier": 3})
+    case = transmission(Drawing(3, [bevel]), gears=[Gear([1])], shift_elements=[ShiftElement(3)])
+    assert case.mechanisms[0].efficiency == pytest.approx(0.97**2)
+    assert case.mechanisms[0].ratio == -1
+
+
+def test_torques_of_the_members_balance() -> None:
+    """Nothing but its members holds an element: with losses, too, their torques cancel."""
+    for name in ("AMLG", "AMLGP"):
+        table = shown(AOD)[name]
+        members = [row.startswith("set.") for row in table.rows]
+        assert sum(members) == 4
+        assert table.values[members].sum(axis=0) == pytest.approx(np.zeros(5), abs=1e-12)
+
+
+def test_member_torques_of_a_plain_set() -> None:
+    """Ring held: sun 1, ring 75/30, carrier what both leave; with losses the ring has less."""
+    ideal, lossy = shown(SET)["AMLG"], shown(SET)["AMLGP"]
+    assert list(ideal.rows) == ["B", "C", "P1.sun", "P1.ring", "P1.carrier", "Mx"]
+    assert ideal.values[2:, 0] == pytest.approx([1, 2.5, -3.5, 3.5])
+    held = 2.5 * 0.98 * 0.99
+    assert lossy.values[2:, 0] == pytest.approx([1, held, -1 - held, 1 + held])
+
+
+def test_results_show_own_links_elements_and_planets() -> None:
+    found = shown(AOD)
+    assert list(found["W"].rows) == ["input", "forward sun", "reverse sun", "carrier", "ring"]
+    assert list(found["WSAT"].rows) == ["set.short", "set.long"]
+    assert found["WSAT"].values[:, 0] == pytest.approx([-30 / 18, 30 / 18])  # carrier held
+    assert list(found["losses"].rows) == ["set"]
+    total = 1 - found["ETA"].values[0]
+    assert found["losses"].values[0] == pytest.approx(total)
+    assert "mesh_torques" not in shown(SET)
+
+
+@pytest.mark.parametrize("losses", ["meshes", "reduced"])
+def test_planets_have_the_same_speeds_in_both_forms(losses: str) -> None:
+    given = shown(AOD)["WSAT"].values
+    other = shown(changed("mesh_eff", f"losses: {losses}\nmesh_eff", AOD))["WSAT"].values
+    assert other == pytest.approx(given, abs=1e-12)
+
+
+def test_a_planet_without_teeth_has_no_speed() -> None:
+    found = shown(changed(", short: 18, long: 18", "", AOD))
+    assert list(found["WSAT"].rows) == ["set.short", "set.long"]
+    assert np.isnan(found["WSAT"].values[0]).all()
+    assert found["WSAT"].values[1] == pytest.approx(shown(AOD)["WSAT"].values[1])  # (72 - 36)/2
+
+
+def test_ratio_is_the_exact_fraction_rounded_once() -> None:
+    text = changed("teeth: {sun: 30, ring: 75}", "teeth: {sun: 31, ring: 83}")
+    assert loaded(text).mechanisms[0].ratio == float(Fraction(-83, 31))
+
+
+def test_a_held_link_is_one_with_the_housing() -> None:
+    text = changed("shift_elements:", "  H: {kind: held, link: ring}\nshift_elements:")
+    text = changed("low: {engaged: [B]}", "low: {}", changed("  B: [ring, housing]\n", "", text))
+    results = library.solve(loaded(changed("  direct: {engaged: [C]}\n", "", text)))
+    assert results.ratio == pytest.approx([3.5])
+
+
+def test_mechanisms_may_stand_beside_elements() -> None:
+    axle = "mechanisms:\n  axle: {first: carrier, second: out, ratio: -4, efficiency: .97}\n"
+    case = loaded(changed("output: carrier", "output: out", SET) + axle)
+    assert [mechanism.name for mechanism in case.mechanisms] == ["P1", "axle"]
+    assert library.solve(case).ratio == pytest.approx([-14, -4])
+
+
+@pytest.mark.parametrize("name", [*TEMPLATES])
+def test_a_template_is_a_case_without_faults(name: str, tmp_path: Path) -> None:
+    file = tmp_path / "new.yaml"
+    assert vstatics("new", file, "--template", name) == (0, "", "")
+    assert file.read_text(encoding="utf-8") == template(name)
+    said = vstatics("run", file, "-f", "json")
+    assert (said.status, said.err) == (0, "")
+    document = json.loads(said.out)
+    assert not any(ratio is None for ratio in document["ratio"])
+    assert document["case"]["elements"]
+
+
+def test_every_kind_has_a_template_or_a_case() -> None:
+    texts = [path.read_text(encoding="utf-8") for path in CASES.glob("*.yaml")]
+    texts += map(template, TEMPLATES)
+    unused = {kind for kind in KINDS if not any(f"kind: {kind}" in text for text in texts)}
+    assert unused == {"internal_pair", "belt"}
+
+
+def test_new_does_not_overwrite(tmp_path: Path) -> None:
+    file = tmp_path / "mine.yaml"
+    file.write_text("mine", encoding="utf-8")
+    said = vstatics("new", file)
+    assert (said.status, file.read_text(encoding="utf-8")) == (1, "mine")
+    assert "is there already" in said.err
+    said = vstatics("new", "--template", "ravigneau")
+    assert (said.status, "did you mean `ravigneaux`?" in said.err) == (2, True)
+
+
+FAULTS = {
+    "a misspelt kind": ("kind: planetary", "kind: planetery", "did you mean `planetary`?"),
+    "a misspelt member": ("carrier: carrier", "carier: carrier", "did you mean `carrier`?"),
+    "a member missing": (", carrier: carrier", "", "`carrier` is missing"),
+    "no kind": ("kind: planetary, ", "", "`kind` is missing"),
+    "no teeth": (", teeth: {sun: 30, ring: 75}", "", "`teeth` is missing"),
+    "teeth of the ring": (", ring: 75}", "}", "teeth of `ring` missing"),
+    "broken teeth": ("ring: 75}", "ring: 75.5}", "read '75.5', expected a whole number"),
+    "no teeth at all": ("ring: 75}", "ring: 0}", "read '0', expected a whole number from 1"),
+    "a small ring": ("ring: 75}", "ring: 25}", "read 25, expected more teeth than the sun's 30"),
+    "an efficiency": ("ring: 75}}", "ring: 75}, efficiency: 1.2}", "read 1.2, expected an eff"),
+    "a link twice": ("ring: ring", "ring: sun", "expected different links"),
+    "no input": ("input: sun\n", "", "`input` is missing"),
+    "losses": ("input: sun", "losses: mesh\ninput: sun", "did you mean `meshes`?"),
+    "a load": ("input: sun", "load: {speed: 2100}\ninput: sun", "such as `2100 rpm`"),
+    "an angle": ("input: sun", "load: {speed: 35 Hz}\ninput: sun", "such as `2100 rpm`"),
+    "a torque": ("input: sun", "load: {torque: 9 rpm}\ninput: sun", "such as `1200 N*m`"),
+    "a comma": ("input: sun", "load: {speed: '1,5 rpm'}\ninput: sun", "such as `2100 rpm`"),
+    "drag": ("input: sun", "drag: {ring: 3 N*m}\ninput: sun", "no input torque to relate it to"),
+    "a rim": ("kind: planetary", "kind: planet_group", "unknown key `sun`"),
+}
+
+
+@pytest.mark.parametrize(("before", "after", "words"), FAULTS.values(), ids=FAULTS.keys())
+def test_a_fault_is_told_with_its_place(before: str, after: str, words: str) -> None:
+    found = problems(changed(before, after))
+    assert any(words in problem for problem in found), found
+    assert all(problem.startswith("case.yaml:") for problem in found)
+
+
+GROUP = """
+links: [a, b, c, h]
+output: c
+elements:
+  G:
+    kind: planet_group
+    carrier: h
+    rims: {A: {A1: 20, A2: 18}, B: {B1: 20}}
+    suns: [{link: a, teeth: 30, rim: A1}]
+    rings: [{link: b, teeth: 70, rim: A1}, {link: c, teeth: 80, rim: B1}]
+    meshes: [[A2, B1]]
+gears: {all: {}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("before", "after", "words"),
+    [
+        (
+            "rim: A1}]\n    rings",
+            "rim: A3}]\n    rings",
+            "elements.G.suns[1].rim: read `A3`, expected the name of a rim: A1, A2, B1",
+        ),
+        (
+            "meshes: [[A2, B1]]",
+            "meshes: [[A2, B2]]",
+            "read `B2`, expected the name of a rim: A1, A2, B1",
+        ),
+        ("meshes: [[A2, B1]]", "meshes: [[A2, A1]]", "are on one planet"),
+        ("meshes: [[A2, B1]]", "meshes: [[A2, B1], [A1, B1]]", "block one another"),
+        ("    meshes: [[A2, B1]]\n", "", "is a mesh between planets missing?"),
+        ("B: {B1: 20}", "B: {A1: 20}", "rim `A1` is there already"),
+        ("meshes: [[A2, B1]]", "meshes: [A2, B1]", "expected two: [rim, rim]"),
+        ("carrier: h", "carrier: h\n    efficiency: .9", "one efficiency for several paths"),
+    ],
+)
+def test_a_fault_in_a_group_is_told(before: str, after: str, words: str) -> None:
+    found = problems(changed(before, after, GROUP))
+    assert any(words in problem for problem in found), found
+
+
+def test_a_name_that_stands_alone_is_told_with_the_nearest() -> None:
+    text = changed("B: [ring, housing]", "B: [rign, housing]")
+    told = read(text.encode(), "case.yaml").warnings
+    assert [str(problem) for problem in told if problem.severity == "warning"] == [
+        "case.yaml:5:41: warning: link `ring` is joined to nothing else; did you mean `rign`?",
+        "case.yaml:7:7: warning: link `rign` is joined to nothing else; did you mean `ring`?",
+    ]
+
+
+def test_a_library_user_gets_all_faults_at_once() -> None:
+    bad = Element("P", "planetery", {})
+    worse = Element("Q", "planetary", {"sun": 1, "ring": 2}, {"sun": 30})
+    with pytest.raises(CaseError) as refused:
+        transmission(Drawing(3, [bad, worse]), gears=[Gear()])
+    assert [problem.path[:2] for problem in refused.value.problems] == [
+        ("elements", 1),
+        ("elements", 2),
+        ("elements", 2),
+    ]
+
+
+def test_power_in_kilowatts() -> None:
+    """2000 rpm and 300 N*m are 300*2000*pi/30 W."""
+    found = shown("load: {speed: 2000 rpm, torque: 300 N*m}" + SET)
+    power = 300 * 2000 * math.pi / 30 / 1000
+    assert found["input_power_kW"].values[0] == pytest.approx([power, power])
+    efficiency = (1 + 2.5 * 0.98 * 0.99) / 3.5
+    assert found["output_power_kW"].values[0] == pytest.approx([power * efficiency, power])
+    assert found["losses_kW"].values[0] == pytest.approx([power * (1 - efficiency), 0])
+    assert found["W_rpm"].values[:, 0] == pytest.approx([2000, 0, 2000 / 3.5])
+    assert found["AMLG_Nm"].values[-1] == pytest.approx([1050, 300])
+
+
+def test_a_gear_has_a_load_of_its_own() -> None:
+    text = changed("low: {engaged: [B]}", "low: {engaged: [B], load: {torque: 100 lbf*ft}}")
+    found = shown("load: {speed: 100 rad/s, torque: 1 kN*m}" + text)
+    assert found["AMLG_Nm"].values[-1] == pytest.approx([3.5 * 135.581795, 1000])
+    assert found["W_rpm"].values[0] == pytest.approx([954.929659] * 2)  # 100*30/pi
+    only = shown("load: {speed: 1000 rpm}" + SET)
+    assert "W_rpm" in only
+    assert not {"AMLG_Nm", "losses_kW", "input_power_kW"} & only.keys()
+
+
+def test_drag_in_newton_metres_is_related_to_the_torque_of_each_gear() -> None:
+    text = "load: {torque: 200 N*m}\ndrag: {carrier: 2 N*m}" + SET
+    text = changed(
+        "direct: {engaged: [C]}", "direct: {engaged: [C], load: {torque: 100 N*m}}", text
+    )
+    results = library.solve(loaded(text))
+    assert results.drag_losses == pytest.approx([0.01 / 3.5, 0.02])
+    assert results.efficiency[1] == pytest.approx(0.98)
+
+
+def test_an_equivalent_deck_gives_the_same_gears() -> None:
+    deck = vstatics("convert", CASES / "ravigneaux-aod.yaml", "-", "--to", "deck").out
+    here, there = library.solve(loaded(AOD)), library.solve(read(deck.encode(), "a.dat").case)
+    assert there.ratio == pytest.approx(here.ratio)
+    assert there.efficiency == pytest.approx(here.efficiency)
