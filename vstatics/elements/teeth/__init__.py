@@ -2,7 +2,7 @@
 
 A case with such teeth stays calculable: ratios and torques ask for numbers only. So these
 are warnings and notes. They hold for the usual profile of 20 degrees with tips one module
-high. Each tells what nearby teeth would do.
+high. The first about an element tells what nearby teeth would do.
 
 `gathering` asks all questions: `assembly` and `spacing` those about planets, `meshing` those
 about any wheels that mesh. `subjects` and `layout` know an element's teeth, `nearby` others.

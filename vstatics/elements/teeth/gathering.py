@@ -87,7 +87,7 @@ def _sprockets(element: Element) -> Iterator[Doubt]:
 
 
 def _with_cures(subject: Subject) -> Iterator[Doubt]:
-    """The doubts about an element, each with the nearest teeth that leave none."""
+    """The doubts about an element; the first that teeth cure has the nearest that leave none."""
     found = [*_wrong(subject)]
     least = min((wheel.teeth for wheel in subject.wheels().values()), default=0)
 
@@ -105,8 +105,11 @@ def _with_cures(subject: Subject) -> Iterator[Doubt]:
         has_cure = bool(cures)
     for doubt in found:
         hint = counts(subject) if doubt.about is None else ""
-        hint += cures if doubt.has_cure else ""
+        if doubt.has_cure:
+            hint, cures = hint + cures, ""
         yield doubt._replace(message=doubt.message + hint)
+    if subject.element.planets is None and subject.element.kind != "gear_pair":
+        return
     for doubt in hunting(subject.meshes(), subject.against):
         coprime = filter(subject.is_hunting, nearest(subject.space) if has_cure else ())
         hint = suggested(subject, filter(is_right, coprime), "without a common divisor")
