@@ -544,6 +544,7 @@ def test_common_divisors_of_an_element_are_told_together() -> None:
         in problem.message
     )
     assert not told(element("planetary", 3, sun=49, ring=95, planet=23), "common divisor")
+    assert not told(element("planetary", sun=48, ring=96, planet=24), "common divisor")
 
 
 def test_a_chain_wants_more_teeth() -> None:
@@ -575,7 +576,8 @@ def test_there_is_nothing_to_say_about(one: Element) -> None:
 
 
 def test_nearby_teeth_are_told_with_their_ratio() -> None:
-    (problem,) = told(element("planetary", 3, sun=48, ring=97), "assembled")
+    (problem,) = told(element("planetary", 3, sun=48, ring=97), "nearest that fit")
+    assert problem == found(element("planetary", 3, sun=48, ring=97))[0]  # of two that it cures
     assert problem.message.endswith(
         "; nearest that fit: sun 48, ring 96 (ratio -2) or sun 47, ring 97 (ratio -2.0638)"
     )
@@ -588,7 +590,7 @@ def test_a_pair_keeps_its_ratio_where_a_wheel_grows() -> None:
 
 def test_of_many_wheels_those_that_change_are_told() -> None:
     other = replace(UMDM, wheels=[*UMDM.wheels[:4], CentralWheel("8", 5, 75, True, "B2")])
-    (problem,) = told(other, "assembled")
+    (problem,) = told(other, "nearest that fit")
     # 74/28 = 2.6429 and so on: the published teeth
     assert (
         "; nearest that fit: ring `8` 74 (ratios 2.6429, -2.1765, -1.3214, 1.3214)"

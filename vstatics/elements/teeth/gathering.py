@@ -1,0 +1,127 @@
+"""All doubts about the teeth of elements, with what nearby teeth would do."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from vstatics.elements.element import Drawing, Element
+from vstatics.elements.group import group_of
+from vstatics.elements.kinds import EXTERNAL, INTERNAL, Planetary
+from vstatics.elements.teeth.assembly import bevel_assembled, goes_in
+from vstatics.elements.teeth.layout import Doubt, Key, Teeth
+from vstatics.elements.teeth.meshing import UNCUT, hunting, interfering, undercut
+from vstatics.elements.teeth.nearby import nearest
+from vstatics.elements.teeth.spacing import counts, of_planets
+from vstatics.elements.teeth.subjects import OfPlanets, OfWheels, Subject, suggested
+from vstatics.errors import Path, Problem
+
+
+def doubts(drawing: Drawing) -> Iterator[Problem]:
+    """What is doubtful about the teeth of a drawing's elements, in their order.
+
+    Parameters
+    ----------
+    drawing : Drawing
+        Elements without errors (`vstatics.elements.checks`).
+
+    Yields
+    ------
+    Problem
+        Warnings and notes, never errors, with the path of what they are about.
+
+    Notes
+    -----
+    Conditions of coaxiality, assembly, neighbouring planets and undercut as the synthesis
+    of planetary gears has them (after Willis; Ravigneaux sets after Simionescu). What has
+    no whole number of teeth is left out; so are belts, worms, shafts.
+
+    Examples
+    --------
+    >>> members = {"sun": 1, "ring": 2, "carrier": 3}
+    >>> given = Element("P", "planetary", members, {"sun": 47, "ring": 97}, planets=5)
+    >>> (problem,) = doubts(Drawing(3, [given]))
+    >>> print(problem.message.replace("; ", "\\n"))
+    5 equally spaced planets can't be assembled: (sun + ring)/planets = 144/5 is not whole
+    they fit at multiples of 1/144 turn
+    4 or 6 planets fit
+    nearest that fit: sun 46, ring 94 (ratio -2.0435) or sun 49, ring 101 (ratio -2.0612)
+    """
+    for number, element in enumerate(drawing.elements, 1):
+        for doubt in _doubts(element):
+            path = ("elements", number, *_place(element, doubt.about))
+            yield Problem(doubt.message, path, severity=doubt.severity)
+
+
+def _doubts(element: Element) -> Iterator[Doubt]:
+    if not all(float(count).is_integer() for count in element.teeth.values()):
+        return
+    if isinstance(element.shape, Planetary):
+        yield from _with_cures(OfPlanets(element))
+    elif element.kind == "chain":
+        yield from _sprockets(element)
+    elif element.teeth and set(element.shape.meshes) <= {EXTERNAL, INTERNAL, "bevel"}:
+        yield from _with_cures(OfWheels(element))
+
+
+def _place(element: Element, about: Key | None) -> Path:
+    """Where the teeth that a doubt is about stand in an element."""
+    if about is None:
+        return ("planets",)
+    if isinstance(about, int) and element.rims:
+        wheel = element.wheels[about]
+        alike = [one for one in element.wheels if one.internal == wheel.internal]
+        return ("rings" if wheel.internal else "suns", alike.index(wheel) + 1, "teeth")
+    if isinstance(about, int):
+        return ("teeth", group_of(element).wheels[about].member)
+    for planet, rims in element.rims.items():
+        if about in rims:
+            return ("rims", planet, about)
+    return ("teeth", about) if about in element.teeth else ("teeth",)
+
+
+def _sprockets(element: Element) -> Iterator[Doubt]:
+    for name, teeth in element.teeth.items():
+        if teeth < UNCUT:
+            message = f"{name} {teeth:g} runs roughly: a chain wants {UNCUT} teeth or more"
+            yield Doubt(message, name, "note")
+
+
+def _with_cures(subject: Subject) -> Iterator[Doubt]:
+    """The doubts about an element; the first that teeth cure has the nearest that leave none."""
+    found = [*_wrong(subject)]
+    least = min((wheel.teeth for wheel in subject.wheels().values()), default=0)
+
+    def is_right(teeth: Teeth) -> bool:
+        """Nothing to cure, and no wheel that newly needs a shifted profile."""
+        return (
+            min(teeth.values()) >= min(least, UNCUT)
+            and goes_in(subject, teeth)
+            and not any(doubt.has_cure for doubt in _wrong(subject, teeth))
+        )
+
+    cures, has_cure = "", True
+    if any(doubt.has_cure for doubt in found):
+        cures = suggested(subject, filter(is_right, nearest(subject.space)), "that fit")
+        has_cure = bool(cures)
+    for doubt in found:
+        hint = counts(subject) if doubt.about is None else ""
+        if doubt.has_cure:
+            hint, cures = hint + cures, ""
+        yield doubt._replace(message=doubt.message + hint)
+    if subject.element.planets is None and subject.element.kind != "gear_pair":
+        return
+    for doubt in hunting(subject.meshes(), subject.against):
+        coprime = filter(subject.is_hunting, nearest(subject.space) if has_cure else ())
+        hint = suggested(subject, filter(is_right, coprime), "without a common divisor")
+        yield doubt._replace(message=doubt.message + hint)
+
+
+def _wrong(subject: Subject, teeth: Teeth | None = None) -> Iterator[Doubt]:
+    """What is wrong with the teeth of an element, or with others in their place; wear apart."""
+    if isinstance(subject, OfPlanets):
+        yield from of_planets(subject.layout(teeth))
+    if subject.element.kind == "bevel":
+        yield from bevel_assembled(subject.element, teeth or subject.known())
+    else:
+        yield from undercut(subject.wheels(teeth).values())
+        yield from interfering(subject.meshes(teeth))

@@ -1,0 +1,227 @@
+"""The places of planets: on one axis with their wheels, clear of these and of one another."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from fractions import Fraction
+
+from vstatics.elements.element import CentralWheel
+from vstatics.elements.teeth.assembly import assembled, placements
+from vstatics.elements.teeth.layout import SHIFT, Doubt, Layout
+from vstatics.elements.teeth.subjects import OfPlanets, Subject
+
+NO_GAP = 1e-9
+"""Modules that are lost in rounding."""
+
+CLEAR = 4
+"""Of two tips on either side: teeth by which wheels differ that pass one another."""
+
+PASSING = {
+    "double_planet": (("inner", "ring"), ("outer", "sun")),
+    "ravigneaux": (("long", "small_sun"),),
+}
+"""Rims and wheels that stand side by side without meshing."""
+
+
+def of_planets(layout: Layout) -> Iterator[Doubt]:
+    """Everything about the places of planets, each part of it in turn."""
+    hopeless = [*_without_room(layout)]
+    yield from hopeless
+    if not hopeless:
+        yield from _coaxial(layout)
+        yield from _modules(layout)
+        yield from _triangles(layout)
+        yield from _clear_wheels(layout)
+        yield from _planets(layout)
+
+
+def _without_room(layout: Layout) -> Iterator[Doubt]:
+    for planet, rims in layout.group.planets.items():
+        for rim, teeth in rims.items():
+            if teeth is not None and teeth < 1:
+                message = f"no planet `{planet}` fits between the wheels around it"
+                yield Doubt(message, layout.key(layout.around(rim)[-1]))
+
+
+def _coaxial(layout: Layout) -> Iterator[Doubt]:
+    """Wheels that mesh with one rim stand at one distance from it."""
+    for rim in layout.group.planet_of:
+        wheels, teeth = layout.around(rim), layout.teeth(rim)
+        if not wheels or teeth is None:
+            continue
+        first, *others = wheels
+        if teeth.denominator > 1:
+            message = (
+                f"no standard {layout.label(rim)} fits between: ({_difference(layout, rim)})/2 = "
+                f"{float(teeth):g} is not whole; speeds of planets take it as it is"
+            )
+            yield Doubt(message, layout.key(wheels[-1]), "note")
+        for other in others:
+            change = int((layout.span(other) or 0) - (layout.span(first) or 0))
+            if change and teeth.denominator == 1:
+                yield _off_axis(layout, first, other, change)
+
+
+def _difference(layout: Layout, rim: str) -> str:
+    sun, ring = sorted(layout.around(rim), key=lambda wheel: wheel.internal)
+    return f"{layout.label(ring)} - {layout.label(sun)}"
+
+
+def _off_axis(layout: Layout, first: CentralWheel, other: CentralWheel, change: int) -> Doubt:
+    wanted = layout.label(first)
+    if first.internal != other.internal:
+        wanted += f" {'-' if first.internal else '+'} 2 {layout.label(first.rim)}"
+    message = f"{layout.label(other)} {other.teeth} is not {wanted} = {other.teeth - change}"
+    if abs(change) <= SHIFT:
+        message += ": runs with shifted profiles only"
+        return Doubt(message, layout.key(other), "note")
+    return Doubt(f"{message}: their axes don't coincide", layout.key(other))
+
+
+def _modules(layout: Layout) -> Iterator[Doubt]:
+    """Different rims of a planet may differ in module, and often have to."""
+    for rims in layout.group.planets.values():
+        first, *others = [rim for rim in rims if layout.around(rim)] or [""]
+        for rim in others:
+            here, there = layout.axis(rim), layout.axis(first)
+            if here and there and here[0] != there[0] and min(here[0], there[0]) > 0:
+                ratio = there[0] / here[0]
+                shifted = abs(here[0] - there[0]) <= SHIFT
+                message = (
+                    f"coaxial with {'shifted profiles, or with ' if shifted else ''}"
+                    f"different modules: that of {layout.label(rim)} is "
+                    f"{float(ratio):.5g} times that of {layout.label(first)} ({ratio})"
+                )
+                yield Doubt(message, rim, "note", has_cure=False)
+
+
+def _triangles(layout: Layout) -> Iterator[Doubt]:
+    """Planets that mesh with one another stand at the corners of a triangle with the axis."""
+    for one, other in layout.group.meshes:
+        sides = _sides(layout, one, other)
+        if sides is None or abs(sides[0] - sides[1]) < sides[2] < sides[0] + sides[1]:
+            continue
+        first, second, apart = (float(side) / 2 for side in sides)
+        names = f"{layout.label(one)} and {layout.label(other)}"
+        message = (
+            f"{names} can't mesh: on axes at the radii {first:g} and {second:g} modules their "
+            f"distance {apart:g} would have to lie between {abs(first - second):g} and "
+            f"{first + second:g}"
+        )
+        rims = layout.group.planets
+        alone = all(len(rims[layout.group.planet_of[rim]]) == 1 for rim in (one, other))
+        if alone:
+            yield Doubt(message, one)
+        else:
+            yield Doubt(f"{message}, if all rims have one module", one, "note", has_cure=False)
+
+
+def _sides(layout: Layout, one: str, other: str) -> tuple[Fraction, Fraction, Fraction] | None:
+    """Twice the radii of two axes of planets, and twice their distance, in modules."""
+    first, second = layout.axis(one), layout.axis(other)
+    teeth = (layout.teeth(one), layout.teeth(other))
+    if first is None or second is None or teeth[0] is None or teeth[1] is None:
+        return None
+    return first[0], second[0], teeth[0] + teeth[1]
+
+
+def _clear_wheels(layout: Layout) -> Iterator[Doubt]:
+    """Meshed planets keep clear of the wheel that they pass.
+
+    A Ravigneaux ring stands beside the short planets, over the large sun, and long planets
+    may end before the small sun: that is only worth a note.
+    """
+    for rim, member in PASSING.get(layout.element.kind, ()):
+        axis = layout.axis(rim) if rim in layout.group.planet_of else None
+        teeth = layout.teeth(rim) if axis else None
+        passed = next((wheel for wheel in layout.group.wheels if wheel.member == member), None)
+        if axis is None or teeth is None or passed is None:
+            continue
+        room = passed.teeth - axis[0] if passed.internal else axis[0] - passed.teeth
+        if room - teeth >= CLEAR:
+            continue
+        names = f"{rim} {teeth} and {member} {passed.teeth}"
+        if layout.element.kind == "ravigneaux":
+            message = f"tips of {names} would touch where they stood side by side"
+            yield Doubt(message, layout.key(passed), "note", has_cure=False)
+        else:
+            yield Doubt(f"tips of {names} touch, which are not to mesh", rim)
+
+
+def _planets(layout: Layout) -> Iterator[Doubt]:
+    """Whether so many planets go in."""
+    count = layout.element.planets or 1
+    if count > 1:
+        yield from assembled(layout)
+        yield from _touching(layout, count)
+
+
+def _touching(layout: Layout, count: int) -> Iterator[Doubt]:
+    """Tips of neighbouring planets must not meet."""
+    sine = math.sin(math.pi / count)
+    for rims in layout.group.planets.values():
+        found = [_gap(layout, rim, sine) for rim in rims]
+        gap, rim = min(filter(None, found), default=(1.0, ""))
+        if gap < NO_GAP:
+            yield _touched(layout, rim, count)
+    for one, other in layout.group.meshes:
+        yield from _crossing(layout, one, other, count)
+
+
+def _gap(layout: Layout, rim: str, sine: float) -> tuple[float, str] | None:
+    """How far the tips of neighbours are apart, in modules; which rim it is."""
+    axis, teeth = layout.axis(rim), layout.teeth(rim)
+    if axis is None or teeth is None:
+        return None
+    return float(axis[0]) * sine - float(teeth) - 2, rim
+
+
+def _touched(layout: Layout, rim: str, count: int) -> Doubt:
+    axis, teeth = layout.axis(rim), layout.teeth(rim)
+    if axis is None or teeth is None:
+        raise TypeError(rim)
+    span, wheel = axis
+    name = layout.label(rim)
+    sign = "-" if wheel.internal else "+"
+    apart = float(span) * math.sin(math.pi / count)
+    message = (
+        f"tips of neighbouring planets touch: ({layout.label(wheel)} {sign} "
+        f"{layout.label(wheel.rim)}) sin(180°/{count}) = {apart:.4g}, "
+        f"expected more than {name} + 2 = {float(teeth) + 2:g}"
+    )
+    return Doubt(message, None)
+
+
+def _crossing(layout: Layout, one: str, other: str, count: int) -> Iterator[Doubt]:
+    """A planet against the meshing planet of the next place."""
+    sides = _sides(layout, one, other)
+    if sides is None or not abs(sides[0] - sides[1]) < sides[2] < sides[0] + sides[1]:
+        return
+    first, second, apart = (float(side) / 2 for side in sides)
+    angle = math.acos((first**2 + second**2 - apart**2) / (2 * first * second))
+    turn = 2 * math.pi / count
+    beyond = first**2 + second**2 - 2 * first * second * math.cos(turn - angle)
+    distance = math.sqrt(max(beyond, 0.0))
+    if distance - apart - 2 < NO_GAP:
+        message = (
+            f"{layout.label(one)} and {layout.label(other)} of neighbouring planets touch with "
+            f"their tips: axes are {distance:.4g} modules apart, expected more than {apart + 2:g}"
+        )
+        yield Doubt(message, None)
+
+
+def counts(subject: Subject) -> str:
+    """Numbers of planets near that of an element which would go in."""
+    count = subject.element.planets or 1
+    if not isinstance(subject, OfPlanets):
+        return ""
+    layout = subject.given
+    trains = [placements(layout.group, train) for train in layout.group.trains]
+    fit = [
+        number
+        for number in range(max(2, count - 3), count + 3)
+        if not any(places % number for places in trains) and not any(_touching(layout, number))
+    ]
+    fit = sorted(sorted(fit, key=lambda number: abs(number - count))[:2])
+    return f"; {' or '.join(map(str, fit))} planets fit" if fit else ""
