@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from vstatics.elements.element import Drawing, Element
 from vstatics.elements.group import group_of
-from vstatics.elements.kinds import EXTERNAL, INTERNAL, Planetary
+from vstatics.elements.kinds import Planetary
 from vstatics.elements.teeth.assembly import bevel_assembled, goes_in
 from vstatics.elements.teeth.layout import Doubt, Key, Teeth
 from vstatics.elements.teeth.meshing import UNCUT, hunting, interfering, undercut
@@ -59,7 +59,7 @@ def _doubts(element: Element) -> Iterator[Doubt]:
         yield from _with_cures(OfPlanets(element))
     elif element.kind == "chain":
         yield from _sprockets(element)
-    elif element.teeth and set(element.shape.meshes) <= {EXTERNAL, INTERNAL, "bevel"}:
+    elif element.teeth and element.shape.meshes:
         yield from _with_cures(OfWheels(element))
 
 
