@@ -1,5 +1,7 @@
 """Options of the test run."""
 
+import gc
+
 import pytest
 
 
@@ -9,6 +11,13 @@ def pytest_addoption(parser: pytest.Parser) -> None:
         action="store_true",
         help="rewrite tests/golden; a test fails where something changed, and shows it",
     )
+
+
+@pytest.fixture(scope="module", autouse=True)
+def frozen() -> None:
+    """Whatever lives by now lives to the end: the collector need not go through it again."""
+    gc.collect()
+    gc.freeze()
 
 
 @pytest.fixture
