@@ -43,10 +43,12 @@ def problems(case: Transmission) -> Iterator[Problem]:
         yield from _mechanism(mechanism, ("mechanisms", number), case.links)
         if number > drawn:
             yield from _doubtful(mechanism, ("mechanisms", number))
-    yield from _load(case.load, ())
+    yield from _load(case.load, (), has_freewheels=bool(case.freewheels))
     for number, gear in enumerate(case.gears, 1):
         yield from _gear(case, gear, ("gears", number))
-        yield from _load(gear.load, ("gears", number))
+        if gear.load:
+            freewheels = bool(case.freewheels)
+            yield from _load(case.gear_load(gear), ("gears", number), has_freewheels=freewheels)
     if case.idle not in ("exact", "published"):
         yield Problem(f"read {case.idle!r}, expected `exact` or `published`", ("idle",))
 
@@ -164,7 +166,8 @@ def _link(link: int, path: Path, links: int, lowest: int = HOUSING) -> Iterator[
         expected = f"a link number from 1 to {links}"
         if lowest == HOUSING:
             expected += " (0 is the housing)"
-        yield Problem(f"read {link!r}, expected {expected}", path)
+        housing = " (the housing)" if link == HOUSING else ""
+        yield Problem(f"read {link!r}{housing}, expected {expected}", path)
 
 
 def _element(case: Transmission, element: ShiftElement, path: Path) -> Iterator[Problem]:
@@ -288,11 +291,25 @@ def _gear(case: Transmission, gear: Gear, path: Path) -> Iterator[Problem]:
             yield Problem(f"{message}; give one of the two", (*path, "torques", link))
 
 
-def _load(load: Load | None, path: Path) -> Iterator[Problem]:
-    for quantity, value in (load or Load())._asdict().items():
+def _load(load: Load | None, path: Path, *, has_freewheels: bool) -> Iterator[Problem]:
+    load = load or Load()
+    for quantity, value in load._asdict().items():
         if value is not None and (value == 0 or not math.isfinite(value)):
             message = f"read {value}, expected a finite number other than 0"
             yield Problem(message, (*path, "load", quantity))
+    if (load.speed or 0) * (load.torque or 0) < 0:
+        message = (
+            f"read {load.torque:g} N*m at {load.speed:g} rpm, so power would leave at the input; "
+            "expected equal signs (`coast: true` turns the torque by itself)"
+        )
+        yield Problem(message, (*path, "load"))
+    elif has_freewheels and min(load.speed or 1, load.torque or 1) < 0:
+        message = (
+            "the input turns backward, but freewheels are settled for an input that turns "
+            "forward; expected a speed and a torque above 0, with the links of the freewheels "
+            "exchanged if the input does turn backward"
+        )
+        yield Problem(message, (*path, "load"))
 
 
 def _dragging(case: Transmission, gear: Gear, path: Path) -> Iterator[Problem]:

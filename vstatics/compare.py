@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Generator, Iterator, Sequence
 from typing import NamedTuple
 
 from vstatics.model import Transmission
@@ -49,7 +49,26 @@ def differences(
             yield from _lacking(shape, actual, expected)
         else:
             names = _Names(shape, expected.case or actual.case)
+            rows = [report.rows.get(shape.name, ()) for report in (actual, expected)]
+            if all(rows):
+                names.rows, here, there = yield from _by_name(shape, rows, here, there)
             yield from _table(names, here, there, atol, rtol)
+
+
+def _by_name(
+    shape: TableShape, rows: Sequence[Sequence[str]], here: Figures, there: Figures
+) -> Generator[Difference, None, tuple[Sequence[str], Figures, Figures]]:
+    """The rows that both results have, in one order, after those that only one has."""
+    found, wanted = (
+        dict(zip(*pair, strict=True)) for pair in zip(rows, (here, there), strict=True)
+    )
+    for name in [*found, *(name for name in wanted if name not in found)]:
+        if name not in wanted:
+            yield Difference(shape.name, name, "", "has this row", "does not have it")
+        elif name not in found:
+            yield Difference(shape.name, name, "", "does not have this row", "has it")
+    both = [name for name in wanted if name in found]
+    return both, [found[name] for name in both], [wanted[name] for name in both]
 
 
 def _lacking(shape: TableShape, actual: Report, expected: Report) -> Iterator[Difference]:

@@ -69,9 +69,24 @@ def messages(results: Results) -> Iterator[Message]:
             *_speed_messages(results, number, gear),
             *_torque_messages(results, number, gear),
             *_loss_messages(results, number, gear),
+            *(_shared(case, given, held) if held else ()),
             *(_drag_messages(results, number, gear) if has_drag else ()),
         ):
             yield Message(severity, text, gear.name)
+
+
+def _shared(case: Transmission, gear: Gear, held: Sequence[int]) -> Iterator[Said]:
+    """Freewheels that could hold as well as those that do."""
+    others = freewheels.as_well(case, gear, held, _ratios(case))
+    if others:
+        ones, twos = (
+            [case.shift_elements[number - 1].name for number in numbers]
+            for numbers in (held, others)
+        )
+        yield _warning(
+            f"freewheel{_s(len(twos))} {_list(twos)} could hold in place of {_list(ones)}: the "
+            f"torques that they share are not determined, those with {_list(ones)} are given"
+        )
 
 
 def _drag_messages(results: Results, number: int, gear: Gear) -> Iterator[Said]:
@@ -171,11 +186,20 @@ def _excess(case: Transmission, gear: Gear) -> Iterator[Said]:
     for involved, agrees in elimination.dependencies(rows):
         engaged = [names[i] for i in involved if mechanisms <= i < mechanisms + len(gear.engaged)]
         others = [names[i] for i in involved if i >= mechanisms + len(gear.engaged)]
-        conditions = _list(engaged + others) or _list([names[i] for i in involved])
+        every = [names[i] for i in involved]
+        conditions = _list(engaged + others) or _list(every)
         if not agrees:
+            given = [n for n in others if n != matrix.INPUT_SPEED]
+            cures = [
+                "release one of the engaged elements" * bool(engaged),
+                "leave out a given speed" * bool(given),
+            ]
+            cure = " or ".join(filter(None, cures))
+            if not cure:
+                conditions, cure = _list(every), "check which links these join and their ratios"
             yield _error(
                 f"tied up: {conditions} contradict each other, so the input can't turn as "
-                "given; release one of the engaged elements or leave out a given speed"
+                f"given; {cure}"
             )
         elif engaged:
             yield _warning(
@@ -246,14 +270,18 @@ def _loss_messages(results: Results, number: int, gear: Gear) -> Iterator[Said]:
         )
     idle = _coincidences(results, number, gear)
     if idle:
+        what = "torques with losses and efficiency depend"
+        if not any(idle.values()):
+            what = "torques with losses, but not the efficiency, depend"
         yield _warning(
-            f"{_list(idle)}: idle by coincidence; torques with losses and efficiency "
-            "depend on the direction of power assumed there"
+            f"{_list([*idle])}: idle by coincidence; {what} on the direction of power assumed there"
         )
 
 
-def _coincidences(results: Results, number: int, gear: Gear) -> list[str]:
+def _coincidences(results: Results, number: int, gear: Gear) -> dict[str, bool]:
     """Names of the idle mechanisms whose direction of power, which is assumed, matters.
+
+    And whether it matters for the efficiency too.
 
     Where engaged elements hold a mechanism as one piece only the split of torque depends
     on it. Otherwise a torque at the ports does, and so the efficiency.
@@ -269,16 +297,19 @@ def _coincidences(results: Results, number: int, gear: Gear) -> list[str]:
         held = _held_as_one(case, gear)
         idle = [place for place in idle if place not in held]
     if not idle or not results.consistent[number]:
-        return []
+        return {}
     signs = results.power_sign[number].tolist()
     speeds, slips = results.speeds[number].tolist(), results.slip_speeds[number].tolist()
     dragging = drag.acting(case, gear, speeds, slips)
 
-    def at_ports(place: int, sign: float) -> list[float]:
+    def at_ports(place: int, sign: float) -> tuple[list[float], float]:
+        """Torques that the ports have, and the power that enters by these."""
         turned = [*signs[:place], sign, *signs[place + 1 :]]
         ratios = list(map(with_loss, _ratios(case), efficiencies, turned))
         torques = solve_torques(case, gear, ratios, dragging)
-        return [torques.first[-1], *torques.holding.values()]
+        given = {**torques.holding, case.gear_output(gear): -torques.first[-1]}
+        entering = sum(torque * speeds[link - 1] for link, torque in given.items())
+        return [torques.first[-1], *torques.holding.values()], entering
 
     if not gear.speeds and not gear.torques:
         # by virtual work the output torque depends on a ratio only where its mechanism
@@ -286,11 +317,13 @@ def _coincidences(results: Results, number: int, gear: Gear) -> list[str]:
         ratios = list(map(with_loss, _ratios(case), efficiencies, signs))
         motion = solve_speeds(case, gear, ratios).motion
         idle = [place for place in idle if motion[place] != 0]
-    return [
-        case.mechanisms[place].name
-        for place in idle
-        if _differ(at_ports(place, 1.0), at_ports(place, -1.0 if efficiencies[place].back else 0.0))
-    ]
+    found = {}
+    for place in idle:
+        one, lost = at_ports(place, 1.0)
+        other, otherwise = at_ports(place, -1.0 if efficiencies[place].back else 0.0)
+        if _differ(one, other):
+            found[case.mechanisms[place].name] = not abs(lost - otherwise) <= TIE
+    return found
 
 
 def _differ(one: list[float], other: list[float]) -> bool:

@@ -53,7 +53,7 @@ def settle(
     ratios, efficiencies : sequence of Number
         Of each mechanism: floats, or traced numbers. [-]
     """
-    both, output = both_ways(case, efficiencies), case.gear_output(gear) - 1
+    both = both_ways(case, efficiencies)
     if not case.freewheels:
         return _state(case, gear, ratios, both, solve_speeds(case, gear, ratios))
     nobody = solve_speeds(case, gear, ratios)
@@ -62,14 +62,50 @@ def settle(
     if driven_backward(case, gear, nobody):
         return _conflict(case, gear, ratios, both, nobody)
     for held in _sets(case):
-        chosen = holding(gear, held)
-        speeds = solve_speeds(case, chosen, ratios) if held else nobody
-        drives = speeds.consistent and not math.isnan(sign(speeds.links[output]))
-        if drives and not driven_backward(case, chosen, speeds):
-            state = _state(case, chosen, ratios, both, speeds)
-            if all(_can_hold(state, number) for number in held):
-                return state
+        speeds = solve_speeds(case, holding(gear, held), ratios) if held else nobody
+        state = _possible(case, gear, held, ratios, both, speeds)
+        if state is not None:
+            return state
     return _state(case, gear, ratios, both, nobody)
+
+
+def _possible(
+    case: Transmission,
+    gear: Gear,
+    held: Held,
+    ratios: Sequence[Number],
+    efficiencies: Sequence[Efficiency],
+    speeds: Speeds,
+) -> State | None:
+    """The gear with some freewheels holding, if they can and the others can overrun."""
+    chosen, output = holding(gear, held), case.gear_output(gear) - 1
+    drives = speeds.consistent and not math.isnan(sign(speeds.links[output]))
+    if not drives or driven_backward(case, chosen, speeds):
+        return None
+    state = _state(case, chosen, ratios, efficiencies, speeds)
+    return state if all(_can_hold(state, number) for number in held) else None
+
+
+def as_well(
+    case: Transmission, gear: Gear, held: Sequence[int], ratios: Sequence[float]
+) -> list[int]:
+    """Numbers of the freewheels that could hold in place of some of those that do.
+
+    Then statics does not determine the torques that they share.
+
+    Parameters
+    ----------
+    held : sequence of int
+        The freewheels that hold.
+    """
+    both = both_ways(case, [mechanism.efficiency for mechanism in case.mechanisms])
+    others: set[int] = set()
+    for chosen in combinations(case.freewheels, len(held)):
+        if chosen != tuple(held):
+            speeds = solve_speeds(case, holding(gear, chosen), ratios)
+            if _possible(case, gear, chosen, ratios, both, speeds) is not None:
+                others.update(chosen)
+    return sorted(others.difference(held))
 
 
 def holding(gear: Gear, held: Sequence[int]) -> Gear:

@@ -29,6 +29,9 @@ from vstatics.traced import Number
 Column = dict[int, Entry]
 """Link number -> torque on that link when the torque on the first link is 1."""
 
+INPUT_SPEED = "the input speed"
+"""How messages call this condition."""
+
 
 def columns(
     case: Transmission, ratios: Sequence[Number], arithmetic: Arithmetic = FLOATS
@@ -142,7 +145,7 @@ def speed_row_names(case: Transmission, gear: Gear) -> list[str]:
     return [
         *(mechanism.name for mechanism in case.mechanisms),
         *(case.shift_elements[number - 1].name for number in gear.engaged),
-        "the input speed",
+        INPUT_SPEED,
         *(f"the given speed of link {case.link_name(link)}" for link in gear.speeds),
     ]
 

@@ -57,7 +57,10 @@ WITH_UNITS: tuple[tuple[str, str, Rows, str, str], ...] = (
     ("AMLGP_Nm", "AMLGPNM", "torques", "Nm", "AMLGP"),
     ("mesh_torques_Nm", "MESHNM", "meshes", "Nm", "mesh_torques"),
     ("lossy_mesh_torques_Nm", "MESHPNM", "meshes", "Nm", "lossy_mesh_torques"),
+    ("AMWZ_Nm", "AMWZNM", "links", "Nm", "AMWZ"),
+    ("AMWZP_Nm", "AMWZPNM", "links", "Nm", "AMWZP"),
     ("losses_kW", "LOSSKW", "mechanisms", "kW", "losses"),
+    ("drag_losses_kW", "DRAGKW", "one", "kW", "drag_losses"),
     ("input_power_kW", "PINKW", "one", "kW", ""),
     ("output_power_kW", "POUTKW", "one", "kW", ""),
 )
@@ -87,6 +90,9 @@ TABLES = (
     *(_with_unit(*table) for table in WITH_UNITS),
 )
 """All tables in the order in which they are written."""
+
+NAME = "|"
+"""Stands before the name of a row in a listing."""
 
 OUTPUT = "Mx"
 """The name of the row of the output torque."""

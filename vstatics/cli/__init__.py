@@ -35,6 +35,13 @@ class Commands(click.Group):
         except ReadError as error:
             files.show(error.problems)
             ctx.exit(1)
+        except (click.ClickException, click.exceptions.Exit, click.Abort, OSError):
+            raise
+        except Exception as error:  # noqa: BLE001 - whoever uses the program wants no trace
+            from vstatics.cli.cases import unexpected
+
+            files.show([unexpected(f"vstatics {ctx.invoked_subcommand}", error)])
+            ctx.exit(1)
 
     def list_commands(self, ctx: click.Context) -> list[str]:  # noqa: ARG002
         """All names, in the order of use."""

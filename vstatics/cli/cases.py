@@ -82,7 +82,8 @@ def calculate_one(file: str, settings: Settings) -> Outcome:
         found = _noted(reading) if settings.notes else serious(reading.warnings)
         problems = [*found, *_located(reading, results)]
     except ReadError as error:
-        return Outcome(name, None, error.problems)
+        found = error.problems if settings.notes else serious(error.problems)
+        return Outcome(name, None, found)
     except Exception as error:  # noqa: BLE001 - the other cases are to go on
         return Outcome(name, None, [unexpected(name, error)])
     return Outcome(name, results, problems)

@@ -8,6 +8,7 @@ import click
 
 from vstatics.cli import files
 from vstatics.errors import Place, Problem, ReadError, nearest
+from vstatics.readers import format_of_name
 from vstatics.templates import TEMPLATES, template
 
 
@@ -42,6 +43,10 @@ def new(target: str, name: str) -> None:
 
     A file that is there already is left as it is, and the exit status is 1.
     """
+    kind = format_of_name(target)
+    if kind not in (None, "yaml"):
+        message = f"is the name of a {kind} by its suffix, but a template is YAML; expected .yaml"
+        raise ReadError([Problem(message, place=Place(target, 0, 0))])
     if target != files.STDIN and os.path.lexists(target):
         message = "is there already; expected the name of a new file"
         raise ReadError([Problem(message, place=Place(target, 0, 0))])

@@ -6,11 +6,14 @@ which leave a case calculable, are in `teeth`.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping, Sequence
 
-from vstatics.elements.element import CentralWheel, Drawing, Element
+from vstatics.elements import group_checks
+from vstatics.elements.element import Drawing, Element
 from vstatics.elements.group import group_of
-from vstatics.elements.kinds import GROUP, KINDS, Planetary, Simple
+from vstatics.elements.group_checks import MOST
+from vstatics.elements.kinds import GROUP, KINDS, Kind, Planetary, Simple
 from vstatics.elements.lower import at_meshes
 from vstatics.errors import Path, Problem, nearest
 from vstatics.model import HOUSING
@@ -24,7 +27,7 @@ def problems(drawing: Drawing) -> Iterator[Problem]:
         found = [*_problems(element, path)]
         yield from found
         if not found and isinstance(element.shape, Planetary):
-            yield from _group(element, path)
+            yield from group_checks.whole(element, path)
 
 
 def hints(drawing: Drawing) -> Iterator[Problem]:
@@ -38,6 +41,27 @@ def hints(drawing: Drawing) -> Iterator[Problem]:
                     "exact then; `losses: meshes` calculates them at each mesh"
                 )
                 yield Problem(message, ("elements", number), severity="note")
+    yield from _side_by_side(drawing)
+
+
+def _side_by_side(drawing: Drawing) -> Iterator[Problem]:
+    """Sets that have a wheel and the carrier in common, as two halves of a Ravigneaux set do."""
+    seen: dict[tuple[int, int], str] = {}
+    for number, element in enumerate(drawing.elements, 1):
+        if not isinstance(element.shape, Planetary):
+            continue
+        group = group_of(element)
+        pairs = [(group.carrier, wheel.link) for wheel in group.wheels if wheel.link != HOUSING]
+        others = [seen[pair] for pair in pairs if pair in seen and group.carrier != HOUSING]
+        if others:
+            message = (
+                f"has a wheel and the carrier in common with {others[0]}: if they share planets "
+                "too, draw them as one element, such as `ravigneaux` or `planet_group`; losses "
+                "are not exact otherwise"
+            )
+            yield Problem(message, ("elements", number), severity="note")
+        for pair in pairs:
+            seen.setdefault(pair, element.name)
 
 
 def _problems(element: Element, path: Path) -> Iterator[Problem]:
@@ -46,8 +70,9 @@ def _problems(element: Element, path: Path) -> Iterator[Problem]:
         yield Problem(f"read {element.kind!r}, {known}", (*path, "kind"))
         return
     kind = element.shape
+    yield from _apart(element, kind, path)
     if element.kind == GROUP:
-        yield from _rims(element, path)
+        yield from group_checks.rims(element, path)
     elif isinstance(kind, Planetary):
         yield from _planetary(element, kind, path)
     else:
@@ -61,6 +86,9 @@ def _problems(element: Element, path: Path) -> Iterator[Problem]:
         message = f"read {back:g}, expected an efficiency from 0 (self-locking) to 1"
         yield Problem(message, (*path, "efficiency", "wheel"))
     yield from _mesh_efficiency(element.mesh_efficiency, path)
+    if element.efficiency is not None and element.mesh_efficiency:
+        message = "`efficiency` is that of the whole element; give one of the two"
+        yield Problem(message, (*path, "mesh_efficiency"))
     if element.planets is not None and element.planets < 1:
         message = f"read {element.planets}, expected the number of planets around the axis"
         yield Problem(message, (*path, "planets"))
@@ -93,10 +121,35 @@ def _planetary(element: Element, kind: Planetary, path: Path) -> Iterator[Proble
     }
     needed = [*wheels, *(rim for rim in kind.toothed if rim in used & several)]
     yield from _teeth(element, needed, kind.toothed, path)
-    sun, ring = (element.teeth.get(wheel) for wheel in ("sun", "ring"))
-    if sun and ring and ring <= sun:
-        message = f"read {ring:g}, expected more teeth than the sun's {sun:g}"
-        yield Problem(message, (*path, "teeth", "ring"))
+    for ring, sun in _around_one_rim(kind, wheels):
+        inner, outer = element.teeth.get(sun, 0), element.teeth.get(ring, math.inf)
+        if outer <= inner:
+            message = f"read {outer:g}, expected more teeth than the {inner:g} of {sun}"
+            yield Problem(message, (*path, "teeth", ring))
+
+
+def _around_one_rim(kind: Planetary, wheels: Sequence[str]) -> Iterator[tuple[str, str]]:
+    """Rings and the suns that mesh with the same rim."""
+    for ring in wheels:
+        for sun in wheels:
+            one, other = kind.wheels[ring], kind.wheels[sun]
+            if one.internal and not other.internal and one.rim == other.rim:
+                yield ring, sun
+
+
+def _apart(element: Element, kind: Kind, path: Path) -> Iterator[Problem]:
+    """Members on one link; what they belong to would turn as one piece or not at all."""
+    if element.kind == GROUP:
+        return  # two wheels on one link may mesh with planets of different trains
+    seen: dict[int, str] = {}
+    for member in kind.members:
+        link = element.members.get(member)
+        if link is None:
+            continue
+        if link in seen:
+            message = f"{seen[link]} and {member} are the same link, expected different ones"
+            yield Problem(message, (*path, member))
+        seen.setdefault(link, member)
 
 
 def _simple(element: Element, kind: Simple, path: Path) -> Iterator[Problem]:
@@ -125,64 +178,6 @@ def _teeth(
         if name not in known:
             message = f"unknown: expected {', '.join(known)}{nearest(name, known)}"
             yield Problem(message, (*path, size, name))
-        elif not count > 0:
-            yield Problem(f"read {count:g}, expected a number above 0", (*path, size, name))
-
-
-def _rims(element: Element, path: Path) -> Iterator[Problem]:
-    """A group of planets: names of rims, each known and only once."""
-    seen: dict[str, str] = {}
-    for planet, rims in element.rims.items():
-        place = (*path, "rims", planet)
-        if not rims:
-            yield Problem("there is no rim, expected its name and teeth", place)
-        for rim in rims:
-            if rim in seen:
-                message = f"rim `{rim}` is there already; expected a name of its own"
-                yield Problem(message, place)
-            seen[rim] = planet
-    if len(element.wheels) < 2:
-        yield Problem(f"{len(element.wheels)} suns and rings, expected two or more", path)
-    named: list[tuple[Path, str]]
-    named = [((*_wheel_path(element, wheel), "rim"), wheel.rim) for wheel in element.wheels]
-    for number, pair in enumerate(element.meshes, 1):
-        named += [(("meshes", number, side), pair[side - 1]) for side in (1, 2)]
-    for place, rim in named:
-        if rim not in seen:
-            known = nearest(rim, seen) or ": " + ", ".join(seen)
-            message = f"read `{rim}`, expected the name of a rim{known}"
-            yield Problem(message, (*path, *place))
-
-
-def _wheel_path(element: Element, wheel: CentralWheel) -> Path:
-    """Where a sun or a ring stands in its element: in a list for each."""
-    alike = [other for other in element.wheels if other.internal == wheel.internal]
-    return ("rings" if wheel.internal else "suns", alike.index(wheel) + 1)
-
-
-def _group(element: Element, path: Path) -> Iterator[Problem]:
-    """What only the group as a whole tells."""
-    group = group_of(element)
-    for one, other in group.meshes:
-        if group.planet_of[one] == group.planet_of[other]:
-            yield Problem(f"rims `{one}` and `{other}` are on one planet", (*path, "meshes"))
-            return
-    try:
-        trains = group.trains
-    except ValueError as error:
-        yield Problem(f"{error}: their teeth don't agree", (*path, "meshes"))
-        return
-    counts = [len(group.wheels_of(train)) for train in trains]
-    for train, count in zip(trains, counts, strict=True):
-        if count < 2:
-            names = " and ".join(train)
-            message = f"{count} central wheel meshes with planet {names}, expected two or more"
-            yield Problem(f"{message}; is a mesh between planets missing?", path)
-    if element.efficiency is not None and (max(counts) > 2 or len(counts) > 1):
-        message = "one efficiency for several paths of power; give `mesh_efficiency` instead"
-        yield Problem(message, (*path, "efficiency"))
-    carrier = group.carrier
-    for wheel in group.wheels:
-        if wheel.link == carrier != HOUSING:
-            message = f"{wheel.member} and carrier are the same link, expected different ones"
-            yield Problem(message, path)
+        elif not 1 / MOST < count < MOST:
+            message = f"read {count:g}, expected a number above 0 and below {MOST:g}"
+            yield Problem(message, (*path, size, name))

@@ -135,6 +135,13 @@ KINDS: Mapping[str, Kind] = {
         meshes=("bevel", "bevel"),
         optional_teeth=True,
     ),
+    "bevel_pair": Simple(
+        "Bevel or hypoid pair, such as a final drive: a positive ratio, as axes that cross have "
+        "no common direction.",
+        ("first", "second"),
+        ("first", "second"),
+        meshes=("bevel",),
+    ),
     "gear_pair": Simple(
         "External gear pair: the wheels turn in opposite directions.",
         ("first", "second"),

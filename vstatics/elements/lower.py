@@ -35,7 +35,7 @@ class Part(NamedTuple):
     element: Element | None
     lowered: tuple[Lowered, ...]
     planet_links: Mapping[str, int]
-    """Planets that are links."""
+    """Planets that are links, also those whose teeth are not known."""
 
     @property
     def members(self) -> dict[str, int]:
@@ -137,13 +137,14 @@ def _reduced(element: Element, group: PlanetGroup, given: MeshEfficiency) -> Ite
             if wheel is not reference:
                 single = len(wheels) == 2 and len(group.trains) == 1
                 name = "" if single else f".{wheel.member}-{reference.member}"
+                ratio = group.ratio(wheel, reference)
                 mechanism = Mechanism(
                     wheel.link,
                     reference.link,
                     group.carrier,
-                    ratio=float(group.ratio(wheel, reference)),
+                    ratio=float(ratio),
                     efficiency=element.efficiency or _of_path(group, wheel, reference, given),
-                    planet_ratio=_to_planet(group, wheel),
+                    planet_ratio=_to_planet(group, wheel, ratio),
                     name=element.name + name,
                 )
                 yield Lowered(mechanism, (wheel.member, reference.member, "carrier"))
@@ -157,10 +158,17 @@ def _of_path(
     return _of_wheel(first, given) * given.external ** len(between) * _of_wheel(second, given)
 
 
-def _to_planet(group: PlanetGroup, wheel: CentralWheel) -> float | None:
-    """Ratio of a wheel to the planet that it meshes with, where the planet's teeth are known."""
-    known = group.is_known(group.planet_of[wheel.rim])
-    return float(group.mesh_ratio(wheel)) if known else None
+def _to_planet(group: PlanetGroup, wheel: CentralWheel, ratio: Fraction) -> float | None:
+    """Ratio of a wheel to the planet that it meshes with, where the planet's teeth are known.
+
+    None for a planet that just fills the gap of a plain set: the solver knows its ratio, and
+    that of any other ratio of the set in a sweep.
+    """
+    if not group.is_known(group.planet_of[wheel.rim]):
+        return None
+    given = group.mesh_ratio(wheel)
+    is_plain = len(group.planet_of) == 1 and given == (1 + ratio) / 2
+    return None if is_plain else float(given)
 
 
 def _meshes(
@@ -176,7 +184,7 @@ def _meshes(
             group.carrier,
             ratio=ratio,
             efficiency=_of_wheel(wheel, given),
-            planet_ratio=ratio,
+            planet_ratio=ratio if group.is_known(planet) else None,
             name=f"{element.name}.{wheel.member}-{planet}",
         )
         yield Lowered(mechanism, (wheel.member, planet, "carrier"))
@@ -189,7 +197,7 @@ def _meshes(
             group.carrier,
             ratio=ratio,
             efficiency=given.external,
-            planet_ratio=ratio,
+            planet_ratio=ratio if group.is_known(a) and group.is_known(b) else None,
             name=f"{element.name}.{a}-{b}",
         )
         yield Lowered(mechanism, (a, b, "carrier"))

@@ -16,7 +16,7 @@ from vstatics.arrays import Booleans, Floats
 from vstatics.elements.group import PlanetGroup, group_of
 from vstatics.elements.kinds import Planetary
 from vstatics.elements.lower import Part, parts
-from vstatics.model import Transmission
+from vstatics.model import HOUSING, Transmission
 from vstatics.results import OUTPUT, Results
 
 ROUNDING = 2.0**-48
@@ -57,14 +57,32 @@ def shown(results: Results) -> dict[str, Shown]:
         "AMWZ": Shown(names, results.holding_torques[:, : drawing.links]),
         "AMWZP": Shown(names, results.lossy_holding_torques[:, : drawing.links]),
     }
-    at_meshes = [bool(part.planet_links) for part in made for _ in part.lowered]
-    meshes = np.flatnonzero(at_meshes).tolist()
+    meshes = list(_meshes(made))
     if meshes:
-        rows = [case.mechanisms[number].name for number in meshes]
-        columns = len(case.shift_elements) + np.array(meshes)
-        tables["mesh_torques"] = Shown(rows, results.torques[:, columns])
-        tables["lossy_mesh_torques"] = Shown(rows, results.lossy_torques[:, columns])
+        rows = [case.mechanisms[mesh.number].name for mesh in meshes]
+        columns = len(case.shift_elements) + np.array([mesh.number for mesh in meshes])
+        known = np.array([1.0 if mesh.is_known else np.nan for mesh in meshes])
+        tables["mesh_torques"] = Shown(rows, known * results.torques[:, columns])
+        tables["lossy_mesh_torques"] = Shown(rows, known * results.lossy_torques[:, columns])
     return tables
+
+
+class _Mesh(NamedTuple):
+    """A mechanism that is a mesh: its number, and whether the teeth of its first body are known."""
+
+    number: int
+    is_known: bool
+
+
+def _meshes(made: Sequence[Part]) -> Iterator[_Mesh]:
+    number = 0
+    for part in made:
+        for lowered in part.lowered:
+            if part.element is not None and part.planet_links:
+                first = lowered.members[0]
+                group = group_of(part.element)
+                yield _Mesh(number, first not in group.planets or group.is_known(first))
+            number += 1
 
 
 def _planets(results: Results, made: Sequence[Part]) -> Shown:
@@ -78,13 +96,20 @@ def _planets(results: Results, made: Sequence[Part]) -> Shown:
             for name, column in _group_planets(results.speeds, group_of(element)):
                 rows.append(f"{part.name}.{name}")
                 columns.append(column)
-        elif part.lowered[0].mechanism.planet_ratio is not None:
+        elif _has_planet(part):
             middle = element.shape.toothed[1] if element is not None else "planet"
             rows.append(f"{part.name}.{middle}")
             columns.append(results.planet_speeds[:, number])
         number += len(part.lowered)
     values = np.array(columns).T if columns else np.empty((len(results.case.gears), 0))
     return Shown(rows, values)
+
+
+def _has_planet(part: Part) -> bool:
+    """Whether an element of one mechanism turns a planet or an idler, as far as is told."""
+    mechanism = part.lowered[0].mechanism
+    own = part.element is None and mechanism.third != HOUSING
+    return own or mechanism.planet_ratio is not None
 
 
 def _group_planets(speeds: Floats, group: PlanetGroup) -> Iterator[tuple[str, Floats]]:
@@ -156,4 +181,4 @@ def _by_element(made: Sequence[Part], values: Floats | Booleans, *, all_of: bool
         own = values[:, number : number + len(part.lowered)]
         columns.append(own.all(axis=1) if all_of else own.sum(axis=1))
         number += len(part.lowered)
-    return np.array(columns, dtype=np.float64).T
+    return np.array(columns, dtype=np.float64).reshape(len(columns), len(values)).T

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from types import MappingProxyType
 from typing import Any, NamedTuple
 
 from vstatics.errors import Problem, ReadError
@@ -12,7 +13,7 @@ from vstatics.model import Transmission
 from vstatics.readers import Format, read
 from vstatics.readers.deck.text import decode, head
 from vstatics.readers.reading import Source
-from vstatics.results import TABLES
+from vstatics.results import NAME, TABLES
 
 PRINTED = {shape.printed: shape.name for shape in TABLES}
 
@@ -39,6 +40,8 @@ class Report(NamedTuple):
     """Whether it was a listing."""
     errors: bool = False
     """Whether it stands for a case that failed."""
+    rows: Mapping[str, Sequence[str]] = MappingProxyType({})
+    """Names of the rows of its tables, where the result of a drawn case has them."""
 
 
 def read_results(data: bytes, file: str) -> list[Report]:
@@ -91,7 +94,18 @@ def _report(document: Any, file: str, number: int) -> Report:
     if not tables:
         known = ", ".join(shape.name for shape in TABLES[:3])
         raise _fail(f"result {number} has none of the tables {known}, ...", file)
-    return Report(tables, _case(json.dumps(document.get("case")), "json"), printed=False)
+    case = _case(json.dumps(document.get("case")), "json")
+    return Report(tables, case, printed=False, rows=_row_names(document.get("rows"), tables))
+
+
+def _row_names(given: Any, tables: Mapping[str, Figures]) -> dict[str, list[str]]:
+    """The names of the rows of each table that has as many."""
+    rows = given.items() if isinstance(given, dict) else ()
+    return {
+        table: [str(name) for name in names]
+        for table, names in rows
+        if table in tables and isinstance(names, list) and len(names) == len(tables[table])
+    }
 
 
 def _from_json(value: Any) -> Figure:
@@ -112,23 +126,27 @@ def _read_listing(text: str, file: str) -> list[Report]:
     """A report begins at each KJG= that follows a table."""
     reports: list[Report] = []
     tables: dict[str, Figures] = {}
-    first = 0
-    rows: Figures | None = None
+    names: dict[str, list[str]] = {}
+    first, table = 0, ""
     lines = Source(file, text).lines
     for number, line in enumerate([*lines, "KJG="]):
         field = head(line)
         if field == "KJG" and tables:
             part = "\n".join(lines[first:number])
-            reports.append(Report(tables, _case(part, "deck"), printed=True))
-            tables, first, rows = {}, number, None
+            case, named = _case(part, "deck"), _row_names(names, tables)
+            reports.append(Report(tables, case, printed=True, rows=named))
+            tables, names, first, table = {}, {}, number, ""
         elif field in PRINTED:
-            rows = tables.setdefault(PRINTED[field], [])
-        elif rows is not None and line.strip():
-            figures = _figures(line.partition("|")[0].split())  # the name of the row behind
+            table = PRINTED[field]
+            tables.setdefault(table, [])
+        elif table and line.strip():
+            numbers, is_named, name = line.partition(NAME)
+            figures = _figures(numbers.split())
             if figures is None:
-                rows = None
+                table = ""
             else:
-                rows.append(figures)
+                tables[table].append(figures)
+                names.setdefault(table, []).extend([name.strip()] * bool(is_named))
     if not reports:
         raise _fail("no table of results found; expected a listing or JSON of `vstatics run`", file)
     return reports

@@ -10,13 +10,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from vstatics.results import Language, Results
+from vstatics.results import NAME, Language, Results
 from vstatics.writers import deck
 from vstatics.writers.numbers import fixed
 from vstatics.writers.tables import Table, tables
-
-NAME = "|"
-"""Stands before the name of a row."""
 
 
 class Heading(NamedTuple):
@@ -211,6 +208,21 @@ UNITS: dict[str, Heading] = {
     ),
     "losses_kW": Heading(
         "(LOSSKW(I,J),J=1,NP),I=1,KG:", "Power lost, kW:", "Потери мощности, кВт:"
+    ),
+    "AMWZ_Nm": Heading(
+        "(AMWZNM(I,J),J=1,NP),I=1,KJG:",
+        "Torques that hold the given speeds, without losses, N*m:",
+        "Моменты, удерживающие заданные скорости, без потерь, Н*м:",
+    ),
+    "AMWZP_Nm": Heading(
+        "(AMWZPNM(I,J),J=1,NP),I=1,KJG:",
+        "Torques that hold the given speeds, with losses, N*m:",
+        "Моменты, удерживающие заданные скорости, с учетом потерь, Н*м:",
+    ),
+    "drag_losses_kW": Heading(
+        "DRAGKW(J),J=1,NP:",
+        "Power that drag takes, kW:",
+        "Потери мощности от сопротивлений вращению, кВт:",
     ),
     "input_power_kW": Heading("PINKW(J),J=1,NP:", "Input power, kW:", "Мощность на входе, кВт:"),
     "output_power_kW": Heading(

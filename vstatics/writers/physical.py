@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from vstatics.arrays import Floats
+from vstatics.matrix import external_torques
 from vstatics.results import TABLES, Results
 
 if TYPE_CHECKING:
@@ -26,40 +27,67 @@ def physical(results: Results, relative: Mapping[str, Table]) -> dict[str, Table
     relative : mapping of name to Table
         The tables without units.
     """
+    with np.errstate(over="ignore", invalid="ignore"):
+        return _physical(results, relative)
+
+
+def _physical(results: Results, relative: Mapping[str, Table]) -> dict[str, Table]:
     from vstatics.writers.tables import Table
 
     scales = _scales(results)
     gears = [gear.name for gear in results.case.gears]
+    entering, leaving = _ports(results)
+    own = {"input_power_kW": entering, "output_power_kW": leaving}
     made = {}
     for shape in TABLES:
-        if shape.of in relative and shape.unit:
-            base = relative[shape.of]
-            values = base.values * scales[shape.unit]
-        elif shape.unit and not shape.of:
-            base = relative["ETA"]
-            part = np.ones(len(gears)) if shape.name == "input_power_kW" else _output(results)
-            values = (part * scales["kW"])[np.newaxis]
+        if not shape.unit or np.isnan(scales[shape.unit]).all():
+            continue
+        if shape.name in own:
+            values = own[shape.name][np.newaxis]
+        elif shape.of in relative:
+            values = relative[shape.of].values * scales[shape.unit]
         else:
             continue
-        if not np.isnan(scales[shape.unit]).all():
-            rows = base.rows if shape.of else [shape.name]
-            made[shape.name] = Table(shape, rows, gears, values + 0.0)
+        rows = [shape.name] if shape.rows == "one" else relative[shape.of].rows
+        finite = np.where(np.isfinite(values), values + 0.0, np.nan)
+        made[shape.name] = Table(shape, rows, gears, finite)
     return made
 
 
 def _scales(results: Results) -> dict[str, Floats]:
-    """By unit: what a relative number of each gear is multiplied by, NaN where no load tells."""
+    """By unit: what a relative number of each gear is multiplied by, NaN where no load tells.
+
+    When coasting the input link is driven: the torque on it is against its speed.
+    """
     case = results.case
     loads = [case.gear_load(gear) for gear in case.gears]
     rpm = np.array([math.nan if load.speed is None else load.speed for load in loads])
     torque = np.array([math.nan if load.torque is None else load.torque for load in loads])
+    if case.coast:
+        torque = -torque
     return {"rpm": rpm, "Nm": torque, "kW": rpm * torque * KW_OF_RPM_NM}
 
 
-def _output(results: Results) -> Floats:
-    """Power given to the load of the output, with losses, relative to the input power."""
+def _ports(results: Results) -> tuple[Floats, Floats]:
+    """Power that enters and that leaves by all links with an external torque, by gear [kW].
+
+    With losses; drag apart. So what enters less what leaves is lost.
+    """
     case = results.case
-    outputs = [case.gear_output(gear) - 1 for gear in case.gears]
-    speeds = results.speeds[np.arange(len(outputs)), outputs]
-    power: Floats = results.lossy_torques[:, -1] * speeds
-    return power
+    power = np.zeros((len(case.gears), case.links + 1))
+    for gear, row, speeds, torques, holding in zip(
+        case.gears,
+        power,
+        results.speeds,
+        results.lossy_torques,
+        results.lossy_holding_torques,
+        strict=True,
+    ):
+        external = external_torques(case, gear)
+        external |= {link: holding[link - 1] for link in gear.speeds}
+        output = case.gear_output(gear)
+        external[output] = external.get(output, 0.0) - torques[-1]
+        for link, torque in external.items():
+            row[link] = 0.0 if torque == 0 else torque * speeds[link - 1]
+    power *= _scales(results)["kW"][:, np.newaxis]
+    return np.maximum(power, 0.0).sum(axis=1), np.maximum(-power, 0.0).sum(axis=1)

@@ -15,6 +15,8 @@ from vstatics.elements.teeth.spacing import counts, of_planets
 from vstatics.elements.teeth.subjects import OfPlanets, OfWheels, Subject, suggested
 from vstatics.errors import Path, Problem
 
+_PAIRS = ("gear_pair", "internal_pair", "idler")
+
 
 def doubts(drawing: Drawing) -> Iterator[Problem]:
     """What is doubtful about the teeth of a drawing's elements, in their order.
@@ -33,7 +35,7 @@ def doubts(drawing: Drawing) -> Iterator[Problem]:
     -----
     Conditions of coaxiality, assembly, neighbouring planets and undercut as the synthesis
     of planetary gears has them (after Willis; Ravigneaux sets after Simionescu). What has
-    no whole number of teeth is left out; so are belts, worms, shafts.
+    no whole number of teeth is left out; so are belts, worms, bevel pairs.
 
     Examples
     --------
@@ -59,7 +61,7 @@ def _doubts(element: Element) -> Iterator[Doubt]:
         yield from _with_cures(OfPlanets(element))
     elif element.kind == "chain":
         yield from _sprockets(element)
-    elif element.teeth and element.shape.meshes:
+    elif element.teeth and element.shape.meshes and element.kind != "bevel_pair":
         yield from _with_cures(OfWheels(element))
 
 
@@ -95,6 +97,7 @@ def _with_cures(subject: Subject) -> Iterator[Doubt]:
         """Nothing to cure, and no wheel that newly needs a shifted profile."""
         return (
             min(teeth.values()) >= min(least, UNCUT)
+            and 1 not in subject.ratios(teeth)  # one piece
             and goes_in(subject, teeth)
             and not any(doubt.has_cure for doubt in _wrong(subject, teeth))
         )
@@ -108,7 +111,7 @@ def _with_cures(subject: Subject) -> Iterator[Doubt]:
         if doubt.has_cure:
             hint, cures = hint + cures, ""
         yield doubt._replace(message=doubt.message + hint)
-    if subject.element.planets is None and subject.element.kind != "gear_pair":
+    if subject.element.planets is None and subject.element.kind not in _PAIRS:
         return
     for doubt in hunting(subject.meshes(), subject.against):
         coprime = filter(subject.is_hunting, nearest(subject.space) if has_cure else ())

@@ -26,6 +26,9 @@ FARTHEST = 0.3
 REACH = {1: 14, 2: 14, 3: 6, 4: 4, 5: 3, 6: 3}
 """Steps in all, by the number of moves: at most some 400 places, a few milliseconds."""
 
+FAR_MOVES = 14
+"""With more moves one step is all: the places grow with the square of the moves otherwise."""
+
 FEW = 5
 """Up to so many numbers of teeth a suggestion names them all, beyond only those that change."""
 
@@ -91,7 +94,8 @@ def _distance(space: Space, logs: Mapping[Key, float], teeth: Teeth) -> float:
 @lru_cache
 def _steps(moves: int) -> list[tuple[int, ...]]:
     """Steps along each move, all that add up to no more than the reach."""
-    found: list[tuple[tuple[int, ...], int]] = [((), REACH.get(moves, 2))]
+    reach = REACH.get(moves, 2 if moves <= FAR_MOVES else 1)
+    found: list[tuple[tuple[int, ...], int]] = [((), reach)]
     for _ in range(moves):
         found = [
             ((*steps, step), left - abs(step))

@@ -6,7 +6,7 @@ from typing import Any
 
 from vstatics.errors import Path
 from vstatics.model import Gear, Load, Mechanism, ShiftElement
-from vstatics.readers.named.drags import resolve
+from vstatics.readers.named.relative import resolve
 from vstatics.readers.named.walk import Walk
 
 

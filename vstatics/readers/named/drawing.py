@@ -16,7 +16,7 @@ from vstatics.errors import Path, Problem
 from vstatics.model import HOUSING, Mechanism
 from vstatics.readers.named import nodes
 from vstatics.readers.named.arguments import arguments, untold
-from vstatics.readers.named.elements_shape import DRAWN, with_elements
+from vstatics.readers.named.elements_shape import DRAWN, drawn, with_elements
 from vstatics.readers.named.nodes import Listing, Node, Scalar, is_null, shown
 from vstatics.readers.named.shape import CASE
 from vstatics.readers.named.spots import Spot, Spots
@@ -80,14 +80,15 @@ def read_drawing(root: nodes.Mapping, walk: Walk) -> Reading:
         With every problem that can be told from the others.
     """
     spots = walk.spots
-    listed = any(key.text == "links" for key, _ in root.entries)
+    given = {key.text for key, value in root.entries if not is_null(value)}
+    listed = "links" in given
     if not listed:
         walk.references.set_link_names(list(dict.fromkeys(n.text for n in joined_links(root))))
-    values = walk.read(Spot((), "", root), with_elements(CASE))
+    values = walk.read(Spot((), "", root), drawn(with_elements(CASE)))
     if not listed:
         values["links"] = len(walk.references.link_names)
         for end in ("input", "output"):
-            if end not in {key.text for key, _ in root.entries}:
+            if end not in given:
                 spots.missing(Spot((), "", root), end)
     parts = arguments(values, walk)
     found = list(spots.found.problems)
@@ -96,20 +97,28 @@ def read_drawing(root: nodes.Mapping, walk: Walk) -> Reading:
         spots.unreadable += [("links",), ("mechanisms",)]
     else:
         names = parts["link_names"] or list(map(str, range(1, values["links"] + 1)))
-        drawn = drawing(values, names, parts["mechanisms"])
-        faults = list(problems(drawn))
+        made = drawing(values, names, parts["mechanisms"])
+        faults = list(problems(made)) or list(_planets_called_like_links(made, names))
         if faults:
             spots.unreadable += [("links",), ("mechanisms",)]
         else:
-            parts |= lowered(drawn, names)
-            parts["output"] = parts.get("output", drawn.links)
-            locate = _locator(spots, drawn)
-            faults = [*hints(drawn), *teeth.doubts(drawn)]
+            parts |= lowered(made, names)
+            parts["output"] = parts.get("output", made.links)
+            locate = _locator(spots, made)
+            faults = [*hints(made), *teeth.doubts(made)]
             faults += [] if listed else loose_links(root, values, names, spots)
         found += map(spots.locate, faults)
     for key in DRAWN:
         parts.pop(key.name, None)
     return finish(parts, found, untold(spots.unreadable), locate)
+
+
+def _planets_called_like_links(made: Drawing, names: Sequence[str]) -> Iterator[Problem]:
+    for number, part in enumerate(parts_of(made), 1):
+        for planet in part.planet_links:
+            if f"{part.name}.{planet}" in names:
+                message = f"planet {planet} is called `{part.name}.{planet}`, as a link is"
+                yield Problem(f"{message}; expected another name", ("elements", number))
 
 
 def _locator(spots: Spots, drawn: Drawing) -> Callable[[Problem], Problem]:
@@ -140,12 +149,13 @@ def loose_links(
     found = list(joined_links(root))
     counts = Counter(node.text for node in found)
     carriers = {record.get("carrier") for _, record in values["elements"]}
-    told = {values["input"], values["output"], *values.get("drag", ())}
+    told = {values.get("input"), values.get("output")}
     for _, gear in values["gears"]:
-        told.update(gear.get("speeds", ()), gear.get("torques", ()))
+        told.update(*(gear.get(key, ()) for key in ("speeds", "torques", "drag")))
         told.update((gear.get("input"), gear.get("output")))
     for number, name in enumerate(names, 1):
-        hint = spots.found.hint(name, [other for other in names if other != name])
+        others = [*(other for other in names if other != name), "housing"]
+        hint = spots.found.hint(name, others)
         if counts[name] == 1 and number not in told and (hint or number not in carriers):
             node = next(node for node in found if node.text == name)
             message = f"link `{shown(name)}` is joined to nothing else{hint}"
@@ -200,15 +210,20 @@ def _element(name: str, record: Mapping[str, Any], link_names: Sequence[str]) ->
 
 
 def _wheels(record: Mapping[str, Any], link_names: Sequence[str]) -> Iterable[CentralWheel]:
-    """Suns, then rings; each is called by its link, and by its rim too where a link has several."""
+    """Suns, then rings; each is called by its link, and more where that is not enough."""
     found = [
         (wheel, internal)
         for key, internal in (("suns", False), ("rings", True))
         for wheel in record.get(key, ())
     ]
-    links = [wheel["link"] for wheel, _ in found]
+    links = Counter(wheel["link"] for wheel, _ in found)
+    taken = {"carrier", *(planet for planet, _ in record["rims"])}
     for wheel, internal in found:
-        member = link_names[wheel["link"] - 1] if wheel["link"] > HOUSING else "housing"
-        if links.count(wheel["link"]) > 1:
-            member += f"/{wheel['rim']}"
-        yield CentralWheel(member, wheel["link"], wheel["teeth"], internal, wheel["rim"])
+        link, rim = wheel["link"], wheel["rim"]
+        member = link_names[link - 1] if link > HOUSING else "housing"
+        if links[link] > 1 or member in taken:
+            member += f"/{rim}"
+        if member in taken:
+            member += " (ring)" if internal else " (sun)"
+        taken.add(member)
+        yield CentralWheel(member, link, wheel["teeth"], internal, rim)

@@ -60,6 +60,7 @@ def _record(name: str, kind: Kind) -> Record:
         leaf = COUNT if kind.size == "teeth" else NUMBER
         size = Key(kind.size, _toothed(kind, leaf), "Of the wheels.", not kind.optional_teeth)
         common = (_WORM,) if name == "worm" else _COMMON
+        common = (_PLANETS, *common) if name == "bevel" else common
         return Record(name, kind.description, (_KIND, *members, size, *common))
     size = Key("teeth", _toothed(kind, COUNT), "Of wheels and planets.", required=True)
     return Record(name, kind.description, (_KIND, *members, size, _PLANETS, *_COMMON))
@@ -128,6 +129,12 @@ DRAWN = (
     Key("mesh_efficiency", MESH_EFFICIENCY, "Of all elements that give none themselves."),
     Key("elements", Named("element", ELEMENT), "Typical elements in order, each under its name."),
 )
+
+
+def drawn(case: Record) -> Record:
+    """The shape of a case that does list elements."""
+    keys = [replace(key, required=key.required or key.name == "elements") for key in case.keys]
+    return replace(case, keys=tuple(keys))
 
 
 def with_elements(case: Record) -> Record:

@@ -8,6 +8,8 @@ import warnings
 from functools import cache
 from typing import TYPE_CHECKING, Literal
 
+from vstatics.readers.named.scalars import QUANTITY
+
 if TYPE_CHECKING:
     import pint
 
@@ -19,7 +21,16 @@ EXAMPLES: dict[Quantity, str] = {
     "torque": "`1200 N*m` or `885 lbf*ft`",
 }
 _ANGLES = ("revolution", "turn", "radian", "degree")
-_TEXT = re.compile(r"[+-]?[0-9.]+([eE][+-]?[0-9]+)? *[A-Za-z][A-Za-z0-9 */^()·-]{0,30}\Z")
+_TEXT = re.compile(QUANTITY.removesuffix("$") + r"\Z")
+_MEANT = {
+    unit: meant
+    for meant, units in {
+        "N*m": ("nm", "n.m", "n-m", "н*м", "нм", "н·м"),
+        "rpm": ("1/min", "min^-1", "min-1", "/min", "u/min", "r/min", "об/мин"),
+    }.items()
+    for unit in units
+}
+"""What is meant by units that the library reads as something else or not at all."""
 
 
 @cache
@@ -48,7 +59,7 @@ def quantity(text: str, kind: Quantity) -> float:
     >>> quantity("2100 rpm", "speed"), round(quantity("100 lbf*ft", "torque"), 3)
     (2100.0, 135.582)
     """
-    expected = f"expected a {kind} with its unit, such as {EXAMPLES[kind]}"
+    expected = f"expected a {kind} with its unit, such as {EXAMPLES[kind]}{_hint(text, kind)}"
     if not _TEXT.match(text):
         raise ValueError(expected)
     try:
@@ -61,6 +72,13 @@ def quantity(text: str, kind: Quantity) -> float:
     # 1/min and Hz leave open whether turns or radians are meant
     if kind == "speed" and not any(angle in str(found.units) for angle in _ANGLES):
         raise ValueError(expected)
-    if value == 0 or not math.isfinite(value):
-        raise ValueError(f"{expected}, finite and not 0")
+    if not math.isfinite(value):
+        raise ValueError(f"{expected}, and finite")
     return value
+
+
+def _hint(text: str, kind: Quantity) -> str:
+    """The usual unit, where another way to write it was read."""
+    number, unit = re.match(r"([-+0-9.eE]*) *(.*)", text, re.DOTALL).groups()  # type: ignore[union-attr]
+    meant = _MEANT.get(unit.lower())
+    return f"; did you mean `{number} {meant}`?" if number and meant == UNITS[kind] else ""

@@ -66,7 +66,7 @@ def read_json(data: bytes, file: str) -> Reading:
 def _reading(root: Node, found: Found) -> Reading:
     """The case of a tree of nodes."""
     if not isinstance(root, Mapping):
-        expected = "expected a case: a mapping with `links`, `mechanisms` and `gears`"
+        expected = "expected a case: a mapping with `elements` or `mechanisms`, and `gears`"
         found.stop(f"read {what(root)}, {expected}", root.line, root.column)
     root = _case(root)
     walk = Walk(Spots(found))

@@ -10,7 +10,7 @@ import sys
 from typing import Any
 
 from vstatics.readers.named.elements_shape import with_elements
-from vstatics.readers.named.scalars import LINK_NUMBER, NUMBER
+from vstatics.readers.named.scalars import LINK_NUMBER, NUMBER, QUANTITY
 from vstatics.readers.named.shape import (
     CASE,
     ByElement,
@@ -159,10 +159,10 @@ def _leaf(shape: Leaf) -> Words:  # noqa: PLR0911 - a table
             return {"$ref": f"#/$defs/{shape.kind}"}
         case "count":
             return {"type": ["integer", "string"], "minimum": 1, "pattern": LINK_NUMBER}
-        case "drag":
-            return {"type": ["number", "string"], "minimum": 0}
+        case "relative_speed" | "relative_torque":
+            return {"type": ["number", "string"], "pattern": f"{NUMBER}|{QUANTITY}"}
         case "speed" | "torque":
-            return {"type": "string"}
+            return {"type": "string", "pattern": QUANTITY}
         case "flag":
             return {"type": "boolean"}
         case "choice":

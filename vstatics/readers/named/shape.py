@@ -14,7 +14,17 @@ from typing import Any, Literal, TypeAlias
 from vstatics.parts import ELEMENT_KINDS
 
 LeafKind = Literal[
-    "text", "number", "count", "speed", "torque", "drag", "link", "element", "flag", "choice"
+    "text",
+    "number",
+    "count",
+    "speed",
+    "torque",
+    "relative_speed",
+    "relative_torque",
+    "link",
+    "element",
+    "flag",
+    "choice",
 ]
 
 
@@ -145,7 +155,7 @@ Shape: TypeAlias = (
 )
 
 TEXT, NUMBER, LINK, FLAG = Leaf("text"), Leaf("number"), Leaf("link"), Leaf("flag")
-COUNT, DRAG = Leaf("count"), Leaf("drag")
+COUNT, SPEED, TORQUE = Leaf("count"), Leaf("relative_speed"), Leaf("relative_torque")
 
 ELEMENT = Record(
     "Shift element",
@@ -167,7 +177,7 @@ ELEMENT = Record(
         ),
         Key(
             "drag",
-            DRAG,
+            TORQUE,
             "Torque with which it drags when open, relative to the input torque.",
             default=0,
             limits={"minimum": 0},
@@ -230,17 +240,25 @@ GEAR = Record(
     "A shift state: what is engaged, and what is given besides.",
     (
         Key("engaged", Engaged(), "Names of the engaged shift elements.", examples=(["T1", "F2"],)),
-        Key("speeds", ByLink(), "Further given link speeds, relative to the input speed."),
-        Key("torques", ByLink(), "Further external torques, relative to the input torque."),
+        Key(
+            "speeds",
+            ByLink(item=SPEED),
+            "Further given link speeds, relative to the input speed, or with a unit.",
+        ),
+        Key(
+            "torques",
+            ByLink(item=TORQUE),
+            "Further external torques, relative to the input torque, or with a unit.",
+        ),
         Key(
             "drag",
-            ByLink({"minimum": 0}, DRAG),
+            ByLink({"minimum": 0}, TORQUE),
             "Drag of bearings and oil on links, against their rotation, relative to the input "
             "torque.",
         ),
         Key(
             "open_drag",
-            ByElement({"minimum": 0}, DRAG),
+            ByElement({"minimum": 0}, TORQUE),
             "Drag of shift elements in this gear when they are open, in place of their own.",
         ),
         Key("input", LINK, "This gear's own input link."),
@@ -274,8 +292,8 @@ CASE = Record(
         Key("load", LOAD, "Load of all gears that give none themselves."),
         Key(
             "drag",
-            ByLink({"minimum": 0}, DRAG),
-            "Drag of bearings and oil on links in all gears that give none themselves.",
+            ByLink({"minimum": 0}, TORQUE),
+            "Drag of bearings and oil on links, in all gears that give none of that link.",
         ),
         Key("coast", FLAG, "Power enters at the output (engine braking).", default=False),
         Key(

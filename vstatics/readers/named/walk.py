@@ -40,7 +40,8 @@ _LEAVES: dict[LeafKind, tuple[str, Any]] = {  # what is expected, what stands in
     "count": ("a whole number", 1),
     "speed": ("a speed with its unit", 1.0),
     "torque": ("a torque with its unit", 1.0),
-    "drag": ("a torque", 0.0),
+    "relative_speed": ("a speed", 0.0),
+    "relative_torque": ("a torque", 0.0),
     "link": ("a link", NO_LINK),
     "element": ("the name of a shift element", NO_ELEMENT),
     "flag": ("`true` or `false`", False),
@@ -291,8 +292,10 @@ class Walk:
                 from vstatics.readers.named.quantities import quantity  # only loads need it
 
                 return quantity(node.text, shape.kind)
-            case "drag":
-                return scalars.torque(node.text)
+            case "relative_speed":
+                return scalars.relative(node.text, "speed")
+            case "relative_torque":
+                return scalars.relative(node.text, "torque")
             case "link":
                 return self.references.link(node.text)
             case "element":

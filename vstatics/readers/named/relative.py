@@ -1,0 +1,115 @@
+"""Numbers with a unit, or for all gears -> relative numbers of each gear.
+
+Speeds are related to the input speed of the load, torques and drag to its torque.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Any, NamedTuple
+
+from vstatics.errors import Path, Problem
+from vstatics.model import HOUSING
+from vstatics.readers.named.scalars import WithUnit
+from vstatics.readers.named.spots import Spots
+
+Given = dict[int, tuple[float, Path]]
+"""By link or shift element: the number, and the path where it stands."""
+
+
+_NO_LESS = "a torque of 0 or more: drag opposes any motion"
+
+
+class _Whole(NamedTuple):
+    """What numbers with a unit are related to."""
+
+    quantity: str
+    unit: str
+    value: float
+    """0 where the load does not tell."""
+
+
+def resolve(values: dict[str, Any], spots: Spots) -> None:
+    """Put what holds for all gears into each, and relate what has a unit to the load.
+
+    Parameters
+    ----------
+    values : dict
+        Of a document; its `drag` is taken out, and drag of shift elements with a unit.
+    spots : Spots
+        Is told where a unit stands without a load, and drag of a case that can't be.
+    """
+    links = dict(_of_case(_given(values.pop("drag", {}), ("drag",)), spots))
+    elements = dict(_elements(values, spots))
+    for number, (_, record) in enumerate(values["gears"], 1):
+        load = {**values.get("load", {}), **record.get("load", {})}
+        speed, torque = load.get("speed", 0.0), load.get("torque", 0.0)
+        # when coasting, the torque of the load is against its speed
+        turned = -torque if values.get("coast") else torque
+        for key, common, whole in (
+            ("speeds", {}, _Whole("speed", "rpm", speed)),
+            ("torques", {}, _Whole("torque", "N*m", turned)),
+            ("drag", links, _Whole("torque", "N*m", abs(torque))),
+            ("open_drag", elements, _Whole("torque", "N*m", abs(torque))),
+        ):
+            path = ("gears", number, key)
+            given = {**common, **dict(_given(record.pop(key, {}), path))}
+            if given:
+                record[key] = dict(_relative(given, whole, spots))
+
+
+def _given(numbers: Mapping[int, float], path: Path) -> Iterator[tuple[int, tuple[float, Path]]]:
+    for place, number in numbers.items():
+        yield place, (number, (*path, place))
+
+
+def _of_case(
+    drag: Iterator[tuple[int, tuple[float, Path]]], spots: Spots
+) -> Iterator[tuple[int, tuple[float, Path]]]:
+    """Drag for all gears; what can't be is told here once, and not again by each gear."""
+    for link, (torque, path) in drag:
+        if link == HOUSING:
+            _tell(spots, path, "the housing does not turn, expected a link")
+        elif torque < 0:
+            unit = " N*m" if isinstance(torque, WithUnit) else ""
+            _tell(spots, path, f"read {torque:g}{unit}, expected {_NO_LESS}")
+        else:
+            yield link, (torque, path)
+
+
+def _elements(values: dict[str, Any], spots: Spots) -> Iterator[tuple[int, tuple[float, Path]]]:
+    """Drag of shift elements that has a unit, taken out of their records."""
+    for number, (_, record) in enumerate(values.get("shift_elements", ()), 1):
+        drag, path = record.get("drag"), ("shift_elements", number, "drag")
+        if not isinstance(drag, WithUnit):
+            continue
+        del record["drag"]
+        if drag < 0:
+            _tell(spots, path, f"read {drag:g} N*m, expected {_NO_LESS}")
+        elif drag and record.get("kind") == "dog_clutch":
+            message = f"read {drag:g} N*m, but a dog clutch does not drag when it is open"
+            _tell(spots, path, message)
+        else:
+            yield number, (drag, path)
+
+
+def _relative(given: Given, whole: _Whole, spots: Spots) -> Iterator[tuple[int, float]]:
+    for place, (number, path) in given.items():
+        if not isinstance(number, WithUnit):
+            yield place, number
+        elif whole.value:
+            yield place, number / whole.value
+        elif path not in spots.unreadable:
+            quantity, unit = whole.quantity, whole.unit
+            _tell(
+                spots,
+                path,
+                f"read {number:g} {unit}, but there is no input {quantity} to relate it to; "
+                f"expected a number relative to the input {quantity}, or "
+                f"`load: {{{quantity}: ... {unit}}}` in the case",
+            )
+
+
+def _tell(spots: Spots, path: Path, message: str) -> None:
+    spots.found.problems.append(spots.locate(Problem(message, path)))
+    spots.unreadable.append(path)
