@@ -181,6 +181,22 @@ def test_tables_of_other_shapes_are_named(written: Callable[..., Path]) -> None:
     assert "AMWZ: does not have it, expected has this table" in said.out.splitlines()
 
 
+@pytest.mark.parametrize("form", ["json", "listing"])
+def test_rows_of_elements_are_paired_by_their_names(
+    form: str, written: Callable[..., Path], tmp_path: Path
+) -> None:
+    case = (CASES / "wheel-hub.yaml").read_text(encoding="utf-8")
+    actual = written(result(CASES / "wheel-hub.yaml", "-f", form))
+    renamed = tmp_path / "renamed.yaml"
+    name = next(line for line in case.splitlines() if "kind: " in line).split(":")[0].strip()
+    renamed.write_text(case.replace(f"  {name}:", "  other:"), encoding="utf-8")
+    said = vstatics("compare", actual, written(result(renamed, "-f", form)))
+    assert said.status == 1
+    assert f"row {name}.sun: has this row, expected does not have it" in said.out
+    assert "row other.sun: does not have this row, expected has it" in said.out
+    assert "row Mx" not in said.out
+
+
 def test_several_results_are_compared_in_their_order(written: Callable[..., Path]) -> None:
     both = vstatics("run", MZKT, SPLIT, "-f", "json").out
     listings = vstatics("run", MZKT, SPLIT).out

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import math
 from fractions import Fraction
 from pathlib import Path
 
@@ -135,6 +134,74 @@ def test_a_planet_without_teeth_has_no_speed() -> None:
     assert found["WSAT"].values[1] == pytest.approx(shown(AOD)["WSAT"].values[1])  # (72 - 36)/2
 
 
+def test_a_mesh_with_a_planet_without_teeth_has_no_torque_on_it() -> None:
+    found = shown(changed(", short: 18, long: 18", "", AOD))["lossy_mesh_torques"]
+    given = shown(AOD)["lossy_mesh_torques"]
+    assert list(found.rows) == list(given.rows)
+    for name, row, other in zip(found.rows, found.values, given.values, strict=True):
+        if name == "set.short-long":
+            assert np.isnan(row).all()
+        else:
+            assert row == pytest.approx(other)
+
+
+def test_wheels_of_a_group_keep_their_rows_whatever_their_links_are_called() -> None:
+    """Ring held: sun 1, ring 2, carrier -3, whoever has a link called carrier or A."""
+    for name in ("ring", "carrier", "A"):
+        text = f"""
+links: [in, {name}, H]
+output: H
+losses: meshes
+elements:
+  g: {{kind: planet_group, carrier: H, rims: {{A: {{A1: 18}}}},
+      suns: [{{link: in, teeth: 36, rim: A1}}], rings: [{{link: {name}, teeth: 72, rim: A1}}]}}
+shift_elements: {{B: [{name}, housing]}}
+gears: {{1: {{engaged: [B]}}}}
+"""
+        found = shown(text)["AMLG"]
+        row = "g.ring" if name == "ring" else f"g.{name}/A1"
+        assert list(found.rows) == ["B", "g.in", row, "g.carrier", "Mx"]
+        assert found.values[1:4, 0] == pytest.approx([1, 2, -3])
+
+
+def test_two_wheels_of_the_housing_on_one_rim_have_names_of_their_own() -> None:
+    text = """
+links: [C, out]
+input: C
+elements:
+  g: {kind: planet_group, carrier: C, rims: {A: {A1: 18, A2: 20}}, rings: [
+      {link: housing, teeth: 72, rim: A1}, {link: out, teeth: 74, rim: A2}]}
+gears: {1: {}}
+"""
+    assert "g.housing" in shown(text)["AMLG"].rows
+    both = changed("72, rim: A1}", "72, rim: A1}, {link: housing, teeth: 72, rim: A1}", text)
+    assert {"g.housing/A1", "g.housing/A1 (ring)"} < set(shown(both)["AMLG"].rows)
+
+
+def test_sets_that_seem_to_share_planets_get_a_hint() -> None:
+    two = changed(
+        "shift_elements:",
+        "  P2: {kind: double_planet, sun: sun2, ring: ring, carrier: carrier,"
+        " teeth: {sun: 27, ring: 75}}\nshift_elements:",
+    )
+    told = [str(p) for p in read(two.encode(), "case.yaml").warnings if p.severity == "note"]
+    assert sum("P2: has a wheel and the carrier in common with P1" in one for one in told) == 1
+
+
+def test_a_planet_and_a_link_of_one_name_are_told() -> None:
+    text = AOD.replace("reverse sun", "set.long")
+    assert any("planet long is called `set.long`, as a link is" in told for told in problems(text))
+
+
+def test_the_planets_of_a_plain_set_follow_its_ratio_in_a_sweep() -> None:
+    """Ring held: (w_sun - w_carrier)/(planet ratio) with the planet (ring - sun)/2."""
+    case = loaded(SET)
+    for ratio in (-2.0, -4.0):
+        results = library.solve(case, ratios=np.array([[ratio], [-3.0]]))
+        motion = 1 - 1 / (1 - ratio)
+        assert results.planet_speeds[0, 0] == pytest.approx([motion / ((1 + ratio) / 2)])
+
+
 def test_ratio_is_the_exact_fraction_rounded_once() -> None:
     text = changed("teeth: {sun: 30, ring: 75}", "teeth: {sun: 31, ring: 83}")
     assert loaded(text).mechanisms[0].ratio == float(Fraction(-83, 31))
@@ -202,6 +269,39 @@ FAULTS = {
     "a torque": ("input: sun", "load: {torque: 9 rpm}\ninput: sun", "such as `1200 N*m`"),
     "a comma": ("input: sun", "load: {speed: '1,5 rpm'}\ninput: sun", "such as `2100 rpm`"),
     "drag": ("input: sun", "drag: {ring: 3 N*m}\ninput: sun", "no input torque to relate it to"),
+    "a unit": ("input: sun", "load: {torque: 300 Nm}\ninput: sun", "did you mean `300 N*m`?"),
+    "powers of powers": ("input: sun", "load: {speed: 1 rpm*9^9^9}\ninput: sun", "such as `2100 "),
+    "a load that leaves": (
+        "input: sun",
+        "load: {speed: -9 rpm, torque: 3 N*m}\ninput: sun",
+        "read 3 N*m at -9 rpm, so power would leave at the input",
+    ),
+    "negative drag": (
+        "input: sun",
+        "load: {torque: 9 N*m}\ndrag: {ring: -3 N*m}\ninput: sun",
+        ":3:8: error: drag.ring: read -3 N*m, expected a torque of 0 or more",
+    ),
+    "drag of the housing": (
+        "input: sun",
+        "drag: {housing: .1}\ninput: sun",
+        "drag.housing: the housing does not turn",
+    ),
+    "no output": ("output: carrier\n", "", "`output` is missing"),
+    "nothing under elements": (
+        SET[SET.index("  P1:") : SET.index("shift_el")],
+        "",
+        "elements: read nothing, expected a mapping: a name for each element",
+    ),
+    "two efficiencies": (
+        "ring: 75}}",
+        "ring: 75}, efficiency: .97, mesh_efficiency: {internal: 1}}",
+        "`efficiency` is that of the whole element",
+    ),
+    "too many teeth": (
+        "ring: 75}}",
+        "ring: 9000000}}",
+        "read 9e+06, expected a number above 0 and below 1e+06",
+    ),
     "a rim": ("kind: planetary", "kind: planet_group", "unknown key `sun`"),
 }
 
@@ -247,6 +347,10 @@ gears: {all: {}}
         ("B: {B1: 20}", "B: {A1: 20}", "rim `A1` is there already"),
         ("meshes: [[A2, B1]]", "meshes: [A2, B1]", "expected two: [rim, rim]"),
         ("carrier: h", "carrier: h\n    efficiency: .9", "one efficiency for several paths"),
+        ("link: b, teeth: 70", "link: h, teeth: 70", "is on the link of the carrier"),
+        ("link: b, teeth: 70", "link: b, teeth: 30", "expected more teeth than the 30 of a"),
+        ("link: b, teeth: 70", "link: a, teeth: 70", "they would lock"),
+        ("teeth: 80", "teeth: 80000000", "expected fewer than 1000000 teeth"),
     ],
 )
 def test_a_fault_in_a_group_is_told(before: str, after: str, words: str) -> None:
@@ -273,38 +377,6 @@ def test_a_library_user_gets_all_faults_at_once() -> None:
         ("elements", 2),
         ("elements", 2),
     ]
-
-
-def test_power_in_kilowatts() -> None:
-    """2000 rpm and 300 N*m are 300*2000*pi/30 W."""
-    found = shown("load: {speed: 2000 rpm, torque: 300 N*m}" + SET)
-    power = 300 * 2000 * math.pi / 30 / 1000
-    assert found["input_power_kW"].values[0] == pytest.approx([power, power])
-    efficiency = (1 + 2.5 * 0.98 * 0.99) / 3.5
-    assert found["output_power_kW"].values[0] == pytest.approx([power * efficiency, power])
-    assert found["losses_kW"].values[0] == pytest.approx([power * (1 - efficiency), 0])
-    assert found["W_rpm"].values[:, 0] == pytest.approx([2000, 0, 2000 / 3.5])
-    assert found["AMLG_Nm"].values[-1] == pytest.approx([1050, 300])
-
-
-def test_a_gear_has_a_load_of_its_own() -> None:
-    text = changed("low: {engaged: [B]}", "low: {engaged: [B], load: {torque: 100 lbf*ft}}")
-    found = shown("load: {speed: 100 rad/s, torque: 1 kN*m}" + text)
-    assert found["AMLG_Nm"].values[-1] == pytest.approx([3.5 * 135.581795, 1000])
-    assert found["W_rpm"].values[0] == pytest.approx([954.929659] * 2)  # 100*30/pi
-    only = shown("load: {speed: 1000 rpm}" + SET)
-    assert "W_rpm" in only
-    assert not {"AMLG_Nm", "losses_kW", "input_power_kW"} & only.keys()
-
-
-def test_drag_in_newton_metres_is_related_to_the_torque_of_each_gear() -> None:
-    text = "load: {torque: 200 N*m}\ndrag: {carrier: 2 N*m}" + SET
-    text = changed(
-        "direct: {engaged: [C]}", "direct: {engaged: [C], load: {torque: 100 N*m}}", text
-    )
-    results = library.solve(loaded(text))
-    assert results.drag_losses == pytest.approx([0.01 / 3.5, 0.02])
-    assert results.efficiency[1] == pytest.approx(0.98)
 
 
 def test_an_equivalent_deck_gives_the_same_gears() -> None:

@@ -170,6 +170,25 @@ def test_a_freewheel_that_is_driven_backward_is_a_conflict() -> None:
     assert not turned.failed
 
 
+def test_freewheels_that_could_hold_in_place_of_each_other_are_told() -> None:
+    """Two between the same links: either turns the set as one piece."""
+    elements = [ShiftElement(3, 2, "F1", "freewheel"), ShiftElement(2, 1, "F2", "freewheel")]
+    sets = [Mechanism(1, 2, 3, 3.0, name="P", planet_ratio=-1.0)]
+    results = solved(Transmission(3, elements, sets, [Gear()], input=1, output=3))
+    assert results.ratio == pytest.approx([1])
+    assert texts(results, "1") == [
+        "warning: freewheel F2 could hold in place of F1: the torques that they share are not "
+        "determined, those with F1 are given"
+    ]
+    assert texts(solved(simpson()), "1") == []
+
+
+def test_an_input_that_turns_backward_is_refused() -> None:
+    with pytest.raises(ReadError) as refused:
+        simpson("load: {speed: -900 rpm, torque: -30 N*m}\n" + SIMPSON)
+    assert "freewheels are settled for an input that turns forward" in str(refused.value)
+
+
 def test_a_gear_that_is_tied_up_is_none_of_the_freewheels_fault() -> None:
     case = simpson(SIMPSON.replace("[A, E]", "[A, C, E]"))
     results = solved(case)

@@ -169,7 +169,12 @@ FAULTS = [
         "mechanisms.D1.ratio: read '-96/0', expected a denominator other than 0",
     ),
     ("ratio-zero.yaml", 6, 46, "mechanisms.D1.ratio: read 0, expected a ratio other than 0"),
-    ("speed-no-number.yaml", 9, 36, "gears.2.speeds.2: read 'fast', expected a speed with its unit"),
+    (
+        "speed-no-number.yaml",
+        9,
+        36,
+        "gears.2.speeds.2: read 'fast', expected a speed with its unit",
+    ),
     ("speed-of-input.yaml", 9, 33, "gears.2.speeds.1: link 1 is the input"),
     ("tab.yaml", 3, 1, "not YAML"),
     ("tag.yaml", 6, 46, "tag !!python/name:os.system is not taken"),
