@@ -230,7 +230,7 @@ def test_random_trains_are_worth_checking() -> None:
     assert sum(int(np.nan_to_num(one.drag_losses).astype(bool).sum()) for one in made) > 20
 
 
-@pytest.mark.parametrize("seed", range(200, 230))
+@pytest.mark.parametrize("seed", range(200, 212))
 def test_drag_freewheels_and_second_efficiencies_together(seed: int) -> None:
     rng, numbers = seeded(seed), np.random.default_rng(seed)
     case = with_drag(seed)
