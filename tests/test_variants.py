@@ -73,10 +73,10 @@ def test_trains_that_are_easily_wrong(name: str) -> None:
     case = NASTY[name]
     rng = generator(2, len(name))
     for kind in ("nearly the same", "ordinary", "coincidences"):
-        u = ratios(rng, case, 12, kind)
+        u = ratios(rng, case, 8, kind)
         u[3] = u[7] = [mechanism.ratio for mechanism in case.mechanisms]
         assert not disagreements(case, u)
-        assert not disagreements(case, u, efficiencies(rng, case, 12, "some 1"))
+        assert not disagreements(case, u, efficiencies(rng, case, 8, "some 1"))
     assert not disagreements(case, None, efficiencies(rng, case, 12, "nearly 1"))
 
 
