@@ -19,7 +19,7 @@ ROOMS = [
     {"torques"},
     {"losses"},
     {"signs"},
-    {"freewheels"},
+    {"freewheels", "idling"},
     {"gears", "diagnosis"},
     {"batch"},
     {"statics"},

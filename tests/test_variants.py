@@ -57,6 +57,7 @@ def generator(*seeds: int) -> np.random.Generator:
 # -- variants together are variants alone ------------------------------------------------
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("path", CASES, ids=lambda path: path.name)
 def test_shipped_cases(path: Path) -> None:
     case = vstatics.load(path)

@@ -62,8 +62,9 @@ def settle(
     if driven_backward(case, gear, nobody):
         return _conflict(case, gear, ratios, both, nobody)
     for held in _sets(case):
-        speeds = solve_speeds(case, holding(gear, held), ratios) if held else nobody
-        state = _possible(case, gear, held, ratios, both, speeds)
+        chosen = holding(gear, held)
+        speeds = solve_speeds(case, chosen, ratios) if held else nobody
+        state = _possible(case, chosen, ratios, both, speeds)
         if state is not None:
             return state
     return _state(case, gear, ratios, both, nobody)
@@ -72,17 +73,16 @@ def settle(
 def _possible(
     case: Transmission,
     gear: Gear,
-    held: Held,
     ratios: Sequence[Number],
     efficiencies: Sequence[Efficiency],
     speeds: Speeds,
 ) -> State | None:
-    """The gear with some freewheels holding, if they can and the others can overrun."""
-    chosen, output = holding(gear, held), case.gear_output(gear) - 1
-    drives = speeds.consistent and not math.isnan(sign(speeds.links[output]))
-    if not drives or driven_backward(case, chosen, speeds):
+    """A gear with some freewheels engaged, if they can hold and the others can overrun."""
+    held = [number for number in case.freewheels if number in gear.engaged]
+    drives = speeds.consistent and not math.isnan(sign(speeds.links[case.gear_output(gear) - 1]))
+    if not drives or driven_backward(case, gear, speeds):
         return None
-    state = _state(case, chosen, ratios, efficiencies, speeds)
+    state = _state(case, gear, ratios, efficiencies, speeds)
     return state if all(_can_hold(state, number) for number in held) else None
 
 
@@ -101,9 +101,10 @@ def as_well(
     both = both_ways(case, [mechanism.efficiency for mechanism in case.mechanisms])
     others: set[int] = set()
     for chosen in combinations(case.freewheels, len(held)):
+        other = holding(gear, chosen)
         if chosen != tuple(held):
-            speeds = solve_speeds(case, holding(gear, chosen), ratios)
-            if _possible(case, gear, chosen, ratios, both, speeds) is not None:
+            speeds = solve_speeds(case, other, ratios)
+            if _possible(case, other, ratios, both, speeds) is not None:
                 others.update(chosen)
     return sorted(others.difference(held))
 
