@@ -62,10 +62,11 @@ def quantity(text: str, kind: Quantity) -> float:
     expected = f"expected a {kind} with its unit, such as {EXAMPLES[kind]}{_hint(text, kind)}"
     if not _TEXT.match(text):
         raise ValueError(expected)
+    units = _registry()
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("error")
-            found = _registry().parse_expression(text.replace("·", "*"))
+            found = units.parse_expression(text.replace("·", "*"))
             value = float(found.to(UNITS[kind]).magnitude)
     except Exception:  # noqa: BLE001 - whatever the library cannot read
         raise ValueError(expected) from None
