@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from typing import Literal, NamedTuple
 
 from vstatics.elements.kinds import KINDS, Kind
-from vstatics.model import HOUSING, Mechanism
+from vstatics.parts import HOUSING, Mechanism
 
 Losses = Literal["meshes", "reduced"]
 """Whether losses are calculated at each mesh, or in as few mechanisms as the speeds need."""

@@ -17,7 +17,7 @@ from typing import NamedTuple
 from vstatics.elements.element import CentralWheel, Drawing, Element, MeshEfficiency
 from vstatics.elements.group import PlanetGroup, group_of
 from vstatics.elements.kinds import Simple
-from vstatics.model import Mechanism
+from vstatics.parts import Mechanism
 
 
 class Lowered(NamedTuple):

@@ -8,12 +8,15 @@ import warnings
 from functools import cache
 from typing import TYPE_CHECKING, Literal
 
-from vstatics.readers.named.scalars import QUANTITY
+from vstatics.readers.named.scalars import DECIMAL, number
 
 if TYPE_CHECKING:
     import pint
 
 Quantity = Literal["speed", "torque"]
+
+QUANTITY = rf"^{DECIMAL} *[A-Za-z](\^-?[1-3](?![0-9])|[*](?![*])|[A-Za-z /()·]){{0,30}}$"
+"""A number with a unit; no powers of powers, which could keep a library busy for ever."""
 
 UNITS: dict[Quantity, str] = {"speed": "rpm", "torque": "N*m"}
 EXAMPLES: dict[Quantity, str] = {
@@ -62,10 +65,11 @@ def quantity(text: str, kind: Quantity) -> float:
     expected = f"expected a {kind} with its unit, such as {EXAMPLES[kind]}{_hint(text, kind)}"
     if not _TEXT.match(text):
         raise ValueError(expected)
+    units = _registry()
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("error")
-            found = _registry().parse_expression(text.replace("·", "*"))
+            found = units.parse_expression(text.replace("·", "*"))
             value = float(found.to(UNITS[kind]).magnitude)
     except Exception:  # noqa: BLE001 - whatever the library cannot read
         raise ValueError(expected) from None
@@ -82,3 +86,31 @@ def _hint(text: str, kind: Quantity) -> str:
     number, unit = re.match(r"([-+0-9.eE]*) *(.*)", text, re.DOTALL).groups()  # type: ignore[union-attr]
     meant = _MEANT.get(unit.lower())
     return f"; did you mean `{number} {meant}`?" if number and meant == UNITS[kind] else ""
+
+
+class WithUnit(float):
+    """A speed in rpm or a torque in N*m, where others are relative to the input's."""
+
+
+def relative(text: str, kind: Quantity) -> float:
+    """A speed or torque relative to that of the input, or one with its unit.
+
+    Raises
+    ------
+    ValueError
+        With what was expected.
+
+    Examples
+    --------
+    >>> relative(".002", "torque"), relative("3 N*m", "torque")
+    (0.002, 3.0)
+    """
+    try:
+        return number(text)
+    except ValueError as error:
+        if not any(letter.isalpha() for letter in text):
+            raise
+        try:
+            return WithUnit(quantity(text, kind))
+        except ValueError as with_unit:
+            raise ValueError(f"{with_unit}, or one relative to the input {kind}") from error

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 
 from vstatics.errors import Path, Problem
 from vstatics.model import HOUSING
-from vstatics.readers.named.scalars import WithUnit
+from vstatics.readers.named.quantities import WithUnit
 from vstatics.readers.named.spots import Spots
 
 Given = dict[int, tuple[float, Path]]

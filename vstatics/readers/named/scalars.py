@@ -7,14 +7,10 @@ from __future__ import annotations
 
 import math
 import re
-from typing import Literal
 
-_DECIMAL = r"[+-]?([0-9]+(\.[0-9]*)?|\.[0-9]+)([eE][+-]?[0-9]+)?"
-NUMBER = rf"^{_DECIMAL}( */ *{_DECIMAL})?$"
+DECIMAL = r"[+-]?([0-9]+(\.[0-9]*)?|\.[0-9]+)([eE][+-]?[0-9]+)?"
+NUMBER = rf"^{DECIMAL}( */ *{DECIMAL})?$"
 """A decimal number or a fraction of two, as a pattern for Python and ECMAScript."""
-
-QUANTITY = rf"^{_DECIMAL} *[A-Za-z](\^-?[1-3](?![0-9])|[*](?![*])|[A-Za-z /()·]){{0,30}}$"
-"""A number with a unit; no powers of powers, which could keep a library busy for ever."""
 
 LINK_NUMBER = "^(0|[1-9][0-9]*)$"
 """Plain digits; `010` would be 8 to some readers of YAML."""
@@ -47,36 +43,6 @@ def number(text: str) -> float:
     if not math.isfinite(value):
         raise ValueError("expected a number that is not so large")
     return value
-
-
-class WithUnit(float):
-    """A speed in rpm or a torque in N*m, where others are relative to the input's."""
-
-
-def relative(text: str, kind: Literal["speed", "torque"]) -> float:
-    """A speed or torque relative to that of the input, or one with its unit.
-
-    Raises
-    ------
-    ValueError
-        With what was expected.
-
-    Examples
-    --------
-    >>> relative(".002", "torque"), relative("3 N*m", "torque")
-    (0.002, 3.0)
-    """
-    try:
-        return number(text)
-    except ValueError as error:
-        if not any(letter.isalpha() for letter in text):
-            raise
-        from vstatics.readers.named.quantities import quantity  # the library costs time
-
-        try:
-            return WithUnit(quantity(text, kind))
-        except ValueError as with_unit:
-            raise ValueError(f"{with_unit}, or one relative to the input {kind}") from error
 
 
 def link_number(text: str) -> int | None:

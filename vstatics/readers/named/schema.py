@@ -10,7 +10,8 @@ import sys
 from typing import Any
 
 from vstatics.readers.named.elements_shape import with_elements
-from vstatics.readers.named.scalars import LINK_NUMBER, NUMBER, QUANTITY
+from vstatics.readers.named.quantities import QUANTITY
+from vstatics.readers.named.scalars import LINK_NUMBER, NUMBER
 from vstatics.readers.named.shape import (
     CASE,
     ByElement,

@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterable, Iterator
 from typing import Any
 
 from vstatics.model import HOUSING
-from vstatics.readers.named import scalars
+from vstatics.readers.named import quantities, scalars
 from vstatics.readers.named.nodes import Listing, Mapping, Node, Scalar, is_null, shown, what
 from vstatics.readers.named.references import NO_ELEMENT, NO_LINK, References
 from vstatics.readers.named.shape import (
@@ -289,13 +289,11 @@ class Walk:
             case "count":
                 return scalars.count(node.text)
             case "speed" | "torque":
-                from vstatics.readers.named.quantities import quantity  # only loads need it
-
-                return quantity(node.text, shape.kind)
+                return quantities.quantity(node.text, shape.kind)
             case "relative_speed":
-                return scalars.relative(node.text, "speed")
+                return quantities.relative(node.text, "speed")
             case "relative_torque":
-                return scalars.relative(node.text, "torque")
+                return quantities.relative(node.text, "torque")
             case "link":
                 return self.references.link(node.text)
             case "element":
