@@ -28,7 +28,7 @@ gears:
 """
 
 
-def shown(*arguments: object, stdin: bytes | None = None) -> str:
+def shown(*arguments: object, stdin: bytes = b"") -> str:
     said = vstatics("run", "--pretty", *arguments, stdin=stdin)
     assert said.status == 0
     return said.out
