@@ -1,0 +1,52 @@
+"""What a designer asks of a gearbox first: design table, shifts, largest values."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import NamedTuple
+
+from vstatics.arrays import Floats
+from vstatics.insight.summary.design import Design, design
+from vstatics.insight.summary.extremes import Largest, largest
+from vstatics.insight.summary.sensitivity import sensitivities
+from vstatics.insight.summary.shifts import Transition, transitions
+from vstatics.results import Results
+
+__all__ = ["Summary", "summarize"]
+
+
+class Summary(NamedTuple):
+    """Everything that `vstatics summary` tells of one case."""
+
+    results: Results
+    design: Design
+    transitions: Sequence[Transition]
+    largest: Mapping[str, Sequence[Largest]]
+    """By the name of the table that they are the largest values of."""
+    sensitivities: Floats
+    """(gears, mechanisms), ``(u/i) di/du``. [-]"""
+
+
+def summarize(results: Results) -> Summary:
+    """The summary of a case.
+
+    Parameters
+    ----------
+    results : Results
+        Of one case, not of arrays of variants.
+
+    Examples
+    --------
+    >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
+    >>> case = Transmission(3, [ShiftElement(1, 2), ShiftElement(2)],
+    ...                     [Mechanism(1, 2, 3, -2.5)], [Gear([2]), Gear([1])])
+    >>> summarize(solve(case)).design.spread
+    3.5
+    """
+    return Summary(
+        results,
+        design(results),
+        transitions(results),
+        largest(results),
+        sensitivities(results),
+    )
