@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 from vstatics.arrays import Floats
+from vstatics.insight.summary.combinations import Combination, combinations
 from vstatics.insight.summary.design import Design, design
 from vstatics.insight.summary.extremes import Largest, largest
 from vstatics.insight.summary.sensitivity import sensitivities
@@ -25,15 +26,24 @@ class Summary(NamedTuple):
     """By the name of the table that they are the largest values of."""
     sensitivities: Floats
     """(gears, mechanisms), ``(u/i) di/du``. [-]"""
+    combinations: Sequence[Combination] | None = None
+    """If they were asked for."""
 
 
-def summarize(results: Results) -> Summary:
+def summarize(results: Results, *, at_most: int | None = None) -> Summary:
     """The summary of a case.
 
     Parameters
     ----------
     results : Results
         Of one case, not of arrays of variants.
+    at_most : int, optional
+        So many further combinations of shift elements may be tried; none when not given.
+
+    Raises
+    ------
+    CaseError
+        If there are more.
 
     Examples
     --------
@@ -49,4 +59,5 @@ def summarize(results: Results) -> Summary:
         transitions(results),
         largest(results),
         sensitivities(results),
+        None if at_most is None else combinations(results, at_most),
     )

@@ -15,7 +15,7 @@ VERSION = 1
 def document(summary: Summary) -> dict[str, Any]:
     """A summary as a mapping; what does not exist is None."""
     case = summary.results.case
-    return {
+    made = {
         "format": "vstatics-summary",
         "version": VERSION,
         "name": case.name,
@@ -36,6 +36,9 @@ def document(summary: Summary) -> dict[str, Any]:
             )
         },
     }
+    if summary.combinations is not None:
+        made["combinations"] = [_record(one) for one in summary.combinations]
+    return made
 
 
 def write(documents: Sequence[dict[str, Any]]) -> str:

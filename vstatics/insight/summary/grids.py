@@ -55,8 +55,13 @@ def words(names: Sequence[str]) -> str:
 
 
 def grids(summary: Summary) -> Iterator[Grid]:
-    """All tables of a summary; those that would be empty are left out."""
+    """All tables of a summary; those that would be empty are left out.
+
+    What was asked for and gave nothing stays, without rows and columns.
+    """
     yield from (grid for grid in _all(summary) if grid.rows)
+    if summary.combinations is not None:
+        yield other_combinations(summary)
 
 
 def _all(summary: Summary) -> Iterator[Grid]:
@@ -142,4 +147,21 @@ def _sensitivities(summary: Summary) -> Grid:
         for mechanism, row in zip(case.mechanisms, summary.sensitivities.T.tolist(), strict=True)
     ]
     title = "Sensitivity (u/i) di/du of the ratio i of each gear to each internal ratio u"
+    return Grid(title, columns, rows)
+
+
+def other_combinations(summary: Summary) -> Grid:
+    """Combinations of shift elements that are no gear yet."""
+    columns = [Column("ratio"), Column("efficiency"), text("same as"), text("engaged")]
+    found = summary.combinations or ()
+    title = "Other combinations of shift elements"
+    if not found:
+        return Grid(f"{title}: none", (), ())
+    rows = [
+        [number(one.ratio), number(one.efficiency), one.gear, words(one.engaged)] for one in found
+    ]
+    if any(one.holding for one in found):
+        columns.append(text("holding"))
+        for row, one in zip(rows, found, strict=True):
+            row.append(words(one.holding))
     return Grid(title, columns, rows)

@@ -11,26 +11,28 @@ WIDTH = 80
 GAP = "  "
 
 
-def write(title: str, tables: Iterable[Grid]) -> str:
+def write(titles: Sequence[str], tables: Iterable[Grid]) -> str:
     """Tables one below the other.
 
     Examples
     --------
     >>> grid = Grid("Gears", [Column("gear", is_number=False), Column("ratio")], [["1", "3.500"]])
-    >>> print(write("box", [grid]), end="")
+    >>> print(write(["box"], [grid]), end="")
     box
     <BLANKLINE>
     Gears
     gear  ratio
     1     3.500
     """
-    parts = [[title]] if title else []
+    parts = [list(titles)] if titles else []
     parts += [_table(grid) for grid in tables]
     return "\n\n".join("\n".join(lines) for lines in parts) + "\n"
 
 
 def _table(grid: Grid) -> list[str]:
     lines = [grid.title]
+    if not grid.rows:
+        return lines
     for number, chosen in enumerate(_pieces(grid)):
         lines += [""] * bool(number)
         lines += _lines(
