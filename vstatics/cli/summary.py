@@ -17,6 +17,7 @@ from vstatics.results import Results
 
 if TYPE_CHECKING:
     from vstatics.insight.summary import Summary
+    from vstatics.insight.summary.duty_file import DutyFile
 
 SummaryFormat = Literal["text", "json", "markdown", "latex"]
 
@@ -26,6 +27,7 @@ class _Asked(NamedTuple):
 
     at_most: int | None
     """Of further combinations."""
+    duty: DutyFile | None
 
 
 @click.command()
@@ -52,6 +54,12 @@ class _Asked(NamedTuple):
     metavar="N",
     help="Try no more combinations than these.",
 )
+@click.option(
+    "--duty",
+    type=click.Path(),
+    metavar="FILE",
+    help="Mean efficiency of a duty cycle: YAML with `energy` or `time`, and a share by gear.",
+)
 @arguments.input_format
 @arguments.coast
 @arguments.idle
@@ -64,6 +72,7 @@ def summary(
     output: str | None,
     combinations: bool,
     at_most: int,
+    duty: str | None,
     input_format: readers.Format | None,
     coast: bool | None,
     idle: IdleConvention | None,
@@ -80,6 +89,7 @@ def summary(
       vstatics summary gearbox.yaml
       vstatics summary gearbox.yaml other.yaml
       vstatics summary gearbox.yaml --combinations -f markdown > gearbox.md
+      vstatics summary gearbox.yaml --duty duty.yaml
       vstatics summary gearbox.yaml -f json | jq .spread
 
     Markdown and LaTeX have the tables of the text; JSON has all digits.
@@ -87,9 +97,15 @@ def summary(
     Exit status: 0 done; 1 a case is in error or a gear is tied up; 2 wrong use.
     """
     named = [case] if case2 is None else [case, case2]
+    arguments.check_streams([*named, duty or ""])
+    cycle = None
+    if duty is not None:
+        from vstatics.insight.summary.duty_file import read_duty
+
+        cycle = read_duty(*files.read_input(duty))
     outcomes = list(calculate(named, Settings(input_format, coast, idle)))
     if all(outcome.results is not None for outcome in outcomes):
-        asked = _Asked(at_most if combinations else None)
+        asked = _Asked(at_most if combinations else None, cycle)
         files.write_output(_text(outcomes, output_format, asked), output)
     context.exit(1 if any(outcome.failed for outcome in outcomes) else 0)
 
@@ -126,7 +142,7 @@ def _summarized(results: Results, file: str, asked: _Asked) -> Summary:
     from vstatics.insight.summary import summarize
 
     try:
-        return summarize(results, at_most=asked.at_most)
+        made = summarize(results, at_most=asked.at_most)
     except CaseError as error:
         place = Place(file, 0, 0)
         found = [
@@ -134,3 +150,4 @@ def _summarized(results: Results, file: str, asked: _Asked) -> Summary:
             for problem in error.problems
         ]
         raise ReadError(found) from None
+    return made if asked.duty is None else made._replace(cycle=asked.duty.of(results))

@@ -8,7 +8,9 @@ from typing import NamedTuple
 from vstatics.arrays import Floats
 from vstatics.insight.summary.combinations import Combination, combinations
 from vstatics.insight.summary.design import Design, design
+from vstatics.insight.summary.duty import Cycle
 from vstatics.insight.summary.extremes import Largest, largest
+from vstatics.insight.summary.margins import Margin, margins
 from vstatics.insight.summary.sensitivity import sensitivities
 from vstatics.insight.summary.shifts import Transition, transitions
 from vstatics.results import Results
@@ -26,8 +28,12 @@ class Summary(NamedTuple):
     """By the name of the table that they are the largest values of."""
     sensitivities: Floats
     """(gears, mechanisms), ``(u/i) di/du``. [-]"""
+    margins: Sequence[Margin]
+    """Of the shift elements that have a capacity."""
     combinations: Sequence[Combination] | None = None
     """If they were asked for."""
+    cycle: Cycle | None = None
+    """If there is a duty cycle."""
 
 
 def summarize(results: Results, *, at_most: int | None = None) -> Summary:
@@ -59,5 +65,6 @@ def summarize(results: Results, *, at_most: int | None = None) -> Summary:
         transitions(results),
         largest(results),
         sensitivities(results),
+        margins(results),
         None if at_most is None else combinations(results, at_most),
     )

@@ -7,8 +7,8 @@ from collections.abc import Iterator, Sequence
 
 from vstatics.insight.summary import Summary
 from vstatics.insight.summary.design import GearLine
-from vstatics.insight.summary.extremes import overall
-from vstatics.insight.summary.grids import Column, Grid, number, other_combinations, text
+from vstatics.insight.summary.extremes import Largest, overall
+from vstatics.insight.summary.grids import NOTHING, Column, Grid, number, other_combinations, text
 
 QUANTITIES = (
     ("WSAT", "largest planet speed", 3),
@@ -61,23 +61,49 @@ def _gears(pair: Sequence[Summary]) -> Grid:
 
 def _in_all(pair: Sequence[Summary]) -> Iterator[list[str]]:
     """Rows of what is told of a case as a whole."""
-    counts = {
-        "forward gears": [len(one.design.forward) for one in pair],
-        "shift elements": [len(one.results.case.shift_elements) for one in pair],
-        "most that change in a shift": [
-            max((shift.changes for shift in one.transitions if not shift.jumped), default=0)
-            for one in pair
-        ],
-    }
-    for name, values in counts.items():
-        yield [name, *(cell for value in values for cell in (str(value), ""))]
-    yield ["spread", *(cell for one in pair for cell in (number(one.design.spread), ""))]
+    yield _row("forward gears", [_count(len(one.design.forward)) for one in pair])
+    yield _row("shift elements", [_count(len(one.results.case.shift_elements)) for one in pair])
+    yield _row("most that change in a shift", [_count(_most_changes(one)) for one in pair])
+    yield _row("spread", [(number(one.design.spread), "") for one in pair])
+    if any(one.cycle for one in pair):
+        yield _row(
+            "efficiency of the duty cycle",
+            [(number(one.cycle.efficiency if one.cycle else math.nan), "") for one in pair],
+        )
+    if any(one.margins for one in pair):
+        yield _row("least margin", [_least_margin(one) for one in pair])
     for table, name, decimals in QUANTITIES:
         found = [overall(one.largest.get(table, ())) for one in pair]
         if any(found):
-            cells: list[str] = []
-            for line in found:
-                value = math.nan if line is None else line.value
-                where = f"{line.row}, {line.gear}" if line is not None and line.gear else ""
-                cells += [number(value, decimals), where]
-            yield [name, *cells]
+            yield _row(name, [_largest(line, decimals) for line in found])
+
+
+Cells = tuple[str, str]
+"""A number, and where it is found."""
+
+
+def _row(name: str, cells: Sequence[Cells]) -> list[str]:
+    return [name, *(cell for both in cells for cell in both)]
+
+
+def _count(how_many: int) -> Cells:
+    return str(how_many), ""
+
+
+def _most_changes(summary: Summary) -> int:
+    """Elements that change at once between neighbours, at most."""
+    return max((one.changes for one in summary.transitions if not one.jumped), default=0)
+
+
+def _least_margin(summary: Summary) -> Cells:
+    known = [one for one in summary.margins if one.gear]
+    if not known:
+        return NOTHING, ""
+    least = min(known, key=lambda one: one.least)
+    return number(least.least), f"{least.element}, {least.gear}"
+
+
+def _largest(line: Largest | None, decimals: int) -> Cells:
+    if line is None:
+        return NOTHING, ""
+    return number(line.value, decimals), f"{line.row}, {line.gear}" if line.gear else ""

@@ -36,6 +36,16 @@ def document(summary: Summary) -> dict[str, Any]:
             )
         },
     }
+    if summary.margins:
+        made["margins"] = [
+            {**_record(one), "by_gear": [_known(value) for value in one.by_gear]}
+            for one in summary.margins
+        ]
+    if summary.cycle is not None:
+        made["duty"] = {
+            "stages": [_record(stage) for stage in summary.cycle.stages],
+            "efficiency": summary.cycle.efficiency,
+        }
     if summary.combinations is not None:
         made["combinations"] = [_record(one) for one in summary.combinations]
     return made

@@ -69,6 +69,8 @@ def _all(summary: Summary) -> Iterator[Grid]:
     yield _spread(summary)
     yield _transitions(summary)
     yield from _largest(summary)
+    yield from _margins(summary)
+    yield _duty(summary)
     yield _sensitivities(summary)
 
 
@@ -165,3 +167,29 @@ def other_combinations(summary: Summary) -> Grid:
         for row, one in zip(rows, found, strict=True):
             row.append(words(one.holding))
     return Grid(title, columns, rows)
+
+
+def _margins(summary: Summary) -> Iterator[Grid]:
+    """The least margins, then those of all gears."""
+    case = summary.results.case
+    torque = None if case.load is None else case.load.torque
+    unit, size, decimals = (" [N*m]", abs(torque), 1) if torque else ("", 1.0, 3)
+    columns = [text("element"), Column(f"capacity{unit}"), Column("least"), text("gear")]
+    rows = [
+        [one.element, number(one.capacity * size, decimals), number(one.least), one.gear]
+        for one in summary.margins
+    ]
+    yield Grid("Least margin, capacity by torque", columns, rows)
+    columns = [text("element"), *(Column(gear.name) for gear in case.gears)]
+    rows = [[one.element, *map(number, one.by_gear)] for one in summary.margins]
+    yield Grid("Margins by gear", columns, rows)
+
+
+def _duty(summary: Summary) -> Grid:
+    columns = [text("gear"), Column("energy"), Column("efficiency")]
+    if summary.cycle is None:
+        return Grid("Duty cycle", columns, ())
+    stages = summary.cycle.stages
+    rows = [[stage.gear, number(stage.energy), number(stage.efficiency)] for stage in stages]
+    total = ["in all", number(1.0), number(summary.cycle.efficiency)]
+    return Grid("Duty cycle: share of the input energy, efficiency", columns, [*rows, total])
