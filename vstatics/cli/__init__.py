@@ -22,6 +22,7 @@ COMMANDS = {
     "check": ("vstatics.cli.check", "Report problems of the input, and the conditions per gear."),
     "convert": ("vstatics.cli.convert", "Convert a case between deck, YAML and JSON."),
     "compare": ("vstatics.cli.compare", "Compare two results number by number."),
+    "summary": ("vstatics.cli.summary", "Ratios, steps, spread, transitions, largest values."),
 }
 """Module and summary of each command; a module is imported when its command is called."""
 

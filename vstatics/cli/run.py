@@ -91,8 +91,8 @@ def run(
     that fails does not stop the others. After Ctrl-C, --resume goes on.
 
     \b
-    Exit status: 0 done; 1 a case is in error, a gear is tied up or in conflict; 2 wrong use;
-    130 or 143 stopped by Ctrl-C or SIGTERM.
+    Exit status: 0 done; 1 a case is in error, a gear is tied up or in conflict;
+    2 wrong use; 130 or 143 stopped by Ctrl-C or SIGTERM.
     Neutral, indeterminate and friction-locked gears are messages, not errors.
     """
     names = _named(cases, files_from)
