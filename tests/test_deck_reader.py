@@ -243,20 +243,20 @@ def test_text_of_decks() -> None:
     ],
 )
 def test_hostile_decks_end_quickly(text: str) -> None:
-    start = time.perf_counter()
+    start = time.process_time()
     assert errors_of(text)
-    assert time.perf_counter() - start < 5
+    assert time.process_time() - start < 5
 
 
 def check_ends_well(data: bytes) -> None:
     """A case, or errors with places in the file."""
-    start = time.perf_counter()
+    start = time.process_time()
     try:
         problems = deck.read(data, "case.dat").warnings
         severity = "warning"
     except ReadError as error:
         problems, severity = error.problems, "error"
-    assert time.perf_counter() - start < 1
+    assert time.process_time() - start < 1
     assert severity == "warning" or any(problem.severity == "error" for problem in problems)
     for problem in problems:
         assert problem.place is not None

@@ -525,9 +525,9 @@ def heavy_documents() -> dict[str, str]:
 @pytest.mark.parametrize("file", heavy_documents())
 def test_heavy_documents_end_quickly(file: str) -> None:
     text = heavy_documents()[file]
-    start = time.perf_counter()
+    start = time.process_time()
     problems = errors(text, file)
-    assert time.perf_counter() - start < 5
+    assert time.process_time() - start < 5
     assert len(problems) <= 101
 
 

@@ -167,10 +167,10 @@ def test_standard_tags_are_taken_and_quote() -> None:
 @pytest.mark.usefixtures("parser")
 @pytest.mark.parametrize("opening", ["[", "{", "- ", "? ", "[{a: ", "&a [", "!!seq [", "{? "])
 def test_yaml_nests_16_levels(opening: str) -> None:
-    start = time.perf_counter()
+    start = time.process_time()
     line, _, message = refusal(opening * 200_000)
     assert (line, message) == (1, "nested deeper than 16 levels, expected at most that")
-    assert time.perf_counter() - start < 5
+    assert time.process_time() - start < 5
 
 
 def test_16_levels_are_taken() -> None:

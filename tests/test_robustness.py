@@ -7,7 +7,6 @@ import re
 import resource
 import subprocess
 import sys
-import time
 from pathlib import Path
 from random import Random
 
@@ -140,6 +139,12 @@ HOSTILE: dict[str, tuple[str, bytes]] = {
 }
 
 
+def of_children() -> float:
+    """Seconds of the processor that all processes waited for have had; a busy machine adds none."""
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
+
+
 def limited() -> None:
     """For the process that is tried only: no more memory than this."""
     resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
@@ -150,7 +155,7 @@ def limited() -> None:
 def test_hostile_input_is_refused_soon_and_in_little_memory(name: str, tmp_path: Path) -> None:
     form, data = HOSTILE[name]
     (tmp_path / "case").write_bytes(data)
-    begin = time.perf_counter()
+    begin = of_children()
     done = subprocess.run(
         [sys.executable, "-m", "vstatics", "run", "case", "--from", form],
         capture_output=True,
@@ -160,7 +165,7 @@ def test_hostile_input_is_refused_soon_and_in_little_memory(name: str, tmp_path:
         preexec_fn=limited,
         timeout=60,
     )
-    seconds = time.perf_counter() - begin
+    seconds = of_children() - begin
     assert (done.returncode, done.stdout) == (1, b"")
     assert re.match(rb"case:\d+:\d+: error: ", done.stderr), done.stderr[-2000:]
     assert b"Traceback" not in done.stderr
