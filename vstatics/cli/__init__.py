@@ -18,6 +18,7 @@ COMMANDS = {
     "new": ("vstatics.cli.new", "Write a commented case to start from."),
     "run": ("vstatics.cli.run", "Calculate every gear of each case."),
     "sweep": ("vstatics.cli.sweep", "Calculate variants of a case, to a table."),
+    "plot": ("vstatics.cli.plot", "Draw a picture of a case: SVG, PNG or PDF."),
     "check": ("vstatics.cli.check", "Report problems of the input, and the conditions per gear."),
     "convert": ("vstatics.cli.convert", "Convert a case between deck, YAML and JSON."),
     "compare": ("vstatics.cli.compare", "Compare two results number by number."),
