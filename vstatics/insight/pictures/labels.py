@@ -92,6 +92,11 @@ def height(text: str, size: float = SIZE) -> float:
     return LINE * size * (1 + text.count("\n"))
 
 
+def across_size(text: str) -> float:
+    """The part of an edge that a text beside others needs [pt]."""
+    return width(text) + 2 * GAP
+
+
 def wrapped(text: str, room: float, size: float = SIZE) -> str:
     r"""A text in lines that fit into a width, as far as its words do.
 
@@ -173,7 +178,7 @@ class Panel(NamedTuple):
         upright : bool
             Texts run upwards, and need little room along the edge.
         """
-        sizes = [height(one.text) + GAP if upright else width(one.text) + 2 * GAP for one in labels]
+        sizes = [height(one.text) + GAP if upright else across_size(one.text) for one in labels]
         places = spread([label.at for label in labels], sizes, 0.0, self.width)
         start, way = (0.0, -1.0) if edge == "bottom" else (self.height, 1.0)
         for label, place in zip(labels, places, strict=True):

@@ -10,9 +10,10 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from matplotlib.figure import Figure
 
 from vstatics.errors import CaseError, Problem
-from vstatics.insight.pictures import labels
+from vstatics.insight.pictures import labels, signs
 from vstatics.insight.pictures.labels import LEADER, Label, Panel
 from vstatics.insight.pictures.levers import Lever, Node, levers
+from vstatics.insight.pictures.signs import MARGIN, Joined
 from vstatics.insight.pictures.style import TITLE, Style, number
 from vstatics.model import HOUSING
 
@@ -26,20 +27,8 @@ LEAST = 62.0
 """Height of a lever at least. [pt]"""
 LONGEST = 110.0
 """Names are wrapped to this width. [pt]"""
-MARGIN = 14.0
-"""[pt]"""
-LEGEND = 16.0
-"""Height of a row of the legend. [pt]"""
 VALUES = LEADER + 32.0
 """Width of the numbers beside a lever. [pt]"""
-
-
-class _Joined(NamedTuple):
-    """What turns with the input, with the output and with the housing in a gear."""
-
-    input: frozenset[int]
-    output: frozenset[int]
-    housing: frozenset[int]
 
 
 class _Page(NamedTuple):
@@ -100,14 +89,14 @@ def draw(results: Results, style: Style, gear: int | None) -> Figure:
         for lever, left in zip(page.levers, page.lefts, strict=True)
     ]
     above = labels.height(title, TITLE) + 2 * MARGIN + max(map(labels.height, tops))
-    below = 2 * MARGIN + labels.height(note) + _legend_rows(style, wide) * LEGEND
+    below = 2 * MARGIN + labels.height(note) + signs.legend_height(style, wide)
     high = above + len(gears) * page.up + below
     figure = Figure(figsize=(wide / labels.POINTS, high / labels.POINTS))
     whole = labels.panel(figure, 0, 0, wide, high)
     whole.axes.set_axis_off()
     whole.write(wide / 2, high - MARGIN, title, ha="center", va="top", fontsize=TITLE)
     whole.write(MARGIN, MARGIN, note, va="bottom")
-    _legend(whole, style, labels.height(note) + MARGIN)
+    signs.legend(whole, style, labels.height(note) + MARGIN)
     for left, start, top in zip(page.lefts, page.columns, tops, strict=False):
         whole.write(start + left + WIDE / 2, high - above, top, ha="center", va="bottom")
     for row, chosen in enumerate(gears):
@@ -144,7 +133,7 @@ def _limits(results: Results, drawn: Sequence[Lever], gears: Sequence[int]) -> t
 
 def _row(figure: Figure, page: _Page, chosen: int, middle: float) -> None:
     """All levers in a gear."""
-    joined = _joined(page.results.settled, chosen)
+    joined = signs.joined(page.results.settled, chosen)
     bottom = middle - page.high / 2
     for place, left in enumerate(page.lefts):
         start = page.columns[place] + left
@@ -172,9 +161,9 @@ def _gear_text(results: Results, chosen: int, style: Style) -> str:
     gear = case.gears[chosen - 1]
     lines = [style.text(f"gear {gear.name}", f"передача {gear.name}")]
     if results.conflict[chosen - 1]:
-        lines.append(style.text("conflict of freewheels", "муфты свободного хода спорят"))
+        lines.append(style.text("conflict of freewheels", "противоречие муфт свободного хода"))
     elif results.tied_up[chosen - 1]:
-        lines.append(style.text("tied up", "замкнута накоротко"))
+        lines.append(style.text("tied up", "заперта"))
     else:
         lines.append(f"i = {number(float(results.ratio[chosen - 1]))}")
     lines.append(", ".join(case.shift_elements[one - 1].name for one in gear.engaged))
@@ -194,23 +183,7 @@ def _elements_text(case: Transmission, gears: Sequence[int], style: Style) -> st
     return ";  ".join(said)
 
 
-def _joined(case: Transmission, chosen: int) -> _Joined:
-    """The links that engaged elements join to the input, the output and the housing."""
-    gear = case.gears[chosen - 1]
-    pairs = [case.shift_elements[one - 1][:2] for one in gear.engaged]
-
-    def with_(link: int) -> frozenset[int]:
-        found = {link}
-        for _ in pairs:
-            for pair in pairs:
-                if found & set(pair):
-                    found |= set(pair)
-        return frozenset(found)
-
-    return _Joined(with_(case.gear_input(gear)), with_(case.gear_output(gear)), with_(HOUSING))
-
-
-def _lever(panel: Panel, page: _Page, place: int, chosen: int, joined: _Joined) -> None:
+def _lever(panel: Panel, page: _Page, place: int, chosen: int, joined: Joined) -> None:
     """A lever in a gear: bars from the line of rest to the speeds, names and numbers beside."""
     axes, style, lever = panel.axes, page.style, page.levers[place]
     speeds = [0.0, *page.results.speeds[chosen - 1].tolist()]
@@ -227,7 +200,7 @@ def _lever(panel: Panel, page: _Page, place: int, chosen: int, joined: _Joined) 
     left, right = [], []
     for node, name in zip(lever.nodes, page.names[place], strict=True):
         speed, at = speeds[node.link], panel.up(node.position)
-        sign = _sign(node.link, page, chosen, joined)
+        sign = signs.sign(page.results.case, chosen, node.link, joined, style)
         axes.axhline(node.position, color=style.faint, linewidth=0.4)
         axes.plot([0, speed], [node.position] * 2, color=sign.colour, linewidth=2.5)
         if sign.marker:
@@ -237,62 +210,3 @@ def _lever(panel: Panel, page: _Page, place: int, chosen: int, joined: _Joined) 
         right.append(Label(at, number(speed), sign.colour))
     panel.beside("left", left)
     panel.beside("right", right)
-
-
-class _Sign(NamedTuple):
-    """How a point of a lever is marked."""
-
-    marker: str
-    colour: str
-    meaning: str = ""
-
-
-def _signs(style: Style) -> list[_Sign]:
-    """The marks of the input, the output and the housing, and of links that turn with them."""
-    first, last = style.colour(0), style.colour(1)
-    return [
-        _Sign(
-            "o", first, style.text("input, and what is joined to it", "вход и соединённое с ним")
-        ),
-        _Sign(
-            "D", last, style.text("output, and what is joined to it", "выход и соединённое с ним")
-        ),
-        _Sign("s", style.ink, style.text("held", "остановлено")),
-        _Sign("", style.soft, style.text("other links", "прочие звенья")),
-    ]
-
-
-def _sign(link: int, page: _Page, chosen: int, joined: _Joined) -> _Sign:
-    """The mark of a link in a gear."""
-    gear = page.results.case.gears[chosen - 1]
-    first, last, held, other = _signs(page.style)
-    if link in joined.housing or gear.speeds.get(link) == 0:
-        return held
-    if link == page.results.case.gear_output(gear):
-        return last  # also where the input is joined to it
-    if link in joined.input:
-        return first
-    return last if link in joined.output else other
-
-
-def _sign_width(style: Style) -> float:
-    return 2 * MARGIN + 24 + max(labels.width(sign.meaning) for sign in _signs(style))
-
-
-def _legend_rows(style: Style, wide: float) -> int:
-    in_a_row = max(1, int((wide - MARGIN) // _sign_width(style)))
-    return math.ceil(len(_signs(style)) / in_a_row)
-
-
-def _legend(whole: Panel, style: Style, bottom: float) -> None:
-    """What the marks mean, in rows from a height [pt] upwards."""
-    signs = _signs(style)
-    rows = _legend_rows(style, whole.width)
-    in_a_row = math.ceil(len(signs) / rows)
-    for place, sign in enumerate(signs):
-        row, column = divmod(place, in_a_row)
-        x = MARGIN + column * _sign_width(style)
-        y = bottom + (rows - row - 0.5) * LEGEND
-        how = {"color": sign.colour, "marker": sign.marker, "markevery": [1], "markersize": 6}
-        whole.line((x, y), (x + 14, y), linewidth=2.5, **how)
-        whole.write(x + 24, y, sign.meaning, va="center", color=sign.colour)

@@ -87,7 +87,7 @@ def _layout(case: Transmission, chosen: Sequence[Plan], style: Style) -> _Layout
     columns = min(math.ceil(math.sqrt(len(chosen))), SIDE_BY_SIDE)
     names = [name for plan in chosen for name in _ray_names(case, plan)]
     left = MARGIN + LEADER + max(map(labels.width, names))
-    above = max(_top(case, plan, style)[1] for plan in chosen) + LEADER + MARGIN / 2
+    above = max(_top(case, plan, style).height for plan in chosen) + LEADER + MARGIN / 2
     heads = [_heading(plan, style) for plan in chosen]
     if any(heads):
         above += max(map(labels.height, heads))
@@ -102,10 +102,10 @@ def _draw_plan(panel: Panel, case: Transmission, plan: Plan, style: Style) -> No
     """A plan with all its labels."""
     _draw_rays(panel, case, plan, style)
     _draw_scales(panel, plan, style)
-    upright, top = _top(case, plan, style)
-    panel.along("top", _gear_labels(panel, case, plan, style, upright=upright), upright=upright)
+    top = _top(case, plan, style)
+    panel.along("top", top.labels, upright=top.upright)
     head = _heading(plan, style)
-    panel.write(WIDE / 2, HIGH + LEADER + top + 2, head, ha="center", va="bottom")
+    panel.write(WIDE / 2, HIGH + LEADER + top.height + 2, head, ha="center", va="bottom")
 
 
 def _title(case: Transmission, style: Style) -> str:
@@ -138,15 +138,33 @@ def _gear_text(case: Transmission, plan: Plan, place: int, between: str) -> str:
     return f"{name}{between}{elements}" if elements else name
 
 
-def _top(case: Transmission, plan: Plan, style: Style) -> tuple[bool, float]:
-    """Whether the names of gears run upwards, as they do not fit else, and their height."""
-    places = range(len(plan.marks))
-    flat = [_gear_text(case, plan, place, "\n") for place in places]
-    flat.append(_neutral(plan, style))
-    if sum(labels.width(text) + 2 * labels.GAP for text in flat) <= WIDE:
-        return False, max(map(labels.height, flat))
-    turned = [_gear_text(case, plan, place, ": ") for place in places]
-    return True, max(labels.width(text) for text in [*turned, _neutral(plan, style)])
+class _Top(NamedTuple):
+    """The gears with the elements that make them, above a plan."""
+
+    labels: list[Label]
+    upright: bool
+    height: float
+    """[pt]"""
+
+
+def _top(case: Transmission, plan: Plan, style: Style) -> _Top:
+    """The names of gears, across if each can stand near to its vertical, else upwards."""
+    low, high = _frame(plan)[:2]
+    at = [(mark.output - low) / (high - low) * WIDE for mark in plan.marks]
+    neutral = Label(-low / (high - low) * WIDE, _neutral(plan, style), style.soft)
+
+    def gears(between: str) -> list[Label]:
+        texts = [_gear_text(case, plan, place, between) for place in range(len(at))]
+        return [Label(x, text, style.ink) for x, text in zip(at, texts, strict=True)]
+
+    for across in ([*gears("\n"), neutral], gears("\n")):
+        sizes = [labels.across_size(label.text) for label in across]
+        wanted = [label.at for label in across]
+        places = labels.spread(wanted, sizes, 0.0, WIDE)
+        if all(abs(a - b) <= labels.LEADER for a, b in zip(places[: len(at)], at, strict=True)):
+            return _Top(across, upright=False, height=max(labels.height(a.text) for a in across))
+    turned = [*gears(": "), neutral]
+    return _Top(turned, upright=True, height=max(labels.width(a.text) for a in turned))
 
 
 def _neutral(plan: Plan, style: Style) -> str:
@@ -206,20 +224,6 @@ def _stops(
         speed = 0.0 if 0 in (element.first, element.second) else speeds.get(element.first, 0.0)
         places.append((output, speed))
     return places
-
-
-def _gear_labels(
-    panel: Panel, case: Transmission, plan: Plan, style: Style, *, upright: bool
-) -> list[Label]:
-    """The gears with the elements that make them, and the origin."""
-    between = ": " if upright else "\n"
-    found = [
-        Label(panel.across(mark.output), _gear_text(case, plan, place, between), style.ink)
-        for place, mark in enumerate(plan.marks)
-    ]
-    if _neutral(plan, style):
-        found.append(Label(panel.across(0.0), _neutral(plan, style), style.soft))
-    return found
 
 
 def _draw_scales(panel: Panel, plan: Plan, style: Style) -> None:
