@@ -19,10 +19,11 @@ COMMANDS = {
     "run": ("vstatics.cli.run", "Calculate every gear of each case."),
     "sweep": ("vstatics.cli.sweep", "Calculate variants of a case, to a table."),
     "flow": ("vstatics.cli.flow", "Show where the power goes, what is lost, what circulates."),
+    "summary": ("vstatics.cli.summary", "Ratios, steps, spread, transitions, largest values."),
+    "plot": ("vstatics.cli.plot", "Draw a picture of a case: SVG, PNG or PDF."),
     "check": ("vstatics.cli.check", "Report problems of the input, and the conditions per gear."),
     "convert": ("vstatics.cli.convert", "Convert a case between deck, YAML and JSON."),
     "compare": ("vstatics.cli.compare", "Compare two results number by number."),
-    "summary": ("vstatics.cli.summary", "Ratios, steps, spread, transitions, largest values."),
 }
 """Module and summary of each command; a module is imported when its command is called."""
 
