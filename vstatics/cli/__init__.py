@@ -17,6 +17,7 @@ from vstatics.errors import ReadError
 COMMANDS = {
     "new": ("vstatics.cli.new", "Write a commented case to start from."),
     "run": ("vstatics.cli.run", "Calculate every gear of each case."),
+    "explain": ("vstatics.cli.explain", "Write out the equations and the ratio of a gear."),
     "sweep": ("vstatics.cli.sweep", "Calculate variants of a case, to a table."),
     "check": ("vstatics.cli.check", "Report problems of the input, and the conditions per gear."),
     "convert": ("vstatics.cli.convert", "Convert a case between deck, YAML and JSON."),
