@@ -16,17 +16,29 @@ from vstatics.model import IdleConvention, Transmission
 
 def _chosen(case: Transmission, gears: tuple[str, ...]) -> list[int]:
     """Indices of the gears that are asked for, all of them if none is named."""
-    names = [gear.name for gear in case.gears]
-    for gear in gears:
-        if gear not in names:
-            known = nearest(gear, names) or f"; there are {', '.join(names)}"
-            raise click.UsageError(f"there is no gear {gear}{known}")
-    return [number for number, name in enumerate(names) if not gears or name in gears]
+    return [_index(case, gear) for gear in gears] or list(range(len(case.gears)))
+
+
+def _index(case: Transmission, gear: str) -> int:
+    """The index of a gear, by its name or else by its number."""
+    names = [one.name for one in case.gears]
+    if gear in names:
+        return names.index(gear)
+    if gear.isdecimal() and 0 < int(gear) <= len(names):
+        return int(gear) - 1
+    hint = nearest(gear, names) or f"; gears are {', '.join(names[:12])}"
+    raise click.BadParameter(f"no gear {gear!r}{hint}", param_hint="--gear")
 
 
 @click.command()
-@click.argument("case", type=click.Path())
-@click.option("--gear", "gears", multiple=True, metavar="GEAR", help="This gear only; repeatable.")
+@click.argument("case", type=click.Path(), metavar="CASE")
+@click.option(
+    "--gear",
+    "gears",
+    multiple=True,
+    metavar="G",
+    help="This gear only, by its name or number; may be given several times.",
+)
 @click.option(
     "-f",
     "--format",

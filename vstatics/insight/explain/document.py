@@ -9,7 +9,7 @@ from typing import Any
 from vstatics.insight.explain.equations import System
 from vstatics.insight.explain.explanation import Explanation
 from vstatics.insight.explain.formula import Formula
-from vstatics.insight.explain.text import in_numbers, in_symbols
+from vstatics.insight.explain.sums import in_numbers, in_symbols
 from vstatics.model import Transmission
 
 VERSION = 1

@@ -13,9 +13,11 @@ from vstatics.arrays import Floats
 from vstatics.elements.lower import parts
 from vstatics.insight.explain.bodies import OwnLinks, Structure, on_own_links, structure
 from vstatics.insight.explain.equations import System, speed_system, torque_system
-from vstatics.insight.explain.formula import Formula, NoFormula, formula, symbols_of
+from vstatics.insight.explain.formula import Formula, formula
 from vstatics.insight.explain.names import Names, names_of
+from vstatics.insight.explain.shares import NoFormula
 from vstatics.insight.explain.signs import Sign, signs_of
+from vstatics.insight.explain.symbols import symbols_of
 from vstatics.matrix import distribution_matrix
 from vstatics.model import HOUSING, Gear, Transmission
 from vstatics.results import Results

@@ -9,8 +9,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any, NamedTuple
 
-Polynomial = Any
-"""`sympy.polys.rings.PolyElement`"""
+from vstatics.insight.explain.factors import Factored, Polynomial, Powers, balance, factored
+
 Fraction = Any
 """`sympy.polys.fields.FracElement`"""
 
@@ -51,17 +51,6 @@ class _Written(NamedTuple):
         return f"({self.text})" if self.is_sum or self.is_product else self.text
 
 
-_Powers = list[tuple[Polynomial, int]]
-"""Factors, each with its power."""
-
-
-class _Factored(NamedTuple):
-    """A polynomial: a whole number times powers of factors."""
-
-    number: int
-    factors: _Powers
-
-
 def fraction(value: Fraction, style: Style) -> str:
     """The shortest form of a fraction of polynomials.
 
@@ -72,13 +61,13 @@ def fraction(value: Fraction, style: Style) -> str:
     >>> _, u, v = field("u, v", ZZ)
     >>> [fraction(one, Style("uv")) for one in (1 - u, (1 - u) * (1 - v), u / (u - 1), u * v)]
     ['1 - u', '(1 - u)(1 - v)', 'u/(u - 1)', 'u v']
-    >>> [fraction(one, Style("uv")) for one in (2 - 1 / u, (u + v - 1) / u, 1 - u * (1 - v))]
-    ['2 - 1/u', '(u + v - 1)/u', '1 - u (1 - v)']
+    >>> [fraction(one, Style("uv")) for one in (2 - 1 / u, (u + v - 1) / u, 1 - u * v)]
+    ['2 - 1/u', '(u + v - 1)/u', '1 - u v']
     >>> fraction((u - 1) / u * (1 - v), Style("uv"))
     '(1 - 1/u)(1 - v)'
     """
     forms = [form for form in (_in_factors, _by_terms, _one_and_rest) if form(value, style)]
-    if len(_factored(value.numer).factors) > 1:
+    if len(factored(value.numer).factors) > 1:
         forms = forms[:1]  # a product is to be seen as one
     measure = neutral(len(style.symbols))
     shortest = min(forms, key=lambda form: len(_text(form(value, measure))))
@@ -99,7 +88,7 @@ def weighted(values: Sequence[Fraction], unknowns: Sequence[str], style: Style) 
     divisor = values[0].denom
     for value in values[1:]:
         divisor = divisor.lcm(value.denom)
-    below = _factored(divisor)
+    below = factored(divisor)
     terms = []
     for value, unknown in zip(values, unknowns, strict=True):
         whole = (value * divisor).numer * (1 if below.number > 0 else -1)
@@ -122,16 +111,16 @@ def _text(written: _Written | None) -> str:
 
 def _signed(polynomial: Polynomial, style: Style) -> tuple[str, _Written]:
     """The sign of a polynomial, as far as it can't be taken into a factor, and the rest."""
-    found = _factored(polynomial)
+    found = factored(polynomial)
     if found.number < 0:
-        found, _ = _turned(found, _Factored(1, []))
+        found, _ = _turned(found, Factored(1, []))
     rest = _product(found._replace(number=abs(found.number)), style)
     return ("-" if found.number < 0 else "+"), rest
 
 
 def _in_factors(value: Fraction, style: Style) -> _Written:
     """Numerator and denominator, each in factors; ``(u - 1)/u`` within is ``1 - 1/u``."""
-    above, below = _factored(value.numer), _factored(value.denom)
+    above, below = factored(value.numer), factored(value.denom)
     above, below, inverse = _inverse(above, below)
     if above.number * below.number < 0:
         above, below = _turned(above, below)
@@ -143,28 +132,29 @@ def _in_factors(value: Fraction, style: Style) -> _Written:
     return _Written(f"{minus}{top.factor}/{over.divisor}", is_product=True)
 
 
-def _inverse(above: _Factored, below: _Factored) -> tuple[_Factored, _Factored, _Powers]:
+def _inverse(above: Factored, below: Factored) -> tuple[Factored, Factored, Powers]:
     """What is left without factors ``1 - 1/u``, and these: the symbol and the power of each."""
-    inverse: _Powers = []
-    top, bottom, number = [], dict(below.factors), above.number
+    inverse: Powers = []
+    top, bottom, number = [], below.factors, above.number
     for factor, power in above.factors:
         symbol = 1 - factor  # a factor stands as 1 - u, not as u - 1
-        common = min(power, bottom.get(symbol, 0)) if len(symbol) == 1 else 0
+        given = next((have for one, have in bottom if one == symbol and len(one) == 1), 0)
+        common = min(power, given)
         if common:
             inverse.append((symbol, common))
             number *= (-1) ** common
-            bottom[symbol] -= common
+            bottom = [(one, have - common * (one == symbol)) for one, have in bottom]
         if power > common:
             top.append((factor, power - common))
-    rest = [(factor, power) for factor, power in bottom.items() if power]
-    return _Factored(number, top), below._replace(factors=rest), inverse
+    rest = [(factor, power) for factor, power in bottom if power]
+    return Factored(number, top), below._replace(factors=rest), inverse
 
 
-def _turned(above: _Factored, below: _Factored) -> tuple[_Factored, _Factored]:
+def _turned(above: Factored, below: Factored) -> tuple[Factored, Factored]:
     """A minus taken into a factor that looks as well with it, if there is one."""
     for part in (below, above):
         for place, (factor, power) in enumerate(part.factors):
-            if power % 2 and _balance(factor) == 0 and len(factor) > 1:
+            if power % 2 and balance(factor) == 0 and len(factor) > 1:
                 factors = [*part.factors]
                 factors[place] = (-factor, power)
                 turned = part._replace(number=-part.number, factors=factors)
@@ -190,66 +180,12 @@ def _one_and_rest(value: Fraction, style: Style) -> _Written | None:
     rest = value - 1
     if not rest or len(rest.numer) == len(value.numer) == 1:
         return None
-    above, below = _factored(rest.numer), _factored(rest.denom)
+    above, below = factored(rest.numer), factored(rest.denom)
     sign = "-" if above.number * below.number < 0 else "+"
     over = _product(below._replace(number=abs(below.number)), style)
     top = _product(above._replace(number=abs(above.number)), style)
     text = top.factor if over.text == "1" else f"{top.factor}/{over.divisor}"
     return _Written(f"1 {sign} {text}", is_sum=True)
-
-
-def _factored(polynomial: Polynomial) -> _Factored:
-    """Factors with the sign in which they look best."""
-    number, rest = polynomial.primitive()
-    factors = []
-    for factor, power in _factors(rest):
-        if factor.is_ground:
-            number *= factor.LC**power
-            continue
-        turned = _looks_better(-factor, factor)
-        factors.append((-factor if turned else factor, power))
-        number = -number if turned and power % 2 else number
-    return _Factored(int(number), factors)
-
-
-def _factors(polynomial: Polynomial) -> _Powers:
-    """Factors of a polynomial whose coefficients have none in common.
-
-    Where a symbol occurs in the first power only, as ``a + b u``, the greatest common factor
-    of a and b is one, and what is left can't be divided; SymPy, which knows nothing of this,
-    needs long with many symbols.
-    """
-    if polynomial.is_ground:
-        return [(polynomial, 1)]
-    powers = [max(one) for one in zip(*polynomial.monoms(), strict=True)]
-    if 1 not in powers:
-        constant, found = polynomial.factor_list()
-        return [(polynomial.ring(constant), 1), *found]
-    place = powers.index(1)
-    ring = polynomial.ring
-    symbol = ring.gens[place]
-    with_it = ring({one: factor for one, factor in polynomial.terms() if one[place]})
-    common = (
-        with_it.quo(symbol).gcd(polynomial - with_it)
-        if polynomial != with_it
-        else (with_it.quo(symbol))
-    )
-    return [(polynomial.quo(common), 1), *_factors(common)]
-
-
-def _balance(polynomial: Polynomial) -> int:
-    """Terms above 0 less those below 0."""
-    return sum(1 if factor > 0 else -1 for _, factor in polynomial.terms())
-
-
-def _looks_better(one: Polynomial, other: Polynomial) -> bool:
-    """More terms above 0; else the constant is above 0, else the first term."""
-
-    def rank(polynomial: Polynomial) -> tuple[int, bool, bool]:
-        constant = polynomial.coeff(1)
-        return _balance(polynomial), constant > 0, polynomial.LC > 0
-
-    return rank(one) > rank(other)
 
 
 def _ordered(polynomial: Polynomial) -> list[Polynomial]:
@@ -260,7 +196,7 @@ def _ordered(polynomial: Polynomial) -> list[Polynomial]:
 
 
 def _product(
-    factored: _Factored, style: Style, inverse: Sequence[tuple[Polynomial, int]] = ()
+    product: Factored, style: Style, inverse: Sequence[tuple[Polynomial, int]] = ()
 ) -> _Written:
     """A product, single symbols before sums, in the order of the symbols.
 
@@ -271,23 +207,23 @@ def _product(
     """
     factors = [
         (len(factor) > 1, _position(factor), _sum(factor, style), power)
-        for factor, power in factored.factors
+        for factor, power in product.factors
     ]
     factors += [
         (True, _position(symbol), f"1 - 1/{_sum(symbol, style)}", power)
         for symbol, power in inverse
     ]
     factors.sort()
-    if factored.number == 1 and len(factors) == 1 and factors[0][-1] == 1:
+    if product.number == 1 and len(factors) == 1 and factors[0][-1] == 1:
         is_sum, _, text, _ = factors[0]
         return _Written(text, is_sum=is_sum)
-    text = str(factored.number) if factored.number != 1 or not factors else ""
+    text = str(product.number) if product.number != 1 or not factors else ""
     for is_sum, _, written, power in factors:
         base = f"({written})" if is_sum else written
         raised = base if power == 1 else f"{base}{style.power}{power}"
         bracketed = is_sum and text.endswith(")")
         text += f"{style.joined if bracketed else style.times}{raised}" if text else raised
-    return _Written(text, is_product=len(factors) + (factored.number != 1) > 1)
+    return _Written(text, is_product=len(factors) + (product.number != 1) > 1)
 
 
 def _position(polynomial: Polynomial) -> tuple[int, ...]:

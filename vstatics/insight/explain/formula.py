@@ -1,8 +1,4 @@
-"""The ratio of a gear as a formula in the ratios of its mechanisms; needs SymPy.
-
-The speed equations are solved with symbols for the ratios: links that turn together are
-one body, and bodies that neither are the output nor have a given speed are eliminated.
-"""
+"""The ratio of a gear as a formula in the ratios of its mechanisms; needs SymPy."""
 
 from __future__ import annotations
 
@@ -13,31 +9,16 @@ from fractions import Fraction
 from importlib.util import find_spec
 from typing import Any, NamedTuple
 
-from vstatics.elements.lower import parts
 from vstatics.insight.explain import forms
 from vstatics.insight.explain.bodies import OwnLinks, Structure
 from vstatics.insight.explain.names import Names
-from vstatics.model import HOUSING, Gear, Transmission
+from vstatics.insight.explain.shares import NoFormula, shares
+from vstatics.insight.explain.symbols import Symbol
+from vstatics.model import HOUSING, Gear
 
 INSTALL = 'pip install "vstatics[formula]"'
-LARGEST = 400
-"""A formula of more terms helps nobody, and takes long."""
 SHARED = ("u", "v")
 """Symbols for ratios that several mechanisms have."""
-
-Body = int
-Row = dict[Body, Any]
-"""Body -> coefficient, a fraction of polynomials."""
-
-
-class Symbol(NamedTuple):
-    """The ratio of a mechanism in a formula."""
-
-    name: str
-    meaning: str
-    """The mechanism, or the members of an element."""
-    value: float
-    """[-]"""
 
 
 class Formula(NamedTuple):
@@ -58,40 +39,6 @@ class Formula(NamedTuple):
     """New symbol -> those of the same value that it stands for in `shared_text`."""
     shared_text: str
     """Shorter, as some ratios are the same; may be nothing."""
-
-
-class NoFormula(Exception):  # noqa: N818 - not an error of the case
-    """There is no formula; the text says why."""
-
-
-def symbols_of(case: Transmission, names: Names, own: OwnLinks) -> list[Symbol]:
-    """Symbols for the mechanisms between own links: those of the equations, or between wheels.
-
-    Parameters
-    ----------
-    case : Transmission
-        As it is calculated, planets among its links.
-    own : OwnLinks
-        The same on its own links.
-    """
-    values = [mechanism.ratio for mechanism in own.case.mechanisms]
-    given = [one.name for one in case.mechanisms]
-    if case.drawing is None:
-        return list(map(Symbol, names.ratios, given, values))
-    found: list[Symbol] = []
-    number, wheels = 0, 0
-    for part, reduced in zip(parts(case.drawing), own.parts, strict=True):
-        for place, lowered in enumerate(reduced.lowered):
-            if part.planet_links:
-                wheels += 1
-                first, second, third = lowered.members
-                meaning = f"{part.name}: {first} to {second}, {third} held"
-                found.append(Symbol(f"k{wheels}", meaning, lowered.mechanism.ratio))
-            else:
-                name = names.ratios[number + place]
-                found.append(Symbol(name, given[number + place], lowered.mechanism.ratio))
-        number += len(part.lowered)
-    return found
 
 
 def formula(
@@ -117,7 +64,7 @@ def formula(
     if find_spec("sympy") is None:
         raise NoFormula(f"the formula needs the package sympy: {INSTALL}")
     case = own.case
-    given: dict[Body, str] = {}
+    given: dict[int, str] = {}
     numbers: dict[str, float] = {}
     for link, speed in {case.gear_input(gear): 1.0, **gear.speeds}.items():
         if found.body[link] != HOUSING:
@@ -126,71 +73,13 @@ def formula(
     output = case.gear_output(gear)
     if found.body[output] == HOUSING:
         raise NoFormula("the output is held: there is no ratio")
-    shares = _shares(own, symbols, found, given, found.body[output])
-    if not shares:
+    parts = shares(own, found, given, found.body[output])
+    if not parts:
         raise NoFormula("the output stands still: there is no ratio")
-    speeds = {given[body]: numbers[given[body]] for body in shares}
+    speeds = {given[body]: numbers[given[body]] for body in parts}
     if not gear.speeds or list(speeds) == [names.speeds[case.gear_input(gear)]]:
-        return _of_ratio(1 / next(iter(shares.values())), symbols)
-    return _of_speed(names.speeds[output], list(shares.values()), speeds, symbols)
-
-
-def _shares(
-    own: OwnLinks,
-    symbols: Sequence[Symbol],
-    found: Structure,
-    given: Mapping[Body, str],
-    output: Body,
-) -> Row:
-    """What each given speed adds to that of the output."""
-    from sympy import ZZ
-    from sympy.polys.fields import field
-
-    fractions, *ratios = field([f"u{n}" for n in range(1, len(symbols) + 1)] or ["u1"], ZZ)
-    if output in given:
-        return {output: fractions.one}
-    rows = [row for n in found.needed if (row := _row(own, n, found.body, ratios, fractions))]
-    while unknown := {body for row in rows for body in row} - {output, *given}:
-        counts = Counter(body for row in rows for body in row)
-        body = min(unknown, key=lambda one: (counts[one], one))
-        pivot = min((row for row in rows if body in row), key=lambda row: (len(row), _size(row)))
-        rows = [_without(row, body, pivot) for row in rows if row is not pivot]
-        rows = [row for row in rows if row]
-        if any(_size(row) > LARGEST for row in rows):
-            raise NoFormula("the formula would be too long")
-    last = next((row for row in rows if output in row), None)
-    if last is None:
-        raise NoFormula("neutral: the output speed is not determined")
-    factor = last.pop(output)
-    return {body: -last[body] / factor for body in given if body in last}
-
-
-def _row(
-    own: OwnLinks, number: int, body: Sequence[Body], ratios: Sequence[Any], fractions: Any
-) -> Row:
-    """The speed equation of a mechanism, in bodies."""
-    mechanism = own.case.mechanisms[number]
-    ratio = ratios[number]
-    if own.is_fixed(number):
-        ratio = fractions(int(mechanism.ratio))
-    row: Row = {}
-    for link, factor in zip(mechanism.links, (fractions.one, -ratio, ratio - 1), strict=True):
-        if body[link] != HOUSING:
-            row[body[link]] = row.get(body[link], fractions.zero) + factor
-    return {one: factor for one, factor in row.items() if factor}
-
-
-def _without(row: Row, body: Body, pivot: Row) -> Row:
-    """An equation from which a body is eliminated."""
-    if body not in row:
-        return row
-    share = row[body] / pivot[body]
-    made = {one: row.get(one, 0) - share * pivot.get(one, 0) for one in {**row, **pivot}}
-    return {one: factor for one, factor in made.items() if factor and one != body}
-
-
-def _size(row: Row) -> int:
-    return sum(len(factor.numer) + len(factor.denom) for factor in row.values())
+        return _of_ratio(1 / next(iter(parts.values())), symbols)
+    return _of_speed(names.speeds[output], list(parts.values()), speeds, symbols)
 
 
 def _of_ratio(ratio: Any, symbols: Sequence[Symbol]) -> Formula:

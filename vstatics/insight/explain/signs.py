@@ -92,8 +92,9 @@ def _why(results: Results, number: int, place: int, motion: float, power: float)
         why = f"idle: {still if motion == 0 else 'no torque'}"
         if sign == 0:
             return why
-        chosen = math.copysign(1, mechanism.ratio) if motion == 0 else 1.0
-        by_convention = case.idle == "published" and sign == chosen
+        # of the convention: +1 without torque, else the sign of the ratio; see docs/method.md
+        chosen = (1.0, math.copysign(1, mechanism.ratio))[: 2 if motion == 0 else 1]
+        by_convention = case.idle == "published" and sign in chosen
         by = "convention `published`" if by_convention else "flow with losses"
         return f"{why}; x by the {by}"
     ideal = power * (-1 if case.coast else 1)

@@ -7,54 +7,20 @@ import re
 from collections.abc import Iterable, Iterator, Sequence
 from textwrap import wrap
 
-from vstatics.insight.explain.equations import Equation, System, Term
+from vstatics.insight.explain.equations import System
 from vstatics.insight.explain.explanation import Explanation
 from vstatics.insight.explain.formula import Formula
 from vstatics.insight.explain.signs import Sign
+from vstatics.insight.explain.sums import INDENT, WIDTH, filled, in_numbers, in_symbols, listed
 from vstatics.writers.numbers import fixed, short
 
-WIDTH = 80
 LABEL = 20
 """What stands before an equation has a line of its own when it is longer."""
-INDENT = "  "
 
 
 def write(explained: Iterable[Explanation]) -> str:
     """Gears explained, one after the other."""
     return "\n".join("\n".join(_gear(one)) + "\n" for one in explained)
-
-
-def in_symbols(equation: Equation) -> list[str]:
-    """The terms and the right side of an equation: names, and what coefficients are made of.
-
-    Examples
-    --------
-    >>> row = Equation("P", [Term("w_1", "1", 1.0), Term("w_2", "u_P - 1", -3.5)], 0.0)
-    >>> in_symbols(row), in_numbers(row)
-    (['w_1', '+ (u_P - 1) w_2', '= 0'], ['w_1', '- 3.5 w_2', '= 0'])
-    """
-    return _sum([(_symbol(term), term.unknown) for term in equation.terms], equation.right)
-
-
-def in_numbers(equation: Equation) -> list[str]:
-    """The same with numbers."""
-    terms = [(short(term.coefficient), term.unknown) for term in equation.terms if term.coefficient]
-    return _sum(terms, equation.right)
-
-
-def _symbol(term: Term) -> str:
-    return f"({term.symbol})" if " " in term.symbol else term.symbol
-
-
-def _sum(terms: Sequence[tuple[str, str]], right: float) -> list[str]:
-    parts: list[str] = []
-    for factor, unknown in terms:
-        size = factor.removeprefix("-")
-        sign = "-" if factor.startswith("-") else "+"
-        text = unknown if size == "1" else f"{size} {unknown}"
-        front = f"{sign} " if parts else "-" * (sign == "-")
-        parts.append(front + text)
-    return [*(parts or ["0"]), f"= {short(right)}"]
 
 
 def _gear(one: Explanation) -> Iterator[str]:
@@ -128,7 +94,7 @@ def _system(system: System, *, with_symbols: bool) -> Iterator[str]:
             yield INDENT + label
             front = ""
         for parts in written:
-            yield from _filled(parts, f"{INDENT}{front:{column}}  ")
+            yield from filled(parts, f"{INDENT}{front:{column}}  ")
             front = ""
     yield from _solution(system)
 
@@ -142,7 +108,7 @@ def _solution(system: System) -> Iterator[str]:
         yield f"{INDENT}solution: there is none"
         return
     yield f"{INDENT}solution:"
-    yield from _listed(known, INDENT * 2)
+    yield from listed(known, INDENT * 2)
     if unknown:
         text = f"not determined: {', '.join(unknown)}"
         yield from wrap(text, WIDTH, initial_indent=INDENT * 2, subsequent_indent=INDENT * 3)
@@ -151,29 +117,6 @@ def _solution(system: System) -> Iterator[str]:
 def _is(value: float) -> bool:
     """Whether a value exists."""
     return not math.isnan(value)
-
-
-def _filled(parts: Iterable[str], front: str) -> Iterator[str]:
-    """A sum in lines, broken before a sign."""
-    line, started = front, False
-    for part in parts:
-        if started and len(line) + 1 + len(part) > WIDTH:
-            yield line
-            line, started = " " * (len(front) + 2), False
-        line += f" {part}" if started else part
-        started = True
-    yield line
-
-
-def _listed(texts: Iterable[str], front: str) -> Iterator[str]:
-    """Short texts in lines, two blanks between them."""
-    line = front
-    for text in texts:
-        if line.strip() and len(line) + len(text) > WIDTH:
-            yield line.rstrip()
-            line = front
-        line += f"{text}  "
-    yield line.rstrip()
 
 
 def _losses(one: Explanation) -> Iterator[str]:
@@ -190,6 +133,8 @@ def _losses(one: Explanation) -> Iterator[str]:
     if one.lossy is None:
         yield f"{INDENT}there is no solution with losses"
     elif any(sign.lossy_ratio != sign.ratio for sign in one.signs) or _drags(one):
+        if _drags(one):
+            yield f"{INDENT}drag stands on the right sides"
         yield from _system(one.lossy, with_symbols=False)
         yield f"{INDENT}efficiency = {short(one.efficiency)}"
     else:
@@ -281,7 +226,7 @@ def _agreement(one: Explanation, made: Formula) -> str:
 
 def _formula(front: str, text: str) -> Iterator[str]:
     """A formula in lines, broken before a sign if that is enough."""
-    lines = list(_filled(re.split(r" (?=[+-] )", text), front))
+    lines = list(filled(re.split(r" (?=[+-] )", text), front))
     if max(map(len, lines)) > WIDTH:
         lines = wrap(front + text, WIDTH, subsequent_indent=INDENT * 3, break_long_words=False)
     yield from lines
