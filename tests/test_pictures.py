@@ -337,8 +337,8 @@ def test_an_unknown_gear_is_told_with_those_that_there_are(tmp_path: Path) -> No
     said = vstatics(
         "plot", CASES / "umdm.yaml", "-k", "plan", "--gear", "9", "-o", tmp_path / "a.svg"
     )
-    assert said.status == 1
-    assert "error: there is no gear `9`, expected one of 1, 2, 3, 4, R" in said.err
+    assert said.status == 2
+    assert "no gear '9'; gears are 1, 2, 3, 4, R" in said.err
     assert list(tmp_path.iterdir()) == []
 
 

@@ -20,6 +20,7 @@ COMMANDS = {
     "sweep": ("vstatics.cli.sweep", "Calculate variants of a case, to a table."),
     "flow": ("vstatics.cli.flow", "Show where the power goes, what is lost, what circulates."),
     "summary": ("vstatics.cli.summary", "Ratios, steps, spread, transitions, largest values."),
+    "explain": ("vstatics.cli.explain", "Write out the equations and the ratio of a gear."),
     "plot": ("vstatics.cli.plot", "Draw a picture of a case: SVG, PNG or PDF."),
     "check": ("vstatics.cli.check", "Report problems of the input, and the conditions per gear."),
     "convert": ("vstatics.cli.convert", "Convert a case between deck, YAML and JSON."),

@@ -10,7 +10,6 @@ from vstatics import readers
 from vstatics.cli import cases as arguments
 from vstatics.cli import files
 from vstatics.cli.cases import Settings, calculate
-from vstatics.errors import nearest
 from vstatics.model import IdleConvention, Transmission
 
 if TYPE_CHECKING:
@@ -64,20 +63,9 @@ def flow(
 
     found = flows(outcome.results)
     if gear is not None:
-        found = [found[_index(outcome.results.case, gear)]]
+        found = [found[arguments.gear_number(outcome.results.case, gear) - 1]]
     files.write_output(_text(outcome.results.case, found, output_format), None)
     context.exit(1 if outcome.failed else 0)
-
-
-def _index(case: Transmission, gear: str) -> int:
-    """The index of a gear, by its name or else by its number."""
-    names = [one.name for one in case.gears]
-    if gear in names:
-        return names.index(gear)
-    if gear.isdecimal() and 0 < int(gear) <= len(names):
-        return int(gear) - 1
-    hint = nearest(gear, names) or f"; gears are {', '.join(names[:12])}"
-    raise click.BadParameter(f"no gear {gear!r}{hint}", param_hint="--gear")
 
 
 def _text(case: Transmission, found: list[GearFlow], output_format: str) -> str:

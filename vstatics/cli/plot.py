@@ -11,10 +11,10 @@ from vstatics import readers
 from vstatics.cli import cases as arguments
 from vstatics.cli import files
 from vstatics.cli.cases import Settings, calculate
-from vstatics.errors import CaseError, Place, Problem, ReadError, nearest
+from vstatics.errors import CaseError, Place, Problem, ReadError
 from vstatics.insight.pictures import FORMATS, PICTURES, Format, render
 from vstatics.insight.pictures.style import Style
-from vstatics.model import IdleConvention, Transmission
+from vstatics.model import IdleConvention
 from vstatics.results import Language
 
 
@@ -84,7 +84,7 @@ def plot(
     [outcome] = calculate([case], Settings(input_format, coast, idle))
     if outcome.results is not None:
         try:
-            chosen = None if gear is None else _gear(outcome.results.case, gear)
+            chosen = None if gear is None else arguments.gear_number(outcome.results.case, gear)
             drawn = render(outcome.results, kind, form, Style(lang, dark), chosen)
         except CaseError as error:
             place = Place(outcome.file, 0, 0)
@@ -110,20 +110,3 @@ def _format(output: str) -> Format:
             return form
     known = " ".join(f".{form}" for form in FORMATS)
     raise click.UsageError(f"can't tell the format of {output}: expected a suffix of {known}")
-
-
-def _gear(case: Transmission, asked: str) -> int:
-    """The number of a gear, by its name first, then by its number.
-
-    Raises
-    ------
-    CaseError
-        If there is none.
-    """
-    names = [gear.name for gear in case.gears]
-    if asked in names:
-        return names.index(asked) + 1
-    if asked.isascii() and asked.isdigit() and 0 < int(asked) <= len(names):
-        return int(asked)
-    known = nearest(asked, names) or f", expected one of {', '.join(names)}"
-    raise CaseError([Problem(f"there is no gear `{asked}`{known}")])
