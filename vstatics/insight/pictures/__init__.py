@@ -1,0 +1,1 @@
+"""Pictures of a transmission and of its results."""
