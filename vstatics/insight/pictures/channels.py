@@ -17,7 +17,7 @@ Reach = Literal["row", "edge", "pass", "none"]
 """From where a tap comes to its track: from the row, from the outer edge of the channel, or
 through the whole channel, joining the track if the wire has one there; or it has no track."""
 
-CROSSING, UNDER_ITEM = 170.0, 40.0
+CROSSING, TRACK = 300.0, 40.0
 """What a crossing costs, and one track more, in points of length of wire."""
 
 Track = tuple[int, int]
@@ -166,13 +166,13 @@ class Board:
             item = self.items[index]
             if item.bridge is not None:
                 continue
-            own: dict[int, int] = {}
-            for wire, given, _, reach, _, _ in item.variants[plan.variants[index]]:
+            own: dict[tuple[int, float], int] = {}
+            for wire, given, x, reach, _, _ in item.variants[plan.variants[index]]:
                 if reach == "none":
                     continue
                 side = given or plan.sides[wire]
                 sides.setdefault(wire, set()).add(side)
-                if own.setdefault(wire, side) != side:
+                if own.setdefault((wire, x), side) != side:
                     joined.add(wire)
         return {wire for wire, found in sides.items() if len(found) > 1} - joined
 
@@ -215,9 +215,7 @@ class Board:
         """Crossings, length of wire, tracks."""
         row = self.row(plan)
         length = sum(high - low for low, high in row.spans.values())
-        return (
-            CROSSING * crossings(row, plan) + length + UNDER_ITEM * len(row.spans) + 2 * row.width
-        )
+        return CROSSING * crossings(row, plan) + length + TRACK * len(row.spans) + 2 * row.width
 
 
 def end_track(spans: Mapping[Track, tuple[float, float]], wire: int, side: int) -> Track:

@@ -60,8 +60,8 @@ class Placement:
         for track, (low, high) in self.row.spans.items():
             own = [tap for tap in self.row.taps if tap[1:3] == track and tap.reach != "none"]
             for x in dict.fromkeys(tap.x for tap in own):
-                here = [tap for tap in self.row.taps if tap.wire == track[0] and tap.x == x]
-                if low < x < high or any(tap.reach == "pass" for tap in here):
+                passes = any(tap.reach == "pass" for tap in own if tap.x == x)
+                if low < x < high or passes:
                     found.append(((x, self.y(track)), track[0]))
         return found
 

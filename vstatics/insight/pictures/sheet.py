@@ -57,7 +57,7 @@ def sheet_of(placement: Placement, scheme: Scheme, state: State, title: str, sty
     left = -TERMINAL - 4 - max(names["left"], default=-TERMINAL) - MARGIN
     right = placement.row.width + TERMINAL + 4 + max(names["right"], default=-TERMINAL) + MARGIN
     right = max(right, left + 2 * MARGIN + width_of(title, SIZE + 2, bold=True))
-    sides = {tap.side for tap in placement.row.taps if tap.reach != "row"}
+    sides = {tap.side for tap in placement.row.taps if tap.reach in {"edge", "pass"}}
     low = placement.edge(BELOW) - (BAND + 14 if BELOW in sides else 0)
     high = placement.edge(ABOVE) + (BAND + 14 if ABOVE in sides else 0)
     high += 2.6 * HEIGHT * bool(title)
@@ -97,7 +97,7 @@ def _ends(sheet: Sheet) -> None:
         y = placement.y(placement.end_of(wire))
         own = [port for port in sheet.scheme.ports if port.link == wire]
         ports = [port for port in own if (port.role == "input") == (way < 0)]
-        is_used = any(port not in sheet.state.idle_ports for port in ports)
+        is_used = not ports or any(port not in sheet.state.idle_ports for port in ports)
         color = sheet.wire_color(wire) if is_used else pen.style.muted
         end = x + way * TERMINAL
         pen.line((x, y), (end, y), color=color)

@@ -6,8 +6,8 @@ from vstatics.insight.pictures.pen import LINE, Pen, Point
 
 PLATE = 9.0
 """Half the length of a plate. [pt]"""
-SPLIT = {"freewheel": 6.0}
-"""Half the length of what is not plates. [pt]"""
+SPLIT = {"freewheel": 6.0, "dog_clutch": 4.0}
+"""Half the length along the line, where it is not that of plates. [pt]"""
 
 
 def coupling(pen: Pen, kind: str, ends: tuple[Point, Point], color: str, *, closed: bool) -> None:
@@ -34,6 +34,6 @@ def coupling(pen: Pen, kind: str, ends: tuple[Point, Point], color: str, *, clos
     for place in (-half, half):
         pen.line(at(place, PLATE), at(place, -PLATE), color=color, width=2 * LINE)
     if kind == "dog_clutch":
-        for across in (-6.0, 0.0, 6.0):  # teeth of the one between teeth of the other
-            pen.line(at(-half, across), at(0.8, across), color=color)
-            pen.line(at(half, across + 3), at(-0.8, across + 3), color=color)
+        for side, places in ((-half, (-7.0, 0.0, 7.0)), (half, (-3.5, 3.5))):
+            for across in places:  # teeth of the one between teeth of the other
+                pen.line(at(side, across), at(-side / 3, across), color=color)
