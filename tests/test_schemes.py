@@ -276,6 +276,22 @@ def test_freewheel_is_marked_where_it_holds() -> None:
     assert roller in state_of(results, scheme, 2).idle
 
 
+def test_support_that_holds_is_not_pale() -> None:
+    # cases/wheel-hub.yaml: in gear `both` the right wheel carries torque by the right hub, whose
+    # ring the support holds; in gear `left` it hangs in the air
+    results = vstatics.solve(vstatics.load(SHIPPED / "wheel-hub.yaml"))
+    scheme = scheme_of(results.case)
+    support = [device.name for device in scheme.devices].index("support")
+    assert support in state_of(results, scheme, 1).idle
+    assert support not in state_of(results, scheme, 3).idle
+    wheel = scheme.links.index("right wheel") + 1
+    pale = {
+        gear: {port.link for port in state_of(results, scheme, gear).idle_ports} for gear in (1, 3)
+    }
+    assert wheel in pale[1]
+    assert wheel not in pale[3]
+
+
 def test_gear_that_is_tied_up_says_so() -> None:
     # two brakes hold sun and ring of a set whose sun is driven
     case = Transmission(

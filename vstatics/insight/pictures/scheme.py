@@ -186,9 +186,12 @@ def state_of(results: Results, scheme: Scheme, gear: int | None) -> State:
         else:
             columns = [len(case.shift_elements) + number for number in device.numbers]
             carries = bool(torques[columns].any())
-            if exists and results.idle[gear - 1, list(device.numbers)].all():
+            rests = bool(results.idle[gear - 1, list(device.numbers)].all())
+            # a support never turns: it is idle only where it holds nothing
+            if exists and rests and not (device.kind == "held" and carries):
                 idle.add(place)
         ends += list(device.links) if carries else []
     links = {link for link in range(1, len(scheme.links) + 1) if ends.count(link) < 2}
-    unused = {port for port in scheme.ports if port not in ports}
+    used = {port.link for port in ports}
+    unused = {port for port in scheme.ports if port.link not in used}
     return State(frozenset(engaged), frozenset(idle), frozenset(links), frozenset(unused))
