@@ -66,6 +66,8 @@ def plot(
     plan         speeds of all links over the output speed: the generalised
                  kinematic plan
     lever        speeds of each gear on the levers of the mechanisms
+    structure    mechanisms as boxes, links as wires, clutches and brakes
+    stick        the stick diagram of a case made of elements
     efficiency   efficiency by gear, with the losses of each mechanism
 
     \b

@@ -27,6 +27,8 @@ FORMATS: tuple[Format, ...] = get_args(Format)
 PICTURES: dict[str, tuple[str, str]] = {
     "plan": ("vstatics.insight.pictures.plan", "draw"),
     "lever": ("vstatics.insight.pictures.lever", "draw"),
+    "structure": ("vstatics.insight.pictures.structure", "draw"),
+    "stick": ("vstatics.insight.pictures.stick", "draw"),
     "efficiency": ("vstatics.insight.pictures.efficiency", "draw"),
 }
 """Kind of picture -> module and function."""

@@ -62,6 +62,11 @@ class Style(NamedTuple):
         return "#a0a8b2" if self.dark else "#757575"
 
     @property
+    def accent(self) -> str:
+        """Of what is engaged, or lost."""
+        return "#ff7a5c" if self.dark else "#c8391f"
+
+    @property
     def colours(self) -> tuple[str, ...]:
         """To tell lines and areas apart."""
         return _ON_BLACK if self.dark else _ON_PAPER
