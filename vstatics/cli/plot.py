@@ -66,6 +66,7 @@ def plot(
     plan         speeds of all links over the output speed: the generalised
                  kinematic plan
     lever        speeds of each gear on the levers of the mechanisms
+    flow         power of each gear in bands, losses, circulating power
     structure    mechanisms as boxes, links as wires, clutches and brakes
     stick        the stick diagram of a case made of elements
     efficiency   efficiency by gear, with the losses of each mechanism
