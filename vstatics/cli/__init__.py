@@ -23,6 +23,7 @@ COMMANDS = {
     "convert": ("vstatics.cli.convert", "Convert a case between deck, YAML and JSON."),
     "compare": ("vstatics.cli.compare", "Compare two results number by number."),
     "summary": ("vstatics.cli.summary", "Ratios, steps, spread, transitions, largest values."),
+    "report": ("vstatics.cli.report", "Write a case and its results as one page of HTML."),
 }
 """Module and summary of each command; a module is imported when its command is called."""
 
