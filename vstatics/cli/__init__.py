@@ -22,6 +22,7 @@ COMMANDS = {
     "summary": ("vstatics.cli.summary", "Ratios, steps, spread, transitions, largest values."),
     "explain": ("vstatics.cli.explain", "Write out the equations and the ratio of a gear."),
     "plot": ("vstatics.cli.plot", "Draw a picture of a case: SVG, PNG or PDF."),
+    "report": ("vstatics.cli.report", "Write a case and its results as one page of HTML."),
     "check": ("vstatics.cli.check", "Report problems of the input, and the conditions per gear."),
     "convert": ("vstatics.cli.convert", "Convert a case between deck, YAML and JSON."),
     "compare": ("vstatics.cli.compare", "Compare two results number by number."),

@@ -33,10 +33,11 @@ CONVENTIONS = {
 }
 
 
-class _Row(NamedTuple):
+class Row(NamedTuple):
     """A line of the table; None leaves a field empty."""
 
     name: str
+    """Of a link, a mechanism, a member..."""
     ideal: float | None = None
     lossy: float | None = None
     loss: float | None = None
@@ -73,25 +74,39 @@ def _lines(flow: GearFlow) -> Iterator[str]:
         return
     unit = flow.kilowatts
     yield from _numbered(f"gear {flow.gear}", _heading(unit))
+    for heading, rows in sections(flow):
+        yield heading
+        for row, level in rows:
+            yield from _row(row, unit, indent=2 * level)
+    for remark in remarks(flow):
+        yield from _wrapped(remark, 4 if remark.startswith(" ") else 2)
+
+
+def sections(flow: GearFlow) -> Iterator[tuple[str, list[tuple[Row, int]]]]:
+    """The parts of a gear's table: a heading, rows with their levels from 1.
+
+    Whatever has no power is left out. There are none where the ideal flow does not exist.
+    """
     moving = [node for node in _nodes(flow) if _carries(flow, node)]
     for kind, heading in SECTIONS.items():
-        own = [node for node in moving if node.kind == kind]
-        if own:
-            yield heading
-        for node in own:
-            yield from _row(_of_node(flow, node), unit, indent=2)
+        rows: list[tuple[Row, int]] = []
+        for node in moving:
+            if node.kind != kind:
+                continue
+            rows.append((_of_node(flow, node), 1))
             if kind == "mechanism":
-                for row in _of_members(flow, node):
-                    yield from _row(row, unit, indent=4)
-    yield from _foot(flow)
+                rows += [(row, 2) for row in _of_members(flow, node)]
+        if rows:
+            yield heading, rows
 
 
-def _foot(flow: GearFlow) -> Iterator[str]:
-    """What is without power, the balance, what circulates."""
-    assert flow.ideal is not None  # noqa: S101 - for mypy
+def remarks(flow: GearFlow) -> Iterator[str]:
+    """What is without power, the balance, what circulates: a line each, loops set in."""
+    if flow.ideal is None:
+        return
     still = [str(n) for n in _nodes(flow) if not _carries(flow, n) and n.kind in SECTIONS]
     if still:
-        yield from _wrapped(f"no power: {', '.join(still)}", 2)
+        yield f"no power: {', '.join(still)}"
     if flow.note:
         yield f"with losses: {flow.note}"
     shown = flow.lossy or flow.ideal
@@ -100,8 +115,7 @@ def _foot(flow: GearFlow) -> Iterator[str]:
     yield f"in {entering} - out {leaving} - lost {lost} = {rest}"
     unknown = [str(node) for node in shown.unknown]
     if unknown:
-        yield from _wrapped(f"not determined: {', '.join(unknown)}", 2)
-    if unknown:
+        yield f"not determined: {', '.join(unknown)}"
         yield "circulating: not determined"
         return
     if not flow.ideal.loops and not shown.loops:
@@ -109,7 +123,7 @@ def _foot(flow: GearFlow) -> Iterator[str]:
         return
     yield _circulating(flow.ideal, flow.lossy)
     for loop in shown.loops:
-        yield from _wrapped(f"  {fixed(loop.power)}: {around(loop)}", 4)
+        yield f"  {fixed(loop.power)}: {around(loop)}"
 
 
 def around(loop: Loop) -> str:
@@ -137,29 +151,29 @@ def _carries(flow: GearFlow, node: Node) -> bool:
     return any(side.throughput.get(node, 0.0) != 0 for side in sides)
 
 
-def _of_node(flow: GearFlow, node: Node) -> _Row:
+def _of_node(flow: GearFlow, node: Node) -> Row:
     ideal, lossy = flow.ideal, flow.lossy
     entering = ideal.throughput.get(node, 0.0) if ideal is not None else math.nan
     if lossy is None:
-        return _Row(str(node), entering, math.nan)
+        return Row(str(node), entering, math.nan)
     passing = lossy.throughput.get(node, 0.0)
-    return _Row(str(node), entering, passing, lossy.losses.get(node), lossy.shares.get(node))
+    return Row(str(node), entering, passing, lossy.losses.get(node), lossy.shares.get(node))
 
 
-def _of_members(flow: GearFlow, node: Node) -> Iterator[_Row]:
+def _of_members(flow: GearFlow, node: Node) -> Iterator[Row]:
     """Power of each member of a mechanism, but those that are the housing."""
     assert flow.ideal is not None  # noqa: S101 - for mypy
     lossy = {} if flow.lossy is None else _by_member(flow.lossy, node)
     for (member, link), power in _by_member(flow.ideal, node).items():
         if link != "housing":
-            yield _Row(f"{member}: {link}", power, lossy.get((member, link), math.nan))
+            yield Row(f"{member}: {link}", power, lossy.get((member, link), math.nan))
 
 
 def _by_member(side: PowerFlow, node: Node) -> dict[tuple[str, str], float]:
     return {(one.member, one.link): one.power for one in side.members if one.device == node}
 
 
-def _row(row: _Row, unit: float, indent: int) -> Iterator[str]:
+def _row(row: Row, unit: float, indent: int) -> Iterator[str]:
     """A row of the table; with a load powers are in kW, too."""
     fields = [_field(row.ideal, 3), _field(row.lossy, 3)]
     if not math.isnan(unit):

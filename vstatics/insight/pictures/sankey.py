@@ -231,7 +231,7 @@ def _draw_line(panel: Panel, top: float, line: Line, style: Style) -> None:
     colour = style.colour(POWER if line.band.loop is None else LOOP)
     wide = max(line.width, VISIBLE)
     how = {"edgecolor": colour, "facecolor": "none", "alpha": PALE, "capstyle": "butt"}
-    panel.axes.add_patch(PathPatch(path, linewidth=wide, gid="band", **how))
+    panel.axes.add_patch(PathPatch(path, linewidth=wide, **how))
 
 
 def _curves(points: Sequence[Point]) -> Path:
