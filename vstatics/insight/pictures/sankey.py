@@ -233,6 +233,18 @@ def _draw_line(panel: Panel, top: float, line: Line, style: Style) -> None:
     how = {"edgecolor": colour, "facecolor": "none", "alpha": PALE, "capstyle": "butt"}
     panel.axes.add_patch(PathPatch(path, linewidth=wide, gid="band", **how))
 
+    if line.band.back:
+        for start, end in (points[1:3], points[3:5]):
+            _arrow(panel, start, end, min(max(line.width / 4, 2.0), 5.0), colour)
+
+
+def _arrow(panel: Panel, start: Point, end: Point, size: float, colour: str) -> None:
+    """Which way something runs, halfway between two places one above the other."""
+    x, y = start[0], (start[1] + end[1]) / 2
+    tip = math.copysign(size, end[1] - start[1])
+    shape = [(x - size, y - tip), (x + size, y - tip), (x, y + tip)]
+    panel.axes.add_patch(Polygon(shape, color=colour, linewidth=0))
+
 
 def _curves(points: Sequence[Point]) -> Path:
     """Through points, level at each."""

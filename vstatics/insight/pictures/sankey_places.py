@@ -19,9 +19,9 @@ from vstatics.insight.pictures.sankey_columns import (
     cell,
     columns,
     key,
-    tops,
 )
 from vstatics.insight.pictures.sankey_graph import Band, Graph
+from vstatics.insight.pictures.sankey_rows import tops
 
 UNDER = 3.0
 """Between a band and its text, and between texts. [pt]"""
@@ -202,8 +202,10 @@ def _place(graph: Graph, scale: float, cells: Columns, spaced: Across) -> _Place
     """Nodes in their places."""
     boxes: dict[Node, Box] = {}
     middles: dict[Key, float] = {}
-    for layer, (column, deep) in enumerate(zip(cells.cells, tops(graph, cells), strict=True)):
-        for one, top in zip(column, deep, strict=True):
+    deep = tops(graph, cells)
+    for layer, column in enumerate(cells.cells):
+        for one in column:
+            top = deep[key(layer, one)]
             middles[key(layer, one)] = top + one.thick / 2
             if one.node is not None:
                 boxes[one.node] = Box(one, spaced.middles[layer], top)
