@@ -11,14 +11,15 @@ from matplotlib.figure import Figure
 from matplotlib.patches import PathPatch, Polygon, Rectangle
 from matplotlib.path import Path
 
-from vstatics.insight.circulation import Node
-from vstatics.insight.flow import GearFlow, PowerFlow, flows
+from vstatics.insight.flow import GearFlow, flows
 from vstatics.insight.pictures import labels
 from vstatics.insight.pictures.labels import POINTS, Panel, height, wrapped
-from vstatics.insight.pictures.sankey_columns import ARM, Words
+from vstatics.insight.pictures.sankey_bands import Box, Line, Point
+from vstatics.insight.pictures.sankey_columns import ARM
 from vstatics.insight.pictures.sankey_graph import graph
-from vstatics.insight.pictures.sankey_places import Box, Layout, Line, Point, layout
-from vstatics.insight.pictures.style import TITLE, Style, number
+from vstatics.insight.pictures.sankey_places import Layout, layout
+from vstatics.insight.pictures.sankey_words import heading, words
+from vstatics.insight.pictures.style import TITLE, Style
 from vstatics.results import Results
 
 WIDEST = 30.0
@@ -29,8 +30,6 @@ MARGIN = 14.0
 """[pt]"""
 LEAST = 330.0
 """Width of the figure, without its margins. [pt]"""
-LONGEST = 84.0
-"""Names are wrapped to this width. [pt]"""
 VISIBLE = 0.6
 """Width of a band of hardly any power. [pt]"""
 ROUND = 6.0
@@ -89,7 +88,7 @@ def draw(results: Results, style: Style, gear: int | None) -> Figure:
     layouts = placed(chosen, style)
     wide = max([LEAST, *(one.width for one in layouts if one)])
     gears = [
-        _Gear(f"{style.text('gear', 'передача')} {flow.gear}", _told(flow, wide, style), made)
+        _Gear(f"{style.text('gear', 'передача')} {flow.gear}", heading(flow, wide, style), made)
         for flow, made in zip(chosen, layouts, strict=True)
     ]
     case = wrapped(results.case.name, wide, TITLE)
@@ -118,76 +117,9 @@ def placed(found: Sequence[GearFlow], style: Style) -> list[Layout | None]:
     powers = [made.through(node) for made in graphs if made for node in made.layers]
     scale = min(WIDEST, THICKEST / max(powers, default=1.0))
     return [
-        layout(made, scale, _words(flow, side, style)) if side and made and made.bands else None
+        layout(made, scale, words(flow, side, style)) if side and made and made.bands else None
         for flow, side, made in zip(found, sides, graphs, strict=True)
     ]
-
-
-def _words(flow: GearFlow, side: PowerFlow, style: Style) -> Words:
-    """What is written in the picture of a gear."""
-
-    def power(value: float) -> str:
-        told = number(value) if value >= 0.0005 else "<0.001"
-        load = "" if math.isnan(flow.kilowatts) else f"\n{_kilowatts(flow, value, style)}"
-        return told + load
-
-    def node(one: Node, value: float) -> str:
-        return f"{wrapped(_name(one, style), LONGEST)}\n{power(value)}"
-
-    def loop(value: float) -> str:
-        told = style.text("circulates", "циркулирует")
-        share = value / side.entering if side.entering else math.nan
-        of = style.text("of the power in", "входящей мощности")
-        load = "" if math.isnan(flow.kilowatts) else f", {_kilowatts(flow, value, style)}"
-        return f"{told} {number(value)}{load}: {100 * share:.1f}% {of}"
-
-    return Words(node, power, loop)
-
-
-def _kilowatts(flow: GearFlow, power: float, style: Style) -> str:
-    """A power to three digits."""
-    value = power * flow.kilowatts
-    told = f"{value:.0f}" if value >= 100 else f"{value:#.3g}".removesuffix(".")
-    return f"{told} {style.text('kW', 'кВт')}"
-
-
-def _name(node: Node, style: Style) -> str:
-    """The name of a node; ports have no names of the case."""
-    words = {"input": style.text("input", "вход"), "output": style.text("output", "выход")}
-    return words.get(node.name, node.name) if node.kind == "port" else node.name
-
-
-def _told(flow: GearFlow, wide: float, style: Style) -> str:
-    """What is to be said of a gear besides its picture."""
-    notes = {
-        "freewheels in conflict": "обгонные муфты противоречат друг другу",
-        "tied up": "заблокирована",
-        "torques do not balance": "моменты не уравновешены",
-        "locked by friction": "заклинена трением",
-        "signs of losses not found": "знаки потерь не найдены",
-    }
-    lines = [style.text(flow.note, notes.get(flow.note, flow.note))] if flow.note else []
-    side = flow.lossy or flow.ideal
-    if side is None:
-        lines.append(style.text("no flow of power", "потока мощности нет"))
-        return wrapped(": ".join(reversed(lines)), wide)
-    if flow.lossy is None:
-        lines[-1] += style.text("; drawn without losses", "; показана без потерь")
-    ports = (
-        (style.text("in", "вход"), side.entering),
-        (style.text("out", "выход"), side.leaving),
-        (style.text("lost", "потери"), side.lost),
-    )
-    lines.append(" · ".join(f"{name} {number(value)}" for name, value in ports))
-    if not side.edges:
-        lines.append(style.text("no power is determined", "мощности не определены"))
-    elif side.unknown:
-        unknown = ", ".join(_name(node, style) for node in side.unknown)
-        lines.append(f"{style.text('not determined', 'не определены')}: {unknown}")
-    for loop in side.locked_in:
-        told = style.text("within one piece, not drawn", "внутри одного целого, не показано")
-        lines.append(f"{told}: {number(loop.power)}, {' > '.join(n.name for n in loop.nodes)}")
-    return "\n".join(wrapped(line, wide) for line in lines)
 
 
 def _legend(panel: Panel, y: float, shown: Sequence[Layout], style: Style) -> None:
@@ -232,6 +164,18 @@ def _draw_line(panel: Panel, top: float, line: Line, style: Style) -> None:
     wide = max(line.width, VISIBLE)
     how = {"edgecolor": colour, "facecolor": "none", "alpha": PALE, "capstyle": "butt"}
     panel.axes.add_patch(PathPatch(path, linewidth=wide, **how))
+
+    if line.band.back:
+        for start, end in (points[1:3], points[3:5]):
+            _arrow(panel, start, end, min(max(line.width / 4, 2.0), 5.0), colour)
+
+
+def _arrow(panel: Panel, start: Point, end: Point, size: float, colour: str) -> None:
+    """Which way something runs, halfway between two places one above the other."""
+    x, y = start[0], (start[1] + end[1]) / 2
+    tip = math.copysign(size, end[1] - start[1])
+    shape = [(x - size, y - tip), (x + size, y - tip), (x, y + tip)]
+    panel.axes.add_patch(Polygon(shape, color=colour, linewidth=0))
 
 
 def _curves(points: Sequence[Point]) -> Path:

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from itertools import pairwise
 from typing import NamedTuple
 
 from vstatics.insight.circulation import Node
-from vstatics.insight.pictures.labels import height, spread, width
+from vstatics.insight.pictures.labels import height, width
 from vstatics.insight.pictures.sankey_graph import Graph
 
 BODY = 12.0
@@ -20,8 +19,6 @@ CLEAR = 5.0
 """Between a band that turns and whatever it passes. [pt]"""
 ARM = 8.0
 """Length of a loss, besides half its width. [pt]"""
-SWEEPS = 12
-"""Times that nodes are moved towards their neighbours."""
 
 
 Key = tuple[int, Node | int]
@@ -167,65 +164,6 @@ def across(
         behind.append(x + texts[place] / 2)
         x += texts[place]
     return Across(middles, behind, leaving, arriving, x - texts[-1])
-
-
-def tops(graph: Graph, cells: Columns) -> list[list[float]]:
-    """How deep each cell of each column stands: near to those from which and to which bands run.
-
-    Returns
-    -------
-    list of list of float
-        From the top of the picture to the top of the band or node. [pt]
-    """
-    keys = [[key(layer, one) for one in column] for layer, column in enumerate(cells.cells)]
-    places = {one: 60.0 * row for column in keys for row, one in enumerate(column)}
-    before, after = _neighbours(graph, cells)
-    forth = range(len(keys))
-    for sweep in range(SWEEPS):
-        near = [before, after][sweep % 2 : sweep % 2 + 1] if sweep < SWEEPS / 2 else [before, after]
-        for layer in forth if sweep % 2 == 0 else reversed(forth):
-            column = cells.cells[layer]
-            wanted = [
-                _mean([pair for side in near for pair in side.get(own, ())], places, own)
-                + one.lower
-                for own, one in zip(keys[layer], column, strict=True)
-            ]
-            sizes = [one.above + one.thick + one.below + SPACE for one in column]
-            found = spread(wanted, sizes)
-            for own, one, place in zip(keys[layer], column, found, strict=True):
-                places[own] = place - one.lower
-    deep = [
-        [places[own] - one.thick / 2 for own, one in zip(*pair, strict=True)]
-        for pair in zip(keys, cells.cells, strict=True)
-    ]
-    highest = min(
-        top - one.above
-        for pair in zip(deep, cells.cells, strict=True)
-        for top, one in zip(*pair, strict=True)
-    )
-    return [[top - highest for top in column] for column in deep]
-
-
-_Neighbours = dict[Key, list[tuple[Key, float]]]
-
-
-def _neighbours(graph: Graph, cells: Columns) -> tuple[_Neighbours, _Neighbours]:
-    """Cells before and after each along bands, with the power of these."""
-    before: _Neighbours = {}
-    after: _Neighbours = {}
-    for number, way in cells.ways.items():
-        band = graph.bands[number]
-        keys = [key(layer, one) for layer, one in enumerate(way, graph.layers[band.source])]
-        for one, other in pairwise(keys):
-            before.setdefault(other, []).append((one, band.power))
-            after.setdefault(one, []).append((other, band.power))
-    return before, after
-
-
-def _mean(near: Sequence[tuple[Key, float]], places: Mapping[Key, float], own: Key) -> float:
-    """The place of neighbours, by their power; without any its own."""
-    weight = sum(power for _, power in near)
-    return sum(places[one] * power for one, power in near) / weight if weight else places[own]
 
 
 def key(layer: int, one: Cell) -> Key:
