@@ -19,6 +19,7 @@ import pytest
 from commands import CASES, LOCKED, MZKT, NEUTRAL, TIED_UP, vstatics
 
 from vstatics import load, solve
+from vstatics.errors import CaseError, Problem
 from vstatics.insight.report import gather, page
 from vstatics.insight.report.cells import TITLES
 from vstatics.results import TABLES
@@ -335,7 +336,7 @@ def test_without_matplotlib_the_page_has_no_pictures(monkeypatch: pytest.MonkeyP
 
 def test_a_picture_that_does_not_suit_is_left_out_and_told(monkeypatch: pytest.MonkeyPatch) -> None:
     def refuse(*_: object) -> bytes:
-        raise ValueError("nothing <moves>")
+        raise CaseError([Problem("nothing <moves>")])
 
     monkeypatch.setattr("vstatics.insight.report.drawn.render", refuse)
     shown = Page(page(gather(solve(load(CASES / "differential.yaml")))))
