@@ -19,8 +19,8 @@ from matplotlib.transforms import Bbox
 from vstatics import Gear, Mechanism, Results, Transmission, load, solve
 from vstatics.insight.flow import GearFlow, PowerFlow, flows
 from vstatics.insight.pictures import picture
-from vstatics.insight.pictures.sankey import placed
-from vstatics.insight.pictures.sankey_places import Layout
+from vstatics.insight.pictures.sankey.picture import placed
+from vstatics.insight.pictures.sankey.places import Layout
 from vstatics.insight.pictures.style import Style
 from vstatics.parts import Load
 from vstatics.readers.named.reader import read_yaml

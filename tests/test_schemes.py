@@ -14,10 +14,10 @@ from vstatics import Gear, Mechanism, ShiftElement, Transmission
 from vstatics.elements.group import group_of
 from vstatics.elements.kinds import KINDS, Simple
 from vstatics.errors import CaseError
-from vstatics.insight.pictures import stick, structure
-from vstatics.insight.pictures.placing import Placement
-from vstatics.insight.pictures.scheme import Scheme, scheme_of, state_of
-from vstatics.insight.pictures.sets import section_of
+from vstatics.insight.pictures.schemes import stick, structure
+from vstatics.insight.pictures.schemes.placing import Placement
+from vstatics.insight.pictures.schemes.scheme import Scheme, scheme_of, state_of
+from vstatics.insight.pictures.schemes.sets import section_of
 from vstatics.insight.pictures.style import Style
 from vstatics.results import Results
 

@@ -27,9 +27,9 @@ FORMATS: tuple[Format, ...] = get_args(Format)
 PICTURES: dict[str, tuple[str, str]] = {
     "plan": ("vstatics.insight.pictures.plan", "draw"),
     "lever": ("vstatics.insight.pictures.lever", "draw"),
-    "flow": ("vstatics.insight.pictures.sankey", "draw"),
-    "structure": ("vstatics.insight.pictures.structure", "draw"),
-    "stick": ("vstatics.insight.pictures.stick", "draw"),
+    "flow": ("vstatics.insight.pictures.sankey.picture", "draw"),
+    "structure": ("vstatics.insight.pictures.schemes.structure", "draw"),
+    "stick": ("vstatics.insight.pictures.schemes.stick", "draw"),
     "efficiency": ("vstatics.insight.pictures.efficiency", "draw"),
 }
 """Kind of picture -> module and function."""

@@ -13,15 +13,15 @@ from typing import TYPE_CHECKING, NamedTuple
 from vstatics.elements.group import group_of
 from vstatics.elements.kinds import Planetary
 from vstatics.errors import CaseError, Problem
-from vstatics.insight.pictures.channels import ABOVE, BELOW, Board, Item, Tap
-from vstatics.insight.pictures.glyphs import Glyph
-from vstatics.insight.pictures.pairs import pair_glyphs
-from vstatics.insight.pictures.pen import SMALL, width_of, wrapped
-from vstatics.insight.pictures.placing import Placement, placed
-from vstatics.insight.pictures.scheme import Device, Scheme, scheme_of, state_of
-from vstatics.insight.pictures.search import arranged
-from vstatics.insight.pictures.sets import set_glyphs
-from vstatics.insight.pictures.sheet import (
+from vstatics.insight.pictures.schemes.channels import ABOVE, BELOW, Board, Item, Tap
+from vstatics.insight.pictures.schemes.glyphs import Glyph
+from vstatics.insight.pictures.schemes.pairs import pair_glyphs
+from vstatics.insight.pictures.schemes.pen import SMALL, width_of, wrapped
+from vstatics.insight.pictures.schemes.placing import Placement, placed
+from vstatics.insight.pictures.schemes.scheme import Device, Scheme, scheme_of, state_of
+from vstatics.insight.pictures.schemes.search import arranged
+from vstatics.insight.pictures.schemes.sets import set_glyphs
+from vstatics.insight.pictures.schemes.sheet import (
     HEIGHT,
     TERMINAL,
     Sheet,
@@ -31,9 +31,9 @@ from vstatics.insight.pictures.sheet import (
     draw_clutch,
     sheet_of,
 )
-from vstatics.insight.pictures.structure import box_item, draw_box, named_on_tracks, note_of
+from vstatics.insight.pictures.schemes.structure import box_item, draw_box, named_on_tracks, note_of
+from vstatics.insight.pictures.schemes.words import title_of, word
 from vstatics.insight.pictures.style import Style
-from vstatics.insight.pictures.words import title_of, word
 from vstatics.results import Language, Results
 
 if TYPE_CHECKING:

@@ -6,8 +6,16 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import product
 
 from vstatics.elements.element import Element
-from vstatics.insight.pictures.channels import ABOVE, BELOW
-from vstatics.insight.pictures.glyphs import FACE, MESH, Glyph, Stroke, member_tap, teeth, wheel
+from vstatics.insight.pictures.schemes.channels import ABOVE, BELOW
+from vstatics.insight.pictures.schemes.glyphs import (
+    FACE,
+    MESH,
+    Glyph,
+    Stroke,
+    member_tap,
+    teeth,
+    wheel,
+)
 
 WIDTH = 50.0
 """Of a pair of wheels with its shafts. [pt]"""

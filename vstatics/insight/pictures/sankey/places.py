@@ -6,15 +6,15 @@ from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 from vstatics.insight.pictures.labels import height, spread, width
-from vstatics.insight.pictures.sankey_bands import Box, Line, Placed, back, forward, place, slots
-from vstatics.insight.pictures.sankey_columns import (
+from vstatics.insight.pictures.sankey.bands import Box, Line, Placed, back, forward, place, slots
+from vstatics.insight.pictures.sankey.columns import (
     SPACE,
     Words,
     across,
     cell,
     columns,
 )
-from vstatics.insight.pictures.sankey_graph import Band, Graph
+from vstatics.insight.pictures.sankey.graph import Band, Graph
 
 UNDER = 3.0
 """Between a band and its text, and between texts. [pt]"""
@@ -57,7 +57,7 @@ def layout(graph: Graph, scale: float, words: Words) -> Layout:
     --------
     >>> from vstatics import Gear, Mechanism, Transmission, solve
     >>> from vstatics.insight.flow import flows
-    >>> from vstatics.insight.pictures.sankey_graph import graph
+    >>> from vstatics.insight.pictures.sankey.graph import graph
     >>> pair = Mechanism(1, 2, 0, -4.0, 0.98, name="pair")
     >>> [gear] = flows(solve(Transmission(2, [], [pair], [Gear()])))
     >>> made = layout(graph(gear.lossy), 100.0, Words(lambda node, power: str(node), str, str))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from vstatics.insight.pictures.channels import ABOVE, Reach, Tap
+from vstatics.insight.pictures.schemes.channels import ABOVE, Reach, Tap
 from vstatics.model import HOUSING
 
 Point = tuple[float, float]

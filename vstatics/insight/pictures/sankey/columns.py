@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from vstatics.insight.circulation import Node
 from vstatics.insight.pictures.labels import height, width
-from vstatics.insight.pictures.sankey_graph import Graph
+from vstatics.insight.pictures.sankey.graph import Graph
 
 BODY = 12.0
 """Width of a node. [pt]"""

@@ -7,7 +7,7 @@ import math
 from vstatics.insight.circulation import Node
 from vstatics.insight.flow import GearFlow, PowerFlow
 from vstatics.insight.pictures.labels import wrapped
-from vstatics.insight.pictures.sankey_columns import Words
+from vstatics.insight.pictures.sankey.columns import Words
 from vstatics.insight.pictures.style import Style, number
 
 LONGEST = 84.0

@@ -6,7 +6,15 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
-from vstatics.insight.pictures.channels import ABOVE, BELOW, Board, Plan, Row, Track, end_track
+from vstatics.insight.pictures.schemes.channels import (
+    ABOVE,
+    BELOW,
+    Board,
+    Plan,
+    Row,
+    Track,
+    end_track,
+)
 
 PITCH = 17.0
 """From track to track. [pt]"""

@@ -12,8 +12,8 @@ from itertools import permutations, product
 
 from vstatics.elements.element import CentralWheel
 from vstatics.elements.group import PlanetGroup
-from vstatics.insight.pictures.channels import ABOVE, BELOW, Tap
-from vstatics.insight.pictures.glyphs import (
+from vstatics.insight.pictures.schemes.channels import ABOVE, BELOW, Tap
+from vstatics.insight.pictures.schemes.glyphs import (
     FACE,
     MESH,
     SLEEVE,

@@ -11,7 +11,7 @@ from dataclasses import replace
 from functools import partial
 from random import Random
 
-from vstatics.insight.pictures.channels import ABOVE, BELOW, Board, Plan
+from vstatics.insight.pictures.schemes.channels import ABOVE, BELOW, Board, Plan
 
 STEPS, MOST_STEPS = 150, 4000
 """Of each attempt, for each item and wire, and in all."""

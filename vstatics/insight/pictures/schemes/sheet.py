@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from vstatics.insight.pictures.channels import ABOVE, BELOW, Item, PlacedTap, Tap
-from vstatics.insight.pictures.pen import SIZE, Pen, width_of, wrapped
-from vstatics.insight.pictures.placing import Placement
-from vstatics.insight.pictures.scheme import Device, Scheme, State
+from vstatics.insight.pictures.schemes.channels import ABOVE, BELOW, Item, PlacedTap, Tap
+from vstatics.insight.pictures.schemes.pen import SIZE, Pen, width_of, wrapped
+from vstatics.insight.pictures.schemes.placing import Placement
+from vstatics.insight.pictures.schemes.scheme import Device, Scheme, State
+from vstatics.insight.pictures.schemes.symbols import coupling
 from vstatics.insight.pictures.style import Style
-from vstatics.insight.pictures.symbols import coupling
 from vstatics.model import HOUSING
 
 TERMINAL = 30.0

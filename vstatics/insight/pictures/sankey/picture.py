@@ -14,11 +14,11 @@ from matplotlib.path import Path
 from vstatics.insight.flow import GearFlow, flows
 from vstatics.insight.pictures import labels
 from vstatics.insight.pictures.labels import POINTS, Panel, height, wrapped
-from vstatics.insight.pictures.sankey_bands import Box, Line, Point
-from vstatics.insight.pictures.sankey_columns import ARM
-from vstatics.insight.pictures.sankey_graph import graph
-from vstatics.insight.pictures.sankey_places import Layout, layout
-from vstatics.insight.pictures.sankey_words import heading, words
+from vstatics.insight.pictures.sankey.bands import Box, Line, Point
+from vstatics.insight.pictures.sankey.columns import ARM
+from vstatics.insight.pictures.sankey.graph import graph
+from vstatics.insight.pictures.sankey.places import Layout, layout
+from vstatics.insight.pictures.sankey.words import heading, words
 from vstatics.insight.pictures.style import TITLE, Style
 from vstatics.results import Results
 

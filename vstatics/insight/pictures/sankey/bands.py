@@ -7,9 +7,9 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from vstatics.insight.circulation import Node
-from vstatics.insight.pictures.sankey_columns import Across, Cell, Columns, Key, key
-from vstatics.insight.pictures.sankey_graph import Band, Graph
-from vstatics.insight.pictures.sankey_rows import tops
+from vstatics.insight.pictures.sankey.columns import Across, Cell, Columns, Key, key
+from vstatics.insight.pictures.sankey.graph import Band, Graph
+from vstatics.insight.pictures.sankey.rows import tops
 
 Point = tuple[float, float]
 """From the left, and down from the top. [pt]"""

@@ -7,8 +7,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from itertools import combinations, pairwise
 
 from vstatics.insight.pictures.labels import spread
-from vstatics.insight.pictures.sankey_columns import SPACE, Cell, Columns, Key, key
-from vstatics.insight.pictures.sankey_graph import Graph
+from vstatics.insight.pictures.sankey.columns import SPACE, Cell, Columns, Key, key
+from vstatics.insight.pictures.sankey.graph import Graph
 
 SWEEPS = 12
 """Times that nodes are moved towards their neighbours."""

@@ -7,12 +7,12 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from vstatics.insight.pictures.channels import ABOVE, BELOW, Board, Item, Reach, Tap
-from vstatics.insight.pictures.pen import SMALL, width_of, wrapped
-from vstatics.insight.pictures.placing import Placement, placed
-from vstatics.insight.pictures.scheme import Device, Scheme, scheme_of, state_of
-from vstatics.insight.pictures.search import arranged
-from vstatics.insight.pictures.sheet import (
+from vstatics.insight.pictures.schemes.channels import ABOVE, BELOW, Board, Item, Reach, Tap
+from vstatics.insight.pictures.schemes.pen import SMALL, width_of, wrapped
+from vstatics.insight.pictures.schemes.placing import Placement, placed
+from vstatics.insight.pictures.schemes.scheme import Device, Scheme, scheme_of, state_of
+from vstatics.insight.pictures.schemes.search import arranged
+from vstatics.insight.pictures.schemes.sheet import (
     HEIGHT,
     Sheet,
     brake_width,
@@ -21,8 +21,8 @@ from vstatics.insight.pictures.sheet import (
     draw_clutch,
     sheet_of,
 )
+from vstatics.insight.pictures.schemes.words import title_of, word
 from vstatics.insight.pictures.style import Style
-from vstatics.insight.pictures.words import title_of, word
 from vstatics.model import HOUSING
 from vstatics.results import Language, Results
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from vstatics.insight.pictures.pen import LINE, Pen, Point
+from vstatics.insight.pictures.schemes.pen import LINE, Pen, Point
 
 PLATE = 9.0
 """Half the length of a plate. [pt]"""
