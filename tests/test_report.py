@@ -380,6 +380,7 @@ def gears(shown: Page) -> Iterator[str]:
             yield str(one.attributes["data-gear"])
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(CHROMIUM is None, reason="needs chromium")
 @pytest.mark.parametrize(("asked", "gear"), [("", "low <1>"), ("dir%/'ect", "dir%/'ect")])
 def test_a_browser_shows_the_gear_that_is_asked_for(
@@ -395,6 +396,7 @@ def test_a_browser_shows_the_gear_that_is_asked_for(
     assert chosen.text == gear
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(CHROMIUM is None, reason="needs chromium")
 @pytest.mark.parametrize(
     ("clicks", "order"),
