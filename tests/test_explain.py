@@ -231,10 +231,8 @@ def holds(system: dict[str, Any]) -> None:
 
 def value(made: dict[str, Any]) -> Fraction:
     """A formula in JSON at the values of its symbols, by Python's own arithmetic."""
-    numbers = [symbol["value"] for symbol in made["symbols"]]
-    names = {f"u{number}": Fraction(one) for number, one in enumerate(numbers, 1)}
-    speeds = enumerate(made["speeds"].values(), 1)
-    names |= {f"w{number}": Fraction(one) for number, one in speeds}
+    given = (*made["symbols"], *made["speeds"])
+    names = {one["symbol"]: Fraction(one["value"]) for one in given}
     return Fraction(eval(made["expression"], {"__builtins__": {}}, names))  # noqa: S307
 
 

@@ -36,7 +36,7 @@ def report(
     """Write CASE and its results as one page of HTML; - is standard input.
 
     The page has the input, ratios, pictures, the power flow of each gear, transitions,
-    largest values and all tables, which a click on a heading sorts. It loads nothing
+    largest values and all tables; a click on a heading sorts those of the results. It loads nothing
     from elsewhere, can be printed, and carries the result as JSON.
 
     Pictures need matplotlib: pip install "vstatics[plot]". Without it the page has none.

@@ -22,6 +22,10 @@ WIDE = 12
 """So many characters of names of shift elements head columns; more are numbered."""
 
 
+LARGE = 1e6
+"""From here on numbers are written with a power of ten."""
+
+
 class Marks(NamedTuple):
     """Signs of the table; others where the terminal knows ASCII only."""
 
@@ -43,7 +47,10 @@ class Largest(NamedTuple):
         """The number and the name; nothing where there is no number."""
         if not self.name:
             return ""
-        return f"{self.value:.0f} {self.name}" if whole else f"{self.value:.2f} {self.name}"
+        number = (
+            f"{self.value:.{0 if whole else 2}f}" if self.value < LARGE else f"{self.value:.3g}"
+        )
+        return f"{number} {self.name}"
 
 
 def view(results: Results, marks: Marks = Marks()) -> Group:  # noqa: B008 - it is frozen
@@ -94,19 +101,30 @@ def _table(results: Results, found: dict[str, Table], marks: Marks) -> RichTable
     headings = _headings(case)
     if headings:
         made.add_column(_in_line([(heading, "") for heading in headings], headings), no_wrap=True)
-    for heading in ("ratio", "step", "eff."):
-        made.add_column(heading, justify="right")
+    gears = range(len(case.gears))
+    figures = [_figures(results, number) for number in gears]
+    for heading, column in zip(("ratio", "step", "eff."), zip(*figures, strict=True), strict=True):
+        wide = max(map(len, column))  # numbers are never cut
+        made.add_column(heading, justify="right", no_wrap=True, min_width=wide)
     rpm, torque = "W_rpm" in found, "AMLGP_Nm" in found
-    made.add_column("speed, rpm" if rpm else "speed", overflow="fold")
-    made.add_column("torque, N*m" if torque else "torque", overflow="fold")
-    made.add_column("idle", overflow="fold")
-    for number, gear in enumerate(case.gears):
-        made.add_row(
-            gear.name,
-            *([_in_line(_dots(results, number, marks), headings)] if headings else ()),
-            *_figures(results, number),
+    largest = [
+        (
             _fastest(found, number, rpm=rpm).text(whole=rpm),
-            _strongest(found, number).text(whole=torque),
+            "" if results.tied_up[number] else _strongest(found, number).text(whole=torque),
+        )
+        for number in gears
+    ]
+    titles = ("speed, rpm" if rpm else "speed", "torque, N*m" if torque else "torque")
+    for heading, column in zip(titles, zip(*largest, strict=True), strict=True):
+        wide = max(len(text.partition(" ")[0]) for text in column)
+        made.add_column(heading, overflow="fold", min_width=wide)
+    made.add_column("idle", overflow="fold")
+    for number in gears:
+        made.add_row(
+            case.gears[number].name,
+            *([_in_line(_dots(results, number, marks), headings)] if headings else ()),
+            *figures[number],
+            *largest[number],
             _state(results, found, number),
         )
     return made
@@ -137,19 +155,22 @@ def _in_line(words: Iterable[tuple[str, str]], headings: Sequence[str]) -> Text:
     return Text(" " if width > 1 else "").join(Text(word, style) for word, style in padded)
 
 
-def _figures(results: Results, number: int) -> tuple[str, str, str]:
-    """Ratio, step from the gear before, and efficiency."""
+def _figures(results: Results, number: int) -> tuple[Text, Text, Text]:
+    """Ratio, step to the next gear, and efficiency."""
+    from rich.text import Text
+
     ratio, efficiency = (float(one[number]) for one in (results.ratio, results.efficiency))
-    before = float(results.ratio[number - 1]) if number else math.nan
-    step = before / ratio if before * ratio > 0 else math.nan
+    after = float(results.ratio[number + 1]) if number + 1 < len(results.ratio) else math.nan
+    step = ratio / after if ratio * after > 0 else math.nan
     colour = "red" if efficiency < BAD else "yellow" if efficiency < POOR else "green"
-    shown = "" if math.isnan(efficiency) else f"[{colour}]{efficiency:.3f}[/]"
-    reverse = f"[magenta]{ratio:.3f}[/]" if ratio < 0 else _fixed(ratio)
-    return reverse, _fixed(step), shown
+    shown = Text(_fixed(efficiency), colour)
+    return Text(_fixed(ratio), "magenta" if ratio < 0 else ""), Text(_fixed(step)), shown
 
 
 def _fixed(value: float) -> str:
-    return "" if math.isnan(value) else f"{value:.3f}"
+    if math.isnan(value):
+        return ""
+    return f"{value:.3f}" if abs(value) < LARGE else f"{value:.3g}"
 
 
 def _fastest(found: dict[str, Table], number: int, *, rpm: bool) -> Largest:
@@ -205,7 +226,7 @@ def _legend(results: Results, found: dict[str, Table], marks: Marks) -> Iterator
     signs = [f"{marks.engaged} engaged"] if any(gear.engaged for gear in case.gears) else []
     if case.freewheels:
         signs.append(f"{marks.holds} freewheel that holds")
-    signs.append("step: by the ratio of the gear before")
+    signs.append("step: to the next gear")
     yield "; ".join(signs)
     yield "speed, torque: the largest" + ("" if "W_rpm" in found else ", by the input's")
     if (found["idle"].values == 1).any():

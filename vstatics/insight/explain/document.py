@@ -60,7 +60,16 @@ def _system(system: System) -> dict[str, Any]:
 
 
 def _formula(formula: Formula) -> dict[str, Any]:
-    return formula._asdict() | {"symbols": [symbol._asdict() for symbol in formula.symbols]}
+    """Each symbol of the expression beside what it stands for."""
+    symbols = [
+        {"symbol": f"u{number}", **symbol._asdict()}
+        for number, symbol in enumerate(formula.symbols, 1)
+    ]
+    speeds = [
+        {"symbol": f"w{number}", "name": name, "value": value}
+        for number, (name, value) in enumerate(formula.speeds.items(), 1)
+    ]
+    return formula._asdict() | {"symbols": symbols, "speeds": speeds}
 
 
 def _without_nan(value: Any) -> Any:

@@ -28,8 +28,8 @@ BELOW = 66.0
 """For what stands below a plan. [pt]"""
 RIGHT = 48.0
 """For the ordinates. [pt]"""
-SIDE_BY_SIDE = 3
-"""At most so many plans in a row."""
+SIDE_BY_SIDE = 2
+"""At most so many plans in a row: they can be read on a printed page."""
 
 
 def draw(results: Results, style: Style, gear: int | None) -> Figure:

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from vstatics.insight.summary.grids import Grid
 
-_SPECIAL = re.compile(r"([\\`*_{}\[\]<>#|~])")
+_SPECIAL = re.compile(r"([\\`*_{}\[\]<>#|~$&])")
 
 
 def write(titles: Sequence[str], tables: Iterable[Grid]) -> str:

@@ -10,6 +10,7 @@ from typing import NamedTuple
 from matplotlib.figure import Figure
 from matplotlib.patches import PathPatch, Polygon, Rectangle
 from matplotlib.path import Path
+from matplotlib.patheffects import withStroke
 
 from vstatics.insight.flow import GearFlow, flows
 from vstatics.insight.pictures import labels
@@ -154,7 +155,7 @@ def _draw_gear(panel: Panel, top: float, one: _Gear, style: Style) -> None:
     for note in one.layout.notes:
         how = {"ha": "center", "va": "center", "zorder": 5}
         colour = style.colour(LOOP) if note.loop else style.ink
-        panel.write(MARGIN + note.x, top - note.y, note.text, color=colour, **how)
+        panel.write(MARGIN + note.x, top - note.y, note.text, color=colour, **how, **_halo(style))
 
 
 def _draw_line(panel: Panel, top: float, line: Line, style: Style) -> None:
@@ -224,7 +225,13 @@ def _draw_box(panel: Panel, top: float, box: Box, style: Style) -> None:
         outline = [*shaft, (middle + head, tip + head), (middle, tip)]
         outline += [(2 * middle - x, y) for x, y in reversed(outline[:-1])]
         panel.axes.add_patch(Polygon(outline, color=style.colour(LOSS), linewidth=0))
-        how = {"ha": "center", "va": "top", "color": style.colour(LOSS), "zorder": 5}
+        how = {
+            "ha": "center",
+            "va": "top",
+            "color": style.colour(LOSS),
+            "zorder": 5,
+            **_halo(style),
+        }
         panel.write(middle, tip - 1, cell.lost, **how)
     point = min(6.0, box.cell.body / 2) if kind == "port" else 0.0
     shape = [(left, high), (right - point, high), (right, (high + low) / 2), (right - point, low)]
@@ -232,5 +239,10 @@ def _draw_box(panel: Panel, top: float, box: Box, style: Style) -> None:
     face = {"link": style.ink, "port": style.faint}.get(kind, style.paper)
     outer = Polygon(shape, zorder=3, facecolor=face, edgecolor=style.ink, linewidth=0.9)
     panel.axes.add_patch(outer)
-    how = {"ha": "center", "va": "bottom", "color": style.ink, "zorder": 5}
+    how = {"ha": "center", "va": "bottom", "color": style.ink, "zorder": 5, **_halo(style)}
     panel.write(middle, high + 2, cell.text, **how)
+
+
+def _halo(style: Style) -> dict[str, Any]:
+    """A rim of paper around a text, which may stand on a band."""
+    return {"path_effects": [withStroke(linewidth=2, foreground=style.paper)]}

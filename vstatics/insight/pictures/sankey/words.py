@@ -18,6 +18,7 @@ LEAST = 0.0005
 
 def words(flow: GearFlow, side: PowerFlow, style: Style) -> Words:
     """What is written in the picture of a gear."""
+    unknown = set(side.unknown)
 
     def power(value: float) -> str:
         told = number(value) if value >= LEAST else "<0.001"
@@ -25,7 +26,7 @@ def words(flow: GearFlow, side: PowerFlow, style: Style) -> Words:
         return told + load
 
     def node(one: Node, value: float) -> str:
-        return f"{wrapped(_name(one, style), LONGEST)}\n{power(value)}"
+        return f"{wrapped(_name(one, style), LONGEST)}\n{'?' if one in unknown else power(value)}"
 
     def loop(value: float) -> str:
         told = style.text("circulates", "циркулирует")
