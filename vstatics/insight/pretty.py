@@ -47,10 +47,9 @@ class Largest(NamedTuple):
         """The number and the name; nothing where there is no number."""
         if not self.name:
             return ""
-        number = (
-            f"{self.value:.{0 if whole else 2}f}" if self.value < LARGE else f"{self.value:.3g}"
-        )
-        return f"{number} {self.name}"
+        if self.value >= LARGE:
+            return f"{self.value:.3g} {self.name}"
+        return f"{self.value:.0f} {self.name}" if whole else f"{self.value:.2f} {self.name}"
 
 
 def view(results: Results, marks: Marks = Marks()) -> Group:  # noqa: B008 - it is frozen
