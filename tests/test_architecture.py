@@ -26,6 +26,7 @@ ROOMS = [
     {"elements"},
     {"readers", "writers"},
     {"compare", "sweep"},
+    {"insight"},
     {"frames"},
     {"cli", "__init__"},
     {"__main__"},

@@ -122,6 +122,7 @@ GOOD: dict[str, Change] = {
         F2={"links": [2, 3], "drag": "1/100"},
         T3={"kind": None, "links": [3, "housing"], "drag": None},
         L={"kind": "freewheel", "links": [4, 0]},
+        K={"links": [4, 5], "capacity": "7/2"},
     ),
     "drag": lambda c: c["gears"]["1"].update(drag={"5": 0.1}, open_drag={"F2": "1/50", "T3": 0}),
     "worm": lambda c: c["mechanisms"]["D1"].update(back_efficiency=0),
@@ -166,6 +167,7 @@ BAD: dict[str, Change] = {
     "drag of an element below 0": lambda c: c["shift_elements"].update(
         T1={"links": [2], "drag": -1}
     ),
+    "capacity 0": lambda c: c["shift_elements"].update(T1={"links": [2], "capacity": 0}),
     "drag below 0": lambda c: c["gears"]["1"].update(drag={"5": -0.1}),
     "open drag a list": lambda c: c["gears"]["1"].update(open_drag=[1]),
     "efficiency 0": lambda c: c["mechanisms"]["D1"].update(efficiency=0),

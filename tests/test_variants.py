@@ -68,6 +68,7 @@ def test_shipped_cases(path: Path) -> None:
         assert not disagreements(own, u, efficiencies(rng, own, 4, LOSSES[number]))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", NASTY)
 def test_trains_that_are_easily_wrong(name: str) -> None:
     """Locked trains, redundant ones, flows that losses turn, idle mechanisms, ports."""
@@ -229,6 +230,7 @@ def test_results_are_for_the_case_given_and_speak_of_nothing() -> None:
 # -- whatever came before -------------------------------------------------------------
 
 
+@pytest.mark.slow
 def test_calls_in_any_order_give_the_same() -> None:
     """Cases of one structure share their plans; singles get them too when they come often."""
     made = [random_case(seed) for seed in range(20, 28)]
@@ -336,6 +338,7 @@ def test_plans_are_kept_for_a_number_of_gears_only(monkeypatch: pytest.MonkeyPat
         assert len(batch._plans) == 20
 
 
+@pytest.mark.slow
 def test_threads_may_solve_at_the_same_time(monkeypatch: pytest.MonkeyPatch) -> None:
     """The same case and others, with few plans kept so that they come and go."""
     monkeypatch.setattr(batch, "REMEMBERED", 5)
@@ -386,6 +389,7 @@ def test_results_that_are_kept_do_not_change() -> None:
 # -- numbers at the ends -----------------------------------------------------------------
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("size", [5e-324, 1e-308, 1e-150, 1e-12, 1e12, 1e150, 1e308])
 def test_one_extreme_variant_harms_no_other(size: float) -> None:
     case = vstatics.load(Path(__file__).parent.parent / "cases" / "two-stage.yaml")

@@ -147,7 +147,9 @@ def _completed(case: Transmission) -> dict[str, object]:
         "link_names": tuple(case.link_names) or tuple(map(str, range(1, case.links + 1))),
         "shift_elements": tuple(
             element._replace(
-                name=element.name or element_name(number, element), drag=float(element.drag)
+                name=element.name or element_name(number, element),
+                drag=float(element.drag),
+                capacity=None if element.capacity is None else float(element.capacity),
             )
             for number, element in enumerate(case.shift_elements, 1)
         ),

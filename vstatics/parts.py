@@ -32,6 +32,9 @@ class ShiftElement(NamedTuple):
         never engaged, but finds by itself whether it holds.
     drag : float
         Torque with which it drags when open, relative to the input torque. [-]
+    capacity : float, optional
+        Torque that it can carry, relative to the input torque of the case's load. Nothing
+        is calculated with it but margins. [-]
     """
 
     first: int
@@ -39,6 +42,7 @@ class ShiftElement(NamedTuple):
     name: str = ""
     kind: ElementKind | Literal[""] = ""
     drag: float = 0.0
+    capacity: float | None = None
 
     @property
     def is_freewheel(self) -> bool:

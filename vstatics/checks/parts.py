@@ -36,7 +36,7 @@ def of_link(link: int, path: Path, links: int, lowest: int = HOUSING) -> Iterato
 
 
 def of_element(case: Transmission, element: ShiftElement, path: Path) -> Iterator[Problem]:
-    """The links, the kind and the drag of a shift element."""
+    """The links, the kind, the drag and the capacity of a shift element."""
     first, second, links = element.first, element.second, case.links
     if not (is_number(first, links) and is_number(second, links)):
         yield from of_link(first, (*path, "first"), links)
@@ -47,6 +47,9 @@ def of_element(case: Transmission, element: ShiftElement, path: Path) -> Iterato
     elif element.kind:
         yield from _kind(element, (*path, "kind"))
     yield from of_drag(element.drag, element, (*path, "drag"))
+    if element.capacity is not None and not 0 < element.capacity < math.inf:
+        message = f"read {element.capacity:g}, expected a torque above 0"
+        yield Problem(message, (*path, "capacity"))
 
 
 def of_drag(torque: float, element: ShiftElement | None, path: Path) -> Iterator[Problem]:

@@ -11,8 +11,8 @@ import click
 from vstatics import readers, statics
 from vstatics.checks import hints
 from vstatics.cli import files
-from vstatics.errors import Place, Problem, ReadError
-from vstatics.model import IdleConvention
+from vstatics.errors import Place, Problem, ReadError, nearest
+from vstatics.model import IdleConvention, Transmission
 from vstatics.readers.reading import Reading
 from vstatics.results import Results
 
@@ -56,6 +56,23 @@ class Settings(NamedTuple):
     idle: IdleConvention | None = None
     notes: bool = False
     """Whether notes on the input are told besides its warnings."""
+
+
+def gear_number(case: Transmission, asked: str) -> int:
+    """The number of a gear from 1: the one of this name, else the one of this number.
+
+    Raises
+    ------
+    BadParameter
+        If there is none; it tells the nearest name.
+    """
+    names = [gear.name for gear in case.gears]
+    if asked in names:
+        return names.index(asked) + 1
+    if asked.isascii() and asked.isdigit() and 0 < int(asked) <= len(names):
+        return int(asked)
+    hint = nearest(asked, names) or f"; gears are {', '.join(names[:12])}"
+    raise click.BadParameter(f"no gear {asked!r}{hint}", param_hint="--gear")
 
 
 def calculate(cases: Sequence[str], settings: Settings) -> Iterator[Outcome]:

@@ -48,6 +48,9 @@ from vstatics.results import Language
 @click.option(
     "--resume", is_flag=True, help="Leave out cases whose result is in the directory already."
 )
+@click.option(
+    "--pretty", is_flag=True, help="One coloured table of the gears, to read at a terminal."
+)
 @arguments.input_format
 @click.option(
     "--lang",
@@ -67,6 +70,7 @@ def run(
     files_from: str | None,
     jobs: int,
     resume: bool,
+    pretty: bool,
     input_format: readers.Format | None,
     lang: Language,
     coast: bool | None,
@@ -77,6 +81,7 @@ def run(
     \b
     Examples:
       vstatics run gearbox.dat
+      vstatics run gearbox.yaml --pretty
       vstatics run gearbox.yaml -f json | jq .ratio
       cat gearbox.dat | vstatics run - --coast
       vstatics run variants/*.dat -f json -o results/ --jobs 4
@@ -86,13 +91,17 @@ def run(
     that fails does not stop the others. After Ctrl-C, --resume goes on.
 
     \b
-    Exit status: 0 done; 1 a case is in error or a gear is tied up; 2 wrong use;
-    130 or 143 stopped by Ctrl-C or SIGTERM.
+    Exit status: 0 done; 1 a case is in error, a gear is tied up or in conflict;
+    2 wrong use; 130 or 143 stopped by Ctrl-C or SIGTERM.
     Neutral, indeterminate and friction-locked gears are messages, not errors.
     """
     names = _named(cases, files_from)
     several = len(names) > 1 or files_from is not None
     settings = Settings(input_format, coast, idle)
+    if pretty:
+        if output is not None or output_format != "listing" or jobs > 1 or resume:
+            raise click.UsageError("--pretty is for a terminal: without -f, -o, --jobs, --resume")
+        context.exit(_pretty(names, settings))
     folder = _folder(output, output_format, several=several)
     if resume and folder is None:
         raise click.UsageError("--resume needs a directory to go on with: -o DIRECTORY/")
@@ -109,6 +118,22 @@ def run(
     if outcome.results is not None:
         files.write_output(texts.alone(outcome, output_format, lang), output)
     context.exit(1 if outcome.failed else 0)
+
+
+def _pretty(names: list[str], settings: Settings) -> int:
+    """Show the gears of each case to a person; the exit status."""
+    from rich.console import Console
+
+    from vstatics.insight.pretty import ASCII, Marks, view
+
+    console = Console(highlight=False)
+    failed = False
+    for outcome in calculate(names, settings):
+        failed |= outcome.failed
+        if outcome.results is not None:
+            marks = ASCII if console.options.ascii_only else Marks()
+            console.print(view(outcome.results, marks))
+    return int(failed)
 
 
 def _folder(output: str | None, output_format: texts.OutputFormat, *, several: bool) -> str | None:

@@ -17,6 +17,7 @@ from typing import NamedTuple
 from vstatics.elements.element import CentralWheel, Drawing, Element, MeshEfficiency
 from vstatics.elements.group import PlanetGroup, group_of
 from vstatics.elements.kinds import Simple
+from vstatics.model import Transmission
 from vstatics.parts import Mechanism
 
 
@@ -57,10 +58,19 @@ def parts(drawing: Drawing) -> list[Part]:
         part = _part(element, drawing, last)
         last += len(part.planet_links)
         made.append(part)
-    for mechanism in drawing.mechanisms:
-        members = ("first", "second", "third" if mechanism.third else "")
-        made.append(Part(mechanism.name, None, (Lowered(mechanism, members),), {}))
-    return made
+    return [*made, *map(_given, drawing.mechanisms)]
+
+
+def parts_of(case: Transmission) -> list[Part]:
+    """The parts of any case: of its drawing, or its mechanisms as they are."""
+    drawing = case.drawing
+    return [*map(_given, case.mechanisms)] if drawing is None else parts(drawing)
+
+
+def _given(mechanism: Mechanism) -> Part:
+    """A mechanism that was given as such."""
+    members = ("first", "second", "third" if mechanism.third else "")
+    return Part(mechanism.name, None, (Lowered(mechanism, members),), {})
 
 
 def at_meshes(element: Element, group: PlanetGroup, drawing: Drawing) -> bool:

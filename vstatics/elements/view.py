@@ -46,14 +46,14 @@ def shown(results: Results) -> dict[str, Shown]:
     made = parts(drawing)
     names = case.link_names[: drawing.links]
     elements = [part.name for part in made]
-    exists, idle = results.calculable[:, None], _by_element(made, results.idle, all_of=True)
+    exists, idle = results.calculable[:, None], by_element(made, results.idle, all_of=True)
     tables = {
         "W": Shown(names, results.speeds[:, : drawing.links]),
         "WSAT": _planets(results, made),
-        "AMLG": _torques(results, made, results.torques, _ratios(case)),
-        "AMLGP": _torques(results, made, results.lossy_torques, _lossy_ratios(results)),
+        "AMLG": _torques(results, made, results.torques, ideal_ratios(case)),
+        "AMLGP": _torques(results, made, results.lossy_torques, lossy_ratios(results)),
         "idle": Shown(elements, np.where(exists, idle, np.nan)),
-        "losses": Shown(elements, _by_element(made, results.losses, all_of=False)),
+        "losses": Shown(elements, by_element(made, results.losses, all_of=False)),
         "AMWZ": Shown(names, results.holding_torques[:, : drawing.links]),
         "AMWZP": Shown(names, results.lossy_holding_torques[:, : drawing.links]),
     }
@@ -133,14 +133,14 @@ def _difference(one: Floats, other: Floats) -> Floats:
     return np.where(np.abs(difference) <= noise, 0.0, difference)
 
 
-def _ratios(case: Transmission) -> Floats:
+def ideal_ratios(case: Transmission) -> Floats:
     """Internal ratios, of shape (1, mechanisms)."""
     return np.array([[mechanism.ratio for mechanism in case.mechanisms]])
 
 
-def _lossy_ratios(results: Results) -> Floats:
+def lossy_ratios(results: Results) -> Floats:
     """Internal ratios with losses in each gear, of shape (gears, mechanisms)."""
-    ratios = _ratios(results.case)
+    ratios = ideal_ratios(results.case)
     mechanisms = results.case.mechanisms
     given = [(one.efficiency, one.back_efficiency) for one in mechanisms]
     forward = np.array([one for one, _ in given])
@@ -155,25 +155,41 @@ def _torques(results: Results, made: Sequence[Part], torques: Floats, ratios: Fl
     """Torques of shift elements, then those that links give to the members, then the output."""
     case = results.case
     elements = len(case.shift_elements)
-    own = torques[:, elements:-1]
     rows = [element.name for element in case.shift_elements]
     columns = list(torques[:, :elements].T)
-    number = 0
-    for part in made:
-        members = {member: np.zeros(len(torques)) for member in part.members}
-        for lowered in part.lowered:
-            torque, ratio = own[:, number], ratios[:, number]
-            given = (torque, -ratio * torque, (ratio - 1) * torque)
-            for member, value in zip(lowered.members, given, strict=True):
-                if member in members:
-                    members[member] = members[member] + value
-            number += 1
+    given = member_torques(made, torques[:, elements:-1], ratios)
+    for part, members in zip(made, given, strict=True):
         rows += [f"{part.name}.{member}" for member in members]
         columns += list(members.values())
     return Shown([*rows, OUTPUT], np.array([*columns, torques[:, -1]]).T + 0.0)
 
 
-def _by_element(made: Sequence[Part], values: Floats | Booleans, *, all_of: bool) -> Floats:
+def member_torques(
+    made: Sequence[Part], torques: Floats, ratios: Floats
+) -> Iterator[dict[str, Floats]]:
+    """For each part, the torques that links give to its members, each of shape (gears,).
+
+    Parameters
+    ----------
+    torques : ndarray, shape (gears, mechanisms)
+        On the first link of each mechanism. [-]
+    ratios : ndarray, shape (gears, mechanisms) or (1, mechanisms)
+        Internal ratios, with losses if the torques are. [-]
+    """
+    number = 0
+    for part in made:
+        members = {member: np.zeros(len(torques)) for member in part.members}
+        for lowered in part.lowered:
+            torque, ratio = torques[:, number], ratios[:, number]
+            given = (torque, -ratio * torque, (ratio - 1) * torque)
+            for member, value in zip(lowered.members, given, strict=True):
+                if member in members:
+                    members[member] = members[member] + value
+            number += 1
+        yield members
+
+
+def by_element(made: Sequence[Part], values: Floats | Booleans, *, all_of: bool) -> Floats:
     """Values of mechanisms put together for each element: whether all, or the sum."""
     columns = []
     number = 0

@@ -1,10 +1,16 @@
-"""Packages that only some sweeps need, and that are not installed with this one."""
+"""Packages that only some sweeps and pictures need, and that are not installed with this one."""
 
 from __future__ import annotations
 
 from vstatics.errors import CaseError, Problem
 
-EXTRAS = {"pyarrow": "parquet", "distributed": "dask", "scipy": "sample", "pandas": "pandas"}
+EXTRAS = {
+    "pyarrow": "parquet",
+    "distributed": "dask",
+    "scipy": "sample",
+    "pandas": "pandas",
+    "matplotlib": "plot",
+}
 
 
 def require(package: str, purpose: str) -> None:

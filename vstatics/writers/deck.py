@@ -80,6 +80,11 @@ def lost(case: Transmission) -> list[str]:
             if element.drag
         ),
         *(
+            f"capacity of shift element {element.name}"
+            for element in case.shift_elements
+            if element.capacity is not None
+        ),
+        *(
             f"{part} of gear {gear.name}"
             for gear in case.gears
             for part in ("drag", "open_drag", "load")

@@ -110,6 +110,8 @@ def _element(element: ShiftElement, links: list[int | str]) -> Any:
     data["links"] = ends
     if element.drag:
         data["drag"] = float(element.drag)
+    if element.capacity is not None:
+        data["capacity"] = float(element.capacity)
     return data if len(data) > 1 else ends
 
 

@@ -57,3 +57,14 @@ def _exponent(value: float, digits: int) -> str:
     mantissa, _, power = f"{value:.{digits - 1}e}".partition("e")
     scale = int(power) + 1 if value else 0
     return f"{'-' * mantissa.startswith('-')}.{mantissa.lstrip('-').replace('.', '')}E{scale:+03d}"
+
+
+def short(value: float) -> str:
+    """A number in five significant digits, as one writes it in an equation.
+
+    Examples
+    --------
+    >>> [short(value) for value in (-73 / 35, 3.5, 1.0, -0.0, 2.5e-7, float("nan"))]
+    ['-2.0857', '3.5', '1', '0', '2.5e-07', 'not determined']
+    """
+    return f"{value + 0.0:.5g}" if isfinite(value) else "not determined"

@@ -34,18 +34,18 @@ def physical(results: Results, relative: Mapping[str, Table]) -> dict[str, Table
 def _physical(results: Results, relative: Mapping[str, Table]) -> dict[str, Table]:
     from vstatics.writers.tables import Table
 
-    scales = _scales(results)
+    by_unit = scales(results)
     gears = [gear.name for gear in results.case.gears]
     entering, leaving = _ports(results)
     own = {"input_power_kW": entering, "output_power_kW": leaving}
     made = {}
     for shape in TABLES:
-        if not shape.unit or np.isnan(scales[shape.unit]).all():
+        if not shape.unit or np.isnan(by_unit[shape.unit]).all():
             continue
         if shape.name in own:
             values = own[shape.name][np.newaxis]
         elif shape.of in relative:
-            values = relative[shape.of].values * scales[shape.unit]
+            values = relative[shape.of].values * by_unit[shape.unit]
         else:
             continue
         rows = [shape.name] if shape.rows == "one" else relative[shape.of].rows
@@ -54,8 +54,10 @@ def _physical(results: Results, relative: Mapping[str, Table]) -> dict[str, Tabl
     return made
 
 
-def _scales(results: Results) -> dict[str, Floats]:
-    """By unit: what a relative number of each gear is multiplied by, NaN where no load tells.
+def scales(results: Results) -> dict[str, Floats]:
+    """By unit (rpm, Nm, kW): what a relative number of each gear is multiplied by.
+
+    Arrays of shape (gears,), NaN where no load tells.
 
     When coasting the input link is driven: the torque on it is against its speed.
     """
@@ -89,5 +91,5 @@ def _ports(results: Results) -> tuple[Floats, Floats]:
         external[output] = external.get(output, 0.0) - torques[-1]
         for link, torque in external.items():
             row[link] = 0.0 if torque == 0 else torque * speeds[link - 1]
-    power *= _scales(results)["kW"][:, np.newaxis]
+    power *= scales(results)["kW"][:, np.newaxis]
     return np.maximum(power, 0.0).sum(axis=1), np.maximum(-power, 0.0).sum(axis=1)

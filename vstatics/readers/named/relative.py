@@ -36,11 +36,14 @@ def resolve(values: dict[str, Any], spots: Spots) -> None:
     ----------
     values : dict
         Of a document; its `drag` is taken out, and drag of shift elements with a unit.
+        Their capacities with a unit are related to the load of the case, as an element
+        carries the same in all gears.
     spots : Spots
         Is told where a unit stands without a load, and drag of a case that can't be.
     """
     links = dict(_of_case(_given(values.pop("drag", {}), ("drag",)), spots))
     elements = dict(_elements(values, spots))
+    _capacities(values, spots)
     for number, (_, record) in enumerate(values["gears"], 1):
         load = {**values.get("load", {}), **record.get("load", {})}
         speed, torque = load.get("speed", 0.0), load.get("torque", 0.0)
@@ -91,6 +94,20 @@ def _elements(values: dict[str, Any], spots: Spots) -> Iterator[tuple[int, tuple
             _tell(spots, path, message)
         else:
             yield number, (drag, path)
+
+
+def _capacities(values: dict[str, Any], spots: Spots) -> None:
+    whole = _Whole("torque", "N*m", abs(values.get("load", {}).get("torque", 0.0)))
+    for number, (_, record) in enumerate(values.get("shift_elements", ()), 1):
+        capacity, path = record.get("capacity"), ("shift_elements", number, "capacity")
+        if not isinstance(capacity, WithUnit):
+            continue
+        del record["capacity"]
+        if capacity <= 0:
+            _tell(spots, path, f"read {capacity:g} N*m, expected a torque above 0")
+        else:
+            for _, torque in _relative({number: (capacity, path)}, whole, spots):
+                record["capacity"] = torque
 
 
 def _relative(given: Given, whole: _Whole, spots: Spots) -> Iterator[tuple[int, float]]:

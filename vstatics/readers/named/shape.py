@@ -183,6 +183,14 @@ ELEMENT = Record(
             limits={"minimum": 0},
             examples=(0.002,),
         ),
+        Key(
+            "capacity",
+            TORQUE,
+            "Torque that it can carry, relative to the input torque of the case, or with a unit; "
+            "for the margins of `vstatics summary`.",
+            limits={"exclusiveMinimum": 0},
+            examples=("600 N*m",),
+        ),
     ),
 )
 

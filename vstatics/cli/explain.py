@@ -1,0 +1,81 @@
+"""`vstatics explain`: a gear's matrix, its equations and their solution, its ratio as a formula."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+import click
+
+from vstatics import readers
+from vstatics.cli import cases as arguments
+from vstatics.cli import files
+from vstatics.cli.cases import Settings, calculate
+from vstatics.model import IdleConvention, Transmission
+
+
+def _chosen(case: Transmission, gears: tuple[str, ...]) -> list[int]:
+    """Indices of the gears that are asked for, all of them if none is named."""
+    return [arguments.gear_number(case, gear) - 1 for gear in gears] or list(range(len(case.gears)))
+
+
+@click.command()
+@click.argument("case", type=click.Path(), metavar="CASE")
+@click.option(
+    "--gear",
+    "gears",
+    multiple=True,
+    metavar="G",
+    help="This gear only, by its name or number; may be given several times.",
+)
+@click.option(
+    "-f",
+    "--format",
+    "output_format",
+    type=click.Choice(["text", "json"]),
+    default="text",
+    show_default=True,
+    help="Format of the explanation.",
+)
+@click.option("-o", "--output", type=click.Path(), help="Write to this file, whole or not at all.")
+@arguments.input_format
+@arguments.coast
+@arguments.idle
+@click.pass_context
+def explain(
+    context: click.Context,
+    case: str,
+    gears: tuple[str, ...],
+    output_format: Literal["text", "json"],
+    output: str | None,
+    input_format: readers.Format | None,
+    coast: bool | None,
+    idle: IdleConvention | None,
+) -> None:
+    """Explain the gears of CASE: a deck, YAML or JSON; - is standard input.
+
+    For each gear: the structural-distribution matrix of what is engaged, the speed
+    and the torque equations in symbols and numbers with their solution, the signs of
+    the power flow and why, links that turn together, and the ratio as a formula.
+
+    \b
+    Examples:
+      vstatics explain gearbox.dat --gear 1
+      vstatics explain gearbox.yaml | less
+      vstatics explain gearbox.yaml -f json | jq -r '.gears[].formula.text'
+
+    The formula needs SymPy: pip install "vstatics[formula]".
+
+    Exit status: 0 done; 1 the case is in error or a gear is tied up; 2 wrong use.
+    """
+    [outcome] = calculate([case], Settings(input_format, coast, idle))
+    results = outcome.results
+    if results is not None:
+        from vstatics.insight.explain import document, text
+        from vstatics.insight.explain import explain as explained
+
+        made = [explained(results, number) for number in _chosen(results.case, gears)]
+        written = (
+            text.write(made) if output_format == "text" else document.write(results.case, made)
+        )
+        files.write_output(written, output)
+    context.exit(1 if outcome.failed else 0)

@@ -1,0 +1,79 @@
+"""`vstatics flow`: where the power goes in every gear, what is lost and what circulates."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Literal
+
+import click
+
+from vstatics import readers
+from vstatics.cli import cases as arguments
+from vstatics.cli import files
+from vstatics.cli.cases import Settings, calculate
+from vstatics.model import IdleConvention, Transmission
+
+if TYPE_CHECKING:
+    from vstatics.insight.flow import GearFlow
+
+
+@click.command()
+@click.argument("case", type=click.Path(), metavar="CASE")
+@click.option("--gear", metavar="G", help="This gear only, by its name or number.")
+@click.option(
+    "-f",
+    "--format",
+    "output_format",
+    type=click.Choice(["text", "json"]),
+    default="text",
+    show_default=True,
+    help="Format of the output.",
+)
+@arguments.input_format
+@arguments.coast
+@arguments.idle
+@click.pass_context
+def flow(
+    context: click.Context,
+    case: str,
+    gear: str | None,
+    output_format: Literal["text", "json"],
+    input_format: readers.Format | None,
+    coast: bool | None,
+    idle: IdleConvention | None,
+) -> None:
+    """Show where the power goes in every gear of CASE; - is standard input.
+
+    For each gear: the power through links, mechanisms and engaged shift elements,
+    without and with losses, relative to the power at the input link, and in kW if the
+    case has a load; losses and their shares; the balance; power that circulates, and
+    the loop that carries it. Power of a member is above 0 where it enters the mechanism.
+
+    \b
+    Examples:
+      vstatics flow gearbox.yaml --gear R
+      vstatics flow gearbox.dat -f json | jq '.gears[].lossy.circulating'
+
+    \b
+    Exit status: 0 done; 1 the case is in error or a gear is tied up; 2 wrong use.
+    """
+    [outcome] = calculate([case], Settings(input_format, coast, idle))
+    if outcome.results is None:
+        context.exit(1)
+    from vstatics.insight.flow import flows
+
+    found = flows(outcome.results)
+    if gear is not None:
+        found = [found[arguments.gear_number(outcome.results.case, gear) - 1]]
+    files.write_output(_text(outcome.results.case, found, output_format), None)
+    context.exit(1 if outcome.failed else 0)
+
+
+def _text(case: Transmission, found: list[GearFlow], output_format: str) -> str:
+    from vstatics.insight import flow_text
+
+    if output_format == "text":
+        return "\n".join(map(flow_text.text, found))
+    import json
+
+    made = flow_text.document(case.name, found)
+    return json.dumps(made, ensure_ascii=False, allow_nan=False, indent=1) + "\n"

@@ -1,0 +1,115 @@
+"""`vstatics plot`: a picture of a case."""
+
+from __future__ import annotations
+
+import os
+from typing import get_args
+
+import click
+
+from vstatics import readers
+from vstatics.cli import cases as arguments
+from vstatics.cli import files
+from vstatics.cli.cases import Settings, calculate
+from vstatics.errors import CaseError, Place, Problem, ReadError
+from vstatics.insight.pictures import FORMATS, PICTURES, Format, render
+from vstatics.insight.pictures.style import Style
+from vstatics.model import IdleConvention
+from vstatics.results import Language
+
+
+@click.command()
+@click.argument("case", type=click.Path(), metavar="CASE")
+@click.option(
+    "-k",
+    "--kind",
+    type=click.Choice(list(PICTURES)),
+    required=True,
+    help="What is drawn.",
+)
+@click.option(
+    "-o",
+    "--output",
+    type=click.Path(),
+    required=True,
+    metavar="FILE",
+    help="SVG, PNG or PDF by the suffix; - is standard output, for SVG.",
+)
+@click.option("--gear", metavar="NAME", help="Only this gear, by its name or number.")
+@click.option("--dark", is_flag=True, help="Light on dark, for a screen.")
+@arguments.input_format
+@click.option(
+    "--lang",
+    type=click.Choice(get_args(Language)),
+    default="en",
+    show_default=True,
+    help="Language of axes and titles.",
+)
+@arguments.coast
+@arguments.idle
+@click.pass_context
+def plot(
+    context: click.Context,
+    case: str,
+    kind: str,
+    output: str,
+    gear: str | None,
+    dark: bool,
+    input_format: readers.Format | None,
+    lang: Language,
+    coast: bool | None,
+    idle: IdleConvention | None,
+) -> None:
+    """Draw a picture of CASE: a deck, YAML or JSON; - is standard input.
+
+    \b
+    plan         speeds of all links over the output speed: the generalised
+                 kinematic plan
+    lever        speeds of each gear on the levers of the mechanisms
+    flow         power of each gear in bands, losses, circulating power
+    structure    mechanisms as boxes, links as wires, clutches and brakes
+    stick        the stick diagram of a case made of elements
+    efficiency   efficiency by gear, with the losses of each mechanism
+
+    \b
+    Examples:
+      vstatics plot gearbox.yaml --kind plan -o plan.svg
+      vstatics plot gearbox.yaml --kind lever --gear 2 -o second.pdf
+      cat gearbox.dat | vstatics plot - --kind efficiency -o losses.png --dark
+
+    Needs matplotlib: pip install "vstatics[plot]".
+
+    \b
+    Exit status: 0 done; 1 the case is in error, a gear is tied up, or there is
+    nothing to draw; 2 wrong use.
+    """
+    form = _format(output)
+    [outcome] = calculate([case], Settings(input_format, coast, idle))
+    if outcome.results is not None:
+        try:
+            chosen = None if gear is None else arguments.gear_number(outcome.results.case, gear)
+            drawn = render(outcome.results, kind, form, Style(lang, dark), chosen)
+        except CaseError as error:
+            place = Place(outcome.file, 0, 0)
+            raise ReadError([Problem(one.message, place=place) for one in error.problems]) from None
+        with files.stream(output) as write:
+            write(drawn)
+    context.exit(1 if outcome.failed else 0)
+
+
+def _format(output: str) -> Format:
+    """The format of a file's suffix.
+
+    Raises
+    ------
+    UsageError
+        If it has none that can be drawn.
+    """
+    if output == files.STDIN:
+        return "svg"
+    suffix = os.path.splitext(output)[1].lower()  # noqa: PTH122
+    for form in FORMATS:
+        if suffix == f".{form}":
+            return form
+    known = " ".join(f".{form}" for form in FORMATS)
+    raise click.UsageError(f"can't tell the format of {output}: expected a suffix of {known}")

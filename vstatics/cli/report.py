@@ -1,0 +1,60 @@
+"""`vstatics report`: a case and its results as one page of HTML."""
+
+from __future__ import annotations
+
+import click
+
+from vstatics import readers
+from vstatics.cli import cases as arguments
+from vstatics.cli import files
+from vstatics.cli.cases import Settings, calculate
+from vstatics.model import IdleConvention
+
+
+@click.command()
+@click.argument("case", type=click.Path(), metavar="CASE")
+@click.option(
+    "-o",
+    "--output",
+    type=click.Path(),
+    required=True,
+    metavar="FILE",
+    help="Write to this file, whole or not at all; - is standard output.",
+)
+@arguments.input_format
+@arguments.coast
+@arguments.idle
+@click.pass_context
+def report(
+    context: click.Context,
+    case: str,
+    output: str,
+    input_format: readers.Format | None,
+    coast: bool | None,
+    idle: IdleConvention | None,
+) -> None:
+    """Write CASE and its results as one page of HTML; - is standard input.
+
+    The page has the input, ratios, pictures, the power flow of each gear, transitions,
+    largest values and all tables; a click on a heading sorts those of the results. It loads nothing
+    from elsewhere, can be printed, and carries the result as JSON.
+
+    Pictures need matplotlib: pip install "vstatics[plot]". Without it the page has none.
+
+    \b
+    Examples:
+      vstatics report gearbox.yaml -o gearbox.html
+      cat gearbox.dat | vstatics report - -o - > gearbox.html
+
+    \b
+    Exit status: 0 done; 1 the case is in error or a gear is tied up; 2 wrong use.
+    """
+    [outcome] = calculate([case], Settings(input_format, coast, idle))
+    if outcome.results is not None:
+        from vstatics.insight.report import gather, page
+
+        material = gather(outcome.results, outcome.problems)
+        if material.without:
+            files.say(f"vstatics report: no pictures: {material.without}")
+        files.write_output(page(material), output)
+    context.exit(1 if outcome.failed else 0)

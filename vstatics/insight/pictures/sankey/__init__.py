@@ -1,0 +1,1 @@
+"""The power flow of each gear as bands from input to output."""

@@ -1,0 +1,1 @@
+"""How a transmission is joined: boxes and wires, or the stick diagram of its elements."""

@@ -1,0 +1,67 @@
+"""The power of each gear, of which the page shows one that is chosen."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from urllib.parse import quote
+
+from vstatics.insight.flow import GearFlow
+from vstatics.insight.flow_text import Row, remarks, sections
+from vstatics.insight.report.cells import Cell, numeric, table
+from vstatics.insight.report.markup import Markup, tag
+from vstatics.insight.summary.grids import Column, text
+
+
+def flow_by_gear(found: Sequence[GearFlow]) -> Iterator[Markup]:
+    """Links to choose a gear by, then the gears; without a script all of them show."""
+    links = (
+        tag("a", flow.gear, href=f"#{_id(flow.gear)}", data_choose=flow.gear) for flow in found
+    )
+    yield tag("nav", "Gear: ", *links, class_="chooser", aria_label="Gear")
+    for flow in found:
+        yield tag("div", *_parts(flow), id=_id(flow.gear), data_gear=flow.gear)
+
+
+def _id(gear: str) -> str:
+    """The name of a gear as the end of an address, which has no blanks."""
+    return f"gear={quote(gear, safe='')}"
+
+
+def _parts(flow: GearFlow) -> Iterator[Markup]:
+    title = f"Gear {flow.gear}"
+    if flow.ideal is None:
+        yield tag("h3", title)
+        yield tag("p", f"{flow.note}, so there is no power to show".capitalize())
+        return
+    load = not math.isnan(flow.kilowatts)
+    columns = [text("power through"), Column("ideal"), Column("with losses")]
+    columns += [Column("kW")] * load + [Column("loss")] + [Column("loss, kW")] * load
+    columns.append(Column("share, %"))
+    rows: list[list[Cell | str]] = []
+    levels = []
+    for heading, lines in sections(flow):
+        rows.append([heading, *[""] * (len(columns) - 1)])
+        levels.append(1)
+        for row, level in lines:
+            rows.append(_row(row, flow.kilowatts))
+            levels.append(level + 1)
+    yield table(title, columns, rows, levels)
+    yield tag("ul", *(tag("li", line.strip()) for line in remarks(flow)))
+
+
+def _row(row: Row, unit: float) -> list[Cell | str]:
+    """A line, in kW too where the load tells the unit."""
+    load = not math.isnan(unit)
+    cells: list[Cell | str] = [row.name, _cell(row.ideal), _cell(row.lossy)]
+    cells += [_cell(None if row.lossy is None else row.lossy * unit)] * load
+    cells.append(_cell(row.loss, 4))
+    cells += [_cell(None if row.loss is None else row.loss * unit)] * load
+    has_share = row.share is not None and not math.isnan(row.share)
+    cells.append(_cell(100 * (row.share or 0.0) if has_share else None, 1))
+    return cells
+
+
+def _cell(value: float | None, decimals: int = 3) -> Cell | str:
+    """A number, or an empty field."""
+    return "" if value is None else numeric(value, decimals)

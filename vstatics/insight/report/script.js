@@ -1,0 +1,85 @@
+"use strict";
+(() => {
+  // the gear whose power is shown: #gear=R at the end of the address
+  const gears = [...document.querySelectorAll("[data-gear]")];
+  const links = [...document.querySelectorAll("[data-choose]")];
+
+  function asked() {
+    const hash = location.hash.slice(1);
+    if (!hash.startsWith("gear=")) return undefined;
+    let name = hash.slice(5);
+    try { name = decodeURIComponent(name); } catch { /* a % that stands for itself */ }
+    return gears.find((one) => one.dataset.gear === name);
+  }
+
+  function choose(gear) {
+    for (const one of gears) one.hidden = one !== gear;
+    for (const link of links) {
+      if (link.dataset.choose === gear.dataset.gear) link.setAttribute("aria-current", "true");
+      else link.removeAttribute("aria-current");
+    }
+  }
+
+  if (gears.length) {
+    choose(asked() ?? gears[0]);
+    asked()?.scrollIntoView();
+    addEventListener("hashchange", () => { const gear = asked(); if (gear) choose(gear); });
+  }
+
+  // tables sorted by a column: up, down, then as they were
+  const NEXT = { none: "ascending", ascending: "descending", descending: "none" };
+
+  function key(row, column) {
+    const cell = row.cells[column];
+    if ("value" in cell.dataset) return cell.dataset.value === "" ? NaN : Number(cell.dataset.value);
+    const text = cell.textContent.trim();
+    return text === "-" || text === "" ? NaN : isNaN(text) ? text : Number(text);
+  }
+
+  function compare(one, other, sign) {
+    const missing = [one, other].map((value) => Number.isNaN(value));
+    if (missing[0] || missing[1]) return missing[0] - missing[1]; // last, up or down
+    if (typeof one === "number" && typeof other === "number") return sign * (one - other);
+    return sign * String(one).localeCompare(String(other), undefined, { numeric: true });
+  }
+
+  for (const table of document.querySelectorAll("table.sortable")) {
+    const body = table.tBodies[0];
+    const original = [...body.rows];
+    if (original.length < 2) continue;
+    const heads = [...table.tHead.rows[0].cells];
+    heads.forEach((head, column) => {
+      const button = document.createElement("button");
+      button.type = "button";
+      button.title = "Sort";
+      button.append(...head.childNodes);
+      head.append(button);
+      head.setAttribute("aria-sort", "none");
+      button.addEventListener("click", () => {
+        const order = NEXT[head.getAttribute("aria-sort")];
+        for (const other of heads) other.setAttribute("aria-sort", "none");
+        head.setAttribute("aria-sort", order);
+        const sign = order === "descending" ? -1 : 1;
+        const keyed = original.map((row) => [key(row, column), row]);
+        if (order !== "none") keyed.sort((one, other) => compare(one[0], other[0], sign));
+        body.append(...keyed.map((pair) => pair[1]));
+      });
+    });
+  }
+
+  // the result that the page carries, as `vstatics run -f json` writes it
+  const save = document.createElement("button");
+  save.textContent = "Save the result as JSON";
+  save.className = "save";
+  save.addEventListener("click", () => {
+    const text = document.getElementById("result").textContent;
+    const link = document.createElement("a");
+    link.href = URL.createObjectURL(new Blob([text], { type: "application/json" }));
+    link.download = "result.json";
+    link.click();
+    URL.revokeObjectURL(link.href);
+  });
+  document.getElementById("conventions").append(save);
+
+  document.documentElement.dataset.ready = "true";
+})();
