@@ -35,6 +35,7 @@ def kept(case: Transmission, form: str) -> Transmission:
     return replace(settled, shift_elements=plain, **bare)  # type: ignore[arg-type]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("path", SHIPPED, ids=lambda path: path.name)
 def test_a_shipped_case_goes_round_all_formats(path: Path, tmp_path: Path) -> None:
     case = library.load(path)

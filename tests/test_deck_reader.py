@@ -223,6 +223,7 @@ def test_text_of_decks() -> None:
     assert not holds_deck(b"\0")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "text",
     [

@@ -243,6 +243,7 @@ def test_who_holds_differs_from_variant_to_variant() -> None:
     assert not disagreements(replace(case, coast=True), u)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("coast", [False, True])
 @pytest.mark.parametrize("text", [SIMPSON, TWO])
 def test_variants_of_the_simpson_train(text: str, coast: bool) -> None:

@@ -151,6 +151,7 @@ def limited() -> None:
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", HOSTILE)
 def test_hostile_input_is_refused_soon_and_in_little_memory(name: str, tmp_path: Path) -> None:
     form, data = HOSTILE[name]
