@@ -10,7 +10,7 @@ import vstatics
 PACKAGE = Path(vstatics.__file__).parent
 ROOMS = [
     {"arrays", "errors", "memory", "parts", "tape", "templates"},
-    {"checks", "traced"},
+    {"checks", "extras", "traced"},
     {"entries", "model", "replay"},
     {"elimination", "plans", "results"},
     {"matrix"},

@@ -10,6 +10,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 import pytest
+import umdm_cases
 from element_cases import (
     LETTERS,
     RAVIGNEAUX,
@@ -154,22 +155,6 @@ def umdm_teeth(draw: st.DrawFn) -> dict[str, int]:
 @EXAMPLES
 def test_group_of_planets(z: Mapping[str, int], n: int) -> None:
     """The multi-flow mechanism: two planets of two rims, five wheels."""
-    element = {
-        "kind": "planet_group",
-        "carrier": "H",
-        "planets": n,
-        "rims": {"A": {"A1": z["2"], "A2": z["2'"]}, "B": {"B1": z["3"], "B2": z["3'"]}},
-        "suns": [
-            {"link": "1", "teeth": z["1"], "rim": "A1"},
-            {"link": "4", "teeth": z["4"], "rim": "B2"},
-        ],
-        "rings": [
-            {"link": "6", "teeth": z["6"], "rim": "A1"},
-            {"link": "7", "teeth": z["7"], "rim": "B1"},
-            {"link": "8", "teeth": z["8"], "rim": "B2"},
-        ],
-        "meshes": [["A2", "B1"]],
-    }
     place, line = triangle(27, 27, 25.5)
     simulated = Group(
         {"A": {"2": z["2"], "2'": z["2'"]}, "B": {"3": z["3"], "3'": z["3'"]}},
@@ -183,7 +168,7 @@ def test_group_of_planets(z: Mapping[str, int], n: int) -> None:
         ],
         [Contact("2'", "3", line)],
     )
-    assert warned(element, "14678H") != assembles(simulated, n)
+    assert warned(umdm_cases.element(z, n), umdm_cases.LINKS) != assembles(simulated, n)
 
 
 def test_nothing_is_said_where_the_number_of_planets_is_not_told() -> None:

@@ -41,7 +41,7 @@ def to_dataframe(results: Results) -> pd.DataFrame:
     >>> table.shape, table.loc[(1, "2"), "ratio"].item()
     ((4, 39), 4.0)
     """
-    from vstatics.sweep.extras import require
+    from vstatics.extras import require
 
     require("pandas", "to_dataframe")
     import pandas as pd

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Iterator, Sequence
-from typing import NamedTuple, get_args
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from typing import Any, NamedTuple, TypeVar, get_args
 
 import click
 
@@ -14,7 +14,9 @@ from vstatics.cli import files
 from vstatics.errors import Place, Problem, ReadError, nearest
 from vstatics.model import IdleConvention, Transmission
 from vstatics.readers.reading import Reading
-from vstatics.results import Results
+from vstatics.results import Language, Results
+
+Command = TypeVar("Command", bound=Callable[..., Any])
 
 argument = click.argument("cases", nargs=-1, required=True, type=click.Path(), metavar="CASE...")
 input_format = click.option(
@@ -33,6 +35,33 @@ idle = click.option(
     type=click.Choice(get_args(IdleConvention)),
     help="Sign of idle mechanisms; else as the case says.",
 )
+
+
+case_argument = click.argument("case", type=click.Path(), metavar="CASE")
+one_gear = click.option("--gear", metavar="G", help="This gear only, by its name or number.")
+output = click.option(
+    "-o", "--output", type=click.Path(), help="Write to this file, whole or not at all."
+)
+text_or_json = click.option(
+    "-f",
+    "--format",
+    "output_format",
+    type=click.Choice(["text", "json"]),
+    default="text",
+    show_default=True,
+    help="Format of the output.",
+)
+
+
+def language(of: str) -> Callable[[Command], Command]:
+    """The option for the language of something."""
+    return click.option(
+        "--lang",
+        type=click.Choice(get_args(Language)),
+        default="en",
+        show_default=True,
+        help=f"Language of {of}.",
+    )
 
 
 class Outcome(NamedTuple):

@@ -19,7 +19,7 @@ def _chosen(case: Transmission, gears: tuple[str, ...]) -> list[int]:
 
 
 @click.command()
-@click.argument("case", type=click.Path(), metavar="CASE")
+@arguments.case_argument
 @click.option(
     "--gear",
     "gears",
@@ -27,16 +27,8 @@ def _chosen(case: Transmission, gears: tuple[str, ...]) -> list[int]:
     metavar="G",
     help="This gear only, by its name or number; may be given several times.",
 )
-@click.option(
-    "-f",
-    "--format",
-    "output_format",
-    type=click.Choice(["text", "json"]),
-    default="text",
-    show_default=True,
-    help="Format of the explanation.",
-)
-@click.option("-o", "--output", type=click.Path(), help="Write to this file, whole or not at all.")
+@arguments.text_or_json
+@arguments.output
 @arguments.input_format
 @arguments.coast
 @arguments.idle

@@ -17,17 +17,10 @@ if TYPE_CHECKING:
 
 
 @click.command()
-@click.argument("case", type=click.Path(), metavar="CASE")
-@click.option("--gear", metavar="G", help="This gear only, by its name or number.")
-@click.option(
-    "-f",
-    "--format",
-    "output_format",
-    type=click.Choice(["text", "json"]),
-    default="text",
-    show_default=True,
-    help="Format of the output.",
-)
+@arguments.case_argument
+@arguments.one_gear
+@arguments.text_or_json
+@arguments.output
 @arguments.input_format
 @arguments.coast
 @arguments.idle
@@ -37,6 +30,7 @@ def flow(
     case: str,
     gear: str | None,
     output_format: Literal["text", "json"],
+    output: str | None,
     input_format: readers.Format | None,
     coast: bool | None,
     idle: IdleConvention | None,
@@ -64,7 +58,7 @@ def flow(
     found = flows(outcome.results)
     if gear is not None:
         found = [found[arguments.gear_number(outcome.results.case, gear) - 1]]
-    files.write_output(_text(outcome.results.case, found, output_format), None)
+    files.write_output(_text(outcome.results.case, found, output_format), output)
     context.exit(1 if outcome.failed else 0)
 
 

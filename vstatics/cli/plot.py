@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-from typing import get_args
 
 import click
 
@@ -19,7 +18,7 @@ from vstatics.results import Language
 
 
 @click.command()
-@click.argument("case", type=click.Path(), metavar="CASE")
+@arguments.case_argument
 @click.option(
     "-k",
     "--kind",
@@ -35,16 +34,10 @@ from vstatics.results import Language
     metavar="FILE",
     help="SVG, PNG or PDF by the suffix; - is standard output, for SVG.",
 )
-@click.option("--gear", metavar="NAME", help="Only this gear, by its name or number.")
+@arguments.one_gear
 @click.option("--dark", is_flag=True, help="Light on dark, for a screen.")
 @arguments.input_format
-@click.option(
-    "--lang",
-    type=click.Choice(get_args(Language)),
-    default="en",
-    show_default=True,
-    help="Language of axes and titles.",
-)
+@arguments.language("axes and titles")
 @arguments.coast
 @arguments.idle
 @click.pass_context

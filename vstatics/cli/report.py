@@ -12,7 +12,7 @@ from vstatics.model import IdleConvention
 
 
 @click.command()
-@click.argument("case", type=click.Path(), metavar="CASE")
+@arguments.case_argument
 @click.option(
     "-o",
     "--output",

@@ -52,13 +52,7 @@ from vstatics.results import Language
     "--pretty", is_flag=True, help="One coloured table of the gears, to read at a terminal."
 )
 @arguments.input_format
-@click.option(
-    "--lang",
-    type=click.Choice(get_args(Language)),
-    default="en",
-    show_default=True,
-    help="Language of the headings of a listing.",
-)
+@arguments.language("the headings of a listing")
 @arguments.coast
 @arguments.idle
 @click.pass_context

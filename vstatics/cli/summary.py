@@ -42,7 +42,7 @@ class _Asked(NamedTuple):
     show_default=True,
     help="Format of the tables.",
 )
-@click.option("-o", "--output", type=click.Path(), help="Write to this file, whole or not at all.")
+@arguments.output
 @click.option(
     "--combinations", is_flag=True, help="Also try all other combinations of shift elements."
 )

@@ -80,8 +80,8 @@ def sweep(  # noqa: PLR0913 (as on the command line)
     array([[1. , 3.5],
            [1. , 4. ]])
     """
+    from vstatics.extras import require
     from vstatics.sweep import build
-    from vstatics.sweep.extras import require
     from vstatics.sweep.file import Settings, Text
 
     if jobs < 1:

@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, TypeVar, cast
 import numpy as np
 
 from vstatics.errors import CaseError, Problem, ReadError
+from vstatics.extras import require
 from vstatics.model import IdleConvention, Transmission
 from vstatics.sweep.columns import read_columns
-from vstatics.sweep.extras import require
 from vstatics.sweep.file import Settings, Text, located
 from vstatics.sweep.formats import Format
 from vstatics.sweep.plan import Plan

@@ -64,7 +64,7 @@ class Chunk(NamedTuple):
         CaseError
             If pandas is missing.
         """
-        from vstatics.sweep.extras import require
+        from vstatics.extras import require
 
         require("pandas", "to_dataframe")
         import pandas as pd

@@ -6,9 +6,9 @@ import math
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
-from importlib.util import find_spec
 from typing import Any, NamedTuple
 
+from vstatics.extras import missing
 from vstatics.insight.explain import forms
 from vstatics.insight.explain.bodies import OwnLinks, Structure
 from vstatics.insight.explain.names import Names
@@ -16,7 +16,6 @@ from vstatics.insight.explain.shares import NoFormula, shares
 from vstatics.insight.explain.symbols import Symbol
 from vstatics.model import HOUSING, Gear
 
-INSTALL = 'pip install "vstatics[formula]"'
 SHARED = ("u", "v")
 """Symbols for ratios that several mechanisms have."""
 
@@ -61,8 +60,9 @@ def formula(
         If SymPy is not installed, the output speed is not determined or 0, or the formula
         would be too long.
     """
-    if find_spec("sympy") is None:
-        raise NoFormula(f"the formula needs the package sympy: {INSTALL}")
+    told = missing("sympy", "the formula")
+    if told:
+        raise NoFormula(told)
     case = own.case
     given: dict[int, str] = {}
     numbers: dict[str, float] = {}

@@ -13,8 +13,8 @@ from contextlib import contextmanager
 from importlib import import_module
 from typing import TYPE_CHECKING, Any, Literal, get_args
 
+from vstatics.extras import require
 from vstatics.results import Results
-from vstatics.sweep.extras import require
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

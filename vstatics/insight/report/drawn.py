@@ -8,11 +8,11 @@ from typing import NamedTuple
 from xml.etree import ElementTree as ET
 
 from vstatics.errors import CaseError
+from vstatics.extras import require
 from vstatics.insight.pictures import PICTURES, render
 from vstatics.insight.pictures.style import Style
 from vstatics.insight.report.markup import Markup
 from vstatics.results import Results
-from vstatics.sweep.extras import require
 
 _LIGHT, _DARK = Style(), Style(dark=True)
 _PAIRS = {
