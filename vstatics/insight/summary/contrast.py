@@ -45,7 +45,7 @@ def contrasted(one: Summary, other: Summary) -> Iterator[Grid]:
 
 def _gears(pair: Sequence[Summary]) -> Grid:
     lines = [{line.gear: line for line in summary.design.gears} for summary in pair]
-    names = list(dict.fromkeys(name for by_name in lines for name in by_name))
+    names = _in_order(*map(list, lines))
     headings = (f"{what} {letter}" for what in ("ratio", "step", "efficiency") for letter in "AB")
     rows = []
     for name in names:
@@ -57,6 +57,23 @@ def _gears(pair: Sequence[Summary]) -> Grid:
         ]
         rows.append([name, *map(number, values)])
     return Grid("Gears", [text("gear"), *map(Column, headings)], rows)
+
+
+def _in_order(first: Sequence[str], second: Sequence[str]) -> list[str]:
+    """The gears of both; one that only the second case has stands after the one before it.
+
+    >>> _in_order(["1", "2", "R"], ["1", "2", "3", "R"])
+    ['1', '2', '3', 'R']
+    """
+    names = list(first)
+    place = 0
+    for name in second:
+        if name in names:
+            place = names.index(name) + 1
+        else:
+            names.insert(place, name)
+            place += 1
+    return names
 
 
 def _in_all(pair: Sequence[Summary]) -> Iterator[list[str]]:
