@@ -9,9 +9,6 @@ from typing import Any
 
 import pytest
 from commands import LOCKED, NEUTRAL, TIED_UP
-
-pytest.importorskip("matplotlib")
-
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.transforms import Bbox
