@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import os
 import signal
 import threading
@@ -25,9 +26,9 @@ def called(jobs: int, state: str = STATE) -> Workers:
     return workers(state, describe, jobs=jobs)
 
 
-def doubled(state: str, item: int) -> tuple[str, int, int]:
+def doubled(state: str, item: int) -> tuple[str, int]:
     time.sleep(0.02 * (item % 3 == 0))  # so that they do not end in order
-    return state, 2 * item, os.getpid()
+    return state, 2 * item
 
 
 @pytest.mark.parametrize("jobs", [1, 2, 3])
@@ -36,9 +37,26 @@ def test_every_item_is_done_once(jobs: int) -> None:
         done = list(made.each(doubled, range(20)))
         again = list(made.each(doubled, range(5), ordered=True))
     assert sorted(item for item, _ in done) == list(range(20))
-    assert all(result[:2] == (STATE, 2 * item) for item, result in done)
+    assert all(result == (STATE, 2 * item) for item, result in done)
     assert [item for item, _ in again] == list(range(5))
-    assert len({result[2] for _, result in done} - {os.getpid()}) == (jobs if jobs > 1 else 0)
+
+
+def together(folder: str, jobs: int) -> int:
+    """The process that does it; none goes on before so many have come."""
+    Path(folder, str(os.getpid())).touch()
+    end = time.monotonic() + 50
+    while len(list(Path(folder).iterdir())) < jobs:
+        assert time.monotonic() < end, "the others never came"
+        time.sleep(0.01)
+    return os.getpid()
+
+
+@pytest.mark.parametrize("jobs", [1, 2, 3])
+def test_so_many_processes_work_at_once(jobs: int, tmp_path: Path) -> None:
+    with called(jobs, str(tmp_path)) as made:
+        seen = {process for _, process in made.each(together, [jobs] * 20)}
+    assert len(seen) == jobs
+    assert (os.getpid() in seen) == (jobs == 1)
 
 
 @pytest.mark.parametrize("jobs", [1, 3])
@@ -117,19 +135,17 @@ def test_an_item_that_kills_every_process_is_given_up_by_its_name() -> None:
         list(made.each(dies, range(20)))
 
 
-def test_processes_end_with_what_called_them() -> None:
-    """Whether all is done, or nobody wants to go on."""
-    pids = set()
-    with called(2) as made:
-        pids |= {result[2] for _, result in made.each(doubled, range(6))}
-    with called(2) as stopped:
-        for _, result in stopped.each(doubled, range(100)):
-            pids.add(result[2])
-            if len(pids) > 3:
-                break
-        stopped.__exit__(KeyboardInterrupt)
-    assert len(pids) == 4
-    assert not [pid for pid in pids if Path(f"/proc/{pid}").exists()]
+@pytest.mark.parametrize("stopped", [False, True], ids=["all is done", "nobody goes on"])
+def test_processes_end_with_what_called_them(stopped: bool, tmp_path: Path) -> None:
+    with called(2, str(tmp_path)) as made:
+        results = made.each(together, [2] * 20)
+        seen = {process for _, process in (itertools.islice(results, 1) if stopped else results)}
+        if stopped:
+            made.__exit__(KeyboardInterrupt)
+    processes = {int(path.name) for path in tmp_path.iterdir()}
+    assert len(processes) == 2
+    assert seen <= processes
+    assert not [process for process in processes if Path(f"/proc/{process}").exists()]
 
 
 def test_a_caller_with_threads_does_not_fork() -> None:
