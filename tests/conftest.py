@@ -3,6 +3,12 @@
 import gc
 
 import pytest
+from hypothesis import settings
+
+# The same examples every time, so that a run that fails fails again; new ones are tried
+# with --hypothesis-profile=default.
+settings.register_profile("repeatable", derandomize=True, deadline=None)
+settings.load_profile("repeatable")
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:

@@ -94,7 +94,7 @@ def test_what_cannot_be_read_is_not_converted(tmp_path: Path) -> None:
     assert "nowhere.dat: error: can't be read" in said.err
 
 
-@settings(deadline=None, max_examples=24)
+@settings(max_examples=24)
 @given(transmissions(ANY_NUMBER))
 def test_any_case_is_one_case_in_all_formats(case: Transmission) -> None:
     assert read(named.write_yaml(case).encode(), "", "yaml").case == case

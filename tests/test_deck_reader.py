@@ -287,13 +287,12 @@ TOKENS = st.sampled_from(
 
 
 @given(DECKS, st.integers(0, 3000))
-@settings(deadline=None)
 def test_cut_decks(data: bytes, length: int) -> None:
     check_ends_well(data[:length])
 
 
 @given(DECKS, st.lists(st.tuples(st.integers(0, 3000), st.integers(0, 9), TOKENS), max_size=4))
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=150)
 def test_decks_with_bytes_and_tokens_replaced(
     data: bytes, edits: list[tuple[int, int, bytes]]
 ) -> None:
@@ -303,7 +302,7 @@ def test_decks_with_bytes_and_tokens_replaced(
 
 
 @given(DECKS, st.data())
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=150)
 def test_decks_with_words_replaced_dropped_or_doubled(data: bytes, draws: st.DataObject) -> None:
     lines = [line.split(b" ") for line in data.split(b"\n")]
     for _ in range(draws.draw(st.integers(1, 4))):
@@ -314,7 +313,6 @@ def test_decks_with_words_replaced_dropped_or_doubled(data: bytes, draws: st.Dat
 
 
 @given(DECKS, st.randoms(use_true_random=False), st.integers(0, 3), st.integers(0, 3))
-@settings(deadline=None)
 def test_decks_with_lines_shuffled(data: bytes, rng: Random, dropped: int, doubled: int) -> None:
     lines = data.splitlines()
     rng.shuffle(lines)
@@ -322,7 +320,6 @@ def test_decks_with_lines_shuffled(data: bytes, rng: Random, dropped: int, doubl
 
 
 @given(st.binary(max_size=200))
-@settings(deadline=None)
 def test_any_bytes(data: bytes) -> None:
     check_ends_well(data)
     check_ends_well(b"KJG= 2 KL= 1 KG= 0 NP= 1\n" + data)

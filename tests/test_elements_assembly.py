@@ -38,7 +38,7 @@ from phases import (
 
 COUNTS = st.integers(2, 6)
 
-EXAMPLES = settings(max_examples=15, deadline=None)
+EXAMPLES = settings(max_examples=15)
 
 
 def warned(element: Mapping[str, Any], members: Sequence[str]) -> bool:

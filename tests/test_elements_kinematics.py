@@ -48,7 +48,7 @@ FAR_FROM_ONE = Fraction(1, 50)
 """An internal ratio of 1 makes one piece of a set; near it digits are lost."""
 WHEELS = st.integers(12, 90)
 
-EXAMPLES = settings(max_examples=4, deadline=None)
+EXAMPLES = settings(max_examples=4)
 
 
 def willis(internal: Mapping[str, Fraction], gear: Held) -> Fraction:

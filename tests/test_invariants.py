@@ -17,7 +17,7 @@ from vstatics.arrays import Floats
 from vstatics.readers import read
 from vstatics.writers import deck, named
 
-RANDOM = settings(deadline=None, max_examples=32, derandomize=True)
+RANDOM = settings(max_examples=32)
 CLOSE = {"rtol": 1e-8, "atol": 1e-8}
 ARRAYS = [name for name in Results._fields if name not in ("case", "messages")]
 
@@ -126,7 +126,7 @@ def test_deck_yaml_and_json_of_a_case_give_one_result(case: Transmission) -> Non
             np.testing.assert_array_equal(getattr(results, name), getattr(expected, name))
 
 
-@settings(deadline=None, max_examples=16, derandomize=True)
+@settings(max_examples=16)
 @given(trains(gears=2), st.integers(0, 2**32 - 1))
 def test_variants_together_are_variants_one_by_one(case: Transmission, seed: int) -> None:
     rng = np.random.default_rng(seed)

@@ -10,7 +10,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from vstatics.errors import Problem, ReadError
@@ -555,7 +555,6 @@ MUTATIONS += [
 ]
 
 
-@settings(deadline=None)
 @given(st.randoms(use_true_random=False), st.sampled_from(["yaml", "json"]))
 def test_broken_documents_end_in_a_reading_or_a_read_error(dice: random.Random, kind: str) -> None:
     if kind == "yaml":
@@ -575,13 +574,11 @@ def test_broken_documents_end_in_a_reading_or_a_read_error(dice: random.Random, 
     check_survival(text.encode(), f"case.{kind}")
 
 
-@settings(deadline=None)
 @given(st.binary(max_size=200), st.sampled_from(["case.yaml", "case.json"]))
 def test_any_bytes_end_in_a_read_error(data: bytes, file: str) -> None:
     check_survival(data, file)
 
 
-@settings(deadline=None)
 @given(st.text("{}[]:,-?&*!|>'\"#%@`\n\t <~.0a\\", max_size=60))
 def test_any_punctuation_ends_in_a_read_error(text: str) -> None:
     check_survival(text.encode(), "case.yaml")

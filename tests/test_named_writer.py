@@ -24,7 +24,7 @@ def differential(**other: object) -> Transmission:
     return Transmission(**{**parts, **other})  # type: ignore[arg-type]
 
 
-@settings(deadline=None, max_examples=40)
+@settings(max_examples=40)
 @given(transmissions(ANY_NUMBER))
 @example(differential(description="\x85 \u2028 \u2029 \ufeff \x00 \x1b \t\r\n \r"))
 @example(differential(description="\n", source=" \n x\n\n"))

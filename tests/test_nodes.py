@@ -7,7 +7,7 @@ import time
 
 import pytest
 import yaml
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from vstatics.errors import ReadError
@@ -217,7 +217,6 @@ def test_json_refuses(text: str, line: int, column: int, words: str) -> None:
     assert words in refused[2]
 
 
-@settings(deadline=None)
 @given(
     st.recursive(
         LEAVES,

@@ -25,6 +25,7 @@ from trains import is_regular, no_losses, random_train, regular_trains, seeded, 
 
 from vstatics.model import Gear, IdleConvention, Mechanism, ShiftElement, Transmission
 
+pytestmark = pytest.mark.slow  # nothing in them is the program's own
 PUBLISHED = Path(__file__).parent / "published" / "mzkt7922.json"
 BIG = 700
 """Trains in a seeded run; together they have over 2000 mechanisms."""
@@ -298,7 +299,7 @@ def ideal_power(case: Transmission, gear: Gear) -> Fraction | None:
     return flow.ideal.power(flow.speeds, flow.ideal.ports())
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 @given(trains())
 def test_power_balance_is_zero(case: Transmission) -> None:
     for gear in case.gears:
@@ -313,7 +314,7 @@ def test_power_balance_is_zero(case: Transmission) -> None:
             assert result.power_balance == 0
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=40)
 @given(regular_trains())
 def test_output_torque_times_output_speed_is_one(case: Transmission) -> None:
     gear = case.gears[0]
@@ -324,7 +325,7 @@ def test_output_torque_times_output_speed_is_one(case: Transmission) -> None:
         assert result.torques.output == result.ratio == 1 / speed
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=40)
 @given(trains())
 def test_efficiency_one_changes_nothing(case: Transmission) -> None:
     ideal = no_losses(case)
@@ -336,7 +337,7 @@ def test_efficiency_one_changes_nothing(case: Transmission) -> None:
             assert set(result.losses) <= {0}
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=40)
 @given(regular_trains())
 def test_efficiency_is_a_share(case: Transmission) -> None:
     result = solve_gear(case, case.gears[0])

@@ -257,7 +257,7 @@ def test_a_function_that_fails_fails_for_all() -> None:
         Plans(fails).run(prepared(np.ones((1, 9))), rows_for(1, 9))
 
 
-@settings(deadline=None, max_examples=50)
+@settings(max_examples=50)
 @given(programs(), variants(most=20), variants(most=20))
 def test_programs_give_every_variant_its_own_numbers(
     program: Program, values: Floats, others: Floats

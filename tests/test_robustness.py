@@ -71,7 +71,7 @@ def told(data: bytes, form: str) -> None:
         assert run.status == 0 or re.search(r"(?m)^<stdin>:\d+:\d+: error: ", run.err)
 
 
-@settings(deadline=None, max_examples=50)
+@settings(max_examples=50)
 @given(mutated(DECKS))
 @example(b"")
 @example(b"KJG=")
@@ -80,7 +80,7 @@ def test_no_deck_ends_in_a_traceback(data: bytes) -> None:
     told(data, "deck")
 
 
-@settings(deadline=None, max_examples=50)
+@settings(max_examples=50)
 @given(mutated(YAMLS))
 @example(b"")
 @example(b"links: 1000000000\nmechanisms: {}\ngears: {a: {}}")
@@ -88,13 +88,13 @@ def test_no_yaml_ends_in_a_traceback(data: bytes) -> None:
     told(data, "yaml")
 
 
-@settings(deadline=None, max_examples=40)
+@settings(max_examples=40)
 @given(mutated(JSONS))
 def test_no_json_ends_in_a_traceback(data: bytes) -> None:
     told(data, "json")
 
 
-@settings(deadline=None, max_examples=50)
+@settings(max_examples=50)
 @given(st.binary(max_size=200) | mutated([*DECKS, *YAMLS, *JSONS]))
 def test_nothing_at_all_ends_in_a_traceback(data: bytes) -> None:
     assert vstatics("check", "-", stdin=data).status in (0, 1)

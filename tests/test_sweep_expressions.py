@@ -461,7 +461,7 @@ PIECES = st.sampled_from(
 )
 
 
-@settings(deadline=None, max_examples=180, derandomize=True)
+@settings(max_examples=180)
 @given(st.one_of(st.lists(PIECES, max_size=12).map("".join), st.text(max_size=30)))
 def test_any_text_is_read_or_refused_at_a_place(text: str) -> None:
     for option in ("--where", "--out"):
@@ -535,7 +535,7 @@ def test_columns_hold_what_their_headings_say() -> None:
         np.testing.assert_array_equal(column, value(heading))
 
 
-@settings(deadline=None, max_examples=45, derandomize=True)
+@settings(max_examples=45)
 @given(transmissions(), st.sampled_from(list(ARRAYS)))
 def test_each_heading_reads_back_as_its_column_whatever_the_names(
     case: Transmission, table: str
@@ -551,7 +551,7 @@ def test_each_heading_reads_back_as_its_column_whatever_the_names(
         assert again.expression.node == (table, gear, row if rows else None, bool(rows))
 
 
-@settings(deadline=None, max_examples=30, derandomize=True)
+@settings(max_examples=30)
 @given(transmissions())
 def test_every_mechanism_can_be_named(case: Transmission) -> None:
     names = [mechanism.name for mechanism in case.mechanisms]

@@ -40,7 +40,7 @@ RATIOS = np.array([[-2.0], [-2.5], [-3.0]])
 VARIED = [target("D1.ratio", SET)]
 RESULTS = solve(SET, ratios=RATIOS)
 
-RANDOM = settings(deadline=None, max_examples=75, derandomize=True)
+RANDOM = settings(max_examples=75)
 FEW_VALUES = st.sampled_from([0.0, -0.0, 1.0, 2.0, 3.0, math.nan, math.inf, -math.inf])
 ANY_VALUE = st.one_of(FEW_VALUES, st.floats())
 

@@ -334,7 +334,7 @@ def test_entries_that_nearly_cancel_stand_for_no_other_variant() -> None:
                 elimination.solve(rows, 2, arithmetic=TRACED)
 
 
-@settings(deadline=None, max_examples=80)
+@settings(max_examples=80)
 @given(programs(), variants())
 def test_a_program_run_again_is_the_program(program: Program, values: Floats) -> None:
     """For every variant that passes the guards, to the last bit; the first always passes."""

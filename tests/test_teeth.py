@@ -26,7 +26,7 @@ from vstatics.elements.kinds import KINDS, Planetary
 from vstatics.elements.teeth import doubts
 from vstatics.errors import Problem
 
-RANDOM = settings(deadline=None, max_examples=45, derandomize=True)
+RANDOM = settings(max_examples=45)
 MEMBERS = {
     "planetary": ("sun", "ring"),
     "double_planet": ("sun", "ring"),
