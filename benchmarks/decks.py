@@ -45,12 +45,15 @@ def write_decks(folder: Path, count: int) -> None:
 
 
 def seconds(folder: Path, command: Sequence[str]) -> float:
-    """Time of a command without the results of an earlier one, which are removed before.
+    """Time of a command that writes into a new folder; the results of earlier ones stay.
 
-    Files that are there already would be written more slowly.
+    To write over files takes longer; so does to make files just after others were removed
+    (ext4 looks for places that were not free a moment ago).
     """
-    shutil.rmtree(folder / "results", ignore_errors=True)
-    (folder / "results").mkdir()
+    results = folder / "results"
+    if results.exists():
+        results.rename(folder / f"results-{len(list(folder.glob('results-*')))}")
+    results.mkdir()
     run = partial(subprocess.run, command, check=True, cwd=folder, stderr=subprocess.DEVNULL)
     return timed(run)
 

@@ -28,6 +28,8 @@ for _ in range(int(sys.argv[1])):
     numpy.multiply(numbers, 1.0, numbers)
 """
 PROC = Path("/proc")
+LOOK = 0.5
+"""Time between looks at the memory; each takes some from the processes. [s]"""
 
 Peaks = dict[int, float]
 """Process -> largest resident set [MB]."""
@@ -77,7 +79,7 @@ def sweep(variants: int, suffix: str, jobs: int, peaks: Peaks) -> float:
         while process.poll() is None:
             look(process.pid, peaks)
             try:
-                process.wait(timeout=0.1)
+                process.wait(timeout=LOOK)
             except subprocess.TimeoutExpired:
                 continue
         seconds = time.perf_counter() - start
@@ -100,7 +102,7 @@ def main() -> None:
     """Measure and print."""
     given = options(__doc__, peer=False)
     quick = (20_000, 20_000, 1000, 1)
-    npz, csv, steps, rounds = quick if given.quick else (NPZ, CSV, STEPS, 3)
+    npz, csv, steps, rounds = quick if given.quick else (NPZ, CSV, STEPS, 5)
     bare = medians({str(jobs): partial(loops, jobs, steps) for jobs in (1, 2)}, rounds)
     gain = f"{bare['1'] / bare['2']:.2f}"
     rows: list[tuple[object, ...]] = [("loops that share nothing", 2, "", "", gain, "")]

@@ -96,7 +96,7 @@ def variants(draw: st.DrawFn, most: int = 12) -> Floats:
 
 def rows_for(results: int, count: int) -> Rows:
     """Memory for the results of some variants, full of what is no result."""
-    return Rows([np.full(count, 1e300) for _ in range(results)], {})
+    return Rows([np.full(count, 1e300) for _ in range(results)])
 
 
 def run_plan(

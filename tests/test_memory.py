@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 
 from vstatics import Gear, Mechanism, Results, ShiftElement, Transmission, memory, solve
-from vstatics.memory import Block, Form, shown
+from vstatics.memory import Block, Form, Layout, shown
 
 Array = np.ndarray[Any, Any]
 
@@ -50,6 +50,11 @@ def expected(low: float, high: float, variants: int = 50) -> Array:
 
 def pickled(something: Any) -> Any:
     return pickle.loads(pickle.dumps(something))  # noqa: S301
+
+
+def constant(value: float) -> Layout:
+    """The first row holds one value."""
+    return Layout([], [(0, value)])
 
 
 def right(ratio: Array, numbers: Array) -> bool:
@@ -118,7 +123,7 @@ def test_who_looks_at_a_part_keeps_the_whole(look: Callable[[Array], object]) ->
 def test_copies_need_the_memory_no_longer(copied: Callable[[Array], object]) -> None:
     block = memory.block(FORMS)
     for rows in block.gears:
-        rows.fill(0, 2.5)
+        rows.lay_out(constant(2.5))
     arrays = shown(block)
     found = copied(arrays["ratio"])
     total = np.sum(found)  # type: ignore[call-overload]
@@ -126,18 +131,35 @@ def test_copies_need_the_memory_no_longer(copied: Callable[[Array], object]) -> 
     again = memory.block(FORMS)
     assert again is block
     for rows in again.gears:
-        rows.fill(0, -1.0)
+        rows.lay_out(constant(-1.0))
     assert np.sum(found) == total == 250  # type: ignore[call-overload]
 
 
-def test_what_memory_holds_is_remembered() -> None:
+@pytest.mark.parametrize("same", [True, False], ids=["the same layout", "one that is alike"])
+def test_what_memory_holds_is_not_written_again(same: bool) -> None:
+    """A mark put there by the test shows what is written."""
     block = memory.block(FORMS)
-    block.gears[1].fill(0, 2.5)
+    layout = constant(2.5)
+    block.gears[1].lay_out(layout)
     shown(block)
-    again = memory.block(FORMS)
-    assert again.gears[1].holds == {0: 2.5}
-    assert again.gears[0].holds == {}
-    assert (shown(again)["ratio"][1] == 2.5).all()
+    rows = memory.block(FORMS).gears[1]
+    assert (rows.arrays[0] == 2.5).all()
+    rows.arrays[0][7] = -1
+    rows.lay_out(layout if same else constant(2.5))
+    assert rows.arrays[0][7] == -1
+    rows.vary(0)
+    rows.lay_out(layout if same else constant(2.5))
+    assert (rows.arrays[0] == 2.5).all()
+
+
+def test_rows_that_vary_in_between_are_filled_again() -> None:
+    rows = memory.block(FORMS).gears[0]
+    layout = constant(2.5)
+    rows.lay_out(layout)
+    (varied,) = rows.lay_out(Layout([0], []))
+    varied[:] = 7
+    rows.lay_out(layout)
+    assert (rows.arrays[0] == 2.5).all()
 
 
 def test_results_can_only_be_read() -> None:
@@ -256,8 +278,9 @@ def test_tables_of_all_types_stand_one_after_another() -> None:
     block = memory.block(forms)
     for gear, rows in enumerate(block.gears):
         assert [row.dtype for row in rows.arrays] == [np.float64] * 3 + [np.int16] + [np.bool_] * 2
-        for number in range(6):
-            rows.fill(number, (10 * gear + number) % 2 if number > 3 else 10 * gear + number)
+        numbers = [10 * gear + number for number in range(6)]
+        numbers[4:] = [number % 2 for number in numbers[4:]]
+        rows.lay_out(Layout([], list(enumerate(numbers))))
     tables = shown(block)
     assert tables["ratio"][:, :, 0].tolist() == [[0, 1, 2], [10, 11, 12]]
     assert tables["choices"][:, 0].tolist() == [[3] * 7, [13] * 7]

@@ -220,7 +220,7 @@ def test_constants_are_written_into_rows_of_any_type(kind: type) -> None:
 
     values = np.linspace(1, 3, 40)
     own = Plans(function)
-    rows = Rows([np.empty(40), np.empty(40, dtype=kind)], {})
+    rows = Rows([np.empty(40), np.empty(40, dtype=kind)])
     own.run(prepared(values[None, :]), rows)
     assert rows.arrays[1].tolist() == [function([value])[1] for value in values.tolist()]
     assert len(own.plans) == 2

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Hashable, Sequence
+from collections.abc import Callable, Hashable, Sequence
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -43,9 +44,12 @@ def solve_variants(
     """
     fixed, inputs = _inputs(case, ratios, efficiencies, variants)
     block = memory.block(_forms(case, variants))
+    fields = tuple(block.forms)
+    structure = (*_structure(case), tuple(fixed), fields)
     for gear, rows in zip(case.gears, block.gears, strict=True):
         if variants:
-            _remembered(case, gear, fixed, tuple(block.forms)).run(inputs, rows)
+            key = (*structure, *_conditions(case, gear))
+            _remembered(key, partial(_function, case, gear, fixed, fields)).run(inputs, rows)
     found = {name: table.transpose(2, 0, 1) for name, table in memory.shown(block).items()}
     none = np.broadcast_to(np.nan, (variants, len(case.gears), case.links))
     return {
@@ -104,22 +108,29 @@ def _forms(case: Transmission, variants: int) -> dict[str, Form]:
     return dict(sorted(forms.items(), key=lambda item: -np.dtype(item[1].kind).itemsize))
 
 
-def _remembered(
-    case: Transmission, gear: Gear, fixed: Sequence[float | None], fields: Sequence[str]
-) -> Plans:
-    """The plans of a gear; gears that differ only in numbers that vary have the same."""
-    key = (
+def _structure(case: Transmission) -> tuple[Hashable, ...]:
+    """What the gears of a case have in common, without the numbers that may vary."""
+    return (
         case.links,
         tuple((one.first, one.second, one.is_freewheel, one.drag) for one in case.shift_elements),
         tuple((*one.links, one.planet_ratio, one.back_efficiency) for one in case.mechanisms),
+        (case.coast, case.idle),
+    )
+
+
+def _conditions(case: Transmission, gear: Gear) -> tuple[Hashable, ...]:
+    """What a gear has of its own."""
+    return (
         (tuple(gear.engaged), tuple(gear.speeds.items()), tuple(gear.torques.items())),
         (tuple(gear.drag.items()), tuple(gear.open_drag.items())),
-        (case.gear_input(gear), case.gear_output(gear), case.coast, case.idle),
-        tuple(fixed),
-        tuple(fields),
+        (case.gear_input(gear), case.gear_output(gear)),
     )
+
+
+def _remembered(key: Hashable, function: Callable[[], Function]) -> Plans:
+    """The plans of a gear; gears that differ only in numbers that vary have the same."""
     with _lock:
-        plans = _plans.pop(key, None) or Plans(_function(case, gear, fixed, fields))
+        plans = _plans.pop(key, None) or Plans(function())
         _plans[key] = plans  # the latest stand last
         while len(_plans) > REMEMBERED:
             del _plans[next(iter(_plans))]

@@ -23,6 +23,8 @@ def coincidences(results: Results, number: int, gear: Gear) -> dict[str, bool]:
     on it. Otherwise a torque at the ports does, and so the efficiency.
     """
     case = results.case
+    if not results.idle[number].any() or not results.consistent[number]:
+        return {}
     torques = results.lossy_torques[number].tolist()[len(case.shift_elements) : -1]
     efficiencies = both_ways(case, [mechanism.efficiency for mechanism in case.mechanisms])
     internal = [mechanism.ratio for mechanism in case.mechanisms]
@@ -30,10 +32,9 @@ def coincidences(results: Results, number: int, gear: Gear) -> dict[str, bool]:
     idle = [
         place for place, (is_idle, t, eta) in enumerate(marks) if is_idle and t != 0 and eta.lossy
     ]
-    if idle and results.consistent[number]:
-        held = _held_as_one(case, gear)
-        idle = [place for place in idle if place not in held]
-    if not idle or not results.consistent[number]:
+    held = _held_as_one(case, gear) if idle else ()
+    idle = [place for place in idle if place not in held]
+    if not idle:
         return {}
     signs = results.power_sign[number].tolist()
     speeds, slips = results.speeds[number].tolist(), results.slip_speeds[number].tolist()

@@ -9,7 +9,7 @@ a note of what it holds. For that nobody else may write to it.
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -25,15 +25,34 @@ class Form(NamedTuple):
     kind: type
 
 
-class Rows(NamedTuple):
+class Layout(NamedTuple):
+    """Which rows vary, and what the others hold for every variant."""
+
+    varied: Sequence[int]
+    constants: Sequence[tuple[int, Any]]
+
+
+class Rows:
     """The rows of all tables of one gear, each over the variants."""
 
-    arrays: list[Any]
-    holds: dict[int, Any]
-    """Row -> the value that it is known to hold for every variant."""
+    def __init__(self, arrays: Sequence[Any]) -> None:
+        self.arrays = arrays
+        self.holds: dict[int, Any] = {}
+        """Row -> the value that it is known to hold for every variant."""
+        self._layout: Layout | None = None
+        """What all rows are known to have."""
 
-    def fill(self, row: int, value: Any) -> None:
-        """Let a row hold one value for all variants."""
+    def lay_out(self, layout: Layout) -> list[Any]:
+        """Fill the rows that do not vary; the arrays of those that do, to be written to."""
+        if self._layout is not layout:
+            for row, value in layout.constants:
+                self._fill(row, value)
+            for row in layout.varied:
+                self.holds.pop(row, None)
+            self._layout = layout
+        return [self.arrays[row] for row in layout.varied]
+
+    def _fill(self, row: int, value: Any) -> None:
         known = self.holds.get(row, self)
         if known is self or (known != value and (known == known or value == value)):  # noqa: PLR0124
             self.arrays[row].fill(value)
@@ -42,6 +61,7 @@ class Rows(NamedTuple):
     def vary(self, row: int) -> Any:
         """The array of a row, to be written to."""
         self.holds.pop(row, None)
+        self._layout = None
         return self.arrays[row]
 
 
@@ -54,8 +74,7 @@ class Block:
         tables = self.tables(self.bytes)
         gears = max((form.shape[0] for form in forms.values()), default=0)
         self.gears = [
-            Rows([row for table in tables.values() for row in table[gear]], {})
-            for gear in range(gears)
+            Rows([row for table in tables.values() for row in table[gear]]) for gear in range(gears)
         ]
 
     def tables(self, memory: Any) -> dict[str, Any]:
@@ -102,7 +121,8 @@ def block(forms: Mapping[str, Form]) -> Block:
     """A block for tables of this form; those of the largest type first.
 
     >>> made = block({"ratio": Form((6, 1, 100), np.float64)})
-    >>> made.gears[0].fill(0, 1.0)
+    >>> made.gears[0].lay_out(Layout([], [(0, 1.0)]))
+    []
     >>> shown(made)["ratio"].shape
     (6, 1, 100)
     """

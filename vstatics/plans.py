@@ -186,7 +186,7 @@ class Plans:
             passed &= plan.run(inputs, rows)
         elif count:
             suited = chosen[passed]
-            own = Rows([np.empty(count, dtype=row.dtype) for row in rows.arrays], {})
+            own = Rows([np.empty(count, dtype=row.dtype) for row in rows.arrays])
             stands = plan.run(part.part(np.flatnonzero(passed)), own)
             for row, found in enumerate(own.arrays):
                 rows.vary(row)[suited[stands]] = found[stands]

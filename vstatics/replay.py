@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from vstatics.arrays import Booleans, Floats
-from vstatics.memory import Rows
+from vstatics.memory import Layout, Rows
 from vstatics.tape import GUARDS, Operand, Plain, Tape
 from vstatics.traced import Number, Rest, Traced
 
@@ -52,10 +52,8 @@ class Replay(NamedTuple):
     working: int
     """Number of working arrays."""
     plain: Sequence[float]
-    varied: Sequence[int]
-    """Results that vary."""
-    constants: Sequence[tuple[int, Any]]
-    """Results that are the same for all variants, with their values."""
+    layout: Layout
+    """Of the results."""
 
     def run(self, magnitudes: Floats, rows: Rows, passed: Booleans) -> None:
         """Write the results of all variants; those that do not pass the guards are unmarked.
@@ -66,9 +64,7 @@ class Replay(NamedTuple):
         passed : ndarray, shape (variants,)
         """
         variants = len(passed)
-        for row, value in self.constants:
-            rows.fill(row, value)
-        varied = [rows.vary(row) for row in self.varied]
+        varied = rows.lay_out(self.layout)
         buffers = np.empty((self.working, min(CHUNK, variants)))
         holds = np.empty(min(CHUNK, variants), dtype=np.bool_)
         plain = self.plain[::-1]
@@ -94,7 +90,7 @@ class Replay(NamedTuple):
 
         Plain numbers take a quarter of the time that arrays of one number take.
         """
-        none = [0.0] * (len(self.varied) + self.working)
+        none = [0.0] * (len(self.layout.varied) + self.working)
         cells = [*magnitudes, *none, *self.plain[::-1]]
         for _, function, one, other, result in self.steps:
             found = function(cells[one], cells[other])
@@ -102,10 +98,8 @@ class Replay(NamedTuple):
                 cells[result] = found
             elif not found:
                 return False
-        for row, value in self.constants:
-            rows.fill(row, value)
-        for cell, row in enumerate(self.varied, self.inputs):
-            rows.vary(row)[0] = cells[cell]
+        for array, value in zip(rows.lay_out(self.layout), cells[self.inputs :], strict=False):
+            array[0] = value
         return True
 
 
@@ -137,8 +131,7 @@ def replay(tape: Tape, results: Sequence[Number]) -> Replay:
         steps,
         cells.working,
         [plain.number for plain in cells.plain],
-        varied,
-        constants,
+        Layout(varied, constants),
     )
 
 
