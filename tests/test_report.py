@@ -419,3 +419,21 @@ def test_a_click_on_a_heading_sorts(
     assert list(shown.table("Ratios, steps")) == order
     heading = next(one for one in shown.all("th") if one.text == "ratio")
     assert heading.attributes["aria-sort"] == ["", "ascending", "descending"][clicks]
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(CHROMIUM is None, reason="needs chromium")
+@pytest.mark.parametrize("clicks", [0, 1, 2, 3])
+def test_rows_that_are_set_in_are_sorted_below_their_own(
+    tmp_path: Path, nasty_text: str, clicks: int
+) -> None:
+    """The ring, the second link, is held: power enters by the first and leaves by the third."""
+    click = "document.querySelectorAll('[data-gear]:not([hidden]) th button')[1].click()"
+    file = tmp_path / "out.html"
+    body = nasty_text.replace("</body>", f"<script>{f'{click};' * clicks}</script></body>")
+    file.write_text(body, encoding="utf-8")
+    names = list(in_browser(file.as_uri(), tmp_path).table("Gear low <1>"))
+    members = ["first: <b>in</b>", 'second: r"ing', "third: out'"]
+    upward = clicks == 1
+    assert names[-4:] == ["D&", *(members[::-1] if upward else members)]
+    assert names[:-4] == ["links", "<b>in</b>", "out'", "mechanisms"]

@@ -71,17 +71,12 @@ def table(
     Parameters
     ----------
     levels : sequence of int, optional
-        How far each row is set in; then rows belong together and are not sorted.
+        How far each row is set in; it stays below the row that it belongs to.
     """
     heads = (tag("th", one.heading, scope="col", class_=_kind(one)) for one in columns)
     depth = levels or [0] * len(rows)
     body = (_row(columns, row, level) for row, level in zip(rows, depth, strict=True))
-    inner = tag(
-        "table",
-        tag("thead", tag("tr", *heads)),
-        tag("tbody", *body),
-        class_=False if levels else "sortable",
-    )
+    inner = tag("table", tag("thead", tag("tr", *heads)), tag("tbody", *body))
     scrolled = tag("div", inner, class_="scroll", tabindex=0, role="region", aria_label=title)
     return tag("section", tag("h3", title), scrolled, class_="table")
 
@@ -95,7 +90,7 @@ def _row(columns: Sequence[Column], row: Sequence[Cell | str], level: int) -> Ma
         _cell(column, cell if isinstance(cell, Cell) else Cell(cell), level, is_name=not place)
         for place, (column, cell) in enumerate(zip(columns, row, strict=True))
     ]
-    return tag("tr", *cells)
+    return tag("tr", *cells, data_level=level or False)
 
 
 def _cell(column: Column, cell: Cell, level: int, *, is_name: bool) -> Markup:

@@ -43,7 +43,21 @@
     return sign * String(one).localeCompare(String(other), undefined, { numeric: true });
   }
 
-  for (const table of document.querySelectorAll("table.sortable")) {
+  // rows in order, each followed by those that are set in below it, in order too
+  function sorted(rows, column, sign) {
+    const groups = [];
+    for (const row of rows) {
+      if (groups.length && depth(row) > depth(groups.at(-1)[0])) groups.at(-1).push(row);
+      else groups.push([row]);
+    }
+    const keyed = groups.map((group) => [key(group[0], column), group]);
+    keyed.sort((one, other) => compare(one[0], other[0], sign));
+    return keyed.flatMap(([, [head, ...below]]) => [head, ...(below.length ? sorted(below, column, sign) : [])]);
+  }
+
+  function depth(row) { return Number(row.dataset.level ?? 0); }
+
+  for (const table of document.querySelectorAll("table")) {
     const body = table.tBodies[0];
     const original = [...body.rows];
     if (original.length < 2) continue;
@@ -60,9 +74,7 @@
         for (const other of heads) other.setAttribute("aria-sort", "none");
         head.setAttribute("aria-sort", order);
         const sign = order === "descending" ? -1 : 1;
-        const keyed = original.map((row) => [key(row, column), row]);
-        if (order !== "none") keyed.sort((one, other) => compare(one[0], other[0], sign));
-        body.append(...keyed.map((pair) => pair[1]));
+        body.append(...(order === "none" ? original : sorted(original, column, sign)));
       });
     });
   }
