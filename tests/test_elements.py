@@ -358,6 +358,120 @@ def test_a_fault_in_a_group_is_told(before: str, after: str, words: str) -> None
     assert any(words in problem for problem in found), found
 
 
+NUMBERED = """
+links: 4
+output: 3
+elements:
+  R:
+    {kind: ravigneaux, small_sun: 1, large_sun: 2, ring: 3, carrier: 4,
+     teeth: {small_sun: 30, large_sun: 36, ring: 84, short: 22, long: 24}}
+shift_elements: {B: [4, 0]}
+gears:
+  1: {engaged: [B], speeds: {2: 0}, drag: {2: 0.1}}
+"""
+"""The planets are links 5 and 6 of the mechanisms, but no links of the case."""
+
+
+@pytest.mark.parametrize(
+    ("before", "after", "place"),
+    [
+        ("output: 3", "output: 6", "3:9: error: output"),
+        ("carrier: 4", "carrier: 5", "6:70: error: elements.R.carrier"),
+        ("B: [4, 0]", "B: [5, 0]", "8:22: error: shift_elements.B[1]"),
+        ("speeds: {2: 0}", "speeds: {5: 0}", "10:30: error: gears.1.speeds"),
+        ("drag: {2: 0.1}", "drag: {5: 0.1}", "10:44: error: gears.1.drag"),
+        ("speeds: {2: 0}", "torques: {6: 1}", "10:31: error: gears.1.torques"),
+        ("speeds: {2: 0}", "output: 6", "10:29: error: gears.1.output"),
+    ],
+)
+def test_a_planet_has_no_link_number(before: str, after: str, place: str) -> None:
+    [told] = problems(changed(before, after, NUMBERED))
+    assert told.startswith(f"case.yaml:{place}")
+    assert "expected a link number from 1 to 4" in told
+
+
+@pytest.mark.parametrize("given", ["housing", "0"])
+@pytest.mark.parametrize(
+    "text",
+    [SET.replace("output: carrier", "output: X"), NUMBERED.replace("output: 3", "output: X")],
+)
+def test_the_housing_is_no_output(text: str, given: str) -> None:
+    told, *_ = problems(text.replace("output: X", f"output: {given}"))
+    assert "error: output: read 0 (the housing), expected a link number from 1 to" in told
+
+
+def test_a_wheel_of_a_group_beyond_the_links_is_told() -> None:
+    [told] = problems("""
+links: 2
+elements:
+  G:
+    kind: planet_group
+    carrier: 2
+    rims: {A: {a: 20}}
+    suns: [{link: 1, teeth: 30, rim: a}]
+    rings: [{link: 3, teeth: 70, rim: a}]
+gears: {1: {}}
+""")
+    assert told.startswith("case.yaml:9:20: error: elements.G.rings[1].link: read '3'")
+
+
+def test_a_wheel_with_teeth_but_no_link_is_told() -> None:
+    """It is left out; the one who forgot its link wants to know."""
+    text = """
+links: [in, out]
+elements:
+  W: {kind: stepped, sun: in, ring: housing, carrier: out,
+      teeth: {sun: 20, planet: 20, ring: 60, planet2: 18, ring2: 58}}
+gears: {1: {}}
+"""
+    told = [str(one) for one in read(text.encode(), "case.yaml").warnings]
+    assert told[0].startswith("case.yaml:5:66: warning: elements.W.teeth.ring2: the wheel is left")
+
+
+def test_a_merge_key_is_told_where_it_brings_the_kind() -> None:
+    text = changed("ring, carrier: carrier", "ring, <<: *x, carrier: carrier")
+    text = changed("kind: planetary, ", "", text).replace("SET", "")
+    told = problems(text.replace("*x", "{kind: planetary}"))
+    assert "merge key" in " ".join(told)
+    assert "`kind` is missing" not in " ".join(told)
+
+
+def test_drag_below_0_is_told_as_it_was_read() -> None:
+    text = changed("{engaged: [B]}", '{engaged: [B], drag: {ring: "-100 N*m"}}')
+    *_, told = problems(text + "load: {torque: -100 N*m}\n")
+    assert "drag.ring: read -100 N*m, expected a torque of 0 or more" in told
+
+
+@pytest.mark.parametrize(
+    ("output", "clutches", "losses", "member"),
+    [
+        ("carrier", "C1: [a, ring], C2: [b, ring]", "meshes", "R.carrier"),
+        ("ring", "C1: [a, carrier], C2: [b, carrier]", "meshes", "R.ring"),
+        ("ring", "C1: [a, carrier], C2: [b, carrier]", "reduced", "R.ring"),
+    ],
+)
+def test_a_member_alone_with_the_load_carries_it(
+    output: str, clutches: str, losses: str, member: str
+) -> None:
+    """Two clutches make one piece: they share a torque, but the load is all on one member."""
+    found = shown(f"""
+links: [a, b, carrier, ring]
+output: {output}
+losses: {losses}
+elements:
+  R:
+    {{kind: ravigneaux, small_sun: a, large_sun: b, ring: ring, carrier: carrier,
+     teeth: {{small_sun: 30, large_sun: 36, ring: 84, short: 22, long: 24}}}}
+shift_elements: {{{clutches}}}
+gears: {{1: {{engaged: [C1, C2]}}}}
+""")
+    for name in ("AMLG", "AMLGP"):
+        torques = dict(zip(found[name].rows, found[name].values[:, 0].tolist(), strict=True))
+        assert torques[member] == pytest.approx(-1, abs=1e-14)
+        assert np.isnan(torques["C1"])
+        assert np.isnan(torques["R.small_sun"])
+
+
 def test_a_name_that_stands_alone_is_told_with_the_nearest() -> None:
     text = changed("B: [ring, housing]", "B: [rign, housing]")
     told = read(text.encode(), "case.yaml").warnings

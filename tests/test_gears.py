@@ -101,6 +101,15 @@ def test_brakes_that_hold_the_input_tie_the_gear_up() -> None:
     assert status(case) == 1
 
 
+def test_a_contradiction_is_said_once_however_many_equations_repeat_it() -> None:
+    """Both sets and the clutch make links 1 to 3 one piece, twice over."""
+    sets = [Mechanism(3, 1, 2, -2.0), Mechanism(1, 3, 2, -3.0), Mechanism(2, 4, 0, -3.0)]
+    case = Transmission(4, [ShiftElement(3, 2, "S")], sets, [Gear([1], speeds={2: 0.8})])
+    told = texts(solve(case))
+    assert sum("tied up" in text for text in told) == 1
+    assert len(set(told)) == len(told)
+
+
 def test_given_speeds_may_contradict_each_other() -> None:
     """Ring held: the carrier turns at 1/(1 - u) = 1/3, not at 1/2."""
     contradiction = solve(train([(2, 0)], Gear([1], speeds={3: 0.5})))

@@ -103,7 +103,7 @@ FAULTS = [
         "link-out-of-range.yaml",
         6,
         36,
-        "mechanisms.D1.third: read 4, expected a link number from 1 to 3",
+        "mechanisms.D1.third: read '4', expected a link number from 1 to 3",
     ),
     (
         "link-unknown-name.yaml",
@@ -370,8 +370,8 @@ def test_all_faults_are_told_in_one_run() -> None:
     text = DIFFERENTIAL.replace("-2.5", "x").replace("[F2]", "[F9]").replace("[1, 2]", "[1, 8]")
     assert [str(problem) for problem in errors("idle: x\n" + text)] == [
         "case.yaml:1:7: error: idle: read 'x', expected `exact` or `published`",
-        "case.yaml:5:11: error: shift_elements.F2[2]: read 8, "
-        "expected a link number from 1 to 3 (0 is the housing)",
+        "case.yaml:5:11: error: shift_elements.F2[2]: read '8', "
+        "expected a link number from 1 to 3 or `housing`",
         "case.yaml:7:46: error: mechanisms.D1.ratio: read 'x', "
         "expected a number or a fraction such as -96/39",
         "case.yaml:10:19: error: gears.2.engaged[1]: read 'F9', "

@@ -431,11 +431,12 @@ def test_meshed_planets_reach_one_another() -> None:
 
 
 def test_meshed_planets_pass_the_wheel_that_they_dont_mesh_with() -> None:
-    # 90 - 30 - 2 * 28 = 4 clears, 89 - 30 - 2 * 28 = 3 and 90 - 30 - 2 * 29 = 2 do not
+    # The tips of the inner planet reach to 30 + 28 + 28 + 2 = 88, twice the radius in modules;
+    # those of a ring of 90 stand at 88 too, those of one of 91 leave a gap.
     assert told(
-        element("double_planet", sun=30, inner=28, outer=20, ring=89), "inner 28 and ring 89"
+        element("double_planet", sun=30, inner=28, outer=20, ring=90), "inner 28 and ring 90"
     )
-    assert not told(element("double_planet", sun=30, inner=28, outer=20, ring=90), "touch")
+    assert not told(element("double_planet", sun=30, inner=28, outer=20, ring=91), "inner 28 and")
     assert told(
         element("double_planet", sun=30, inner=29, outer=20, ring=90), "inner 29 and ring 90"
     )

@@ -63,14 +63,15 @@ def messages(results: Results) -> Iterator[Message]:
     for number, given in enumerate(case.gears):
         held = [element for element in wheels if results.holds[number, element - 1]]
         gear = freewheels.holding(given, held)
-        for severity, text in (
+        said = (
             *(_conflict(case, gear) if results.conflict[number] else ()),
             *_speed_messages(results, number, gear),
             *_torque_messages(results, number, gear),
             *_loss_messages(results, number, gear),
             *(_shared(case, given, held) if held else ()),
             *(_drag_messages(results, number, gear) if has_drag else ()),
-        ):
+        )
+        for severity, text in dict.fromkeys(said):  # conditions may contradict in many ways
             yield Message(severity, text, gear.name)
 
 

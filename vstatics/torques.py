@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 from vstatics import elimination, entries, matrix
 from vstatics.drag import NO_DRAG, Drag
 from vstatics.model import Gear, Transmission
 from vstatics.traced import Number
+
+Shares = Mapping[int, float]
+"""Index of a device -> its share in a sum."""
 
 
 class Torques(NamedTuple):
@@ -50,3 +53,39 @@ def solve_torques(
             first[device] = torque
     holding = dict(zip(held, solution.values[len(devices) + 1 :], strict=True))
     return Torques(first, holding, solution.consistent)
+
+
+def solve_sums(
+    case: Transmission, gear: Gear, ratios: Sequence[float], sums: Sequence[Shares], drag: Drag
+) -> list[float]:
+    """Sums of torques of devices, which may be determined where the torques are not.
+
+    Parameters
+    ----------
+    ratios, drag
+        See `solve_torques`.
+    sums : sequence of mapping
+        For each sum, the share of the torques on the first links of some devices. [-]
+
+    Returns
+    -------
+    list of float
+        NaN where there is no single value. [-]
+
+    Examples
+    --------
+    Two clutches share a torque; only their sum is known.
+
+    >>> from vstatics.model import Mechanism, ShiftElement
+    >>> case = Transmission(2, [ShiftElement(1, 2), ShiftElement(1, 2)], [], [Gear([1, 2])])
+    >>> solve_sums(case, case.gears[0], [], [{0: 1.0}, {0: 1.0, 1: 1.0}], NO_DRAG)
+    [nan, 1.0]
+    """
+    unknowns = {device: n for n, device in enumerate(matrix.loaded_devices(case, gear))}
+    rows = matrix.torque_rows(case, gear, matrix.columns(case, ratios), drag=drag.external)
+    size = len(unknowns) + 1 + len(matrix.held_links(case, gear))
+    asked = [
+        {unknowns[device]: share for device, share in one.items() if device in unknowns}
+        for one in sums
+    ]
+    return elimination.solve(rows, size, asked).values[size:]

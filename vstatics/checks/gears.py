@@ -46,7 +46,7 @@ def of_load(load: Load | None, path: Path, *, has_freewheels: bool) -> Iterator[
     load = load or Load()
     for quantity, value in load._asdict().items():
         if value is not None and (value == 0 or not math.isfinite(value)):
-            message = f"read {value}, expected a finite number other than 0"
+            message = f"read {value:g}, expected a finite number other than 0"
             yield Problem(message, (*path, "load", quantity))
     if (load.speed or 0) * (load.torque or 0) < 0:
         message = (

@@ -31,9 +31,13 @@ def problems(drawing: Drawing) -> Iterator[Problem]:
 
 
 def hints(drawing: Drawing) -> Iterator[Problem]:
-    """Notes on elements that share planets and are calculated in the reduced form all the same."""
+    """Wheels that are left out, and planets that are shared in the reduced form all the same."""
     for number, element in enumerate(drawing.elements, 1):
         if isinstance(element.shape, Planetary):
+            for wheel in element.shape.wheels:
+                if wheel in element.teeth and wheel not in element.members:
+                    message = f"the wheel is left out, as no link is given for it (`{wheel}: ...`)"
+                    yield Problem(message, ("elements", number, "teeth", wheel), severity="warning")
             group = group_of(element)
             if group.is_shared and not at_meshes(element, group, drawing):
                 message = (

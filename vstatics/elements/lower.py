@@ -16,7 +16,7 @@ from typing import NamedTuple
 
 from vstatics.elements.element import CentralWheel, Drawing, Element, MeshEfficiency
 from vstatics.elements.group import PlanetGroup, group_of
-from vstatics.elements.kinds import Simple
+from vstatics.elements.kinds import Planetary, Simple
 from vstatics.model import Transmission
 from vstatics.parts import Mechanism
 
@@ -46,8 +46,10 @@ class Part(NamedTuple):
             for member, link in zip(members, mechanism.links, strict=True):
                 if member and member not in self.planet_links:
                     found.setdefault(member, link)
-        carrier = found.pop("carrier", None)  # it stands last
-        return found if carrier is None else {**found, "carrier": carrier}
+        if self.element is None or not isinstance(self.element.shape, Planetary):
+            return found
+        wheels = (wheel.member for wheel in group_of(self.element).wheels)
+        return {member: found[member] for member in (*wheels, "carrier") if member in found}
 
 
 def parts(drawing: Drawing) -> list[Part]:

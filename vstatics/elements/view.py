@@ -15,8 +15,9 @@ import numpy as np
 from vstatics.arrays import Booleans, Floats
 from vstatics.elements.group import PlanetGroup, group_of
 from vstatics.elements.kinds import Planetary
-from vstatics.elements.lower import Part, parts
-from vstatics.model import HOUSING, Transmission
+from vstatics.elements.lower import Part, parts, parts_of
+from vstatics.elements.members import member_torques
+from vstatics.model import HOUSING
 from vstatics.results import OUTPUT, Results
 
 ROUNDING = 2.0**-48
@@ -50,8 +51,8 @@ def shown(results: Results) -> dict[str, Shown]:
     tables = {
         "W": Shown(names, results.speeds[:, : drawing.links]),
         "WSAT": _planets(results, made),
-        "AMLG": _torques(results, made, results.torques, ideal_ratios(case)),
-        "AMLGP": _torques(results, made, results.lossy_torques, lossy_ratios(results)),
+        "AMLG": _torques(results, lossy=False),
+        "AMLGP": _torques(results, lossy=True),
         "idle": Shown(elements, np.where(exists, idle, np.nan)),
         "losses": Shown(elements, by_element(made, results.losses, all_of=False)),
         "AMWZ": Shown(names, results.holding_torques[:, : drawing.links]),
@@ -133,60 +134,16 @@ def _difference(one: Floats, other: Floats) -> Floats:
     return np.where(np.abs(difference) <= noise, 0.0, difference)
 
 
-def ideal_ratios(case: Transmission) -> Floats:
-    """Internal ratios, of shape (1, mechanisms)."""
-    return np.array([[mechanism.ratio for mechanism in case.mechanisms]])
-
-
-def lossy_ratios(results: Results) -> Floats:
-    """Internal ratios with losses in each gear, of shape (gears, mechanisms)."""
-    ratios = ideal_ratios(results.case)
-    mechanisms = results.case.mechanisms
-    given = [(one.efficiency, one.back_efficiency) for one in mechanisms]
-    forward = np.array([one for one, _ in given])
-    # a self-locking one never has power flow back
-    back = 1 / np.array([(one if other is None else other) or np.nan for one, other in given])
-    signs = results.power_sign
-    factor = np.where(signs > 0, forward, np.where(signs < 0, back, 1.0))
-    return np.where(np.isnan(signs), np.nan, ratios * factor)
-
-
-def _torques(results: Results, made: Sequence[Part], torques: Floats, ratios: Floats) -> Shown:
+def _torques(results: Results, *, lossy: bool) -> Shown:
     """Torques of shift elements, then those that links give to the members, then the output."""
     case = results.case
-    elements = len(case.shift_elements)
+    torques = results.lossy_torques if lossy else results.torques
     rows = [element.name for element in case.shift_elements]
-    columns = list(torques[:, :elements].T)
-    given = member_torques(made, torques[:, elements:-1], ratios)
-    for part, members in zip(made, given, strict=True):
+    columns = list(torques[:, : len(rows)].T)
+    for part, members in zip(parts_of(case), member_torques(results, lossy=lossy), strict=True):
         rows += [f"{part.name}.{member}" for member in members]
         columns += list(members.values())
     return Shown([*rows, OUTPUT], np.array([*columns, torques[:, -1]]).T + 0.0)
-
-
-def member_torques(
-    made: Sequence[Part], torques: Floats, ratios: Floats
-) -> Iterator[dict[str, Floats]]:
-    """For each part, the torques that links give to its members, each of shape (gears,).
-
-    Parameters
-    ----------
-    torques : ndarray, shape (gears, mechanisms)
-        On the first link of each mechanism. [-]
-    ratios : ndarray, shape (gears, mechanisms) or (1, mechanisms)
-        Internal ratios, with losses if the torques are. [-]
-    """
-    number = 0
-    for part in made:
-        members = {member: np.zeros(len(torques)) for member in part.members}
-        for lowered in part.lowered:
-            torque, ratio = torques[:, number], ratios[:, number]
-            given = (torque, -ratio * torque, (ratio - 1) * torque)
-            for member, value in zip(lowered.members, given, strict=True):
-                if member in members:
-                    members[member] = members[member] + value
-            number += 1
-        yield members
 
 
 def by_element(made: Sequence[Part], values: Floats | Booleans, *, all_of: bool) -> Floats:

@@ -9,7 +9,8 @@ from vstatics import drag
 from vstatics.arrays import Floats
 from vstatics.drag import Drag
 from vstatics.elements.lower import Part, parts_of
-from vstatics.elements.view import by_element, ideal_ratios, lossy_ratios, member_torques
+from vstatics.elements.members import Members, member_torques
+from vstatics.elements.view import by_element
 from vstatics.insight.circulation import Node
 from vstatics.losses import power
 from vstatics.matrix import external_torques, held_links
@@ -96,29 +97,27 @@ def trains(results: Results) -> list[Train]:
 
 def ideal_torques(results: Results) -> list[Torques]:
     """The torques of every gear without losses."""
-    ratios, holding = ideal_ratios(results.case), results.holding_torques
-    return _by_gear(results, results.torques, ratios, holding, [()] * len(holding))
+    parts, holding = member_torques(results, lossy=False), results.holding_torques
+    return _by_gear(results, results.torques, parts, holding, [()] * len(holding))
 
 
 def lossy_torques(results: Results) -> list[Torques]:
     """The torques of every gear with losses."""
     losses = by_element(parts_of(results.case), results.losses, all_of=False).tolist()
-    ratios, holding = lossy_ratios(results), results.lossy_holding_torques
-    return _by_gear(results, results.lossy_torques, ratios, holding, losses)
+    parts, holding = member_torques(results, lossy=True), results.lossy_holding_torques
+    return _by_gear(results, results.lossy_torques, parts, holding, losses)
 
 
 def _by_gear(
     results: Results,
     torques: Floats,
-    ratios: Floats,
+    parts: Sequence[Members],
     holding: Floats,
     losses: Sequence[Sequence[float]],
 ) -> list[Torques]:
-    elements = len(results.case.shift_elements)
-    parts = list(member_torques(parts_of(results.case), torques[:, elements:-1], ratios))
     return [
         Torques(
-            row[:elements],
+            row[: len(results.case.shift_elements)],
             [{name: float(values[number]) for name, values in part.items()} for part in parts],
             row[-1],
             holding[number].tolist(),

@@ -15,7 +15,7 @@ NO_GAP = 1e-9
 """Modules that are lost in rounding."""
 
 CLEAR = 4
-"""Of two tips on either side: teeth by which wheels differ that pass one another."""
+"""Of two tips on either side: teeth by which wheels differ whose tips just touch."""
 
 PASSING = {
     "double_planet": (("inner", "ring"), ("outer", "sun")),
@@ -139,7 +139,7 @@ def _clear_wheels(layout: Layout) -> Iterator[Doubt]:
         if axis is None or teeth is None or passed is None:
             continue
         room = passed.teeth - axis[0] if passed.internal else axis[0] - passed.teeth
-        if room - teeth >= CLEAR:
+        if room - teeth > CLEAR:
             continue
         names = f"{rim} {teeth} and {member} {passed.teeth}"
         if layout.element.kind == "ravigneaux":

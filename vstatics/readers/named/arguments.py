@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from vstatics.errors import Path
-from vstatics.model import Gear, Load, Mechanism, ShiftElement
+from vstatics.model import HOUSING, Gear, Load, Mechanism, ShiftElement
 from vstatics.readers.named.relative import resolve
 from vstatics.readers.named.walk import Walk
 
@@ -13,6 +13,7 @@ from vstatics.readers.named.walk import Walk
 def arguments(values: dict[str, Any], walk: Walk) -> dict[str, Any]:
     """The arguments of `Transmission`."""
     resolve(values, walk.spots)
+    _output(values, walk)
     return values | {
         "shift_elements": [
             _element(name, **record) for name, record in values.get("shift_elements", ())
@@ -24,6 +25,13 @@ def arguments(values: dict[str, Any], walk: Walk) -> dict[str, Any]:
         "load": _load(values),
         "link_names": walk.references.link_names,
     }
+
+
+def _output(values: dict[str, Any], walk: Walk) -> None:
+    """Refuse the housing as output; to the model its number would say that none is given."""
+    if values.get("output") == HOUSING:
+        message = f"read 0 (the housing), expected a link number from 1 to {values['links']}"
+        walk.spots.tell(("output",), message)
 
 
 def _element(name: str, links: tuple[int, int], **other: Any) -> ShiftElement:

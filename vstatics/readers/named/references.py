@@ -67,7 +67,7 @@ class References:
             known = self._known(text, [*self.link_names, "housing"])
             raise ValueError(f"expected the name of a link or `housing`{known}")
         number = scalars.link_number(text)
-        if number is not None:
+        if number is not None and (number <= self._links or not self.links_known):
             return number
         if not self.links_known:
             return NO_LINK

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Any, NamedTuple
 
-from vstatics.errors import Path, Problem
+from vstatics.errors import Path
 from vstatics.model import HOUSING
 from vstatics.readers.named.quantities import WithUnit
 from vstatics.readers.named.spots import Spots
@@ -72,10 +72,10 @@ def _of_case(
     """Drag for all gears; what can't be is told here once, and not again by each gear."""
     for link, (torque, path) in drag:
         if link == HOUSING:
-            _tell(spots, path, "the housing does not turn, expected a link")
+            spots.tell(path, "the housing does not turn, expected a link")
         elif torque < 0:
             unit = " N*m" if isinstance(torque, WithUnit) else ""
-            _tell(spots, path, f"read {torque:g}{unit}, expected {_NO_LESS}")
+            spots.tell(path, f"read {torque:g}{unit}, expected {_NO_LESS}")
         else:
             yield link, (torque, path)
 
@@ -88,10 +88,10 @@ def _elements(values: dict[str, Any], spots: Spots) -> Iterator[tuple[int, tuple
             continue
         del record["drag"]
         if drag < 0:
-            _tell(spots, path, f"read {drag:g} N*m, expected {_NO_LESS}")
+            spots.tell(path, f"read {drag:g} N*m, expected {_NO_LESS}")
         elif drag and record.get("kind") == "dog_clutch":
             message = f"read {drag:g} N*m, but a dog clutch does not drag when it is open"
-            _tell(spots, path, message)
+            spots.tell(path, message)
         else:
             yield number, (drag, path)
 
@@ -104,7 +104,7 @@ def _capacities(values: dict[str, Any], spots: Spots) -> None:
             continue
         del record["capacity"]
         if capacity <= 0:
-            _tell(spots, path, f"read {capacity:g} N*m, expected a torque above 0")
+            spots.tell(path, f"read {capacity:g} N*m, expected a torque above 0")
         else:
             for _, torque in _relative({number: (capacity, path)}, whole, spots):
                 record["capacity"] = torque
@@ -114,19 +114,15 @@ def _relative(given: Given, whole: _Whole, spots: Spots) -> Iterator[tuple[int, 
     for place, (number, path) in given.items():
         if not isinstance(number, WithUnit):
             yield place, number
+        elif number < 0 and path[-2] in ("drag", "open_drag"):
+            spots.tell(path, f"read {number:g} {whole.unit}, expected {_NO_LESS}")
         elif whole.value:
             yield place, number / whole.value
         elif path not in spots.unreadable:
             quantity, unit = whole.quantity, whole.unit
-            _tell(
-                spots,
+            spots.tell(
                 path,
                 f"read {number:g} {unit}, but there is no input {quantity} to relate it to; "
                 f"expected a number relative to the input {quantity}, or "
                 f"`load: {{{quantity}: ... {unit}}}` in the case",
             )
-
-
-def _tell(spots: Spots, path: Path, message: str) -> None:
-    spots.found.problems.append(spots.locate(Problem(message, path)))
-    spots.unreadable.append(path)

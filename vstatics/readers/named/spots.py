@@ -54,6 +54,11 @@ class Spots:
         self.complain(spot, message)
         self.unreadable.append(spot.path)
 
+    def tell(self, path: Path, message: str) -> None:
+        """Say what is wrong with a part of the model, of which that need say nothing then."""
+        self.found.problems.append(self.locate(Problem(message, path)))
+        self.unreadable.append(path)
+
     def missing(self, spot: Spot, key: str) -> None:
         """Say that a key is missing; where it would stand is where its record starts."""
         self.complain(self._spots[spot.path], f"`{key}` is missing")

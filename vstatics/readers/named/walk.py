@@ -47,6 +47,7 @@ _LEAVES: dict[LeafKind, tuple[str, Any]] = {  # what is expected, what stands in
     "flag": ("`true` or `false`", False),
     "choice": ("text", None),
 }
+NO_MERGE = "merge key `<<` is not taken, write its keys out"
 _COLLECTIONS: dict[type[Shape], Any] = {
     Links: _MANY_LINKS,
     Ends: (NO_LINK, NO_LINK),
@@ -96,9 +97,8 @@ class Walk:
         """Keys with their values, without those that a case cannot have."""
         seen: dict[str, Scalar] = {}
         for key, value in node.entries:
-            if key.plain and key.text == "<<":
-                message = "merge key `<<` is not taken, write its keys out"
-                self.spots.complain(spot, message, key)
+            if _is_merge(key):
+                self.spots.complain(spot, NO_MERGE, key)
             elif is_null(key) or not key.text:
                 self.spots.complain(spot, "an empty key, expected a name", key)
             elif key.text in seen:
@@ -262,7 +262,9 @@ class Walk:
             return self._refuse(spot, shape, "expected a mapping with `kind` and members")
         given = [value for key, value in node.entries if key.text == "kind"]
         if not given:
-            self.spots.complain(spot, f"`kind` is missing; expected one of {_listed(known, 'or')}")
+            merged = next((key for key, _ in node.entries if _is_merge(key)), None)
+            missing = f"`kind` is missing; expected one of {_listed(known, 'or')}"
+            self.spots.complain(spot, NO_MERGE if merged else missing, merged)
             self.spots.unreadable.append(spot.path)
             return {}
         kind = self.read(spot.key("kind", "kind", given[0]), Leaf("choice", known))
@@ -304,6 +306,10 @@ class Walk:
                 hint = self.spots.found.hint(node.text, shape.choices)
                 raise ValueError(f"expected {_listed(shape.choices, 'or')}{hint}")
         return node.text
+
+
+def _is_merge(key: Scalar) -> bool:
+    return key.plain and key.text == "<<"
 
 
 def _stand_in(shape: Shape) -> Any:
