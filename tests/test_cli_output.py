@@ -8,7 +8,7 @@ import stat
 from pathlib import Path
 
 import pytest
-from commands import BAD, MZKT, TIED_UP, vstatics
+from commands import BAD, CASES, MZKT, TIED_UP, vstatics
 
 
 @pytest.fixture
@@ -119,9 +119,34 @@ def test_a_name_may_be_as_long_as_names_can_be(folder: Path) -> None:
     assert names(folder) == [name]
 
 
-def test_a_file_may_be_its_own_target(folder: Path) -> None:
-    (folder / "case.dat").write_bytes(MZKT.read_bytes())
-    assert vstatics("run", "case.dat", "-o", "case.dat").status == 0
-    assert vstatics("run", "case.dat").out == vstatics("run", MZKT).out
-    assert vstatics("convert", "case.dat", "case.dat").status == 2  # prose would be lost
-    assert vstatics("run", "case.dat").out == vstatics("run", MZKT).out
+@pytest.mark.parametrize(
+    "given",
+    [
+        ("run", "case.yaml", "-o", "case.yaml"),
+        ("run", "case.yaml", "-f", "json", "-o", "./case.yaml"),
+        ("run", "case.yaml", MZKT, "-f", "jsonl", "-o", "case.yaml"),
+        ("run", "--files-from", "list", "-f", "jsonl", "-o", "list"),
+        ("flow", "case.yaml", "-o", "case.yaml"),
+        ("explain", "case.yaml", "-o", "link.yaml"),
+        ("summary", MZKT, "case.yaml", "-o", "case.yaml"),
+        ("summary", "case.yaml", "--duty", "duty.yaml", "-o", "duty.yaml"),
+        ("report", "case.yaml", "-o", "case.yaml"),
+        ("plot", "plan.svg", "--from", "yaml", "--kind", "plan", "-o", "plan.svg"),
+        ("convert", "case.yaml", "link.yaml"),
+        ("sweep", "case.yaml", "--variants", "v.csv", "-o", "v.csv"),
+    ],
+    ids=lambda given: " ".join(map(str, given[::3])),
+)
+def test_nothing_is_written_over_what_is_read(folder: Path, given: tuple[str, ...]) -> None:
+    case = (CASES / "differential.yaml").read_bytes()
+    for name in ("case.yaml", "plan.svg"):
+        Path(name).write_bytes(case)
+    Path("link.yaml").symlink_to("case.yaml")
+    Path("list").write_text("case.yaml\n", encoding="utf-8")
+    Path("duty.yaml").write_text("energy: {1: 1}\n", encoding="utf-8")
+    Path("v.csv").write_text("D.ratio\n-2\n-3\n", encoding="utf-8")
+    before = {path.name: path.read_bytes() for path in folder.iterdir()}
+    said = vstatics(*given)
+    assert said.status == 2
+    assert "is what is read, and would be overwritten" in said.err
+    assert {path.name: path.read_bytes() for path in folder.iterdir()} == before

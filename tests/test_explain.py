@@ -211,6 +211,24 @@ def test_signs_have_a_reason() -> None:
     ]
 
 
+def test_drag_decides_a_sign_where_nothing_else_loads_the_mechanism() -> None:
+    """Drag .1 on the second link of a pair of ratio -1.5 takes .1/1.5 from its first."""
+    case = Transmission(
+        3,
+        [],
+        [
+            Mechanism(1, 2, 0, -3.0, 0.98, name="main"),
+            Mechanism(1, 3, 0, -1.5, 0.9, name="side"),
+        ],
+        [Gear(drag={3: 0.1})],
+        output=2,
+    )
+    main, side = explain(solve(case), 0).signs
+    assert side.torque == side.power == pytest.approx(0.1 / 1.5)
+    assert main.torque == pytest.approx(1 - 0.1 / 1.5)
+    assert (side.sign, side.why) == (1, "power enters by the first link")
+
+
 def test_an_efficiency_multiplies_or_divides_by_the_direction_of_power() -> None:
     """Equation 4 of the source, u eta^x; all sets of the 8HP carry power in gear 5."""
     for sign in explained("zf-8hp70.yaml", "5").signs:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import time
 from pathlib import Path
 
 import pytest
@@ -18,6 +19,7 @@ def _folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
         Path(f"{name}.yaml").write_text(text, encoding="utf-8")
     for name in CASES:
         os.utime(name, (0, Path(name).stat().st_mtime - 3600))
+    time.sleep(0.02)  # the clock of a file system ticks in milliseconds
     assert vstatics("run", *CASES, "-o", "out", "-f", "json").status == 1
 
 
@@ -47,6 +49,24 @@ def test_what_is_done_is_left_out_and_failures_are_tried_again() -> None:
 def test_a_case_that_was_changed_is_calculated_again() -> None:
     Path("mzkt.dat").touch()
     assert resumed()[0] == ["mzkt", "tied"]
+
+
+def test_a_case_that_an_older_file_replaced_is_calculated_again() -> None:
+    """As `cp -p`, `mv` and the unpacking of an archive do."""
+    Path("older.yaml").write_text(NEUTRAL, encoding="utf-8")
+    os.utime("older.yaml", (0, 0))
+    Path("older.yaml").replace("neutral.yaml")
+    assert resumed()[0] == ["neutral", "tied"]
+
+
+def test_a_result_of_another_case_of_the_same_name_does_not_count() -> None:
+    Path("other").mkdir()
+    Path("neutral.yaml").rename("other/neutral.yaml")
+    names = ["mzkt.dat", "other/neutral.yaml", "tied.yaml", "bad.yaml"]
+    said = vstatics("run", *names, "-o", "out", "-f", "json", "--resume")
+    assert "2 of 4 cases calculated (1 of them before)" in said.err
+    again = vstatics("run", *names, "-o", "out", "-f", "json", "--resume")
+    assert "2 of 4 cases calculated (2 of them before)" in again.err
 
 
 def test_a_result_that_is_not_there_is_made() -> None:

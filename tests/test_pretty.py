@@ -84,6 +84,48 @@ def test_gears_without_numbers_say_why() -> None:
     assert "tied up" in said.out
 
 
+STATES = """
+links: [in, s, r, out]
+shift_elements: {A: [in, s], B: [r, housing], C: [in, r], D: [in, out], P: [out, housing]}
+mechanisms: {set: {first: s, second: r, third: out, ratio: -2.5, efficiency: 0.97}}
+gears:
+  direct: {engaged: [A, C]}
+  low: {engaged: [A, B]}
+  excess: {engaged: [A, C, D]}
+  neutral: {engaged: [B]}
+  park: {engaged: [A, P]}
+  tied: {engaged: [A, B, C]}
+"""
+
+
+def test_states_of_gears_are_named_and_explained() -> None:
+    said = vstatics("run", "--pretty", "-", stdin=STATES.encode())
+    for gear, state in (("neutral", "open"), ("park", "output stands"), ("tied", "tied up")):
+        [line] = [line for line in said.out.splitlines() if line.startswith(f" {gear} ")]
+        assert line.rstrip().endswith(f"  {state}")
+        assert f"\n{state}: " in said.out
+
+
+def rows() -> dict[str, list[str]]:
+    """The words of each gear."""
+    text = vstatics("run", "--pretty", "-", stdin=STATES.encode()).out
+    lines = [line.split() for line in text.splitlines() if line.startswith(" ")]
+    return {words[0]: words for words in lines if words}
+
+
+def test_steps_are_those_of_the_summary() -> None:
+    """From low, 3.5, to direct, whatever the order in the case."""
+    made = json.loads(vstatics("summary", "-", "-f", "json", stdin=STATES.encode()).out)
+    assert [one["step"] for one in made["gears"][:2]] == [pytest.approx(1), pytest.approx(3.5)]
+    assert rows()["direct"][2:4] == ["1.000", "1.000"]
+    assert rows()["low"][2:4] == ["3.500", "3.500"]
+
+
+def test_a_largest_torque_is_given_only_where_all_are_known() -> None:
+    assert rows()["excess"][-3:] == ["1.00", "in", "set"]
+    assert rows()["low"][-4:] == ["1.00", "in", "2.42", "B"]
+
+
 def test_a_bad_case_does_not_stop_the_others() -> None:
     said = vstatics("run", "--pretty", "tests/bad/efficiency-0.dat", MZKT)
     assert said.status == 1

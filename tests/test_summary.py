@@ -197,6 +197,19 @@ def test_a_gear_that_is_tied_up_makes_the_status_1() -> None:
     assert "tied up" in said.err
 
 
+def test_a_gear_that_is_tied_up_has_no_largest_torque() -> None:
+    """Its brakes hold the input itself; the torque of F in the other gear is 2.5/3.5."""
+    case = Transmission(
+        links=3,
+        shift_elements=[ShiftElement(1, 2, "F"), ShiftElement(2, 0, "T")],
+        mechanisms=[Mechanism(1, 2, 3, -2.5)],
+        gears=[Gear([1], name="direct"), Gear([1, 2], name="tied")],
+    )
+    clutch, brake = summarize(solve(case)).largest["AMLG"]
+    assert_largest(clutch, 2.5 / 3.5, "direct")
+    assert math.isnan(brake.value)
+
+
 def test_a_locked_gear_has_a_ratio_and_no_efficiency() -> None:
     made = json.loads(vstatics("summary", "-", "-f", "json", stdin=LOCKED.encode()).out)
     [line] = made["gears"]

@@ -105,6 +105,12 @@ def test_shares_of_energy_give_a_weighted_mean() -> None:
     assert made.efficiency == pytest.approx(0.25 * LOW + 0.75)
 
 
+def test_shares_may_have_a_sum_that_no_number_holds() -> None:
+    made = cycle(solve(case()), Duty("energy", {"low": 1e308, "direct": 1e308}))
+    assert [one.energy for one in made.stages] == [0.5, 0.5]
+    assert made.efficiency == pytest.approx((LOW + 1) / 2)
+
+
 def test_shares_of_time_are_weighted_by_the_input_power() -> None:
     """200 N*m at 1000 and at 2000 rpm: of equal times direct has twice the energy."""
     results = solve(case())

@@ -120,14 +120,14 @@ def test_more_jobs_give_the_same_text() -> None:
     assert texts[0].count("\n") == 140001
 
 
-def test_an_output_is_replaced_and_a_finished_one_is_left() -> None:
-    Path("out.csv").write_text("old", encoding="utf-8")
-    said = vstatics("sweep", "box.yaml", *VARY, "-o", "out.csv", "--resume")
-    assert said.status == 0
-    assert said.err == "out.csv is there, and nothing of it is unfinished: nothing to do\n"
-    assert Path("out.csv").read_text(encoding="utf-8") == "old"
-    assert vstatics("sweep", "box.yaml", *VARY, "-o", "out.csv").status == 0
-    assert Path("out.csv").read_text(encoding="utf-8").startswith("variant,")
+def test_an_output_is_replaced_also_by_resume_as_it_may_be_of_another_sweep() -> None:
+    for more in ((), ("--resume",)):
+        Path("out.csv").write_text("old", encoding="utf-8")
+        said = vstatics("sweep", "box.yaml", *VARY, "-o", "out.csv", *more)
+        assert said.status == 0
+        assert Path("out.csv").read_text(encoding="utf-8").startswith("variant,")
+    first, _ = said.err.splitlines()
+    assert first == "out.csv may be of another sweep: every variant is calculated again"
 
 
 def test_resume_begins_where_there_is_nothing() -> None:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import os
-
 import click
 
 from vstatics import readers, statics
@@ -55,8 +53,7 @@ def convert(
       vstatics convert gearbox.dat gearbox.yaml
       vstatics convert gearbox.yaml - --to deck
     """
-    if source != files.STDIN and os.path.exists(target) and os.path.samefile(source, target):  # noqa: PTH110, PTH121
-        raise click.UsageError(f"IN and OUT are the same file: {source}")
+    files.spare([source], target)
     wanted = output_format or readers.format_of_name(target)
     if wanted is None:
         raise click.UsageError(

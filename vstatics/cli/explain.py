@@ -59,6 +59,7 @@ def explain(
 
     Exit status: 0 done; 1 the case is in error or a gear is tied up; 2 wrong use.
     """
+    files.spare([case], output)
     [outcome] = calculate([case], Settings(input_format, coast, idle))
     results = outcome.results
     if results is not None:

@@ -6,6 +6,7 @@ import contextlib
 import errno
 import itertools
 import os
+import re
 import stat
 import sys
 from collections.abc import Callable, Iterable, Iterator
@@ -90,6 +91,22 @@ def _around(place: Place, width: int = 76) -> tuple[str, str]:
     return shown, " " * (column - 1 - start) + "^"
 
 
+def spare(inputs: Iterable[str], output: str | None) -> None:
+    """Refuse an output that would write over what the command reads.
+
+    Raises
+    ------
+    UsageError
+    """
+    if output is None or is_stream(output):
+        return
+    for one in inputs:
+        with contextlib.suppress(OSError):  # one of them is no file yet
+            if one != STDIN and os.path.samefile(one, output):  # noqa: PTH121
+                message = f"{output} is what is read, and would be overwritten"
+                raise click.UsageError(f"{message}; expected another output")
+
+
 def write_output(text: str, output: str | None) -> None:
     """Write to a file, whole or not at all, or to stdout; always in UTF-8.
 
@@ -103,8 +120,8 @@ def write_output(text: str, output: str | None) -> None:
         if output is None or output == STDIN:
             print_bytes(data)
         elif is_stream(output):
-            with open(output, "ab") as opened:  # noqa: PTH123
-                opened.write(data)
+            with opened(output) as write:
+                write(data)
         else:
             replace(output, data)
     except BrokenPipeError:
@@ -126,8 +143,8 @@ def stream(output: str | None) -> Iterator[Callable[[bytes], object]]:
         if output is None or output == STDIN:
             yield print_bytes
         elif is_stream(output):
-            with open(output, "ab", buffering=0) as opened:  # noqa: PTH123
-                yield partial(_write, opened.fileno())
+            with opened(output) as write:
+                yield write
         else:
             with replacing(output) as write:
                 yield write
@@ -135,6 +152,20 @@ def stream(output: str | None) -> Iterator[Callable[[bytes], object]]:
         raise  # the reader has seen enough; click ends quietly
     except OSError as error:
         raise ReadError([unwritable(output, error)]) from None
+
+
+@contextlib.contextmanager
+def opened(output: str) -> Iterator[Callable[[bytes], None]]:
+    """Write to a stream that is there, where it stands: not at the end of a file behind it."""
+    own = re.fullmatch(r"/dev/std(?:(out)|err)|(?:/dev|/proc/self)/fd/(\d+)", output)
+    if own is None:
+        handle = os.open(output, os.O_WRONLY | os.O_APPEND)
+    else:
+        handle = os.dup(int(own[2]) if own[2] else 1 if own[1] else 2)
+    try:
+        yield partial(_write, handle)
+    finally:
+        os.close(handle)
 
 
 def is_stream(output: str | None) -> bool:

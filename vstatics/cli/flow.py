@@ -50,6 +50,7 @@ def flow(
     \b
     Exit status: 0 done; 1 the case is in error or a gear is tied up; 2 wrong use.
     """
+    files.spare([case], output)
     [outcome] = calculate([case], Settings(input_format, coast, idle))
     if outcome.results is None:
         context.exit(1)

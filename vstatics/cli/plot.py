@@ -77,6 +77,7 @@ def plot(
     nothing to draw; 2 wrong use.
     """
     form = _format(output)
+    files.spare([case], output)
     [outcome] = calculate([case], Settings(input_format, coast, idle))
     if outcome.results is not None:
         try:

@@ -49,6 +49,7 @@ def report(
     \b
     Exit status: 0 done; 1 the case is in error or a gear is tied up; 2 wrong use.
     """
+    files.spare([case], output)
     [outcome] = calculate([case], Settings(input_format, coast, idle))
     if outcome.results is not None:
         from vstatics.insight.report import gather, page

@@ -99,6 +99,8 @@ def run(
     folder = _folder(output, output_format, several=several)
     if resume and folder is None:
         raise click.UsageError("--resume needs a directory to go on with: -o DIRECTORY/")
+    if folder is None:
+        files.spare([*names, *filter(None, [files_from])], output)
     if several or folder is not None or output_format == "jsonl":
         from vstatics.cli import many
         from vstatics.cli.work import Job

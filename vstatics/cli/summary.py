@@ -98,6 +98,7 @@ def summary(
     """
     named = [case] if case2 is None else [case, case2]
     arguments.check_streams([*named, duty or ""])
+    files.spare([*named, *filter(None, [duty])], output)
     cycle = None
     if duty is not None:
         from vstatics.insight.summary.duty_file import read_duty

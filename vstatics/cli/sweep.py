@@ -118,6 +118,7 @@ def sweep(
     if sweep_file is not None:
         given = given.over(read_sweep_file(*files.read_input(sweep_file)))
     form = _checked(given, resume=resume, jobs=jobs, scheduler=scheduler)
+    files.spare(filter(None, [given.case, given.variants, sweep_file]), given.output)
 
     def carry_out() -> int:
         build.check_packages(given, form, scheduler)

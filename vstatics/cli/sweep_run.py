@@ -13,7 +13,6 @@ from typing import Any
 from vstatics.cli import files
 from vstatics.cli.stopping import StoppedError, stoppable
 from vstatics.errors import CaseError, Place, Problem
-from vstatics.sweep import pieces
 from vstatics.sweep.chunk import STATUS
 from vstatics.sweep.formats import Format
 from vstatics.sweep.output import Output, Report, description, stream
@@ -77,8 +76,7 @@ def to_file(
     began = time.perf_counter()
     with Store(output) as store:
         if resume and not store.exists() and os.path.exists(output):  # noqa: PTH110
-            files.say(f"{output} is there, and nothing of it is unfinished: nothing to do")
-            return 0
+            files.say(f"{output} may be of another sweep: every variant is calculated again")
         written = Output(plan, form, store)
         try:
             store.open(description(plan, form), plan.pieces, resume=resume)
@@ -174,8 +172,8 @@ def _opened(output: str | None) -> Iterator[Callable[[bytes], Any]]:
 
         yield write
     else:
-        with open(output, "ab", buffering=0) as opened:  # noqa: PTH123
-            yield lambda data: pieces.write_all(opened.fileno(), memoryview(data))
+        with files.opened(output) as write_there:
+            yield write_there
 
 
 def _summary(output: str, report: Report, kept: int, seconds: float) -> int:

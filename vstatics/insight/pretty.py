@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
+from vstatics.insight.summary.design import GearLine, design
 from vstatics.model import Transmission
 from vstatics.results import OUTPUT, Results
 from vstatics.writers.tables import Table, tables
@@ -101,7 +102,8 @@ def _table(results: Results, found: dict[str, Table], marks: Marks) -> RichTable
     if headings:
         made.add_column(_in_line([(heading, "") for heading in headings], headings), no_wrap=True)
     gears = range(len(case.gears))
-    figures = [_figures(results, number) for number in gears]
+    lines = design(results).gears
+    figures = [_figures(line) for line in lines]
     for heading, column in zip(("ratio", "step", "eff."), zip(*figures, strict=True), strict=True):
         wide = max(map(len, column))  # numbers are never cut
         made.add_column(heading, justify="right", no_wrap=True, min_width=wide)
@@ -109,7 +111,7 @@ def _table(results: Results, found: dict[str, Table], marks: Marks) -> RichTable
     largest = [
         (
             _fastest(found, number, rpm=rpm).text(whole=rpm),
-            "" if results.tied_up[number] else _strongest(found, number).text(whole=torque),
+            _strongest(found, number).text(whole=torque) if results.calculable[number] else "",
         )
         for number in gears
     ]
@@ -124,7 +126,7 @@ def _table(results: Results, found: dict[str, Table], marks: Marks) -> RichTable
             *([_in_line(_dots(results, number, marks), headings)] if headings else ()),
             *figures[number],
             *largest[number],
-            _state(results, found, number),
+            _state(lines[number], found, number),
         )
     return made
 
@@ -154,16 +156,14 @@ def _in_line(words: Iterable[tuple[str, str]], headings: Sequence[str]) -> Text:
     return Text(" " if width > 1 else "").join(Text(word, style) for word, style in padded)
 
 
-def _figures(results: Results, number: int) -> tuple[Text, Text, Text]:
-    """Ratio, step to the next gear, and efficiency."""
+def _figures(line: GearLine) -> tuple[Text, Text, Text]:
+    """Ratio, step to the next gear of the same direction, and efficiency."""
     from rich.text import Text
 
-    ratio, efficiency = (float(one[number]) for one in (results.ratio, results.efficiency))
-    after = float(results.ratio[number + 1]) if number + 1 < len(results.ratio) else math.nan
-    step = ratio / after if ratio * after > 0 else math.nan
-    colour = "red" if efficiency < BAD else "yellow" if efficiency < POOR else "green"
-    shown = Text(_fixed(efficiency), colour)
-    return Text(_fixed(ratio), "magenta" if ratio < 0 else ""), Text(_fixed(step)), shown
+    good = line.efficiency
+    colour = "red" if good < BAD else "yellow" if good < POOR else "green"
+    ratio = Text(_fixed(line.ratio), "magenta" if line.ratio < 0 else "")
+    return ratio, Text(_fixed(line.step)), Text(_fixed(good), colour)
 
 
 def _fixed(value: float) -> str:
@@ -186,11 +186,14 @@ def _fastest(found: dict[str, Table], number: int, *, rpm: bool) -> Largest:
 
 
 def _strongest(found: dict[str, Table], number: int) -> Largest:
-    """The largest torque of shift elements, mechanisms and members, with losses if they exist."""
+    """The largest torque of shift elements, mechanisms and members, with losses if they exist.
+
+    None where one of them is not determined: it may be larger than all others.
+    """
     names = ("AMLGP_Nm", "AMLG_Nm") if "AMLGP_Nm" in found else ("AMLGP", "AMLG")
     for name in names:
         column = [(abs(v), n) for n, v in _column(found[name], number) if n != OUTPUT]
-        if not all(math.isnan(value) for value, _ in column):
+        if not any(math.isnan(value) for value, _ in column):
             return _largest(column)
     return Largest(math.nan, "")
 
@@ -204,15 +207,25 @@ def _largest(values: Iterator[tuple[float, str]] | Sequence[tuple[float, str]]) 
     return max(known, key=lambda one: one.value, default=Largest(math.nan, ""))
 
 
-def _state(results: Results, found: dict[str, Table], number: int) -> str:
+STATES = {
+    "tied up": "what is engaged contradicts itself, the input can't turn",
+    "conflict": "a freewheel can neither hold nor overrun",
+    "locked": "friction holds the train, whatever the input torque",
+    "output stands": "it is held, so there is no ratio",
+    "open": "neutral, the speed of the output is not determined",
+    "no torques": "nothing holds the torque of the input",
+    "undecided": "the search for directions of power was cut short",
+}
+"""What the states of gears mean."""
+
+FAULTS = {"tied up", "conflict", "locked"}
+"""Those that no gear should have."""
+
+
+def _state(line: GearLine, found: dict[str, Table], number: int) -> str:
     """What is idle; or why there are no numbers."""
-    for name in ("tied_up", "conflict"):
-        if getattr(results, name)[number]:
-            return f"[red]{name.replace('_', ' ')}[/]"
-    if results.locked[number]:
-        return "[red]locked[/]"
-    if math.isnan(results.ratio[number]):
-        return "[yellow]neutral[/]"
+    if line.state:
+        return f"[{'red' if line.state in FAULTS else 'yellow'}]{line.state}[/]"
     return " ".join(name for name, value in _column(found["idle"], number) if value == 1)
 
 
@@ -225,10 +238,10 @@ def _legend(results: Results, found: dict[str, Table], marks: Marks) -> Iterator
     signs = [f"{marks.engaged} engaged"] if any(gear.engaged for gear in case.gears) else []
     if case.freewheels:
         signs.append(f"{marks.holds} freewheel that holds")
-    signs.append("step: to the next gear")
+    signs.append("step: to the next smaller ratio")
     yield "; ".join(signs)
     yield "speed, torque: the largest" + ("" if "W_rpm" in found else ", by the input's")
     if (found["idle"].values == 1).any():
         yield "idle: carries no torque, or turns as one piece"
-    if results.locked.any():
-        yield "locked: friction holds the train, whatever the input torque"
+    states = [line.state for line in design(results).gears]
+    yield from (f"{state}: {why}" for state, why in STATES.items() if state in states)

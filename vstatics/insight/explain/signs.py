@@ -5,10 +5,12 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
+from vstatics import drag
 from vstatics.losses import Efficiency, both_ways, with_loss
 from vstatics.model import HOUSING
 from vstatics.results import Results
 from vstatics.speeds import is_tie
+from vstatics.torques import solve_torques
 
 
 class Sign(NamedTuple):
@@ -16,7 +18,7 @@ class Sign(NamedTuple):
 
     mechanism: str
     torque: float
-    """On the first link, without losses. [-]"""
+    """On the first link, without losses, but with drag. [-]"""
     motion: float
     """Speed of the first link against the third. [-]"""
     power: float
@@ -44,7 +46,7 @@ def signs_of(results: Results, number: int) -> list[Sign]:
     """
     case = results.case
     speeds = [0.0, *results.speeds[number].tolist()]
-    torques = results.torques[number].tolist()[len(case.shift_elements) :]
+    torques = _torques(results, number)
     both = both_ways(case, [mechanism.efficiency for mechanism in case.mechanisms])
     found = []
     for place, mechanism in enumerate(case.mechanisms):
@@ -67,6 +69,20 @@ def signs_of(results: Results, number: int) -> list[Sign]:
             )
         )
     return found
+
+
+def _torques(results: Results, number: int) -> list[float]:
+    """On the first links of the mechanisms: those of which the power decides the signs."""
+    case = results.settled
+    elements = len(case.shift_elements)
+    speeds, slips = results.speeds[number].tolist(), results.slip_speeds[number].tolist()
+    dragging = drag.acting(case, case.gears[number], speeds, slips)
+    if dragging is drag.NO_DRAG or not results.calculable[number]:
+        first = results.torques[number].tolist()
+    else:
+        ratios = [mechanism.ratio for mechanism in case.mechanisms]
+        first = solve_torques(case, case.gears[number], ratios, dragging).first
+    return list(first[elements:-1])
 
 
 def _with_loss(ratio: float, efficiency: Efficiency, sign: float) -> float:

@@ -126,7 +126,8 @@ def _losses(one: Explanation) -> Iterator[str]:
     yield from (
         "",
         "Torques with losses: u eta^x in place of u; x = +1 where power enters a",
-        "mechanism by its first link, seen from the third: M (w_first - w_third) > 0",
+        "mechanism by its first link, seen from the third: M (w_first - w_third) > 0"
+        + (", M with drag" if _drags(one) else ""),
     )
     for sign in one.signs:
         yield from _sign(sign)

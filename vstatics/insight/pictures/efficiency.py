@@ -156,7 +156,8 @@ def _bars(panel: Panel, efficiency: Floats, shares: Floats, style: Style) -> Non
     reached = np.ones(len(efficiency))
     for row, share in enumerate(np.nan_to_num(shares)):
         how: dict[str, Any] = {
-            "color": style.colour(row),
+            "facecolor": style.colour(row),
+            "hatch": style.hatch(row),
             "edgecolor": style.paper,
             "linewidth": 0.5,
         }
@@ -177,6 +178,7 @@ def _legend(panel: Panel, names: list[str], style: Style) -> None:
         own = labels.height(name) + 6
         middle = y - own / 2
         left = panel.width + MARGIN
-        panel.line((left, middle), (left + 10, middle), color=style.colour(row), linewidth=8)
+        how = {"facecolor": style.colour(row), "hatch": style.hatch(row)}
+        panel.box((left, middle - 4), (10, 8), edgecolor=style.paper, linewidth=0, **how)
         panel.write(left + 20, middle, name, va="center", linespacing=labels.LINE)
         y -= own

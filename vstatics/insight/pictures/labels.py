@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.font_manager import FontProperties
+from matplotlib.patches import Rectangle
 
 from vstatics.insight.pictures.style import SIZE
 
@@ -145,6 +146,13 @@ class Panel(NamedTuple):
             clip_on=False,
             **how,
         )
+
+    def box(self, corner: tuple[float, float], size: tuple[float, float], **how: Any) -> None:
+        """A rectangle by its lower left corner and its size in points, also outside the axes."""
+        (x, y), (wide, high) = corner, size
+        place = (x / self.width, y / self.height), wide / self.width, high / self.height
+        drawn = Rectangle(*place, transform=self.axes.transAxes, clip_on=False, **how)
+        self.axes.add_patch(drawn)
 
     def across(self, x: float) -> float:
         """The place of an abscissa [pt]."""

@@ -15,6 +15,7 @@ TITLE = 10.0
 # Okabe and Ito, Color Universal Design (2008): told apart also by the colour-blind
 _ON_PAPER = ("#0072b2", "#d55e00", "#009e73", "#b8578f", "#a07800", "#3f97cc", "#6a4c93")
 _ON_BLACK = ("#56b4e9", "#ff9248", "#2fd0a0", "#e89ac7", "#f0e442", "#9fd0f0", "#b9a3e3")
+HATCHES = ("", "////", "xxxx", "....", "----")
 LARGE = 1e6
 """From here on numbers are written with a power of ten."""
 
@@ -74,6 +75,14 @@ class Style(NamedTuple):
     def colour(self, number: int) -> str:
         """The colour of the line or area of a number, from 0; they come again."""
         return self.colours[number % len(self.colours)]
+
+    def hatch(self, number: int) -> str:
+        """What tells areas of one colour apart.
+
+        >>> Style().hatch(6), Style().hatch(7)
+        ('', '////')
+        """
+        return HATCHES[number // len(self.colours) % len(HATCHES)]
 
     @property
     def settings(self) -> dict[Any, Any]:

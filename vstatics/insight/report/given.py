@@ -29,7 +29,8 @@ def given(results: Results, mapping: Mapping[str, Any]) -> Iterator[Markup]:
     case = results.case
     common = {key: value for key, value in mapping.items() if key not in _NAMED}
     common = {"input": case.link_name(case.input), "output": case.link_name(case.output), **common}
-    yield listed([(_LABELS.get(key, _plain(key)), _said(one)) for key, one in common.items()])
+    labels = {key: _LABELS.get(key, key.replace("_", " ")) for key in common}
+    yield listed([(labels[key], _said(one)) for key, one in common.items()])
     if case.drawing is not None and case.drawing.elements:
         yield _elements(case.drawing, mapping["elements"])
     if case.mechanisms:
@@ -82,7 +83,8 @@ def _shift_elements(case: Transmission) -> Markup:
     elements = case.shift_elements
     columns = [text("shift element"), text("kind"), text("first"), text("second")]
     drag, capacity = any(one.drag for one in elements), any(_is_told(e.capacity) for e in elements)
-    columns += [Column("drag")] * drag + [Column("capacity")] * capacity
+    columns += [Column("drag, by the input torque")] * drag
+    columns += [Column("capacity, by the input torque")] * capacity
     rows = [
         [
             Cell(one.name),
@@ -128,11 +130,12 @@ def _said(value: Any) -> str:
 
     >>> _said({"teeth": {"sun": 48, "ring": 96}, "planets": 3})
     'teeth: sun 48, ring 96; planets: 3'
-    >>> _said({"rings": [{"link": "out", "teeth": 72}], "drag": True})
-    'rings: (link out, teeth 72); drag: yes'
+    >>> _said({"rings": [{"link": "out", "teeth": 72}], "open_drag": {"C_2": 0.02 / 3}})
+    'rings: (link out, teeth 72); open drag: C_2 0.00666667'
     """
     if isinstance(value, Mapping):
-        return "; ".join(f"{_plain(key)}: {_inner(one)}" for key, one in value.items())
+        pairs = ((str(key).replace("_", " "), one) for key, one in value.items())
+        return "; ".join(f"{key}: {_inner(one)}" for key, one in pairs)
     return _inner(value)
 
 
@@ -141,16 +144,12 @@ def _inner(value: Any) -> str:
     if isinstance(value, bool):
         return "yes" if value else "no"
     if isinstance(value, Mapping):
-        return ", ".join(f"{_plain(key)} {_single(one)}" for key, one in value.items())
+        return ", ".join(f"{key} {_single(one)}" for key, one in value.items())
     if isinstance(value, Sequence) and not isinstance(value, str):
         return ", ".join(map(_single, value))
-    return str(value)
+    return f"{value:.6g}" if isinstance(value, float) else str(value)
 
 
 def _single(value: Any) -> str:
     is_word = isinstance(value, str) or not isinstance(value, Mapping | Sequence)
     return _inner(value) if is_word else f"({_inner(value)})"
-
-
-def _plain(key: object) -> str:
-    return str(key).replace("_", " ")

@@ -71,7 +71,8 @@ def cycle(results: Results, duty: Duty) -> Cycle:
     problems = list(_problems(shares, efficiencies, powers))
     if problems:
         raise CaseError(problems)
-    energies = {gear: share * powers[gear] for gear, share in shares.items()}
+    largest = max(shares.values())  # shares of any sum: also of one that overflows
+    energies = {gear: share / largest * powers[gear] for gear, share in shares.items()}
     total = math.fsum(energies.values())
     stages = [Stage(gear, energy / total, efficiencies[gear]) for gear, energy in energies.items()]
     return Cycle(stages, math.fsum(stage.energy * stage.efficiency for stage in stages))

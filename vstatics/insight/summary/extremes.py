@@ -30,8 +30,8 @@ def largest(results: Results) -> dict[str, list[Largest]]:
     """The largest values over all gears, by the name of the table.
 
     Speeds of planets, slip speeds of open shift elements, torques of engaged ones without
-    and with losses; with a load all of them in rpm and N*m, too. Rows are those of the
-    tables, so what the case draws has its own.
+    and with losses where the gear can run; with a load all of them in rpm and N*m, too.
+    Rows are those of the tables, so what the case draws has its own.
 
     Parameters
     ----------
@@ -58,7 +58,8 @@ def largest(results: Results) -> dict[str, list[Largest]]:
             found[table.shape.name] = _of(table, np.where(results.holds.T, np.nan, table.values))
         elif kind in (TORQUES, LOSSY_TORQUES):
             own = table.values[: len(results.case.shift_elements)]
-            found[table.shape.name] = _of(table, np.where(results.holds.T, own, np.nan))
+            loaded = results.holds.T & results.calculable  # a gear that is tied up has no flow
+            found[table.shape.name] = _of(table, np.where(loaded, own, np.nan))
     return found
 
 
