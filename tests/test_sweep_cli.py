@@ -130,6 +130,13 @@ def test_an_output_is_replaced_also_by_resume_as_it_may_be_of_another_sweep() ->
     assert first == "out.csv may be of another sweep: every variant is calculated again"
 
 
+def test_a_sweep_stopped_before_its_first_piece_leaves_no_old_output_for_its_own() -> None:
+    assert vstatics("sweep", "box.yaml", *VARY, "-o", "out.csv").status == 0
+    more = ("--vary", "D.ratio=-4:-2:9", "-o", "out.csv", "--resume")
+    assert vstatics("sweep", "box.yaml", *more).status == 0
+    assert Path("out.csv").read_text(encoding="utf-8").count("\n") == 10
+
+
 def test_resume_begins_where_there_is_nothing() -> None:
     said = vstatics("sweep", "box.yaml", *VARY, "-o", "out.csv", "--resume")
     assert said.status == 0
@@ -249,3 +256,13 @@ def test_rows_go_to_what_is_no_file(folder: Path) -> None:
         line += "sweep box.yaml --vary D.ratio=-4 > /dev/full"
         full = b"<stdout>: error: can't be written: No space left on device\n"
         assert shell(line) == (1, b"", full)
+
+
+@pytest.mark.parametrize("where", ["/dev/stdout", "/dev/fd/1"])
+def test_rows_stand_where_the_file_behind_a_stream_is(where: str) -> None:
+    line = f"cd '{Path.cwd()}'; (echo a; vstatics sweep box.yaml --vary D.ratio=-4 -o {where}; echo end) > all.txt"
+    assert shell(line)[0] == 0
+    first, head, row, last = Path("all.txt").read_text(encoding="utf-8").splitlines()
+    assert (first, last) == ("a", "end")
+    assert head.startswith("variant,")
+    assert row.startswith("0,-4,ok")

@@ -209,8 +209,19 @@ def test_what_does_not_exist_is_no_true_condition() -> None:
     assert number("0/0 and 1") == 0
     assert number("0/0 or 0") == 0
     assert number("not 0/0") == 1
-    where = read_where("0/0", SET, VARIED)
-    assert where(RESULTS, VALUES).tolist() == [0, 0, 0]
+    for text in ("0/0", "1/0", "-1/0", "0 or 1/0"):
+        where = read_where(text, SET, VARIED)
+        assert where(RESULTS, VALUES).tolist() == [0, 0, 0]
+    assert number("1/0 > 3") == 1
+
+
+def test_marks_of_a_gear_without_solution_do_not_exist() -> None:
+    """As in the JSON of `run`; nothing can be said of the losses of a neutral gear."""
+    for text in ("locked[N]", "consistent[N]", "idle[D1,N]"):
+        assert np.isnan(value(text)).all()
+    assert number("locked[N] == 0") == 0
+    assert number("sum(locked)") == 0
+    assert number("tied_up[N]") == 0
 
 
 def test_what_does_not_exist_is_left_out_of_min_max_and_sum() -> None:
@@ -597,3 +608,23 @@ def test_an_objective_of_the_published_gearbox() -> None:
     }.items():
         made = read_expression(text, case, [], "--min")(results, np.zeros((1, 0)))
         assert made == pytest.approx(expected, abs=1e-3), text
+
+
+def test_a_product_is_no_varied_number_of_the_same_letters() -> None:
+    """`2*B.ratio` is twice the ratio of B, though a mechanism `2*B` is varied."""
+    pairs = [Mechanism(1, 2, 0, -2.0, name="2*B"), Mechanism(2, 3, 0, -5.0, name="B")]
+    case = Transmission(3, [], pairs, [Gear()])
+    varied = [target("2*B.ratio", case)]
+    columns = read_columns('2*B.ratio, "2*B".ratio', case, varied)
+    assert columns.headings == ("(2*B.ratio)",)
+    ratios = np.array([[-3.0, -5.0], [-4.0, -5.0]])
+    made = columns(solve(case, ratios=ratios), ratios[:, :1])
+    assert made.tolist() == [[-10.0], [-10.0]]
+
+
+def test_quotes_are_told_where_they_belong() -> None:
+    case = Transmission(2, [], [Mechanism(1, 2, 0, -2.0, name="1")], [Gear()])
+    with pytest.raises(ReadError, match=r'in quotes: "1"\.ratio$'):
+        read_expression("1.ratio < -5", case, [], "--where")
+    assert read_expression('"1".ratio < -5', case, [], "--where").gears is None
+    assert target("1 . ratio", case).name == "1.ratio"

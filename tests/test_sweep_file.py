@@ -62,6 +62,10 @@ def test_the_command_line_wins() -> None:
     assert Settings(vary=vary).over(file).sample == 5
     assert Settings(variants=table).over(file)[:4] == ("a.yaml", (), None, None)
     assert Settings(vary=vary).over(read("variants: x.csv")).variants is None
+    sampled = read("vary: [D.ratio=1:2]\nsample: 5\nmethod: random\nseed: 3")
+    assert Settings(variants=table).over(sampled) == Settings(variants=table)
+    assert Settings(zip=True).over(sampled)[1:6] == (sampled.vary, True, None, None, None)
+    assert Settings(sample=2).over(read("vary: [D.ratio=1:2]\nzip: true")).zip is None
     assert Settings(min=vary).over(file).max == ()
     assert Settings(best=4, coast=False).over(file).best == 4
 
@@ -80,6 +84,7 @@ def test_the_command_line_wins() -> None:
         ("best: []", "1:7", "read a list, expected a whole number"),
         ("case: [a]", "1:7", "expected the name of a file"),
         ("where: {a: b}", "1:8", "read a mapping, expected text"),
+        ("vary:\n  D.ratio: {a: b}", "2:12", "read a mapping, expected text"),
         ("- a", "1:1", "read a list, expected a sweep"),
         ("", "1:1", "the file is empty, expected a sweep"),
         ("a: [", "1:5", "not YAML"),
@@ -111,6 +116,9 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
         ("vary: [D.ratio=2]\nout: [ratio, 'efficiency[lwo]']", (3, 26)),
         ('vary: [D.ratio=2]\nwhere: "ratio[lwo] > 3"', (3, 15)),
         ("vary: [D.ratio=2]\nmax:\n  - ratoi", (4, 5)),
+        ("vary:\n  D.ratio: 1\n  '#1.ratio': 2", (4, 4)),
+        ("vary: {D.ratio: 1:30}", (2, 8)),
+        ("vary: [D.ratio=2]\nwhere: >-\n  ratio[low] > 3 and\n  ratio[lwo] > 3", (3, 8)),
     ],
 )
 def test_what_is_wrong_in_a_text_is_told_with_its_place_in_the_file(

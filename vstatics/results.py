@@ -6,6 +6,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Literal, NamedTuple
 
+import numpy as np
+
 from vstatics.arrays import Booleans, Floats, Integers
 from vstatics.errors import Severity
 from vstatics.model import Transmission
@@ -240,6 +242,27 @@ class Results(NamedTuple):
     def calculable(self) -> Booleans:
         """Of shape (..., gears): speeds and torques exist, so that losses can be asked for."""
         return self.balanced & ~self.tied_up & ~self.conflict
+
+    def existing(self, name: str) -> Floats:
+        """An array by its name, with NaN where there is nothing to be said.
+
+        Whether a mechanism is idle, or a gear locked, is a question only for gears with
+        speeds and torques; elsewhere the marks are 0.
+
+        >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
+        >>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)],
+        ...                     [Gear([1]), Gear([], name="N")])
+        >>> solve(case).existing("locked")
+        array([ 0., nan])
+        """
+        exists = self.calculable
+        where = {
+            "idle": exists[..., None],
+            "consistent": exists,
+            "locked": exists & ~self.undecided,
+        }.get(name)
+        array: Floats = getattr(self, name)
+        return array if where is None else np.where(where, array, np.nan)
 
     @property
     def output_torque(self) -> Floats:

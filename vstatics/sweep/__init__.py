@@ -16,7 +16,7 @@ __all__ = ["sweep"]
 
 def sweep(  # noqa: PLR0913 (as on the command line)
     case: Transmission,
-    vary: Mapping[str, ArrayLike | str] | Sequence[str] = (),
+    vary: Mapping[str, ArrayLike | str] | Sequence[str] | str = (),
     *,
     zip: bool = False,  # noqa: A002
     sample: int | None = None,
@@ -34,7 +34,7 @@ def sweep(  # noqa: PLR0913 (as on the command line)
     Parameters
     ----------
     case : Transmission
-    vary : mapping of str to array_like or str, or sequence of str
+    vary : mapping of str to array_like or str, sequence of str, or str
         What is varied: ``{"D1.ratio": [-0.9, -0.8]}``, ``{"D1.ratio": "-0.9:-0.7:201"}``
         or ``["D1.ratio=-0.9:-0.7:201"]``; a grid, whose last number runs fastest. [-]
     zip : bool
@@ -67,6 +67,8 @@ def sweep(  # noqa: PLR0913 (as on the command line)
         If a text can't be read, with the place of what is wrong.
     CaseError
         If there can be no such sweep, or a package is missing.
+    ValueError
+        If arguments exclude one another.
 
     Examples
     --------
@@ -86,11 +88,16 @@ def sweep(  # noqa: PLR0913 (as on the command line)
 
     if jobs < 1:
         raise ValueError(f"jobs is {jobs}, expected 1 or more")
+    if variants is not None and (vary or zip or sample is not None):
+        raise ValueError("variants is a table of all variants: it excludes vary, zip and sample")
+    if zip and sample is not None:
+        raise ValueError("zip and sample exclude one another")
     if sample is not None and method != "random":
         require("scipy", f"the method {method}")
     arrays = dict(vary) if isinstance(vary, Mapping) else {}
     texts = [f"{name}={values}" for name, values in arrays.items() if isinstance(values, str)]
-    texts += [] if isinstance(vary, Mapping) else vary
+    if not isinstance(vary, Mapping):
+        texts += [vary] if isinstance(vary, str) else vary
     settings = Settings(
         vary=tuple(map(Text, texts)),
         zip=zip,

@@ -91,9 +91,12 @@ def _with_conventions(case: Transmission, settings: Settings) -> Transmission:
 def _variants(case: Transmission, settings: Settings, arrays: Mapping[str, ArrayLike]) -> Variants:
     if settings.variants is not None:
         return load_table(settings.variants, case)
-    texts = _all(settings.vary, lambda text: read_variation(text, case))
+    read = _all(settings.vary, lambda text: read_variation(text, case))
     variations = [
-        *texts,
+        *(
+            variation._replace(place=text.place(1) or variation.place)
+            for variation, text in zip(read, settings.vary, strict=True)
+        ),
         *(Variation(target(name, case), _list(name, values)) for name, values in arrays.items()),
     ]
     if settings.sample is not None:

@@ -109,7 +109,8 @@ def read_columns(
     >>> columns.headings[4:]
     ('abs(losses[D1])[1]', 'abs(losses[D1])["1R"]', 'ratio[2] - 1')
     """
-    known = {one.name for one in targets}
+    varied = {one.name for one in targets}
+    known = set(varied)
     headings: list[str] = []
     parts: list[Part] = []
     problems: list[Problem] = []
@@ -121,6 +122,8 @@ def read_columns(
             continue
         cells = []
         for cell, heading in _headings(expression, case, targets):
+            if heading in varied and not isinstance(expression.node, Given):
+                heading = f"({heading})"  # noqa: PLW2901 - it is not what is varied
             if heading not in known:
                 known.add(heading)
                 headings.append(heading)

@@ -75,12 +75,12 @@ def evaluate(node: Node, results: Results, values: Floats) -> Floats:
 
 
 def truth(values: Values) -> Booleans:
-    """What a value says as a condition: true unless it is 0 or does not exist.
+    """What a value says as a condition: true unless it is 0, infinite or does not exist.
 
-    >>> truth(np.array([2.0, 0.0, np.nan]))
-    array([ True, False, False])
+    >>> truth(np.array([2.0, 0.0, np.nan, np.inf]))
+    array([ True, False, False, False])
     """
-    made: Any = values if values.dtype == np.bool_ else (values > 0) | (values < 0)
+    made: Any = values if values.dtype == np.bool_ else (values != 0) & np.isfinite(values)
     return made  # type: ignore[no-any-return]
 
 
@@ -98,7 +98,7 @@ def _values(node: Node, results: Results, given: Floats) -> Values:
 
 def _selected(part: Selection, results: Results) -> Values:
     """A view of a table; numbers and marks that are no floats become floats in a copy."""
-    table: Any = getattr(results, part.table)
+    table: Any = results.existing(part.table)
     if not part.has_rows:
         table = table[..., None]
     gears, rows = (

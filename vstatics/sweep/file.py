@@ -66,9 +66,13 @@ class Settings(NamedTuple):
         What is varied goes together: who gives a table does not want the others' grid.
         """
         if self.variants is not None:
-            others = others._replace(vary=(), zip=None, sample=None)
+            others = others._replace(vary=(), zip=None, sample=None, method=None, seed=None)
         elif self.vary:
             others = others._replace(variants=None, vary=())
+        if self.zip:
+            others = others._replace(sample=None, method=None, seed=None)
+        elif self.sample is not None:
+            others = others._replace(zip=None, variants=None)
         if self.min or self.max:
             others = others._replace(min=(), max=())
         said = {name: own for name, own in self._asdict().items() if own not in (None, ())}
@@ -132,7 +136,11 @@ def _moved(problem: Problem, text: Text) -> Problem:
 
 
 class _WrongError(Exception):
-    """What was expected in place of a node."""
+    """What was expected in place of a node, of the whole one when not given."""
+
+    def __init__(self, expected: str, node: Node | None = None) -> None:
+        super().__init__(expected)
+        self.node = node
 
 
 class _Reader:
@@ -156,7 +164,8 @@ class _Reader:
                 try:
                     given[key.text] = _READERS[key.text](self, node)
                 except _WrongError as error:
-                    self.add(f"read {what(node)}, expected {error}", node)
+                    wrong = error.node or node
+                    self.add(f"read {what(wrong)}, expected {error}", wrong)
         return Settings(**given)
 
     def add(self, message: str, node: Node) -> None:
@@ -189,8 +198,11 @@ class _Reader:
 
     def text(self, node: Node) -> Text:
         if not isinstance(node, Scalar) or not node.text.strip():
-            raise _WrongError("text")
-        return Text(node.text, ((1, self.place(node)),))
+            raise _WrongError("text", node)
+        place = self.place(node)
+        if place.text[place.column - 1 : place.column] in (">", "|"):  # lines that became one
+            return Text(node.text, tuple((n, place) for n in range(1, len(node.text) + 1)))
+        return Text(node.text, ((1, place),))
 
     def texts(self, node: Node) -> tuple[Text, ...]:
         items = node.items if isinstance(node, Listing) else [node]

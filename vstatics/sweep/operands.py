@@ -11,6 +11,7 @@ from typing import Literal, NamedTuple
 
 from vstatics.errors import nearest
 from vstatics.sweep.source import NAME, Source, quoted
+from vstatics.sweep.targets import QUANTITIES
 
 FUNCTIONS = ("min", "max", "abs", "sum")
 EXPECTED = "a number, a table such as ratio[1], a varied number such as D1.ratio, or a function"
@@ -108,9 +109,11 @@ def _number(source: Source, at: int, text: str) -> Number:
         message = f"read {quoted(word)}, expected a number without `_`: {word.replace('_', '')}"
         raise source.error(message, at)
     if word != text:
+        name, dot, quantity = word.partition(".")
+        proper = f'"{name}".{quantity}' if dot and quantity in QUANTITIES else f'"{word}"'
         raise source.error(
             f"read {quoted(word)}, expected a number; a name that begins with a digit goes in "
-            f'quotes: "{word}"',
+            f"quotes: {proper}",
             at,
         )
     value = float(text)

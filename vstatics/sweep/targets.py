@@ -51,7 +51,7 @@ def target(text: str, case: Transmission, place: Place | None = None) -> Target:
     'front.ratio'
     """
     begin = len(text) - len(text.lstrip())
-    name, dot, quantity = text.strip().rpartition(".")
+    name, dot, quantity = map(str.strip, text.strip().rpartition("."))
     if not case.mechanisms:
         raise refusal("the case has no mechanisms, so there is nothing to vary", place, begin)
     if not dot or not name:

@@ -32,8 +32,6 @@ def tables(results: Results) -> list[Table]:
     """All tables of the results of one case; some only where the case has what they speak of."""
     case = results.case
     gears = [gear.name for gear in case.gears]
-    exists = results.calculable
-    decided = exists & ~results.undecided
     values: dict[str, Any] = {
         "W": results.speeds,
         "WSAT": results.planet_speeds,
@@ -43,11 +41,11 @@ def tables(results: Results) -> list[Table]:
         "ETA": results.efficiency,
         "IX": results.power_sign,
         "ratio": results.ratio,
-        "idle": np.where(exists[:, None], results.idle, np.nan),
+        "idle": results.existing("idle"),
         "losses": results.losses,
         "power_balance": results.power_balance,
-        "consistent": np.where(exists, results.consistent, np.nan),
-        "locked": np.where(decided, results.locked, np.nan),
+        "consistent": results.existing("consistent"),
+        "locked": results.existing("locked"),
         "AMWZ": results.holding_torques,
         "AMWZP": results.lossy_holding_torques,
     }
