@@ -218,6 +218,23 @@ def test_powers_are_those_of_the_flow(zf: Page) -> None:
                 assert value(table[loss["name"]]["loss"]) == loss["power"]
 
 
+def test_each_gear_has_its_own_picture_of_the_flow(zf: Page) -> None:
+    drawn = [one for one in zf.all("svg") if one.attributes["aria-label"] == "flow"]
+    titles = [one.text for one in zf.all("figcaption") if one.text.startswith("Power flow")]
+    assert titles == [f"Power flow in gear {gear}" for gear in zf.data["gears"]]
+    assert len(drawn) == len(titles)
+
+
+def test_many_plans_stand_on_several_sheets(zf: Page) -> None:
+    """Each of them fits a printed page, which no long picture does."""
+    sheets = [one for one in zf.all("svg") if one.attributes["aria-label"] == "plan"]
+    titles = [one.text for one in zf.all("figcaption") if one.text.startswith("Plan")]
+    assert titles == [f"Plan, {n} of {len(sheets)}" for n in range(1, len(sheets) + 1)]
+    for sheet in sheets:
+        _, _, wide, high = map(float, (sheet.attributes["viewbox"] or "").split())
+        assert high / wide < 29.7 / 21.0
+
+
 @pytest.mark.parametrize("which", ["zf", "nasty"])
 def test_nothing_comes_from_elsewhere(which: str, request: pytest.FixtureRequest) -> None:
     shown: Page = request.getfixturevalue(which)
@@ -338,7 +355,7 @@ def test_a_picture_that_does_not_suit_is_left_out_and_told(monkeypatch: pytest.M
     def refuse(*_: object) -> bytes:
         raise CaseError([Problem("nothing <moves>")])
 
-    monkeypatch.setattr("vstatics.insight.report.drawn.render", refuse)
+    monkeypatch.setattr("vstatics.insight.report.drawn.sheets", refuse)
     shown = Page(page(gather(solve(load(CASES / "differential.yaml")))))
     assert any("not drawn. nothing <moves>" in one.text for one in shown.all("p"))
 
@@ -409,9 +426,7 @@ def test_a_browser_shows_the_gear_that_is_asked_for(
 def test_a_click_on_a_heading_sorts(
     tmp_path: Path, nasty_text: str, clicks: int, order: list[str]
 ) -> None:
-    click = (
-        "[...document.querySelectorAll('th button')].find(b => b.textContent == 'ratio').click()"
-    )
+    click = "[...document.querySelectorAll('th [role=button]')].find(b => b.textContent == 'ratio').click()"
     file = tmp_path / "out.html"
     body = nasty_text.replace("</body>", f"<script>{f'{click};' * clicks}</script></body>")
     file.write_text(body, encoding="utf-8")
@@ -428,7 +443,7 @@ def test_rows_that_are_set_in_are_sorted_below_their_own(
     tmp_path: Path, nasty_text: str, clicks: int
 ) -> None:
     """The ring, the second link, is held: power enters by the first and leaves by the third."""
-    click = "document.querySelectorAll('[data-gear]:not([hidden]) th button')[1].click()"
+    click = "document.querySelectorAll('[data-gear]:not([hidden]) th [role=button]')[1].click()"
     file = tmp_path / "out.html"
     body = nasty_text.replace("</body>", f"<script>{f'{click};' * clicks}</script></body>")
     file.write_text(body, encoding="utf-8")

@@ -92,7 +92,23 @@ def render(
     >>> render(solve(case), "plan", "svg", Style())[:5]
     b'<?xml'
     """
-    figure = picture(results, kind, style, gear)
+    return _written(picture(results, kind, style, gear), form, style)
+
+
+def sheets(results: Results, kind: str, style: Style) -> list[bytes]:
+    """A picture of a result as SVG, in parts that fit a printed page if it is long.
+
+    Parameters and errors as of `picture`.
+    """
+    module = import_module(PICTURES[kind][0])
+    if not hasattr(module, "sheets"):
+        return [render(results, kind, "svg", style)]
+    with _settings(style):
+        figures = module.sheets(results, style)
+    return [_written(figure, "svg", style) for figure in figures]
+
+
+def _written(figure: Figure, form: Format, style: Style) -> bytes:
     written = io.BytesIO()
     with _settings(style):
         figure.savefig(written, format=form, dpi=DPI, metadata=_METADATA[form])

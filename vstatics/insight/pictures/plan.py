@@ -30,6 +30,8 @@ RIGHT = 48.0
 """For the ordinates. [pt]"""
 SIDE_BY_SIDE = 2
 """At most so many plans in a row: they can be read on a printed page."""
+ON_SHEET = 6
+"""So many plans fit one."""
 
 
 def draw(results: Results, style: Style, gear: int | None) -> Figure:
@@ -57,6 +59,24 @@ def draw(results: Results, style: Style, gear: int | None) -> Figure:
     if not chosen:
         name = case.gears[gear - 1].name if gear else ""
         raise CaseError([Problem(f"gear {name} is on no kinematic plan", ("gears", gear or 0))])
+    return _figure(case, chosen, style)
+
+
+def sheets(results: Results, style: Style) -> list[Figure]:
+    """All plans of a case in figures that fit a printed page each.
+
+    Raises
+    ------
+    CaseError
+        If there is no plan.
+    """
+    found = plans(results)
+    starts = range(0, len(found), ON_SHEET)
+    return [_figure(results.case, found[n : n + ON_SHEET], style) for n in starts]
+
+
+def _figure(case: Transmission, chosen: Sequence[Plan], style: Style) -> Figure:
+    """Some plans, one beside and below another."""
     layout = _layout(case, chosen, style)
     wide, high = layout.size
     figure = Figure(figsize=(wide / labels.POINTS, high / labels.POINTS))

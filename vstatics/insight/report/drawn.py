@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Sequence
 from typing import NamedTuple
 from xml.etree import ElementTree as ET
 
 from vstatics.errors import CaseError
 from vstatics.extras import require
-from vstatics.insight.pictures import PICTURES, render
+from vstatics.insight.pictures import PICTURES, render, sheets
 from vstatics.insight.pictures.style import Style
 from vstatics.insight.report.markup import Markup
 from vstatics.results import Results
@@ -33,16 +33,21 @@ _COLOUR = re.compile("#[0-9a-f]{6}")
 _COLOURED = ("style", "fill", "stroke")
 
 
+BY_GEAR = "flow"
+"""The picture that stands with the numbers of each gear."""
+
+
 class Drawn(NamedTuple):
     """A picture, or why there is none."""
 
     kind: str
-    svg: Markup | None
+    sheets: Sequence[Markup]
+    """It may be too long for one."""
     why: str = ""
 
 
 def pictures(results: Results) -> list[Drawn]:
-    """All pictures that suit a case.
+    """All pictures of all gears that suit a case.
 
     Raises
     ------
@@ -50,17 +55,24 @@ def pictures(results: Results) -> list[Drawn]:
         If matplotlib is not installed.
     """
     require("matplotlib", "a picture")
-    return list(_all(results))
+    return [_drawn(results, kind) for kind in PICTURES if kind != BY_GEAR]
 
 
-def _all(results: Results) -> Iterator[Drawn]:
-    for kind in PICTURES:
-        try:
-            data = render(results, kind, "svg", Style())
-        except CaseError as error:
-            yield Drawn(kind, None, " ".join(str(error).split()))
-        else:
-            yield Drawn(kind, inline(data, kind))
+def _drawn(results: Results, kind: str) -> Drawn:
+    try:
+        made = sheets(results, kind, Style())
+    except CaseError as error:
+        return Drawn(kind, [], " ".join(str(error).split()))
+    return Drawn(kind, [inline(svg, f"{kind}{n or ''}", kind) for n, svg in enumerate(made)])
+
+
+def flow_pictures(results: Results) -> list[Markup]:
+    """The power flow of each gear, as `pictures`."""
+    require("matplotlib", "a picture")
+    return [
+        inline(render(results, BY_GEAR, "svg", Style(), gear), f"{BY_GEAR}{gear}", BY_GEAR)
+        for gear in range(1, len(results.case.gears) + 1)
+    ]
 
 
 def palette(*, dark: bool) -> str:
@@ -68,7 +80,7 @@ def palette(*, dark: bool) -> str:
     return " ".join(f"--{name}: {pair[dark]};" for name, pair in _PAIRS.items())
 
 
-def inline(svg: bytes, prefix: str) -> Markup:
+def inline(svg: bytes, prefix: str, label: str) -> Markup:
     """An SVG as it stands within HTML.
 
     Two pictures of matplotlib have the same ids, and a style for all elements: here ids
@@ -78,7 +90,7 @@ def inline(svg: bytes, prefix: str) -> Markup:
     Examples
     --------
     >>> svg = b'<svg xmlns="http://www.w3.org/2000/svg"><g id="a" fill="#1a1a1a"/></svg>'
-    >>> inline(svg, "plan").partition(">")[2]
+    >>> inline(svg, "plan", "plan").partition(">")[2]
     '<g id="plan-a" fill="var(--ink)" /></svg>'
     """
     root = ET.fromstring(svg)  # noqa: S314 - our own, not from anywhere else
@@ -95,7 +107,7 @@ def inline(svg: bytes, prefix: str) -> Markup:
         element.tail = None if element.tail is None or not element.tail.strip() else element.tail
     kept = {k: v for k, v in root.attrib.items() if k not in ("width", "height", "version")}
     width = root.attrib.get("width", "100%")
-    root.attrib = {"role": "img", "aria-label": prefix, **kept, "style": f"--width: {width}"}
+    root.attrib = {"role": "img", "aria-label": label, **kept, "style": f"--width: {width}"}
     return Markup(ET.tostring(root, encoding="unicode"))
 
 

@@ -7,7 +7,8 @@ from typing import Any, NamedTuple
 
 from vstatics.errors import CaseError, Problem
 from vstatics.insight.flow import GearFlow, flows
-from vstatics.insight.report.drawn import Drawn, pictures
+from vstatics.insight.report.drawn import Drawn, flow_pictures, pictures
+from vstatics.insight.report.markup import Markup
 from vstatics.insight.summary import Summary, summarize
 from vstatics.results import Message, Results
 from vstatics.writers import result_json
@@ -22,6 +23,8 @@ class Material(NamedTuple):
     summary: Summary
     flows: Sequence[GearFlow]
     pictures: Sequence[Drawn]
+    flow_pictures: Sequence[Markup]
+    """Of each gear, or none at all."""
     messages: Sequence[str]
     """Of the input, then of the results."""
     without: str
@@ -39,9 +42,9 @@ def gather(results: Results, problems: Iterable[Problem] = ()) -> Material:
         Warnings of the input; those that are among the messages of the results already
         do not come twice.
     """
-    without, drawn = "", list[Drawn]()
+    without, drawn, drawn_flows = "", list[Drawn](), list[Markup]()
     try:
-        drawn = pictures(results)
+        drawn, drawn_flows = pictures(results), flow_pictures(results)
     except CaseError as error:
         without = str(error)
     others = (one for one in problems if not _is_among(one, results.messages))
@@ -51,6 +54,7 @@ def gather(results: Results, problems: Iterable[Problem] = ()) -> Material:
         summarize(results),
         flows(results),
         drawn,
+        drawn_flows,
         [*map(_told, others), *map(str, results.messages)],
         without,
     )

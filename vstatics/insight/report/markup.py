@@ -50,3 +50,9 @@ def joined(*children: str) -> Markup:
     '<b>1</b> &lt; 2'
     """
     return Markup("".join(one if isinstance(one, Markup) else escape(one) for one in children))
+
+
+def figure(name: str, picture: Markup) -> Markup:
+    """A picture with its name; a wide one can be scrolled."""
+    scrolled = tag("div", picture, class_="scroll", tabindex=0, role="region", aria_label=name)
+    return tag("figure", tag("figcaption", name), scrolled)

@@ -8,10 +8,10 @@ from importlib.resources import files
 from typing import Any
 
 from vstatics.insight.report.cells import Cell, listed, of_grid, of_results, sign, table
-from vstatics.insight.report.drawn import Drawn, palette
+from vstatics.insight.report.drawn import palette
 from vstatics.insight.report.gathering import Material
 from vstatics.insight.report.given import given
-from vstatics.insight.report.markup import Markup, joined, tag
+from vstatics.insight.report.markup import Markup, figure, joined, tag
 from vstatics.insight.report.power import flow_by_gear
 from vstatics.insight.summary import Summary
 from vstatics.insight.summary.grids import Column, Grid, grids
@@ -66,7 +66,7 @@ def _sections(material: Material) -> Iterator[tuple[str, Sequence[Markup]]]:
     yield "Gears", [_gears(material.summary, gears), *_spread(others)]
     yield "Input", list(given(results, material.document["case"]))
     yield "Pictures", list(_pictures(material))
-    yield "Power flow", list(flow_by_gear(material.flows))
+    yield "Power flow", list(flow_by_gear(material.flows, material.flow_pictures))
     yield "Shifts and largest values", [of_grid(one) for one in others if one.title != SPREAD]
     yield "Results", list(of_results(results))
     conventions = material.document["conventions"].items()
@@ -113,15 +113,12 @@ def _pictures(material: Material) -> Iterator[Markup]:
     if material.without:
         yield tag("p", f"There are no pictures: {material.without}")
     for drawn in material.pictures:
-        yield _picture(drawn)
-
-
-def _picture(drawn: Drawn) -> Markup:
-    name = drawn.kind.replace("-", " ").replace("_", " ").capitalize()
-    if drawn.svg is None:
-        return tag("p", f"{name}: not drawn. {drawn.why}")
-    scrolled = tag("div", drawn.svg, class_="scroll", tabindex=0, role="region", aria_label=name)
-    return tag("figure", tag("figcaption", name), scrolled)
+        name = drawn.kind.capitalize()
+        if drawn.why:
+            yield tag("p", f"{name}: not drawn. {drawn.why}")
+        for number, sheet in enumerate(drawn.sheets, 1):
+            several = f", {number} of {len(drawn.sheets)}" if len(drawn.sheets) > 1 else ""
+            yield figure(f"{name}{several}", sheet)
 
 
 def _section(name: str, inner: Sequence[Markup]) -> Markup:

@@ -9,18 +9,27 @@ from urllib.parse import quote
 from vstatics.insight.flow import GearFlow
 from vstatics.insight.flow_text import Row, remarks, sections
 from vstatics.insight.report.cells import Cell, numeric, table
-from vstatics.insight.report.markup import Markup, tag
+from vstatics.insight.report.markup import Markup, figure, tag
 from vstatics.insight.summary.grids import Column, text
 
 
-def flow_by_gear(found: Sequence[GearFlow]) -> Iterator[Markup]:
-    """Links to choose a gear by, then the gears; without a script all of them show."""
+def flow_by_gear(found: Sequence[GearFlow], drawn: Sequence[Markup]) -> Iterator[Markup]:
+    """Links to choose a gear by, then the gears; without a script all of them show.
+
+    Parameters
+    ----------
+    drawn : sequence of Markup
+        The picture of each gear, or none at all.
+    """
     links = (
         tag("a", flow.gear, href=f"#{_id(flow.gear)}", data_choose=flow.gear) for flow in found
     )
     yield tag("nav", "Gear: ", *links, class_="chooser", aria_label="Gear")
-    for flow in found:
-        yield tag("div", *_parts(flow), id=_id(flow.gear), data_gear=flow.gear)
+    for number, flow in enumerate(found):
+        shown = [*_parts(flow)]
+        if drawn and flow.ideal is not None:
+            shown.insert(0, figure(f"Power flow in gear {flow.gear}", drawn[number]))
+        yield tag("div", *shown, id=_id(flow.gear), data_gear=flow.gear)
 
 
 def _id(gear: str) -> str:

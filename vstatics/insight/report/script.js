@@ -63,12 +63,19 @@
     if (original.length < 2) continue;
     const heads = [...table.tHead.rows[0].cells];
     heads.forEach((head, column) => {
-      const button = document.createElement("button");
-      button.type = "button";
+      // a button proper is not printed where the head of a table is repeated
+      const button = document.createElement("span");
+      button.role = "button";
+      button.tabIndex = 0;
       button.title = "Sort";
       button.append(...head.childNodes);
       head.append(button);
       head.setAttribute("aria-sort", "none");
+      button.addEventListener("keydown", (event) => {
+        if (event.key !== "Enter" && event.key !== " ") return;
+        event.preventDefault();
+        button.click();
+      });
       button.addEventListener("click", () => {
         const order = NEXT[head.getAttribute("aria-sort")];
         for (const other of heads) other.setAttribute("aria-sort", "none");
