@@ -94,6 +94,19 @@ def test_what_cannot_be_read_is_not_converted(tmp_path: Path) -> None:
     assert "nowhere.dat: error: can't be read" in said.err
 
 
+def test_a_conflict_of_freewheels_is_told_as_a_deck_knows_none() -> None:
+    """The output turns backward, which the freewheel there does not let it."""
+    text = """
+links: 2
+shift_elements: {L: {kind: freewheel, links: [2, 0]}}
+mechanisms: {pair: {first: 1, second: 2, ratio: -1}}
+gears: {R: {}}
+"""
+    said = vstatics("convert", "-", "-", "--to", "deck", stdin=text.encode())
+    assert said.status == 1
+    assert "not kept: that gear R is in conflict" in said.err
+
+
 @settings(max_examples=24)
 @given(transmissions(ANY_NUMBER))
 def test_any_case_is_one_case_in_all_formats(case: Transmission) -> None:

@@ -112,6 +112,15 @@ def test_the_format_is_told_by_the_suffix_or_by_name(form: str, folder: Path) ->
     assert one.startswith(starts[form])
 
 
+def test_rounding_makes_no_variant_the_best() -> None:
+    """The direct gear has the ratio 1 whatever D1 is, in some variants with an error of 2e-16."""
+    said = vstatics(
+        "sweep", MZKT, "--vary", "D1.ratio=-.9:-.5:90", "--max", "ratio[4]", "--best", 3,
+        "--out", "ratio[4]",
+    )  # fmt: skip
+    assert [row.split(",")[0] for row in said.out.splitlines()] == ["variant", "0", "1", "2"]
+
+
 def test_more_jobs_give_the_same_text() -> None:
     options = ("sweep", "box.yaml", "--vary", "D.ratio=-4:-2:140000", "--out", "ratio[low]")
     texts = [vstatics(*options, "--jobs", jobs).out for jobs in (1, 3)]

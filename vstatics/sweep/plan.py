@@ -73,10 +73,13 @@ class Plan:
         return piece * self.piece, min((piece + 1) * self.piece, self.variants.count)
 
     def objective_values(self, results: Results, values: Floats) -> Floats:
-        """(variants, objectives): each is better the smaller it is."""
+        """(variants, objectives): each is better the smaller it is.
+
+        To as many digits as are written, so that rounding prefers nobody.
+        """
         made = np.empty((len(values), len(self.objectives)))
         for column, objective in enumerate(self.objectives):
-            made[:, column] = objective.sign * objective.expression(results, values)
+            made[:, column] = objective.sign * rounded(objective.expression(results, values))
         return made
 
     def fingerprint(self, *more: str) -> str:
@@ -89,6 +92,19 @@ class Plan:
         for part in _canonical((vstatics.__version__, self, more)):
             digest.update(part)
         return digest.hexdigest()
+
+
+def rounded(numbers: Floats) -> Floats:
+    """Numbers to 12 significant digits.
+
+    >>> rounded(np.array([1 + 2**-52, -123456.7890123456, 0.0])).tolist()
+    [1.0, -123456.789012, 0.0]
+    """
+    with np.errstate(all="ignore"):
+        places = 11 - np.floor(np.log10(np.abs(numbers)))
+        factors = 10.0 ** np.clip(places, -300, 300)
+        made: Floats = np.where(np.isfinite(places), np.rint(numbers * factors) / factors, numbers)
+    return np.where(np.isfinite(made), made, numbers)
 
 
 def _canonical(part: Any) -> Iterator[bytes]:
