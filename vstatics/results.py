@@ -255,14 +255,11 @@ class Results(NamedTuple):
         >>> solve(case).existing("locked")
         array([ 0., nan])
         """
-        exists = self.calculable
-        where = {
-            "idle": exists[..., None],
-            "consistent": exists,
-            "locked": exists & ~self.undecided,
-        }.get(name)
         array: Floats = getattr(self, name)
-        return array if where is None else np.where(where, array, np.nan)
+        if name not in ("idle", "consistent", "locked"):
+            return array
+        exists = self.calculable & ~self.undecided if name == "locked" else self.calculable
+        return np.where(exists[..., None] if name == "idle" else exists, array, np.nan)
 
     @property
     def output_torque(self) -> Floats:
