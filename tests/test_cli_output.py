@@ -150,3 +150,10 @@ def test_nothing_is_written_over_what_is_read(folder: Path, given: tuple[str, ..
     assert said.status == 2
     assert "is what is read, and would be overwritten" in said.err
     assert {path.name: path.read_bytes() for path in folder.iterdir()} == before
+
+
+def test_a_handle_that_there_cannot_be_is_told() -> None:
+    said = vstatics("run", MZKT, "-o", "/dev/fd/99999999999999999999")
+    assert said.status == 1
+    assert "can't be written" in said.err
+    assert "an error of vstatics" not in said.err

@@ -397,7 +397,7 @@ def test_a_planet_has_no_link_number(before: str, after: str, place: str) -> Non
 )
 def test_the_housing_is_no_output(text: str, given: str) -> None:
     told, *_ = problems(text.replace("output: X", f"output: {given}"))
-    assert "error: output: read 0 (the housing), expected a link number from 1 to" in told
+    assert "error: output: read the housing, expected the link that drives the load" in told
 
 
 def test_a_wheel_of_a_group_beyond_the_links_is_told() -> None:

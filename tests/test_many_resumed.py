@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import time
 from pathlib import Path
 
 import pytest
@@ -19,7 +18,6 @@ def _folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
         Path(f"{name}.yaml").write_text(text, encoding="utf-8")
     for name in CASES:
         os.utime(name, (0, Path(name).stat().st_mtime - 3600))
-    time.sleep(0.02)  # the clock of a file system ticks in milliseconds
     assert vstatics("run", *CASES, "-o", "out", "-f", "json").status == 1
 
 
@@ -59,14 +57,46 @@ def test_a_case_that_an_older_file_replaced_is_calculated_again() -> None:
     assert resumed()[0] == ["neutral", "tied"]
 
 
+def swapped(name: str) -> list[str]:
+    """All cases, one of them another file of the same name, as old as that."""
+    Path("other").mkdir(exist_ok=True)
+    path = Path("other", name)
+    path.write_text(Path(name).read_text("utf-8") + "\n", encoding="utf-8")
+    os.utime(path, (0, Path(name).stat().st_mtime))
+    return [str(path) if case == name else case for case in CASES]
+
+
 def test_a_result_of_another_case_of_the_same_name_does_not_count() -> None:
-    Path("other").mkdir()
-    Path("neutral.yaml").rename("other/neutral.yaml")
-    names = ["mzkt.dat", "other/neutral.yaml", "tied.yaml", "bad.yaml"]
+    names = swapped("neutral.yaml")
     said = vstatics("run", *names, "-o", "out", "-f", "json", "--resume")
     assert "2 of 4 cases calculated (1 of them before)" in said.err
     again = vstatics("run", *names, "-o", "out", "-f", "json", "--resume")
     assert "2 of 4 cases calculated (2 of them before)" in again.err
+
+
+def test_a_run_that_was_stopped_says_nothing_of_cases_that_it_did_not_reach() -> None:
+    """The old result is still there, of the other case of that name."""
+    names = swapped("neutral.yaml")
+    first = vstatics("run", names[0], "-o", "out/", "-f", "json", "--resume")
+    assert "calculated" not in first.err  # one case alone tells nothing
+    said = vstatics("run", *names, "-o", "out", "-f", "json", "--resume")
+    assert "(1 of them before)" in said.err
+
+
+def test_a_case_that_was_mended_is_done_once() -> None:
+    Path("tied.yaml").write_text(NEUTRAL, encoding="utf-8")
+    assert resumed()[0] == ["tied"]
+    assert resumed()[0] == []
+
+
+def test_a_link_that_leads_elsewhere_leads_to_another_case() -> None:
+    Path("mzkt.dat").rename("first.dat")
+    Path("second.dat").write_bytes(MZKT.read_bytes() + b"\n")
+    Path("mzkt.dat").symlink_to("first.dat")
+    assert resumed()[0] == ["tied"]
+    Path("mzkt.dat").unlink()
+    Path("mzkt.dat").symlink_to("second.dat")
+    assert resumed()[0] == ["mzkt", "tied"]
 
 
 def test_a_result_that_is_not_there_is_made() -> None:

@@ -126,6 +126,13 @@ def test_a_largest_torque_is_given_only_where_all_are_known() -> None:
     assert rows()["low"][-4:] == ["1.00", "in", "2.42", "B"]
 
 
+def test_names_in_brackets_are_names() -> None:
+    text = STATES.replace("direct:", '"[/]":').replace("set:", '"[red]set":')
+    said = vstatics("run", "--pretty", "-", stdin=text.encode())
+    assert "\n [/]" in said.out
+    assert "[red]set" in said.out
+
+
 def test_a_bad_case_does_not_stop_the_others() -> None:
     said = vstatics("run", "--pretty", "tests/bad/efficiency-0.dat", MZKT)
     assert said.status == 1

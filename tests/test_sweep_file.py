@@ -117,6 +117,8 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
         ('vary: [D.ratio=2]\nwhere: "ratio[lwo] > 3"', (3, 15)),
         ("vary: [D.ratio=2]\nmax:\n  - ratoi", (4, 5)),
         ("vary:\n  D.ratio: 1\n  '#1.ratio': 2", (4, 4)),
+        ("vary: [D.ratio=2]\nout: |\n  ratio[low],\n  ratio[lwo]", (3, 6)),
+        ("vary: [D.ratio=2]\nout: ratio[low],\n  ratio[lwo]", (3, 6)),
         ("vary: {D.ratio: 1:30}", (2, 8)),
         ("vary: [D.ratio=2]\nwhere: >-\n  ratio[low] > 3 and\n  ratio[lwo] > 3", (3, 8)),
     ],

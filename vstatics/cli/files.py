@@ -101,8 +101,9 @@ def spare(inputs: Iterable[str], output: str | None) -> None:
     if output is None or is_stream(output):
         return
     for one in inputs:
-        with contextlib.suppress(OSError):  # one of them is no file yet
-            if one != STDIN and os.path.samefile(one, output):  # noqa: PTH121
+        with contextlib.suppress(OSError, ValueError, AttributeError):  # one of them is no file
+            read = sys.stdin.fileno() if one == STDIN else one
+            if os.path.samestat(os.stat(read), os.stat(output)):  # noqa: PTH116
                 message = f"{output} is what is read, and would be overwritten"
                 raise click.UsageError(f"{message}; expected another output")
 
@@ -157,7 +158,7 @@ def stream(output: str | None) -> Iterator[Callable[[bytes], object]]:
 @contextlib.contextmanager
 def opened(output: str) -> Iterator[Callable[[bytes], None]]:
     """Write to a stream that is there, where it stands: not at the end of a file behind it."""
-    own = re.fullmatch(r"/dev/std(?:(out)|err)|(?:/dev|/proc/self)/fd/(\d+)", output)
+    own = re.fullmatch(r"/dev/std(?:(out)|err)|(?:/dev|/proc/self)/fd/(\d{1,9})", output)
     if own is None:
         handle = os.open(output, os.O_WRONLY | os.O_APPEND)
     else:

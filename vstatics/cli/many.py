@@ -95,13 +95,11 @@ def to_directory(
     try:
         os.makedirs(folder, exist_ok=True)  # noqa: PTH103
         if resume and record.resume(_options(job)):
-            left = [task for task in todo if not record.is_done(task.file, str(task.target))]
-            record.write(_options(job), todo)
-            todo = left
+            todo = [task for task in todo if not record.is_done(task.file, str(task.target))]
         else:
             if resume:
                 files.say(f"{folder}: there is no run to go on with; every case is calculated")
-            record.begin(_options(job), todo)
+            record.begin(_options(job))
     except FileExistsError:
         raise click.UsageError(f"{folder} is a file: expected a directory") from None
     except OSError as error:

@@ -1,8 +1,8 @@
 """What a run into a directory leaves there beside the results, so that --resume can go on.
 
-A hidden file for each format: how the cases are calculated, when that began, of which case
-each result is, and which results belong to cases that failed (a gear is tied up). A result
-counts as done if it is of the same case, and younger than that and than this beginning.
+A hidden file for each format: how the cases are calculated, then a line for each result as
+it is finished, with the state of its case and whether that failed (a gear is tied up). A
+result counts as done if neither it nor its case has changed since.
 """
 
 from __future__ import annotations
@@ -10,16 +10,28 @@ from __future__ import annotations
 import json
 import os
 import stat
-from collections.abc import Iterable
 from typing import Any
 
 import click
 
 from vstatics.cli import files
-from vstatics.cli.targets import Task
 
 Options = dict[str, Any]
 """Everything besides the cases that the results depend on."""
+
+State = list[int]
+"""Of a case: another file under its name, or another content, has another one."""
+
+
+def state(file: str) -> State | None:
+    """The state of a case, before it is read; None if it is no file."""
+    try:
+        found = os.stat(file)  # noqa: PTH116
+    except OSError:
+        return None
+    if not stat.S_ISREG(found.st_mode):
+        return None
+    return [found.st_ino, found.st_size, found.st_mtime_ns]
 
 
 class Record:
@@ -28,13 +40,10 @@ class Record:
     def __init__(self, folder: str, suffix: str) -> None:
         """Name the file; it is not touched yet."""
         self.path = os.path.join(folder, f".vstatics-run-{suffix[1:]}")  # noqa: PTH118
-        self.began = 0
-        """Time of the file system. [ns]"""
-        self.failed: set[str] = set()
-        self.cases: dict[str, str] = {}
-        """Name of a result -> path of its case."""
+        self._done: dict[str, tuple[State, int]] = {}
+        """Name of a result -> state of its case, and when it was written [ns]."""
 
-    def begin(self, options: Options, tasks: Iterable[Task]) -> None:
+    def begin(self, options: Options) -> None:
         """Write the record of a run that begins now.
 
         Raises
@@ -43,23 +52,7 @@ class Record:
             If that is not possible.
         """
         with files.replacing(self.path) as write:
-            write(b"")
-        self.began = os.stat(self.path).st_mtime_ns  # noqa: PTH116
-        self.write(options, tasks)
-
-    def write(self, options: Options, tasks: Iterable[Task]) -> None:
-        """Write the record of a run with these cases, those before among them.
-
-        Raises
-        ------
-        OSError
-            If that is not possible.
-        """
-        self.cases |= {_name(str(task.target)): _path(task.file) for task in tasks}
-        text = json.dumps({**options, "began": self.began, "cases": self.cases})
-        with files.replacing(self.path) as write:
-            lines = [text, *sorted(self.failed), ""]
-            write("\n".join(lines).encode(errors="surrogateescape"))
+            write(json.dumps(options).encode() + b"\n")
 
     def resume(self, options: Options) -> bool:
         """Take up the run that is recorded; whether there is one.
@@ -71,11 +64,12 @@ class Record:
             with those to come.
         """
         try:
-            with open(self.path, encoding="utf-8", errors="surrogateescape") as opened:  # noqa: PTH123
-                first, *failed = opened.read().split("\n")
+            with open(self.path, encoding="utf-8") as opened:  # noqa: PTH123
+                first, *lines = opened.read().splitlines()
             before = dict(json.loads(first))
-            self.began, self.cases = int(before["began"]), dict(before["cases"])
-        except (OSError, ValueError, KeyError, TypeError):
+        except (OSError, ValueError, TypeError):
+            return False
+        if not options.keys() <= before.keys():
             return False
         differing = [key for key in options if before.get(key) != options[key]]
         if differing:
@@ -86,46 +80,43 @@ class Record:
                 f"the run to go on with was another one ({told}): use the same options, "
                 "or calculate all cases again without --resume"
             )
-        self.failed = set(filter(None, failed))
+        for line in lines:
+            self._take(line)
         return True
 
-    def is_done(self, file: str, target: str) -> bool:
-        """Whether there is a result of this case and run that is younger than the case.
+    def _take(self, line: str) -> None:
+        """An entry; the last line may have been cut."""
+        try:
+            name, case, written, failed = json.loads(line)
+        except (ValueError, TypeError):
+            return
+        self._done.pop(name, None)
+        if not failed:
+            self._done[name] = case, written
 
-        A case may have been replaced by an older file: then its entry is young.
-        """
-        name = _name(target)
-        if name in self.failed or self.cases.get(name) != _path(file):
+    def is_done(self, file: str, target: str) -> bool:
+        """Whether there is a result of this run, and of the case as it is now."""
+        case, written = self._done.get(os.path.basename(target), (None, 0))  # noqa: PTH119
+        if case is None or case != state(file):
             return False
         try:
-            result, case = os.stat(target), os.stat(file)  # noqa: PTH116
+            return os.lstat(target).st_mtime_ns == written
         except OSError:
             return False
-        changed = max(case.st_mtime_ns, case.st_ctime_ns)
-        young = result.st_mtime_ns >= self.began and result.st_mtime_ns > changed
-        return young and stat.S_ISREG(result.st_mode) and stat.S_ISREG(case.st_mode)
 
-    def note_failure(self, target: str) -> None:
-        """Note that a result belongs to a case that failed, to be tried again.
+    def note(self, target: str, case: State | None, *, failed: bool) -> None:
+        """Note a result that is in its place.
 
         Raises
         ------
         OSError
             If that is not possible.
         """
-        name = _name(target)
-        if name not in self.failed:
-            self.failed.add(name)
-            with open(self.path, "a", encoding="utf-8", errors="surrogateescape") as opened:  # noqa: PTH123
-                opened.write(name + "\n")
-
-
-def _name(target: str) -> str:
-    return os.path.basename(target)  # noqa: PTH119
-
-
-def _path(file: str) -> str:
-    return os.path.abspath(file)  # noqa: PTH100
+        if case is not None:
+            written = os.stat(target).st_mtime_ns  # noqa: PTH116
+            entry = [os.path.basename(target), case, written, failed]  # noqa: PTH119
+            with open(self.path, "ab", buffering=0) as opened:  # noqa: PTH123
+                opened.write(json.dumps(entry).encode() + b"\n")
 
 
 def _said(value: object) -> str:

@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 from vstatics.cli import files, texts
 from vstatics.cli.cases import Outcome, Settings, calculate_one, unexpected
-from vstatics.cli.record import Record
+from vstatics.cli.record import Record, State, state
 from vstatics.cli.targets import Task
 from vstatics.errors import Place, Problem
 from vstatics.results import Language
@@ -46,12 +46,13 @@ class Done(NamedTuple):
 
 def work(job: Job, task: Task) -> Done:
     """Read, calculate and write a case; nothing that is wrong with it is raised."""
+    case = None if job.record is None else state(task.file)
     outcome = calculate_one(task.file, job.settings)
     try:
         if task.target is None:
             text = files.encoded(texts.part(outcome, job.output_format, job.lang))
             return Done(outcome.file, outcome.problems, outcome.failed, text)
-        return _to_file(job, outcome, task.target)
+        return _to_file(job, outcome, task.target, case)
     except Exception as error:  # noqa: BLE001 - the other cases are to go on
         problems = [*outcome.problems, unexpected(outcome.file, error)]
         return Done(outcome.file, problems)
@@ -63,14 +64,14 @@ def lost(task: Task) -> Done:
     return Done(task.file, [Problem(message, place=Place(task.file, 0, 0))])
 
 
-def _to_file(job: Job, outcome: Outcome, target: str) -> Done:
+def _to_file(job: Job, outcome: Outcome, target: str, case: State | None) -> Done:
     try:
         if outcome.results is None:
             return Done(outcome.file, outcome.problems, left=_set_aside(target))
-        if outcome.failed and job.record is not None:
-            job.record.note_failure(target)
         data = files.encoded(texts.alone(outcome, job.output_format, job.lang))
         files.replace(target, data)
+        if job.record is not None:
+            job.record.note(target, case, failed=outcome.failed)
     except OSError as error:
         stop = error.errno not in OWN_FAULTS
         problems = [*outcome.problems, files.unwritable(target, error)]

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
 from vstatics import drag
 from vstatics.arrays import Floats
-from vstatics.elements.lower import parts_of
-from vstatics.model import Transmission
+from vstatics.elements.lower import Part
 from vstatics.results import Results
 from vstatics.torques import solve_sums
 
@@ -20,32 +19,39 @@ Terms = list[tuple[int, Floats]]
 """Indices of devices, each with the share that a member has of its torque in each gear."""
 
 
-def member_torques(results: Results, *, lossy: bool) -> list[Members]:
+def member_torques(results: Results, made: Sequence[Part], *, lossy: bool) -> list[Members]:
     """For each part of a case, the torques that links give to its members.
 
     Parameters
     ----------
     results : Results
         Of one case.
+    made : sequence of Part
+        Its parts.
     lossy : bool
         Whether with losses.
 
     Examples
     --------
+    >>> from vstatics.elements.lower import parts_of
     >>> from vstatics.model import Gear, Mechanism, ShiftElement, Transmission
     >>> from vstatics.statics import solve
     >>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)], [Gear([1])])
-    >>> member_torques(solve(case), lossy=False)
+    >>> member_torques(solve(case), parts_of(case), lossy=False)
     [{'first': array([1.]), 'second': array([2.5]), 'third': array([-3.5])}]
     """
     ratios = _lossy_ratios(results) if lossy else _ratios(results)
     torques = results.lossy_torques if lossy else results.torques
-    terms = list(_terms(results.case, ratios))
+    terms = list(_terms(made, len(results.case.shift_elements), ratios))
     nothing = np.zeros(len(torques))
-    found = [
-        {name: sum((share * torques[:, n] for n, share in one), nothing) for name, one in t.items()}
-        for t in terms
-    ]
+    with np.errstate(all="ignore"):
+        found = [
+            {
+                name: sum((share * torques[:, n] for n, share in shares), nothing)
+                for name, shares in of_part.items()
+            }
+            for of_part in terms
+        ]
     exists = results.consistent if lossy else results.calculable
     for gear in np.flatnonzero(exists & ~np.isnan(ratios).any(axis=1)).tolist():
         open_ones = [
@@ -79,13 +85,13 @@ def _lossy_ratios(results: Results) -> Floats:
     return np.where(np.isnan(signs), np.nan, _ratios(results) * factor)
 
 
-def _terms(case: Transmission, ratios: Floats) -> Iterator[dict[str, Terms]]:
-    """For each part and member, what its torque is the sum of."""
-    device = len(case.shift_elements)
-    for part in parts_of(case):
+def _terms(made: Sequence[Part], elements: int, ratios: Floats) -> Iterator[dict[str, Terms]]:
+    """For each part and member, what its torque is the sum of; `elements` stand before."""
+    device = elements
+    for part in made:
         terms: dict[str, Terms] = {member: [] for member in part.members}
         for lowered in part.lowered:
-            ratio = ratios[:, device - len(case.shift_elements)]
+            ratio = ratios[:, device - elements]
             shares = np.ones_like(ratio), -ratio, ratio - 1
             for member, share in zip(lowered.members, shares, strict=True):
                 if member in terms:

@@ -15,7 +15,7 @@ import numpy as np
 from vstatics.arrays import Booleans, Floats
 from vstatics.elements.group import PlanetGroup, group_of
 from vstatics.elements.kinds import Planetary
-from vstatics.elements.lower import Part, parts, parts_of
+from vstatics.elements.lower import Part, parts
 from vstatics.elements.members import member_torques
 from vstatics.model import HOUSING
 from vstatics.results import OUTPUT, Results
@@ -51,8 +51,8 @@ def shown(results: Results) -> dict[str, Shown]:
     tables = {
         "W": Shown(names, results.speeds[:, : drawing.links]),
         "WSAT": _planets(results, made),
-        "AMLG": _torques(results, lossy=False),
-        "AMLGP": _torques(results, lossy=True),
+        "AMLG": _torques(results, made, lossy=False),
+        "AMLGP": _torques(results, made, lossy=True),
         "idle": Shown(elements, np.where(exists, idle, np.nan)),
         "losses": Shown(elements, by_element(made, results.losses, all_of=False)),
         "AMWZ": Shown(names, results.holding_torques[:, : drawing.links]),
@@ -134,13 +134,13 @@ def _difference(one: Floats, other: Floats) -> Floats:
     return np.where(np.abs(difference) <= noise, 0.0, difference)
 
 
-def _torques(results: Results, *, lossy: bool) -> Shown:
+def _torques(results: Results, made: Sequence[Part], *, lossy: bool) -> Shown:
     """Torques of shift elements, then those that links give to the members, then the output."""
     case = results.case
     torques = results.lossy_torques if lossy else results.torques
     rows = [element.name for element in case.shift_elements]
     columns = list(torques[:, : len(rows)].T)
-    for part, members in zip(parts_of(case), member_torques(results, lossy=lossy), strict=True):
+    for part, members in zip(made, member_torques(results, made, lossy=lossy), strict=True):
         rows += [f"{part.name}.{member}" for member in members]
         columns += list(members.values())
     return Shown([*rows, OUTPUT], np.array([*columns, torques[:, -1]]).T + 0.0)

@@ -97,14 +97,18 @@ def trains(results: Results) -> list[Train]:
 
 def ideal_torques(results: Results) -> list[Torques]:
     """The torques of every gear without losses."""
-    parts, holding = member_torques(results, lossy=False), results.holding_torques
+    parts, holding = (
+        member_torques(results, parts_of(results.case), lossy=False),
+        results.holding_torques,
+    )
     return _by_gear(results, results.torques, parts, holding, [()] * len(holding))
 
 
 def lossy_torques(results: Results) -> list[Torques]:
     """The torques of every gear with losses."""
-    losses = by_element(parts_of(results.case), results.losses, all_of=False).tolist()
-    parts, holding = member_torques(results, lossy=True), results.lossy_holding_torques
+    made, holding = parts_of(results.case), results.lossy_holding_torques
+    losses = by_element(made, results.losses, all_of=False).tolist()
+    parts = member_torques(results, made, lossy=True)
     return _by_gear(results, results.lossy_torques, parts, holding, losses)
 
 

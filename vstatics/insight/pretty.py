@@ -94,6 +94,7 @@ def view(results: Results, marks: Marks = Marks()) -> Group:  # noqa: B008 - it 
 def _table(results: Results, found: dict[str, Table], marks: Marks) -> RichTable:
     from rich import box
     from rich.table import Table as RichTable
+    from rich.text import Text
 
     case = results.case
     made = RichTable(box=box.SIMPLE_HEAD, padding=(0, 1, 0, 0), pad_edge=False)
@@ -122,10 +123,10 @@ def _table(results: Results, found: dict[str, Table], marks: Marks) -> RichTable
     made.add_column("idle", overflow="fold")
     for number in gears:
         made.add_row(
-            case.gears[number].name,
+            Text(case.gears[number].name),
             *([_in_line(_dots(results, number, marks), headings)] if headings else ()),
             *figures[number],
-            *largest[number],
+            *map(Text, largest[number]),
             _state(lines[number], found, number),
         )
     return made
@@ -211,7 +212,7 @@ STATES = {
     "tied up": "what is engaged contradicts itself, the input can't turn",
     "conflict": "a freewheel can neither hold nor overrun",
     "locked": "friction holds the train, whatever the input torque",
-    "output stands": "it is held, so there is no ratio",
+    "output stands": "its speed is 0, so there is no ratio",
     "open": "neutral, the speed of the output is not determined",
     "no torques": "nothing holds the torque of the input",
     "undecided": "the search for directions of power was cut short",
@@ -222,11 +223,13 @@ FAULTS = {"tied up", "conflict", "locked"}
 """Those that no gear should have."""
 
 
-def _state(line: GearLine, found: dict[str, Table], number: int) -> str:
+def _state(line: GearLine, found: dict[str, Table], number: int) -> Text:
     """What is idle; or why there are no numbers."""
+    from rich.text import Text
+
     if line.state:
-        return f"[{'red' if line.state in FAULTS else 'yellow'}]{line.state}[/]"
-    return " ".join(name for name, value in _column(found["idle"], number) if value == 1)
+        return Text(line.state, "red" if line.state in FAULTS else "yellow")
+    return Text(" ".join(name for name, value in _column(found["idle"], number) if value == 1))
 
 
 def _legend(results: Results, found: dict[str, Table], marks: Marks) -> Iterator[str]:

@@ -200,7 +200,7 @@ class _Reader:
         if not isinstance(node, Scalar) or not node.text.strip():
             raise _WrongError("text", node)
         place = self.place(node)
-        if place.text[place.column - 1 : place.column] in (">", "|"):  # lines that became one
+        if not place.text.startswith(node.text, place.column - 1):  # lines that became one
             return Text(node.text, tuple((n, place) for n in range(1, len(node.text) + 1)))
         return Text(node.text, ((1, place),))
 
@@ -226,7 +226,7 @@ class _Reader:
         text, parts = first.text, list(first.parts)
         for number, item in enumerate(texts):
             text += between if number else ""
-            parts += [(len(text) + 1, place) for _, place in item.parts]
+            parts += [(len(text) + column, place) for column, place in item.parts]
             text += item.text
         return Text(text, tuple(parts))
 

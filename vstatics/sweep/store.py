@@ -202,9 +202,12 @@ class Store:
         self.unlock()
 
     def _remove(self) -> None:
-        import shutil
-
-        shutil.rmtree(self.directory, ignore_errors=True)
+        """Remove the directory, last what tells of which sweep it is: so any rest can go on."""
+        names = os.listdir(self.directory) if self.exists() else []  # noqa: PTH208
+        for name in sorted(names, key=(PLAN, LOCK).__contains__):
+            self.discard(name)
+        with contextlib.suppress(OSError):
+            os.rmdir(self.directory)  # noqa: PTH106
 
 
 def _is_same(file: int, path: str) -> bool:

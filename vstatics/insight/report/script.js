@@ -65,7 +65,7 @@
     heads.forEach((head, column) => {
       // a button proper is not printed where the head of a table is repeated
       const button = document.createElement("span");
-      button.role = "button";
+      button.setAttribute("role", "button");
       button.tabIndex = 0;
       button.title = "Sort";
       button.append(...head.childNodes);

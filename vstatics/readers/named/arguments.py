@@ -30,8 +30,7 @@ def arguments(values: dict[str, Any], walk: Walk) -> dict[str, Any]:
 def _output(values: dict[str, Any], walk: Walk) -> None:
     """Refuse the housing as output; to the model its number would say that none is given."""
     if values.get("output") == HOUSING:
-        message = f"read 0 (the housing), expected a link number from 1 to {values['links']}"
-        walk.spots.tell(("output",), message)
+        walk.spots.tell(("output",), "read the housing, expected the link that drives the load")
 
 
 def _element(name: str, links: tuple[int, int], **other: Any) -> ShiftElement:
