@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from functools import wraps
 from typing import Any, NamedTuple, TypeVar, get_args
 
 import click
@@ -85,6 +86,23 @@ class Settings(NamedTuple):
     idle: IdleConvention | None = None
     notes: bool = False
     """Whether notes on the input are told besides its warnings."""
+
+
+def settings(command: Command) -> Command:
+    """The options of how cases are read and calculated; the command gets `settings`."""
+
+    @wraps(command)
+    def told(
+        *values: Any,
+        input_format: readers.Format | None,
+        coast: bool | None,
+        idle: IdleConvention | None,
+        **others: Any,
+    ) -> Any:
+        return command(*values, settings=Settings(input_format, coast, idle), **others)
+
+    made: Any = input_format(coast(idle(told)))
+    return made  # type: ignore[no-any-return]
 
 
 def gear_number(case: Transmission, asked: str) -> int:

@@ -6,11 +6,10 @@ from typing import Literal
 
 import click
 
-from vstatics import readers
 from vstatics.cli import cases as arguments
 from vstatics.cli import files
 from vstatics.cli.cases import Settings, calculate
-from vstatics.model import IdleConvention, Transmission
+from vstatics.model import Transmission
 
 
 def _chosen(case: Transmission, gears: tuple[str, ...]) -> list[int]:
@@ -29,9 +28,7 @@ def _chosen(case: Transmission, gears: tuple[str, ...]) -> list[int]:
 )
 @arguments.text_or_json
 @arguments.output
-@arguments.input_format
-@arguments.coast
-@arguments.idle
+@arguments.settings
 @click.pass_context
 def explain(
     context: click.Context,
@@ -39,9 +36,7 @@ def explain(
     gears: tuple[str, ...],
     output_format: Literal["text", "json"],
     output: str | None,
-    input_format: readers.Format | None,
-    coast: bool | None,
-    idle: IdleConvention | None,
+    settings: Settings,
 ) -> None:
     """Explain the gears of CASE: a deck, YAML or JSON; - is standard input.
 
@@ -60,7 +55,7 @@ def explain(
     Exit status: 0 done; 1 the case is in error or a gear is tied up; 2 wrong use.
     """
     files.spare([case], output)
-    [outcome] = calculate([case], Settings(input_format, coast, idle))
+    [outcome] = calculate([case], settings)
     results = outcome.results
     if results is not None:
         from vstatics.insight.explain import document, text

@@ -6,11 +6,10 @@ from typing import TYPE_CHECKING, Literal
 
 import click
 
-from vstatics import readers
 from vstatics.cli import cases as arguments
 from vstatics.cli import files
 from vstatics.cli.cases import Settings, calculate
-from vstatics.model import IdleConvention, Transmission
+from vstatics.model import Transmission
 
 if TYPE_CHECKING:
     from vstatics.insight.flow import GearFlow
@@ -21,9 +20,7 @@ if TYPE_CHECKING:
 @arguments.one_gear
 @arguments.text_or_json
 @arguments.output
-@arguments.input_format
-@arguments.coast
-@arguments.idle
+@arguments.settings
 @click.pass_context
 def flow(
     context: click.Context,
@@ -31,9 +28,7 @@ def flow(
     gear: str | None,
     output_format: Literal["text", "json"],
     output: str | None,
-    input_format: readers.Format | None,
-    coast: bool | None,
-    idle: IdleConvention | None,
+    settings: Settings,
 ) -> None:
     """Show where the power goes in every gear of CASE; - is standard input.
 
@@ -51,7 +46,7 @@ def flow(
     Exit status: 0 done; 1 the case is in error or a gear is tied up; 2 wrong use.
     """
     files.spare([case], output)
-    [outcome] = calculate([case], Settings(input_format, coast, idle))
+    [outcome] = calculate([case], settings)
     if outcome.results is None:
         context.exit(1)
     from vstatics.insight.flow import flows

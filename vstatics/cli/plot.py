@@ -6,14 +6,12 @@ import os
 
 import click
 
-from vstatics import readers
 from vstatics.cli import cases as arguments
 from vstatics.cli import files
 from vstatics.cli.cases import Settings, calculate
 from vstatics.errors import CaseError, Place, Problem, ReadError
 from vstatics.insight.pictures import FORMATS, PICTURES, Format, render
 from vstatics.insight.pictures.style import Style
-from vstatics.model import IdleConvention
 from vstatics.results import Language
 
 
@@ -36,10 +34,8 @@ from vstatics.results import Language
 )
 @arguments.one_gear
 @click.option("--dark", is_flag=True, help="Light on dark, for a screen.")
-@arguments.input_format
+@arguments.settings
 @arguments.language("axes and titles")
-@arguments.coast
-@arguments.idle
 @click.pass_context
 def plot(
     context: click.Context,
@@ -48,10 +44,8 @@ def plot(
     output: str,
     gear: str | None,
     dark: bool,
-    input_format: readers.Format | None,
+    settings: Settings,
     lang: Language,
-    coast: bool | None,
-    idle: IdleConvention | None,
 ) -> None:
     """Draw a picture of CASE: a deck, YAML or JSON; - is standard input.
 
@@ -78,7 +72,7 @@ def plot(
     """
     form = _format(output)
     files.spare([case], output)
-    [outcome] = calculate([case], Settings(input_format, coast, idle))
+    [outcome] = calculate([case], settings)
     if outcome.results is not None:
         try:
             chosen = None if gear is None else arguments.gear_number(outcome.results.case, gear)

@@ -4,11 +4,9 @@ from __future__ import annotations
 
 import click
 
-from vstatics import readers
 from vstatics.cli import cases as arguments
 from vstatics.cli import files
 from vstatics.cli.cases import Settings, calculate
-from vstatics.model import IdleConvention
 
 
 @click.command()
@@ -21,17 +19,13 @@ from vstatics.model import IdleConvention
     metavar="FILE",
     help="Write to this file, whole or not at all; - is standard output.",
 )
-@arguments.input_format
-@arguments.coast
-@arguments.idle
+@arguments.settings
 @click.pass_context
 def report(
     context: click.Context,
     case: str,
     output: str,
-    input_format: readers.Format | None,
-    coast: bool | None,
-    idle: IdleConvention | None,
+    settings: Settings,
 ) -> None:
     """Write CASE and its results as one page of HTML; - is standard input.
 
@@ -50,7 +44,7 @@ def report(
     Exit status: 0 done; 1 the case is in error or a gear is tied up; 2 wrong use.
     """
     files.spare([case], output)
-    [outcome] = calculate([case], Settings(input_format, coast, idle))
+    [outcome] = calculate([case], settings)
     if outcome.results is not None:
         from vstatics.insight.report import gather, page
 

@@ -6,11 +6,9 @@ from typing import get_args
 
 import click
 
-from vstatics import readers
 from vstatics.cli import cases as arguments
 from vstatics.cli import files, texts
 from vstatics.cli.cases import Settings, calculate
-from vstatics.model import IdleConvention
 from vstatics.results import Language
 
 
@@ -51,10 +49,8 @@ from vstatics.results import Language
 @click.option(
     "--pretty", is_flag=True, help="One coloured table of the gears, to read at a terminal."
 )
-@arguments.input_format
+@arguments.settings
 @arguments.language("the headings of a listing")
-@arguments.coast
-@arguments.idle
 @click.pass_context
 def run(
     context: click.Context,
@@ -65,10 +61,8 @@ def run(
     jobs: int,
     resume: bool,
     pretty: bool,
-    input_format: readers.Format | None,
+    settings: Settings,
     lang: Language,
-    coast: bool | None,
-    idle: IdleConvention | None,
 ) -> None:
     """Calculate every gear of each CASE: a deck, YAML or JSON; - is standard input.
 
@@ -91,7 +85,6 @@ def run(
     """
     names = _named(cases, files_from)
     several = len(names) > 1 or files_from is not None
-    settings = Settings(input_format, coast, idle)
     if pretty:
         if output is not None or output_format != "listing" or jobs > 1 or resume:
             raise click.UsageError("--pretty is for a terminal: without -f, -o, --jobs, --resume")

@@ -7,12 +7,10 @@ from typing import TYPE_CHECKING, Literal, NamedTuple, get_args
 
 import click
 
-from vstatics import readers
 from vstatics.cli import cases as arguments
 from vstatics.cli import files
 from vstatics.cli.cases import Outcome, Settings, calculate
 from vstatics.errors import CaseError, Place, ReadError
-from vstatics.model import IdleConvention
 from vstatics.results import Results
 
 if TYPE_CHECKING:
@@ -60,9 +58,7 @@ class _Asked(NamedTuple):
     metavar="FILE",
     help="Mean efficiency of a duty cycle: YAML with `energy` or `time`, and a share by gear.",
 )
-@arguments.input_format
-@arguments.coast
-@arguments.idle
+@arguments.settings
 @click.pass_context
 def summary(
     context: click.Context,
@@ -73,9 +69,7 @@ def summary(
     combinations: bool,
     at_most: int,
     duty: str | None,
-    input_format: readers.Format | None,
-    coast: bool | None,
-    idle: IdleConvention | None,
+    settings: Settings,
 ) -> None:
     """Ratios, steps, spread, transitions and largest values of CASE; - is standard input.
 
@@ -104,7 +98,7 @@ def summary(
         from vstatics.insight.summary.duty_file import read_duty
 
         cycle = read_duty(*files.read_input(duty))
-    outcomes = list(calculate(named, Settings(input_format, coast, idle)))
+    outcomes = list(calculate(named, settings))
     if all(outcome.results is not None for outcome in outcomes):
         asked = _Asked(at_most if combinations else None, cycle)
         files.write_output(_text(outcomes, output_format, asked), output)
