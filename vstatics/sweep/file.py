@@ -25,19 +25,29 @@ from vstatics.sweep.formats import Format
 Value = TypeVar("Value")
 
 
+class Stretch(NamedTuple):
+    """Where a part of a text stands."""
+
+    first: int
+    """Its first column in the text, from 1."""
+    place: Place
+    as_written: bool = True
+    """Letter by letter; else, as where several lines became one, only as a whole."""
+
+
 class Text(NamedTuple):
     """The text of an option, and where it stands in a sweep file, if in one."""
 
     text: str
-    parts: tuple[tuple[int, Place], ...] = ()
-    """From which column on, from 1, the text stands at which place."""
+    parts: tuple[Stretch, ...] = ()
 
     def place(self, column: int) -> Place | None:
         """Where a column of the text stands."""
-        for first, place in reversed(self.parts):
+        for first, place, as_written in reversed(self.parts):
             if column >= first:
-                return place._replace(column=place.column + column - first)
-        return self.parts[0][1] if self.parts else None
+                further = column - first if as_written else 0
+                return place._replace(column=place.column + further)
+        return self.parts[0].place if self.parts else None
 
 
 class Settings(NamedTuple):
@@ -200,9 +210,8 @@ class _Reader:
         if not isinstance(node, Scalar) or not node.text.strip():
             raise _WrongError("text", node)
         place = self.place(node)
-        if not place.text.startswith(node.text, place.column - 1):  # lines that became one
-            return Text(node.text, tuple((n, place) for n in range(1, len(node.text) + 1)))
-        return Text(node.text, ((1, place),))
+        as_written = place.text.startswith(node.text, place.column - 1)
+        return Text(node.text, (Stretch(1, place, as_written),))
 
     def texts(self, node: Node) -> tuple[Text, ...]:
         items = node.items if isinstance(node, Listing) else [node]
@@ -217,7 +226,9 @@ class _Reader:
         if not isinstance(node, Mapping):
             return self.texts(node)
         return tuple(
-            self.put_together(Text(f"{key.text}=", ((1, self.place(key)),)), self.texts(value), ",")
+            self.put_together(
+                Text(f"{key.text}=", (Stretch(1, self.place(key)),)), self.texts(value), ","
+            )
             for key, value in node.entries
         )
 
@@ -226,7 +237,7 @@ class _Reader:
         text, parts = first.text, list(first.parts)
         for number, item in enumerate(texts):
             text += between if number else ""
-            parts += [(len(text) + column, place) for column, place in item.parts]
+            parts += [one._replace(first=len(text) + one.first) for one in item.parts]
             text += item.text
         return Text(text, tuple(parts))
 
