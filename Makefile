@@ -9,7 +9,7 @@ help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "  make %-12s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
 
 run: .venv/compiled.stamp ## calculate the published case (another: make run CASE=file)
-	@$(BIN)/vstatics run $(CASE)
+	@$(BIN)/vstatics run "$(CASE)"
 
 test: .venv/dev.stamp ## the fast tests (under two minutes)
 	$(BIN)/pytest -q -m "not slow"

@@ -157,3 +157,21 @@ def test_a_handle_that_there_cannot_be_is_told() -> None:
     assert said.status == 1
     assert "can't be written" in said.err
     assert "an error of vstatics" not in said.err
+
+
+@pytest.mark.parametrize(
+    ("name", "form"), [("new.json", "json"), ("new.CSV", "csv"), ("new.txt", "listing")]
+)
+def test_the_suffix_tells_the_format(folder: Path, name: str, form: str) -> None:
+    assert vstatics("run", MZKT, "-o", name).status == 0
+    expected = vstatics("run", MZKT, "-f", form).out
+    assert (folder / name).read_text(encoding="utf-8") == expected
+    vstatics("run", MZKT, "-f", "json", "-o", "new.csv")
+    assert (folder / "new.csv").read_text(encoding="utf-8").startswith("{")
+
+
+@pytest.mark.usefixtures("folder")
+def test_a_page_is_no_other_file() -> None:
+    said = vstatics("report", MZKT, "-o", "page.pdf")
+    assert said.status == 2
+    assert "expected a file that ends in .html, not .pdf" in said.err

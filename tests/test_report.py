@@ -182,6 +182,7 @@ def test_ratios_are_the_published_ones(zf: Page) -> None:
     table = zf.table("Ratios, steps")
     for gear, ratio in published["ratio"].items():
         assert float(table[gear]["ratio"].text) == pytest.approx(ratio, abs=1e-3)
+    # first gear 1 + 85/23 (see the case), eighth the printed .667, which is 2/3
     assert "Spread: 7.043, from gear 1 to gear 8." in [one.text for one in zf.all("p")]
 
 

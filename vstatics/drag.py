@@ -10,11 +10,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from types import MappingProxyType
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from vstatics.model import HOUSING, Gear, Transmission
 from vstatics.speeds import is_tie
 from vstatics.traced import Number
+
+if TYPE_CHECKING:
+    from vstatics.results import Results
 
 NOTHING: Mapping[int, float] = MappingProxyType({})
 
@@ -33,6 +36,13 @@ class Drag(NamedTuple):
 
 
 NO_DRAG = Drag()
+
+
+def of_gear(results: Results, number: int) -> Drag:
+    """The drag of a gear of one case, by its index, at the speeds that it has."""
+    case = results.settled
+    speeds, slips = results.speeds[number].tolist(), results.slip_speeds[number].tolist()
+    return acting(case, case.gears[number], speeds, slips)
 
 
 def acting(

@@ -51,9 +51,10 @@ def convert(
 ) -> None:
     """Convert the case IN to OUT: deck (.dat), YAML (.yaml) or JSON (.json); - is a stream.
 
-    Numbers and names are kept to the last digit. A deck has mechanisms in place of
-    elements, and freewheels are engaged where they hold. What the format cannot keep
-    is listed, and the exit status is 1.
+    Numbers and names are kept to the last digit; torques and speeds with a unit are
+    written relative to the load. A deck has mechanisms in place of elements, and
+    freewheels are engaged where they hold. What the format cannot keep is listed, and
+    the exit status is 1.
 
     \b
     Examples:

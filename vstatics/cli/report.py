@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+
 import click
 
 from vstatics.cli import cases as arguments
@@ -44,6 +46,11 @@ def report(
     Exit status: 0 done; 1 the case is in error or a gear is tied up; 2 wrong use.
     """
     files.spare([case], output)
+    suffix = os.path.splitext(output)[1].lower()  # noqa: PTH122
+    if suffix not in ("", ".html", ".htm") and not files.is_stream(output):
+        raise click.UsageError(
+            f"the page is HTML: expected a file that ends in .html, not {suffix}"
+        )
     [outcome] = calculate([case], settings)
     if outcome.results is not None:
         from vstatics.insight.report import gather, page

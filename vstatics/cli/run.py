@@ -19,9 +19,7 @@ from vstatics.results import Language
     "--format",
     "output_format",
     type=click.Choice(get_args(texts.OutputFormat)),
-    default="listing",
-    show_default=True,
-    help="Format of the results.",
+    help="Format of the results; else told by the suffix of -o, else listing.",
 )
 @click.option(
     "-o",
@@ -55,7 +53,7 @@ from vstatics.results import Language
 def run(
     context: click.Context,
     cases: tuple[str, ...],
-    output_format: texts.OutputFormat,
+    output_format: texts.OutputFormat | None,
     output: str | None,
     files_from: str | None,
     jobs: int,
@@ -86,9 +84,10 @@ def run(
     names = _named(cases, files_from)
     several = len(names) > 1 or files_from is not None
     if pretty:
-        if output is not None or output_format != "listing" or jobs > 1 or resume:
+        if output is not None or output_format is not None or jobs > 1 or resume:
             raise click.UsageError("--pretty is for a terminal: without -f, -o, --jobs, --resume")
         context.exit(_pretty(names, settings))
+    output_format = output_format or texts.format_of_name(output or "")
     folder = _folder(output, output_format, several=several)
     if resume and folder is None:
         raise click.UsageError("--resume needs a directory to go on with: -o DIRECTORY/")

@@ -20,6 +20,16 @@ SUFFIXES: dict[OutputFormat, str] = {
 }
 
 
+def format_of_name(name: str) -> OutputFormat:
+    """The format that the suffix of a file tells, a listing where it tells none.
+
+    >>> format_of_name("a.JSON"), format_of_name("a.txt")
+    ('json', 'listing')
+    """
+    named = (form for form, suffix in SUFFIXES.items() if name.lower().endswith(suffix))
+    return next(named, "listing")
+
+
 class Frame(NamedTuple):
     """What stands around the parts of a stream."""
 

@@ -110,7 +110,5 @@ def _solve_sums(
 ) -> list[float]:
     """Sums of torques in a gear, by the solver."""
     case = results.settled
-    given = case.gears[gear]
-    speeds, slips = results.speeds[gear].tolist(), results.slip_speeds[gear].tolist()
-    dragging = drag.acting(case, given, speeds, slips) if lossy else drag.NO_DRAG
-    return solve_sums(case, given, ratios, sums, dragging)
+    dragging = drag.of_gear(results, gear) if lossy else drag.NO_DRAG
+    return solve_sums(case, case.gears[gear], ratios, sums, dragging)

@@ -118,12 +118,14 @@ def remarks(flow: GearFlow) -> Iterator[str]:
         yield f"not determined: {', '.join(unknown)}"
         yield "circulating: not determined"
         return
-    if not flow.ideal.loops and not shown.loops:
+    if flow.ideal.loops or shown.loops:
+        yield _circulating(flow.ideal, flow.lossy)
+    else:
         yield "circulating: none"
-        return
-    yield _circulating(flow.ideal, flow.lossy)
     for loop in shown.loops:
         yield f"  {fixed(loop.power)}: {around(loop)}"
+    for loop in shown.locked_in:
+        yield f"within one piece, does not count: {fixed(loop.power)}: {around(loop)}"
 
 
 def around(loop: Loop) -> str:

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from vstatics import elimination, matrix
 from vstatics.elements.kinds import Planetary
-from vstatics.elements.lower import Part, parts
+from vstatics.elements.lower import Part, parts, parts_of
 from vstatics.entries import RIGHT, Row
 from vstatics.model import HOUSING, Gear, Transmission
 
@@ -31,7 +31,7 @@ class OwnLinks(NamedTuple):
 
     case: Transmission
     parts: Sequence[Part]
-    """What its elements are then; none if the case is given as mechanisms."""
+    """What its elements are then, and its mechanisms."""
 
     def is_fixed(self, number: int) -> bool:
         """Whether a mechanism, by its index, has a ratio that is no matter of teeth.
@@ -43,7 +43,7 @@ class OwnLinks(NamedTuple):
         if mechanism.ratio != -1 or mechanism.third == HOUSING:
             return mechanism.ratio == 1
         elements = [part.element for part in self.parts for _ in part.lowered]
-        element = elements[number] if elements else None
+        element = elements[number]
         return element is None or not isinstance(element.shape, Planetary)
 
 
@@ -51,7 +51,7 @@ def on_own_links(case: Transmission) -> OwnLinks:
     """The case on its own links, its elements reduced to mechanisms between their wheels."""
     drawing = case.drawing
     if drawing is None:
-        return OwnLinks(case, [])
+        return OwnLinks(case, parts_of(case))
     made = parts(replace(drawing, losses="reduced"))
     plain = replace(
         case,

@@ -10,7 +10,6 @@ import numpy as np
 
 from vstatics import drag
 from vstatics.arrays import Floats
-from vstatics.elements.lower import parts
 from vstatics.insight.explain.bodies import OwnLinks, Structure, on_own_links, structure
 from vstatics.insight.explain.equations import System, speed_system, torque_system
 from vstatics.insight.explain.formula import Formula, formula
@@ -19,7 +18,7 @@ from vstatics.insight.explain.shares import NoFormula
 from vstatics.insight.explain.signs import Sign, signs_of
 from vstatics.insight.explain.symbols import symbols_of
 from vstatics.matrix import distribution_matrix
-from vstatics.model import HOUSING, Gear, Transmission
+from vstatics.model import HOUSING, Gear
 from vstatics.results import Results
 
 
@@ -156,9 +155,7 @@ def _torques(
     exists = results.calculable[number] and not results.locked[number]
     if not exists or results.undecided[number] or np.isnan(ratios).any():
         return ideal, None
-    acting = drag.acting(
-        case, gear, results.speeds[number].tolist(), results.slip_speeds[number].tolist()
-    )
+    dragging = drag.of_gear(results, number).external
     lossy = torque_system(
         case,
         gear,
@@ -166,7 +163,7 @@ def _torques(
         distribution_matrix(case, ratios) + 0.0,
         results.lossy_torques[number].tolist(),
         holding=results.lossy_holding_torques[number].tolist(),
-        drag={link: float(torque) for link, torque in acting.external.items()},
+        drag={link: float(torque) for link, torque in dragging.items()},
     )
     return ideal, lossy
 
@@ -184,7 +181,7 @@ def _structure(results: Results, number: int, names: Names) -> _Joined:
         return [], [], [], None, "the gear is tied up"
     own = on_own_links(case)
     found = structure(own, gear)
-    one_piece, standing = _pieces(case, own, found)
+    one_piece, standing = _pieces(own, found)
     together = _together(own, gear, found)
     try:
         made = formula(own, gear, names, symbols_of(case, names, own), found)
@@ -215,22 +212,16 @@ def _together(own: OwnLinks, gear: Gear, found: Structure) -> list[Together]:
     return made
 
 
-def _pieces(case: Transmission, own: OwnLinks, found: Structure) -> tuple[list[str], list[str]]:
+def _pieces(own: OwnLinks, found: Structure) -> tuple[list[str], list[str]]:
     """Names of elements, or mechanisms, that turn as one piece, and of those that stand.
 
     What is joined to the housing for good turns as one piece only when it stands.
     """
-    names = [mechanism.name for mechanism in case.mechanisms]
-    groups = [[mechanism.links] for mechanism in case.mechanisms]
-    if case.drawing is not None:
-        made = parts(case.drawing)
-        names = [part.name for part in made]
-        groups = [[lowered.mechanism.links for lowered in part.lowered] for part in own.parts]
     one_piece, standing = [], []
-    for name, members in zip(names, groups, strict=True):
-        bodies = {found.body[link] for links in members for link in links}
+    for part in own.parts:
+        bodies = {found.body[link] for one in part.lowered for link in one.mechanism.links}
         if bodies == {HOUSING}:
-            standing.append(name)
+            standing.append(part.name)
         elif len(bodies) == 1:
-            one_piece.append(name)
+            one_piece.append(part.name)
     return one_piece, standing

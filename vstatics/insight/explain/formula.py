@@ -83,7 +83,7 @@ def formula(
 
 
 def _of_ratio(ratio: Any, symbols: Sequence[Symbol]) -> Formula:
-    occurring = [n for n in range(len(symbols)) if n in _occurring(ratio)]
+    occurring = sorted(_occurring(ratio))
     kept = [symbols[number] for number in occurring]
     renamed = _in_symbols(ratio, {number: place for place, number in enumerate(occurring)})
     text = forms.fraction(renamed, forms.Style([one.name for one in kept]))

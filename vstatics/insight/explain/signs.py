@@ -6,7 +6,7 @@ import math
 from typing import NamedTuple
 
 from vstatics import drag
-from vstatics.losses import Efficiency, both_ways, with_loss
+from vstatics.losses import both_ways, with_loss
 from vstatics.model import HOUSING
 from vstatics.results import Results
 from vstatics.speeds import is_tie
@@ -64,7 +64,7 @@ def signs_of(results: Results, number: int) -> list[Sign]:
                 sign=sign,
                 ratio=mechanism.ratio,
                 efficiency=float(efficiency.back if sign < 0 else efficiency.forward),
-                lossy_ratio=_with_loss(mechanism.ratio, efficiency, sign),
+                lossy_ratio=float(with_loss(mechanism.ratio, efficiency, sign)),
                 why=_why(results, number, place, motion, power),
             )
         )
@@ -75,23 +75,13 @@ def _torques(results: Results, number: int) -> list[float]:
     """On the first links of the mechanisms: those of which the power decides the signs."""
     case = results.settled
     elements = len(case.shift_elements)
-    speeds, slips = results.speeds[number].tolist(), results.slip_speeds[number].tolist()
-    dragging = drag.acting(case, case.gears[number], speeds, slips)
+    dragging = drag.of_gear(results, number)
     if dragging is drag.NO_DRAG or not results.calculable[number]:
         first = results.torques[number].tolist()
     else:
         ratios = [mechanism.ratio for mechanism in case.mechanisms]
         first = solve_torques(case, case.gears[number], ratios, dragging).first
     return list(first[elements:-1])
-
-
-def _with_loss(ratio: float, efficiency: Efficiency, sign: float) -> float:
-    """The ratio with losses, NaN where the sign is open or power can't flow that way."""
-    if efficiency.lossless:
-        return ratio
-    if math.isnan(sign) or (sign < 0 and efficiency.back == 0):
-        return math.nan
-    return float(with_loss(ratio, efficiency, sign))
 
 
 def _why(results: Results, number: int, place: int, motion: float, power: float) -> str:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from vstatics.elements.lower import parts
+from vstatics.elements.lower import parts_of
 from vstatics.insight.explain.bodies import OwnLinks
 from vstatics.insight.explain.names import Names
 from vstatics.model import Transmission
@@ -30,13 +30,10 @@ def symbols_of(case: Transmission, names: Names, own: OwnLinks) -> list[Symbol]:
     own : OwnLinks
         The same on its own links.
     """
-    values = [mechanism.ratio for mechanism in own.case.mechanisms]
     given = [one.name for one in case.mechanisms]
-    if case.drawing is None:
-        return list(map(Symbol, names.ratios, given, values))
     found: list[Symbol] = []
     number, wheels = 0, 0
-    for part, reduced in zip(parts(case.drawing), own.parts, strict=True):
+    for part, reduced in zip(parts_of(case), own.parts, strict=True):
         for place, lowered in enumerate(reduced.lowered):
             if part.planet_links:
                 wheels += 1

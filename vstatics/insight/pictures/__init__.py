@@ -96,7 +96,7 @@ def render(
 
 
 def sheets(results: Results, kind: str, style: Style) -> list[bytes]:
-    """A picture of a result as SVG, in parts that fit a printed page if it is long.
+    """A picture of a result as SVG; a long one in parts that fit a printed page.
 
     Parameters and errors as of `picture`.
     """

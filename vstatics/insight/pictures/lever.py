@@ -161,7 +161,7 @@ def _gear_text(results: Results, chosen: int, style: Style) -> str:
     gear = case.gears[chosen - 1]
     lines = [style.text(f"gear {gear.name}", f"передача {gear.name}")]
     if results.conflict[chosen - 1]:
-        lines.append(style.text("conflict of freewheels", "противоречие муфт свободного хода"))
+        lines.append(style.text("conflict of freewheels", "конфликт обгонных муфт"))
     elif results.tied_up[chosen - 1]:
         lines.append(style.text("tied up", "заперта"))
     else:

@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 from vstatics.elements.group import group_of
 from vstatics.elements.kinds import Planetary
-from vstatics.elements.lower import Part, parts
+from vstatics.elements.lower import Part, parts_of
 from vstatics.model import HOUSING, Mechanism, Transmission
 
 
@@ -53,10 +53,7 @@ def levers(case: Transmission) -> list[Lever]:
     >>> [(node.link, node.position) for node in lever.nodes]
     [(1, -2.5), (3, 0.0), (2, 1.0)]
     """
-    if case.drawing is None:
-        found = [_of_mechanism(one, ("", "", "")) for one in case.mechanisms]
-    else:
-        found = [lever for part in parts(case.drawing) for lever in _of_part(part)]
+    found = [lever for part in parts_of(case) for lever in _of_part(part)]
     return [lever for lever in found if sum(node.link != HOUSING for node in lever.nodes) > 1]
 
 

@@ -9,7 +9,7 @@ from xml.etree import ElementTree as ET
 
 from vstatics.errors import CaseError
 from vstatics.extras import require
-from vstatics.insight.pictures import PICTURES, render, sheets
+from vstatics.insight.pictures import PICTURES, sheets
 from vstatics.insight.pictures.style import Style
 from vstatics.insight.report.markup import Markup
 from vstatics.results import Results
@@ -66,13 +66,10 @@ def _drawn(results: Results, kind: str) -> Drawn:
     return Drawn(kind, [inline(svg, f"{kind}{n or ''}", kind) for n, svg in enumerate(made)])
 
 
-def flow_pictures(results: Results) -> list[Markup]:
+def flow_pictures(results: Results) -> Sequence[Markup]:
     """The power flow of each gear, as `pictures`."""
     require("matplotlib", "a picture")
-    return [
-        inline(render(results, BY_GEAR, "svg", Style(), gear), f"{BY_GEAR}{gear}", BY_GEAR)
-        for gear in range(1, len(results.case.gears) + 1)
-    ]
+    return _drawn(results, BY_GEAR).sheets
 
 
 def palette(*, dark: bool) -> str:

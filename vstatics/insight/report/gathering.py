@@ -44,7 +44,7 @@ def gather(results: Results, problems: Iterable[Problem] = ()) -> Material:
     """
     without, drawn, drawn_flows = "", list[Drawn](), list[Markup]()
     try:
-        drawn, drawn_flows = pictures(results), flow_pictures(results)
+        drawn, drawn_flows = pictures(results), [*flow_pictures(results)]
     except CaseError as error:
         without = str(error)
     others = (one for one in problems if not _is_among(one, results.messages))

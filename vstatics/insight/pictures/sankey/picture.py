@@ -85,7 +85,15 @@ def draw(results: Results, style: Style, gear: int | None) -> Figure:
     'circulates 1.000: 100.0% of the power in'
     """
     found = flows(results)
-    chosen = [found[gear - 1]] if gear else found
+    return _figure(results, [found[gear - 1]] if gear else found, style)
+
+
+def sheets(results: Results, style: Style) -> list[Figure]:
+    """A figure for each gear."""
+    return [_figure(results, [flow], style) for flow in flows(results)]
+
+
+def _figure(results: Results, chosen: Sequence[GearFlow], style: Style) -> Figure:
     layouts = placed(chosen, style)
     wide = max([LEAST, *(one.width for one in layouts if one)])
     gears = [

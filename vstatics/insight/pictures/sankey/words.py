@@ -54,8 +54,8 @@ def _name(node: Node, style: Style) -> str:
 def heading(flow: GearFlow, wide: float, style: Style) -> str:
     """What is to be said of a gear besides its picture."""
     notes = {
-        "freewheels in conflict": "обгонные муфты противоречат друг другу",
-        "tied up": "заблокирована",
+        "freewheels in conflict": "конфликт обгонных муфт",
+        "tied up": "заперта",
         "torques do not balance": "моменты не уравновешены",
         "locked by friction": "заклинена трением",
         "signs of losses not found": "знаки потерь не найдены",

@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.elements.element import Element
-from vstatics.elements.lower import parts
+from vstatics.elements.lower import parts_of
 from vstatics.model import HOUSING, Gear, Mechanism, ShiftElement, Transmission
 from vstatics.results import Results
 
@@ -123,14 +123,9 @@ def scheme_of(case: Transmission) -> Scheme:
 
 
 def _mechanisms(case: Transmission) -> list[Device]:
-    if case.drawing is None:
-        return [
-            Device(one.name, *_shape_of(one), (number,))
-            for number, one in enumerate(case.mechanisms)
-        ]
     found: list[Device] = []
     number = 0
-    for part in parts(case.drawing):
+    for part in parts_of(case):
         numbers = tuple(range(number, number + len(part.lowered)))
         number += len(part.lowered)
         if part.element is None:

@@ -56,7 +56,7 @@ def title_of(results: Results, style: Style, gear: int | None) -> str:
     marks = (
         (results.tied_up, "tied up", "заперта"),
         (results.conflict, "conflict of freewheels", "конфликт обгонных муфт"),
-        (results.locked, "locked by friction", "самоторможение"),
+        (results.locked, "locked by friction", "заклинена трением"),
         (results.missing, "not determined", "не определена"),
     )
     state = [russian if ru else english for mark, english, russian in marks if mark[index]]
