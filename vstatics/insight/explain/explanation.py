@@ -88,7 +88,7 @@ def explain(results: Results, number: int) -> Explanation:
 
     Examples
     --------
-    >>> from vstatics.model import Mechanism, ShiftElement
+    >>> from vstatics.model import Mechanism, ShiftElement, Transmission
     >>> from vstatics.statics import solve
     >>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)], [Gear([1])])
     >>> explained = explain(solve(case), 0)
