@@ -35,7 +35,7 @@ golden: .venv/dev.stamp ## rewrite tests/golden; fails where something changed
 
 schema: .venv/run.stamp ## rewrite schemas/ from the declarations
 	$(BIN)/python -m vstatics.readers.named.schema > schemas/case.schema.json
-	$(BIN)/python -m vstatics.writers.result_schema > schemas/result.schema.json
+	$(BIN)/python -m vstatics.writers.schema > schemas/result.schema.json
 
 bench: .venv/dev.stamp ## all figures of docs/performance.md (needs a C compiler, 5 minutes)
 	$(BIN)/python benchmarks

@@ -6,7 +6,7 @@ from typing import Any
 
 from hypothesis import strategies as st
 
-from vstatics.model import HOUSING, Gear, Mechanism, ShiftElement, Transmission
+from vstatics.model.transmission import HOUSING, Gear, Mechanism, ShiftElement, Transmission
 
 ODD_NAMES = (
     *("on", "no", "true", "null", "~", "1", "2", "01", "6R", "1e3", "0x10", "1:30", ".inf", "<<"),

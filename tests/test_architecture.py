@@ -1,87 +1,113 @@
-"""Imports run one way: each room takes from those below it only."""
+"""Imports run one way: each room takes from those before it only, and no modules go in a circle."""
 
 from __future__ import annotations
 
 import ast
+import textwrap
+from functools import cache
+from graphlib import TopologicalSorter
 from pathlib import Path
 
 import vstatics
 
 PACKAGE = Path(vstatics.__file__).parent
-ROOMS = [
-    {"arrays", "errors", "memory", "parts", "tape", "templates"},
-    {"checks", "extras", "traced"},
-    {"entries", "model", "replay"},
-    {"elimination", "plans", "results"},
-    {"matrix"},
-    {"speeds"},
-    {"drag"},
-    {"torques"},
-    {"losses"},
-    {"signs"},
-    {"freewheels", "idling"},
-    {"gears", "diagnosis"},
-    {"batch"},
-    {"statics"},
-    {"elements"},
-    {"readers", "writers"},
-    {"compare", "sweep"},
-    {"insight"},
-    {"frames"},
-    {"cli", "__init__"},
-    {"__main__"},
-]
-"""From the ground floor up; the rooms of one floor do not meet."""
-
-FOR_THE_HAND = {"results": {"frames"}}
-"""A method that only calls a function upstairs, imported when somebody calls it."""
-
-FLOOR = {room: floor for floor, rooms in enumerate(ROOMS) for room in rooms}
+ROOMS = (
+    "errors",
+    "extras",
+    "numerics",
+    "templates",
+    "model",
+    "statics",
+    "elements",
+    "jobs",
+    "readers",
+    "tables",
+    "sweep",
+    "writers",
+    "flow",
+    "summary",
+    "explain",
+    "pictures",
+    "report",
+    "cli",
+    "__init__",
+    "__main__",
+)
+"""The order of the rooms; docs/architecture.md shows it."""
 
 
-def imports(path: Path) -> set[str]:
-    """The rooms of the package that a module imports at run time."""
+def order() -> str:
+    """The order of the rooms as text."""
+    return textwrap.fill("  ".join(ROOMS[:-2]), 80)
+
+
+@cache
+def modules() -> dict[str, Path]:
+    """The modules of the package by their names with dots."""
+    found = {}
+    for path in sorted(PACKAGE.rglob("*.py")):
+        parts = path.relative_to(PACKAGE.parent).with_suffix("").parts
+        found[".".join(part for part in parts if part != "__init__")] = path
+    return found
+
+
+def imported(name: str) -> set[str]:
+    """The modules of the package that a module imports: anywhere in it, for types too."""
     found: set[str] = set()
-    tree = ast.parse(path.read_text(encoding="utf-8"))
-    typing_only = {
-        id(node)
-        for block in ast.walk(tree)
-        if isinstance(block, ast.If) and ast.unparse(block.test) == "TYPE_CHECKING"
-        for node in ast.walk(block)
-    }
-    for node in ast.walk(tree):
-        if isinstance(node, ast.ImportFrom) and id(node) not in typing_only:
-            module = (node.module or "").split(".")
-            if module == ["vstatics"]:
-                found.update(alias.name for alias in node.names)
-            elif module[0] == "vstatics":
-                found.add(module[1])
-    return {room for room in found if room in FLOOR}
+    for node in ast.walk(ast.parse(modules()[name].read_text(encoding="utf-8"))):
+        if isinstance(node, ast.Import):
+            names = [alias.name for alias in node.names]
+        elif isinstance(node, ast.ImportFrom):
+            assert node.level == 0, f"{name} imports by dots alone"
+            names = [f"{node.module}.{alias.name}" for alias in node.names]
+        else:
+            continue
+        for one in names:
+            found.add(one if one in modules() else one.rpartition(".")[0])
+    return found & set(modules())
 
 
-def room(path: Path) -> str:
+def room(name: str) -> str:
     """The room that a module belongs to."""
-    return path.relative_to(PACKAGE).with_suffix("").parts[0]
+    return name.split(".")[1] if "." in name else "__init__"
+
+
+def test_architecture_shows_the_rooms_in_their_order() -> None:
+    text = (PACKAGE.parent / "docs" / "architecture.md").read_text(encoding="utf-8")
+    assert f"```\n{order()}\n```" in text
 
 
 def test_every_module_is_in_a_room() -> None:
-    assert {room(path) for path in PACKAGE.rglob("*.py")} == set(FLOOR)
+    assert {room(name) for name in modules()} == set(ROOMS)
 
 
 def test_imports_run_one_way() -> None:
-    for path in PACKAGE.rglob("*.py"):
-        own = room(path)
-        upward = {other for other in imports(path) if other != own and FLOOR[other] >= FLOOR[own]}
-        upward -= FOR_THE_HAND.get(own, set())
-        assert not upward, f"{path.relative_to(PACKAGE)} imports {upward}"
+    place = {room: number for number, room in enumerate(ROOMS)}
+    for name in modules():
+        own = room(name)
+        upward = {other for other in imported(name) if place[room(other)] > place[own]}
+        assert not upward, f"{name} imports {upward}"
+
+
+def test_no_modules_import_each_other_in_a_circle() -> None:
+    graph = {name: imported(name) - {name} for name in modules() if name != "vstatics"}
+    TopologicalSorter(graph).prepare()
+
+
+def test_only_the_command_line_and_the_report_draw() -> None:
+    """Pictures are large, and matplotlib is an extra: nothing else comes to depend on them."""
+    for name in modules():
+        if any(room(other) == "pictures" for other in imported(name)):
+            assert room(name) in ("pictures", "report", "cli"), name
 
 
 def test_only_the_command_line_prints_and_leaves() -> None:
-    for path in PACKAGE.rglob("*.py"):
-        if room(path) not in ("cli", "__main__"):
+    for name, path in modules().items():
+        if room(name) not in ("cli", "__main__"):
             called = {
                 ast.unparse(node.func)
                 for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
                 if isinstance(node, ast.Call)
             }
-            assert not called & {"print", "sys.exit", "exit", "os._exit"}, path.name
+            assert not called & {"print", "sys.exit", "exit"}, name
+            assert room(name) == "jobs" or "os._exit" not in called, name  # worker processes end

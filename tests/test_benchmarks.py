@@ -15,9 +15,9 @@ from typing import Any
 
 import numpy as np
 import pytest
-from commands import CASES
 
 import vstatics
+from tests.commands import CASES
 from vstatics import load, solve
 
 BENCHMARKS = Path(__file__).parent.parent / "benchmarks"

@@ -1,7 +1,7 @@
 """Golden files: the results of every shipped case, as this program wrote them.
 
 They are written by the program itself, so they show change and prove nothing; truth is
-in `published/` and in closed forms. ``pytest tests/test_golden.py --regenerate`` (or
+in `published/` and in closed forms. ``pytest tests/golden/test_golden.py --regenerate`` (or
 ``make golden``) rewrites them and fails where something changed, showing the
 difference; the next run is green.
 """
@@ -14,14 +14,14 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from commands import CASES, ROOT, vstatics
 from jsonschema import Draft202012Validator
 from referencing import Registry, Resource
 
-from vstatics.compare import differences
+from tests.commands import CASES, ROOT, vstatics
 from vstatics.readers.results import read_results
-from vstatics.results import TABLES
-from vstatics.writers.result_schema import json_schema
+from vstatics.statics.results import TABLES
+from vstatics.tables.compare import differences
+from vstatics.writers.schema import json_schema
 
 GOLDEN = Path(__file__).parent / "golden"
 SHIPPED = sorted(path for path in CASES.iterdir() if path.suffix in (".yaml", ".dat"))
@@ -88,7 +88,7 @@ def test_golden_json_fits_the_schema(name: str) -> None:
 
 def test_schema_is_valid_and_up_to_date() -> None:
     Draft202012Validator.check_schema(json_schema())
-    assert loaded(SCHEMA) == json_schema(), "write it: python -m vstatics.writers.result_schema"
+    assert loaded(SCHEMA) == json_schema(), "write it: python -m vstatics.writers.schema"
 
 
 def test_a_missing_file_is_written_and_fails(tmp_path: Path) -> None:

@@ -185,13 +185,6 @@ def test_links_lead_somewhere(name: str) -> None:
             assert heading in anchors, link
 
 
-def test_architecture_names_every_module() -> None:
-    text = (ROOT / "docs" / "architecture.md").read_text(encoding="utf-8")
-    modules = [path.relative_to(ROOT) for path in (ROOT / "vstatics").rglob("*.py")]
-    rooms = [str(path.relative_to("vstatics")) for path in modules if path.name != "__init__.py"]
-    assert [room for room in rooms if f"`{room}`" not in text] == []
-
-
 def test_deck_reference_names_every_field() -> None:
     from vstatics.readers.deck.text import LISTS, RESULTS, SCALARS
 

@@ -12,9 +12,9 @@ from dataclasses import replace
 from random import Random
 
 from hypothesis import strategies as st
-from oracle_systems import Speeds
 
-from vstatics.model import Gear, Mechanism, ShiftElement, Transmission
+from tests.oracle.systems import Speeds
+from vstatics.model.transmission import Gear, Mechanism, ShiftElement, Transmission
 
 Links = tuple[int, int, int]
 EASY = (-1.0, -2.0, -3.0, -0.5, -1.5, 2.0, 0.5, 3.0, 1.5)

@@ -18,14 +18,14 @@ array([1.    , 0.9714])
 """
 
 from vstatics.errors import CaseError, Place, Problem, ReadError, VstaticsError
-from vstatics.matrix import distribution_matrix
-from vstatics.model import Gear, Mechanism, ShiftElement, Transmission
+from vstatics.extras import __version__
+from vstatics.model.transmission import Gear, Mechanism, ShiftElement, Transmission
 from vstatics.readers import load
-from vstatics.results import Message, Results
-from vstatics.statics import solve
+from vstatics.statics.matrix import distribution_matrix
+from vstatics.statics.results import Message, Results
+from vstatics.statics.solve import solve
 from vstatics.sweep import sweep
-
-__version__ = "0.1.0"
+from vstatics.tables.dataframe import to_dataframe
 
 __all__ = [
     "CaseError",
@@ -39,8 +39,12 @@ __all__ = [
     "ShiftElement",
     "Transmission",
     "VstaticsError",
+    "__version__",
     "distribution_matrix",
     "load",
     "solve",
     "sweep",
 ]
+
+# the room of results knows nothing of how they are shown
+Results.to_dataframe = to_dataframe  # type: ignore[method-assign, assignment]

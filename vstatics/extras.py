@@ -1,8 +1,10 @@
-"""Packages that only some outputs need, and that are not installed with this one."""
+"""The version of this package, and packages that only some outputs need: they are extras."""
 
 from __future__ import annotations
 
 from vstatics.errors import CaseError, Problem
+
+__version__ = "0.1.0"
 
 EXTRAS = {
     "pyarrow": "parquet",

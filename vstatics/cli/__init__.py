@@ -10,9 +10,9 @@ from typing import Any
 
 import click
 
-from vstatics import __version__
 from vstatics.cli import files
 from vstatics.errors import ReadError
+from vstatics.extras import __version__
 
 COMMANDS = {
     "new": ("vstatics.cli.new", "Write a commented case to start from."),

@@ -9,13 +9,14 @@ from typing import Any, NamedTuple, TypeVar, get_args
 
 import click
 
-from vstatics import readers, statics
-from vstatics.checks import hints
+from vstatics import readers
 from vstatics.cli import files
 from vstatics.errors import Place, Problem, ReadError, nearest
-from vstatics.model import IdleConvention, Transmission
+from vstatics.model.checks import hints
+from vstatics.model.transmission import IdleConvention, Transmission
 from vstatics.readers.reading import Reading
-from vstatics.results import Language, Results
+from vstatics.statics.results import Language, Results
+from vstatics.statics.solve import solve
 
 Command = TypeVar("Command", bound=Callable[..., Any])
 
@@ -142,7 +143,7 @@ def calculate_one(file: str, settings: Settings) -> Outcome:
     name = files.STDIN_NAME if file == files.STDIN else file
     try:
         reading = readers.read(*files.read_input(file), settings.input_format)
-        results = statics.solve(reading.case, coast=settings.coast, idle=settings.idle)
+        results = solve(reading.case, coast=settings.coast, idle=settings.idle)
         found = _noted(reading) if settings.notes else serious(reading.warnings)
         problems = [*found, *_located(reading, results)]
     except ReadError as error:

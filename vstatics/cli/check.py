@@ -8,8 +8,9 @@ from vstatics import readers
 from vstatics.cli import cases as arguments
 from vstatics.cli import files
 from vstatics.cli.cases import Settings, calculate
-from vstatics.diagnosis import freedom, given_conditions
-from vstatics.results import Results
+from vstatics.elements.element import drawing_of
+from vstatics.statics.diagnosis import freedom, given_conditions
+from vstatics.statics.results import Results
 
 
 def _count(number: int, noun: str) -> str:
@@ -26,10 +27,10 @@ def summary(file: str, results: Results) -> str:
         _count(len(case.mechanisms), "mechanism"),
         _count(len(case.gears), "gear"),
     ]
-    if case.drawing is not None:
-        planets = case.links - case.drawing.links
-        counts[0] = _count(case.drawing.links, "link")
-        counts[2] = f"{_count(len(case.drawing.elements), 'element')} as {counts[2]}"
+    if drawing := drawing_of(case):
+        planets = case.links - drawing.links
+        counts[0] = _count(drawing.links, "link")
+        counts[2] = f"{_count(len(drawing.elements), 'element')} as {counts[2]}"
         counts[2] += f" and {_count(planets, 'planet')}" * bool(planets)
     lines = [f"{file}: {', '.join(counts)}; degrees of freedom: {free}"]
     names = [element.name for element in case.shift_elements]

@@ -5,8 +5,8 @@ from __future__ import annotations
 import click
 
 from vstatics.cli import files
-from vstatics.compare import Difference, differences
 from vstatics.readers.results import Report, read_results
+from vstatics.tables.compare import Difference, differences
 
 
 def _differ(actual: list[Report], expected: list[Report], atol: float, rtol: float) -> list[str]:

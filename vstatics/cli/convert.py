@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import click
 
-from vstatics import readers, statics
+from vstatics import readers
 from vstatics.cli import cases as arguments
 from vstatics.cli import files
-from vstatics.model import Transmission
+from vstatics.model.transmission import Transmission
+from vstatics.statics.solve import solve
 
 
 def write(case: Transmission, output_format: readers.Format) -> tuple[str, list[str]]:
@@ -18,7 +19,7 @@ def write(case: Transmission, output_format: readers.Format) -> tuple[str, list[
 
         if not case.freewheels:
             return write_deck(case), lost(case)
-        results = statics.solve(case)
+        results = solve(case)
         conflicts = [
             f"that gear {gear.name} is in conflict: a deck does without the freewheel"
             for gear, is_so in zip(case.gears, results.conflict.tolist(), strict=True)

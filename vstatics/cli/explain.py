@@ -9,7 +9,7 @@ import click
 from vstatics.cli import cases as arguments
 from vstatics.cli import files
 from vstatics.cli.cases import Settings, calculate
-from vstatics.model import Transmission
+from vstatics.model.transmission import Transmission
 
 
 def _chosen(case: Transmission, gears: tuple[str, ...]) -> list[int]:
@@ -58,8 +58,8 @@ def explain(
     [outcome] = calculate([case], settings)
     results = outcome.results
     if results is not None:
-        from vstatics.insight.explain import document, text
-        from vstatics.insight.explain import explain as explained
+        from vstatics.explain import document, text
+        from vstatics.explain import explain as explained
 
         made = [explained(results, number) for number in _chosen(results.case, gears)]
         written = (

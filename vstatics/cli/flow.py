@@ -9,10 +9,10 @@ import click
 from vstatics.cli import cases as arguments
 from vstatics.cli import files
 from vstatics.cli.cases import Settings, calculate
-from vstatics.model import Transmission
+from vstatics.model.transmission import Transmission
 
 if TYPE_CHECKING:
-    from vstatics.insight.flow import GearFlow
+    from vstatics.flow.power import GearFlow
 
 
 @click.command()
@@ -49,7 +49,7 @@ def flow(
     [outcome] = calculate([case], settings)
     if outcome.results is None:
         context.exit(1)
-    from vstatics.insight.flow import flows
+    from vstatics.flow.power import flows
 
     found = flows(outcome.results)
     if gear is not None:
@@ -59,7 +59,7 @@ def flow(
 
 
 def _text(case: Transmission, found: list[GearFlow], output_format: str) -> str:
-    from vstatics.insight import flow_text
+    from vstatics.flow import text as flow_text
 
     if output_format == "text":
         return "\n".join(map(flow_text.text, found))

@@ -9,14 +9,15 @@ from functools import partial
 
 import click
 
-from vstatics import __version__
 from vstatics.cli import files, texts
 from vstatics.cli.progress import progress
-from vstatics.cli.record import Options, Record
-from vstatics.cli.stopping import Stop, StoppedError, stoppable
 from vstatics.cli.targets import Task, tasks
 from vstatics.cli.work import Done, Job, lost, work
 from vstatics.errors import ReadError
+from vstatics.extras import __version__
+from vstatics.jobs.files import forget
+from vstatics.jobs.record import Options, Record
+from vstatics.jobs.stopping import Stop, StoppedError, stoppable
 
 
 class _HaltedError(Exception):
@@ -154,15 +155,13 @@ def _results(
         if min(jobs, len(todo)) < 2:
             yield map(partial(work, job), todo)
             return
-        from vstatics.cli.crew import Crew
+        from vstatics.jobs.crew import Crew
 
-        with Crew(
-            partial(work, job), lost, min(jobs, len(todo)), partial(files.forget, folder)
-        ) as crew:
+        with Crew(partial(work, job), lost, min(jobs, len(todo)), partial(forget, folder)) as crew:
             yield crew.each(todo, here=_is_only_here)
     finally:
         if folder:
-            files.forget(folder, os.getpid())
+            forget(folder, os.getpid())
 
 
 def _is_only_here(task: Task) -> bool:

@@ -10,9 +10,9 @@ from vstatics.cli import cases as arguments
 from vstatics.cli import files
 from vstatics.cli.cases import Settings, calculate
 from vstatics.errors import CaseError, Place, Problem, ReadError
-from vstatics.insight.pictures import FORMATS, PICTURES, Format, render
-from vstatics.insight.pictures.style import Style
-from vstatics.results import Language
+from vstatics.pictures import FORMATS, PICTURES, Format, render
+from vstatics.pictures.style import Style
+from vstatics.statics.results import Language
 
 
 @click.command()

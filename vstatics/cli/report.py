@@ -53,7 +53,7 @@ def report(
         )
     [outcome] = calculate([case], settings)
     if outcome.results is not None:
-        from vstatics.insight.report import gather, page
+        from vstatics.report import gather, page
 
         material = gather(outcome.results, outcome.problems)
         if material.without:

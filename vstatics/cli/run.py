@@ -9,7 +9,7 @@ import click
 from vstatics.cli import cases as arguments
 from vstatics.cli import files, texts
 from vstatics.cli.cases import Settings, calculate
-from vstatics.results import Language
+from vstatics.statics.results import Language
 
 
 @click.command()
@@ -112,7 +112,7 @@ def _pretty(names: list[str], settings: Settings) -> int:
     """Show the gears of each case to a person; the exit status."""
     from rich.console import Console
 
-    from vstatics.insight.pretty import ASCII, Marks, view
+    from vstatics.summary.pretty import ASCII, Marks, view
 
     console = Console(highlight=False)
     failed = False

@@ -11,11 +11,11 @@ from vstatics.cli import cases as arguments
 from vstatics.cli import files
 from vstatics.cli.cases import Outcome, Settings, calculate
 from vstatics.errors import CaseError, Place, ReadError
-from vstatics.results import Results
+from vstatics.statics.results import Results
 
 if TYPE_CHECKING:
-    from vstatics.insight.summary import Summary
-    from vstatics.insight.summary.duty_file import DutyFile
+    from vstatics.summary import Summary
+    from vstatics.summary.duty_file import DutyFile
 
 SummaryFormat = Literal["text", "json", "markdown", "latex"]
 
@@ -95,7 +95,7 @@ def summary(
     files.spare([*named, *filter(None, [duty])], output)
     cycle = None
     if duty is not None:
-        from vstatics.insight.summary.duty_file import read_duty
+        from vstatics.summary.duty_file import read_duty
 
         cycle = read_duty(*files.read_input(duty))
     outcomes = list(calculate(named, settings))
@@ -113,10 +113,12 @@ def _text(outcomes: Sequence[Outcome], output_format: SummaryFormat, asked: _Ask
         if outcome.results is not None
     ]
     if output_format == "json":
-        from vstatics.insight.summary.document import document, write
+        from vstatics.summary.document import document, write
 
         return write([document(one) for one in made])
-    from vstatics.insight.summary import contrast, grids, latex, markdown, plain
+    from vstatics.summary import contrast, grids
+    from vstatics.tables import latex, markdown
+    from vstatics.tables import text as plain
 
     writer = {"text": plain, "markdown": markdown, "latex": latex}[output_format]
     names = [outcome.results.case.name for outcome in outcomes if outcome.results is not None]
@@ -134,7 +136,7 @@ def _text(outcomes: Sequence[Outcome], output_format: SummaryFormat, asked: _Ask
 
 def _summarized(results: Results, file: str, asked: _Asked) -> Summary:
     """The summary of a case; too many combinations are a problem of its file."""
-    from vstatics.insight.summary import summarize
+    from vstatics.summary import summarize
 
     try:
         made = summarize(results, at_most=asked.at_most)

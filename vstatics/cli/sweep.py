@@ -13,7 +13,7 @@ from vstatics.cli import cases as arguments
 from vstatics.cli import files
 from vstatics.cli.sweep_run import in_good_order, is_stream, run
 from vstatics.errors import CaseError, ReadError
-from vstatics.model import IdleConvention, Transmission
+from vstatics.model.transmission import IdleConvention, Transmission
 from vstatics.sweep import build
 from vstatics.sweep.file import METHODS, Settings, Text, read_sweep_file
 from vstatics.sweep.formats import SUFFIXES, TEXTS, Format, format_of_name

@@ -11,13 +11,14 @@ from contextlib import contextmanager, suppress
 from typing import Any
 
 from vstatics.cli import files
-from vstatics.cli.stopping import StoppedError, stoppable
 from vstatics.errors import CaseError, Place, Problem
+from vstatics.jobs.files import opened
+from vstatics.jobs.stopping import StoppedError, stoppable
+from vstatics.jobs.store import SUFFIX, Store
 from vstatics.sweep.chunk import STATUS
 from vstatics.sweep.formats import Format
 from vstatics.sweep.output import Output, Report, description, stream
 from vstatics.sweep.plan import Plan
-from vstatics.sweep.store import SUFFIX, Store
 from vstatics.sweep.tasks import Task
 from vstatics.sweep.variants import Table
 
@@ -71,7 +72,7 @@ def to_file(
 ) -> int:
     """Write the output file, whole or not at all; the exit status."""
     from vstatics.cli.progress import progress
-    from vstatics.sweep.jobs import workers
+    from vstatics.jobs.workers import workers
 
     began = time.perf_counter()
     with Store(output) as store:
@@ -126,7 +127,7 @@ def to_stream(
 ) -> int:
     """Write rows to stdout, or to what is no file, as they come; the exit status."""
     from vstatics.cli.progress import progress
-    from vstatics.sweep.jobs import workers
+    from vstatics.jobs.workers import workers
 
     began = time.perf_counter()
     task = Task(plan, form)
@@ -172,7 +173,7 @@ def _opened(output: str | None) -> Iterator[Callable[[bytes], Any]]:
 
         yield write
     else:
-        with files.opened(output) as write_there:
+        with opened(output) as write_there:
             yield write_there
 
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 from typing import Literal, NamedTuple
 
 from vstatics.cli.cases import Outcome
-from vstatics.results import Language
+from vstatics.statics.results import Language
 
 OutputFormat = Literal["listing", "json", "csv", "jsonl"]
 

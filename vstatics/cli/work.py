@@ -10,10 +10,11 @@ from typing import NamedTuple
 
 from vstatics.cli import files, texts
 from vstatics.cli.cases import Outcome, Settings, calculate_one, unexpected
-from vstatics.cli.record import Record, State, state
 from vstatics.cli.targets import Task
 from vstatics.errors import Place, Problem
-from vstatics.results import Language
+from vstatics.jobs.files import replace
+from vstatics.jobs.record import Record, State, state
+from vstatics.statics.results import Language
 
 OWN_FAULTS = {errno.EISDIR, errno.ENAMETOOLONG, errno.ELOOP, errno.EILSEQ}
 """Errors of writing that one name has; any other would meet every case."""
@@ -69,7 +70,7 @@ def _to_file(job: Job, outcome: Outcome, target: str, case: State | None) -> Don
         if outcome.results is None:
             return Done(outcome.file, outcome.problems, left=_set_aside(target))
         data = files.encoded(texts.alone(outcome, job.output_format, job.lang))
-        files.replace(target, data)
+        replace(target, data)
         if job.record is not None:
             job.record.note(target, case, failed=outcome.failed)
     except OSError as error:

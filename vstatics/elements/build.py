@@ -7,7 +7,7 @@ from typing import Any
 
 from vstatics.elements.element import Drawing
 from vstatics.elements.lower import parts
-from vstatics.model import Transmission
+from vstatics.model.transmission import Transmission
 
 
 def lowered(drawing: Drawing, link_names: Sequence[str]) -> dict[str, Any]:
@@ -51,8 +51,8 @@ def transmission(
     Examples
     --------
     >>> from vstatics.elements import Element
-    >>> from vstatics.model import Gear, ShiftElement
-    >>> from vstatics.statics import solve
+    >>> from vstatics.model.transmission import Gear, ShiftElement
+    >>> from vstatics.statics.solve import solve
     >>> sets = Element("P", "planetary", {"sun": 1, "ring": 2, "carrier": 3},
     ...                {"sun": 30, "ring": 75})
     >>> case = transmission(Drawing(3, [sets]), shift_elements=[ShiftElement(2)],

@@ -16,7 +16,7 @@ from vstatics.elements.group_checks import MOST
 from vstatics.elements.kinds import GROUP, KINDS, Kind, Planetary, Simple
 from vstatics.elements.lower import at_meshes
 from vstatics.errors import Path, Problem, nearest
-from vstatics.parts import HOUSING
+from vstatics.model.parts import HOUSING
 
 
 def problems(drawing: Drawing) -> Iterator[Problem]:

@@ -9,7 +9,7 @@ from vstatics.elements.element import CentralWheel, Element
 from vstatics.elements.group import PlanetGroup, group_of
 from vstatics.elements.kinds import GROUP
 from vstatics.errors import Path, Problem, nearest
-from vstatics.parts import HOUSING
+from vstatics.model.parts import HOUSING
 
 MOST = 10**6
 """Teeth, or a diameter: far above any wheel; ratios of such numbers stay calculable."""

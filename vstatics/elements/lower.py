@@ -14,11 +14,11 @@ from collections.abc import Iterator, Mapping
 from fractions import Fraction
 from typing import NamedTuple
 
-from vstatics.elements.element import CentralWheel, Drawing, Element, MeshEfficiency
+from vstatics.elements.element import CentralWheel, Drawing, Element, MeshEfficiency, drawing_of
 from vstatics.elements.group import PlanetGroup, group_of
 from vstatics.elements.kinds import Planetary, Simple
-from vstatics.model import Transmission
-from vstatics.parts import Mechanism
+from vstatics.model.parts import Mechanism
+from vstatics.model.transmission import Transmission
 
 
 class Lowered(NamedTuple):
@@ -65,7 +65,7 @@ def parts(drawing: Drawing) -> list[Part]:
 
 def parts_of(case: Transmission) -> list[Part]:
     """The parts of any case: of its drawing, or its mechanisms as they are."""
-    drawing = case.drawing
+    drawing = drawing_of(case)
     return [*map(_given, case.mechanisms)] if drawing is None else parts(drawing)
 
 

@@ -8,7 +8,7 @@ from os import PathLike, fspath
 from os.path import splitext
 from typing import Literal
 
-from vstatics.model import Transmission
+from vstatics.model.transmission import Transmission
 from vstatics.readers.reading import Reading
 
 Format = Literal["deck", "yaml", "json"]

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from typing import Any, NamedTuple
 
-from vstatics.checks import doubts
 from vstatics.errors import CaseError, Path, Place, Problem, ReadError
-from vstatics.model import Transmission
+from vstatics.model.checks import doubts
+from vstatics.model.transmission import Transmission
 
 
 class Source:

@@ -9,11 +9,11 @@ from types import MappingProxyType
 from typing import Any, NamedTuple
 
 from vstatics.errors import Problem, ReadError
-from vstatics.model import Transmission
+from vstatics.model.transmission import Transmission
 from vstatics.readers import Format, read
 from vstatics.readers.deck.text import decode, head
 from vstatics.readers.reading import Source
-from vstatics.results import NAME, TABLES
+from vstatics.statics.results import NAME, TABLES
 
 PRINTED = {shape.printed: shape.name for shape in TABLES}
 

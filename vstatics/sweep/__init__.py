@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Literal
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
-    from vstatics.model import IdleConvention, Transmission
+    from vstatics.model.transmission import IdleConvention, Transmission
     from vstatics.sweep.chunk import Chunk
 
 __all__ = ["sweep"]
@@ -114,7 +114,7 @@ def sweep(  # noqa: PLR0913 (as on the command line)
 
 
 def _chunks(plan: Any, jobs: int) -> Iterator[Chunk]:
-    from vstatics.sweep.jobs import workers
+    from vstatics.jobs.workers import workers
     from vstatics.sweep.tasks import Task, calculate
 
     task = Task(plan, "csv")

@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterable, Iterator
 
 import numpy as np
 
-from vstatics.arrays import Floats, Integers
+from vstatics.numerics.arrays import Floats, Integers
 from vstatics.sweep import selection
 from vstatics.sweep.chunk import Chunk, joined
 from vstatics.sweep.plan import Plan

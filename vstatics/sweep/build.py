@@ -10,8 +10,8 @@ import numpy as np
 
 from vstatics.errors import CaseError, Problem, ReadError
 from vstatics.extras import require
-from vstatics.model import IdleConvention, Transmission
-from vstatics.sweep.columns import read_columns
+from vstatics.model.transmission import IdleConvention, Transmission
+from vstatics.sweep.expressions.columns import read_columns
 from vstatics.sweep.file import Settings, Text, located
 from vstatics.sweep.formats import Format
 from vstatics.sweep.plan import Plan

@@ -13,14 +13,14 @@ from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
 import numpy as np
 
-from vstatics import statics
-from vstatics.arrays import Booleans, Floats, Integers
-from vstatics.results import Results
+from vstatics.numerics.arrays import Booleans, Floats, Integers
+from vstatics.statics.results import Results
+from vstatics.statics.solve import impossible, solve
 
 if TYPE_CHECKING:
     import pandas as pd
 
-    from vstatics.model import Transmission
+    from vstatics.model.transmission import Transmission
     from vstatics.sweep.plan import Plan
     from vstatics.sweep.targets import Target
 
@@ -90,7 +90,7 @@ class Chunk(NamedTuple):
 
 
 class _Numbers(NamedTuple):
-    """What `statics.solve` takes, and which variants cannot be given to it."""
+    """What `vstatics.solve` takes, and which variants cannot be given to it."""
 
     ratios: Floats | None
     efficiencies: Floats | None
@@ -111,7 +111,7 @@ def calculate(plan: Plan, start: int, stop: int) -> Chunk:
     Chunk
         With a row for each variant that passed the plan's condition.
     """
-    own = statics.solve(plan.case)
+    own = solve(plan.case)
     parts = [_block(plan, own, *ends) for ends in blocks(plan.case, start, stop)]
     return joined(parts)
 
@@ -154,7 +154,7 @@ def _block(plan: Plan, own: Results, start: int, stop: int) -> Chunk:
     variants = np.arange(start, stop)
     if numbers.ratios is None and numbers.efficiencies is None:  # nothing is varied
         numbers = numbers._replace(ratios=_own(case, "ratio", len(variants)).T)
-    results = statics.solve(case, ratios=numbers.ratios, efficiencies=numbers.efficiencies)
+    results = solve(case, ratios=numbers.ratios, efficiencies=numbers.efficiencies)
     status = _status(results, own)
     status[numbers.invalid] = INVALID
     with np.errstate(all="ignore"):
@@ -196,7 +196,7 @@ def _numbers(case: Transmission, targets: tuple[Target, ...], values: Floats) ->
             made[quantity] = _own(case, quantity, len(values))
         given = values[:, column]
         mechanism = case.mechanisms[target.mechanism]
-        wrong = statics.impossible(mechanism, quantity, given)
+        wrong = impossible(mechanism, quantity, given)
         made[quantity][target.mechanism] = given
         if wrong.any():
             made[quantity][target.mechanism][wrong] = getattr(mechanism, quantity)

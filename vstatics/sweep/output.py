@@ -8,15 +8,16 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from vstatics.sweep import best, chunk, pieces, tasks
+from vstatics.jobs import pieces
+from vstatics.jobs.alone import Alone, Workers
+from vstatics.jobs.pieces import Account, Copy
+from vstatics.jobs.store import Store
+from vstatics.sweep import best, chunk, tasks
 from vstatics.sweep.chunk import Chunk
 from vstatics.sweep.formats import TEXTS, Format, text
 from vstatics.sweep.formats.npz import Column, Layout
 from vstatics.sweep.formats.npz import layout as npz_layout
-from vstatics.sweep.jobs import Alone, Workers
-from vstatics.sweep.pieces import Account, Copy
 from vstatics.sweep.plan import Plan
-from vstatics.sweep.store import Store
 from vstatics.sweep.tasks import Task, text_format, text_of
 
 Advance = Callable[[int], None]

@@ -9,12 +9,12 @@ from typing import Any
 
 import numpy as np
 
-import vstatics
-from vstatics.arrays import Floats
-from vstatics.model import Transmission
-from vstatics.results import Results
-from vstatics.sweep.columns import Columns
+from vstatics.extras import __version__
+from vstatics.model.transmission import Transmission
+from vstatics.numerics.arrays import Floats
+from vstatics.statics.results import Results
 from vstatics.sweep.expressions import Expression
+from vstatics.sweep.expressions.columns import Columns
 from vstatics.sweep.selection import Objective
 from vstatics.sweep.variants import Variants
 
@@ -89,7 +89,7 @@ class Plan:
         this package.
         """
         digest = hashlib.sha256()
-        for part in _canonical((vstatics.__version__, self, more)):
+        for part in _canonical((__version__, self, more)):
             digest.update(part)
         return digest.hexdigest()
 

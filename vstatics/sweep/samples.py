@@ -10,8 +10,8 @@ from typing import Any, Literal, get_args
 
 import numpy as np
 
-from vstatics.arrays import Floats
 from vstatics.errors import CaseError, Problem, nearest
+from vstatics.numerics.arrays import Floats
 from vstatics.sweep.steps import Steps
 from vstatics.sweep.variants import checked_targets, empty_block
 from vstatics.sweep.variation import MOST, Span, Variation

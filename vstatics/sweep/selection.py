@@ -11,12 +11,12 @@ from typing import Literal, NamedTuple
 
 import numpy as np
 
-from vstatics.arrays import Floats, Integers
-from vstatics.model import Transmission
-from vstatics.sweep.evaluation import Applied
+from vstatics.model.transmission import Transmission
+from vstatics.numerics.arrays import Floats, Integers
+from vstatics.numerics.fronts import merged, non_dominated, scaled
 from vstatics.sweep.expressions import Expression, read_expression
-from vstatics.sweep.fronts import merged, non_dominated, scaled
-from vstatics.sweep.source import Source
+from vstatics.sweep.expressions.evaluation import Applied
+from vstatics.sweep.expressions.source import Source
 from vstatics.sweep.targets import Target
 
 __all__ = [

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from vstatics.arrays import Floats, Integers
+from vstatics.numerics.arrays import Floats, Integers
 
 if TYPE_CHECKING:
     from fractions import Fraction

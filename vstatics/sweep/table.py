@@ -10,10 +10,10 @@ from typing import IO, NamedTuple
 
 import numpy as np
 
-from vstatics.arrays import Floats
 from vstatics.errors import Place, Problem, ReadError, nearest
-from vstatics.model import Transmission
-from vstatics.sweep.spool import Spool
+from vstatics.jobs.spool import Spool
+from vstatics.model.transmission import Transmission
+from vstatics.numerics.arrays import Floats
 from vstatics.sweep.targets import Target, shown, target
 from vstatics.sweep.variants import Table
 from vstatics.sweep.variation import read_value
@@ -81,7 +81,7 @@ def read_table(
 
     Examples
     --------
-    >>> from vstatics.model import Gear, Mechanism, Transmission
+    >>> from vstatics.model.transmission import Gear, Mechanism, Transmission
     >>> case = Transmission(3, [], [Mechanism(1, 2, 3, -2.5)], [Gear()])
     >>> text = b"variant,D1.efficiency,D1.ratio\\n0,0.96,-2.5\\n1,0.97,-96/39\\n"
     >>> table = read_table(io.BytesIO(text), "own.csv", case)

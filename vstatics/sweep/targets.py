@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Literal, NamedTuple, get_args
 
 from vstatics.errors import Place, Problem, ReadError, nearest
-from vstatics.model import Transmission
+from vstatics.model.transmission import Transmission
 
 Quantity = Literal["ratio", "efficiency"]
 QUANTITIES: tuple[Quantity, ...] = get_args(Quantity)
@@ -43,7 +43,7 @@ def target(text: str, case: Transmission, place: Place | None = None) -> Target:
 
     Examples
     --------
-    >>> from vstatics.model import Gear, Mechanism, Transmission
+    >>> from vstatics.model.transmission import Gear, Mechanism, Transmission
     >>> case = Transmission(3, [], [Mechanism(1, 2, 3, -2.5, name="front")], [Gear()])
     >>> target("front.efficiency", case)
     Target(name='front.efficiency', mechanism=0, quantity='efficiency')

@@ -8,10 +8,11 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from vstatics.sweep import best, chunk, pieces
+from vstatics.jobs import pieces
+from vstatics.jobs.pieces import Account, Copy
+from vstatics.sweep import best, chunk
 from vstatics.sweep.chunk import Chunk
 from vstatics.sweep.formats import TEXTS, Format, text
-from vstatics.sweep.pieces import Account, Copy
 from vstatics.sweep.plan import Plan
 from vstatics.sweep.variants import Part, Table
 

@@ -9,9 +9,9 @@ from typing import Protocol
 
 import numpy as np
 
-from vstatics.arrays import Floats
 from vstatics.errors import CaseError, Problem, ReadError
-from vstatics.sweep.spool import Closing, Spool
+from vstatics.jobs.spool import Closing, Spool
+from vstatics.numerics.arrays import Floats
 from vstatics.sweep.steps import Steps
 from vstatics.sweep.targets import Target
 from vstatics.sweep.variation import MOST, Span, Variation

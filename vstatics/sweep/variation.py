@@ -8,9 +8,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.arrays import Floats
 from vstatics.errors import Place, Problem, ReadError
-from vstatics.model import Transmission
+from vstatics.model.transmission import Transmission
+from vstatics.numerics.arrays import Floats
 from vstatics.readers.named.scalars import number as finite_number
 from vstatics.sweep.steps import Steps, stepped
 from vstatics.sweep.targets import Target, behind, refusal, shown, target
@@ -66,7 +66,7 @@ def read_variation(text: str, case: Transmission, place: Place | None = None) ->
 
     Examples
     --------
-    >>> from vstatics.model import Gear, Mechanism, Transmission
+    >>> from vstatics.model.transmission import Gear, Mechanism, Transmission
     >>> case = Transmission(3, [], [Mechanism(1, 2, 3, -2.5)], [Gear()])
     >>> read_variation("D1.ratio=-3:-2:5", case).values
     Steps(start=-3.0, stop=-2.0, number=5)

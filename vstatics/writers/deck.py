@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
-from vstatics.model import Transmission, element_name, mechanism_name
-from vstatics.results import Language
-from vstatics.writers.numbers import exponent
+from vstatics.model.transmission import Transmission, element_name, mechanism_name
+from vstatics.statics.results import Language
+from vstatics.tables.numbers import exponent
 
 RUSSIAN = {
     "STRUCTURE": "СТРУКТУРА",

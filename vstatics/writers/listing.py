@@ -10,10 +10,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from vstatics.results import NAME, Language, Results
+from vstatics.statics.results import NAME, Language, Results
+from vstatics.tables.numbers import fixed
+from vstatics.tables.table import Table
+from vstatics.tables.values import tables
 from vstatics.writers import deck
-from vstatics.writers.numbers import fixed
-from vstatics.writers.tables import Table, tables
 
 
 class Heading(NamedTuple):

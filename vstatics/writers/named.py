@@ -5,7 +5,8 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING, Any
 
-from vstatics.model import Gear, Load, Mechanism, ShiftElement, Transmission
+from vstatics.elements.element import drawing_of
+from vstatics.model.transmission import Gear, Load, Mechanism, ShiftElement, Transmission
 
 if TYPE_CHECKING:
     import yaml
@@ -24,7 +25,7 @@ def mapping(case: Transmission) -> dict[str, Any]:
 
     Examples
     --------
-    >>> from vstatics.model import Gear, Mechanism, ShiftElement, Transmission
+    >>> from vstatics.model.transmission import Gear, Mechanism, ShiftElement, Transmission
     >>> case = Transmission(
     ...     2, [ShiftElement(1, 2)], [Mechanism(1, 2, 0, ratio=2.0)], [Gear([1])]
     ... )
@@ -34,7 +35,7 @@ def mapping(case: Transmission) -> dict[str, Any]:
     links = _link_words(case)
     texts = {"name": case.name, "description": case.description, "source": case.source}
     data: dict[str, Any] = {key: str(text) for key, text in texts.items() if text}
-    own = case.links if case.drawing is None else case.drawing.links
+    own = case.own_links
     data["links"] = own if _numbered(case) else links[1 : own + 1]
     if case.input != 1:
         data["input"] = links[case.input]
@@ -51,12 +52,12 @@ def mapping(case: Transmission) -> dict[str, Any]:
             str(element.name): _element(element, links) for element in case.shift_elements
         }
     mechanisms = case.mechanisms
-    if case.drawing is not None:
+    if drawing := drawing_of(case):
         from vstatics.writers import elements
 
-        data |= elements.mapping(case.drawing, links)
-        mechanisms = case.drawing.mechanisms
-    if mechanisms or case.drawing is None:
+        data |= elements.mapping(drawing, links)
+        mechanisms = drawing.mechanisms
+    if mechanisms or drawing is None:
         data["mechanisms"] = {str(m.name): _mechanism(m, links) for m in mechanisms}
     data["gears"] = {str(gear.name): _gear(gear, case, links) for gear in case.gears}
     return data
@@ -92,7 +93,7 @@ def write_json(case: Transmission) -> str:
 
 def _numbered(case: Transmission) -> bool:
     """Whether the case's own links are called by their numbers."""
-    own = case.links if case.drawing is None else case.drawing.links
+    own = case.own_links
     return list(case.link_names[:own]) == [str(number) for number in range(1, own + 1)]
 
 

@@ -7,8 +7,8 @@ import io
 import math
 from collections.abc import Iterable, Sequence
 
-from vstatics.results import Results
-from vstatics.writers.tables import tables
+from vstatics.statics.results import Results
+from vstatics.tables.values import tables
 
 CONVENTIONS = (
     "ratio = w_input/w_output",

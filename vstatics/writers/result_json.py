@@ -8,9 +8,9 @@ from functools import cache
 from typing import Any
 
 from vstatics.errors import Problem
-from vstatics.results import Results
+from vstatics.statics.results import Results
+from vstatics.tables.values import tables
 from vstatics.writers.named import mapping
-from vstatics.writers.tables import tables
 
 VERSION = 1
 

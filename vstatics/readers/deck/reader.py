@@ -10,7 +10,7 @@ from collections.abc import Iterable
 from typing import Any
 
 from vstatics.errors import Place, Problem, ReadError
-from vstatics.model import Gear, Mechanism, ShiftElement
+from vstatics.model.transmission import Gear, Mechanism, ShiftElement
 from vstatics.readers.deck.encodings import texts
 from vstatics.readers.deck.fields import Fields
 from vstatics.readers.deck.numbers import integer, real

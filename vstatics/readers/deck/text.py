@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 from vstatics.errors import Problem, ReadError
 from vstatics.readers.deck.encodings import texts
 from vstatics.readers.reading import Source
-from vstatics.results import TABLES
+from vstatics.statics.results import TABLES
 
 SCALARS = {"KJG", "KL", "KG", "KNM", "NP", "INP", "IOUT", "IDLE", "COAST"}
 """Fields of one value; they have no index list, and may share a line."""

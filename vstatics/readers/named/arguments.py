@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from vstatics.errors import Path
-from vstatics.model import HOUSING, Gear, Load, Mechanism, ShiftElement
+from vstatics.model.transmission import HOUSING, Gear, Load, Mechanism, ShiftElement
 from vstatics.readers.named.relative import resolve
 from vstatics.readers.named.walk import Walk
 

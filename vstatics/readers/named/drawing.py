@@ -13,7 +13,7 @@ from vstatics.elements.element import CentralWheel, Drawing, Element
 from vstatics.elements.kinds import GROUP, KINDS
 from vstatics.elements.lower import parts as parts_of
 from vstatics.errors import Path, Problem
-from vstatics.model import HOUSING, Mechanism
+from vstatics.model.transmission import HOUSING, Mechanism
 from vstatics.readers.named import nodes
 from vstatics.readers.named.arguments import arguments, untold
 from vstatics.readers.named.elements_shape import DRAWN, drawn, with_elements

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Sequence
 
-from vstatics.model import HOUSING
+from vstatics.model.transmission import HOUSING
 from vstatics.readers.named import scalars
 from vstatics.readers.named.nodes import Found, shown
 

@@ -9,7 +9,7 @@ from collections.abc import Iterator, Mapping
 from typing import Any, NamedTuple
 
 from vstatics.errors import Path
-from vstatics.model import HOUSING
+from vstatics.model.transmission import HOUSING
 from vstatics.readers.named.quantities import WithUnit
 from vstatics.readers.named.spots import Spots
 

@@ -11,7 +11,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any, Literal, TypeAlias
 
-from vstatics.parts import ELEMENT_KINDS
+from vstatics.model.parts import ELEMENT_KINDS
 
 LeafKind = Literal[
     "text",

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator
 from typing import Any
 
-from vstatics.model import HOUSING
+from vstatics.model.transmission import HOUSING
 from vstatics.readers.named import quantities, scalars
 from vstatics.readers.named.nodes import Listing, Mapping, Node, Scalar, is_null, shown, what
 from vstatics.readers.named.references import NO_ELEMENT, NO_LINK, References

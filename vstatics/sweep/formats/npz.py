@@ -15,9 +15,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from vstatics.jobs.pieces import Account, Copy
 from vstatics.sweep.chunk import STATUS
 from vstatics.sweep.formats.checksum import combined
-from vstatics.sweep.pieces import Account, Copy
 
 _LOCAL = struct.Struct("<4s5H3L2H")
 _LOCAL_SIZES = struct.Struct("<2H2Q")

@@ -14,7 +14,7 @@ from typing import Literal
 
 import numpy as np
 
-from vstatics.arrays import Floats
+from vstatics.numerics.arrays import Floats
 from vstatics.sweep.chunk import STATUS, Chunk
 
 TextFormat = Literal["csv", "jsonl"]

@@ -1,0 +1,501 @@
+"""Cases made of elements: what they become, what is shown of them, what is refused."""
+
+from __future__ import annotations
+
+import json
+from fractions import Fraction
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import vstatics as library
+from tests.commands import CASES, vstatics
+from vstatics.elements import Drawing, Element, transmission
+from vstatics.elements.kinds import KINDS
+from vstatics.errors import CaseError, ReadError
+from vstatics.model.transmission import Gear, ShiftElement
+from vstatics.readers import read
+from vstatics.tables.table import Table
+from vstatics.tables.values import tables
+from vstatics.templates import TEMPLATES, template
+
+SET = """
+input: sun
+output: carrier
+elements:
+  P1: {kind: planetary, sun: sun, ring: ring, carrier: carrier, teeth: {sun: 30, ring: 75}}
+shift_elements:
+  B: [ring, housing]
+  C: [sun, carrier]
+gears:
+  low: {engaged: [B]}
+  direct: {engaged: [C]}
+"""
+AOD = (CASES / "ravigneaux-aod.yaml").read_text(encoding="utf-8")
+
+
+def changed(before: str, after: str, text: str = SET) -> str:
+    assert before in text
+    return text.replace(before, after)
+
+
+def loaded(text: str) -> library.Transmission:
+    return read(text.encode(), "case.yaml").case
+
+
+def shown(text: str) -> dict[str, Table]:
+    """The tables of a case by their names."""
+    return {table.shape.name: table for table in tables(library.solve(loaded(text)))}
+
+
+def problems(text: str) -> list[str]:
+    with pytest.raises(ReadError) as refused:
+        read(text.encode(), "case.yaml")
+    return [str(problem) for problem in refused.value.problems]
+
+
+def test_links_are_the_names_that_elements_use() -> None:
+    case = loaded(SET)
+    assert list(case.link_names) == ["sun", "ring", "carrier"]
+    assert library.solve(case).ratio == pytest.approx([1 + 75 / 30, 1])
+
+
+def test_efficiency_of_a_set_is_the_product_of_its_meshes() -> None:
+    [mechanism] = loaded(SET).mechanisms
+    assert mechanism.efficiency == 0.98 * 0.99
+    [mechanism] = loaded("mesh_efficiency: {external: .97}" + SET).mechanisms
+    assert mechanism.efficiency == 0.97 * 0.99
+    own = changed("ring: 75}}", "ring: 75}, mesh_efficiency: {internal: 1}}")
+    [mechanism] = loaded("mesh_efficiency: {external: .97}" + own).mechanisms
+    assert mechanism.efficiency == 0.97
+    [mechanism] = loaded(changed("ring: 75}}", "ring: 75}, efficiency: .96}")).mechanisms
+    assert mechanism.efficiency == 0.96
+
+
+def test_a_gear_pair_an_idler_a_bevel_set_lose_at_each_mesh() -> None:
+    text = """
+input: a
+output: d
+elements:
+  pair: {kind: gear_pair, first: a, second: b, teeth: {first: 20, second: 30}}
+  idler: {kind: idler, first: b, second: c, teeth: {first: 20, idler: 7, second: 30}}
+  ring: {kind: internal_pair, first: c, second: d, teeth: {first: 20, second: 60}}
+gears: {all: {}}
+"""
+    results = library.solve(loaded(text))
+    assert results.ratio == pytest.approx([-1.5 * 1.5 * 3])
+    assert results.efficiency == pytest.approx([0.98**3 * 0.99])
+    bevel = Element("B", "bevel", {"left": 1, "right": 2, "carrier": 3})
+    case = transmission(Drawing(3, [bevel]), gears=[Gear([1])], shift_elements=[ShiftElement(3)])
+    assert case.mechanisms[0].efficiency == pytest.approx(0.97**2)
+    assert case.mechanisms[0].ratio == -1
+
+
+def test_torques_of_the_members_balance() -> None:
+    """Nothing but its members holds an element: with losses, too, their torques cancel."""
+    for name in ("AMLG", "AMLGP"):
+        table = shown(AOD)[name]
+        members = [row.startswith("set.") for row in table.rows]
+        assert sum(members) == 4
+        assert table.values[members].sum(axis=0) == pytest.approx(np.zeros(5), abs=1e-12)
+
+
+def test_member_torques_of_a_plain_set() -> None:
+    """Ring held: sun 1, ring 75/30, carrier what both leave; with losses the ring has less."""
+    ideal, lossy = shown(SET)["AMLG"], shown(SET)["AMLGP"]
+    assert list(ideal.rows) == ["B", "C", "P1.sun", "P1.ring", "P1.carrier", "Mx"]
+    assert ideal.values[2:, 0] == pytest.approx([1, 2.5, -3.5, 3.5])
+    held = 2.5 * 0.98 * 0.99
+    assert lossy.values[2:, 0] == pytest.approx([1, held, -1 - held, 1 + held])
+
+
+def test_results_show_own_links_elements_and_planets() -> None:
+    found = shown(AOD)
+    assert list(found["W"].rows) == ["input", "forward sun", "reverse sun", "carrier", "ring"]
+    assert list(found["WSAT"].rows) == ["set.short", "set.long"]
+    assert found["WSAT"].values[:, 0] == pytest.approx([-30 / 18, 30 / 18])  # carrier held
+    assert list(found["losses"].rows) == ["set"]
+    total = 1 - found["ETA"].values[0]
+    assert found["losses"].values[0] == pytest.approx(total)
+    assert "mesh_torques" not in shown(SET)
+
+
+@pytest.mark.parametrize("losses", ["meshes", "reduced"])
+def test_planets_have_the_same_speeds_in_both_forms(losses: str) -> None:
+    given = shown(AOD)["WSAT"].values
+    other = shown(changed("mesh_eff", f"losses: {losses}\nmesh_eff", AOD))["WSAT"].values
+    assert other == pytest.approx(given, abs=1e-12)
+
+
+def test_a_planet_without_teeth_has_no_speed() -> None:
+    found = shown(changed(", short: 18, long: 18", "", AOD))
+    assert list(found["WSAT"].rows) == ["set.short", "set.long"]
+    assert np.isnan(found["WSAT"].values[0]).all()
+    assert found["WSAT"].values[1] == pytest.approx(shown(AOD)["WSAT"].values[1])  # (72 - 36)/2
+
+
+def test_a_mesh_with_a_planet_without_teeth_has_no_torque_on_it() -> None:
+    found = shown(changed(", short: 18, long: 18", "", AOD))["lossy_mesh_torques"]
+    given = shown(AOD)["lossy_mesh_torques"]
+    assert list(found.rows) == list(given.rows)
+    for name, row, other in zip(found.rows, found.values, given.values, strict=True):
+        if name == "set.short-long":
+            assert np.isnan(row).all()
+        else:
+            assert row == pytest.approx(other)
+
+
+def test_wheels_of_a_group_keep_their_rows_whatever_their_links_are_called() -> None:
+    """Ring held: sun 1, ring 2, carrier -3, whoever has a link called carrier or A."""
+    for name in ("ring", "carrier", "A"):
+        text = f"""
+links: [in, {name}, H]
+output: H
+losses: meshes
+elements:
+  g: {{kind: planet_group, carrier: H, rims: {{A: {{A1: 18}}}},
+      suns: [{{link: in, teeth: 36, rim: A1}}], rings: [{{link: {name}, teeth: 72, rim: A1}}]}}
+shift_elements: {{B: [{name}, housing]}}
+gears: {{1: {{engaged: [B]}}}}
+"""
+        found = shown(text)["AMLG"]
+        row = "g.ring" if name == "ring" else f"g.{name}/A1"
+        assert list(found.rows) == ["B", "g.in", row, "g.carrier", "Mx"]
+        assert found.values[1:4, 0] == pytest.approx([1, 2, -3])
+
+
+def test_two_wheels_of_the_housing_on_one_rim_have_names_of_their_own() -> None:
+    text = """
+links: [C, out]
+input: C
+elements:
+  g: {kind: planet_group, carrier: C, rims: {A: {A1: 18, A2: 20}}, rings: [
+      {link: housing, teeth: 72, rim: A1}, {link: out, teeth: 74, rim: A2}]}
+gears: {1: {}}
+"""
+    assert "g.housing" in shown(text)["AMLG"].rows
+    both = changed("72, rim: A1}", "72, rim: A1}, {link: housing, teeth: 72, rim: A1}", text)
+    assert {"g.housing/A1", "g.housing/A1 (ring)"} < set(shown(both)["AMLG"].rows)
+
+
+def test_sets_that_seem_to_share_planets_get_a_hint() -> None:
+    two = changed(
+        "shift_elements:",
+        "  P2: {kind: double_planet, sun: sun2, ring: ring, carrier: carrier,"
+        " teeth: {sun: 27, ring: 75}}\nshift_elements:",
+    )
+    told = [str(p) for p in read(two.encode(), "case.yaml").warnings if p.severity == "note"]
+    assert sum("P2: has a wheel and the carrier in common with P1" in one for one in told) == 1
+
+
+def test_a_planet_and_a_link_of_one_name_are_told() -> None:
+    text = AOD.replace("reverse sun", "set.long")
+    assert any("planet long is called `set.long`, as a link is" in told for told in problems(text))
+
+
+def test_the_planets_of_a_plain_set_follow_its_ratio_in_a_sweep() -> None:
+    """Ring held: (w_sun - w_carrier)/(planet ratio) with the planet (ring - sun)/2."""
+    case = loaded(SET)
+    for ratio in (-2.0, -4.0):
+        results = library.solve(case, ratios=np.array([[ratio], [-3.0]]))
+        motion = 1 - 1 / (1 - ratio)
+        assert results.planet_speeds[0, 0] == pytest.approx([motion / ((1 + ratio) / 2)])
+
+
+def test_ratio_is_the_exact_fraction_rounded_once() -> None:
+    text = changed("teeth: {sun: 30, ring: 75}", "teeth: {sun: 31, ring: 83}")
+    assert loaded(text).mechanisms[0].ratio == float(Fraction(-83, 31))
+
+
+def test_a_held_link_is_one_with_the_housing() -> None:
+    text = changed("shift_elements:", "  H: {kind: held, link: ring}\nshift_elements:")
+    text = changed("low: {engaged: [B]}", "low: {}", changed("  B: [ring, housing]\n", "", text))
+    results = library.solve(loaded(changed("  direct: {engaged: [C]}\n", "", text)))
+    assert results.ratio == pytest.approx([3.5])
+
+
+def test_mechanisms_may_stand_beside_elements() -> None:
+    axle = "mechanisms:\n  axle: {first: carrier, second: out, ratio: -4, efficiency: .97}\n"
+    case = loaded(changed("output: carrier", "output: out", SET) + axle)
+    assert [mechanism.name for mechanism in case.mechanisms] == ["P1", "axle"]
+    assert library.solve(case).ratio == pytest.approx([-14, -4])
+
+
+@pytest.mark.parametrize("name", [*TEMPLATES])
+def test_a_template_is_a_case_without_faults(name: str, tmp_path: Path) -> None:
+    file = tmp_path / "new.yaml"
+    assert vstatics("new", file, "--template", name) == (0, "", "")
+    assert file.read_text(encoding="utf-8") == template(name)
+    said = vstatics("run", file, "-f", "json")
+    assert (said.status, said.err) == (0, "")
+    document = json.loads(said.out)
+    assert not any(ratio is None for ratio in document["ratio"])
+    assert document["case"]["elements"]
+
+
+def test_every_kind_has_a_template_or_a_case() -> None:
+    texts = [path.read_text(encoding="utf-8") for path in CASES.glob("*.yaml")]
+    texts += map(template, TEMPLATES)
+    unused = {kind for kind in KINDS if not any(f"kind: {kind}" in text for text in texts)}
+    assert unused == {"internal_pair", "belt"}
+
+
+def test_new_does_not_overwrite(tmp_path: Path) -> None:
+    file = tmp_path / "mine.yaml"
+    file.write_text("mine", encoding="utf-8")
+    said = vstatics("new", file)
+    assert (said.status, file.read_text(encoding="utf-8")) == (1, "mine")
+    assert "is there already" in said.err
+    said = vstatics("new", "--template", "ravigneau")
+    assert (said.status, "did you mean `ravigneaux`?" in said.err) == (2, True)
+
+
+FAULTS = {
+    "a misspelt kind": ("kind: planetary", "kind: planetery", "did you mean `planetary`?"),
+    "a misspelt member": ("carrier: carrier", "carier: carrier", "did you mean `carrier`?"),
+    "a member missing": (", carrier: carrier", "", "`carrier` is missing"),
+    "no kind": ("kind: planetary, ", "", "`kind` is missing"),
+    "no teeth": (", teeth: {sun: 30, ring: 75}", "", "`teeth` is missing"),
+    "teeth of the ring": (", ring: 75}", "}", "teeth of `ring` missing"),
+    "broken teeth": ("ring: 75}", "ring: 75.5}", "read '75.5', expected a whole number"),
+    "no teeth at all": ("ring: 75}", "ring: 0}", "read '0', expected a whole number from 1"),
+    "a small ring": ("ring: 75}", "ring: 25}", "read 25, expected more teeth than the 30 of sun"),
+    "an efficiency": ("ring: 75}}", "ring: 75}, efficiency: 1.2}", "read 1.2, expected an eff"),
+    "a link twice": ("ring: ring", "ring: sun", "sun and ring are the same link"),
+    "no input": ("input: sun\n", "", "`input` is missing"),
+    "losses": ("input: sun", "losses: mesh\ninput: sun", "did you mean `meshes`?"),
+    "a load": ("input: sun", "load: {speed: 2100}\ninput: sun", "such as `2100 rpm`"),
+    "an angle": ("input: sun", "load: {speed: 35 Hz}\ninput: sun", "such as `2100 rpm`"),
+    "a torque": ("input: sun", "load: {torque: 9 rpm}\ninput: sun", "such as `1200 N*m`"),
+    "a comma": ("input: sun", "load: {speed: '1,5 rpm'}\ninput: sun", "such as `2100 rpm`"),
+    "drag": ("input: sun", "drag: {ring: 3 N*m}\ninput: sun", "no input torque to relate it to"),
+    "a unit": ("input: sun", "load: {torque: 300 Nm}\ninput: sun", "did you mean `300 N*m`?"),
+    "powers of powers": ("input: sun", "load: {speed: 1 rpm*9^9^9}\ninput: sun", "such as `2100 "),
+    "a load that leaves": (
+        "input: sun",
+        "load: {speed: -9 rpm, torque: 3 N*m}\ninput: sun",
+        "read 3 N*m at -9 rpm, so power would leave at the input",
+    ),
+    "negative drag": (
+        "input: sun",
+        "load: {torque: 9 N*m}\ndrag: {ring: -3 N*m}\ninput: sun",
+        ":3:8: error: drag.ring: read -3 N*m, expected a torque of 0 or more",
+    ),
+    "drag of the housing": (
+        "input: sun",
+        "drag: {housing: .1}\ninput: sun",
+        "drag.housing: the housing does not turn",
+    ),
+    "no output": ("output: carrier\n", "", "`output` is missing"),
+    "nothing under elements": (
+        SET[SET.index("  P1:") : SET.index("shift_el")],
+        "",
+        "elements: read nothing, expected a mapping: a name for each element",
+    ),
+    "two efficiencies": (
+        "ring: 75}}",
+        "ring: 75}, efficiency: .97, mesh_efficiency: {internal: 1}}",
+        "`efficiency` is that of the whole element",
+    ),
+    "too many teeth": (
+        "ring: 75}}",
+        "ring: 9000000}}",
+        "read 9e+06, expected a number above 0 and below 1e+06",
+    ),
+    "a rim": ("kind: planetary", "kind: planet_group", "unknown key `sun`"),
+}
+
+
+@pytest.mark.parametrize(("before", "after", "words"), FAULTS.values(), ids=FAULTS.keys())
+def test_a_fault_is_told_with_its_place(before: str, after: str, words: str) -> None:
+    found = problems(changed(before, after))
+    assert any(words in problem for problem in found), found
+    assert all(problem.startswith("case.yaml:") for problem in found)
+
+
+GROUP = """
+links: [a, b, c, h]
+output: c
+elements:
+  G:
+    kind: planet_group
+    carrier: h
+    rims: {A: {A1: 20, A2: 18}, B: {B1: 20}}
+    suns: [{link: a, teeth: 30, rim: A1}]
+    rings: [{link: b, teeth: 70, rim: A1}, {link: c, teeth: 80, rim: B1}]
+    meshes: [[A2, B1]]
+gears: {all: {}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("before", "after", "words"),
+    [
+        (
+            "rim: A1}]\n    rings",
+            "rim: A3}]\n    rings",
+            "elements.G.suns[1].rim: read `A3`, expected the name of a rim: A1, A2, B1",
+        ),
+        (
+            "meshes: [[A2, B1]]",
+            "meshes: [[A2, B2]]",
+            "read `B2`, expected the name of a rim: A1, A2, B1",
+        ),
+        ("meshes: [[A2, B1]]", "meshes: [[A2, A1]]", "are on one planet"),
+        ("meshes: [[A2, B1]]", "meshes: [[A2, B1], [A1, B1]]", "block one another"),
+        ("    meshes: [[A2, B1]]\n", "", "is a mesh between planets missing?"),
+        ("B: {B1: 20}", "B: {A1: 20}", "rim `A1` is there already"),
+        ("meshes: [[A2, B1]]", "meshes: [A2, B1]", "expected two: [rim, rim]"),
+        ("carrier: h", "carrier: h\n    efficiency: .9", "one efficiency for several paths"),
+        ("link: b, teeth: 70", "link: h, teeth: 70", "is on the link of the carrier"),
+        ("link: b, teeth: 70", "link: b, teeth: 30", "expected more teeth than the 30 of a"),
+        ("link: b, teeth: 70", "link: a, teeth: 70", "they would lock"),
+        ("teeth: 80", "teeth: 80000000", "expected fewer than 1000000 teeth"),
+    ],
+)
+def test_a_fault_in_a_group_is_told(before: str, after: str, words: str) -> None:
+    found = problems(changed(before, after, GROUP))
+    assert any(words in problem for problem in found), found
+
+
+NUMBERED = """
+links: 4
+output: 3
+elements:
+  R:
+    {kind: ravigneaux, small_sun: 1, large_sun: 2, ring: 3, carrier: 4,
+     teeth: {small_sun: 30, large_sun: 36, ring: 84, short: 22, long: 24}}
+shift_elements: {B: [4, 0]}
+gears:
+  1: {engaged: [B], speeds: {2: 0}, drag: {2: 0.1}}
+"""
+"""The planets are links 5 and 6 of the mechanisms, but no links of the case."""
+
+
+@pytest.mark.parametrize(
+    ("before", "after", "place"),
+    [
+        ("output: 3", "output: 6", "3:9: error: output"),
+        ("carrier: 4", "carrier: 5", "6:70: error: elements.R.carrier"),
+        ("B: [4, 0]", "B: [5, 0]", "8:22: error: shift_elements.B[1]"),
+        ("speeds: {2: 0}", "speeds: {5: 0}", "10:30: error: gears.1.speeds"),
+        ("drag: {2: 0.1}", "drag: {5: 0.1}", "10:44: error: gears.1.drag"),
+        ("speeds: {2: 0}", "torques: {6: 1}", "10:31: error: gears.1.torques"),
+        ("speeds: {2: 0}", "output: 6", "10:29: error: gears.1.output"),
+    ],
+)
+def test_a_planet_has_no_link_number(before: str, after: str, place: str) -> None:
+    [told] = problems(changed(before, after, NUMBERED))
+    assert told.startswith(f"case.yaml:{place}")
+    assert "expected a link number from 1 to 4" in told
+
+
+@pytest.mark.parametrize("given", ["housing", "0"])
+@pytest.mark.parametrize(
+    "text",
+    [SET.replace("output: carrier", "output: X"), NUMBERED.replace("output: 3", "output: X")],
+)
+def test_the_housing_is_no_output(text: str, given: str) -> None:
+    told, *_ = problems(text.replace("output: X", f"output: {given}"))
+    assert "error: output: read the housing, expected the link that drives the load" in told
+
+
+def test_a_wheel_of_a_group_beyond_the_links_is_told() -> None:
+    [told] = problems("""
+links: 2
+elements:
+  G:
+    kind: planet_group
+    carrier: 2
+    rims: {A: {a: 20}}
+    suns: [{link: 1, teeth: 30, rim: a}]
+    rings: [{link: 3, teeth: 70, rim: a}]
+gears: {1: {}}
+""")
+    assert told.startswith("case.yaml:9:20: error: elements.G.rings[1].link: read '3'")
+
+
+def test_a_wheel_with_teeth_but_no_link_is_told() -> None:
+    """It is left out; the one who forgot its link wants to know."""
+    text = """
+links: [in, out]
+elements:
+  W: {kind: stepped, sun: in, ring: housing, carrier: out,
+      teeth: {sun: 20, planet: 20, ring: 60, planet2: 18, ring2: 58}}
+gears: {1: {}}
+"""
+    told = [str(one) for one in read(text.encode(), "case.yaml").warnings]
+    assert told[0].startswith("case.yaml:5:66: warning: elements.W.teeth.ring2: the wheel is left")
+
+
+def test_a_merge_key_is_told_where_it_brings_the_kind() -> None:
+    text = changed("ring, carrier: carrier", "ring, <<: *x, carrier: carrier")
+    text = changed("kind: planetary, ", "", text).replace("SET", "")
+    told = problems(text.replace("*x", "{kind: planetary}"))
+    assert "merge key" in " ".join(told)
+    assert "`kind` is missing" not in " ".join(told)
+
+
+def test_drag_below_0_is_told_as_it_was_read() -> None:
+    text = changed("{engaged: [B]}", '{engaged: [B], drag: {ring: "-100 N*m"}}')
+    *_, told = problems(text + "load: {torque: -100 N*m}\n")
+    assert "drag.ring: read -100 N*m, expected a torque of 0 or more" in told
+
+
+@pytest.mark.parametrize(
+    ("output", "clutches", "losses", "member"),
+    [
+        ("carrier", "C1: [a, ring], C2: [b, ring]", "meshes", "R.carrier"),
+        ("ring", "C1: [a, carrier], C2: [b, carrier]", "meshes", "R.ring"),
+        ("ring", "C1: [a, carrier], C2: [b, carrier]", "reduced", "R.ring"),
+    ],
+)
+def test_a_member_alone_with_the_load_carries_it(
+    output: str, clutches: str, losses: str, member: str
+) -> None:
+    """Two clutches make one piece: they share a torque, but the load is all on one member."""
+    found = shown(f"""
+links: [a, b, carrier, ring]
+output: {output}
+losses: {losses}
+elements:
+  R:
+    {{kind: ravigneaux, small_sun: a, large_sun: b, ring: ring, carrier: carrier,
+     teeth: {{small_sun: 30, large_sun: 36, ring: 84, short: 22, long: 24}}}}
+shift_elements: {{{clutches}}}
+gears: {{1: {{engaged: [C1, C2]}}}}
+""")
+    for name in ("AMLG", "AMLGP"):
+        torques = dict(zip(found[name].rows, found[name].values[:, 0].tolist(), strict=True))
+        assert torques[member] == pytest.approx(-1, abs=1e-14)
+        assert np.isnan(torques["C1"])
+        assert np.isnan(torques["R.small_sun"])
+
+
+def test_a_name_that_stands_alone_is_told_with_the_nearest() -> None:
+    text = changed("B: [ring, housing]", "B: [rign, housing]")
+    told = read(text.encode(), "case.yaml").warnings
+    assert [str(problem) for problem in told if problem.severity == "warning"] == [
+        "case.yaml:5:41: warning: link `ring` is joined to nothing else; did you mean `rign`?",
+        "case.yaml:7:7: warning: link `rign` is joined to nothing else; did you mean `ring`?",
+    ]
+
+
+def test_a_library_user_gets_all_faults_at_once() -> None:
+    bad = Element("P", "planetery", {})
+    worse = Element("Q", "planetary", {"sun": 1, "ring": 2}, {"sun": 30})
+    with pytest.raises(CaseError) as refused:
+        transmission(Drawing(3, [bad, worse]), gears=[Gear()])
+    assert [problem.path[:2] for problem in refused.value.problems] == [
+        ("elements", 1),
+        ("elements", 2),
+        ("elements", 2),
+    ]
+
+
+def test_an_equivalent_deck_gives_the_same_gears() -> None:
+    deck = vstatics("convert", CASES / "ravigneaux-aod.yaml", "-", "--to", "deck").out
+    here, there = library.solve(loaded(AOD)), library.solve(read(deck.encode(), "a.dat").case)
+    assert there.ratio == pytest.approx(here.ratio)
+    assert there.efficiency == pytest.approx(here.efficiency)

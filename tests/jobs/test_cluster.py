@@ -1,0 +1,128 @@
+"""A Dask cluster of processes on this machine; a worker is killed in the middle."""
+
+from __future__ import annotations
+
+import json
+import signal
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from tests.commands import environment
+from tests.sweep.sweeps import CASE_TEXT, begin, end, finished, names, wait_for
+
+pytest.importorskip("distributed")
+pytestmark = pytest.mark.slow
+
+SWEEP = ("box.yaml", "--vary", "D.ratio=-4:-2:1000", "--vary", "D.efficiency=.9:1:500")
+"""Half a million variants in 8 pieces."""
+
+
+def started(module: str, *arguments: object, cwd: Path) -> Any:
+    """A process of Dask's."""
+    command = [sys.executable, "-m", module, "--no-dashboard", *map(str, arguments)]
+    null = subprocess.DEVNULL
+    return subprocess.Popen(command, cwd=cwd, env=environment(), stdout=null, stderr=null)
+
+
+class Cluster:
+    """A scheduler and two workers, each a process."""
+
+    def __init__(self, folder: Path) -> None:
+        """Start them."""
+        (folder / "box.yaml").write_text(CASE_TEXT, encoding="utf-8")
+        self.folder = folder
+        file = folder / "scheduler.json"
+        options = ("--host", "127.0.0.1", "--port", 0, "--scheduler-file", file)
+        self.scheduler = started("distributed.cli.dask_scheduler", *options, cwd=folder)
+        wait_for(lambda: file.exists() and file.read_text(encoding="utf-8").endswith("}"))
+        self.address = json.loads(file.read_text(encoding="utf-8"))["address"]
+        more = (self.address, "--nthreads", 1, "--no-nanny", "--local-directory", folder / "w")
+        self.workers = [started("distributed.cli.dask_worker", *more, cwd=folder) for _ in range(2)]
+
+    def close(self) -> None:
+        """End all of them."""
+        for process in (*self.workers, self.scheduler):
+            process.kill()
+            process.wait()
+
+    def begin(self, *arguments: object) -> Any:
+        """Start a sweep on the cluster."""
+        return begin(*arguments, "--scheduler", self.address, cwd=self.folder)
+
+
+@pytest.fixture
+def cluster(tmp_path: Path) -> Iterator[Cluster]:
+    made = Cluster(tmp_path)
+    yield made
+    made.close()
+
+
+def test_a_worker_that_is_killed_loses_nothing(cluster: Cluster) -> None:
+    """What it was at goes to the other; the file is that of one process, to the byte."""
+    folder = cluster.folder
+    assert end(begin(*SWEEP, "-o", "one.csv", cwd=folder))[0] == 0
+    running = cluster.begin(*SWEEP, "-o", "out.csv")
+    wait_for(lambda: len(finished(folder / "out.csv.parts")) >= 2)
+    cluster.workers[0].kill()
+    status, said = end(running)
+    assert (status, "500000 rows of 500000 variants" in said) == (0, True)
+    assert (folder / "out.csv").read_bytes() == (folder / "one.csv").read_bytes()
+
+
+def test_a_table_and_the_best_come_from_a_cluster(cluster: Cluster) -> None:
+    """The workers do not see the file of the table."""
+    folder = cluster.folder
+    assert end(begin(*SWEEP, "--out", "ratio[low]", "-o", "one.csv", cwd=folder))[0] == 0
+    lines = (folder / "one.csv").read_text(encoding="utf-8").splitlines()
+    table = "\n".join(",".join(line.split(",")[1:3]) for line in lines)
+    (folder / "own.csv").write_text(table, encoding="utf-8")
+    options = ("box.yaml", "--variants", "own.csv", "--max", "efficiency[low]", "--best", 5)
+    assert end(cluster.begin(*options, "-o", "two.csv"))[0] == 0
+    assert end(begin(*options, "-o", "three.csv", cwd=folder))[0] == 0
+    assert (folder / "two.csv").read_bytes() == (folder / "three.csv").read_bytes()
+    assert end(cluster.begin(*SWEEP, "--out", "ratio[low]", "-o", "four.csv"))[0] == 0
+    assert (folder / "four.csv").read_bytes() == (folder / "one.csv").read_bytes()
+
+
+def test_an_interrupted_sweep_goes_on_without_the_cluster(cluster: Cluster) -> None:
+    folder = cluster.folder
+    running = cluster.begin(*SWEEP, "-o", "out.npz")
+    wait_for(lambda: len(finished(folder / "out.npz.parts")) >= 2)
+    running.send_signal(signal.SIGINT)
+    status, said = end(running)
+    assert (status, said.startswith("stopped; ")) == (130, True)
+    assert "Traceback" not in said
+    assert end(begin(*SWEEP, "-o", "out.npz", "--resume", "-j", 2, cwd=folder))[0] == 0
+    assert end(begin(*SWEEP, "-o", "one.npz", cwd=folder))[0] == 0
+    assert (folder / "out.npz").read_bytes() == (folder / "one.npz").read_bytes()
+
+
+def test_a_scheduler_that_goes_away_is_told_in_a_line(cluster: Cluster) -> None:
+    folder = cluster.folder
+    running = cluster.begin(*SWEEP, "-o", "out.csv")
+    wait_for(lambda: finished(folder / "out.csv.parts"))
+    cluster.scheduler.kill()
+    status, said = end(running)
+    first, second = said.splitlines()
+    assert (status, first) == (
+        1,
+        f"{cluster.address}: error: the connection to the scheduler is lost",
+    )
+    assert second.endswith("the same command with --resume goes on")
+
+
+def test_a_scheduler_that_is_not_there_is_told(tmp_path: Path) -> None:
+    (tmp_path / "box.yaml").write_text(CASE_TEXT, encoding="utf-8")
+    for address, words in {
+        "tcp://127.0.0.1:1": "no Dask scheduler answers there",
+        "nonsense://x": "is no address of a scheduler, expected tcp://HOST:PORT",
+    }.items():
+        status, said = end(begin(*SWEEP, "-o", "o.csv", "--scheduler", address, cwd=tmp_path))
+        assert (status, said.startswith(f"{address}: error: {words}")) == (1, True)
+        assert len(said.splitlines()) <= 2
+    assert names(tmp_path) == ["box.yaml"]

@@ -1,0 +1,190 @@
+"""The picture of the power flow: bands as wide as their power, texts that can be read."""
+
+from __future__ import annotations
+
+from collections import Counter
+from itertools import combinations, pairwise
+from pathlib import Path
+from typing import Any
+
+import pytest
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+from matplotlib.transforms import Bbox
+
+from tests.commands import LOCKED, NEUTRAL, TIED_UP
+from vstatics import Gear, Mechanism, Results, Transmission, load, solve
+from vstatics.flow.power import GearFlow, PowerFlow, flows
+from vstatics.model.parts import Load
+from vstatics.pictures import picture
+from vstatics.pictures.sankey.picture import placed
+from vstatics.pictures.sankey.places import Layout
+from vstatics.pictures.style import Style
+from vstatics.readers.named.reader import read_yaml
+
+CASES = sorted((Path(__file__).parents[2] / "cases").iterdir())
+SOME = ("zf-8hp70.yaml", "mercedes-9g.yaml", "toyota-p410.yaml", "self-locking.yaml")
+"""A loop, two of them, several inputs and outputs, a gear locked by friction."""
+EACH = [
+    pytest.param(path, id=path.name, marks=() if path.name in SOME else pytest.mark.slow)
+    for path in CASES
+]
+
+
+def shown(flow: GearFlow) -> PowerFlow | None:
+    """With losses if there are any."""
+    return flow.lossy or flow.ideal
+
+
+def layouts(results: Results) -> list[tuple[PowerFlow, Layout]]:
+    """Gears that have a flow."""
+    found = flows(results)
+    return [
+        (side, made)
+        for side, made in zip(map(shown, found), placed(found, Style()), strict=True)
+        if side is not None and made is not None
+    ]
+
+
+def texts(figure: Figure) -> dict[str, Bbox]:
+    """Each text and its place, in pixels."""
+    canvas: Any = FigureCanvasAgg(figure)
+    renderer = canvas.get_renderer()
+    drawn = [text for axes in figure.axes for text in axes.texts if text.get_text()]
+    return {
+        f"{number}: {text.get_text()}": text.get_window_extent(renderer)
+        for number, text in enumerate(drawn)
+    }
+
+
+def assert_readable(figure: Figure) -> None:
+    """No text covers another, none is cut off."""
+    figure.set_dpi(150)
+    boxes = texts(figure)
+    for (one, box), (other, another) in combinations(boxes.items(), 2):
+        assert not box.overlaps(another), f"{one!r} covers {other!r}"
+    for name, box in boxes.items():
+        assert figure.bbox.x0 <= box.x0 < box.x1 <= figure.bbox.x1, name
+        assert figure.bbox.y0 <= box.y0 < box.y1 <= figure.bbox.y1, name
+
+
+def drawn(figure: Figure) -> str:
+    """All texts of a figure."""
+    return "\n".join(text.get_text() for axes in figure.axes for text in axes.texts)
+
+
+@pytest.mark.parametrize("path", EACH)
+def test_every_edge_and_every_loop_is_a_band_as_wide_as_its_power(path: Path) -> None:
+    """The powers are those of `vstatics flow`; the scale is one for all gears."""
+    scales: set[float] = set()
+    for side, made in layouts(solve(load(path))):
+        transmitted = {
+            (line.band.source, line.band.target): line
+            for line in made.lines
+            if line.band.loop is None
+        }
+        wanted = {(e.source, e.target): e.power for e in side.forward if e.target.kind != "drag"}
+        assert transmitted.keys() == wanted.keys()
+        scales.update(round(line.width / wanted[pair], 6) for pair, line in transmitted.items())
+        for number, loop in enumerate(side.loops):
+            lines = [line for line in made.lines if line.band.loop == number]
+            pairs = Counter(pair for line in lines for pair in line.band.pairs)
+            assert pairs == Counter(pairwise([*loop.nodes, loop.nodes[0]]))
+            scales.update(round(line.width / loop.power, 6) for line in lines)
+            assert any(line.band.back for line in lines)
+        losses = {box.cell.node: box.cell.loss for box in made.boxes if box.cell.lost}
+        scales.update(round(losses[n] / p, 6) for n, p in side.losses.items() if p > 1e-6)
+    assert len(scales) == 1
+
+
+@pytest.mark.parametrize("path", EACH)
+def test_what_is_transmitted_runs_from_left_to_right(path: Path) -> None:
+    for _, made in layouts(solve(load(path))):
+        for line in made.lines:
+            forth = all(left < right for (left, _), (right, _) in pairwise(line.points))
+            assert forth is not line.band.back
+
+
+@pytest.mark.parametrize("path", EACH)
+def test_nodes_and_bands_stand_within_the_picture(path: Path) -> None:
+    for _, made in layouts(solve(load(path))):
+        for x, y in (point for line in made.lines for point in line.points):
+            assert 0 <= x <= made.width
+            assert 0 <= y <= made.height
+        for box in made.boxes:
+            assert 0 <= box.left < box.right <= made.width
+            assert 0 <= box.top <= box.bottom <= made.height
+
+
+@pytest.mark.parametrize("path", EACH)
+def test_no_text_covers_another_or_is_cut_off(path: Path) -> None:
+    assert_readable(picture(solve(load(path)), "flow", Style("ru")))
+
+
+def recirculating(load: Load | None = None) -> Transmission:
+    """Input at the sun, output at the carrier; the input drives the ring by a gear pair.
+
+    By Willis's equation the carrier turns at (1 + 2 * -1/4) / 3 = 1/6, its torque is -6 by
+    the power balance. The ring has 2/3 of it, 4, and with -1/4 gives back the power 1: twice
+    the power that enters goes through the set, once the power that enters goes round.
+    """
+    mechanisms = [
+        Mechanism(1, 2, 3, -2.0, name="set"),
+        Mechanism(1, 2, 0, -4.0, name="pair"),
+    ]
+    names = ("in", "side", "out")
+    return Transmission(3, [], mechanisms, [Gear()], link_names=names, load=load)
+
+
+@pytest.mark.parametrize("dark", [False, True])
+def test_a_loop_tells_its_power_and_its_part_of_the_power_in(dark: bool) -> None:
+    told = drawn(picture(solve(recirculating()), "flow", Style("en", dark), 1))
+    assert "circulates 1.000: 100.0% of the power in" in told
+    assert "set\n2.000" in told
+
+
+def test_with_a_load_powers_are_in_kilowatts_too() -> None:
+    """100 N*m at 955 rpm are 955 / 60 * 2 pi * 100 W = 10.0 kW."""
+    figure = picture(solve(recirculating(Load(955.0, 100.0))), "flow", Style())
+    assert "set\n2.000\n20.0 kW" in drawn(figure)
+    assert "circulates 1.000, 10.0 kW" in drawn(figure)
+    assert_readable(figure)
+
+
+@pytest.mark.parametrize(
+    ("deck", "words"),
+    [
+        (NEUTRAL, "no flow of power: torques do not balance"),
+        (TIED_UP, "no flow of power: tied up"),
+        (LOCKED, "locked by friction; drawn without losses"),
+    ],
+)
+def test_a_gear_without_power_says_so(deck: str, words: str) -> None:
+    figure = picture(solve(read_yaml(deck.encode(), "case.yaml").case), "flow", Style(), 1)
+    assert words in drawn(figure)
+    assert_readable(figure)
+
+
+def test_one_gear_alone_is_as_large_as_it_needs_to_be() -> None:
+    results = solve(load(CASES[0].parent / "zf-8hp70.yaml"))
+    everything, reverse = (picture(results, "flow", Style(), gear) for gear in (None, 9))
+    assert "gear R" in drawn(reverse)
+    assert "gear 1" not in drawn(reverse)
+    assert reverse.get_figheight() < everything.get_figheight() / 5
+
+
+def test_drag_of_a_link_leaves_as_a_loss() -> None:
+    """A pair of ratio 2 without losses: half of the torque .1 at the fast link costs .1."""
+    case = Transmission(2, [], [Mechanism(1, 2, 0, 2.0, name="pair")], [Gear(drag={1: 0.1})])
+    [(_, made)] = layouts(solve(case))
+    [box] = [box for box in made.boxes if box.cell.lost]
+    scale = next(line.width for line in made.lines if line.band.source.kind == "port")
+    assert (str(box.cell.node), box.cell.lost) == ("1", "0.100")
+    assert box.cell.loss == pytest.approx(0.1 * scale)
+
+
+def test_coasting_runs_from_the_output_to_the_input() -> None:
+    case = Transmission(2, [], [Mechanism(1, 2, 0, 2.0, 0.95, name="pair")], [Gear()])
+    [(_, made)] = layouts(solve(case, coast=True))
+    order = [str(box.cell.node) for box in sorted(made.boxes, key=lambda box: box.middle)]
+    assert order == ["output", "2", "pair", "1", "input"]

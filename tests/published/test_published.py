@@ -1,0 +1,141 @@
+"""Every shipped case against what is printed of it elsewhere, or follows from it by hand.
+
+The numbers are in the JSON files beside this one: ratios as their source prints them, and facts with
+the closed form that gives them. None was made by this program.
+"""
+
+from __future__ import annotations
+
+import ast
+import json
+import operator
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import vstatics
+from vstatics.statics.results import Results
+
+HERE = Path(__file__).parent
+CASES = HERE.parents[1] / "cases"
+WITH_OWN_TEST = {"mzkt7922"}
+
+DOCUMENTS: dict[str, Any] = {
+    path.stem: json.loads(path.read_text(encoding="utf-8"))
+    for path in sorted(HERE.glob("*.json"))
+    if path.stem not in WITH_OWN_TEST
+}
+FACTS = [(name, fact) for name, document in DOCUMENTS.items() for fact in document["facts"]]
+RATIOS = [
+    (name, gear, ratio)
+    for name, document in DOCUMENTS.items()
+    for gear, ratio in document["ratio"].items()
+]
+DIGITS_OF_A_CLOSED_FORM = 10
+
+OPERATORS: dict[type[ast.AST], Callable[..., float]] = {
+    ast.Add: operator.add,
+    ast.Sub: operator.sub,
+    ast.Mult: operator.mul,
+    ast.Div: operator.truediv,
+    ast.Pow: operator.pow,
+    ast.USub: operator.neg,
+}
+
+
+def evaluated(node: ast.AST) -> float:
+    """An expression of numbers."""
+    match node:
+        case ast.Expression(body=body):
+            return evaluated(body)
+        case ast.Constant(value=int() | float() as value):
+            return value
+        case ast.BinOp(left=left, op=operation, right=right):
+            return OPERATORS[type(operation)](evaluated(left), evaluated(right))
+        case ast.UnaryOp(op=operation, operand=operand):
+            return OPERATORS[type(operation)](evaluated(operand))
+    raise ValueError(ast.dump(node))
+
+
+def half_a_unit(decimals: int) -> float:
+    """Half a unit of the last printed digit, and the rounding of the calculation."""
+    return 0.5 * 10.0**-decimals + 1e-12
+
+
+@pytest.fixture(scope="module")
+def solved() -> Callable[[str], Results]:
+    """Results of the case of a document, each solved once."""
+    known: dict[str, Results] = {}
+
+    def get(name: str) -> Results:
+        if name not in known:
+            document = DOCUMENTS[name]
+            case = vstatics.load(CASES / document["case"])
+            known[name] = vstatics.solve(replace(case, coast=document.get("coast", case.coast)))
+        return known[name]
+
+    return get
+
+
+def quantity(results: Results, fact: dict[str, Any]) -> float:
+    """The calculated value that a fact speaks of."""
+    case, of = results.case, fact.get("of", "")
+    gear = [gear.name for gear in case.gears].index(fact["gear"])
+    kind = {
+        "planet_speed": [mechanism.name for mechanism in case.mechanisms],
+        "slip_speed": [element.name for element in case.shift_elements],
+        "torque": [*case.devices, "output"],
+        "lossy_torque": [*case.devices, "output"],
+        "speed": case.link_names,
+        "holding_torque": case.link_names,
+    }.get(fact["quantity"])
+    array = getattr(results, fact["quantity"] + ("s" if kind else ""))
+    return float(array[gear, list(kind).index(of)] if kind else array[gear])
+
+
+@pytest.mark.parametrize(("name", "gear", "printed"), RATIOS)
+def test_printed_ratio(
+    solved: Callable[[str], Results], name: str, gear: str, printed: float
+) -> None:
+    fact = {"gear": gear, "quantity": "ratio"}
+    tolerance = half_a_unit(DOCUMENTS[name]["decimals"])
+    assert quantity(solved(name), fact) == pytest.approx(printed, rel=0, abs=tolerance)
+
+
+@pytest.mark.parametrize(("name", "fact"), FACTS)
+def test_fact(solved: Callable[[str], Results], name: str, fact: dict[str, Any]) -> None:
+    tolerance = half_a_unit(fact.get("decimals", DIGITS_OF_A_CLOSED_FORM))
+    assert quantity(solved(name), fact) == pytest.approx(fact["value"], rel=0, abs=tolerance)
+
+
+@pytest.mark.parametrize("fact", [fact for _, fact in FACTS if "form" in fact])
+def test_closed_form_gives_the_number_beside_it(fact: dict[str, Any]) -> None:
+    value = evaluated(ast.parse(fact["form"], mode="eval"))
+    assert value == pytest.approx(fact["value"], rel=0, abs=half_a_unit(DIGITS_OF_A_CLOSED_FORM))
+
+
+@pytest.mark.parametrize("name", DOCUMENTS)
+def test_power_balance_closes(solved: Callable[[str], Results], name: str) -> None:
+    results = solved(name)
+    there = results.consistent
+    assert results.power_balance[there] == pytest.approx(0, abs=1e-9)
+    assert not results.failed
+
+
+@pytest.mark.parametrize("name", DOCUMENTS)
+def test_every_gear_has_a_number(name: str) -> None:
+    document = DOCUMENTS[name]
+    case = vstatics.load(CASES / document["case"])
+    told = {*document["ratio"], *(fact["gear"] for fact in document["facts"])}
+    assert told == {gear.name for gear in case.gears}
+
+
+def test_every_shipped_case_is_published() -> None:
+    shipped = {path.name for path in CASES.glob("*.yaml") if path.stem not in WITH_OWN_TEST}
+    assert shipped == {document["case"] for document in DOCUMENTS.values()}
+    for document in DOCUMENTS.values():
+        assert document["source"]
+        assert document["what"]

@@ -1,0 +1,455 @@
+"""The report: one page that shows the numbers of the results and nothing else."""
+
+from __future__ import annotations
+
+import importlib.util
+import json
+import math
+import re
+import shutil
+import subprocess
+from collections import Counter
+from collections.abc import Iterator
+from html.parser import HTMLParser
+from pathlib import Path
+from typing import Any, NamedTuple
+from urllib.parse import quote
+
+import pytest
+
+from tests.commands import CASES, LOCKED, MZKT, NEUTRAL, TIED_UP, vstatics
+from vstatics import load, solve
+from vstatics.errors import CaseError, Problem
+from vstatics.report import gather, page
+from vstatics.report.cells import TITLES
+from vstatics.statics.results import TABLES
+
+CHROMIUM = shutil.which("chromium")
+NASTY = "<script>alert(1)</script>"
+NASTY_CASE = f"""\
+name: "{NASTY}"
+description: "</script><b>bold</b> & more"
+source: "http://example.org/?a=1&b=2 <i>"
+links: ["<b>in</b>", 'r"ing', "out'"]
+load: {{speed: 2100 rpm, torque: 1200 N*m}}
+shift_elements: {{"<C>": ["<b>in</b>", 'r"ing'], B: {{links: ['r"ing', housing], capacity: 9}}}}
+mechanisms: {{"D&": {{first: "<b>in</b>", second: 'r"ing', third: "out'", ratio: -2.5}}}}
+gears: {{"low <1>": {{engaged: [B]}}, "dir%/'ect": {{engaged: ["<C>"]}}}}
+"""
+
+
+class Element(NamedTuple):
+    """An element of a page, with the text of all that is in it."""
+
+    tag: str
+    attributes: dict[str, str | None]
+    words: list[str]
+    inside: list[str]
+    """Names of the elements around it."""
+
+    @property
+    def text(self) -> str:
+        """Of everything in it."""
+        return "".join(self.words)
+
+
+class Page(HTMLParser):
+    """The elements of a page in their order."""
+
+    def __init__(self, text: str) -> None:
+        super().__init__()
+        self.elements: list[Element] = []
+        self.open: list[Element] = []
+        self.feed(text)
+        self.close()
+        assert not self.open
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        """Keep it, and open it."""
+        assert len({name for name, _ in attrs}) == len(attrs)
+        element = Element(tag, dict(attrs), [], [one.tag for one in self.open])
+        self.elements.append(element)
+        if tag != "meta":
+            self.open.append(element)
+
+    def handle_startendtag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        """One without an end, in a picture."""
+        self.handle_starttag(tag, attrs)
+        self.open.pop()
+
+    def handle_endtag(self, tag: str) -> None:
+        """Close what was opened last."""
+        assert self.open.pop().tag == tag
+
+    def handle_data(self, data: str) -> None:
+        """Text of all that is open."""
+        for element in self.open:
+            element.words.append(data)
+
+    def all(self, tag: str) -> list[Element]:
+        """Those of a name."""
+        return [one for one in self.elements if one.tag == tag]
+
+    @property
+    def data(self) -> Any:
+        """The result that the page carries."""
+        [script] = [one for one in self.all("script") if one.attributes.get("id") == "result"]
+        return json.loads(script.text)
+
+    def table(self, title: str) -> dict[str, dict[str, Element]]:
+        """The cells of a table by row and column, the first of its title."""
+        start = next(
+            place
+            for place, one in enumerate(self.elements)
+            if one.tag == "div" and (one.attributes.get("aria-label") or "").startswith(title)
+        )
+        rows: list[list[Element]] = []
+        for one in self.elements[start + 1 :]:
+            if one.tag in ("section", "div", "figure", "script"):
+                break
+            if one.tag == "tr":
+                rows.append([])
+            elif one.tag in ("td", "th"):
+                rows[-1].append(one)
+        heads = [one.text for one in rows[0]]
+        return {row[0].text: dict(zip(heads, row, strict=True)) for row in rows[1:]}
+
+
+def value(cell: Element) -> float | None:
+    given = cell.attributes["data-value"]
+    return float(given) if given else None
+
+
+def write(folder: Path, text: str) -> Path:
+    file = folder / "case.yaml"
+    file.write_text(text, encoding="utf-8")
+    return file
+
+
+def report(case: object, *options: object) -> str:
+    said = vstatics("report", case, "-o", "-", *options)
+    assert said.status == 0, said.err
+    return said.out
+
+
+def output(*arguments: object) -> Any:
+    return json.loads(vstatics(*arguments, "-f", "json").out)
+
+
+@pytest.fixture(scope="module")
+def zf() -> Page:
+    return Page(report(CASES / "zf-8hp70.yaml"))
+
+
+@pytest.fixture(scope="module")
+def nasty_text(tmp_path_factory: pytest.TempPathFactory) -> str:
+    return report(write(tmp_path_factory.mktemp("nasty"), NASTY_CASE))
+
+
+@pytest.fixture(scope="module")
+def nasty(nasty_text: str) -> Page:
+    return Page(nasty_text)
+
+
+@pytest.fixture
+def without_pictures(monkeypatch: pytest.MonkeyPatch) -> None:
+    """They take the most time."""
+    monkeypatch.setattr("vstatics.report.drawn.PICTURES", {})
+
+
+def test_the_page_carries_the_result(zf: Page) -> None:
+    assert zf.data == output("run", CASES / "zf-8hp70.yaml")
+
+
+@pytest.mark.parametrize("name", ["W", "WSAT", "WFRI", "AMLG", "AMLGP", "IX", "losses"])
+def test_tables_show_the_numbers_of_the_result(zf: Page, name: str) -> None:
+    table = zf.table(TITLES[name])
+    assert list(table) == zf.data["rows"][name]
+    for shown, given in zip(table.values(), zf.data[name], strict=True):
+        assert [value(shown[gear]) for gear in zf.data["gears"]] == given
+
+
+def test_numbers_by_gear_are_those_of_the_result(zf: Page) -> None:
+    table = zf.table("By gear")
+    for name in ("ETA", "ratio", "power_balance", "consistent", "locked"):
+        shown = [value(row[name.replace("_", " ")]) for row in table.values()]
+        assert shown == zf.data[name]
+
+
+def test_ratios_are_the_published_ones(zf: Page) -> None:
+    """ZF 8HP70 as printed to three digits behind the point; see tests/published."""
+    published = json.loads(Path("tests/published/zf-8hp70.json").read_text(encoding="utf-8"))
+    table = zf.table("Ratios, steps")
+    for gear, ratio in published["ratio"].items():
+        assert float(table[gear]["ratio"].text) == pytest.approx(ratio, abs=1e-3)
+    # first gear 1 + 85/23 (see the case), eighth the printed .667, which is 2/3
+    assert "Spread: 7.043, from gear 1 to gear 8." in [one.text for one in zf.all("p")]
+
+
+def test_dots_tell_the_engaged_elements(zf: Page) -> None:
+    """As the source's table of shift elements has them; cases/zf-8hp70.yaml."""
+    first = zf.table("Ratios, steps")["1"]
+    assert [name for name in "ABCDE" if first[name].text == "●"] == ["A", "B", "C"]
+
+
+def test_the_summary_is_rounded_to_what_the_page_shows(zf: Page) -> None:
+    given = output("summary", CASES / "zf-8hp70.yaml")
+    table = zf.table("Ratios, steps")
+    for line in given["gears"]:
+        for name in ("ratio", "step", "efficiency"):
+            text = table[line["gear"]][name].text
+            rounded = math.nan if text == "-" else float(text)
+            exact = math.nan if line[name] is None else line[name]
+            assert rounded == pytest.approx(exact, abs=5.1e-4, nan_ok=True)
+    sensitivity = zf.table("Sensitivity")
+    for mechanism, values in given["sensitivity"].items():
+        shown = [float(sensitivity[mechanism][gear].text) for gear in zf.data["gears"]]
+        assert shown == pytest.approx(values, abs=5.1e-4)
+
+
+def test_powers_are_those_of_the_flow(zf: Page) -> None:
+    for gear in output("flow", CASES / "zf-8hp70.yaml")["gears"]:
+        table = zf.table(f"Gear {gear['gear']}")
+        for heading, side in (("ideal", gear["ideal"]), ("with losses", gear["lossy"])):
+            for node in side["throughput"]:
+                if node["power"] and node["kind"] != "port":
+                    assert value(table[node["name"]][heading]) == node["power"]
+        for loss in gear["lossy"]["losses"]:
+            if loss["name"] in table:
+                assert value(table[loss["name"]]["loss"]) == loss["power"]
+
+
+def test_each_gear_has_its_own_picture_of_the_flow(zf: Page) -> None:
+    drawn = [one for one in zf.all("svg") if one.attributes["aria-label"] == "flow"]
+    titles = [one.text for one in zf.all("figcaption") if one.text.startswith("Power flow")]
+    assert titles == [f"Power flow in gear {gear}" for gear in zf.data["gears"]]
+    assert len(drawn) == len(titles)
+
+
+def test_many_plans_stand_on_several_sheets(zf: Page) -> None:
+    """Each of them fits a printed page, which no long picture does."""
+    sheets = [one for one in zf.all("svg") if one.attributes["aria-label"] == "plan"]
+    titles = [one.text for one in zf.all("figcaption") if one.text.startswith("Plan")]
+    assert titles == [f"Plan, {n} of {len(sheets)}" for n in range(1, len(sheets) + 1)]
+    for sheet in sheets:
+        _, _, wide, high = map(float, (sheet.attributes["viewbox"] or "").split())
+        assert high / wide < 29.7 / 21.0
+
+
+@pytest.mark.parametrize("which", ["zf", "nasty"])
+def test_nothing_comes_from_elsewhere(which: str, request: pytest.FixtureRequest) -> None:
+    shown: Page = request.getfixturevalue(which)
+    for element in shown.elements:
+        assert element.tag not in ("link", "iframe", "object", "embed", "img", "base")
+        for name in ("src", "srcset", "data", "href", "xlink:href", "action"):
+            assert (element.attributes.get(name) or "#").startswith("#")
+    styles = "".join(one.text for one in shown.all("style"))
+    assert "@import" not in styles
+    assert "url(" not in styles
+
+
+@pytest.mark.parametrize("which", ["zf", "nasty"])
+def test_ids_are_unique_and_references_have_their_target(
+    which: str, request: pytest.FixtureRequest
+) -> None:
+    shown: Page = request.getfixturevalue(which)
+    ids = Counter(one.attributes["id"] for one in shown.elements if "id" in one.attributes)
+    assert set(ids.values()) == {1}
+    for element in shown.elements:
+        for name, text in element.attributes.items():
+            if name == "href":
+                assert (text or "").removeprefix("#") in ids
+            for target in re.findall(r"url\(#(.*?)\)", text or ""):
+                assert target in ids
+
+
+def test_texts_of_the_case_are_shown_as_they_are(nasty: Page) -> None:
+    [title] = nasty.all("h1")
+    assert title.text == NASTY
+    assert "</script><b>bold</b> & more" in [one.text for one in nasty.all("p")]
+    assert len(nasty.all("script")) == 2  # the data, and the page's own
+    assert not nasty.all("b")
+    assert not nasty.all("i")
+    assert list(nasty.table("Speeds of the links")) == ["<b>in</b>", 'r"ing', "out'"]
+    assert list(nasty.table("Ratios, steps")) == ["low <1>", "dir%/'ect"]
+    assert nasty.data["case"]["name"] == NASTY
+
+
+def test_a_load_gives_tables_with_units(nasty: Page) -> None:
+    """2100 rpm at the input; a sun, a held ring and 1 + 2.5 between sun and carrier."""
+    speeds = nasty.table(TITLES["W_rpm"])
+    assert value(speeds["<b>in</b>"]["low <1>"]) == 2100
+    assert value(speeds["out'"]["low <1>"]) == pytest.approx(2100 / 3.5)
+    assert value(nasty.table("Gear low <1>")["D&"]["kW"]) == pytest.approx(
+        2100 * math.pi / 30 * 1.2
+    )
+
+
+def test_the_same_case_gives_the_same_page(tmp_path: Path) -> None:
+    """Wherever it stands."""
+    original = CASES / "differential.yaml"
+    copy = tmp_path / "elsewhere.yaml"
+    shutil.copy(original, copy)
+    made = report(copy)
+    assert "<svg" in made
+    assert "elsewhere" not in made
+    assert made == report(original)
+
+
+@pytest.mark.usefixtures("without_pictures")
+@pytest.mark.parametrize(
+    ("text", "status", "words"),
+    [
+        (NEUTRAL, 0, "there is no power to show"),
+        (TIED_UP, 1, "Tied up, so there is no power to show"),
+        (LOCKED, 0, "with losses: locked by friction"),
+    ],
+)
+def test_gears_without_numbers_say_why(tmp_path: Path, text: str, status: int, words: str) -> None:
+    said = vstatics("report", write(tmp_path, text), "-o", tmp_path / "out.html")
+    assert said.status == status
+    shown = Page((tmp_path / "out.html").read_text(encoding="utf-8"))
+    assert any(words in one.text for one in shown.elements if one.tag in ("p", "li"))
+    messages = [one.text for one in shown.all("li") if one.attributes.get("class")]
+    assert messages == shown.data["messages"]
+
+
+@pytest.mark.parametrize("name", ["ravigneaux-aod.yaml", "self-locking.yaml"])
+def test_cases_of_every_kind_have_their_page(name: str) -> None:
+    shown = Page(report(CASES / name))
+    assert shown.data == output("run", CASES / name)
+    assert shown.all("svg")
+
+
+@pytest.mark.usefixtures("without_pictures")
+def test_warnings_of_the_reader_come_with_their_line_and_without_the_file(tmp_path: Path) -> None:
+    """A deck without its last field, KMZ, may have been cut."""
+    lines = MZKT.read_text(encoding="utf-8").splitlines()
+    file = tmp_path / "cut.dat"
+    file.write_text("\n".join(lines[:-3]), encoding="utf-8")
+    said = vstatics("report", file, "-o", "-")
+    [message] = [one.text for one in Page(said.out).all("li") if "KMZ" in one.text]
+    assert message.startswith("warning: line ")
+    assert str(tmp_path) not in said.out
+
+
+def test_every_table_has_a_title() -> None:
+    assert {shape.name for shape in TABLES} <= set(TITLES)
+
+
+def test_without_matplotlib_the_page_has_no_pictures(monkeypatch: pytest.MonkeyPatch) -> None:
+    found = importlib.util.find_spec
+    monkeypatch.setattr(
+        importlib.util,
+        "find_spec",
+        lambda name, package=None: None if name == "matplotlib" else found(name, package),
+    )
+    said = vstatics("report", CASES / "differential.yaml", "-o", "-")
+    assert said.status == 0
+    assert 'pip install "vstatics[plot]"' in said.err
+    shown = Page(said.out)
+    assert not shown.all("svg")
+    assert any("There are no pictures" in one.text for one in shown.all("p"))
+
+
+def test_a_picture_that_does_not_suit_is_left_out_and_told(monkeypatch: pytest.MonkeyPatch) -> None:
+    def refuse(*_: object) -> bytes:
+        raise CaseError([Problem("nothing <moves>")])
+
+    monkeypatch.setattr("vstatics.report.drawn.sheets", refuse)
+    shown = Page(page(gather(solve(load(CASES / "differential.yaml")))))
+    assert any("not drawn. nothing <moves>" in one.text for one in shown.all("p"))
+
+
+def test_a_case_in_error_gives_no_page(tmp_path: Path) -> None:
+    said = vstatics("report", write(tmp_path, "links: 3\n"), "-o", tmp_path / "out.html")
+    assert said.status == 1
+    assert not (tmp_path / "out.html").exists()
+
+
+def in_browser(address: str, folder: Path) -> Page:
+    """A page as it stands after its script ran."""
+    assert CHROMIUM is not None
+    quiet = ("quic", "gpu", "background-networking", "component-update", "sync")
+    done = subprocess.run(
+        [
+            CHROMIUM,
+            "--headless",
+            "--no-sandbox",
+            "--no-first-run",
+            *(f"--disable-{one}" for one in quiet),
+            f"--user-data-dir={folder / 'browser'}",
+            "--virtual-time-budget=2000",
+            "--dump-dom",
+            address,
+        ],
+        capture_output=True,
+        text=True,
+        check=True,
+        timeout=60,
+    )
+    return Page(done.stdout.strip())
+
+
+def gears(shown: Page) -> Iterator[str]:
+    """Those whose power is shown."""
+    for one in shown.elements:
+        if "data-gear" in one.attributes and "hidden" not in one.attributes:
+            yield str(one.attributes["data-gear"])
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(CHROMIUM is None, reason="needs chromium")
+@pytest.mark.parametrize(("asked", "gear"), [("", "low <1>"), ("dir%/'ect", "dir%/'ect")])
+def test_a_browser_shows_the_gear_that_is_asked_for(
+    tmp_path: Path, nasty_text: str, asked: str, gear: str
+) -> None:
+    file = tmp_path / "out.html"
+    file.write_text(nasty_text, encoding="utf-8")
+    end = f"#gear={quote(asked, safe='')}" if asked else ""
+    shown = in_browser(file.as_uri() + end, tmp_path)
+    assert shown.all("html")[0].attributes["data-ready"] == "true"
+    assert list(gears(shown)) == [gear]
+    [chosen] = [one for one in shown.all("a") if one.attributes.get("aria-current")]
+    assert chosen.text == gear
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(CHROMIUM is None, reason="needs chromium")
+@pytest.mark.parametrize(
+    ("clicks", "order"),
+    [
+        # 3.5 in the first gear, 1 in the other
+        (1, ["dir%/'ect", "low <1>"]),
+        (2, ["low <1>", "dir%/'ect"]),
+    ],
+)
+def test_a_click_on_a_heading_sorts(
+    tmp_path: Path, nasty_text: str, clicks: int, order: list[str]
+) -> None:
+    click = "[...document.querySelectorAll('th [role=button]')].find(b => b.textContent == 'ratio').click()"
+    file = tmp_path / "out.html"
+    body = nasty_text.replace("</body>", f"<script>{f'{click};' * clicks}</script></body>")
+    file.write_text(body, encoding="utf-8")
+    shown = in_browser(file.as_uri(), tmp_path)
+    assert list(shown.table("Ratios, steps")) == order
+    heading = next(one for one in shown.all("th") if one.text == "ratio")
+    assert heading.attributes["aria-sort"] == ["", "ascending", "descending"][clicks]
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(CHROMIUM is None, reason="needs chromium")
+@pytest.mark.parametrize("clicks", [0, 1, 2, 3])
+def test_rows_that_are_set_in_are_sorted_below_their_own(
+    tmp_path: Path, nasty_text: str, clicks: int
+) -> None:
+    """The ring, the second link, is held: power enters by the first and leaves by the third."""
+    click = "document.querySelectorAll('[data-gear]:not([hidden]) th [role=button]')[1].click()"
+    file = tmp_path / "out.html"
+    body = nasty_text.replace("</body>", f"<script>{f'{click};' * clicks}</script></body>")
+    file.write_text(body, encoding="utf-8")
+    names = list(in_browser(file.as_uri(), tmp_path).table("Gear low <1>"))
+    members = ["first: <b>in</b>", 'second: r"ing', "third: out'"]
+    upward = clicks == 1
+    assert names[-4:] == ["D&", *(members[::-1] if upward else members)]
+    assert names[:-4] == ["links", "<b>in</b>", "out'", "mechanisms"]

@@ -1,0 +1,195 @@
+"""A part of a sweep: its numbers are those of `solve`, its status the worst of its gears."""
+
+from __future__ import annotations
+
+import pickle
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+import pytest
+
+from tests.commands import CASES, MZKT
+from tests.sweep.sweeps import DIFFERENTIAL, plan
+from vstatics import Gear, Mechanism, ShiftElement, Transmission, load, solve
+from vstatics.sweep import chunk, sweep
+from vstatics.sweep.chunk import STATUS, calculate
+
+
+def test_numbers_are_those_of_the_case_solved_alone() -> None:
+    """Each row against `solve` of one case with these numbers, the engine of `run`."""
+    case = load(MZKT)
+    random = np.random.default_rng(3)
+    table = {
+        "D1.ratio": random.uniform(-0.9, -0.7, 30),
+        "D3.efficiency": random.uniform(0.9, 1, 30),
+    }
+    (made,) = sweep(case, variants=table, out="ratio, efficiency, lossy_torques[T4]")
+    assert made.headings[:2] == ("ratio[1]", "ratio[2]")
+    assert made.headings[-1] == "lossy_torques[T4,6]"
+    for row in range(30):
+        ratios = [table["D1.ratio"][row], 2.6, -2.461]
+        efficiencies = [0.94, 0.95, table["D3.efficiency"][row]]
+        one = solve(case, ratios=ratios, efficiencies=efficiencies)
+        expected = [*one.ratio, *one.efficiency, *one.lossy_torques[:, 3]]
+        np.testing.assert_allclose(made.columns[row], expected, rtol=1e-11)
+        assert made.values[row].tolist() == [table[name][row] for name in table]
+
+
+def test_the_low_gear_of_a_differential_has_its_closed_form() -> None:
+    """Ratio 1 - u and efficiency (1 - u eta)/(1 - u) with the ring held."""
+    (made,) = sweep(DIFFERENTIAL, {"D.ratio": "-4:-2:5", "D.efficiency": [0.9, 1.0]})
+    ratio, efficiency = made.values.T
+    np.testing.assert_allclose(made.columns[:, 1], 1 - ratio, rtol=1e-13)
+    np.testing.assert_allclose(
+        made.columns[:, 3], (1 - ratio * efficiency) / (1 - ratio), rtol=1e-13
+    )
+
+
+def test_a_number_that_can_be_none_makes_an_invalid_row() -> None:
+    """1 with three links, 0, and what is not finite; an efficiency outside 0 < e <= 1."""
+    ratios = [1, 0, np.nan, np.inf, -2.5, -2.5, -2.5]
+    efficiencies = [0.9, 0.9, 0.9, 0.9, 0, 1.01, 0.9]
+    table = {"D.ratio": ratios, "D.efficiency": efficiencies}
+    (made,) = sweep(DIFFERENTIAL, variants=table)
+    assert [STATUS[code] for code in made.status] == ["invalid"] * 6 + ["ok"]
+    assert dict(made.counts) == {"ok": 1, "invalid": 6}
+    assert np.isnan(made.columns[:6]).all()
+    np.testing.assert_array_equal(made.values[:, 0], ratios)
+    (kept,) = sweep(DIFFERENTIAL, variants=table, where="not (ratio[low] > 99)")
+    assert kept.variants.tolist() == [6]
+    assert dict(kept.counts) == dict(made.counts)
+
+
+def test_ratio_1_is_one_where_two_links_are_left() -> None:
+    """A set with a link on the housing is a pair of wheels: 1 is a ratio like any other."""
+    pair = Transmission(2, [], [Mechanism(1, 2, 0, -2, name="D")], [Gear()], output=2)
+    (made,) = sweep(pair, {"D.ratio": [1, 3]}, out="ratio")
+    assert made.columns[:, 0].tolist() == [1, 3]
+
+
+def test_friction_locks_some_variants() -> None:
+    """Driven from its slow end, `self-locking` holds itself; with all power passing it turns."""
+    case = load(CASES / "self-locking.yaml")
+    (made,) = sweep(case, {f"{case.mechanisms[0].name}.efficiency": [0.5, 1]})
+    assert [STATUS[code] for code in made.status] == ["locked", "ok"]
+
+
+def test_a_gear_that_is_tied_up_or_open_by_its_ratios_tells_so() -> None:
+    """Two sets side by side between links 1 and 2 agree for equal ratios only.
+
+    Then one of them is in excess; with others they hold the train.
+    """
+    case = Transmission(
+        2,
+        [],
+        [Mechanism(1, 2, 0, -2, name="A"), Mechanism(1, 2, 0, -2, name="B")],
+        [Gear()],
+        output=2,
+    )
+    (made,) = sweep(case, {"A.ratio": [-2, -3]}, out="ratio")
+    assert [STATUS[code] for code in made.status] == ["ok", "tied up"]
+    other = Transmission(
+        2, [], [*case.mechanisms[:1], Mechanism(1, 2, 0, -3, name="B")], [Gear()], output=2
+    )
+    (made,) = sweep(other, {"B.ratio": [-2, -3]}, out="ratio")
+    assert [STATUS[code] for code in made.status] == ["ok", "tied up"]
+
+
+def test_a_neutral_gear_of_the_case_is_no_reason() -> None:
+    case = Transmission(
+        3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2, name="D")], [Gear(), Gear([1])]
+    )
+    (made,) = sweep(case, {"D.ratio": [-2, -3]}, out="ratio")
+    assert made.status.tolist() == [0, 0]
+    assert np.isnan(made.columns[:, 0]).all()
+    assert made.columns[:, 1].tolist() == [3, 4]
+
+
+@pytest.mark.parametrize("jobs", [1, 2])
+def test_chunks_come_in_order_and_join_to_the_whole(jobs: int) -> None:
+    chunks = list(sweep(DIFFERENTIAL, {"D.ratio": "-4:-2:70000"}, out="ratio[low]", jobs=jobs))
+    assert [made.start for made in chunks] == [0, 65536]
+    assert np.concatenate([made.variants for made in chunks]).tolist() == list(range(70000))
+    numbers = np.concatenate([made.columns for made in chunks])[:, 0]
+    np.testing.assert_allclose(numbers, 5 - np.arange(70000) / 69999 * 2, rtol=1e-12)
+
+
+def test_blocks_are_of_a_size_that_the_case_tells() -> None:
+    """MZKT has 6 gears: tens of megabytes hold about ten thousand of its variants."""
+    ends = list(chunk.blocks(load(MZKT), 65536, 131072))
+    assert ends[0][0] == 65536
+    assert ends[-1][1] == 131072
+    assert all(256 <= stop - start <= 16384 for start, stop in ends)
+    assert all(one[1] == other[0] for one, other in pairwise(ends))
+    sizes = [(stop - start) * chunk.variant_bytes(load(MZKT)) for start, stop in ends]
+    assert max(sizes) <= chunk.BLOCK_BYTES
+    results = solve(load(MZKT), ratios=np.tile([-0.8, 2.6, -2.461], (10, 1)))
+    arrays = [array for array in results if isinstance(array, np.ndarray)]
+    size = sum(array.nbytes for array in arrays) / 10
+    assert chunk.variant_bytes(load(MZKT)) == pytest.approx(size, rel=0.1)
+
+
+def test_conventions_of_the_call_come_before_those_of_the_case() -> None:
+    """Coasting turns the flow, so the efficiency is that of `solve(coast=True)`."""
+    (made,) = sweep(DIFFERENTIAL, {"D.ratio": [-2.5]}, coast=True)
+    expected = solve(DIFFERENTIAL, coast=True)
+    np.testing.assert_allclose(made.columns[0], [*expected.ratio, *expected.efficiency])
+
+
+def test_plans_and_chunks_can_go_to_other_processes() -> None:
+    made = plan("D.ratio=-4:-2:9", where="ratio[low] > 3.5", max=["efficiency[low]"])
+    there = pickle.loads(pickle.dumps(made))  # noqa: S301
+    one, other = calculate(made, 2, 9), pickle.loads(pickle.dumps(calculate(there, 2, 9)))  # noqa: S301
+    np.testing.assert_array_equal(one.variants, other.variants)
+    np.testing.assert_array_equal(one.columns, other.columns)
+    assert there.fingerprint("csv") == made.fingerprint("csv")
+
+
+def test_a_fingerprint_tells_plans_apart() -> None:
+    """Everything that decides the result is in it."""
+    same: dict[str, Any] = {"piece": 8, "out": "ratio", "where": "ratio[low] > 3"}
+    plans = [
+        plan("D.ratio=-4:-2:9", **same),
+        plan("D.ratio=-4:-2:10", **same),
+        plan("D.ratio=-4:-2.1:9", **same),
+        plan("D.efficiency=.9:1:9", **same),
+        plan("D.ratio=-4:-2", sample=9, **same),
+        plan("D.ratio=-4:-2", sample=9, seed=1, **same),
+        plan("D.ratio=-4:-2:9", **{**same, "piece": 9}),
+        plan("D.ratio=-4:-2:9", **{**same, "out": "efficiency"}),
+        plan("D.ratio=-4:-2:9", **{**same, "where": "ratio[low] > 4"}),
+        plan("D.ratio=-4:-2:9", coast=True, **same),
+        plan("D.ratio=-4:-2:9", min=["ratio[low]"], **same),
+        plan("D.ratio=-4:-2:9", max=["ratio[low]"], **same),
+        plan("D.ratio=-4:-2:9", max=["ratio[low]"], best=3, **same),
+    ]
+    told = {made.fingerprint() for made in plans}
+    assert len(told) == len(plans)
+    assert plan("D.ratio=-4:-2:9", **same).fingerprint() == plans[0].fingerprint()
+    assert plans[0].fingerprint("csv") != plans[0].fingerprint("jsonl")
+
+
+def test_a_chunk_becomes_a_table_of_pandas() -> None:
+    pytest.importorskip("pandas")
+    (made,) = sweep(DIFFERENTIAL, {"D.ratio": [-2, 0]}, out="ratio[low]")
+    table = made.to_dataframe()
+    assert list(table.columns) == ["D.ratio", "status", "ratio[low]"]
+    assert table["status"].tolist() == ["ok", "invalid"]
+    assert table.loc[0, "ratio[low]"] == 3
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        ({"vary": {"D.ratio": [[1.0]]}}, "D.ratio: read 2 axes"),
+        ({"variants": {"D.ratio": [1], "D.efficiency": [1, 2]}}, "equally many values"),
+        ({"vary": {"D.ratoi": [1]}}, "did you mean `ratio`"),
+        ({"vary": ["D.ratio=1"], "out": "ratoi"}, "did you mean `ratio`"),
+    ],
+)
+def test_what_cannot_be_is_told_before_anything_is_calculated(
+    arguments: dict[str, object], words: str
+) -> None:
+    with pytest.raises(Exception, match=words):
+        sweep(DIFFERENTIAL, **arguments)  # type: ignore[arg-type]

@@ -1,0 +1,219 @@
+"""The output of a sweep in each format, against the readers of other programs."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import math
+import zipfile
+import zlib
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from tests.sweep.sweeps import plan
+from vstatics.jobs.alone import Alone
+from vstatics.jobs.pieces import Account, Segment
+from vstatics.jobs.store import Store
+from vstatics.sweep.chunk import STATUS, Chunk
+from vstatics.sweep.formats import format_of_name, npz, text
+from vstatics.sweep.formats.checksum import combined
+from vstatics.sweep.output import Output, description
+
+NUMBERS = st.floats(allow_nan=True, allow_infinity=True)
+HEADINGS = ('speeds["a, b",1]', "100% {x} ⚙", "it's nan: 1")
+"""What CSV has to quote, what `%` could take for its own, what looks like a number."""
+
+
+def chunk(rows: list[tuple[float, float, float, float]]) -> Chunk:
+    """A chunk of one varied number and three columns."""
+    numbers = np.array(rows).reshape(len(rows), 4)
+    status = np.arange(len(rows), dtype=np.uint8) % len(STATUS)
+    nothing = np.zeros((len(rows), 0))
+    numbered = np.arange(7, 7 + len(rows))
+    return Chunk(
+        7, numbered, numbers[:, :1], status, numbers[:, 1:], nothing, {}, ("D.ratio",), HEADINGS
+    )
+
+
+def shown(number: float) -> str:
+    """What Python makes of a number in twelve digits; nothing of what there is not."""
+    return f"{number:.12g}" if math.isfinite(number) else ""
+
+
+@given(st.lists(st.tuples(NUMBERS, NUMBERS, NUMBERS, NUMBERS), max_size=9))
+def test_csv_is_read_back_by_the_standard_library(
+    rows: list[tuple[float, float, float, float]],
+) -> None:
+    data = text.head("csv", ("D.ratio",), HEADINGS) + text.rows("csv", chunk(rows))
+    read = list(csv.reader(io.StringIO(data.decode())))
+    assert read[0] == ["variant", "D.ratio", "status", *HEADINGS]
+    assert read[1:] == [
+        [str(7 + n), shown(row[0]), STATUS[n % len(STATUS)], *map(shown, row[1:])]
+        for n, row in enumerate(rows)
+    ]
+
+
+@given(st.lists(st.tuples(NUMBERS, NUMBERS, NUMBERS, NUMBERS), max_size=9))
+def test_json_lines_are_read_back_by_the_standard_library(
+    rows: list[tuple[float, float, float, float]],
+) -> None:
+    assert text.head("jsonl", ("D.ratio",), HEADINGS) == b""
+    lines = text.rows("jsonl", chunk(rows)).decode().split("\n")
+    assert lines.pop() == ""
+    for n, (line, row) in enumerate(zip(lines, rows, strict=True)):
+        read = json.loads(line)
+        assert list(read) == ["variant", "D.ratio", "status", *HEADINGS]
+        assert read.pop("variant") == 7 + n
+        assert read.pop("status") == STATUS[n % len(STATUS)]
+        for number, expected in zip(read.values(), row, strict=True):
+            assert number == (float(shown(expected)) if shown(expected) else None)
+
+
+@given(st.binary(max_size=300), st.binary(max_size=70000))
+def test_check_sums_are_combined_as_zlib_does_it(first: bytes, second: bytes) -> None:
+    assert combined(zlib.crc32(first), zlib.crc32(second), len(second)) == zlib.crc32(
+        first + second
+    )
+
+
+def output(path: Path, *vary: str, **more: Any) -> Path:
+    """The output of a sweep in pieces of 8 variants."""
+    form = format_of_name(path.name)
+    assert form is not None
+    made = plan(*vary, piece=8, **more)
+    with Store(str(path)) as store:
+        store.open(description(made, form), made.pieces, resume=False)
+        written = Output(made, form, store)
+        workers = Alone(written.task, written.task.describe)
+        written.calculate(workers, lambda _: None)
+        written.assemble(workers)
+    return path
+
+
+VARY = ("D.ratio=-3:3:31", "D.efficiency=.9,1")
+"""62 variants in 8 pieces; two are invalid: D.ratio is 0, and two more where it is 1."""
+
+
+def test_all_formats_hold_the_same(tmp_path: Path) -> None:
+    pandas = pytest.importorskip("pandas")
+    parquet = pytest.importorskip("pyarrow.parquet")
+    paths = {form: output(tmp_path / f"out.{form}", *VARY) for form in ("csv", "jsonl", "npz")}
+    rows = list(csv.DictReader(io.StringIO(paths["csv"].read_text(encoding="utf-8"))))
+    objects = [json.loads(line) for line in paths["jsonl"].read_text(encoding="utf-8").splitlines()]
+    archive = np.load(paths["npz"])
+    table = parquet.read_table(output(tmp_path / "out.parquet", *VARY)).to_pandas()
+    names = ["variant", "D.ratio", "D.efficiency", "status"]
+    names += ["ratio[direct]", "ratio[low]", "efficiency[direct]", "efficiency[low]"]
+    assert list(rows[0]) == list(objects[0]) == list(table.columns) == names
+    assert archive.files == [*names, "statuses"]
+    assert archive["variant"].tolist() == table["variant"].tolist() == list(range(62))
+    status = archive["statuses"][archive["status"]].tolist()
+    assert status.count("invalid") == 4
+    assert status == [row["status"] for row in rows] == [one["status"] for one in objects]
+    assert status == table["status"].astype(str).tolist()
+    for name in names[1:3] + names[4:]:
+        np.testing.assert_array_equal(archive[name], table[name])
+        expected = [shown(number) for number in archive[name]]
+        assert [row[name] for row in rows] == expected
+        assert [one[name] for one in objects] == [float(n) if n else None for n in expected]
+    assert isinstance(table["status"].dtype, pandas.CategoricalDtype)
+    assert parquet.read_table(tmp_path / "out.parquet")["ratio[low]"].null_count == 4
+
+
+@pytest.mark.parametrize("suffix", ["csv", "jsonl", "npz", "parquet"])
+def test_the_best_by_one_come_sorted(suffix: str, tmp_path: Path) -> None:
+    """The low gear has the ratio 1 - u: 2 and 2.2 are nearest to 2.05; equal ones in order."""
+    pytest.importorskip("pyarrow")
+    path = output(tmp_path / f"out.{suffix}", *VARY, min=["abs(ratio[low] - 2.05)"], best=3)
+    assert numbers(path, "D.ratio") == pytest.approx([-1, -1, -1.2])
+    assert numbers(path, "variant") == [20, 21, 18]
+
+
+@pytest.mark.parametrize("suffix", ["csv", "jsonl", "npz", "parquet"])
+def test_the_non_dominated_come_in_order_of_variants(suffix: str, tmp_path: Path) -> None:
+    """Without losses a larger ratio costs nothing, so one dominates all others.
+
+    None does where one objective is the other's negative.
+    """
+    pytest.importorskip("pyarrow")
+    path = output(
+        tmp_path / f"a.{suffix}", *VARY, max=["efficiency[low]", "ratio[low]"], where="D.ratio < 0"
+    )
+    assert numbers(path, "variant") == [1]
+    path = output(
+        tmp_path / f"b.{suffix}", *VARY, max=["ratio[low]", "-ratio[low]"], where="D.ratio < 0"
+    )
+    assert numbers(path, "variant") == list(range(30))
+    path = output(
+        tmp_path / f"c.{suffix}",
+        *VARY,
+        max=["ratio[low]", "-ratio[low]"],
+        where="D.ratio < 0",
+        best=2,
+    )
+    assert numbers(path, "D.ratio") == pytest.approx([-3, -0.2])
+
+
+def numbers(path: Path, name: str) -> list[float]:
+    """A column of an output."""
+    if path.suffix == ".npz":
+        return list(np.load(path)[name])
+    if path.suffix == ".parquet":
+        parquet = pytest.importorskip("pyarrow.parquet")
+        return list(parquet.read_table(path)[name].to_pylist())
+    data = path.read_text(encoding="utf-8")
+    if path.suffix == ".jsonl":
+        return [json.loads(line)[name] for line in data.splitlines()]
+    return [float(row[name]) for row in csv.DictReader(io.StringIO(data))]
+
+
+def test_no_row_at_all_is_an_output_too(tmp_path: Path) -> None:
+    pytest.importorskip("pyarrow")
+    for suffix in ("csv", "jsonl", "npz", "parquet"):
+        path = output(tmp_path / f"out.{suffix}", *VARY, where="ratio[low] > 99")
+        assert numbers(path, "ratio[low]") == []
+        best = output(tmp_path / f"best.{suffix}", *VARY, max=["0/0"])
+        assert numbers(best, "ratio[low]") == []
+
+
+def test_an_archive_of_many_gigabytes_is_laid_out_in_64_bits(tmp_path: Path) -> None:
+    """3e8 rows in two pieces: 2.4 GB for each column, of zeros that no disk has to hold."""
+    rows, zero = 3 * 10**8, 0
+    half = Segment(0, 0)
+    for million in range(1, 2401):
+        zero = zlib.crc32(bytes(10**6), zero)
+        half = Segment(8 * rows // 2, zero) if million == 1200 else half
+    accounts = [Account(piece, rows // 2, {}, (half, half)) for piece in range(2)]
+    columns = [npz.Column(name, np.dtype("<f8")) for name in ("a", "b")]
+    made = npz.layout(columns, accounts)
+    path = tmp_path / "large.npz"
+    with path.open("wb") as file:
+        file.truncate(made.length)
+        for place, known in made.texts:
+            file.seek(place)
+            file.write(known)
+    assert sum(copy.length for copy in made.copies) == 2 * 8 * rows
+    with zipfile.ZipFile(path) as archive:
+        infos = {info.filename: info for info in archive.infolist()}
+        assert [info.file_size for info in infos.values()][:2] == [8 * rows + 128] * 2
+        assert infos["b.npy"].header_offset > 2**31
+        with archive.open("b.npy") as member:
+            np.lib.format.read_magic(member)
+            assert np.lib.format.read_array_header_1_0(member)[0] == (rows,)
+            assert member.read(80) == bytes(80)
+        with archive.open("a.npy") as member:
+            assert combined(zlib.crc32(member.read(128)), zero, 8 * rows) == infos["a.npy"].CRC
+
+
+@pytest.mark.parametrize(
+    ("name", "expected"),
+    [("a.csv", "csv"), ("a.CSV", "csv"), ("a.ndjson", "jsonl"), ("a.npz", "npz"), ("a.txt", None)],
+)
+def test_the_suffix_tells_the_format(name: str, expected: str | None) -> None:
+    assert format_of_name(name) == expected

@@ -1,0 +1,122 @@
+"""Fortran's way of writing numbers, and reading it back."""
+
+import math
+import struct
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from vstatics.readers.deck.numbers import NotANumberError, integer, real
+from vstatics.tables.numbers import exponent, fixed
+
+FINITE = st.floats(allow_nan=False, allow_infinity=False)
+
+
+@pytest.mark.parametrize(
+    ("value", "text"),
+    [
+        (0.726, ".726"),
+        (-2.656, "-2.656"),
+        (1.0, "1.000"),
+        (0.0, ".000"),
+        (-0.0, ".000"),
+        (-0.0004, ".000"),
+        (-0.0006, "-.001"),
+        (0.9996, "1.000"),
+        (-12.5, "-12.500"),
+        (math.nan, "*****"),
+    ],
+)
+def test_fixed_as_printed_in_the_source(value: float, text: str) -> None:
+    assert fixed(value) == text
+
+
+def test_fixed_fills_its_field_and_grows_beyond_it() -> None:
+    assert fixed(0.726, width=8) == "    .726"
+    assert fixed(-123456.0, width=8) == "-123456.000"
+    assert fixed(math.nan, width=8) == "********"
+    assert fixed(math.inf, width=8) == "********"
+
+
+def test_fixed_without_decimals_has_no_point() -> None:
+    assert [fixed(value, width=3, decimals=0) for value in (1, -1, 0)] == ["  1", " -1", "  0"]
+
+
+@pytest.mark.parametrize(
+    ("value", "text"),
+    [
+        (-0.8, "-.8000E+00"),
+        (2.6, ".2600E+01"),
+        (-2.461, "-.2461E+01"),
+        (0.94, ".9400E+00"),
+        (1.0, ".1000E+01"),
+        (0.05, ".5000E-01"),
+        (0.0, ".0000E+00"),
+        (2.6145, ".26145E+01"),
+        (0.1 + 0.2, ".30000000000000004E+00"),
+        (1e-300, ".1000E-299"),
+        (5e-324, ".4941E-323"),
+        (math.nan, "**********"),
+    ],
+)
+def test_exponent_has_four_digits_or_as_many_as_needed(value: float, text: str) -> None:
+    assert exponent(value) == text
+
+
+@given(FINITE)
+def test_exponent_reads_back_to_the_last_bit(value: float) -> None:
+    assert struct.pack("d", real(exponent(value))) == struct.pack("d", value)
+
+
+@given(FINITE, st.integers(0, 6))
+def test_fixed_is_the_number_rounded(value: float, decimals: int) -> None:
+    text = fixed(value, decimals=decimals)
+    assert float(text) == float(f"{value:.{decimals}f}")
+    assert not text.startswith(("0.", "-0"))
+    assert text.strip("-.0") or not text.startswith("-")
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("-.8", -0.8),
+        ("+2.", 2.0),
+        (".26E+01", 2.6),
+        (".2600Е+01", 2.6),
+        (".2600е+01", 2.6),
+        ("2.6D0", 2.6),
+        ("2.6q-1", 0.26),
+        (".26+1", 2.6),
+        ("26-1", 2.6),
+        ("1E400-400", None),
+        ("1_0", None),
+        ("nan", None),
+        ("inf", None),
+        ("1e999", None),
+        ("٢", None),
+        ("0x10", None),
+        ("", None),
+        (".", None),
+        ("+", None),
+        ("1e", None),
+        ("1 2", None),
+        ("1" * 2000, None),
+    ],
+)
+def test_numbers_of_list_directed_input(text: str, value: float | None) -> None:
+    if value is None:
+        with pytest.raises(NotANumberError):
+            real(text)
+    else:
+        assert real(text) == value
+
+
+@pytest.mark.parametrize("text", ["2.", "1e0", "1_0", "٢", "", "-", "9" * 30])
+def test_no_whole_numbers(text: str) -> None:
+    with pytest.raises(NotANumberError):
+        integer(text)
+
+
+def test_whole_numbers() -> None:
+    assert [integer(text) for text in ("6", "+6", "-6", "006")] == [6, 6, -6, 6]

@@ -1,0 +1,124 @@
+"""Tables in rpm, N*m and kW, and numbers with units in a case."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+import vstatics as library
+from tests.elements.test_elements import SET, changed, loaded, problems, shown
+
+KW = math.pi / 30 / 1000
+"""1 N*m at 1 rpm."""
+
+HYBRID = """
+links: [engine, MG1, MG2, ring]
+output: ring
+load: {speed: 2000 rpm, torque: 90 N*m}
+elements:
+  split: {kind: planetary, sun: MG1, ring: ring, carrier: engine, teeth: {sun: 30, ring: 78}}
+  reduction: {kind: planetary, sun: MG2, ring: ring, carrier: housing, teeth: {sun: 22, ring: 58}}
+gears:
+  hybrid: {speeds: {MG1: 6400 rpm}, torques: {MG2: -40 N*m}}
+  electric: {input: MG2, speeds: {engine: 0 rpm}, load: {speed: -3000 rpm, torque: -100 N*m}}
+"""
+
+
+def test_power_in_kilowatts() -> None:
+    """2000 rpm and 300 N*m are 300*2000*pi/30 W."""
+    found = shown("load: {speed: 2000 rpm, torque: 300 N*m}" + SET)
+    power = 300 * 2000 * math.pi / 30 / 1000
+    assert found["input_power_kW"].values[0] == pytest.approx([power, power])
+    efficiency = (1 + 2.5 * 0.98 * 0.99) / 3.5
+    assert found["output_power_kW"].values[0] == pytest.approx([power * efficiency, power])
+    assert found["losses_kW"].values[0] == pytest.approx([power * (1 - efficiency), 0])
+    assert found["W_rpm"].values[:, 0] == pytest.approx([2000, 0, 2000 / 3.5])
+    assert found["AMLG_Nm"].values[-1] == pytest.approx([1050, 300])
+
+
+def test_a_gear_has_a_load_of_its_own() -> None:
+    text = changed("low: {engaged: [B]}", "low: {engaged: [B], load: {torque: 100 lbf*ft}}")
+    found = shown("load: {speed: 100 rad/s, torque: 1 kN*m}" + text)
+    assert found["AMLG_Nm"].values[-1] == pytest.approx([3.5 * 135.581795, 1000])
+    assert found["W_rpm"].values[0] == pytest.approx([954.929659] * 2)  # 100*30/pi
+    only = shown("load: {speed: 1000 rpm}" + SET)
+    assert "W_rpm" in only
+    assert not {"AMLG_Nm", "losses_kW", "input_power_kW"} & only.keys()
+
+
+def test_drag_in_newton_metres_is_related_to_the_torque_of_each_gear() -> None:
+    text = "load: {torque: 200 N*m}\ndrag: {carrier: 2 N*m}" + SET
+    text = changed(
+        "direct: {engaged: [C]}", "direct: {engaged: [C], load: {torque: 100 N*m}}", text
+    )
+    results = library.solve(loaded(text))
+    assert results.drag_losses == pytest.approx([0.01 / 3.5, 0.02])
+    assert results.efficiency[1] == pytest.approx(0.98)
+
+
+def test_power_enters_and_leaves_by_all_ports() -> None:
+    """Engine, both machines and the output, each by its own torque and speed."""
+    found = shown(HYBRID)
+    speeds = dict(zip(found["W_rpm"].rows, found["W_rpm"].values[:, 0], strict=True))
+    assert speeds == pytest.approx(
+        # Willis: (MG1 - engine)/(ring - engine) = -78/30, MG2/ring = -58/22
+        {
+            "engine": 2000,
+            "MG1": 6400,
+            "ring": 2000 - 4400 * 30 / 78,
+            "MG2": -(2000 - 4400 * 30 / 78) * 58 / 22,
+        }
+    )
+    held = found["AMWZP_Nm"].values[1, 0]
+    out = found["AMLGP_Nm"].values[-1, 0]
+    ports = [90 * 2000, held * 6400, -40 * speeds["MG2"], -out * speeds["ring"]]
+    entering, leaving = found["input_power_kW"].values[0], found["output_power_kW"].values[0]
+    assert entering[0] == pytest.approx(sum(KW * p for p in ports if p > 0))
+    assert leaving[0] == pytest.approx(-sum(KW * p for p in ports if p < 0))
+    assert leaving / entering == pytest.approx(found["ETA"].values[0])
+    assert entering - leaving == pytest.approx(found["losses_kW"].values.sum(axis=0))
+    assert entering[1] == pytest.approx(3000 * 100 * KW)
+
+
+def test_drag_is_told_in_kilowatts_too() -> None:
+    """A brake of 3 N*m on the output, 2000/3.5 rpm and 2000 rpm."""
+    found = shown("load: {speed: 2000 rpm, torque: 300 N*m}\ndrag: {carrier: 3 N*m}" + SET)
+    drag = found["drag_losses_kW"].values[0]
+    assert drag == pytest.approx([3 * 2000 / 3.5 * KW, 3 * 2000 * KW])
+    lost = found["losses_kW"].values.sum(axis=0) + drag
+    assert found["input_power_kW"].values[0] - lost == pytest.approx(
+        found["output_power_kW"].values[0]
+    )
+
+
+def test_when_coasting_power_enters_at_the_output() -> None:
+    """The input link gets 300 N*m against its speed, so 300*2000 rpm leave there."""
+    found = shown("coast: true\nload: {speed: 2000 rpm, torque: 300 N*m}" + SET)
+    power = 300 * 2000 * KW
+    assert found["output_power_kW"].values[0] == pytest.approx([power, power])
+    assert found["AMLGP_Nm"].values[2, 0] == pytest.approx(-300)
+    assert (found["losses_kW"].values >= 0).all()
+    entering = found["input_power_kW"].values[0]
+    assert power / entering == pytest.approx(found["ETA"].values[0])
+    assert entering - power == pytest.approx(found["losses_kW"].values[0])
+
+
+def test_torques_that_are_given_with_a_unit_are_shown_as_given() -> None:
+    for coast in ("false", "true"):
+        text = changed("low: {engaged: [B]}", "low: {engaged: [B], torques: {ring: 12 N*m}}")
+        found = shown(f"coast: {coast}\nload: {{speed: 2000 rpm, torque: 300 N*m}}" + text)
+        # ring held by B: what the set gives to the ring, and what is put on it
+        ring = dict(zip(found["AMLG_Nm"].rows, found["AMLG_Nm"].values[:, 0], strict=True))
+        assert ring["B"] - 12 == pytest.approx(-ring["P1.ring"])
+
+
+def test_a_speed_with_a_unit_needs_a_load() -> None:
+    text = changed("low: {engaged: [B]}", "low: {speeds: {ring: 300 rpm}}")
+    assert any("there is no input speed to relate it to" in told for told in problems(text))
+
+
+def test_a_load_beyond_all_numbers_has_no_values() -> None:
+    found = shown("load: {speed: 1e300 rpm, torque: 1e300 N*m}" + SET)
+    assert np.isnan(found["input_power_kW"].values).all()

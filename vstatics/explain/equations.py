@@ -1,0 +1,154 @@
+"""The speed and the torque equations of a gear, written out.
+
+Source: figures 3 and 4 of Algin, Schematization and calculation of mobile machine
+presented as multibody system. The rows are those of `vstatics.statics.matrix`; here they have
+names, and what each coefficient is made of.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from types import MappingProxyType
+from typing import NamedTuple
+
+from vstatics.explain.names import Names
+from vstatics.model.transmission import HOUSING, Gear, Transmission
+from vstatics.numerics.arrays import Floats
+from vstatics.statics.matrix import external_torques, held_links, loaded_devices, speed_row_names
+
+NOTHING: Mapping[int, float] = MappingProxyType({})
+
+
+class Term(NamedTuple):
+    """A coefficient and its unknown."""
+
+    unknown: str
+    symbol: str
+    """The coefficient in symbols: ``1``, ``-1``, ``-u_P1``, ``u_P1 - 1``."""
+    coefficient: float
+    """[-]"""
+
+
+class Equation(NamedTuple):
+    """``sum(coefficient x unknown) = right``."""
+
+    of: str
+    """The device, the link or the condition that it stands for."""
+    terms: Sequence[Term]
+    right: float
+    """[-]"""
+
+
+class System(NamedTuple):
+    """Equations and what they determine."""
+
+    equations: Sequence[Equation]
+    values: Mapping[str, float]
+    """Unknown -> its value, NaN where it is not determined. [-]"""
+
+
+def speed_system(
+    case: Transmission, gear: Gear, names: Names, matrix: Floats, speeds: Sequence[float]
+) -> System:
+    """The speed equations of a gear (figure 3).
+
+    Parameters
+    ----------
+    gear : Gear
+        With the freewheels that hold among the engaged elements.
+    matrix : ndarray, shape (links, devices)
+        Structural-distribution matrix. [-]
+    speeds : sequence of float
+        By link. [-]
+    """
+    elements = len(case.shift_elements)
+    devices = [*range(elements, matrix.shape[1]), *(number - 1 for number in gear.engaged)]
+    made: list[tuple[list[Term], float]] = [
+        (
+            [
+                Term(names.speeds[link], symbol, float(matrix[link - 1, device]))
+                for link, symbol in _column(case, device, names)
+            ],
+            0.0,
+        )
+        for device in devices
+    ]
+    for link, speed in {case.gear_input(gear): 1.0, **gear.speeds}.items():
+        made.append(([Term(names.speeds[link], "1", 1.0)], speed))
+    labels = speed_row_names(case, gear)
+    equations = [Equation(of, *row) for of, row in zip(labels, made, strict=True)]
+    return System(equations, dict(zip(names.speeds[1:], speeds, strict=True)))
+
+
+def torque_system(  # noqa: PLR0913 - all of them make the equations
+    case: Transmission,
+    gear: Gear,
+    names: Names,
+    matrix: Floats,
+    torques: Sequence[float],
+    *,
+    holding: Sequence[float],
+    drag: Mapping[int, float] = NOTHING,
+) -> System:
+    """The equilibrium of each link of a gear (figure 4).
+
+    Parameters
+    ----------
+    gear : Gear
+        With the freewheels that hold among the engaged elements.
+    matrix : ndarray, shape (links, devices)
+        Structural-distribution matrix, with losses or without. [-]
+    torques : sequence of float
+        By device, then the output torque. [-]
+    holding : sequence of float
+        By link, the torques that hold given speeds. [-]
+    drag : mapping of int to float
+        Link -> external torque of drag. [-]
+    """
+    rows: list[list[Term]] = [[] for _ in range(case.links + 1)]
+    values: dict[str, float] = {}
+    for device in loaded_devices(case, gear):
+        unknown = names.torques[device]
+        values[unknown] = torques[device]
+        for link, symbol in _column(case, device, names):
+            rows[link].append(Term(unknown, symbol, float(matrix[link - 1, device])))
+    rows[case.gear_output(gear)].append(Term(names.torques[-1], "1", 1.0))
+    values[names.torques[-1]] = torques[-1]
+    for link in held_links(case, gear):
+        rows[link].append(Term(names.holding[link], "-1", -1.0))
+        values[names.holding[link]] = holding[link - 1]
+    right = external_torques(case, gear)
+    equations = [
+        Equation(case.link_name(link), row, right.get(link, 0.0) + drag.get(link, 0.0))
+        for link, row in enumerate(rows)
+        if link != HOUSING
+    ]
+    return System(equations, values)
+
+
+def residual(equation: Equation, values: Mapping[str, float]) -> float:
+    """Left less right side at given values, NaN where one of them does not exist.
+
+    Examples
+    --------
+    >>> row = Equation("B", [Term("w_1", "1", 1.0), Term("w_2", "-1", -1.0)], 0.0)
+    >>> residual(row, {"w_1": 0.5, "w_2": 0.25})
+    0.25
+    """
+    terms = [term.coefficient * values[term.unknown] for term in equation.terms if term.coefficient]
+    return math.fsum([*terms, -equation.right])
+
+
+def _column(case: Transmission, device: int, names: Names) -> Iterator[tuple[int, str]]:
+    """Links of a device, the housing apart, each with its coefficient in symbols."""
+    elements = case.shift_elements
+    if device < len(elements):
+        element = elements[device]
+        column = [(element.first, "1"), (element.second, "-1")]
+    else:
+        number = device - len(elements)
+        ratio = names.ratios[number]
+        links = case.mechanisms[number].links
+        column = list(zip(links, ("1", f"-{ratio}", f"{ratio} - 1"), strict=True))
+    return ((link, symbol) for link, symbol in column if link != HOUSING)

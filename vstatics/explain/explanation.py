@@ -1,0 +1,227 @@
+"""Everything that explains one gear, as data."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from vstatics.explain.bodies import OwnLinks, Structure, on_own_links, structure
+from vstatics.explain.equations import System, speed_system, torque_system
+from vstatics.explain.formula import Formula, formula
+from vstatics.explain.names import Names, names_of
+from vstatics.explain.shares import NoFormula
+from vstatics.explain.signs import Sign, signs_of
+from vstatics.explain.symbols import symbols_of
+from vstatics.model.transmission import HOUSING, Gear
+from vstatics.numerics.arrays import Floats
+from vstatics.statics import drag
+from vstatics.statics.matrix import distribution_matrix
+from vstatics.statics.results import Results
+
+
+class Together(NamedTuple):
+    """Links that turn as one body, whatever the ratios are."""
+
+    links: Sequence[str]
+    stands: bool
+    """The housing is one of them."""
+    elements: Sequence[str]
+    """The engaged elements that join them."""
+
+
+class Explanation(NamedTuple):
+    """A gear explained."""
+
+    gear: str
+    engaged: Sequence[str]
+    """Shift elements that are engaged."""
+    holding: Sequence[str]
+    """Freewheels that hold."""
+    not_engaged: Sequence[str]
+    rows: Sequence[str]
+    """Links, planets too where losses are calculated at meshes."""
+    columns: Sequence[str]
+    """Devices that can carry torque: engaged elements and mechanisms."""
+    matrix: Floats
+    """(rows, columns): their structural-distribution matrix. [-]"""
+    speeds: System
+    torques: System | None
+    """None where a gear is tied up, or its freewheels in conflict."""
+    signs: Sequence[Sign]
+    lossy: System | None
+    """With losses; None where there is no such solution."""
+    together: Sequence[Together]
+    one_piece: Sequence[str]
+    """Elements, or mechanisms, that turn as one piece."""
+    standing: Sequence[str]
+    """Elements, or mechanisms, all of whose links stand."""
+    input: str
+    """The speed of the input, as the equations call it."""
+    output: str
+    """That of the output."""
+    formula: Formula | None
+    reason: str
+    """Why there is no formula, or nothing."""
+    ratio: float
+    """[-]"""
+    efficiency: float
+    """[-]"""
+    messages: Sequence[str]
+    """What was noticed in this gear."""
+
+
+def explain(results: Results, number: int) -> Explanation:
+    """Explain a gear: its matrix, its equations and their solution, its ratio as a formula.
+
+    Parameters
+    ----------
+    results : Results
+        Of one case.
+    number : int
+        Index of the gear.
+
+    Source: Algin, Schematization and calculation of mobile machine presented as
+    multibody system, figures 3 and 4.
+
+    Examples
+    --------
+    >>> from vstatics.model.transmission import Mechanism, ShiftElement, Transmission
+    >>> from vstatics.statics.solve import solve
+    >>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)], [Gear([1])])
+    >>> explained = explain(solve(case), 0)
+    >>> explained.formula.text, explained.formula.value
+    ('1 - u_D1', 3.5)
+    >>> explained.speeds.equations[0].terms[1]
+    Term(unknown='w_2', symbol='-u_D1', coefficient=2.5)
+    """
+    case = results.settled
+    given, gear = results.case.gears[number], case.gears[number]
+    names = names_of(case)
+    matrix = distribution_matrix(case) + 0.0
+    elements = [element.name for element in case.shift_elements]
+    loaded = sorted(n - 1 for n in gear.engaged) + list(range(len(elements), len(case.devices)))
+    signs = signs_of(results, number)
+    torques, lossy = _torques(results, number, names, matrix, signs)
+    together, one_piece, standing, found, reason = _structure(results, number, names)
+    return Explanation(
+        gear=gear.name,
+        engaged=[elements[n - 1] for n in given.engaged],
+        holding=[elements[n - 1] for n in gear.engaged if n not in given.engaged],
+        not_engaged=[name for n, name in enumerate(elements, 1) if n not in gear.engaged],
+        rows=case.link_names,
+        columns=[case.devices[device] for device in loaded],
+        matrix=matrix[:, loaded],
+        speeds=speed_system(case, gear, names, matrix, results.speeds[number].tolist()),
+        torques=torques,
+        signs=signs,
+        lossy=lossy,
+        together=together,
+        one_piece=one_piece,
+        standing=standing,
+        input=names.speeds[case.gear_input(gear)],
+        output=names.speeds[case.gear_output(gear)],
+        formula=found,
+        reason=reason,
+        ratio=float(results.ratio[number]),
+        efficiency=float(results.efficiency[number]),
+        messages=[
+            f"{message.severity}: {message.text}"
+            for message in results.messages
+            if message.gear == gear.name
+        ],
+    )
+
+
+def _torques(
+    results: Results, number: int, names: Names, matrix: Floats, signs: Sequence[Sign]
+) -> tuple[System | None, System | None]:
+    """The torque equations without losses and with them."""
+    case = results.settled
+    gear = case.gears[number]
+    if results.tied_up[number] or results.conflict[number]:
+        return None, None
+    ideal = torque_system(
+        case,
+        gear,
+        names,
+        matrix,
+        results.torques[number].tolist(),
+        holding=results.holding_torques[number].tolist(),
+    )
+    ratios = [sign.lossy_ratio for sign in signs]
+    exists = results.calculable[number] and not results.locked[number]
+    if not exists or results.undecided[number] or np.isnan(ratios).any():
+        return ideal, None
+    dragging = drag.of_gear(results, number).external
+    lossy = torque_system(
+        case,
+        gear,
+        names,
+        distribution_matrix(case, ratios) + 0.0,
+        results.lossy_torques[number].tolist(),
+        holding=results.lossy_holding_torques[number].tolist(),
+        drag={link: float(torque) for link, torque in dragging.items()},
+    )
+    return ideal, lossy
+
+
+_Joined = tuple[list[Together], list[str], list[str], Formula | None, str]
+
+
+def _structure(results: Results, number: int, names: Names) -> _Joined:
+    """What turns together, and the formula."""
+    case = results.settled
+    gear = case.gears[number]
+    if results.conflict[number]:
+        return [], [], [], None, "the freewheels are in conflict"
+    if results.tied_up[number]:
+        return [], [], [], None, "the gear is tied up"
+    own = on_own_links(case)
+    found = structure(own, gear)
+    one_piece, standing = _pieces(own, found)
+    together = _together(own, gear, found)
+    try:
+        made = formula(own, gear, names, symbols_of(case, names, own), found)
+    except NoFormula as none:
+        return together, one_piece, standing, None, str(none)
+    if math.isnan(made.value) or (made.left == "i" and np.isnan(results.ratio[number])):
+        reason = "the mechanisms happen to have ratios at which the gear has none"
+        return together, one_piece, standing, None, reason
+    return together, one_piece, standing, made, ""
+
+
+def _together(own: OwnLinks, gear: Gear, found: Structure) -> list[Together]:
+    """Bodies of more than one link, what stands first."""
+    case = own.case
+    bodies: dict[int, list[int]] = {}
+    for link, body in enumerate(found.body):
+        bodies.setdefault(body, []).append(link)
+    made = []
+    for body, links in bodies.items():
+        if len(links) > 1:
+            engaged = [
+                case.shift_elements[n - 1].name
+                for n in gear.engaged
+                if found.body[case.shift_elements[n - 1].first] == body
+            ]
+            named = [case.link_name(link) for link in links if link != HOUSING]
+            made.append(Together(named, body == HOUSING, engaged))
+    return made
+
+
+def _pieces(own: OwnLinks, found: Structure) -> tuple[list[str], list[str]]:
+    """Names of elements, or mechanisms, that turn as one piece, and of those that stand.
+
+    What is joined to the housing for good turns as one piece only when it stands.
+    """
+    one_piece, standing = [], []
+    for part in own.parts:
+        bodies = {found.body[link] for one in part.lowered for link in one.mechanism.links}
+        if bodies == {HOUSING}:
+            standing.append(part.name)
+        elif len(bodies) == 1:
+            one_piece.append(part.name)
+    return one_piece, standing

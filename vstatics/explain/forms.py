@@ -1,0 +1,250 @@
+"""A fraction of polynomials as one writes it by hand: `(1 - u1)(1 - u3)`, `2 - 1/u`.
+
+Of several equal forms the shortest is taken: in factors, term by term, and 1 and the rest.
+Polynomials are those of `sympy.polys`, with whole coefficients.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any, NamedTuple
+
+from vstatics.explain.factors import Factored, Polynomial, Powers, balance, factored
+
+Fraction = Any
+"""`sympy.polys.fields.FracElement`"""
+
+
+class Style(NamedTuple):
+    """How symbols, products and powers are written."""
+
+    symbols: Sequence[str]
+    times: str = " "
+    power: str = "^"
+    joined: str = ""
+    """Between two brackets."""
+
+
+def neutral(count: int) -> Style:
+    """Symbols of equal length, so that names do not decide on the form."""
+    return Style(["u"] * count)
+
+
+def python(count: int) -> Style:
+    """An expression that Python and SymPy read; its symbols are u1, u2, ..."""
+    return Style([f"u{number}" for number in range(1, count + 1)], "*", "**", "*")
+
+
+class _Written(NamedTuple):
+    """An expression, and whether it needs brackets as a factor, as a divisor."""
+
+    text: str
+    is_sum: bool = False
+    is_product: bool = False
+
+    @property
+    def factor(self) -> str:
+        return f"({self.text})" if self.is_sum else self.text
+
+    @property
+    def divisor(self) -> str:
+        return f"({self.text})" if self.is_sum or self.is_product else self.text
+
+
+def fraction(value: Fraction, style: Style) -> str:
+    """The shortest form of a fraction of polynomials.
+
+    Examples
+    --------
+    >>> from sympy import ZZ
+    >>> from sympy.polys.fields import field
+    >>> _, u, v = field("u, v", ZZ)
+    >>> [fraction(one, Style("uv")) for one in (1 - u, (1 - u) * (1 - v), u / (u - 1), u * v)]
+    ['1 - u', '(1 - u)(1 - v)', 'u/(u - 1)', 'u v']
+    >>> [fraction(one, Style("uv")) for one in (2 - 1 / u, (u + v - 1) / u, 1 - u * v)]
+    ['2 - 1/u', '(u + v - 1)/u', '1 - u v']
+    >>> fraction((u - 1) / u * (1 - v), Style("uv"))
+    '(1 - 1/u)(1 - v)'
+    """
+    forms = [form for form in (_in_factors, _by_terms, _one_and_rest) if form(value, style)]
+    if len(factored(value.numer).factors) > 1:
+        forms = forms[:1]  # a product is to be seen as one
+    measure = neutral(len(style.symbols))
+    shortest = min(forms, key=lambda form: len(_text(form(value, measure))))
+    return _text(shortest(value, style))
+
+
+def weighted(values: Sequence[Fraction], unknowns: Sequence[str], style: Style) -> str:
+    """A sum of unknowns with fractions of polynomials as coefficients, over one divisor.
+
+    Examples
+    --------
+    >>> from sympy import ZZ
+    >>> from sympy.polys.fields import field
+    >>> _, u = field("u", ZZ)
+    >>> weighted([1 / (1 - u), -u / (1 - u)], ["w_sun", "w_ring"], Style("u"))
+    '(w_sun - u w_ring)/(1 - u)'
+    """
+    divisor = values[0].denom
+    for value in values[1:]:
+        divisor = divisor.lcm(value.denom)
+    below = factored(divisor)
+    terms = []
+    for value, unknown in zip(values, unknowns, strict=True):
+        whole = (value * divisor).numer * (1 if below.number > 0 else -1)
+        sign, text = _signed(whole, style)
+        term = unknown if text.text == "1" else f"{text.factor}{style.times}{unknown}"
+        terms.append((sign, term))
+    terms.sort(key=lambda one: one[0] == "-")
+    written = "".join(f" {sign} {term}" for sign, term in terms)
+    written = written.removeprefix(" + ") if terms[0][0] == "+" else f"-{written[3:]}"
+    positive = below._replace(number=abs(below.number))
+    over = _product(positive, style)
+    if over.text == "1":
+        return written
+    return f"({written})/{over.divisor}" if len(values) > 1 else f"{written}/{over.divisor}"
+
+
+def _text(written: _Written | None) -> str:
+    return "" if written is None else written.text
+
+
+def _signed(polynomial: Polynomial, style: Style) -> tuple[str, _Written]:
+    """The sign of a polynomial, as far as it can't be taken into a factor, and the rest."""
+    found = factored(polynomial)
+    if found.number < 0:
+        found, _ = _turned(found, Factored(1, []))
+    rest = _product(found._replace(number=abs(found.number)), style)
+    return ("-" if found.number < 0 else "+"), rest
+
+
+def _in_factors(value: Fraction, style: Style) -> _Written:
+    """Numerator and denominator, each in factors; ``(u - 1)/u`` within is ``1 - 1/u``."""
+    above, below = factored(value.numer), factored(value.denom)
+    above, below, inverse = _inverse(above, below)
+    if above.number * below.number < 0:
+        above, below = _turned(above, below)
+    minus = "-" * (above.number * below.number < 0)
+    over = _product(below._replace(number=abs(below.number)), style)
+    top = _product(above._replace(number=abs(above.number)), style, inverse)
+    if over.text == "1":
+        return top._replace(text=f"{minus}{top.factor if minus else top.text}")
+    return _Written(f"{minus}{top.factor}/{over.divisor}", is_product=True)
+
+
+def _inverse(above: Factored, below: Factored) -> tuple[Factored, Factored, Powers]:
+    """What is left without factors ``1 - 1/u``, and these: the symbol and the power of each."""
+    inverse: Powers = []
+    top, bottom, number = [], below.factors, above.number
+    for factor, power in above.factors:
+        symbol = 1 - factor  # a factor stands as 1 - u, not as u - 1
+        given = next((have for one, have in bottom if one == symbol and len(one) == 1), 0)
+        common = min(power, given)
+        if common:
+            inverse.append((symbol, common))
+            number *= (-1) ** common
+            bottom = [(one, have - common * (one == symbol)) for one, have in bottom]
+        if power > common:
+            top.append((factor, power - common))
+    rest = [(factor, power) for factor, power in bottom if power]
+    return Factored(number, top), below._replace(factors=rest), inverse
+
+
+def _turned(above: Factored, below: Factored) -> tuple[Factored, Factored]:
+    """A minus taken into a factor that looks as well with it, if there is one."""
+    for part in (below, above):
+        for place, (factor, power) in enumerate(part.factors):
+            if power % 2 and balance(factor) == 0 and len(factor) > 1:
+                factors = [*part.factors]
+                factors[place] = (-factor, power)
+                turned = part._replace(number=-part.number, factors=factors)
+                return (above, turned) if part is below else (turned, below)
+    return above, below
+
+
+def _by_terms(value: Fraction, style: Style) -> _Written | None:
+    """Each term of the numerator over a denominator of one term."""
+    if len(value.denom) > 1 or len(value.numer) < 2:
+        return None
+    field = value.parent()
+    text = ""
+    for term in _ordered(value.numer):
+        one = _in_factors(field(term) / field(value.denom), style).text
+        minus = one.startswith("-")
+        text += f" {'-' if minus else '+'} {one.lstrip('-')}" if text else one
+    return _Written(text, is_sum=True)
+
+
+def _one_and_rest(value: Fraction, style: Style) -> _Written | None:
+    """1 plus or minus what is left, in factors."""
+    rest = value - 1
+    if not rest or len(rest.numer) == len(value.numer) == 1:
+        return None
+    above, below = factored(rest.numer), factored(rest.denom)
+    sign = "-" if above.number * below.number < 0 else "+"
+    over = _product(below._replace(number=abs(below.number)), style)
+    top = _product(above._replace(number=abs(above.number)), style)
+    text = top.factor if over.text == "1" else f"{top.factor}/{over.divisor}"
+    return _Written(f"1 {sign} {text}", is_sum=True)
+
+
+def _ordered(polynomial: Polynomial) -> list[Polynomial]:
+    """Its terms: those above 0 first, and of each kind the short ones first."""
+    terms = sorted(polynomial.terms(), key=lambda term: (term[1] < 0, sum(term[0])))
+    ring = polynomial.ring
+    return [ring({powers: factor}) for powers, factor in terms]
+
+
+def _product(
+    product: Factored, style: Style, inverse: Sequence[tuple[Polynomial, int]] = ()
+) -> _Written:
+    """A product, single symbols before sums, in the order of the symbols.
+
+    Parameters
+    ----------
+    inverse : list
+        Symbols u of further factors ``1 - 1/u``, each with its power.
+    """
+    factors = [
+        (len(factor) > 1, _position(factor), _sum(factor, style), power)
+        for factor, power in product.factors
+    ]
+    factors += [
+        (True, _position(symbol), f"1 - 1/{_sum(symbol, style)}", power)
+        for symbol, power in inverse
+    ]
+    factors.sort()
+    if product.number == 1 and len(factors) == 1 and factors[0][-1] == 1:
+        is_sum, _, text, _ = factors[0]
+        return _Written(text, is_sum=is_sum)
+    text = str(product.number) if product.number != 1 or not factors else ""
+    for is_sum, _, written, power in factors:
+        base = f"({written})" if is_sum else written
+        raised = base if power == 1 else f"{base}{style.power}{power}"
+        bracketed = is_sum and text.endswith(")")
+        text += f"{style.joined if bracketed else style.times}{raised}" if text else raised
+    return _Written(text, is_product=len(factors) + (product.number != 1) > 1)
+
+
+def _position(polynomial: Polynomial) -> tuple[int, ...]:
+    """Which symbols occur, for an order of factors."""
+    occurring = {place for powers, _ in polynomial.terms() for place, p in enumerate(powers) if p}
+    return tuple(sorted(occurring))
+
+
+def _sum(polynomial: Polynomial, style: Style) -> str:
+    """A polynomial term by term."""
+    text = ""
+    for term in _ordered(polynomial):
+        [(powers, factor)] = term.terms()
+        symbols = [
+            symbol if power == 1 else f"{symbol}{style.power}{power}"
+            for symbol, power in zip(style.symbols, powers, strict=True)
+            if power
+        ]
+        size = abs(int(factor))
+        parts = [str(size)] * (size != 1 or not symbols) + symbols
+        minus = factor < 0
+        front = (" - " if minus else " + ") if text else "-" * minus
+        text += front + style.times.join(parts)
+    return text

@@ -1,0 +1,187 @@
+"""The ratio of a gear as a formula in the ratios of its mechanisms; needs SymPy."""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+from collections.abc import Mapping, Sequence
+from fractions import Fraction
+from typing import Any, NamedTuple
+
+from vstatics.explain import forms
+from vstatics.explain.bodies import OwnLinks, Structure
+from vstatics.explain.names import Names
+from vstatics.explain.shares import NoFormula, shares
+from vstatics.explain.symbols import Symbol
+from vstatics.extras import missing
+from vstatics.model.transmission import HOUSING, Gear
+
+SHARED = ("u", "v")
+"""Symbols for ratios that several mechanisms have."""
+
+
+class Formula(NamedTuple):
+    """A formula in symbols, and what it gives."""
+
+    left: str
+    """What it is a formula of: ``i``, or the speed of the output."""
+    text: str
+    expression: str
+    """The same as Python and SymPy read it; symbols are u1, u2, ... in their order, then the
+    given speeds w1, w2, ..."""
+    symbols: Sequence[Symbol]
+    speeds: Mapping[str, float]
+    """The given speeds that it speaks of; none in a formula of the ratio. [-]"""
+    value: float
+    """[-]"""
+    shared: Mapping[str, Sequence[str]]
+    """New symbol -> those of the same value that it stands for in `shared_text`."""
+    shared_text: str
+    """Shorter, as some ratios are the same; may be nothing."""
+
+
+def formula(
+    own: OwnLinks, gear: Gear, names: Names, symbols: Sequence[Symbol], found: Structure
+) -> Formula:
+    """The formula of a gear's ratio; where several speeds are given, of its output speed.
+
+    Parameters
+    ----------
+    own : OwnLinks
+        The case, without planets among its links.
+    gear : Gear
+        With the freewheels that hold among the engaged elements.
+    symbols : sequence of Symbol
+        By mechanism.
+
+    Raises
+    ------
+    NoFormula
+        If SymPy is not installed, the output speed is not determined or 0, or the formula
+        would be too long.
+    """
+    told = missing("sympy", "the formula")
+    if told:
+        raise NoFormula(told)
+    case = own.case
+    given: dict[int, str] = {}
+    numbers: dict[str, float] = {}
+    for link, speed in {case.gear_input(gear): 1.0, **gear.speeds}.items():
+        if found.body[link] != HOUSING:
+            given.setdefault(found.body[link], names.speeds[link])
+            numbers.setdefault(given[found.body[link]], speed)
+    output = case.gear_output(gear)
+    if found.body[output] == HOUSING:
+        raise NoFormula("the output is held: there is no ratio")
+    parts = shares(own, found, given, found.body[output])
+    if not parts:
+        raise NoFormula("the output stands still: there is no ratio")
+    speeds = {given[body]: numbers[given[body]] for body in parts}
+    if not gear.speeds or list(speeds) == [names.speeds[case.gear_input(gear)]]:
+        return _of_ratio(1 / next(iter(parts.values())), symbols)
+    return _of_speed(names.speeds[output], list(parts.values()), speeds, symbols)
+
+
+def _of_ratio(ratio: Any, symbols: Sequence[Symbol]) -> Formula:
+    occurring = sorted(_occurring(ratio))
+    kept = [symbols[number] for number in occurring]
+    renamed = _in_symbols(ratio, {number: place for place, number in enumerate(occurring)})
+    text = forms.fraction(renamed, forms.Style([one.name for one in kept]))
+    shared, shorter = _shared(renamed, kept)
+    return Formula(
+        left="i",
+        text=text,
+        expression=forms.fraction(renamed, forms.python(len(kept))),
+        symbols=kept,
+        speeds={},
+        value=_value(renamed, kept),
+        shared=shared,
+        shared_text=shorter if len(shorter) < len(text) else "",
+    )
+
+
+def _of_speed(
+    output: str, shares: Sequence[Any], speeds: Mapping[str, float], symbols: Sequence[Symbol]
+) -> Formula:
+    occurring = sorted(set().union(*map(_occurring, shares)))
+    kept = [symbols[number] for number in occurring]
+    places = {number: place for place, number in enumerate(occurring)}
+    renamed = [_in_symbols(share, places) for share in shares]
+    style = forms.Style([one.name for one in kept])
+    unknowns = [f"w{number}" for number in range(1, len(speeds) + 1)]
+    numbers = zip(renamed, speeds.values(), strict=True)
+    return Formula(
+        left=output,
+        text=forms.weighted(renamed, list(speeds), style),
+        expression=forms.weighted(renamed, unknowns, forms.python(len(kept))),
+        symbols=kept,
+        speeds=speeds,
+        value=math.fsum(_value(share, kept) * speed for share, speed in numbers),
+        shared={},
+        shared_text="",
+    )
+
+
+def _occurring(value: Any) -> set[int]:
+    """Numbers of the symbols in a fraction of polynomials."""
+    terms = [*value.numer.terms(), *value.denom.terms()]
+    return {place for powers, _ in terms for place, power in enumerate(powers) if power}
+
+
+def _in_symbols(value: Any, places: Mapping[int, int]) -> Any:
+    """The fraction in other symbols: number of the old -> number of the new one.
+
+    None if its denominator becomes 0 where two symbols become one.
+    """
+    from sympy import ZZ
+    from sympy.polys.fields import field
+
+    count = len(set(places.values()))
+    fractions, *_ = field([f"u{number}" for number in range(1, count + 1)] or ["u1"], ZZ)
+
+    def image(polynomial: Any) -> Any:
+        terms: Counter[tuple[int, ...]] = Counter()
+        for powers, factor in polynomial.terms():
+            new = [0] * max(count, 1)
+            for old, power in enumerate(powers):
+                if power:
+                    new[places[old]] += power
+            terms[tuple(new)] += factor
+        return fractions.ring({one: factor for one, factor in terms.items() if factor})
+
+    below = image(value.denom)
+    return fractions(image(value.numer)) / fractions(below) if below else None
+
+
+def _shared(value: Any, symbols: Sequence[Symbol]) -> tuple[dict[str, list[str]], str]:
+    """The formula where symbols of the same value are one."""
+    by_value: dict[float, list[int]] = {}
+    for number, symbol in enumerate(symbols):
+        by_value.setdefault(symbol.value, []).append(number)
+    groups = [numbers for numbers in by_value.values() if len(numbers) > 1]
+    if not 0 < len(groups) <= len(SHARED):
+        return {}, ""
+    letters = dict(zip(SHARED, groups, strict=False))
+    letter_of = {number: letter for letter, numbers in letters.items() for number in numbers}
+    written = [letter_of.get(number, symbols[number].name) for number in range(len(symbols))]
+    new = list(dict.fromkeys(written))
+    one = _in_symbols(value, {number: new.index(name) for number, name in enumerate(written)})
+    if one is None:
+        return {}, ""
+    stands_for = {letter: [symbols[n].name for n in numbers] for letter, numbers in letters.items()}
+    return stands_for, forms.fraction(one, forms.Style(new))
+
+
+def _value(value: Any, symbols: Sequence[Symbol]) -> float:
+    """The number that a fraction of polynomials is at the values of its symbols."""
+    values = [Fraction(symbol.value) for symbol in symbols]
+
+    def at(polynomial: Any) -> Fraction:
+        total = Fraction(0)
+        for powers, factor in polynomial.terms():
+            pairs = zip(values, powers, strict=False)
+            total += math.prod((one**power for one, power in pairs), start=Fraction(int(factor)))
+        return total
+
+    divisor = at(value.denom)
+    return float(at(value.numer) / divisor) if divisor else math.nan

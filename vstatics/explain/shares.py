@@ -1,0 +1,84 @@
+"""The speed equations solved with symbols: what each given speed adds to that of the output.
+
+Links that turn together are one body, and bodies that neither are the output nor have a
+given speed are eliminated.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from vstatics.explain.bodies import OwnLinks, Structure
+from vstatics.model.transmission import HOUSING
+
+LARGEST = 400
+"""A formula of more terms helps nobody, and takes long."""
+
+Body = int
+Row = dict[Body, Any]
+"""Body -> coefficient, a fraction of polynomials."""
+
+
+class NoFormula(Exception):  # noqa: N818 - not an error of the case
+    """There is no formula; the text says why."""
+
+
+def shares(
+    own: OwnLinks,
+    found: Structure,
+    given: Mapping[Body, str],
+    output: Body,
+) -> Row:
+    """What each given speed adds to that of the output."""
+    from sympy import ZZ
+    from sympy.polys.fields import field
+
+    fractions, *ratios = field(
+        [f"u{n}" for n in range(1, len(own.case.mechanisms) + 1)] or ["u1"], ZZ
+    )
+    if output in given:
+        return {output: fractions.one}
+    rows = [row for n in found.needed if (row := _row(own, n, found.body, ratios, fractions))]
+    while unknown := {body for row in rows for body in row} - {output, *given}:
+        counts = Counter(body for row in rows for body in row)
+        body = min(unknown, key=lambda one: (counts[one], one))
+        pivot = min((row for row in rows if body in row), key=lambda row: (len(row), _size(row)))
+        rows = [_without(row, body, pivot) for row in rows if row is not pivot]
+        rows = [row for row in rows if row]
+        if any(_size(row) > LARGEST for row in rows):
+            raise NoFormula("the formula would be too long")
+    last = next((row for row in rows if output in row), None)
+    if last is None:
+        raise NoFormula("neutral: the output speed is not determined")
+    factor = last.pop(output)
+    return {body: -last[body] / factor for body in given if body in last}
+
+
+def _row(
+    own: OwnLinks, number: int, body: Sequence[Body], ratios: Sequence[Any], fractions: Any
+) -> Row:
+    """The speed equation of a mechanism, in bodies."""
+    mechanism = own.case.mechanisms[number]
+    ratio = ratios[number]
+    if own.is_fixed(number):
+        ratio = fractions(int(mechanism.ratio))
+    row: Row = {}
+    for link, factor in zip(mechanism.links, (fractions.one, -ratio, ratio - 1), strict=True):
+        if body[link] != HOUSING:
+            row[body[link]] = row.get(body[link], fractions.zero) + factor
+    return {one: factor for one, factor in row.items() if factor}
+
+
+def _without(row: Row, body: Body, pivot: Row) -> Row:
+    """An equation from which a body is eliminated."""
+    if body not in row:
+        return row
+    share = row[body] / pivot[body]
+    made = {one: row.get(one, 0) - share * pivot.get(one, 0) for one in {**row, **pivot}}
+    return {one: factor for one, factor in made.items() if factor and one != body}
+
+
+def _size(row: Row) -> int:
+    return sum(len(factor.numer) + len(factor.denom) for factor in row.values())

@@ -1,0 +1,67 @@
+"""Equations as text, and lines filled with terms."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+
+from vstatics.explain.equations import Equation, Term
+from vstatics.tables.numbers import short
+
+WIDTH = 80
+INDENT = "  "
+
+
+def in_symbols(equation: Equation) -> list[str]:
+    """The terms and the right side of an equation: names, and what coefficients are made of.
+
+    Examples
+    --------
+    >>> row = Equation("P", [Term("w_1", "1", 1.0), Term("w_2", "u_P - 1", -3.5)], 0.0)
+    >>> in_symbols(row), in_numbers(row)
+    (['w_1', '+ (u_P - 1) w_2', '= 0'], ['w_1', '- 3.5 w_2', '= 0'])
+    """
+    return _sum([(_symbol(term), term.unknown) for term in equation.terms], equation.right)
+
+
+def in_numbers(equation: Equation) -> list[str]:
+    """The same with numbers."""
+    terms = [(short(term.coefficient), term.unknown) for term in equation.terms if term.coefficient]
+    return _sum(terms, equation.right)
+
+
+def _symbol(term: Term) -> str:
+    return f"({term.symbol})" if " " in term.symbol else term.symbol
+
+
+def _sum(terms: Sequence[tuple[str, str]], right: float) -> list[str]:
+    parts: list[str] = []
+    for factor, unknown in terms:
+        size = factor.removeprefix("-")
+        sign = "-" if factor.startswith("-") else "+"
+        text = unknown if size == "1" else f"{size} {unknown}"
+        front = f"{sign} " if parts else "-" * (sign == "-")
+        parts.append(front + text)
+    return [*(parts or ["0"]), f"= {short(right)}"]
+
+
+def filled(parts: Iterable[str], front: str) -> Iterator[str]:
+    """A sum in lines, broken before a sign."""
+    line, started = front, False
+    for part in parts:
+        if started and len(line) + 1 + len(part) > WIDTH:
+            yield line
+            line, started = " " * (len(front) + 2), False
+        line += f" {part}" if started else part
+        started = True
+    yield line
+
+
+def listed(texts: Iterable[str], front: str) -> Iterator[str]:
+    """Short texts in lines, two blanks between them."""
+    line = front
+    for text in texts:
+        if line.strip() and len(line) + len(text) > WIDTH:
+            yield line.rstrip()
+            line = front
+        line += f"{text}  "
+    yield line.rstrip()

@@ -1,0 +1,233 @@
+"""An explanation as text, at most 80 columns wide where that is possible."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterable, Iterator, Sequence
+from textwrap import wrap
+
+from vstatics.explain.equations import System
+from vstatics.explain.explanation import Explanation
+from vstatics.explain.formula import Formula
+from vstatics.explain.signs import Sign
+from vstatics.explain.sums import INDENT, WIDTH, filled, in_numbers, in_symbols, listed
+from vstatics.tables.numbers import fixed, short
+
+LABEL = 20
+"""What stands before an equation has a line of its own when it is longer."""
+
+
+def write(explained: Iterable[Explanation]) -> str:
+    """Gears explained, one after the other."""
+    return "\n".join("\n".join(_gear(one)) + "\n" for one in explained)
+
+
+def _gear(one: Explanation) -> Iterator[str]:
+    title = f"Gear {one.gear}: {_engaged(one)}"
+    yield from (title, "=" * min(len(title), WIDTH))
+    for message in one.messages:
+        yield from wrap(message, WIDTH, subsequent_indent=INDENT)
+    yield ""
+    yield from _matrix(one)
+    yield from ("", "Speeds")
+    yield from _system(one.speeds, with_symbols=True)
+    if one.torques is not None:
+        yield from ("", "Torques: the balance of each link")
+        yield from _system(one.torques, with_symbols=True)
+    yield from _losses(one)
+    yield from _together(one)
+    yield from _ratio(one)
+
+
+def _engaged(one: Explanation) -> str:
+    told = ["engaged " + ", ".join(one.engaged)] * bool(one.engaged)
+    if one.holding:
+        told.append(f"{', '.join(one.holding)} hold{'s' * (len(one.holding) == 1)}")
+    return "; ".join(told) or "nothing engaged"
+
+
+def _matrix(one: Explanation) -> Iterator[str]:
+    """The matrix, as many columns side by side as fit."""
+    yield "Structural-distribution matrix: torques on the links (rows) for 1 on the first"
+    yield "link of each device (columns)"
+    names = max(map(len, one.rows))
+    cells = [[fixed(value) for value in row] for row in one.matrix.tolist()]
+    widths = [
+        max(len(name), *(len(row[place]) for row in cells))
+        for place, name in enumerate(one.columns)
+    ]
+    for block in _blocks(widths, WIDTH - names - len(INDENT)):
+        head = "".join(f"  {one.columns[place]:>{widths[place]}}" for place in block)
+        yield f"{INDENT}{'':{names}}{head}".rstrip()
+        for name, row in zip(one.rows, cells, strict=True):
+            numbers = "".join(f"  {row[place]:>{widths[place]}}" for place in block)
+            yield f"{INDENT}{name:{names}}{numbers}"
+    if one.not_engaged:
+        text = "not engaged, so without column and torque: " + ", ".join(one.not_engaged)
+        yield from wrap(text, WIDTH, initial_indent=INDENT, subsequent_indent=INDENT * 2)
+
+
+def _blocks(widths: Sequence[int], room: int) -> Iterator[list[int]]:
+    """Columns that fit beside one another."""
+    block: list[int] = []
+    used = 0
+    for place, width in enumerate(widths):
+        if block and used + width + 2 > room:
+            yield block
+            block, used = [], 0
+        block.append(place)
+        used += width + 2
+    yield block
+
+
+def _system(system: System, *, with_symbols: bool) -> Iterator[str]:
+    """Equations, in symbols where these tell more, then with numbers; then their solution."""
+    labels = [equation.of for equation in system.equations]
+    column = max((len(label) for label in labels if len(label) <= LABEL), default=0)
+    for equation, label in zip(system.equations, labels, strict=True):
+        written = [in_numbers(equation)]
+        if with_symbols and in_symbols(equation) != written[0]:
+            written.insert(0, in_symbols(equation))
+        front = label
+        if len(label) > column:
+            yield INDENT + label
+            front = ""
+        for parts in written:
+            yield from filled(parts, f"{INDENT}{front:{column}}  ")
+            front = ""
+    yield from _solution(system)
+
+
+def _solution(system: System) -> Iterator[str]:
+    """What the equations determine."""
+    values = system.values
+    known = [f"{unknown} = {short(values[unknown])}" for unknown in values if _is(values[unknown])]
+    unknown = [name for name in values if not _is(values[name])]
+    if not known:
+        yield f"{INDENT}solution: there is none"
+        return
+    yield f"{INDENT}solution:"
+    yield from listed(known, INDENT * 2)
+    if unknown:
+        text = f"not determined: {', '.join(unknown)}"
+        yield from wrap(text, WIDTH, initial_indent=INDENT * 2, subsequent_indent=INDENT * 3)
+
+
+def _is(value: float) -> bool:
+    """Whether a value exists."""
+    return not math.isnan(value)
+
+
+def _losses(one: Explanation) -> Iterator[str]:
+    """The signs, and the torque equations with ratios that have losses in them."""
+    if one.torques is None or not any(map(_is, one.torques.values.values())):
+        return
+    yield from (
+        "",
+        "Torques with losses: u eta^x in place of u; x = +1 where power enters a",
+        "mechanism by its first link, seen from the third: M (w_first - w_third) > 0"
+        + (", M with drag" if _drags(one) else ""),
+    )
+    for sign in one.signs:
+        yield from _sign(sign)
+    if one.lossy is None:
+        yield f"{INDENT}there is no solution with losses"
+    elif any(sign.lossy_ratio != sign.ratio for sign in one.signs) or _drags(one):
+        if _drags(one):
+            yield f"{INDENT}drag stands on the right sides"
+        yield from _system(one.lossy, with_symbols=False)
+        yield f"{INDENT}efficiency = {short(one.efficiency)}"
+    else:
+        yield f"{INDENT}all u stay as they are, and so do the torques"
+
+
+def _drags(one: Explanation) -> bool:
+    if one.torques is None or one.lossy is None:
+        return False
+    pairs = zip(one.torques.equations, one.lossy.equations, strict=True)
+    return any(ideal.right != lossy.right for ideal, lossy in pairs)
+
+
+def _sign(sign: Sign) -> Iterator[str]:
+    """A mechanism, its power by the first link, its sign and its ratio with losses."""
+    label = f"{INDENT}{sign.mechanism}: "
+    if sign.efficiency == 1 and sign.lossy_ratio == sign.ratio:
+        yield f"{label}{sign.why}, u = {short(sign.ratio)}"
+        return
+    product = f"{short(sign.torque)} x {_bracketed(sign.motion)} = {short(sign.power)}: "
+    known = _is(sign.torque) and _is(sign.motion)
+    text = f"{label}{product * known}{sign.why}"
+    yield from wrap(text, WIDTH, initial_indent="", subsequent_indent=INDENT * 3)
+    if not _is(sign.lossy_ratio):
+        return
+    way = {1: f" x {short(sign.efficiency)} =", -1: f" / {short(sign.efficiency)} ="}
+    with_loss = f"{short(sign.ratio)}{way[int(sign.sign)]} " if sign.sign else ""
+    exponent = f"{sign.sign:+.0f}" if sign.sign else "0"
+    yield f"{INDENT * 3}x = {exponent}, u eta^x = {with_loss}{short(sign.lossy_ratio)}"
+
+
+def _bracketed(value: float) -> str:
+    return f"({short(value)})" if value < 0 else short(value)
+
+
+def _together(one: Explanation) -> Iterator[str]:
+    """Links that are one body."""
+    if not (one.together or one.one_piece or one.standing):
+        return
+    yield from ("", "Turning together, whatever the ratios are")
+    lines = []
+    for body in one.together:
+        by = f" (by {', '.join(body.elements)})" if body.elements else ""
+        lines.append(f"{'stand still: ' * body.stands}{', '.join(body.links)}{by}")
+    if one.one_piece:
+        lines.append(f"as one piece: {', '.join(one.one_piece)}")
+    if one.standing:
+        lines.append(f"stand still as a whole: {', '.join(one.standing)}")
+    for line in lines:
+        yield from wrap(line, WIDTH, initial_indent=INDENT, subsequent_indent=INDENT * 2)
+
+
+def _ratio(one: Explanation) -> Iterator[str]:
+    """The formula beside the value, and the values of its symbols."""
+    made = one.formula
+    heading = "Ratio" if made is None or made.left == "i" else "Output speed"
+    yield from ("", heading)
+    if made is None:
+        if not math.isnan(one.ratio):
+            yield f"{INDENT}i = {one.input}/{one.output} = {short(one.ratio)}"
+        yield from wrap(one.reason, WIDTH, initial_indent=INDENT, subsequent_indent=INDENT * 2)
+        return
+    front = (
+        f"{INDENT}i = {one.input}/{one.output} = "
+        if made.left == "i"
+        else (f"{INDENT}{made.left} = ")
+    )
+    yield from _formula(front, made.text)
+    if made.shared_text:
+        equal = "; ".join(f"{new} = {' = '.join(old)}" for new, old in made.shared.items())
+        yield from _formula(f"{INDENT}with {equal}: i = ", made.shared_text)
+    for symbol in made.symbols:
+        told = "" if f"u_{symbol.meaning}" == symbol.name else f"  ({symbol.meaning})"
+        yield f"{INDENT}{symbol.name} = {short(symbol.value)}{told}"
+    for name, speed in made.speeds.items():
+        yield f"{INDENT}{name} = {short(speed)}"
+    yield f"{INDENT}{made.left} = {short(made.value)}{_agreement(one, made)}"
+    if made.left != "i" and not math.isnan(one.ratio):
+        yield f"{INDENT}i = {one.input}/{one.output} = {short(one.ratio)}"
+
+
+def _agreement(one: Explanation, made: Formula) -> str:
+    """Whether the formula gives what was calculated."""
+    calculated = one.ratio if made.left == "i" else one.speeds.values[one.output]
+    if math.isclose(made.value, calculated, rel_tol=1e-6, abs_tol=1e-12):
+        return ", as calculated"
+    return f"; calculated: {short(calculated)}"
+
+
+def _formula(front: str, text: str) -> Iterator[str]:
+    """A formula in lines, broken before a sign if that is enough."""
+    lines = list(filled(re.split(r" (?=[+-] )", text), front))
+    if max(map(len, lines)) > WIDTH:
+        lines = wrap(front + text, WIDTH, subsequent_indent=INDENT * 3, break_long_words=False)
+    yield from lines

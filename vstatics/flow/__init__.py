@@ -1,0 +1,1 @@
+"""Where the power goes in a gear."""

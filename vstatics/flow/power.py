@@ -1,0 +1,261 @@
+"""Where the power goes in every gear: through links, shift elements and mechanisms.
+
+The power of a gear is a directed graph. Its nodes are links, shift elements that are
+engaged (or drag), mechanisms or drawn elements, ports by which power enters and leaves,
+and the drag of links; its edges are what they exchange. The housing has no power.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from vstatics.flow.circulation import Edge, Loop, Node, cancel
+from vstatics.flow.exchange import (
+    Exchange,
+    Torques,
+    Train,
+    ideal_torques,
+    links_of,
+    lossy_torques,
+    of_devices,
+    of_drag,
+    of_ports,
+    pieces_of,
+    trains,
+)
+from vstatics.model.transmission import HOUSING
+from vstatics.statics.drag import NO_DRAG, Drag
+from vstatics.statics.results import Results
+from vstatics.tables.units import scales
+
+NOISE = 1e-12
+"""Power below this part of the largest one of the gear is rounding."""
+
+
+class MemberPower(NamedTuple):
+    """What a link gives to a member of a device; below 0 where it takes."""
+
+    device: Node
+    member: str
+    """``first`` or ``second`` of a shift element; that of a mechanism or a drawn element."""
+    link: str
+    power: float
+    """NaN where it is not determined. [-]"""
+
+
+class PowerFlow(NamedTuple):
+    """The power of a gear, without or with losses, relative to that at the input link.
+
+    Its direction is the real one, also when coasting: then power 1 leaves at the input.
+    """
+
+    edges: tuple[Edge, ...]
+    """All powers above rounding that are determined."""
+    forward: tuple[Edge, ...]
+    """The edges less all loops: what is transmitted, a graph without cycles."""
+    members: tuple[MemberPower, ...]
+    """Of every shift element that is engaged or drags, and of every mechanism."""
+    throughput: Mapping[Node, float]
+    """What enters a node; of a port what passes it. NaN where it is not determined. [-]"""
+    losses: Mapping[Node, float]
+    """Of every mechanism and of whatever drags; nothing without losses. [-]"""
+    entering: float
+    """By all ports. [-]"""
+    leaving: float
+    """By all ports. [-]"""
+    loops: tuple[Loop, ...]
+    """Cycles of circulating power, of that which is determined."""
+    locked_in: tuple[Loop, ...]
+    """Cycles within what turns as one piece: not counted, as nothing moves in them."""
+
+    @property
+    def unknown(self) -> tuple[Node, ...]:
+        """Whatever has a power that is not determined."""
+        return tuple(node for node, value in self.throughput.items() if math.isnan(value))
+
+    @property
+    def lost(self) -> float:
+        """All losses [-]."""
+        return math.fsum(self.losses.values())
+
+    @property
+    def balance(self) -> float:
+        """What enters less what leaves and what is lost [-]: 0 to rounding."""
+        return self.entering - self.leaving - self.lost
+
+    @property
+    def shares(self) -> dict[Node, float]:
+        """Each loss as a part of all losses [-]; NaN where there are none."""
+        lost = self.lost
+        return {node: loss / lost if lost else math.nan for node, loss in self.losses.items()}
+
+    @property
+    def circulating(self) -> float:
+        """Power of all loops together [-]; NaN where some power is not determined."""
+        return math.nan if self.unknown else math.fsum(loop.power for loop in self.loops)
+
+    @property
+    def circulating_share(self) -> float:
+        """The same, relative to all power that enters [-]; NaN where none does."""
+        return self.circulating / self.entering if self.entering else math.nan
+
+
+class GearFlow(NamedTuple):
+    """The power of a gear."""
+
+    gear: str
+    ideal: PowerFlow | None
+    """Without losses; None where speeds or torques contradict each other."""
+    lossy: PowerFlow | None
+    """With losses; None where `ideal` is, or where friction locks the gear."""
+    kilowatts: float
+    """The power at the input link, NaN where no load tells it. [kW]"""
+    note: str
+    """Why a flow does not exist, else nothing."""
+
+
+def flows(results: Results) -> list[GearFlow]:
+    """The power of every gear.
+
+    Parameters
+    ----------
+    results : Results
+        Of one case, not of arrays of variants.
+
+    Returns
+    -------
+    list of GearFlow
+        By gear; powers relative to that at the input link. [-]
+
+    Raises
+    ------
+    ValueError
+        For arrays of variants.
+
+    Examples
+    --------
+    Input at the sun, output at the carrier; the input drives the ring backward by a gear
+    pair. Twice the power that enters goes through the sun, half of it comes back.
+
+    >>> from vstatics import Gear, Mechanism, Transmission, solve
+    >>> mechanisms = [Mechanism(1, 2, 3, -2.0, name="set"), Mechanism(1, 2, 0, -4.0, name="pair")]
+    >>> [gear] = flows(solve(Transmission(3, [], mechanisms, [Gear()])))
+    >>> {str(node): round(power, 9) for node, power in gear.ideal.throughput.items()}
+    {'1': 2.0, '2': 1.0, '3': 1.0, 'set': 2.0, 'pair': 1.0, 'input': 1.0, 'output': 1.0}
+    >>> [(" ".join(map(str, loop.nodes)), round(loop.power, 9)) for loop in gear.ideal.loops]
+    [('1 set 2 pair', 1.0)]
+    """
+    if results.speeds.ndim != 2:
+        raise ValueError(f"speeds of shape {results.speeds.shape}: expected (gears, links)")
+    kilowatts = np.abs(scales(results)["kW"]).tolist()
+    given = zip(trains(results), ideal_torques(results), lossy_torques(results), strict=True)
+    found = []
+    for number, (train, ideal, lossy) in enumerate(given):
+        calculable = bool(results.calculable[number])
+        stands = calculable and not (results.locked[number] or results.undecided[number])
+        found.append(
+            GearFlow(
+                train.gear.name,
+                _flow(train, ideal, NO_DRAG) if calculable else None,
+                _flow(train, lossy, train.drag) if stands else None,
+                kilowatts[number],
+                _note(results, number),
+            )
+        )
+    return found
+
+
+def _note(results: Results, number: int) -> str:
+    """Why a flow of a gear does not exist."""
+    if results.conflict[number]:
+        return "freewheels in conflict"
+    if results.tied_up[number]:
+        return "tied up"
+    if not results.calculable[number]:
+        return "torques do not balance"
+    if results.locked[number]:
+        return "locked by friction"
+    return "signs of losses not found" if results.undecided[number] else ""
+
+
+def _flow(train: Train, torques: Torques, dragging: Drag) -> PowerFlow:
+    """The power of a gear under given torques."""
+    devices = list(of_devices(train, torques, dragging))
+    ports = list(of_ports(train, torques))
+    everything = _without_noise([*devices, *ports, *of_drag(train, dragging)])
+    links = links_of(train)
+    edges = tuple(_edges(everything, links))
+    order = [*links.values(), *dict.fromkeys(one.node for one in everything)]
+    pieces = pieces_of(train)
+    within = [e for e in edges if e.source in pieces and pieces[e.source] == pieces.get(e.target)]
+    at_rest = cancel(within, order)
+    outside = [edge for edge in edges if edge not in within]
+    forward, loops = cancel([*outside, *at_rest.edges], order)
+    at_ports = [one.power for one in everything if one.node.kind == "port"]
+    return PowerFlow(
+        edges,
+        forward,
+        tuple(
+            MemberPower(one.node, one.member, train.case.link_name(one.link), one.power)
+            for one in everything
+            if one.member
+        ),
+        _throughput(everything, links),
+        _losses(train, torques, dragging),
+        -sum(given for given in at_ports if not given > 0) + 0.0,
+        sum(given for given in at_ports if not given < 0) + 0.0,
+        loops,
+        at_rest.loops,
+    )
+
+
+def _without_noise(given: Sequence[Exchange]) -> list[Exchange]:
+    """Powers that are nothing but rounding made 0."""
+    known = (abs(one.power) for one in given if not math.isnan(one.power))
+    noise = NOISE * max(known, default=0.0)
+    return [one._replace(power=0.0) if abs(one.power) <= noise else one for one in given]
+
+
+def _edges(given: Sequence[Exchange], links: Mapping[int, Node]) -> Iterator[Edge]:
+    """What nodes and links exchange; of several members on one link only the rest."""
+    for (node, link), exchanged in _by_link(given).items():
+        if exchanged > 0:
+            yield Edge(links[link], node, exchanged)
+        elif exchanged < 0:
+            yield Edge(node, links[link], -exchanged)
+
+
+def _by_link(given: Sequence[Exchange]) -> dict[tuple[Node, int], float]:
+    """What each node gets from each link, the housing apart."""
+    found: dict[tuple[Node, int], float] = {}
+    for one in given:
+        if one.link != HOUSING:
+            found[one.node, one.link] = found.get((one.node, one.link), 0.0) + one.power
+    return found
+
+
+def _throughput(given: Sequence[Exchange], links: Mapping[int, Node]) -> dict[Node, float]:
+    """What enters each node; a port passes what it exchanges."""
+    found = dict.fromkeys([*links.values(), *(one.node for one in given)], 0.0)
+    for (node, link), exchanged in _by_link(given).items():
+        if not exchanged < 0 or node.kind == "port":
+            found[node] += abs(exchanged)
+        if not exchanged > 0:
+            found[links[link]] -= exchanged
+    return found
+
+
+def _losses(train: Train, torques: Torques, dragging: Drag) -> dict[Node, float]:
+    """Of each mechanism, open element and link."""
+    found: dict[Node, float] = {}
+    for number, (part, loss) in enumerate(zip(train.parts, torques.losses, strict=False), 1):
+        found[Node("mechanism", number, part.name)] = loss * train.direction + 0.0
+    for one in (*of_devices(train, torques, dragging), *of_drag(train, dragging)):
+        drags = one.node.kind == "element" and one.node.number - 1 in dragging.elements
+        if drags or one.node.kind == "drag":
+            found[one.node] = found.get(one.node, 0.0) + one.power
+    return found

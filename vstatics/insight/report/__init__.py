@@ -1,8 +1,0 @@
-"""A case and its results as one page of HTML, which needs nothing from elsewhere."""
-
-from __future__ import annotations
-
-from vstatics.insight.report.gathering import Material, gather
-from vstatics.insight.report.page import page
-
-__all__ = ["Material", "gather", "page"]

@@ -1,0 +1,132 @@
+"""Rows of numbers in a temporary file, for tables that memory should not hold."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import weakref
+from tempfile import mkstemp
+from typing import Any, Self
+
+import numpy as np
+
+from vstatics.errors import Place, Problem, ReadError
+from vstatics.numerics.arrays import Floats
+
+PREFIX = "vstatics-table-"
+
+
+class Closing:
+    """What is closed at the end of a block."""
+
+    def close(self) -> None:
+        """Give back what it holds."""
+        raise NotImplementedError
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *error: object) -> None:
+        self.close()
+
+
+class Spool(Closing):
+    """Rows of doubles in a temporary file; one writes, then all may read.
+
+    The object that was made here owns the file: it goes with `close`, when the object
+    does, or with the process. A copy that was pickled knows the path only: it reads while
+    the owner lives, on the same machine, and deletes nothing.
+
+    Parameters
+    ----------
+    columns : int
+        Numbers of a row.
+    folder : str, optional
+        Where the file is made; the system's folder for temporary files when not given.
+
+    Raises
+    ------
+    ReadError
+        If the file cannot be made.
+
+    Examples
+    --------
+    >>> with Spool(2) as spool:
+    ...     spool.write(np.array([[1.0, 2.0], [3.0, 4.0]]))
+    ...     spool.take(1, 2)
+    array([[3., 4.]])
+    """
+
+    def __init__(self, columns: int, folder: str | None = None) -> None:
+        self.columns = columns
+        self.rows = 0
+        try:
+            handle, self.path = mkstemp(prefix=PREFIX, dir=folder)
+        except OSError as error:
+            raise _unwritable(folder or "the folder for temporary files", error) from None
+        os.close(handle)
+        self._remove = weakref.finalize(self, _remove, self.path, os.getpid())
+
+    def write(self, rows: Floats) -> None:
+        """Append rows of shape (n, columns).
+
+        Raises
+        ------
+        ReadError
+            If they cannot be written; the file is removed.
+        """
+        try:
+            with open(self.path, "ab") as opened:  # noqa: PTH123
+                opened.write(np.ascontiguousarray(rows, dtype=np.float64).data)
+        except OSError as error:
+            self.close()
+            raise _unwritable(self.path, error) from None
+        self.rows += len(rows)
+
+    def take(self, start: int, stop: int) -> Floats:
+        """The rows from `start` up to `stop`, (stop - start, columns).
+
+        Raises
+        ------
+        ReadError
+            If the file is gone.
+        """
+        count, before = (stop - start) * self.columns, start * self.columns * 8
+        try:
+            with open(self.path, "rb") as opened:  # noqa: PTH123
+                opened.seek(before)
+                data = opened.read(count * 8)
+        except OSError as error:
+            raise _gone(self.path, error.strerror or str(error)) from None
+        if len(data) < count * 8:
+            raise _gone(self.path, "it is cut off")
+        return np.frombuffer(data).reshape(stop - start, self.columns)
+
+    def close(self) -> None:
+        """Remove the file, if it is one's own."""
+        if self._remove is not None:
+            self._remove()
+
+    def __getstate__(self) -> dict[str, Any]:
+        """All but the right to remove the file."""
+        return {**vars(self), "_remove": None}
+
+
+def _remove(path: str, owner: int) -> None:
+    """Remove a file, but not in a process that was forked off the owner."""
+    if os.getpid() == owner:
+        with contextlib.suppress(OSError):
+            os.unlink(path)  # noqa: PTH108
+
+
+def _unwritable(path: str, error: OSError) -> ReadError:
+    message = (
+        f"the temporary copy of the table can't be written: {error.strerror or error}; "
+        "make room there, or set TMPDIR to another folder"
+    )
+    return ReadError([Problem(message, place=Place(path, 0, 0))])
+
+
+def _gone(path: str, reason: str) -> ReadError:
+    message = f"the temporary copy of the table can't be read: {reason}; start the sweep again"
+    return ReadError([Problem(message, place=Place(path, 0, 0))])

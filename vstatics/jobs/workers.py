@@ -1,0 +1,32 @@
+"""Who does the work: this process, several processes, or a Dask cluster."""
+
+from __future__ import annotations
+
+from vstatics.jobs.alone import Alone, Describe, Workers
+
+
+def workers(
+    state: object, describe: Describe, *, jobs: int = 1, scheduler: str | None = None
+) -> Workers:
+    """Those who do the work: a cluster if there is a scheduler, else so many processes.
+
+    Parameters
+    ----------
+    state : object
+        What each of them gets once; it can be pickled.
+    describe : callable
+        Names an item in words, for errors.
+    jobs : int
+        Processes; with 1 this process does everything itself.
+    scheduler : str, optional
+        Address of a Dask scheduler.
+    """
+    if scheduler is not None:
+        from vstatics.jobs.cluster import Cluster
+
+        return Cluster(state, describe, scheduler)
+    if jobs > 1:
+        from vstatics.jobs.processes import Processes
+
+        return Processes(state, describe, jobs)
+    return Alone(state, describe)

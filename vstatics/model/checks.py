@@ -1,0 +1,141 @@
+"""What a transmission as a whole must fulfil, and what is doubtful about it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from vstatics.errors import Problem
+from vstatics.model.fields import TransmissionFields
+from vstatics.model.gear_checks import of_gear, of_load
+from vstatics.model.part_checks import called, doubtful, of_element, of_link, of_mechanism
+from vstatics.model.parts import HOUSING, element_name, mechanism_name
+
+MOST_FREEWHEELS = 8
+"""All sets of them are tried in every gear."""
+
+
+def problems(case: TransmissionFields) -> Iterator[Problem]:
+    """Every error and warning of a case, in the order of its parts."""
+    yield from _sizes(case)
+    yield from _names(case)
+    yield from _ports(case)
+    for number, element in enumerate(case.shift_elements, 1):
+        yield from of_element(case, element, ("shift_elements", number))
+    yield from _freewheels(case)
+    drawn = _drawn(case)
+    for number, mechanism in enumerate(case.mechanisms, 1):
+        yield from of_mechanism(mechanism, ("mechanisms", number), case.links)
+        if number > drawn:
+            yield from doubtful(mechanism, ("mechanisms", number))
+    yield from of_load(case.load, (), has_freewheels=bool(case.freewheels))
+    for number, gear in enumerate(case.gears, 1):
+        yield from of_gear(case, gear, ("gears", number))
+        if gear.load:
+            freewheels = bool(case.freewheels)
+            yield from of_load(case.gear_load(gear), ("gears", number), has_freewheels=freewheels)
+    if case.idle not in ("exact", "published"):
+        yield Problem(f"read {case.idle!r}, expected `exact` or `published`", ("idle",))
+
+
+def doubts(case: TransmissionFields) -> Iterator[Problem]:
+    """The warnings alone, of a case that has no error."""
+    drawn = _drawn(case)
+    for number, mechanism in enumerate(case.mechanisms[drawn:], drawn + 1):
+        yield from doubtful(mechanism, ("mechanisms", number))
+
+
+def hints(case: TransmissionFields) -> Iterator[Problem]:
+    """Notes on mechanisms that look as if planets were shared, whose losses are then doubtful.
+
+    Such mechanisms have the third link and one wheel in common, and losses.
+    """
+    seen: dict[tuple[int, int], str] = {}
+    drawn = _drawn(case)
+    for number, mechanism in enumerate(case.mechanisms[drawn:], drawn + 1):
+        if mechanism.third == HOUSING or mechanism.efficiency == 1:
+            continue
+        wheels = [link for link in mechanism.links[:2] if link != HOUSING]
+        others = [seen[mechanism.third, link] for link in wheels if (mechanism.third, link) in seen]
+        if others:
+            message = (
+                f"shares a wheel and the carrier with {others[0]}: if they share planets too, the "
+                "losses of this form are not exact; give the set as an element, or each mesh as a "
+                "mechanism (docs/elements.md)"
+            )
+            yield Problem(message, ("mechanisms", number), severity="note")
+        for link in wheels:
+            seen.setdefault((mechanism.third, link), mechanism.name or mechanism_name(number))
+
+
+def _drawn(case: TransmissionFields) -> int:
+    """How many mechanisms, the first ones, were made from elements that are checked as such."""
+    return len(case.mechanisms) - len(case.drawing.mechanisms) if case.drawing else 0
+
+
+def _sizes(case: TransmissionFields) -> Iterator[Problem]:
+    """Sizes that devices can fill; so no case asks for more memory than its text holds."""
+    joined = 2 * len(case.shift_elements) + 3 * len(case.mechanisms)
+    if case.links < 2:
+        message = f"read {case.links}, expected at least 2 links (input and output)"
+        yield Problem(message, ("links",))
+    elif case.links > max(joined, 2):
+        yield Problem(
+            f"read {case.links} links, but {len(case.shift_elements)} shift elements and "
+            f"{len(case.mechanisms)} mechanisms can join {joined} at most",
+            ("links",),
+        )
+    if case.link_names and len(case.link_names) != case.links:
+        message = f"{case.links} links, but {len(case.link_names)} names of links"
+        yield Problem(message, ("link_names",))
+    if not case.gears:
+        yield Problem("there is no gear, expected at least one", ("gears",))
+
+
+def _names(case: TransmissionFields) -> Iterator[Problem]:
+    """Names are one line of text, and each is the only one of its kind."""
+    elements = [e.name or element_name(n, e) for n, e in enumerate(case.shift_elements, 1)]
+    mechanisms = [m.name or mechanism_name(n) for n, m in enumerate(case.mechanisms, 1)]
+    gears = [gear.name or str(number) for number, gear in enumerate(case.gears, 1)]
+    yield from _distinct(case.link_names, "link_names", "link")
+    yield from _distinct(elements, "shift_elements", "shift element")
+    yield from _distinct(mechanisms, "mechanisms", "mechanism")
+    yield from _distinct(gears, "gears", "gear")
+    for number, name in enumerate(case.link_names, 1):
+        if name in ("0", "housing"):
+            message = f"`{name}` is the housing, expected another name for link {number}"
+            yield Problem(message, ("link_names", number))
+    if case.name and not _is_name(case.name):
+        yield Problem(f"read {case.name!r}, expected one line of text", ("name",))
+
+
+def _distinct(names: Sequence[str], part: str, kind: str) -> Iterator[Problem]:
+    if len(set(names)) == len(names) and all(map(_is_name, names)):
+        return
+    seen: dict[str, int] = {}
+    for number, name in enumerate(names, 1):
+        if not _is_name(name):
+            message = f"{name!r} is no name: expected one line of text, no blanks at its ends"
+            yield Problem(message, (part, number))
+        elif name in seen:
+            message = f"{kind} {number} has the name `{name}` of {kind} {seen[name]}"
+            yield Problem(message, (part, number))
+        seen.setdefault(name, number)
+
+
+def _is_name(name: str) -> bool:
+    return bool(name) and name == name.strip() and name.isprintable()
+
+
+def _ports(case: TransmissionFields) -> Iterator[Problem]:
+    yield from of_link(case.input, ("input",), case.links, lowest=1)
+    yield from of_link(case.output or case.links, ("output",), case.links, lowest=1)
+    if case.input == (case.output or case.links):
+        yield Problem(f"input and output are both link {called(case, case.input)}", ("output",))
+
+
+def _freewheels(case: TransmissionFields) -> Iterator[Problem]:
+    """No more of them than can be tried."""
+    numbers = [n for n, element in enumerate(case.shift_elements, 1) if element.is_freewheel]
+    if len(numbers) > MOST_FREEWHEELS:
+        message = f"{len(numbers)} freewheels, expected {MOST_FREEWHEELS} at most"
+        yield Problem(message, ("shift_elements", numbers[MOST_FREEWHEELS]))

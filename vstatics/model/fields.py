@@ -1,0 +1,88 @@
+"""What a transmission consists of, before it is checked; what can be asked of it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Literal, Protocol
+
+from vstatics.model.parts import Gear, Load, Mechanism, ShiftElement
+
+IdleConvention = Literal["published", "exact"]
+"""Which sign an idle mechanism gets; see docs/method.md."""
+
+
+class AnyDrawing(Protocol):
+    """What a case was drawn as, as far as the model knows: the room `elements` has the rest."""
+
+    @property
+    def links(self) -> int:
+        """The case's own links; those of planets come after them."""
+
+    @property
+    def mechanisms(self) -> Sequence[Mechanism]:
+        """Those that were given as such, not made from elements."""
+
+
+@dataclass(frozen=True)
+class TransmissionFields:
+    """The fields of a `Transmission`, whose docstring tells of them."""
+
+    links: int
+    shift_elements: Sequence[ShiftElement]
+    mechanisms: Sequence[Mechanism]
+    gears: Sequence[Gear]
+    input: int = 1
+    output: int = 0
+    idle: IdleConvention = "exact"
+    coast: bool = False
+    name: str = ""
+    description: str = ""
+    source: str = ""
+    link_names: Sequence[str] = ()
+    load: Load | None = None
+    drawing: AnyDrawing | None = None
+
+    @property
+    def own_links(self) -> int:
+        """How many links the case itself has, without those of planets."""
+        return self.links if self.drawing is None else self.drawing.links
+
+    def gear_input(self, gear: Gear) -> int:
+        """The input link of a gear."""
+        return gear.input or self.input
+
+    def gear_output(self, gear: Gear) -> int:
+        """The output link of a gear."""
+        return gear.output or self.output
+
+    def gear_load(self, gear: Gear) -> Load:
+        """The load of a gear: its own, filled up with that of the case."""
+        own, common = gear.load or Load(), self.load or Load()
+        return Load(
+            common.speed if own.speed is None else own.speed,
+            common.torque if own.torque is None else own.torque,
+        )
+
+    def link_name(self, link: int) -> str:
+        """The name of a link; the housing is ``housing``."""
+        return self.link_names[link - 1] if link else "housing"
+
+    @property
+    def freewheels(self) -> list[int]:
+        """Numbers of the shift elements that are freewheels."""
+        return [n for n, element in enumerate(self.shift_elements, 1) if element.is_freewheel]
+
+    @property
+    def has_drag(self) -> bool:
+        """Whether anything drags, in one gear at least."""
+        given = [element.drag for element in self.shift_elements]
+        for gear in self.gears:
+            given += [*gear.drag.values(), *gear.open_drag.values()]
+        return any(given)
+
+    @property
+    def devices(self) -> list[str]:
+        """Names of all devices in the order of the structural-distribution matrix."""
+        elements = [element.name for element in self.shift_elements]
+        return elements + [mechanism.name for mechanism in self.mechanisms]

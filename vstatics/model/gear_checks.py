@@ -1,0 +1,101 @@
+"""What gears and loads must fulfil; problems with paths."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+
+from vstatics.errors import Path, Problem
+from vstatics.model.fields import TransmissionFields
+from vstatics.model.part_checks import called, is_number, of_drag, of_link
+from vstatics.model.parts import Gear, Load, ShiftElement
+
+
+def of_gear(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[Problem]:
+    """What a gear engages and gives."""
+    if gear.engaged:
+        yield from _engaged(case.shift_elements, gear.engaged, (*path, "engaged"))
+    ends = gear.input or case.input, gear.output or case.output or case.links
+    for end, link in (("input", gear.input), ("output", gear.output)):
+        if link is not None:
+            yield from of_link(link, (*path, end), case.links, lowest=1)
+    if ends[0] == ends[1] and (gear.input is not None or gear.output is not None):
+        yield Problem(f"input and output are both link {called(case, ends[0])}", path)
+    yield from _dragging(case, gear, path)
+    if not gear.speeds and not gear.torques:
+        return
+    yield from _given(gear.speeds, (*path, "speeds"), case.links)
+    yield from _given(gear.torques, (*path, "torques"), case.links)
+    if ends[0] in gear.speeds:
+        message = f"link {called(case, ends[0])} is the input, whose speed is 1; expected another"
+        yield Problem(message, (*path, "speeds", ends[0]))
+    for link in gear.torques:
+        if link == ends[1]:
+            message = f"link {called(case, link)} is the output, whose torque is calculated"
+            yield Problem(f"{message}; expected another link", (*path, "torques", link))
+        elif link in gear.speeds:
+            message = f"link {called(case, link)} has a given speed, so its torque is calculated"
+            yield Problem(f"{message}; give one of the two", (*path, "torques", link))
+
+
+def of_load(load: Load | None, path: Path, *, has_freewheels: bool) -> Iterator[Problem]:
+    """A load that is one, and of which power enters."""
+    load = load or Load()
+    for quantity, value in load._asdict().items():
+        if value is not None and (value == 0 or not math.isfinite(value)):
+            message = f"read {value:g}, expected a finite number other than 0"
+            yield Problem(message, (*path, "load", quantity))
+    if (load.speed or 0) * (load.torque or 0) < 0:
+        message = (
+            f"read {load.torque:g} N*m at {load.speed:g} rpm, so power would leave at the input; "
+            "expected equal signs (`coast: true` turns the torque by itself)"
+        )
+        yield Problem(message, (*path, "load"))
+    elif has_freewheels and min(load.speed or 1, load.torque or 1) < 0:
+        message = (
+            "the input turns backward, but freewheels are settled for an input that turns "
+            "forward; expected a speed and a torque above 0, with the links of the freewheels "
+            "exchanged if the input does turn backward"
+        )
+        yield Problem(message, (*path, "load"))
+
+
+def _dragging(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[Problem]:
+    """The drag that a gear gives, of links and of open elements."""
+    for link, torque in gear.drag.items():
+        yield from of_link(link, (*path, "drag", link), case.links, lowest=1)
+        yield from of_drag(torque, None, (*path, "drag", link))
+    elements = case.shift_elements
+    for number, torque in gear.open_drag.items():
+        inner = (*path, "open_drag", number)
+        if is_number(number, len(elements), 1):
+            yield from of_drag(torque, elements[number - 1], inner)
+        else:
+            expected = f"the number of a shift element, from 1 to {len(elements)}"
+            yield Problem(f"read {number!r}, expected {expected}", inner)
+
+
+def _engaged(
+    elements: Sequence[ShiftElement], engaged: Sequence[int], path: Path
+) -> Iterator[Problem]:
+    seen: set[int] = set()
+    for position, element in enumerate(engaged, 1):
+        if not is_number(element, len(elements), 1):
+            expected = f"the number of a shift element, from 1 to {len(elements)}"
+            yield Problem(f"read {element!r}, expected {expected}", (*path, position))
+        elif element in seen:
+            name = elements[element - 1].name or str(element)
+            message = f"element {name} is engaged twice, expected each once"
+            yield Problem(message, (*path, position))
+        elif elements[element - 1].is_freewheel:
+            name = elements[element - 1].name or str(element)
+            message = f"element {name} is a freewheel, which finds by itself whether it holds"
+            yield Problem(f"{message}; leave it out", (*path, position))
+        seen.add(element)
+
+
+def _given(values: Mapping[int, float], path: Path, links: int) -> Iterator[Problem]:
+    for link, value in values.items():
+        yield from of_link(link, (*path, link), links, lowest=1)
+        if not math.isfinite(value):
+            yield Problem(f"read {value}, expected a finite number", (*path, link))

@@ -1,0 +1,120 @@
+"""The transmission as its kinematic scheme shows it: links, devices, gears."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from vstatics.errors import CaseError
+from vstatics.model.checks import problems
+from vstatics.model.fields import IdleConvention, TransmissionFields
+from vstatics.model.parts import (
+    HOUSING,
+    Gear,
+    Load,
+    Mechanism,
+    ShiftElement,
+    element_name,
+    mechanism_name,
+)
+
+__all__ = [
+    "HOUSING",
+    "Gear",
+    "IdleConvention",
+    "Load",
+    "Mechanism",
+    "ShiftElement",
+    "Transmission",
+    "element_name",
+    "mechanism_name",
+]
+
+
+@dataclass(frozen=True)
+class Transmission(TransmissionFields):
+    """A whole transmission, checked when it is made.
+
+    Parameters
+    ----------
+    links : int
+        Number of main links, without the housing.
+    shift_elements, mechanisms, gears : sequence
+        In order of their numbers.
+    input, output : int
+        Link numbers; the output is the last link when not given.
+    idle : {"exact", "published"}
+        Convention for the sign of idle mechanisms.
+    coast : bool
+        Power enters at the output (engine braking).
+    link_names : sequence of str
+        The link numbers when not given.
+    load : Load, optional
+        Speed and torque of the input, for results in rpm, N*m and kW.
+    drawing : Drawing, optional
+        The elements that links and mechanisms were made from; nothing is calculated of it.
+
+    Raises
+    ------
+    CaseError
+        With every `Problem` of the model, each with the path of the value.
+
+    Examples
+    --------
+    >>> differential = Transmission(
+    ...     links=3,
+    ...     shift_elements=[ShiftElement(1, 2), ShiftElement(2, 0)],
+    ...     mechanisms=[Mechanism(1, 2, 3, ratio=-2.5)],
+    ...     gears=[Gear([1]), Gear([2])],
+    ... )
+    >>> [element.name for element in differential.shift_elements]
+    ['F1', 'T2']
+    """
+
+    def __post_init__(self) -> None:
+        """Check everything, then fill in the defaults."""
+        errors = [problem for problem in problems(self) if problem.severity == "error"]
+        if errors:
+            raise CaseError(errors)
+        for attribute, value in _completed(self).items():
+            object.__setattr__(self, attribute, value)
+
+
+def _completed(case: Transmission) -> dict[str, object]:
+    """The attributes of a checked case with names and defaults filled in."""
+    return {
+        "output": case.output or case.links,
+        "link_names": tuple(case.link_names) or tuple(map(str, range(1, case.links + 1))),
+        "shift_elements": tuple(
+            element._replace(
+                name=element.name or element_name(number, element),
+                drag=float(element.drag),
+                capacity=None if element.capacity is None else float(element.capacity),
+            )
+            for number, element in enumerate(case.shift_elements, 1)
+        ),
+        "mechanisms": tuple(
+            mechanism._replace(
+                ratio=float(mechanism.ratio),
+                efficiency=float(mechanism.efficiency),
+                name=mechanism.name or mechanism_name(number),
+                back_efficiency=(
+                    None if mechanism.back_efficiency is None else float(mechanism.back_efficiency)
+                ),
+            )
+            for number, mechanism in enumerate(case.mechanisms, 1)
+        ),
+        "gears": tuple(
+            Gear(
+                tuple(gear.engaged),
+                {link: float(speed) for link, speed in gear.speeds.items()},
+                {link: float(torque) for link, torque in gear.torques.items()},
+                gear.input,
+                gear.output,
+                gear.name or str(number),
+                {link: float(torque) for link, torque in gear.drag.items()},
+                {element: float(torque) for element, torque in gear.open_drag.items()},
+                gear.load,
+            )
+            for number, gear in enumerate(case.gears, 1)
+        ),
+    }

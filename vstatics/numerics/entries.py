@@ -1,0 +1,114 @@
+"""Entries of linear systems: a value, and the size that tells its rounding error.
+
+The size is the sum of the magnitudes that a value was made from. Its rounding error is
+at most a few units in the last place of its size (running error analysis: Wilkinson
+1963). So a difference that is small against its size is zero, unless a millionth of its
+larger term is left: sizes overrate the error of long calculations.
+
+Traced numbers need no size: a guard sees to it that what is zero, or is not, for the
+first variant is so for all.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable
+from typing import NamedTuple
+
+from vstatics.numerics.tape import Untraceable
+from vstatics.numerics.traced import Number, difference, first, guard_same, is_traced
+
+Entry = tuple[Number, float]
+"""A value and its size."""
+Row = dict[int, Entry]
+"""Column -> entry of the equation ``sum(a_j x_j) = b``; b stands in column `RIGHT`."""
+
+RIGHT = -1
+EPSILON = 2.0**-52
+ZERO = 32 * EPSILON
+"""A difference is zero when it is at most this part of its size, ..."""
+REAL = 2.0**-20
+"""... and this part of the larger of its terms."""
+LEAST = 1 / 64
+"""Traced: a difference is at least this part of its larger term for all variants, or a
+sixteenth of the part that the first variant has, but more than `REAL`."""
+UNKNOWN = math.nan
+"""The size of what was calculated from traced numbers."""
+ONE: Entry = (1.0, 1.0)
+MINUS_ONE: Entry = (-1.0, 1.0)
+EXACTLY_ONE: Entry = (1.0, 0.0)
+"""A factor that adds no rounding."""
+
+
+class Arithmetic(NamedTuple):
+    """What an elimination does with entries."""
+
+    entry: Callable[[Number], Entry]
+    """A given number as an entry."""
+    quotient: Callable[[Entry, Entry], Entry]
+    less: Callable[[Entry, Entry, Entry], Entry]
+    """``less(a, b, c)`` is a - b * c; exactly 0 where that is only rounding."""
+
+
+def of(numbers: Iterable[Number]) -> Arithmetic:
+    """The arithmetic for some numbers: traced, if one of them is."""
+    return TRACED if any(map(is_traced, numbers)) else FLOATS
+
+
+def _entry(number: float) -> Entry:
+    return number, abs(number)
+
+
+def _quotient(entry: Entry, pivot: Entry) -> Entry:
+    value, size = entry
+    divisor, its_size = pivot
+    ratio = value / divisor
+    return ratio, (size + abs(ratio) * its_size) / abs(divisor)
+
+
+def _less(entry: Entry, factor: Entry, term: Entry) -> Entry:
+    value, size = entry
+    a, its_size = factor
+    b, last_size = term
+    product = a * b
+    size += its_size * abs(b) + abs(a) * last_size
+    left = value - product
+    rounding = min(ZERO * size, REAL * max(abs(value), abs(product)))
+    return (0.0 if abs(left) <= rounding < math.inf else left), size
+
+
+FLOATS = Arithmetic(_entry, _quotient, _less)
+
+
+def _traced_entry(number: Number) -> Entry:
+    return (number, UNKNOWN) if is_traced(number) else _entry(number)
+
+
+def _traced_quotient(entry: Entry, pivot: Entry) -> Entry:
+    if is_traced(entry[0]) or is_traced(pivot[0]):
+        return entry[0] / pivot[0], UNKNOWN
+    return _quotient(entry, pivot)
+
+
+def _traced_less(entry: Entry, factor: Entry, term: Entry) -> Entry:
+    plain = not any(map(is_traced, (entry[0], factor[0], term[0])))
+    if plain and not math.isnan(entry[1] + factor[1] + term[1]):
+        return _less(entry, factor, term)
+    value, product = entry[0], factor[0] * term[0]
+    if not all(is_traced(number) or math.isfinite(number) for number in (value, product)):
+        raise Untraceable
+    if value == 0 or product == 0 or (value > 0) != (product > 0):
+        return value - product, UNKNOWN
+    larger, smaller = (value, -product) if first(value) >= first(product) else (-product, value)
+    part = 1 - first(smaller) / first(larger)
+    if part <= ZERO:
+        if not plain:
+            guard_same(abs(smaller), abs(larger), ZERO)
+        return 0.0, UNKNOWN
+    if part <= 2 * REAL:
+        raise Untraceable
+    least = max(min(LEAST, part / 16), 1.5 * REAL)
+    return value - product if plain else difference(larger, smaller, least), UNKNOWN
+
+
+TRACED = Arithmetic(_traced_entry, _traced_quotient, _traced_less)

@@ -1,0 +1,298 @@
+"""Arithmetic written down once, so that it can be run again on arrays of variants.
+
+A calculation with `Traced` numbers in place of floats goes as it does with the floats
+of one variant, the first; a `Tape` notes every operation. Where the calculation
+decides something by a comparison the tape notes a guard. For the variants that pass
+all guards the operations on the tape are those that the calculation itself would make,
+so the results agree to the last bit.
+
+A traced number is never 0. It is a positive magnitude on the tape with a known sign,
+so signs cost no operation, and it has bounds for its magnitude, which settle most
+comparisons without a guard.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import Any, NamedTuple
+
+from vstatics.numerics.tape import Operand, Plain, Tape, Untraceable
+
+Number = Any
+"""A float, or a `Traced` number: the operators are the same for both."""
+
+HUGE = 1e100
+"""A first variant with a magnitude above it, or below its inverse, is a special case."""
+SURE = 1 + 1e-9
+"""Bounds settle a comparison only beyond their own rounding."""
+
+
+class Magnitude(NamedTuple):
+    """Where a magnitude stands, its value in the first variant, its bounds in all."""
+
+    operand: Operand
+    value: float
+    low: float
+    high: float
+
+
+class Traced:
+    """A number per variant: a sign, +1 or -1 for all of them, and a magnitude."""
+
+    __slots__ = ("magnitude", "sign", "tape")
+    __hash__ = None  # type: ignore[assignment]
+
+    def __init__(self, tape: Tape, sign: int, magnitude: Magnitude) -> None:
+        if not 1 / HUGE < magnitude.value < HUGE:
+            raise Untraceable
+        self.tape = tape
+        self.sign = sign
+        self.magnitude = magnitude
+
+    def __neg__(self) -> Traced:
+        return Traced(self.tape, -self.sign, self.magnitude)
+
+    def __abs__(self) -> Traced:
+        return Traced(self.tape, 1, self.magnitude)
+
+    def __mul__(self, other: Number) -> Number:
+        return _product(self, other)
+
+    __rmul__ = __mul__
+
+    def __truediv__(self, other: Number) -> Number:
+        return _quotient(self.tape, self, other)
+
+    def __rtruediv__(self, other: Number) -> Number:
+        return _quotient(self.tape, other, self)
+
+    def __add__(self, other: Number) -> Number:
+        return _total(self.tape, self, other)
+
+    __radd__ = __add__
+
+    def __sub__(self, other: Number) -> Number:
+        return _total(self.tape, self, -other)
+
+    def __rsub__(self, other: Number) -> Number:
+        return _total(self.tape, other, -self)
+
+    def __lt__(self, other: Number) -> bool:
+        return _compare(self.tape, "less", self, other)
+
+    def __gt__(self, other: Number) -> bool:
+        return _compare(self.tape, "less", other, self)
+
+    def __le__(self, other: Number) -> bool:
+        return _compare(self.tape, "less_equal", self, other)
+
+    def __ge__(self, other: Number) -> bool:
+        return _compare(self.tape, "less_equal", other, self)
+
+    def __eq__(self, other: object) -> bool:
+        return _equal(self.tape, self, other)
+
+    def __ne__(self, other: object) -> bool:
+        return not _equal(self.tape, self, other)
+
+
+def is_traced(number: Number) -> bool:
+    """Whether it is a traced number, not a plain one."""
+    return number.__class__ is Traced
+
+
+def first(number: Number) -> float:
+    """The magnitude in the first variant."""
+    return _magnitude(number).value
+
+
+def _magnitude(number: Number) -> Magnitude:
+    if is_traced(number):
+        return number.magnitude  # type: ignore[no-any-return]
+    size = abs(float(number))
+    return Magnitude(Plain(size), size, size, size)
+
+
+def _sign(number: Number) -> int:
+    if is_traced(number):
+        return number.sign  # type: ignore[no-any-return]
+    return 1 if number >= 0 else -1
+
+
+def _is_nothing(number: Number) -> bool:
+    """Whether it is a plain 0 or NaN, with which there is nothing to calculate."""
+    return not is_traced(number) and not abs(number) > 0
+
+
+def _ordered(one: Operand, other: Operand) -> tuple[Operand, Operand]:
+    """Operands that can change places, in an order of their own, slots first."""
+    if isinstance(other, int) and (isinstance(one, Plain) or other < one):
+        return other, one
+    return one, other
+
+
+def _product(one: Traced, other: Number) -> Number:
+    if _is_nothing(other):
+        return other
+    if not is_traced(other) and abs(other) == 1:
+        return one if other > 0 else -one
+    a, b = one.magnitude, _magnitude(other)
+    slot = one.tape.note("multiply", *_ordered(a.operand, b.operand))
+    made = Magnitude(slot, a.value * b.value, a.low * b.low, a.high * b.high)
+    return Traced(one.tape, one.sign * _sign(other), made)
+
+
+def _quotient(tape: Tape, one: Number, other: Number) -> Number:
+    if _is_nothing(one):
+        return one
+    if _is_nothing(other):
+        raise Untraceable
+    a, b = _magnitude(one), _magnitude(other)
+    sign = _sign(one) * _sign(other)
+    if b.operand == Plain(1.0):
+        return one * other
+    if a.operand == b.operand:
+        return float(sign)
+    slot = tape.note("divide", a.operand, b.operand)
+    high = a.high / b.low if b.low > 0 else math.inf
+    return Traced(tape, sign, Magnitude(slot, a.value / b.value, a.low / b.high, high))
+
+
+def _total(tape: Tape, one: Number, other: Number) -> Number:
+    """A sum; where magnitudes are subtracted the larger one is guarded to be larger."""
+    for number, left in ((one, other), (other, one)):
+        if _is_nothing(number):
+            return number if math.isnan(number) else left
+    a, b = _magnitude(one), _magnitude(other)
+    if _sign(one) == _sign(other):
+        slot = tape.note("add", *_ordered(a.operand, b.operand))
+        made = Magnitude(slot, a.value + b.value, a.low + b.low, a.high + b.high)
+        return Traced(tape, _sign(one), made)
+    larger, smaller = (one, other) if a.value >= b.value else (other, one)
+    return 0.0 if larger == -smaller else difference(larger, smaller)
+
+
+def difference(larger: Number, smaller: Number, least: float = 0.0) -> Traced:
+    """The sum of numbers of unlike sign, that leaves more than the part `least` of the larger.
+
+    At least one of them is traced. Guards see to it for all variants.
+    """
+    tape: Tape = (larger if is_traced(larger) else smaller).tape
+    a, b = _magnitude(larger), _magnitude(smaller)
+    left = a.low - b.high * SURE
+    if not left > least * a.high:  # also where there is no upper bound
+        _compare(tape, "less", abs(smaller), abs(larger) * (1 - least))
+        left = max(least * a.low / SURE, 0.0)
+    slot = tape.note("subtract", a.operand, b.operand)
+    made = Magnitude(slot, a.value - b.value, left, a.high - b.low / SURE)
+    return Traced(tape, _sign(larger), made)
+
+
+def guard_same(one: Number, other: Number, part: float) -> None:
+    """Guard that two numbers above 0, one of them traced, differ by no more than a part."""
+    tape: Tape = (one if is_traced(one) else other).tape
+    if _magnitude(one).operand != _magnitude(other).operand:
+        _compare(tape, "less_equal", one, other * (1 + part))
+        _compare(tape, "less_equal", other * (1 - part), one)
+
+
+NEGATIONS = {"less": "less_equal", "less_equal": "less"}
+
+
+def _compare(tape: Tape, name: str, one: Number, other: Number) -> bool:
+    """Decide a comparison by sign, by bounds, or by the first variant with a guard."""
+    if _is_nothing(one) or _is_nothing(other) or math.inf in (first(one), first(other)):
+        return _stand_in(one) < _stand_in(other)
+    if _sign(one) != _sign(other):
+        return _sign(one) < 0
+    a, b = _magnitude(one), _magnitude(other)
+    if _sign(one) < 0:
+        a, b = b, a
+    if a.high * SURE < b.low:
+        return True
+    if a.low > b.high * SURE:
+        return False
+    if a.value < b.value or (a.value == b.value and name == "less_equal"):
+        tape.note(name, a.operand, b.operand)
+        return True
+    tape.note(NEGATIONS[name], b.operand, a.operand)
+    return False
+
+
+def _stand_in(number: Number) -> float:
+    """A number to compare with 0, infinity or NaN, for all variants alike."""
+    return float(number.sign if is_traced(number) else number)
+
+
+def _equal(tape: Tape, one: Number, other: Any) -> bool:
+    """Whether two numbers are the same."""
+    if _is_nothing(other) or first(other) == math.inf or _sign(one) != _sign(other):
+        return False
+    a, b = _magnitude(one), _magnitude(other)
+    if a.operand == b.operand:
+        return True
+    if a.high * SURE < b.low or b.high * SURE < a.low:
+        return False
+    tape.note("equal" if a.value == b.value else "not_equal", a.operand, b.operand)
+    return a.value == b.value
+
+
+class Rest:
+    """What is left of a sum, near 0 and of any sign: a result, with which nothing is done."""
+
+    __slots__ = ("slot", "tape", "value")
+
+    def __init__(self, tape: Tape, slot: int, value: float) -> None:
+        self.tape = tape
+        self.slot = slot
+        self.value = value
+
+    def _refuse(self, *_: Number) -> Number:
+        raise Untraceable
+
+    __abs__ = __sub__ = __rsub__ = _refuse
+
+
+def rest(terms: Sequence[Number]) -> Number:
+    """The sum of terms that should cancel, from left to right.
+
+    >>> rest([1.0, 0.5, -1.5])
+    0.0
+    """
+    plain, value = 0.0, 0.0
+    total: Operand | None = None
+    tape: Tape | None = None
+    for term in terms:
+        operand = _magnitude(term).operand
+        value += _sign(term) * first(term)
+        if is_traced(term):
+            tape = term.tape
+        if tape is None or math.isnan(value):
+            plain = value
+        elif total is None and plain == 0 and term > 0:
+            total = operand
+        elif operand != Plain(0.0):
+            before = Plain(plain) if total is None else total
+            total = tape.note("add" if term > 0 else "subtract", before, operand)
+    if tape is None or not isinstance(total, int) or math.isnan(value):
+        return plain
+    return Rest(tape, total, value)
+
+
+def guard_within(number: Traced | Rest, low: float, high: float) -> None:
+    """Guard that a number lies between bounds.
+
+    Raises
+    ------
+    Untraceable
+        If it does not in the first variant.
+    """
+    if isinstance(number, Traced):
+        held = low <= number <= high
+    else:
+        held = low <= number.value <= high
+        number.tape.note("less_equal", Plain(low), number.slot)
+        number.tape.note("less_equal", number.slot, Plain(high))
+    if not held:
+        raise Untraceable

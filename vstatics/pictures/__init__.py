@@ -1,0 +1,127 @@
+"""Pictures of a result: which there are, and how one becomes SVG, PNG or PDF.
+
+A kind of picture is a function ``draw(results, style, gear) -> Figure`` in a module of
+its own, which is imported when its picture is asked for: matplotlib is an extra.
+"""
+
+from __future__ import annotations
+
+import io
+import warnings
+from collections.abc import Iterator
+from contextlib import contextmanager
+from importlib import import_module
+from typing import TYPE_CHECKING, Any, Literal, get_args
+
+from vstatics.extras import require
+from vstatics.statics.results import Results
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from vstatics.pictures.style import Style
+
+Format = Literal["svg", "png", "pdf"]
+FORMATS: tuple[Format, ...] = get_args(Format)
+
+PICTURES: dict[str, tuple[str, str]] = {
+    "plan": ("vstatics.pictures.plan", "draw"),
+    "lever": ("vstatics.pictures.lever", "draw"),
+    "flow": ("vstatics.pictures.sankey.picture", "draw"),
+    "structure": ("vstatics.pictures.schemes.structure", "draw"),
+    "stick": ("vstatics.pictures.schemes.stick", "draw"),
+    "efficiency": ("vstatics.pictures.efficiency", "draw"),
+}
+"""Kind of picture -> module and function."""
+
+DPI = 150
+"""Of PNG. [1/inch]"""
+
+# nothing that differs from run to run: the same case gives the same bytes
+_METADATA: dict[Format, dict[str, Any]] = {
+    "svg": {"Date": None, "Creator": None},
+    "png": {"Software": None},
+    "pdf": {"CreationDate": None, "Creator": None, "Producer": None},
+}
+
+
+def picture(results: Results, kind: str, style: Style, gear: int | None = None) -> Figure:
+    """A picture of a result, as a figure of matplotlib.
+
+    Parameters
+    ----------
+    results : Results
+        Of one case.
+    kind : str
+        One of `PICTURES`.
+    style : Style
+    gear : int, optional
+        Number of the only gear that is to be shown, from 1.
+
+    Raises
+    ------
+    CaseError
+        If matplotlib is not installed, or the case has nothing that could be drawn.
+
+    Examples
+    --------
+    >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
+    >>> from vstatics.pictures.style import Style
+    >>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)], [Gear([1])])
+    >>> figure = picture(solve(case), "plan", Style())
+    >>> len(figure.axes)
+    1
+    """
+    require("matplotlib", "a picture")
+    module, function = PICTURES[kind]
+    with _settings(style):
+        figure: Figure = getattr(import_module(module), function)(results, style, gear)
+    return figure
+
+
+def render(
+    results: Results, kind: str, form: Format, style: Style, gear: int | None = None
+) -> bytes:
+    """A picture of a result as a file; parameters and errors as of `picture`.
+
+    Examples
+    --------
+    >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
+    >>> from vstatics.pictures.style import Style
+    >>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)], [Gear([1])])
+    >>> render(solve(case), "plan", "svg", Style())[:5]
+    b'<?xml'
+    """
+    return _written(picture(results, kind, style, gear), form, style)
+
+
+def sheets(results: Results, kind: str, style: Style) -> list[bytes]:
+    """A picture of a result as SVG; a long one in parts that fit a printed page.
+
+    Parameters and errors as of `picture`.
+    """
+    module = import_module(PICTURES[kind][0])
+    if not hasattr(module, "sheets"):
+        return [render(results, kind, "svg", style)]
+    with _settings(style):
+        figures = module.sheets(results, style)
+    return [_written(figure, "svg", style) for figure in figures]
+
+
+def _written(figure: Figure, form: Format, style: Style) -> bytes:
+    written = io.BytesIO()
+    with _settings(style):
+        figure.savefig(written, format=form, dpi=DPI, metadata=_METADATA[form])
+    return written.getvalue()
+
+
+@contextmanager
+def _settings(style: Style) -> Iterator[None]:
+    """The settings of a style for a while; the user's own would move texts."""
+    import matplotlib as mpl
+
+    with mpl.rc_context(), warnings.catch_warnings():
+        warnings.filterwarnings("ignore", message="Glyph .* missing")  # a box stands for it
+        mpl.rcdefaults()
+        mpl.rcParams.update(style.settings)
+        yield

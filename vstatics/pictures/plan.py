@@ -1,0 +1,263 @@
+"""The generalised kinematic plan as a picture; see `rays` for what it shows."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from matplotlib.figure import Figure
+
+from vstatics.errors import CaseError, Problem
+from vstatics.pictures import labels
+from vstatics.pictures.labels import LEADER, Label, Panel
+from vstatics.pictures.rays import SAME, Plan, Ray, plans
+from vstatics.pictures.style import TITLE, Style, number
+
+if TYPE_CHECKING:
+    from vstatics.model.transmission import Transmission
+    from vstatics.statics.results import Results
+
+WIDE, HIGH = 300.0, 230.0
+"""Of a plan without its labels. [pt]"""
+LONGEST = 110.0
+"""Labels of rays are wrapped to this width. [pt]"""
+MARGIN = 12.0
+"""[pt]"""
+BELOW = 66.0
+"""For what stands below a plan. [pt]"""
+RIGHT = 48.0
+"""For the ordinates. [pt]"""
+SIDE_BY_SIDE = 2
+"""At most so many plans in a row: they can be read on a printed page."""
+ON_SHEET = 6
+"""So many plans fit one."""
+
+
+def draw(results: Results, style: Style, gear: int | None) -> Figure:
+    """Draw all plans of a case, or those that have a gear.
+
+    Parameters
+    ----------
+    results : Results
+        Of one case.
+    style : Style
+    gear : int, optional
+        Number, from 1.
+
+    Raises
+    ------
+    CaseError
+        If there is no plan.
+    """
+    case = results.case
+    chosen = [
+        plan
+        for plan in plans(results)
+        if gear is None or gear in [mark.gear for mark in plan.marks]
+    ]
+    if not chosen:
+        name = case.gears[gear - 1].name if gear else ""
+        raise CaseError([Problem(f"gear {name} is on no kinematic plan", ("gears", gear or 0))])
+    return _figure(case, chosen, style)
+
+
+def sheets(results: Results, style: Style) -> list[Figure]:
+    """All plans of a case in figures that fit a printed page each.
+
+    Raises
+    ------
+    CaseError
+        If there is no plan.
+    """
+    found = plans(results)
+    starts = range(0, len(found), ON_SHEET)
+    return [_figure(results.case, found[n : n + ON_SHEET], style) for n in starts]
+
+
+def _figure(case: Transmission, chosen: Sequence[Plan], style: Style) -> Figure:
+    """Some plans, one beside and below another."""
+    layout = _layout(case, chosen, style)
+    wide, high = layout.size
+    figure = Figure(figsize=(wide / labels.POINTS, high / labels.POINTS))
+    how: dict[str, Any] = {"ha": "center", "va": "top", "fontsize": TITLE}
+    figure.text(0.5, 1 - MARGIN / high, layout.title, **how)
+    for place, plan in enumerate(chosen):
+        row, column = divmod(place, layout.columns)
+        left = column * wide / layout.columns + layout.left
+        bottom = high - layout.title_high - (row + 1) * layout.up + BELOW
+        _draw_plan(labels.panel(figure, left, bottom, WIDE, HIGH), case, plan, style)
+    return figure
+
+
+class _Layout(NamedTuple):
+    """Where the plans of a figure stand; lengths in points."""
+
+    columns: int
+    left: float
+    """Of the labels of rays."""
+    up: float
+    """A plan with all its labels."""
+    title: str
+    title_high: float
+    size: tuple[float, float]
+
+
+def _layout(case: Transmission, chosen: Sequence[Plan], style: Style) -> _Layout:
+    columns = min(math.ceil(math.sqrt(len(chosen))), SIDE_BY_SIDE)
+    names = [name for plan in chosen for name in _ray_names(case, plan)]
+    left = MARGIN + LEADER + max(map(labels.width, names))
+    above = max(_top(case, plan, style).height for plan in chosen) + LEADER + MARGIN / 2
+    heads = [_heading(plan, style) for plan in chosen]
+    if any(heads):
+        above += max(map(labels.height, heads))
+    up, wide = above + HIGH + BELOW, columns * (left + WIDE + RIGHT)
+    title = labels.wrapped(_title(case, style), wide - 2 * MARGIN, TITLE)
+    title_high = labels.height(title, TITLE) + 2 * MARGIN
+    high = math.ceil(len(chosen) / columns) * up + title_high
+    return _Layout(columns, left, up, title, title_high, (wide, high))
+
+
+def _draw_plan(panel: Panel, case: Transmission, plan: Plan, style: Style) -> None:
+    """A plan with all its labels."""
+    _draw_rays(panel, case, plan, style)
+    _draw_scales(panel, plan, style)
+    top = _top(case, plan, style)
+    panel.along("top", top.labels, upright=top.upright)
+    head = _heading(plan, style)
+    panel.write(WIDE / 2, HIGH + LEADER + top.height + 2, head, ha="center", va="bottom")
+
+
+def _title(case: Transmission, style: Style) -> str:
+    what = style.text("generalised kinematic plan", "обобщённый кинематический план")
+    return f"{case.name}: {what}" if case.name else what.capitalize()
+
+
+def _heading(plan: Plan, style: Style) -> str:
+    """What all gears of a plan have in common."""
+    parts = []
+    if plan.engaged:
+        parts.append(f"{style.text('engaged', 'включены')}: {', '.join(plan.engaged)}")
+    if plan.given:
+        parts.append(f"{style.text('given', 'задано')}: {', '.join(plan.given)}")
+    return labels.wrapped("; ".join(parts), WIDE)
+
+
+def _ray_names(case: Transmission, plan: Plan) -> list[str]:
+    """The links of each ray in lines."""
+    return [
+        labels.wrapped(" = ".join(case.link_name(link) for link in ray.links), LONGEST)
+        for ray in plan.rays
+    ]
+
+
+def _gear_text(case: Transmission, plan: Plan, place: int, between: str) -> str:
+    mark = plan.marks[place]
+    elements = ", ".join(case.shift_elements[number - 1].name for number in mark.elements)
+    name = case.gears[mark.gear - 1].name
+    return f"{name}{between}{elements}" if elements else name
+
+
+class _Top(NamedTuple):
+    """The gears with the elements that make them, above a plan."""
+
+    labels: list[Label]
+    upright: bool
+    height: float
+    """[pt]"""
+
+
+def _top(case: Transmission, plan: Plan, style: Style) -> _Top:
+    """The names of gears, across if each can stand near to its vertical, else upwards."""
+    low, high = _frame(plan)[:2]
+    at = [(mark.output - low) / (high - low) * WIDE for mark in plan.marks]
+    neutral = Label(-low / (high - low) * WIDE, _neutral(plan, style), style.soft)
+
+    def gears(between: str) -> list[Label]:
+        texts = [_gear_text(case, plan, place, between) for place in range(len(at))]
+        return [Label(x, text, style.ink) for x, text in zip(at, texts, strict=True)]
+
+    for across in ([*gears("\n"), neutral], gears("\n")):
+        sizes = [labels.across_size(label.text) for label in across]
+        wanted = [label.at for label in across]
+        places = labels.spread(wanted, sizes, 0.0, WIDE)
+        if all(abs(a - b) <= labels.LEADER for a, b in zip(places[: len(at)], at, strict=True)):
+            return _Top(across, upright=False, height=max(labels.height(a.text) for a in across))
+    turned = [*gears(": "), neutral]
+    return _Top(turned, upright=True, height=max(labels.width(a.text) for a in turned))
+
+
+def _neutral(plan: Plan, style: Style) -> str:
+    """What to call the vertical at the origin."""
+    taken = any(abs(mark.output) < SAME for mark in plan.marks)
+    return "" if taken else style.text("output stands", "выход стоит")
+
+
+def _frame(plan: Plan) -> tuple[float, float, float, float]:
+    """The ends of the abscissa, and of all rays between them."""
+    outputs = [0.0, 1.0, *(mark.output for mark in plan.marks)]
+    room = 0.06 * (max(outputs) - min(outputs))
+    low, high = min(outputs) - room, max(outputs) + room
+    reached = [ray.at(x) for ray in plan.rays for x in (low, high)] + [0.0, 1.0]
+    room = 0.05 * (max(reached) - min(reached))
+    return low, high, min(reached) - room, max(reached) + room
+
+
+def _draw_rays(panel: Panel, case: Transmission, plan: Plan, style: Style) -> None:
+    """Rays with their labels at the left, verticals, and what stops or joins links."""
+    axes = panel.axes
+    low, high, lowest, highest = _frame(plan)
+    axes.set_xlim(low, high)
+    axes.set_ylim(lowest, highest)
+    axes.axhline(0, color=style.ink, linewidth=0.8)
+    axes.axvline(0, color=style.ink, linewidth=0.8)
+    colours = [_colour(ray, plan, style, place) for place, ray in enumerate(plan.rays)]
+    for ray, colour in zip(plan.rays, colours, strict=True):
+        dashes = "dashdot" if plan.output in ray.links else "solid"
+        ends = (plan.input, plan.output)
+        wide = 1.8 if set(ends) & set(ray.links) else 1.3
+        drawn: dict[str, Any] = {"linestyle": dashes, "color": colour, "linewidth": wide}
+        axes.plot([low, high], [ray.at(low), ray.at(high)], **drawn)
+    for mark in plan.marks:
+        axes.axvline(mark.output, color=style.faint, linewidth=0.9, linestyle=(0, (4, 3)))
+        for x, y in _stops(case, plan, mark.elements, mark.output):
+            axes.plot([x], [y], "o", color=style.ink, markersize=4.5, zorder=4)
+    if plan.has_unit_point:
+        how: dict[str, Any] = {"markerfacecolor": style.paper, "markeredgecolor": style.ink}
+        axes.plot([1], [1], "o", markersize=8, zorder=3, **how)
+    at_edge = zip(plan.rays, _ray_names(case, plan), colours, strict=True)
+    panel.beside("left", [Label(panel.up(ray.at(low)), name, one) for ray, name, one in at_edge])
+
+
+def _colour(ray: Ray, plan: Plan, style: Style, place: int) -> str:
+    return style.ink if {plan.input, plan.output} & set(ray.links) else style.colour(place)
+
+
+def _stops(
+    case: Transmission, plan: Plan, elements: Sequence[int], output: float
+) -> list[tuple[float, float]]:
+    """Where the rays of two links that an element joins meet, or one crosses the abscissa."""
+    speeds = {link: ray.at(output) for ray in plan.rays for link in ray.links}
+    places = []
+    for chosen in elements:
+        element = case.shift_elements[chosen - 1]
+        speed = 0.0 if 0 in (element.first, element.second) else speeds.get(element.first, 0.0)
+        places.append((output, speed))
+    return places
+
+
+def _draw_scales(panel: Panel, plan: Plan, style: Style) -> None:
+    """1/i of the gears at the abscissa, ordinates at the right."""
+    outputs = sorted({round(mark.output, 9) + 0.0 for mark in plan.marks})
+    found = [Label(panel.across(x), number(x), style.ink) for x in outputs]
+    common = [x for x in (0.0, 1.0) if x not in outputs]
+    found += [Label(panel.across(x), f"{x:.0f}", style.soft) for x in common]
+    panel.along("bottom", found, upright=True)
+    axes = panel.axes
+    axes.set_xticks([])
+    axes.yaxis.tick_right()
+    axes.grid(axis="y", linewidth=0.4, alpha=0.6)
+    x = style.text("output speed / input speed, 1/i", "скорость выхода / скорость входа, 1/i")
+    y = style.text("link speed / input speed", "скорость звена / скорость входа")
+    panel.write(WIDE / 2, -BELOW + MARGIN + 2, x, ha="center", va="bottom")
+    panel.write(WIDE + RIGHT - 8, HIGH / 2, y, ha="center", va="center", rotation=90)

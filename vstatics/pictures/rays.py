@@ -1,0 +1,222 @@
+"""The generalised kinematic plan: speeds of all links over the output speed.
+
+With the input speed 1 and all but one degree of freedom taken by engaged elements,
+every link speed is a linear function of the output speed: a ray. A gear is a point on
+the abscissa, at ``1/i``; the element that makes it stops its link there, or joins its two.
+
+Source: Voloshko, Galimyanov, Salakhov, Mavleev, Kinematic and force analysis of the
+universal multi-flow differential mechanism (in Russian), figure 5.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from itertools import combinations
+from typing import NamedTuple
+
+from vstatics.errors import CaseError, Problem
+from vstatics.model.transmission import HOUSING, Gear, Transmission
+from vstatics.statics.results import Results
+from vstatics.statics.speeds import solve_speeds
+
+SAME = 1e-9
+"""Rays that differ by less than this are the same. [-]"""
+
+
+class Condition(NamedTuple):
+    """What an engaged element, or a given speed, says: one link turns with another, or so fast."""
+
+    link: int
+    other: int
+    speed: float = 0.0
+    """Of the link, where the other is the housing. [-]"""
+
+
+class Ray(NamedTuple):
+    """Links whose speed is ``start + slope*x`` at the output speed x [-]."""
+
+    links: tuple[int, ...]
+    start: float
+    slope: float
+
+    def at(self, output: float) -> float:
+        """The speed at an output speed [-]."""
+        return self.start + self.slope * output
+
+
+class Mark(NamedTuple):
+    """A gear on the abscissa."""
+
+    gear: int
+    """Number, from 1."""
+    output: float
+    """Its output speed, 1/i. [-]"""
+    elements: tuple[int, ...]
+    """Numbers of the shift elements that are engaged besides those of the plan."""
+
+
+class Plan(NamedTuple):
+    """One plan: what is engaged in all of it, its rays and its gears."""
+
+    input: int
+    output: int
+    engaged: tuple[str, ...]
+    """Names of the shift elements; where two do the same, in one with a stroke between."""
+    given: tuple[str, ...]
+    """Speeds that are given, in words."""
+    rays: tuple[Ray, ...]
+    marks: tuple[Mark, ...]
+
+    @property
+    def has_unit_point(self) -> bool:
+        """Whether all rays meet at (1, 1): the train may turn as one piece."""
+        return all(abs(ray.at(1.0) - 1.0) < SAME for ray in self.rays)
+
+
+def plans(results: Results) -> list[Plan]:
+    """The generalised kinematic plans of a case.
+
+    A train of two degrees of freedom has one. Where there are more, there is one for
+    each state of the other elements that at least two gears share; if no gears share
+    any, one for each state.
+
+    Parameters
+    ----------
+    results : Results
+        Of one case.
+
+    Raises
+    ------
+    CaseError
+        If no gear leaves anything free that one of its elements takes.
+
+    Examples
+    --------
+    A differential, its sun the input and its carrier the output: the ring stands where
+    the output turns at 1/3.5.
+
+    >>> from vstatics import Gear, Mechanism, ShiftElement, solve
+    >>> set_ = Mechanism(1, 2, 3, ratio=-2.5)
+    >>> [plan] = plans(solve(Transmission(3, [ShiftElement(2)], [set_], [Gear([1])])))
+    >>> [round(ray.start + 0.0, 3) for ray in plan.rays], [round(ray.slope, 3) for ray in plan.rays]
+    ([1.0, -0.4, 0.0], [0.0, 1.4, 1.0])
+    """
+    case = results.settled
+    known = [
+        (number, gear, output)
+        for number, gear in enumerate(case.gears, 1)
+        if math.isfinite(output := float(results.speeds[number - 1, case.gear_output(gear) - 1]))
+    ]
+    states: dict[tuple[int, int, tuple[Condition, ...]], None] = {}
+    for _, gear, _ in known:
+        ends = (case.gear_input(gear), case.gear_output(gear))
+        for state in _states(case, gear):
+            states.setdefault((*ends, state))
+    made = []
+    for first, last, state in sorted(states, key=lambda key: (key[:2], len(key[2]), key[2])):
+        marks = tuple(
+            Mark(number, output, _further(case, gear, state))
+            for number, gear, output in known
+            if (first, last) == (case.gear_input(gear), case.gear_output(gear))
+            and _conditions(case, gear).issuperset(state)
+        )
+        rays = _rays(case, first, last, state)
+        engaged, given = _names(case, state, marks)
+        made.append(Plan(first, last, engaged, given, tuple(rays), marks))
+    if not made:
+        message = "a kinematic plan shows what is left free by all elements of a gear but one"
+        raise CaseError([Problem(f"{message}, and no gear of this case leaves anything free")])
+    shared = [plan for plan in made if len({mark.output for mark in plan.marks}) > 1]
+    return shared or made
+
+
+def _conditions(case: Transmission, gear: Gear) -> set[Condition]:
+    """What is engaged and given in a gear; two elements that do the same are one."""
+    found = set()
+    for number in gear.engaged:
+        element = case.shift_elements[number - 1]
+        other, link = sorted((element.first, element.second))
+        found.add(Condition(link, other))
+    return found | {Condition(link, HOUSING, speed) for link, speed in gear.speeds.items()}
+
+
+def _states(case: Transmission, gear: Gear) -> Iterator[tuple[Condition, ...]]:
+    """The largest parts of a gear's conditions under which its output is free."""
+    conditions = sorted(_conditions(case, gear))
+    found: list[set[Condition]] = []
+    for count in range(len(conditions), -1, -1):
+        for chosen in combinations(conditions, count):
+            free = not any(larger.issuperset(chosen) for larger in found)
+            if free and math.isnan(_speeds(case, gear.input, gear.output, chosen, None)[-1]):
+                found.append(set(chosen))
+                yield chosen
+
+
+def _speeds(
+    case: Transmission,
+    first: int | None,
+    last: int | None,
+    state: Sequence[Condition],
+    output: float | None,
+) -> list[float]:
+    """Speeds of all links, and that of the output once more, NaN for what is free."""
+    ratios = [mechanism.ratio for mechanism in case.mechanisms]
+    speeds = {c.link: c.speed for c in state if c.other == HOUSING}
+    pairs = [(c.link, c.other) for c in state if c.other != HOUSING]
+    engaged = [
+        next(
+            number
+            for number, element in enumerate(case.shift_elements, 1)
+            if set(pair) == {element.first, element.second}
+        )
+        for pair in pairs
+    ]
+    last = last or case.output
+    if output is not None:
+        speeds[last] = output
+    found = solve_speeds(case, Gear(engaged, speeds, input=first, output=last), ratios)
+    values = [float(value) for value in found.links]
+    return [*values, values[last - 1]]
+
+
+def _rays(case: Transmission, first: int, last: int, state: Sequence[Condition]) -> list[Ray]:
+    """The rays of the case's own links; links that stand have none."""
+    own = case.own_links
+    ends = [_speeds(case, first, last, state, output) for output in (0.0, 1.0)]
+    rays: list[Ray] = []
+    for link, (start, end) in enumerate(zip(*(speeds[:own] for speeds in ends), strict=True), 1):
+        slope = end - start
+        if math.isnan(slope) or (abs(start) < SAME and abs(slope) < SAME):
+            continue
+        for place, ray in enumerate(rays):
+            if abs(ray.start - start) < SAME and abs(ray.slope - slope) < SAME:
+                rays[place] = ray._replace(links=(*ray.links, link))
+                break
+        else:
+            rays.append(Ray((link,), start, slope))
+    return rays
+
+
+def _further(case: Transmission, gear: Gear, state: Sequence[Condition]) -> tuple[int, ...]:
+    """The engaged elements of a gear that do not belong to a state."""
+    return tuple(
+        number for number in gear.engaged if not set(state) & _conditions(case, Gear([number]))
+    )
+
+
+def _names(
+    case: Transmission, state: Sequence[Condition], marks: Sequence[Mark]
+) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """The elements that make a state in its gears, in their order, and its given speeds."""
+    engaged = sorted({number for mark in marks for number in case.gears[mark.gear - 1].engaged})
+    elements: list[tuple[list[int], str]] = []
+    given = []
+    for condition in state:
+        numbers = [one for one in engaged if condition in _conditions(case, Gear([one]))]
+        if numbers:
+            names = [case.shift_elements[number - 1].name for number in numbers]
+            elements.append((numbers, "/".join(names)))
+        else:
+            given.append(f"{case.link_name(condition.link)} = {condition.speed:g}")
+    return tuple(names for _, names in sorted(elements)), tuple(given)

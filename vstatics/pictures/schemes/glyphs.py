@@ -1,0 +1,57 @@
+"""What the drawing of a typical element is made of."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from vstatics.model.transmission import HOUSING
+from vstatics.pictures.schemes.channels import ABOVE, Reach, Tap
+
+Point = tuple[float, float]
+
+TOOTH, SLEEVE = 2.2, 3.0
+"""Widths of the lines of teeth and of the sleeves that join rims. [pt]"""
+FACE = 9.0
+"""Half the width of a wheel. [pt]"""
+MESH = 4.0
+"""Between the lines of teeth of two wheels that mesh. [pt]"""
+
+
+class Stroke(NamedTuple):
+    """A line of a glyph."""
+
+    points: tuple[Point, ...]
+    width: float = 1.3
+    dashed: bool = False
+
+
+class Glyph(NamedTuple):
+    """One way to draw an element; x from its left end, y from the middle of the row [pt]."""
+
+    width: float
+    strokes: Sequence[Stroke]
+    taps: Sequence[Tap]
+
+    @property
+    def half(self) -> float:
+        """How far it reaches above or below the middle."""
+        heights = [abs(y) for stroke in self.strokes for _, y in stroke.points]
+        return max(heights, default=0.0)
+
+
+def member_tap(member: str, link: int, side: int, x: float, y: float) -> Tap:
+    """The tap of a member that leaves the element at a point toward a side."""
+    reach: Reach = "none" if link == HOUSING else "row"
+    return Tap(link, side, x, reach, member, y if side == ABOVE else -y)
+
+
+def teeth(x: float, y: float, half: float = FACE) -> Stroke:
+    """A level line of teeth."""
+    return Stroke(((x - half, y), (x + half, y)), TOOTH)
+
+
+def wheel(x: float, y: float, radius: float) -> list[Stroke]:
+    """A wheel on a level axis, seen from the side."""
+    web = Stroke(((x, y - radius), (x, y + radius)))
+    return [web, teeth(x, y + radius), teeth(x, y - radius)]

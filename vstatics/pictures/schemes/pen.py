@@ -1,0 +1,155 @@
+"""Lines, symbols and text in points on a figure; the same for all schemes."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import cache
+from typing import TYPE_CHECKING, Any
+
+from vstatics.pictures.style import Style
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+SIZE, SMALL = 9.0, 7.5
+"""Of text. [pt]"""
+LINE = 1.3
+"""Width of a line. [pt]"""
+FONT = "DejaVu Sans"
+"""It comes with matplotlib and has Cyrillic letters."""
+WRAP = 14
+"""Longer names are broken at blanks. [letters]"""
+
+Point = tuple[float, float]
+
+
+@cache
+def width_of(text: str, size: float = SIZE, *, bold: bool = False) -> float:
+    """The width of text, of its longest line [pt]."""
+    from matplotlib.font_manager import FontProperties
+    from matplotlib.textpath import TextToPath
+
+    font = FontProperties(family=FONT, size=size, weight="bold" if bold else "normal")
+    return max(
+        float(TextToPath().get_text_width_height_descent(line, font, ismath=False)[0])
+        for line in text.split("\n")
+    )
+
+
+def wrapped(name: str, letters: int = WRAP) -> str:
+    """A name on as many lines as it needs.
+
+    >>> wrapped("low and reverse brake").split(chr(10))
+    ['low and', 'reverse brake']
+    """
+    lines: list[str] = []
+    for word in name.split():
+        if lines and len(lines[-1]) + 1 + len(word) <= letters:
+            lines[-1] += f" {word}"
+        else:
+            lines.append(word)
+    return "\n".join(lines)
+
+
+class Pen:
+    """Draws on a figure of a given size, with points as its unit.
+
+    Parameters
+    ----------
+    low, high : (float, float)
+        Corners of the picture. [pt]
+    style : Style
+    """
+
+    def __init__(self, low: Point, high: Point, style: Style) -> None:
+        """Make the figure."""
+        from matplotlib.figure import Figure
+
+        width, height = high[0] - low[0], high[1] - low[1]
+        self.style = style
+        self.figure: Figure = Figure(figsize=(width / 72, height / 72), facecolor=style.paper)
+        self.axes: Axes = self.figure.add_axes((0.0, 0.0, 1.0, 1.0))
+        self.axes.set_axis_off()
+        self.axes.set_xlim(low[0], high[0])
+        self.axes.set_ylim(low[1], high[1])
+
+    def line(self, *points: Point, color: str, width: float = LINE, **more: Any) -> None:
+        """A line through points."""
+        xs, ys = zip(*points, strict=True)
+        options = {"solid_capstyle": "butt", "solid_joinstyle": "miter", "zorder": 3, **more}
+        self.axes.plot(xs, ys, color=color, linewidth=width, **options)
+
+    def dot(self, at: Point, color: str) -> None:
+        """Where wires are joined."""
+        self.disc(at, 2.3, color)
+
+    def disc(self, at: Point, radius: float, color: str) -> None:
+        """A filled circle."""
+        from matplotlib.patches import Circle
+
+        self.axes.add_patch(Circle(at, radius, facecolor=color, edgecolor="none", zorder=6))
+
+    def shape(self, points: Sequence[Point], *, fill: str, edge: str, width: float = LINE) -> None:
+        """A filled polygon."""
+        from matplotlib.patches import Polygon
+
+        self.axes.add_patch(
+            Polygon(points, closed=True, facecolor=fill, edgecolor=edge, linewidth=width, zorder=4)
+        )
+
+    def text(  # noqa: PLR0913 - a text has these
+        self,
+        at: Point,
+        text: str,
+        *,
+        color: str,
+        size: float = SIZE,
+        across: str = "center",
+        up: str = "center",
+        bold: bool = False,
+    ) -> None:
+        """Text on the paper, over any line."""
+        self.axes.text(
+            *at,
+            text,
+            color=color,
+            fontsize=size,
+            family=FONT,
+            weight="bold" if bold else "normal",
+            ha=across,
+            va=up,
+            zorder=8,
+            linespacing=1.0,
+            parse_math=False,
+        )
+
+    def blank(self, at: Point, width: float, height: float) -> None:
+        """Paper over whatever was drawn there."""
+        from matplotlib.patches import Rectangle
+
+        corner = at[0] - width / 2, at[1] - height / 2
+        self.axes.add_patch(
+            Rectangle(corner, width, height, facecolor=self.style.paper, edgecolor="none", zorder=7)
+        )
+
+    def arrow(self, tip: Point, way: float, color: str) -> None:
+        """The head of an arrow to the right (way 1) or left (-1)."""
+        x, y = tip
+        points = [(x, y), (x - 9 * way, y + 3.5), (x - 9 * way, y - 3.5)]
+        self.shape(points, fill=color, edge=color, width=0.5)
+
+    def hatch(self, left: Point, right: Point, side: int, color: str) -> None:
+        """A piece of the housing: a line with strokes on the outer side."""
+        (start, y), (end, _) = left, right
+        self.line(left, right, color=color, width=1.6)
+        count = max(int((end - start) / 5), 2)
+        step = (end - start) / count
+        for number in range(count):
+            x = start + step * (number + 0.5)
+            self.line((x - 2.5, y), (x + 2.5, y + 5 * side), color=color, width=0.8)
+
+    def ground(self, at: Point, side: int, color: str) -> None:
+        """The housing at a point, away from it toward a side."""
+        x, y = at
+        self.hatch((x - 8, y), (x + 8, y), side, color)

@@ -1,0 +1,148 @@
+"""From an arrangement to places: levels of tracks, gaps wide enough for the names of wires."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+from vstatics.pictures.schemes.channels import ABOVE, BELOW, Board, Plan, Row, Track, end_track
+
+PITCH = 17.0
+"""From track to track. [pt]"""
+CLEAR = 22.0
+"""From the row to the first track, and from the last one to the edge. [pt]"""
+APART = 14.0
+"""Between the ends of two tracks on one level. [pt]"""
+PAD = 6.0
+"""Beside the name of a wire. [pt]"""
+
+
+@dataclass(frozen=True)
+class Placement:
+    """Where everything stands; y is 0 in the middle of the row [pt]."""
+
+    plan: Plan
+    row: Row
+    levels: Mapping[Track, int]
+    half: float
+    """Half the height of the row."""
+    labels: Mapping[int, tuple[float, float]]
+    """Middle of the name of each wire that is named on its track."""
+    from_left: Sequence[int] = ()
+    to_right: Sequence[int] = ()
+
+    def end_of(self, wire: int) -> Track:
+        """The track by which a wire reaches an end of the picture."""
+        return end_track(self.row.spans, wire, self.plan.sides[wire])
+
+    def y(self, track: Track) -> float:
+        """Of a track."""
+        return track[1] * (self.half + CLEAR + PITCH * (self.levels[track] - 1))
+
+    def edge(self, side: int) -> float:
+        """Outer edge of a channel."""
+        levels = [level for track, level in self.levels.items() if track[1] == side]
+        return side * (self.half + CLEAR + PITCH * (max(levels, default=0)))
+
+    def crossings(self) -> list[tuple[float, float, int, int]]:
+        """Places where a tap crosses a track: x, y, the wire of the tap, that of the track."""
+        return [
+            (x, self.y(track), wire, track[0])
+            for x, low, high, wire in self.verticals()
+            for track, (left, right) in self.row.spans.items()
+            if left < x < right and low < self.y(track) < high and wire != track[0]
+        ]
+
+    def joints(self) -> list[tuple[tuple[float, float], int]]:
+        """Where a wire branches."""
+        found = []
+        for track, (low, high) in self.row.spans.items():
+            own = [tap for tap in self.row.taps if tap[1:3] == track and tap.reach != "none"]
+            for x in dict.fromkeys(tap.x for tap in own):
+                passes = any(tap.reach == "pass" for tap in own if tap.x == x)
+                if low < x < high or passes:
+                    found.append(((x, self.y(track)), track[0]))
+        return found
+
+    def verticals(self) -> list[tuple[float, float, float, int]]:
+        """Of each tap: x, both y, its wire."""
+        found = []
+        for tap in self.row.taps:
+            track = tap.wire, tap.side
+            if tap.reach == "none":
+                continue
+            end = self.y(track) if tap.reach != "pass" else tap.y
+            start = tap.y if tap.reach == "row" else self.edge(tap.side)
+            found.append((tap.x, min(start, end), max(start, end), tap.wire))
+        return found
+
+
+def placed(board: Board, plan: Plan, half: float, names: Mapping[int, float]) -> Placement:
+    """Everything at its place.
+
+    Parameters
+    ----------
+    board : Board
+    plan : Plan
+    half : float
+        Half the height of the row. [pt]
+    names : mapping of wire to float
+        Widths of the names that stand on tracks. [pt]
+    """
+    extra: dict[int, float] = {}
+    for _ in range(3 * len(names) + 3):
+        row = board.row(plan, extra)
+        bare = Placement(plan, row, _levels(row, plan), half, {})
+        labels: dict[int, tuple[float, float]] = {}
+        for wire, width in names.items():
+            middle, y, lack, before = _room(bare, wire, width + 2 * PAD, board.gap)
+            if lack > 0:
+                extra[before] = extra.get(before, 0.0) + lack
+                break
+            labels[wire] = middle, y
+        else:
+            break
+    return Placement(plan, row, bare.levels, half, labels, board.from_left, board.to_right)
+
+
+def _levels(row: Row, plan: Plan) -> dict[Track, int]:
+    """The lowest level of each track at which no other is in its way."""
+    levels: dict[Track, int] = {}
+    for side in (ABOVE, BELOW):
+        tracks = sorted((t for t in row.spans if t[1] == side), key=lambda t: plan.ranks[t])
+        for track in tracks:
+            low, high = row.spans[track]
+            under = [
+                level
+                for other, level in levels.items()
+                if other[1] == side
+                and row.spans[other][0] < high + APART
+                and row.spans[other][1] > low - APART
+            ]
+            levels[track] = max(under, default=0) + 1
+    return levels
+
+
+def _room(bare: Placement, wire: int, width: float, gap: float) -> tuple[float, float, float, int]:
+    """Where a name fits best: its x and y, how much room it lacks, and before which item.
+
+    The name stands between two taps that touch or cross the track.
+    """
+    row = bare.row
+    starts = sorted((left, item) for item, left in row.lefts.items())
+    starts.append((row.width, -1))
+    found: list[tuple[float, float, float, float, int]] = []
+    for track, (low, high) in row.spans.items():
+        if track[0] != wire:
+            continue
+        y = bare.y(track)
+        stops = {x for x, down, up, _ in bare.verticals() if down <= y <= up and low < x < high}
+        points = [low, *sorted(stops), high]
+        for left, right in pairwise(points):
+            before = next((item for start, item in starts if left < start - gap / 2 < right), None)
+            if before is not None or right - left >= width:
+                lack = max(width - (right - left), 0.0)
+                found.append((lack, -(right - left), (left + right) / 2, y, before or 0))
+    lack, _, middle, y, before = min(found)
+    return middle, y, lack, before

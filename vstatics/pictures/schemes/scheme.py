@@ -1,0 +1,191 @@
+"""What a scheme shows of a case: its own links, devices and ports, and their state in a gear."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from vstatics.elements.element import Element
+from vstatics.elements.lower import parts_of
+from vstatics.model.transmission import HOUSING, Gear, Mechanism, ShiftElement, Transmission
+from vstatics.statics.results import Results
+
+
+class Device(NamedTuple):
+    """A mechanism, an element with teeth, or a shift element, and the links that it joins.
+
+    Attributes
+    ----------
+    name : str
+    kind : str
+        ``mechanism``, a kind of element, or a kind of shift element.
+    members : mapping of member to link
+        0 is the housing.
+    numbers : sequence of int
+        Its mechanisms, or the shift element itself, as indices.
+    element : Element, optional
+        With its teeth, where it was drawn.
+    """
+
+    name: str
+    kind: str
+    members: dict[str, int]
+    numbers: tuple[int, ...]
+    element: Element | None = None
+
+    @property
+    def is_shift_element(self) -> bool:
+        """Whether it is engaged and released."""
+        return self.kind in {"clutch", "brake", "dog_clutch", "freewheel"}
+
+    @property
+    def links(self) -> set[int]:
+        """The links that it joins, without the housing."""
+        return set(self.members.values()) - {HOUSING}
+
+    @property
+    def is_on_housing(self) -> bool:
+        """Whether it joins one link to the housing: a brake, a support."""
+        return len(self.links) == 1 and (self.is_shift_element or self.kind == "held")
+
+
+class Port(NamedTuple):
+    """A link by which power enters or leaves."""
+
+    link: int
+    role: str
+    """``input``, ``output``, or ``given`` where a gear gives its speed or torque."""
+
+
+@dataclass(frozen=True)
+class State:
+    """What is engaged in a gear, what carries nothing; of no gear, nothing is either."""
+
+    engaged: frozenset[int] = frozenset()
+    """Devices by their places in `Scheme.devices`."""
+    idle: frozenset[int] = frozenset()
+    """Devices that are open, carry no torque or turn as one piece."""
+    idle_links: frozenset[int] = frozenset()
+    idle_ports: frozenset[Port] = frozenset()
+
+
+@dataclass(frozen=True)
+class Scheme:
+    """A case as it is drawn, planets apart."""
+
+    links: Sequence[str]
+    devices: Sequence[Device]
+    ports: Sequence[Port]
+
+    def name(self, link: int) -> str:
+        """The name of a link."""
+        return self.links[link - 1]
+
+    @property
+    def ends(self) -> tuple[list[int], list[int]]:
+        """Links that come from the left end of a picture, and those that go to the right one.
+
+        A link that fewer than two devices join goes to an end too, where its name can stand.
+        """
+        left = [port.link for port in self.ports if port.role == "input"]
+        right = [port.link for port in self.ports if port.role != "input"]
+        for link in range(1, len(self.links) + 1):
+            joined = sum(link in device.links for device in self.devices)
+            if joined < 2 and link not in [*left, *right]:
+                right.append(link)
+        return left, list(dict.fromkeys(right))
+
+
+def scheme_of(case: Transmission) -> Scheme:
+    """The links, devices and ports of a case.
+
+    >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission
+    >>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2)], [Gear([1])])
+    >>> [(device.name, device.members) for device in scheme_of(case).devices]
+    [('D1', {'1': 1, '2': 2, '3': 3}), ('T1', {'first': 2, 'second': 0})]
+    """
+    count = case.own_links
+    devices = [*_mechanisms(case), *_shift_elements(case.shift_elements)]
+    ports = dict.fromkeys(port for gear in case.gears for port in _ports(case, gear))
+    if not ports:
+        ports = dict.fromkeys([Port(case.input, "input"), Port(case.output, "output")])
+    roles = {(port.link, port.role) for port in ports}
+    kept = [
+        port
+        for port in ports
+        if port.role != "given" or not {(port.link, "input"), (port.link, "output")} & roles
+    ]
+    return Scheme(case.link_names[:count], devices, kept)
+
+
+def _mechanisms(case: Transmission) -> list[Device]:
+    found: list[Device] = []
+    number = 0
+    for part in parts_of(case):
+        numbers = tuple(range(number, number + len(part.lowered)))
+        number += len(part.lowered)
+        if part.element is None:
+            found.append(Device(part.name, *_shape_of(part.lowered[0].mechanism), numbers))
+        else:
+            kind = part.element.kind
+            found.append(Device(part.name, kind, part.members, numbers, part.element))
+    return found
+
+
+def _shape_of(mechanism: Mechanism) -> tuple[str, dict[str, int]]:
+    """A mechanism without teeth: its kind and its members, by their places."""
+    if mechanism.second == mechanism.third == HOUSING:
+        return "held", {"1": mechanism.first}
+    links = mechanism.links if mechanism.third else mechanism.links[:2]
+    return "mechanism", {str(place): link for place, link in enumerate(links, 1)}
+
+
+def _shift_elements(elements: Sequence[ShiftElement]) -> list[Device]:
+    return [
+        Device(
+            one.name,
+            one.kind or ("clutch" if one.first and one.second else "brake"),
+            {"first": one.first, "second": one.second},
+            (number,),
+        )
+        for number, one in enumerate(elements)
+    ]
+
+
+def _ports(case: Transmission, gear: Gear) -> list[Port]:
+    given = dict.fromkeys([*gear.speeds, *gear.torques])
+    ends = [Port(case.gear_input(gear), "input"), Port(case.gear_output(gear), "output")]
+    return [*ends, *(Port(link, "given") for link in given)]
+
+
+def state_of(results: Results, scheme: Scheme, gear: int | None) -> State:
+    """What is engaged and what is idle in a gear, by its number from 1; None for no gear."""
+    if gear is None:
+        return State()
+    case = results.case
+    torques = np.nan_to_num(results.torques[gear - 1, :-1], nan=1.0)
+    holds = results.holds[gear - 1]
+    exists = bool(results.calculable[gear - 1])
+    engaged: set[int] = set()
+    idle: set[int] = set()
+    ports = _ports(case, case.gears[gear - 1])
+    ends = [port.link for port in ports]
+    for place, device in enumerate(scheme.devices):
+        if device.is_shift_element:
+            carries = bool(holds[device.numbers[0]])
+            (engaged if carries else idle).add(place)
+        else:
+            columns = [len(case.shift_elements) + number for number in device.numbers]
+            carries = bool(torques[columns].any())
+            rests = bool(results.idle[gear - 1, list(device.numbers)].all())
+            # a support never turns: it is idle only where it holds nothing
+            if exists and rests and not (device.kind == "held" and carries):
+                idle.add(place)
+        ends += list(device.links) if carries else []
+    links = {link for link in range(1, len(scheme.links) + 1) if ends.count(link) < 2}
+    used = {port.link for port in ports}
+    unused = {port for port in scheme.ports if port.link not in used}
+    return State(frozenset(engaged), frozenset(idle), frozenset(links), frozenset(unused))

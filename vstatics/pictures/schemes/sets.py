@@ -1,0 +1,249 @@
+"""Planetary sets of any kind as they are drawn: planets above suns, rings above planets.
+
+Wheels in one plane stand in a column, one above the other. Planets that mesh with each
+other lie on levels: those at the sun below, those at the ring above.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from itertools import permutations, product
+
+from vstatics.elements.element import CentralWheel
+from vstatics.elements.group import PlanetGroup
+from vstatics.pictures.schemes.channels import ABOVE, BELOW, Tap
+from vstatics.pictures.schemes.glyphs import FACE, MESH, SLEEVE, Glyph, Stroke, member_tap, teeth
+
+RADIUS, SMALL_RADIUS = 14.0, 9.0
+"""Of the larger and of the smaller rim of a planet. [pt]"""
+LEVEL = 2 * RADIUS + MESH
+COLUMN = 34.0
+"""From plane to plane. [pt]"""
+ARM = 16.0
+"""From the outermost plane to the arm of the carrier, less the half of a wheel. [pt]"""
+LEFT, RIGHT = 0, 1
+MOST_COLUMNS = 6
+"""Up to which all orders of the columns are tried."""
+
+
+@dataclass
+class Column:
+    """A plane of wheels: the rims of planets by their levels, a sun below, a ring above."""
+
+    rims: dict[int, str]
+    sun: CentralWheel | None = None
+    ring: CentralWheel | None = None
+
+    def bars(self, level: int) -> bool:
+        """Whether something of this plane is in the way of an axle on a level."""
+        below, above = level < min(self.rims), level > max(self.rims)
+        return (
+            (self.sun is not None if below else self.ring is not None) if below or above else True
+        )
+
+
+@dataclass(frozen=True)
+class Section:
+    """A group of planets in the half above its axis."""
+
+    group: PlanetGroup
+    levels: Mapping[str, int]
+    """Of each planet."""
+    columns: Sequence[Column] = field(default_factory=list)
+
+    def x(self, column: int) -> float:
+        """Of the plane of a column."""
+        return ARM + FACE + COLUMN * column
+
+    @property
+    def width(self) -> float:
+        """Between the ends of the arms."""
+        return 2 * (ARM + FACE) + COLUMN * (len(self.columns) - 1)
+
+    def y(self, level: int) -> float:
+        """Of an axle."""
+        top = max(self.levels.values())
+        return LEVEL * (level - top / 2)
+
+    def planes(self, planet: str) -> list[int]:
+        """The columns in which a planet has a rim."""
+        own = self.group.planets[planet]
+        return [n for n, col in enumerate(self.columns) if set(col.rims.values()) & set(own)]
+
+    def radius(self, rim: str) -> float:
+        """Of a rim: the smaller ones of a planet look smaller, where nothing else meshes."""
+        own = self.group.planets[self.group.planet_of[rim]]
+        meshed = {one for pair in self.group.meshes for one in pair}
+        largest = max(self.group.teeth(other) for other in own)
+        return SMALL_RADIUS if rim not in meshed and self.group.teeth(rim) < largest else RADIUS
+
+    def barred(self, planet: str, side: int) -> int:
+        """How many planes are in the way of an axle that leaves toward a side."""
+        planes, level = self.planes(planet), self.levels[planet]
+        first = planes[0] if side == RIGHT else 0
+        last = len(self.columns) if side == RIGHT else planes[-1]
+        between = [n for n in range(first, last) if n not in planes]
+        return sum(self.columns[n].bars(level) for n in between)
+
+
+def section_of(group: PlanetGroup) -> Section:
+    """The planes of a group in the order in which its axles are least in the way."""
+    section = Section(group, _levels(group))
+    columns = _columns(group, section.levels)
+    if len(columns) > MOST_COLUMNS:
+        return Section(group, section.levels, columns)
+    orders = (Section(group, section.levels, order) for order in permutations(columns))
+    return min(orders, key=_disorder)
+
+
+def _disorder(section: Section) -> float:
+    planets = section.group.planets
+    spread = sum(section.planes(p)[-1] - section.planes(p)[0] for p in planets)
+    barred = {side: [section.barred(p, side) for p in planets] for side in (LEFT, RIGHT)}
+    split = not all(map(any, ([not n for n in barred[side]] for side in (LEFT, RIGHT))))
+    best = sum(min(one) for one in zip(barred[LEFT], barred[RIGHT], strict=True))
+    return spread + 3 * best + 0.1 * split
+
+
+def _levels(group: PlanetGroup) -> dict[str, int]:
+    """How far a planet is from those that mesh with a sun and with no ring."""
+    wheels = {planet: {True: 0, False: 0} for planet in group.planets}
+    for wheel in group.wheels:
+        wheels[group.planet_of[wheel.rim]][wheel.internal] += 1
+    levels: dict[str, int] = {}
+    for train in group.trains:
+        start = min(train, key=lambda planet: (wheels[planet][True] > 0, -wheels[planet][False]))
+        waiting = [(start, 0)]
+        while waiting:
+            planet, level = waiting.pop(0)
+            if planet in levels:
+                continue
+            levels[planet] = level
+            for pair in group.meshes:
+                ends = [group.planet_of[rim] for rim in pair]
+                if planet in ends:
+                    waiting.append((ends[planet == ends[0]], level + 1))
+    return levels
+
+
+def _columns(group: PlanetGroup, levels: Mapping[str, int]) -> list[Column]:
+    columns: list[Column] = []
+    for pair in group.meshes:
+        places = {levels[group.planet_of[rim]]: rim for rim in pair}
+        for column in columns:
+            both = {**column.rims, **places}
+            shared = [level for level in places if column.rims.get(level) == places[level]]
+            if shared and len(both) > len(column.rims):
+                column.rims = both
+                break
+        else:
+            columns.append(Column(places))
+    for wheel in group.wheels:
+        level = levels[group.planet_of[wheel.rim]]
+        for column in columns:
+            end = max(column.rims) if wheel.internal else min(column.rims)
+            taken = column.ring if wheel.internal else column.sun
+            if column.rims[end] == wheel.rim and taken is None:
+                break
+        else:
+            column = Column({level: wheel.rim})
+            columns.append(column)
+        if wheel.internal:
+            column.ring = wheel
+        else:
+            column.sun = wheel
+    return columns
+
+
+def set_glyphs(group: PlanetGroup) -> list[Glyph]:
+    """All ways to draw a group: as it is and turned about, its carrier to either side."""
+    section = section_of(group)
+    turned = Section(group, section.levels, list(section.columns)[::-1])
+    ways = [section] if len(section.columns) == 1 else [section, turned]
+    return [glyph for way in ways for glyph in _glyphs(way)]
+
+
+def _glyphs(section: Section) -> Iterator[Glyph]:
+    fixed, wheels = _planet_strokes(section), list(_wheels(section))
+    strokes = [*fixed, *(teeth(tap.x, tap.side * tap.depth) for tap in wheels)]
+    planets = section.group.planets
+    for sides in _arm_sides(section):
+        arms = dict(zip(planets, sides, strict=True))
+        bars, ends = _arms(section, arms)
+        directions = [(ABOVE,), (BELOW,), (ABOVE, BELOW)]
+        if not section.group.carrier:
+            directions = directions[:2]
+        for chosen in product(directions, repeat=len(ends)):
+            carrier = [
+                member_tap("carrier", section.group.carrier, way, x, high if way == ABOVE else low)
+                for (x, low, high), ways in zip(ends, chosen, strict=True)
+                for way in ways
+            ]
+            yield Glyph(section.width, [*strokes, *bars], [*wheels, *carrier])
+
+
+def _arm_sides(section: Section) -> list[tuple[int, ...]]:
+    """To which side each planet's axle leaves: all to one if nothing is in the way."""
+    planets = list(section.group.planets)
+    clear = [
+        (side,) * len(planets)
+        for side in (LEFT, RIGHT)
+        if not any(section.barred(planet, side) for planet in planets)
+    ]
+    if clear:
+        return clear
+    return [tuple(min((LEFT, RIGHT), key=lambda s: section.barred(p, s)) for p in planets)]
+
+
+def _arms(
+    section: Section, arms: Mapping[str, int]
+) -> tuple[list[Stroke], list[tuple[float, float, float]]]:
+    """Axles and the bars that join them; x, lower and upper end of each bar."""
+    strokes: list[Stroke] = []
+    ends: list[tuple[float, float, float]] = []
+    for side, x in ((LEFT, 0.0), (RIGHT, section.width)):
+        heights = []
+        for planet in (planet for planet, own in arms.items() if own == side):
+            planes, y = section.planes(planet), section.y(section.levels[planet])
+            far = section.x(planes[-1]) + 5 if side == LEFT else section.x(planes[0]) - 5
+            strokes.append(Stroke(((x, y), (far, y))))
+            heights.append(y)
+        if heights:
+            strokes.append(Stroke(((x, min(heights)), (x, max(heights)))))
+            ends.append((x, min(heights), max(heights)))
+    return strokes, ends
+
+
+def _planet_strokes(section: Section) -> list[Stroke]:
+    """Rims and their webs; rims of one planet are joined by a sleeve."""
+    strokes: list[Stroke] = []
+    for planet, rims in section.group.planets.items():
+        y = section.y(section.levels[planet])
+        planes = section.planes(planet)
+        for rim in rims:
+            own = [n for n in planes if rim in section.columns[n].rims.values()]
+            left, right = section.x(own[0]), section.x(own[-1])
+            radius = section.radius(rim)
+            half = (right - left) / 2 + FACE
+            middle = (left + right) / 2
+            strokes += [teeth(middle, y + way * radius, half) for way in (1, -1)]
+            strokes.append(Stroke(((middle, y - radius), (middle, y + radius))))
+        if len(rims) > 1:
+            xs = [section.x(planes[0]), section.x(planes[-1])]
+            strokes.append(Stroke(((xs[0], y), (xs[1], y)), SLEEVE))
+    return strokes
+
+
+def _wheels(section: Section) -> Iterator[Tap]:
+    """Where suns and rings meet the planets."""
+    for number, column in enumerate(section.columns):
+        x = section.x(number)
+        if column.sun is not None:
+            low = min(column.rims)
+            y = section.y(low) - section.radius(column.rims[low]) - MESH
+            yield member_tap(column.sun.member, column.sun.link, BELOW, x, y)
+        if column.ring is not None:
+            high = max(column.rims)
+            y = section.y(high) + section.radius(column.rims[high]) + MESH
+            yield member_tap(column.ring.member, column.ring.link, ABOVE, x, y)

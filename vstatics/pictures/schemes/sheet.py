@@ -1,0 +1,159 @@
+"""What all schemes draw alike: paper, wires, ends, clutches and brakes."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from vstatics.model.transmission import HOUSING
+from vstatics.pictures.schemes.channels import ABOVE, BELOW, Item, PlacedTap, Tap
+from vstatics.pictures.schemes.pen import SIZE, Pen, width_of, wrapped
+from vstatics.pictures.schemes.placing import Placement
+from vstatics.pictures.schemes.scheme import Device, Scheme, State
+from vstatics.pictures.schemes.symbols import coupling
+from vstatics.pictures.style import Style
+
+TERMINAL = 30.0
+"""Length of an arrow at an end of the picture. [pt]"""
+HEIGHT = 1.25 * SIZE
+"""Of a line of text. [pt]"""
+MARGIN = 14.0
+BAND = 26.0
+"""From the last track to the housing: there is room for a brake. [pt]"""
+BESIDE = 14.0
+"""From a brake to its name. [pt]"""
+
+
+class Sheet(NamedTuple):
+    """A figure with a scheme at its place, in a state."""
+
+    pen: Pen
+    placement: Placement
+    scheme: Scheme
+    state: State
+
+    def color(self, index: int) -> str:
+        """Of a device."""
+        style = self.pen.style
+        if index in self.state.engaged:
+            return style.accent
+        return style.faint if index in self.state.idle else style.ink
+
+    def wire_color(self, link: int) -> str:
+        """Of a link."""
+        style = self.pen.style
+        return style.faint if link in self.state.idle_links else style.ink
+
+    def taps(self, index: int) -> list[PlacedTap]:
+        """Where wires meet a device."""
+        return [tap for tap in self.placement.row.taps if tap.item == index]
+
+
+def sheet_of(placement: Placement, scheme: Scheme, state: State, title: str, style: Style) -> Sheet:
+    """A figure with room for everything, its title and its wires."""
+    names = {
+        "left": [width_of(scheme.name(wire)) for wire in placement.from_left],
+        "right": [width_of(scheme.name(wire)) for wire in placement.to_right],
+    }
+    left = -TERMINAL - 4 - max(names["left"], default=-TERMINAL) - MARGIN
+    right = placement.row.width + TERMINAL + 4 + max(names["right"], default=-TERMINAL) + MARGIN
+    right = max(right, left + 2 * MARGIN + width_of(title, SIZE + 2, bold=True))
+    sides = {tap.side for tap in placement.row.taps if tap.reach in {"edge", "pass"}}
+    low = placement.edge(BELOW) - (BAND + 14 if BELOW in sides else 0)
+    high = placement.edge(ABOVE) + (BAND + 14 if ABOVE in sides else 0)
+    high += 2.6 * HEIGHT * bool(title)
+    sheet = Sheet(Pen((left, low), (right, high), style), placement, scheme, state)
+    at = left + MARGIN, high - 1.4 * HEIGHT
+    sheet.pen.text(at, title, color=style.ink, size=SIZE + 2, across="left", bold=True)
+    _wires(sheet)
+    _ends(sheet)
+    return sheet
+
+
+def _wires(sheet: Sheet) -> None:
+    """Tracks, taps, bridges over crossings, dots at joints, names."""
+    pen, placement, row = sheet.pen, sheet.placement, sheet.placement.row
+    for track, (low, high) in row.spans.items():
+        y = placement.y(track)
+        pen.line((low, y), (high, y), color=sheet.wire_color(track[0]))
+    for x, y, _, _ in placement.crossings():
+        pen.line((x, y - 4), (x, y + 4), color=pen.style.paper, width=6, zorder=3.5)
+    for x, low, high, wire in placement.verticals():
+        pen.line((x, low), (x, high), color=sheet.wire_color(wire), zorder=3.6)
+    for at, wire in placement.joints():
+        pen.dot(at, sheet.wire_color(wire))
+    for wire, at in placement.labels.items():
+        name = sheet.scheme.name(wire)
+        pen.blank(at, width_of(name) + 4, HEIGHT)
+        pen.text(at, name, color=sheet.wire_color(wire))
+
+
+def _ends(sheet: Sheet) -> None:
+    """Arrows of the ports, with the names of their links."""
+    pen, placement = sheet.pen, sheet.placement
+    named: set[int] = set()
+    ends = [(wire, -1, 0.0) for wire in placement.from_left]
+    ends += [(wire, 1, placement.row.width) for wire in placement.to_right]
+    for wire, way, x in ends:
+        y = placement.y(placement.end_of(wire))
+        own = [port for port in sheet.scheme.ports if port.link == wire]
+        ports = [port for port in own if (port.role == "input") == (way < 0)]
+        is_used = not ports or any(port not in sheet.state.idle_ports for port in ports)
+        color = sheet.wire_color(wire) if is_used else pen.style.faint
+        end = x + way * TERMINAL
+        pen.line((x, y), (end, y), color=color)
+        if ports:
+            pen.arrow((x - 6 if way < 0 else end, y), 1, color)
+        if ports and all(port.role == "given" for port in ports):
+            pen.arrow((x + 4, y), -1, color)  # power may come or go
+        if wire not in named:
+            across = "left" if way > 0 else "right"
+            at = end + 4 * way, y
+            pen.text(at, sheet.scheme.name(wire), color=sheet.wire_color(wire), across=across)
+        named.add(wire)
+
+
+def brake_width(device: Device) -> float:
+    """Of a brake or a support in the row, with its name."""
+    if not device.is_shift_element:
+        return 24.0
+    return width_of(wrapped(device.name), bold=True) + BESIDE + 18
+
+
+def clutch_item(index: int, device: Device, sides: tuple[int, ...]) -> Item:
+    """A clutch, whose wires may come from these sides."""
+    width = max(width_of(wrapped(device.name), bold=True) + 14, 34.0)
+    one, other = device.members.values()
+    variants = [
+        [Tap(left, a, 0.0), Tap(right, b, width)]
+        for left, right in ((one, other), (other, one))
+        for a in sides
+        for b in sides
+    ]
+    return Item(index, [width] * len(variants), variants)
+
+
+def draw_clutch(sheet: Sheet, index: int) -> None:
+    """A clutch between two links, its name below."""
+    device, color = sheet.scheme.devices[index], sheet.color(index)
+    closed = index in sheet.state.engaged
+    first, second = sorted(sheet.taps(index), key=lambda tap: tap.wire != device.members["first"])
+    coupling(sheet.pen, device.kind, ((first.x, 0.0), (second.x, 0.0)), color, closed=closed)
+    at = (first.x + second.x) / 2, -13
+    sheet.pen.text(at, wrapped(device.name), color=color, up="top", bold=closed)
+
+
+def draw_brake(sheet: Sheet, index: int) -> None:
+    """A brake, a freewheel or a support at the housing, its name beside it."""
+    device, color = sheet.scheme.devices[index], sheet.color(index)
+    tap = next(tap for tap in sheet.taps(index) if tap.reach != "row")
+    start = sheet.placement.edge(tap.side)
+    ends = (tap.x, start), (tap.x, start + tap.side * BAND)
+    sheet.pen.ground(ends[1], tap.side, color)
+    if not device.is_shift_element:
+        sheet.pen.line(*ends, color=color)
+        return
+    closed = index in sheet.state.engaged
+    way = ends[::-1] if device.members["first"] == HOUSING else ends
+    coupling(sheet.pen, device.kind, (way[0], way[1]), color, closed=closed)
+    at = tap.x + BESIDE, (ends[0][1] + ends[1][1]) / 2
+    sheet.pen.text(at, wrapped(device.name), color=color, across="left", bold=closed)

@@ -1,0 +1,199 @@
+"""The stick diagram: the half of the transmission above its axis, wheels as lines of teeth.
+
+Elements stand side by side in the order of the case. Shafts run below them, near the
+axis, drums above them; brakes reach to the housing at the top.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import TYPE_CHECKING, NamedTuple
+
+from vstatics.elements.element import drawing_of
+from vstatics.elements.group import group_of
+from vstatics.elements.kinds import Planetary
+from vstatics.errors import CaseError, Problem
+from vstatics.pictures.schemes.channels import ABOVE, BELOW, Board, Item, Tap
+from vstatics.pictures.schemes.glyphs import Glyph
+from vstatics.pictures.schemes.pairs import pair_glyphs
+from vstatics.pictures.schemes.pen import SMALL, width_of, wrapped
+from vstatics.pictures.schemes.placing import Placement, placed
+from vstatics.pictures.schemes.scheme import Device, Scheme, scheme_of, state_of
+from vstatics.pictures.schemes.search import arranged
+from vstatics.pictures.schemes.sets import set_glyphs
+from vstatics.pictures.schemes.sheet import (
+    HEIGHT,
+    TERMINAL,
+    Sheet,
+    brake_width,
+    clutch_item,
+    draw_brake,
+    draw_clutch,
+    sheet_of,
+)
+from vstatics.pictures.schemes.structure import box_item, draw_box, named_on_tracks, note_of
+from vstatics.pictures.schemes.words import title_of, word
+from vstatics.pictures.style import Style
+from vstatics.statics.results import Language, Results
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+LEAST_HALF = 36.0
+"""Half the height of the row, at least. [pt]"""
+BRIDGE = 6.0
+"""Width of a wall that joins a shaft to a drum. [pt]"""
+BESIDE = 7.0
+"""From the name of an element to its drawing. [pt]"""
+
+
+class Layout(NamedTuple):
+    """The elements with the ways in which they can be drawn, and where all stands."""
+
+    placement: Placement
+    glyphs: Mapping[int, list[Glyph]]
+
+    def glyph(self, index: int) -> Glyph:
+        """How an element is drawn."""
+        return self.glyphs[index][self.placement.plan.variants[index]]
+
+
+def draw(results: Results, style: Style, gear: int | None) -> Figure:
+    """The stick diagram of a case that is made of elements.
+
+    Parameters
+    ----------
+    results : Results
+        Of one case.
+    style : Style
+    gear : int or None
+        Number of a gear from 1: what is engaged in it is marked, what is idle is pale.
+
+    Raises
+    ------
+    CaseError
+        If the case has mechanisms only: what their wheels are is not known.
+    """
+    case = results.case
+    drawing = drawing_of(case)
+    if drawing is None or not drawing.elements:
+        message = (
+            "a stick diagram needs elements with their kinds (docs/elements.md); "
+            "this case has mechanisms only, take the picture `structure`"
+        )
+        raise CaseError([Problem(message)])
+    scheme = scheme_of(case)
+    layout = place(scheme, style.language)
+    state = state_of(results, scheme, gear)
+    sheet = sheet_of(layout.placement, scheme, state, title_of(results, style, gear), style)
+    if all(_is_coaxial(device) for device in scheme.devices):
+        _axis(sheet)
+    for index, device in enumerate(scheme.devices):
+        if device.is_on_housing:
+            draw_brake(sheet, index)
+        elif device.is_shift_element:
+            draw_clutch(sheet, index)
+        elif device.element is None:
+            draw_box(sheet, index, note_of(results, device, style.language))
+        else:
+            _element(sheet, layout, index)
+    return sheet.pen.figure
+
+
+def place(scheme: Scheme, lang: Language) -> Layout:
+    """Where everything stands in the picture; the same for all gears of a case."""
+    glyphs = {
+        index: glyphs_of(device)
+        for index, device in enumerate(scheme.devices)
+        if device.element is not None and not device.is_on_housing
+    }
+    items = [
+        _element_item(index, device, glyphs[index], lang)
+        if index in glyphs
+        else _item(index, device, lang)
+        for index, device in enumerate(scheme.devices)
+    ]
+    wires = range(1, len(scheme.links) + 1)
+    for wire in wires:
+        wall = [Tap(wire, ABOVE, BRIDGE / 2), Tap(wire, BELOW, BRIDGE / 2)]
+        items.append(Item(len(items), [BRIDGE], [wall], bridge=wire))
+    board = Board(items, wires, *scheme.ends)
+    plan = arranged(board, is_free=False)
+    half = max([LEAST_HALF, *(glyph.half + 8 for ways in glyphs.values() for glyph in ways)])
+    return Layout(placed(board, plan, half, named_on_tracks(scheme)), glyphs)
+
+
+def glyphs_of(device: Device) -> list[Glyph]:
+    """All ways in which an element can be drawn."""
+    element = device.element
+    if element is None:
+        return []
+    if isinstance(element.shape, Planetary):
+        return set_glyphs(group_of(element))
+    return pair_glyphs(element)
+
+
+def _is_coaxial(device: Device) -> bool:
+    """Whether all its links turn about one axis, as far as is told."""
+    element = device.element
+    return element is None or isinstance(element.shape, Planetary) or device.kind == "held"
+
+
+def _axis(sheet: Sheet) -> None:
+    y = sheet.placement.edge(BELOW) + 4
+    ends = (-TERMINAL, y), (sheet.placement.row.width + TERMINAL, y)
+    dashes = (0, (12, 3, 2, 3))
+    sheet.pen.line(*ends, color=sheet.pen.style.faint, width=0.8, linestyle=dashes)
+
+
+def _names(device: Device, lang: Language) -> tuple[str, str]:
+    """The name of an element, and its kind if that cannot be seen from its planets."""
+    element = device.element
+    is_set = element is None or isinstance(element.shape, Planetary)
+    return wrapped(device.name), "" if is_set else word(device.kind, lang)
+
+
+def _label_width(device: Device, lang: Language) -> float:
+    name, kind = _names(device, lang)
+    return max(width_of(name, bold=True), width_of(kind, SMALL)) + BESIDE
+
+
+def _element_item(index: int, device: Device, glyphs: list[Glyph], lang: Language) -> Item:
+    label = _label_width(device, lang)
+    variants = [[tap._replace(x=tap.x + label) for tap in glyph.taps] for glyph in glyphs]
+    return Item(index, [glyph.width + label for glyph in glyphs], variants, rank=index)
+
+
+def _item(index: int, device: Device, lang: Language) -> Item:
+    """A shift element, a support, or a mechanism that is given as such."""
+    if device.is_on_housing:
+        (link,) = device.links
+        drum = [Tap(link, ABOVE, 12.0, "edge")]
+        shaft = [Tap(link, BELOW, 12.0), Tap(link, ABOVE, 12.0, "pass")]
+        return Item(index, [brake_width(device)] * 2, [drum, shaft])
+    if device.is_shift_element:
+        return clutch_item(index, device, (ABOVE, BELOW))
+    return replace(box_item(index, device, (ABOVE, BELOW), lang), rank=index)
+
+
+def _element(sheet: Sheet, layout: Layout, index: int) -> None:
+    """An element with its name."""
+    pen, color, placement = sheet.pen, sheet.color(index), sheet.placement
+    device, glyph = sheet.scheme.devices[index], layout.glyph(index)
+    left = placement.row.lefts[index]
+    start = left + placement.row.widths[index] - glyph.width
+    for stroke in glyph.strokes:
+        points = [(start + x, y) for x, y in stroke.points]
+        style = (0, (2.5, 1.5)) if stroke.dashed else "-"
+        pen.line(*points, color=color, width=stroke.width, zorder=4, linestyle=style)
+    for tap in sheet.taps(index):
+        if tap.reach == "none":
+            end = tap.x, tap.side * (placement.half + 4)
+            pen.line((tap.x, tap.y), end, color=color)
+            pen.ground(end, tap.side, color)
+    name, kind = _names(device, pen.style.language)
+    x, y = start - BESIDE, placement.half - 2
+    pen.text((x, y), name, color=color, across="right", up="top", bold=True)
+    y -= HEIGHT * (name.count("\n") + 1)
+    pen.text((x, y), kind, color=color, size=SMALL, across="right", up="top")

@@ -1,0 +1,78 @@
+"""Everything that the page shows of a case, calculated once."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import Any, NamedTuple
+
+from vstatics.errors import CaseError, Problem
+from vstatics.flow.power import GearFlow, flows
+from vstatics.report.drawn import Drawn, flow_pictures, pictures
+from vstatics.report.markup import Markup
+from vstatics.statics.results import Message, Results
+from vstatics.summary import Summary, summarize
+from vstatics.writers import result_json
+
+
+class Material(NamedTuple):
+    """What the page is made of."""
+
+    results: Results
+    document: dict[str, Any]
+    """The result as ``vstatics run -f json`` writes it."""
+    summary: Summary
+    flows: Sequence[GearFlow]
+    pictures: Sequence[Drawn]
+    flow_pictures: Sequence[Markup]
+    """Of each gear, or none at all."""
+    messages: Sequence[str]
+    """Of the input, then of the results."""
+    without: str
+    """Why there are no pictures at all, else nothing."""
+
+
+def gather(results: Results, problems: Iterable[Problem] = ()) -> Material:
+    """What the page of a case shows.
+
+    Parameters
+    ----------
+    results : Results
+        Of one case, not of arrays of variants.
+    problems : iterable of Problem
+        Warnings of the input; those that are among the messages of the results already
+        do not come twice.
+    """
+    without, drawn, drawn_flows = "", list[Drawn](), list[Markup]()
+    try:
+        drawn, drawn_flows = pictures(results), [*flow_pictures(results)]
+    except CaseError as error:
+        without = str(error)
+    others = (one for one in problems if not _is_among(one, results.messages))
+    return Material(
+        results,
+        result_json.document(results),
+        summarize(results),
+        flows(results),
+        drawn,
+        drawn_flows,
+        [*map(_told, others), *map(str, results.messages)],
+        without,
+    )
+
+
+def _is_among(problem: Problem, messages: Iterable[Message]) -> bool:
+    """Whether a message says it too: readers name fields, results name the parts."""
+    said = problem.message
+    return any(
+        said == f"gear {one.gear}: {one.text}"
+        if one.gear
+        else said.endswith(one.text.partition(": ")[2])
+        for one in messages
+    )
+
+
+def _told(problem: Problem) -> str:
+    """A problem with its line, but not its file."""
+    line = problem.place.line if problem.place else 0
+    where = f"line {line}: " if line else ""
+    return f"{problem.severity}: {where}{problem.message}"

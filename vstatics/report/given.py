@@ -1,0 +1,157 @@
+"""The input of a case as tables: what it is made of, and its gears."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
+
+from vstatics.elements.element import Drawing, drawing_of
+from vstatics.model.parts import ShiftElement
+from vstatics.model.transmission import HOUSING, Transmission
+from vstatics.report.cells import Cell, listed, numeric, table
+from vstatics.report.markup import Markup
+from vstatics.statics.results import Results
+from vstatics.tables.grid import Column, text, words
+
+_NAMED = ("name", "description", "source", "shift_elements", "elements", "mechanisms", "gears")
+"""What has a place of its own on the page."""
+_LABELS = {"idle": "sign of idle mechanisms", "coast": "coasting"}
+
+
+def given(results: Results, mapping: Mapping[str, Any]) -> Iterator[Markup]:
+    """The input.
+
+    Parameters
+    ----------
+    mapping : mapping
+        The case as plain data: ``case`` of its result in JSON.
+    """
+    case = results.case
+    common = {key: value for key, value in mapping.items() if key not in _NAMED}
+    common = {"input": case.link_name(case.input), "output": case.link_name(case.output), **common}
+    labels = {key: _LABELS.get(key, key.replace("_", " ")) for key in common}
+    yield listed([(labels[key], _said(one)) for key, one in common.items()])
+    drawing = drawing_of(case)
+    if drawing is not None and drawing.elements:
+        yield _elements(drawing, mapping["elements"])
+    if case.mechanisms:
+        yield _mechanisms(case)
+    if case.shift_elements:
+        yield _shift_elements(case)
+    yield _gears(results, mapping["gears"])
+
+
+def _elements(drawing: Drawing, mapping: Mapping[str, Mapping[str, Any]]) -> Markup:
+    columns = [text("element"), text("kind"), text("links"), text("teeth and the rest")]
+    rows = []
+    for element in drawing.elements:
+        data = dict(mapping[element.name])
+        kind = str(data.pop("kind")).replace("_", " ")
+        links = {member: data.pop(member) for member in element.members}
+        rows.append([element.name, kind, _said(links), _said(data)])
+    return table("Elements", columns, rows)
+
+
+def _mechanisms(case: Transmission) -> Markup:
+    """Three-link mechanisms, with the links of planets where elements became these."""
+    mechanisms = case.mechanisms
+    more = {
+        "efficiency backward": [one.back_efficiency for one in mechanisms],
+        "planet ratio": [one.planet_ratio for one in mechanisms],
+    }
+    more = {heading: values for heading, values in more.items() if any(map(_is_told, values))}
+    columns = [text("mechanism"), text("first"), text("second"), text("third")]
+    columns += [Column(heading) for heading in ("ratio", "efficiency", *more)]
+    rows = [
+        [
+            Cell(one.name),
+            *(Cell(case.link_name(link)) for link in (one.first, one.second)),
+            Cell(case.link_name(one.third) if one.third else "-"),
+            *(numeric(value, 4) for value in (one.ratio, one.efficiency)),
+            *(numeric(values[place], 4) for values in more.values()),
+        ]
+        for place, one in enumerate(mechanisms)
+    ]
+    drawing = drawing_of(case)
+    drawn = drawing is not None and bool(drawing.elements)
+    return table("Mechanisms, as they are calculated" if drawn else "Mechanisms", columns, rows)
+
+
+def _is_told(value: float | None) -> bool:
+    return value is not None
+
+
+def _shift_elements(case: Transmission) -> Markup:
+    elements = case.shift_elements
+    columns = [text("shift element"), text("kind"), text("first"), text("second")]
+    drag, capacity = any(one.drag for one in elements), any(_is_told(e.capacity) for e in elements)
+    columns += [Column("drag, by the input torque")] * drag
+    columns += [Column("capacity, by the input torque")] * capacity
+    rows = [
+        [
+            Cell(one.name),
+            Cell(_kind(one)),
+            *(Cell(case.link_name(link)) for link in (one.first, one.second)),
+            *[numeric(one.drag, 4)] * drag,
+            *[numeric(one.capacity)] * capacity,
+        ]
+        for one in elements
+    ]
+    return table("Shift elements", columns, rows)
+
+
+def _kind(element: ShiftElement) -> str:
+    by_links = "brake" if HOUSING in (element.first, element.second) else "clutch"
+    return (element.kind or by_links).replace("_", " ")
+
+
+def _gears(results: Results, mapping: Mapping[str, Mapping[str, Any]]) -> Markup:
+    """What each gear engages and gives besides; freewheels that hold are results."""
+    case = results.case
+    names = [element.name for element in case.shift_elements]
+    columns = [text("gear"), text("engaged")]
+    columns += [text("freewheels that hold")] * bool(case.freewheels)
+    rows = []
+    for gear, holds in zip(case.gears, results.holds.tolist(), strict=True):
+        row = [gear.name, words([names[number - 1] for number in gear.engaged])]
+        if case.freewheels:
+            row.append(words([names[n - 1] for n in case.freewheels if holds[n - 1]]))
+        rows.append(row)
+    further = [
+        _said({key: value for key, value in mapping[gear.name].items() if key != "engaged"})
+        for gear in case.gears
+    ]
+    if any(further):
+        columns.append(text("given besides"))
+        rows = [[*row, said] for row, said in zip(rows, further, strict=True)]
+    return table("Gears and what they engage", columns, rows)
+
+
+def _said(value: Any) -> str:
+    """Plain data in words.
+
+    >>> _said({"teeth": {"sun": 48, "ring": 96}, "planets": 3})
+    'teeth: sun 48, ring 96; planets: 3'
+    >>> _said({"rings": [{"link": "out", "teeth": 72}], "open_drag": {"C_2": 0.02 / 3}})
+    'rings: (link out, teeth 72); open drag: C_2 0.00666667'
+    """
+    if isinstance(value, Mapping):
+        pairs = ((str(key).replace("_", " "), one) for key, one in value.items())
+        return "; ".join(f"{key}: {_inner(one)}" for key, one in pairs)
+    return _inner(value)
+
+
+def _inner(value: Any) -> str:
+    """Data within data; what is deeper still stands in brackets."""
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    if isinstance(value, Mapping):
+        return ", ".join(f"{key} {_single(one)}" for key, one in value.items())
+    if isinstance(value, Sequence) and not isinstance(value, str):
+        return ", ".join(map(_single, value))
+    return f"{value:.6g}" if isinstance(value, float) else str(value)
+
+
+def _single(value: Any) -> str:
+    is_word = isinstance(value, str) or not isinstance(value, Mapping | Sequence)
+    return _inner(value) if is_word else f"({_inner(value)})"

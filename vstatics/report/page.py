@@ -1,0 +1,147 @@
+"""The page: its sections, and the data that it carries."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator, Sequence
+from importlib.resources import files
+from typing import Any
+
+from vstatics.report.cells import Cell, listed, of_grid, of_results, sign, table
+from vstatics.report.drawn import palette
+from vstatics.report.gathering import Material
+from vstatics.report.given import given
+from vstatics.report.markup import Markup, figure, joined, tag
+from vstatics.report.power import flow_by_gear
+from vstatics.summary import Summary
+from vstatics.summary.grids import grids
+from vstatics.tables.grid import Column, Grid
+
+POLICY = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'"
+"""A browser loads nothing from anywhere."""
+
+
+def page(material: Material) -> str:
+    """The whole page, as HTML.
+
+    Parameters
+    ----------
+    material : Material
+        See `gather`.
+    """
+    case = material.results.case
+    title = case.name or "Transmission"
+    parts = list(_sections(material))
+    contents = tag("nav", *(tag("a", name, href=f"#{_id(name)}") for name, _ in parts))
+    body = tag(
+        "body",
+        tag("header", tag("h1", title), *_about(material), contents),
+        tag("main", *(_section(name, inner) for name, inner in parts)),
+        _data(material.document),
+        tag("script", _resource("script.js")),
+    )
+    head = tag(
+        "head",
+        tag("meta", charset="utf-8"),
+        tag("meta", name="viewport", content="width=device-width, initial-scale=1"),
+        tag("meta", http_equiv="Content-Security-Policy", content=POLICY),
+        tag("title", title),
+        tag("style", _styles()),
+    )
+    return f"<!DOCTYPE html>\n{tag('html', head, body, lang='en')}\n"
+
+
+def _about(material: Material) -> Iterator[Markup]:
+    case = material.results.case
+    if case.description:
+        yield tag("p", case.description, class_="told")
+    if case.source:
+        yield tag("p", "Source: ", case.source, class_="told source")
+
+
+def _sections(material: Material) -> Iterator[tuple[str, Sequence[Markup]]]:
+    """Each section of the page with its name."""
+    results = material.results
+    gears, *others = grids(material.summary)
+    yield "Messages", [_messages(material.messages)]
+    yield "Gears", [_gears(material.summary, gears), *_spread(others)]
+    yield "Input", list(given(results, material.document["case"]))
+    yield "Pictures", list(_pictures(material))
+    yield "Power flow", list(flow_by_gear(material.flows, material.flow_pictures))
+    yield "Shifts and largest values", [of_grid(one) for one in others if one.title != SPREAD]
+    yield "Results", list(of_results(results))
+    conventions = material.document["conventions"].items()
+    yield "Conventions", [listed([(name.replace("_", " "), text) for name, text in conventions])]
+
+
+SPREAD = "Spread"
+
+
+def _spread(others: Sequence[Grid]) -> Iterator[Markup]:
+    """The spread in a line."""
+    for grid in others:
+        if grid.title == SPREAD:
+            [(first, last, spread)] = grid.rows
+            yield tag("p", f"Spread: {spread}, from gear {first} to gear {last}.")
+
+
+def _gears(summary: Summary, grid: Grid) -> Markup:
+    """The table of gears, with a dot for each shift element that is engaged or holds."""
+    case = summary.results.case
+    columns = [
+        grid.columns[0],
+        *(Column(element.name) for element in case.shift_elements),
+        *grid.columns[1:],
+    ]
+    rows: list[list[Cell | str]] = []
+    for gear, holds, row in zip(case.gears, summary.results.holds.tolist(), grid.rows, strict=True):
+        dots = [
+            sign(value, "engaged" if number in gear.engaged else "freewheel that holds")
+            for number, value in enumerate(holds, 1)
+        ]
+        rows.append([row[0], *dots, *row[1:]])
+    return table("Ratios, steps, efficiencies", columns, rows)
+
+
+def _messages(messages: Sequence[str]) -> Markup:
+    if not messages:
+        return tag("p", "None.")
+    lines = (tag("li", one, class_=one.partition(":")[0]) for one in messages)
+    return tag("ul", *lines, class_="messages")
+
+
+def _pictures(material: Material) -> Iterator[Markup]:
+    if material.without:
+        yield tag("p", f"There are no pictures: {material.without}")
+    for drawn in material.pictures:
+        name = drawn.kind.capitalize()
+        if drawn.why:
+            yield tag("p", f"{name}: not drawn. {drawn.why}")
+        for number, sheet in enumerate(drawn.sheets, 1):
+            several = f", {number} of {len(drawn.sheets)}" if len(drawn.sheets) > 1 else ""
+            yield figure(f"{name}{several}", sheet)
+
+
+def _section(name: str, inner: Sequence[Markup]) -> Markup:
+    return tag("section", tag("h2", name), *inner, id=_id(name))
+
+
+def _id(name: str) -> str:
+    return name.lower().replace(" ", "-")
+
+
+def _data(document: dict[str, Any]) -> Markup:
+    """The result in JSON; a text of the case cannot end the script that it stands in."""
+    text = json.dumps(document, ensure_ascii=False, allow_nan=False).replace("<", "\\u003c")
+    return tag("script", Markup(text), type="application/json", id="result")
+
+
+def _resource(name: str) -> Markup:
+    return Markup((files(__package__) / name).read_text(encoding="utf-8"))
+
+
+def _styles() -> Markup:
+    """The style sheet, after the colours of pictures for paper and for a dark screen."""
+    dark = f"@media screen and (prefers-color-scheme: dark) {{ :root {{ {palette(dark=True)} }} }}"
+    light = f":root {{ {palette(dark=False)} }}"
+    return joined(Markup(f"{light}\n{dark}\n"), _resource("style.css"))

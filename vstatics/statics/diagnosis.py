@@ -1,0 +1,279 @@
+"""What to say about a gear: why a value does not exist, and what to do.
+
+`freedom` and `given_conditions` count the conditions for the speeds, `messages` speaks
+of what `Results` show. All look at one case, not at arrays of variants.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+
+from vstatics.errors import Severity, path_text
+from vstatics.model.checks import doubts
+from vstatics.model.transmission import Gear, Transmission
+from vstatics.numerics import elimination
+from vstatics.numerics.arrays import Booleans
+from vstatics.statics import drag, freewheels, matrix
+from vstatics.statics.idling import coincidences
+from vstatics.statics.results import Message, Results
+from vstatics.statics.speeds import solve_speeds
+
+UNCERTAIN = 1e-6
+"""Speeds and torques that disagree by this part are told of."""
+
+Said = tuple[Severity, str]
+
+
+def _error(text: str) -> Said:
+    return "error", text
+
+
+def _warning(text: str) -> Said:
+    return "warning", text
+
+
+def _note(text: str) -> Said:
+    return "note", text
+
+
+def freedom(case: Transmission) -> int:
+    """Degrees of freedom of the train without its shift elements.
+
+    >>> from vstatics.model.transmission import Mechanism, ShiftElement
+    >>> freedom(Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)], [Gear([1])]))
+    2
+    """
+    rows = matrix.speed_rows(case, Gear(), matrix.columns(case, _ratios(case)))[:-1]
+    return elimination.solve(rows, case.links).missing
+
+
+def given_conditions(gear: Gear) -> int:
+    """Conditions that a gear gives: engaged elements, input speed, further given speeds."""
+    return len(gear.engaged) + 1 + len(gear.speeds)
+
+
+def messages(results: Results) -> Iterator[Message]:
+    """Everything worth saying about the results of one case."""
+    case = results.case
+    for problem in doubts(case):
+        yield Message(problem.severity, _named(case, path_text(problem.path), problem.message))
+    wheels, has_drag = case.freewheels, case.has_drag
+    for number, given in enumerate(case.gears):
+        held = [element for element in wheels if results.holds[number, element - 1]]
+        gear = freewheels.holding(given, held)
+        said = (
+            *(_conflict(case, gear) if results.conflict[number] else ()),
+            *_speed_messages(results, number, gear),
+            *_torque_messages(results, number, gear),
+            *_loss_messages(results, number, gear),
+            *(_shared(case, given, held) if held else ()),
+            *(_drag_messages(results, number, gear) if has_drag else ()),
+        )
+        for severity, text in dict.fromkeys(said):  # conditions may contradict in many ways
+            yield Message(severity, text, gear.name)
+
+
+def _shared(case: Transmission, gear: Gear, held: Sequence[int]) -> Iterator[Said]:
+    """Freewheels that could hold as well as those that do."""
+    others = freewheels.as_well(case, gear, held, _ratios(case))
+    if others:
+        ones, twos = (
+            [case.shift_elements[number - 1].name for number in numbers]
+            for numbers in (held, others)
+        )
+        yield _warning(
+            f"freewheel{_s(len(twos))} {_list(twos)} could hold in place of {_list(ones)}: the "
+            f"torques that they share are not determined, those with {_list(ones)} are given"
+        )
+
+
+def _drag_messages(results: Results, number: int, gear: Gear) -> Iterator[Said]:
+    """What would drag, but with an unknown speed."""
+    speeds, slips = results.speeds[number].tolist(), results.slip_speeds[number].tolist()
+    unknown = drag.unknown(results.case, gear, speeds, slips)
+    if unknown and results.calculable[number]:
+        yield _warning(
+            f"the drag of {_list(unknown)} is left out, as statics does not determine a speed there"
+        )
+
+
+def _named(case: Transmission, path: str, text: str) -> str:
+    for number, mechanism in enumerate(case.mechanisms, 1):
+        path = path.replace(f"mechanisms[{number}]", f"mechanism {mechanism.name}")
+    return f"{path}: {text}"
+
+
+def _ratios(case: Transmission) -> list[float]:
+    """The internal ratios."""
+    return [mechanism.ratio for mechanism in case.mechanisms]
+
+
+def _list(names: Sequence[str]) -> str:
+    """Names as one says them: `a`, `a and b`, `a, b and c`."""
+    return " and ".join(filter(None, [", ".join(names[:-1]), *names[-1:]]))
+
+
+def _s(count: int) -> str:
+    return "" if count == 1 else "s"
+
+
+def _chosen(names: Sequence[str], marks: Booleans) -> list[str]:
+    return [name for name, mark in zip(names, marks, strict=True) if mark]
+
+
+def _conflict(case: Transmission, gear: Gear) -> Iterator[Said]:
+    """Freewheels that the engaged elements drive backward."""
+    speeds = solve_speeds(case, gear, _ratios(case))
+    for number in freewheels.driven_backward(case, gear, speeds):
+        yield _error(
+            f"conflict: freewheel {case.shift_elements[number - 1].name} can neither overrun (its "
+            f"slip would be {speeds.slips[number - 1]:.4g}, below 0) nor hold (the gear would be "
+            "tied up); release one of the engaged elements, or exchange the links of the "
+            "freewheel if it stands the wrong way round"
+        )
+
+
+def _overrunning(results: Results, number: int, gear: Gear) -> list[str]:
+    """Names of the freewheels that would put an end to a neutral if they held."""
+    case = results.case
+    output = case.gear_output(gear) - 1
+    free = [n for n in case.freewheels if n not in gear.engaged]
+
+    def drives(*held: int) -> bool:
+        speeds = solve_speeds(case, freewheels.holding(gear, held), _ratios(case))
+        return speeds.consistent and not math.isnan(speeds.links[output])
+
+    chosen = [n for n in free if math.isnan(results.slip_speeds[number, n - 1]) and drives(n)]
+    if not chosen and free and drives(*free):
+        chosen = free
+    return [case.shift_elements[n - 1].name for n in chosen]
+
+
+def _speed_messages(results: Results, number: int, gear: Gear) -> Iterator[Said]:
+    """Too few conditions, too many, contradictions, an output that stands."""
+    case = results.case
+    if results.conflict[number]:
+        return  # said as an error already
+    missing, excess = int(results.missing[number]), int(results.excess[number])
+    if results.tied_up[number] or excess:
+        yield from _excess(case, gear)
+    if missing:
+        free = _chosen(case.link_names, np.isnan(results.speeds[number]))
+        named = f"; free: link{_s(len(free))} {_list(free)}" if free else ""
+        links = "" if results.tied_up[number] else named
+        neutral = np.isnan(results.ratio[number]) and not results.tied_up[number]
+        advice = "; engage another shift element or give a speed" if neutral else ""
+        over = _overrunning(results, number, gear) if neutral else []
+        verb = "overruns" if len(over) == 1 else "overrun"
+        why = f", as freewheel{_s(len(over))} {_list(over)} {verb}" if over else ""
+        yield _warning(
+            f"{missing} condition{_s(missing)} missing for the speeds"
+            f"{f' (neutral{why})' * bool(neutral)}{links}{advice}"
+        )
+    output = case.gear_output(gear)
+    if results.speeds[number, output - 1] == 0:
+        name = case.link_name(output)
+        yield _warning(f"the output, link {name}, stands still: there is no ratio")
+
+
+def _excess(case: Transmission, gear: Gear) -> Iterator[Said]:
+    """One message for each set of conditions that repeat or contradict each other."""
+    rows = matrix.speed_rows(case, gear, matrix.columns(case, _ratios(case)))
+    names = matrix.speed_row_names(case, gear)
+    mechanisms = len(case.mechanisms)
+    for involved, agrees in elimination.dependencies(rows):
+        engaged = [names[i] for i in involved if mechanisms <= i < mechanisms + len(gear.engaged)]
+        others = [names[i] for i in involved if i >= mechanisms + len(gear.engaged)]
+        every = [names[i] for i in involved]
+        conditions = _list(engaged + others) or _list(every)
+        if not agrees:
+            given = [n for n in others if n != matrix.INPUT_SPEED]
+            cures = [
+                "release one of the engaged elements" * bool(engaged),
+                "leave out a given speed" * bool(given),
+            ]
+            cure = " or ".join(filter(None, cures))
+            if not cure:
+                conditions, cure = _list(every), "check which links these join and their ratios"
+            yield _error(
+                f"tied up: {conditions} contradict each other, so the input can't turn as "
+                f"given; {cure}"
+            )
+        elif engaged:
+            yield _warning(
+                f"{_list(engaged)}: 1 engaged element is in excess; the speeds agree, the "
+                "torques that it shares are not determined"
+            )
+        else:
+            yield _warning(f"{conditions} say the same of the speeds: 1 condition in excess")
+
+
+def _torque_messages(results: Results, number: int, gear: Gear) -> Iterator[Said]:
+    """Torques that do not exist, or are not determined by statics."""
+    case = results.case
+    if results.tied_up[number] or results.conflict[number]:
+        return  # said as an error already
+    output = case.gear_output(gear)
+    if not results.balanced[number]:
+        advice = "nothing holds the torque of the input"
+        if output in gear.speeds:
+            advice = (
+                f"a speed is given on the output, link {case.link_name(output)}; give the "
+                "speed of the reacting link instead"
+            )
+        yield _warning(f"there are no torques in balance: {advice}")
+    elif _uncertain(results, number, gear):
+        yield _warning(
+            "the ratios are so close to a singular train that rounding shows: output torque "
+            "times output speed is not 1; few digits are certain"
+        )
+    elif np.isnan(results.torques[number]).any():
+        names = [*case.devices, "the output"]
+        unknown = _chosen(names, np.isnan(results.torques[number]))
+        yield _warning(f"statics does not determine the torque of {_list(unknown)}")
+
+
+def _uncertain(results: Results, number: int, gear: Gear) -> bool:
+    """Whether speeds and torques, which check one another by Mx * w_output = 1, do not."""
+    if gear.speeds or gear.torques:
+        return False
+    speed = results.speeds[number, results.case.gear_output(gear) - 1]
+    return abs(float(results.torques[number, -1]) * float(speed) - 1) > UNCERTAIN
+
+
+def _loss_messages(results: Results, number: int, gear: Gear) -> Iterator[Said]:
+    """Friction locks, flows that losses turn round, idle mechanisms that matter."""
+    case = results.case
+    names = [mechanism.name for mechanism in case.mechanisms]
+    if results.locked[number]:
+        way = " when coasting" if case.coast else ""
+        yield _warning(f"locked by friction{way}: no directions of power agree with the losses")
+    elif results.undecided[number]:
+        yield _warning(
+            "the search for directions of power that agree with the losses was cut short: "
+            "torques with losses and efficiency are unknown"
+        )
+    elif results.calculable[number] and not results.consistent[number]:
+        yield _warning(
+            "statics leaves directions of power open: with losses only what does not depend on "
+            "them is given"
+        )
+    if results.turned[number].any():
+        turned = _chosen(names, results.turned[number])
+        yield _note(f"losses turn the flow of power through {_list(turned)} round")
+    if results.choices[number] > 1:
+        yield _note(
+            f"{results.choices[number]} sets of directions of power agree with the losses; "
+            "the one of the largest efficiency is taken"
+        )
+    idle = coincidences(results, number, gear)
+    if idle:
+        what = "torques with losses and efficiency depend"
+        if not any(idle.values()):
+            what = "torques with losses, but not the efficiency, depend"
+        yield _warning(
+            f"{_list([*idle])}: idle by coincidence; {what} on the direction of power assumed there"
+        )

@@ -1,0 +1,121 @@
+"""Drag: of bearings and oil on links, and of shift elements that are open.
+
+It opposes motion, so it takes power. A link is braked against its rotation; an open
+element brakes its links against each other, with equal and opposite torques. Torques
+are in units of the input torque, which is below 0 when coasting; so there drag has the
+other sign, and what it takes is below 0, like all losses.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from types import MappingProxyType
+from typing import TYPE_CHECKING, NamedTuple
+
+from vstatics.model.transmission import HOUSING, Gear, Transmission
+from vstatics.numerics.traced import Number
+from vstatics.statics.speeds import is_tie
+
+if TYPE_CHECKING:
+    from vstatics.statics.results import Results
+
+NOTHING: Mapping[int, float] = MappingProxyType({})
+
+
+class Drag(NamedTuple):
+    """The drag of a gear, known from its speeds."""
+
+    links: Mapping[int, float] = NOTHING
+    """Link -> external torque of its own drag. [-]"""
+    elements: Mapping[int, float] = NOTHING
+    """Index of an open element -> torque on its first link. [-]"""
+    external: Mapping[int, float] = NOTHING
+    """Link -> external torque of all drag, that of open elements too. [-]"""
+    losses: Sequence[Number] = ()
+    """Power that each of them takes. [-]"""
+
+
+NO_DRAG = Drag()
+
+
+def of_gear(results: Results, number: int) -> Drag:
+    """The drag of a gear of one case, by its index, at the speeds that it has."""
+    case = results.settled
+    speeds, slips = results.speeds[number].tolist(), results.slip_speeds[number].tolist()
+    return acting(case, case.gears[number], speeds, slips)
+
+
+def acting(
+    case: Transmission, gear: Gear, speeds: Sequence[Number], slips: Sequence[Number]
+) -> Drag:
+    """The drag of a gear at its speeds; none where a speed is 0 or not determined.
+
+    Parameters
+    ----------
+    gear : Gear
+        With the freewheels that hold among the engaged elements.
+    speeds, slips : sequence of Number
+        By link, by shift element. [-]
+
+    Examples
+    --------
+    >>> from vstatics.model.transmission import Mechanism
+    >>> case = Transmission(2, [], [Mechanism(1, 2, 0, -4.0)], [Gear(drag={2: 0.1})])
+    >>> acting(case, case.gears[0], [1.0, -0.25], [])[2:]
+    ({2: 0.1}, [0.025])
+    """
+    torques = _open(case, gear)
+    if not gear.drag and not torques:
+        return NO_DRAG
+    direction = -1 if case.coast else 1
+    links: dict[int, float] = {}
+    elements: dict[int, float] = {}
+    external: dict[int, float] = {}
+    losses: list[Number] = []
+    for link, torque in gear.drag.items():
+        speed = speeds[link - 1]
+        against = torque * direction * _way(speed)
+        if against:
+            links[link] = -against
+            external[link] = -against
+            losses.append(abs(speed) * (torque * direction))
+    by_link = [0.0, *map(abs, speeds)]
+    for number, torque in torques.items():
+        element, slip = case.shift_elements[number - 1], slips[number - 1]
+        against = torque * direction * _way(slip)
+        if against and not is_tie(abs(slip), by_link[element.first], by_link[element.second]):
+            elements[number - 1] = against
+            for link, pull in ((element.first, -against), (element.second, against)):
+                if link != HOUSING:
+                    external[link] = external.get(link, 0.0) + pull
+            losses.append(abs(slip) * (torque * direction))
+    return Drag(links, elements, external, losses)
+
+
+def _open(case: Transmission, gear: Gear) -> dict[int, float]:
+    """Number -> drag of each open element that has any."""
+    torques = {
+        number: gear.open_drag.get(number, element.drag)
+        for number, element in enumerate(case.shift_elements, 1)
+        if number not in gear.engaged
+    }
+    return {number: torque for number, torque in torques.items() if torque}
+
+
+def unknown(
+    case: Transmission, gear: Gear, speeds: Sequence[Number], slips: Sequence[Number]
+) -> list[str]:
+    """Names of links and open elements with drag whose speed is not determined; of one case."""
+    links = [case.link_name(link) for link, d in gear.drag.items() if d and not _is(speeds, link)]
+    elements = [n for n in _open(case, gear) if not _is(slips, n)]
+    return [*links, *(case.shift_elements[number - 1].name for number in elements)]
+
+
+def _is(values: Sequence[float], number: int) -> bool:
+    """Whether a value exists."""
+    return values[number - 1] == values[number - 1]
+
+
+def _way(speed: Number) -> int:
+    """+1 forward, -1 backward; 0 where it stands, or where that is not determined."""
+    return 1 if speed > 0 else -1 if speed < 0 else 0

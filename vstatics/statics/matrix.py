@@ -1,0 +1,216 @@
+"""Structural-distribution matrix, and the linear systems of a gear made from it.
+
+Source: Algin, Schematization and calculation of mobile machine presented as
+multibody system (tables 1 and 3, figures 3 and 4).
+
+Sign convention, here and everywhere: the column of a device holds the torques that
+its links give to it when the torque on its first link is 1. External torques act on
+a link, positive like the input's, which is 1; the output torque is the one that the
+train gives to its load. So with a ratio ``w_input/w_output`` above 0 and no losses
+the output torque equals the ratio.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from types import MappingProxyType
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+from vstatics.model.transmission import HOUSING, Gear, Transmission
+from vstatics.numerics.arrays import Floats
+from vstatics.numerics.entries import (
+    EXACTLY_ONE,
+    FLOATS,
+    MINUS_ONE,
+    ONE,
+    RIGHT,
+    Arithmetic,
+    Entry,
+    Row,
+)
+from vstatics.numerics.traced import Number
+
+Column = dict[int, Entry]
+"""Link number -> torque on that link when the torque on the first link is 1."""
+
+INPUT_SPEED = "the input speed"
+"""How messages call this condition."""
+
+
+def columns(
+    case: Transmission, ratios: Sequence[Number], arithmetic: Arithmetic = FLOATS
+) -> list[Column]:
+    """Columns of the structural-distribution matrix, shift elements before mechanisms.
+
+    Shift element (a, b): +1 at a, -1 at b. Mechanism (f, s, h): 1 at f, -u at s,
+    u - 1 at h. The housing has no row.
+
+    Parameters
+    ----------
+    ratios : sequence of Number
+        Internal ratio of each mechanism. [-]
+    arithmetic : Arithmetic
+        Of the entries.
+    """
+    made: list[Column] = [
+        {element.first: ONE, element.second: MINUS_ONE} for element in case.shift_elements
+    ]
+    for mechanism, ratio in zip(case.mechanisms, ratios, strict=True):
+        given = arithmetic.entry(ratio)
+        column: Column = {mechanism.first: ONE, mechanism.second: (-ratio, given[1])}
+        if mechanism.third != HOUSING:  # there the ratio may be 1
+            column[mechanism.third] = arithmetic.less(given, EXACTLY_ONE, ONE)
+        made.append(column)
+    for column in made:
+        column.pop(HOUSING, None)
+    return made
+
+
+def distribution_matrix(case: Transmission, ratios: ArrayLike | None = None) -> Floats:
+    """Structural-distribution matrix AJK.
+
+    Parameters
+    ----------
+    ratios : array_like, shape (..., mechanisms), optional
+        In place of the case's own internal ratios. [-]
+
+    Returns
+    -------
+    ndarray, shape (..., links, shift elements + mechanisms)
+        Torque on each link per torque on the first link of each device. [-]
+
+    Raises
+    ------
+    ValueError
+        If there is not one ratio for each mechanism.
+
+    Examples
+    --------
+    >>> from vstatics.model.transmission import Gear, Mechanism, ShiftElement
+    >>> case = Transmission(3, [ShiftElement(2, 0)], [Mechanism(1, 2, 3, -2.5)], [Gear([1])])
+    >>> distribution_matrix(case)
+    array([[ 0. ,  1. ],
+           [ 1. ,  2.5],
+           [ 0. , -3.5]])
+    """
+    own = [mechanism.ratio for mechanism in case.mechanisms]
+    given = by_mechanism("ratios", own if ratios is None else ratios, len(own))
+    elements = len(case.shift_elements)
+    matrix = np.zeros((*given.shape[:-1], 1 + case.links, elements + len(own)))
+    for number, element in enumerate(case.shift_elements):
+        matrix[..., element.first, number] = 1
+        matrix[..., element.second, number] = -1
+    for number, mechanism in enumerate(case.mechanisms):
+        matrix[..., mechanism.first, elements + number] = 1
+        matrix[..., mechanism.second, elements + number] = -given[..., number]
+        matrix[..., mechanism.third, elements + number] = given[..., number] - 1
+    return matrix[..., 1:, :]
+
+
+def by_mechanism(name: str, given: ArrayLike, mechanisms: int) -> Floats:
+    """An array with a last axis of mechanisms.
+
+    Raises
+    ------
+    ValueError
+        If it has another; it is called `name`.
+    """
+    array = np.asarray(given, dtype=np.float64)
+    if array.ndim == 0 or array.shape[-1] != mechanisms:
+        raise ValueError(f"{name} of shape {array.shape}: expected a last axis of {mechanisms}")
+    return array
+
+
+def speed_rows(
+    case: Transmission,
+    gear: Gear,
+    columns: Sequence[Column],
+    arithmetic: Arithmetic = FLOATS,
+) -> list[Row]:
+    """Equations for the link speeds of a gear; unknown ``link - 1`` is the link's speed.
+
+    The column of a mechanism, or of an engaged element, is its equation; the input
+    has speed 1; then one equation for each further given speed (figure 3).
+    """
+    elements = len(case.shift_elements)
+    held = [columns[number - 1] for number in gear.engaged]
+    rows: list[Row] = [
+        {link - 1: entry for link, entry in column.items()}
+        for column in (*columns[elements:], *held)
+    ]
+    rows.append({case.gear_input(gear) - 1: ONE, RIGHT: ONE})
+    for link, speed in gear.speeds.items():
+        rows.append({link - 1: ONE, RIGHT: arithmetic.entry(speed)})
+    return rows
+
+
+def speed_row_names(case: Transmission, gear: Gear) -> list[str]:
+    """What each equation of `speed_rows` stands for."""
+    return [
+        *(mechanism.name for mechanism in case.mechanisms),
+        *(case.shift_elements[number - 1].name for number in gear.engaged),
+        INPUT_SPEED,
+        *(f"the given speed of link {case.link_name(link)}" for link in gear.speeds),
+    ]
+
+
+def loaded_devices(case: Transmission, gear: Gear) -> list[int]:
+    """Indices of the devices that can carry torque: engaged elements and mechanisms."""
+    engaged = sorted(number - 1 for number in gear.engaged)
+    elements = len(case.shift_elements)
+    return engaged + list(range(elements, elements + len(case.mechanisms)))
+
+
+def held_links(case: Transmission, gear: Gear) -> list[int]:
+    """Links whose given speed is held by an unknown external torque.
+
+    A speed given on the output adds no unknown: its torque is the output torque.
+    """
+    return [link for link in gear.speeds if link != case.gear_output(gear)]
+
+
+def torque_rows(
+    case: Transmission,
+    gear: Gear,
+    columns: Sequence[Column],
+    arithmetic: Arithmetic = FLOATS,
+    drag: Mapping[int, float] = MappingProxyType({}),
+) -> list[Row]:
+    """Equilibrium of each link of a gear (figure 4).
+
+    Unknowns: the torque on the first link of each of `loaded_devices`, the output
+    torque, the holding torque of each of `held_links`. An element that is not engaged
+    carries none, so it is no unknown.
+
+    Parameters
+    ----------
+    drag : mapping of int to float
+        Link -> external torque of drag. [-]
+    """
+    rows: list[Row] = [{} for _ in range(case.links)]
+    loaded = loaded_devices(case, gear)
+    for unknown, device in enumerate(loaded):
+        for link, entry in columns[device].items():
+            rows[link - 1][unknown] = entry
+    rows[case.gear_output(gear) - 1][len(loaded)] = ONE
+    for unknown, link in enumerate(held_links(case, gear), len(loaded) + 1):
+        rows[link - 1][unknown] = MINUS_ONE
+    torques = external_torques(case, gear)
+    for link, torque in drag.items():
+        torques[link] = torques.get(link, 0.0) + torque
+    for link, torque in torques.items():
+        rows[link - 1][RIGHT] = arithmetic.entry(torque)
+    return rows
+
+
+def external_torques(case: Transmission, gear: Gear) -> dict[int, float]:
+    """Known external torques by link [-]: 1 on the input, and the gear's further ones."""
+    torques = {case.gear_input(gear): 1.0}
+    for link, torque in gear.torques.items():
+        torques[link] = torques.get(link, 0.0) + torque
+    return torques

@@ -1,0 +1,288 @@
+"""Results: named arrays, and what was noticed."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING, Literal, NamedTuple
+
+import numpy as np
+
+from vstatics.errors import Severity
+from vstatics.model.transmission import Transmission
+from vstatics.numerics.arrays import Booleans, Floats, Integers
+
+if TYPE_CHECKING:
+    import pandas as pd
+
+Language = Literal["en", "ru"]
+"""Of the headings of a listing and of a deck."""
+
+
+Rows = Literal["links", "elements", "mechanisms", "torques", "meshes", "one"]
+"""What the rows of a table stand for; `torques`: devices and the output; `one`: none.
+
+`meshes` are those of a case that is drawn, with planets as links.
+"""
+
+
+class TableShape(NamedTuple):
+    """A table of the results as it is written and read back."""
+
+    name: str
+    """In JSON and CSV: the deck's name, or that of the library where the deck has none."""
+    printed: str
+    """In a listing."""
+    rows: Rows
+    """What a row stands for; `one` is a list over the gears."""
+    kind: type = float
+    """float, int or bool: how a number is written."""
+    published: bool = True
+    """Whether the report of the source has it."""
+    of: str = ""
+    """The table that this one has in `unit`, where the case has a load."""
+    unit: str = ""
+    always: bool = True
+    """Whether every result has it, or only one of a case that has what it speaks of."""
+
+
+def _with_unit(name: str, printed: str, rows: Rows, unit: str, of: str) -> TableShape:
+    """A table that only a case with a load has."""
+    return TableShape(name, printed, rows, published=False, always=False, of=of, unit=unit)
+
+
+WITH_UNITS: tuple[tuple[str, str, Rows, str, str], ...] = (
+    ("W_rpm", "WRPM", "links", "rpm", "W"),
+    ("WSAT_rpm", "WSATRPM", "mechanisms", "rpm", "WSAT"),
+    ("WFRI_rpm", "WFRIRPM", "elements", "rpm", "WFRI"),
+    ("AMLG_Nm", "AMLGNM", "torques", "Nm", "AMLG"),
+    ("AMLGP_Nm", "AMLGPNM", "torques", "Nm", "AMLGP"),
+    ("mesh_torques_Nm", "MESHNM", "meshes", "Nm", "mesh_torques"),
+    ("lossy_mesh_torques_Nm", "MESHPNM", "meshes", "Nm", "lossy_mesh_torques"),
+    ("AMWZ_Nm", "AMWZNM", "links", "Nm", "AMWZ"),
+    ("AMWZP_Nm", "AMWZPNM", "links", "Nm", "AMWZP"),
+    ("losses_kW", "LOSSKW", "mechanisms", "kW", "losses"),
+    ("drag_losses_kW", "DRAGKW", "one", "kW", "drag_losses"),
+    ("input_power_kW", "PINKW", "one", "kW", ""),
+    ("output_power_kW", "POUTKW", "one", "kW", ""),
+)
+"""Name, printed name, rows, unit, and the table that it repeats in this unit."""
+
+TABLES = (
+    TableShape("AJK", "AJK", "links"),
+    TableShape("W", "W", "links"),
+    TableShape("WSAT", "WSAT", "mechanisms"),
+    TableShape("WFRI", "WFRI", "elements"),
+    TableShape("AMLG", "AMLG", "torques"),
+    TableShape("AMLGP", "AMLGP", "torques"),
+    TableShape("ETA", "ETA", "one"),
+    TableShape("IX", "IX", "mechanisms", int),
+    TableShape("ratio", "RATIO", "one", published=False),
+    TableShape("idle", "IDLING", "mechanisms", bool, published=False),
+    TableShape("losses", "LOSS", "mechanisms", published=False),
+    TableShape("power_balance", "BALANCE", "one", published=False),
+    TableShape("consistent", "CONSISTENT", "one", bool, published=False),
+    TableShape("locked", "LOCKED", "one", bool, published=False),
+    TableShape("AMWZ", "AMWZ", "links", published=False, always=False),
+    TableShape("AMWZP", "AMWZP", "links", published=False, always=False),
+    TableShape("drag_losses", "DRAG", "one", published=False, always=False),
+    TableShape("holds", "HOLDS", "elements", bool, published=False, always=False),
+    TableShape("mesh_torques", "MESH", "meshes", published=False, always=False),
+    TableShape("lossy_mesh_torques", "MESHP", "meshes", published=False, always=False),
+    *(_with_unit(*table) for table in WITH_UNITS),
+)
+"""All tables in the order in which they are written."""
+
+NAME = "|"
+"""Stands before the name of a row in a listing."""
+
+OUTPUT = "Mx"
+"""The name of the row of the output torque."""
+
+
+def row_names(case: Transmission, shape: TableShape) -> Sequence[str]:
+    """The names of a table's rows."""
+    names = {
+        "links": case.link_names,
+        "elements": [element.name for element in case.shift_elements],
+        "mechanisms": [mechanism.name for mechanism in case.mechanisms],
+        "torques": [*case.devices, OUTPUT],
+        "meshes": (),
+        "one": [shape.name],
+    }
+    return names[shape.rows]
+
+
+ARRAYS: Mapping[str, Rows] = {
+    "speeds": "links",
+    "planet_speeds": "mechanisms",
+    "slip_speeds": "elements",
+    "ratio": "one",
+    "torques": "torques",
+    "holding_torques": "links",
+    "lossy_torques": "torques",
+    "lossy_holding_torques": "links",
+    "efficiency": "one",
+    "power_sign": "mechanisms",
+    "idle": "mechanisms",
+    "losses": "mechanisms",
+    "power_balance": "one",
+    "drag_losses": "one",
+    "consistent": "one",
+    "locked": "one",
+    "undecided": "one",
+    "turned": "mechanisms",
+    "choices": "one",
+    "tied_up": "one",
+    "missing": "one",
+    "excess": "one",
+    "balanced": "one",
+    "holds": "elements",
+    "conflict": "one",
+}
+"""The arrays of `Results`, and what their last axis stands for."""
+
+
+class Message(NamedTuple):
+    """What was noticed in a gear; a gear with an error makes the case fail."""
+
+    severity: Severity
+    text: str
+    gear: str = ""
+
+    def __str__(self) -> str:
+        """The message in one line, with the gear it speaks of."""
+        gear = f"gear {self.gear}: " if self.gear else ""
+        return f"{self.severity}: {gear}{self.text}"
+
+
+class Results(NamedTuple):
+    """Everything that is calculated, for every gear.
+
+    The order of axes is the same everywhere: variants first (none for one case), then
+    gears, then links, shift elements, mechanisms or devices (shift elements, then
+    mechanisms). NaN stands for what does not exist. Speeds are relative to the input
+    speed, torques to the input torque, powers to the input power; signs as in
+    `vstatics.statics.matrix`.
+    """
+
+    case: Transmission
+    """What was calculated, with the conventions that were used."""
+
+    speeds: Floats
+    """(..., gears, links). [-]"""
+    planet_speeds: Floats
+    """(..., gears, mechanisms), against the third link (carrier). [-]"""
+    slip_speeds: Floats
+    """(..., gears, shift elements), first link against second. [-]"""
+    ratio: Floats
+    """(..., gears), ``w_input/w_output``. [-]"""
+
+    torques: Floats
+    """(..., gears, devices + 1), on the first link of each device; the last is the output
+    torque, given to the load. Without losses. [-]"""
+    holding_torques: Floats
+    """(..., gears, links), the external torque that holds a given speed. [-]"""
+
+    lossy_torques: Floats
+    """As `torques`, with losses. [-]"""
+    lossy_holding_torques: Floats
+    """As `holding_torques`, with losses. [-]"""
+    efficiency: Floats
+    """(..., gears). [-]"""
+    power_sign: Floats
+    """(..., gears, mechanisms): +1 the first link drives, -1 it is driven, 0 idle. [-]"""
+    idle: Booleans
+    """(..., gears, mechanisms): carries no torque, or turns as one piece."""
+    losses: Floats
+    """(..., gears, mechanisms), power lost; below 0 when coasting, as the flow turns. [-]"""
+    power_balance: Floats
+    """(..., gears), external power less all losses, with losses: 0 to rounding. [-]"""
+    drag_losses: Floats
+    """(..., gears), power that drag takes in all; below 0 when coasting. [-]"""
+
+    consistent: Booleans
+    """(..., gears): the lossy torques stand, with signs that agree with their flow."""
+    locked: Booleans
+    """(..., gears): locked by friction."""
+    undecided: Booleans
+    """(..., gears): the search for signs was cut short, so `locked` is unknown."""
+    turned: Booleans
+    """(..., gears, mechanisms): losses turn the flow round."""
+    choices: Integers
+    """(..., gears): how many sets of signs agree with their flow."""
+
+    tied_up: Booleans
+    """(..., gears): the conditions for the speeds contradict each other."""
+    missing: Integers
+    """(..., gears): conditions that the speeds lack."""
+    excess: Integers
+    """(..., gears): conditions for the speeds that others imply or contradict."""
+    balanced: Booleans
+    """(..., gears): torques without losses exist."""
+
+    holds: Booleans
+    """(..., gears, shift elements): is engaged, or a freewheel that holds."""
+    conflict: Booleans
+    """(..., gears): a freewheel can neither hold nor overrun."""
+
+    messages: Sequence[Message] = ()
+    """What was noticed; for one case only, not for arrays of variants."""
+
+    def to_dataframe(self) -> pd.DataFrame:
+        """One row per variant and gear, a column per table and row; needs pandas.
+
+        `vstatics.tables.dataframe.to_dataframe`, put in its place by `vstatics/__init__`.
+        """
+        raise NotImplementedError
+
+    @property
+    def calculable(self) -> Booleans:
+        """Of shape (..., gears): speeds and torques exist, so that losses can be asked for."""
+        return self.balanced & ~self.tied_up & ~self.conflict
+
+    def existing(self, name: str) -> Floats:
+        """An array by its name, with NaN where there is nothing to be said.
+
+        Whether a mechanism is idle, or a gear locked, is a question only for gears with
+        speeds and torques; elsewhere the marks are 0.
+
+        >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
+        >>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)],
+        ...                     [Gear([1]), Gear([], name="N")])
+        >>> solve(case).existing("locked")
+        array([ 0., nan])
+        """
+        array: Floats = getattr(self, name)
+        if name not in ("idle", "consistent", "locked"):
+            return array
+        exists = self.calculable & ~self.undecided if name == "locked" else self.calculable
+        return np.where(exists[..., None] if name == "idle" else exists, array, np.nan)
+
+    @property
+    def output_torque(self) -> Floats:
+        """Of shape (..., gears), without losses [-]."""
+        return self.torques[..., -1]
+
+    @property
+    def settled(self) -> Transmission:
+        """The case with every freewheel engaged in the gears where it holds, as a plain element.
+
+        For a format that knows no freewheels; of one case, not of arrays of variants.
+        """
+        case = self.case
+        if not case.freewheels:
+            return case
+        plain = [e._replace(kind="") if e.is_freewheel else e for e in case.shift_elements]
+        gears = [
+            gear._replace(
+                engaged=(*gear.engaged, *(n for n in case.freewheels if holds[n - 1])),
+            )
+            for gear, holds in zip(case.gears, self.holds.tolist(), strict=True)
+        ]
+        return replace(case, shift_elements=plain, gears=gears)
+
+    @property
+    def failed(self) -> bool:
+        """Whether a gear is tied up, or its freewheels in conflict: then the case fails."""
+        return bool(self.tied_up.any() or self.conflict.any())

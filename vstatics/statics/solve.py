@@ -1,0 +1,176 @@
+"""Transmission -> Results: speeds, torques without and with losses, what is determined."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from typing import TYPE_CHECKING, Literal
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+from vstatics.errors import CaseError, Problem
+from vstatics.model.transmission import HOUSING, IdleConvention, Mechanism, Transmission
+from vstatics.numerics.arrays import Booleans, Floats
+from vstatics.statics import diagnosis
+from vstatics.statics.matrix import by_mechanism
+from vstatics.statics.results import Results
+from vstatics.statics.variants import solve_variants
+
+Quantity = Literal["ratio", "efficiency"]
+"""What of a mechanism can differ from variant to variant."""
+
+
+def solve(
+    case: Transmission,
+    *,
+    ratios: ArrayLike | None = None,
+    efficiencies: ArrayLike | None = None,
+    coast: bool | None = None,
+    idle: IdleConvention | None = None,
+) -> Results:
+    """Calculate every gear of a transmission, or of many variants of it.
+
+    Parameters
+    ----------
+    case : Transmission
+    ratios, efficiencies : array_like, shape (..., mechanisms), optional
+        In place of the case's own numbers; the leading axes are the variants. Planet
+        ratios that the case gives stay as they are. [-]
+    coast : bool, optional
+        Power enters at the output; the case's own when not given.
+    idle : {"exact", "published"}, optional
+        Convention for idle mechanisms; the case's own when not given.
+
+    Returns
+    -------
+    Results
+        Arrays with the leading axes of `ratios` and `efficiencies`, then gears. For
+        arrays of variants there are no `messages`, and `case` is the one given.
+
+    Raises
+    ------
+    CaseError
+        If a ratio or an efficiency in the arrays is none, or `idle` no convention.
+    ValueError
+        If the arrays do not have one number for each mechanism.
+
+    Examples
+    --------
+    >>> from vstatics.model.transmission import Gear, Mechanism, ShiftElement
+    >>> case = Transmission(3, [ShiftElement(1, 2), ShiftElement(2, 0)],
+    ...                     [Mechanism(1, 2, 3, -2.5, 0.96)], [Gear([1]), Gear([2])])
+    >>> results = solve(case)
+    >>> results.ratio
+    array([1. , 3.5])
+    >>> results.speeds.shape, results.torques.shape
+    ((2, 3), (2, 4))
+    >>> solve(case, ratios=[[-2.0], [-2.5], [-3.0]]).ratio
+    array([[1. , 3. ],
+           [1. , 3.5],
+           [1. , 4. ]])
+    """
+    if coast not in (None, case.coast) or idle not in (None, case.idle):
+        case = replace(
+            case,
+            coast=case.coast if coast is None else coast,
+            idle=case.idle if idle is None else idle,
+        )
+    axes, u, eta = _variants(case, ratios, efficiencies)
+    if axes == () and (u is not None or eta is not None):
+        case = _with_numbers(case, u, eta)
+        u = eta = None
+    with np.errstate(all="ignore"):
+        arrays = solve_variants(case, u, eta, math.prod(axes))
+    results = Results(
+        case=case, **{n: array.reshape(*axes, *array.shape[1:]) for n, array in arrays.items()}
+    )
+    if axes == ():
+        results = results._replace(messages=tuple(diagnosis.messages(results)))
+    return results
+
+
+def _with_numbers(case: Transmission, u: Floats | None, eta: Floats | None) -> Transmission:
+    """The case with other ratios and efficiencies, of shape (1, mechanisms)."""
+    mechanisms = list(case.mechanisms)
+    for quantity, given in (("ratio", u), ("efficiency", eta)):
+        if given is not None:
+            mechanisms = [
+                mechanism._replace(**{quantity: number})
+                for mechanism, number in zip(mechanisms, given[0].tolist(), strict=True)
+            ]
+    return replace(case, mechanisms=mechanisms)
+
+
+def _variants(
+    case: Transmission, ratios: ArrayLike | None, efficiencies: ArrayLike | None
+) -> tuple[tuple[int, ...], Floats | None, Floats | None]:
+    """The axes of the variants, and what is given of ratios and efficiencies.
+
+    Both of shape (variants, mechanisms).
+    """
+    count = len(case.mechanisms)
+    given = {
+        name: None if numbers is None else by_mechanism(name, numbers, count)
+        for name, numbers in (("ratios", ratios), ("efficiencies", efficiencies))
+    }
+    axes = np.broadcast_shapes(*(array.shape[:-1] for array in given.values() if array is not None))
+    problems = [
+        *_wrong(case, "ratio", given["ratios"]),
+        *_wrong(case, "efficiency", given["efficiencies"]),
+    ]
+    if problems:
+        raise CaseError(problems)
+    u, eta = (
+        None
+        if array is None
+        else np.broadcast_to(array, (*axes, count)).reshape(math.prod(axes), count)
+        for array in given.values()
+    )
+    return axes, u, eta
+
+
+EXPECTED = {
+    "ratio": "a finite ratio, not 0, and not 1 with three links",
+    "efficiency": "an efficiency above 0 and up to 1",
+}
+
+
+def impossible(mechanism: Mechanism, quantity: Quantity, numbers: Floats) -> Booleans:
+    """Which numbers can be no ratio, or no efficiency, of a mechanism.
+
+    Parameters
+    ----------
+    numbers : ndarray, shape (variants,)
+        [-]
+
+    Examples
+    --------
+    >>> from vstatics.model.transmission import Mechanism
+    >>> impossible(Mechanism(1, 2, 3, -2.5), "ratio", np.array([-2.0, 0.0, 1.0, np.nan]))
+    array([False,  True,  True,  True])
+    """
+    if quantity == "efficiency":
+        return ~((numbers > 0) & (numbers <= 1))
+    low, high = numbers.min(initial=math.inf), numbers.max(initial=-math.inf)
+    if -math.inf < low <= high < 0 or 1 < low <= high < math.inf:  # as it is nearly always
+        return np.zeros_like(numbers, np.bool_)
+    wrong: Booleans = ~np.isfinite(numbers) | (numbers == 0)
+    if HOUSING not in mechanism.links:
+        wrong |= numbers == 1
+    return wrong
+
+
+def _wrong(case: Transmission, quantity: Quantity, given: Floats | None) -> list[Problem]:
+    """The first wrong number in an array of variants, of shape (..., mechanisms)."""
+    for number, mechanism in enumerate(case.mechanisms if given is not None else ()):
+        column = np.asarray(given)[..., number]
+        wrong = impossible(mechanism, quantity, column)
+        if wrong.any():
+            variant = tuple(int(index) for index in np.argwhere(wrong)[0])
+            where = f" in variant {', '.join(map(str, variant))}" if variant else ""
+            message = f"read {column[variant]:g}{where}, expected {EXPECTED[quantity]}"
+            return [Problem(message, ("mechanisms", number + 1, quantity))]
+    return []

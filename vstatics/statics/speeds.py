@@ -1,0 +1,71 @@
+"""Speeds of a gear: of links, of mechanisms against their third link, of slip."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from vstatics.model.transmission import HOUSING, Gear, Transmission
+from vstatics.numerics import elimination, entries
+from vstatics.numerics.traced import Number
+from vstatics.statics import matrix
+
+TIE = 1e-9
+"""Speeds, or torques on a link, that differ by less than this part are the same."""
+
+
+class Speeds(NamedTuple):
+    """The speeds of a gear. NaN: not determined."""
+
+    links: list[Number]
+    """By link. [-]"""
+    motion: list[Number]
+    """By mechanism: first link against the third, 0 where it is a tie. [-]"""
+    slips: list[Number]
+    """By shift element. [-]"""
+    consistent: bool
+    missing: int
+    excess: int
+
+
+def solve_speeds(case: Transmission, gear: Gear, ratios: Sequence[Number]) -> Speeds:
+    """Solve the speed system of a gear.
+
+    Parameters
+    ----------
+    ratios : sequence of Number
+        Internal ratio of each mechanism. [-]
+    """
+    differences = [(mechanism.first, mechanism.third) for mechanism in case.mechanisms]
+    slips = [(element.first, element.second) for element in case.shift_elements]
+    sums = [_difference(*pair) for pair in (*differences, *slips)]
+    arithmetic = entries.of(ratios)
+    columns = matrix.columns(case, ratios, arithmetic)
+    rows = matrix.speed_rows(case, gear, columns, arithmetic)
+    solution = elimination.solve(rows, case.links, sums, arithmetic)
+    links = solution.values[: case.links]
+    motion = solution.values[case.links : case.links + len(differences)]
+    by_link = [0.0, *map(abs, links)]
+    return Speeds(
+        links,
+        [
+            0.0 if is_tie(abs(speed), by_link[first], by_link[third]) else speed
+            for speed, (first, third) in zip(motion, differences, strict=True)
+        ],
+        solution.values[case.links + len(differences) :],
+        solution.consistent,
+        solution.missing,
+        solution.excess,
+    )
+
+
+def _difference(first: int, second: int) -> dict[int, float]:
+    """The difference of two link speeds as a sum of unknowns."""
+    terms = {first - 1: 1.0, second - 1: -1.0}
+    terms.pop(HOUSING - 1, None)
+    return terms
+
+
+def is_tie(motion: Number, first: Number, third: Number) -> bool:
+    """Whether a difference of speeds is nothing beside the speeds themselves."""
+    return bool(motion <= TIE * first or motion <= TIE * third)

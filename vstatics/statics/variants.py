@@ -1,0 +1,153 @@
+"""Variants of a case: each gear by its plans, into arrays made for all of them."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable, Hashable, Sequence
+from functools import partial
+from typing import Any
+
+import numpy as np
+
+from vstatics.model.transmission import Gear, Transmission
+from vstatics.numerics import memory
+from vstatics.numerics.arrays import Floats
+from vstatics.numerics.memory import Form
+from vstatics.numerics.plans import Function, Inputs, Plans, prepared
+from vstatics.numerics.traced import Number
+from vstatics.statics.gear import flat, solve_gear, watch, widths
+
+REMEMBERED = 256
+"""Gears whose plans are kept for calls to come."""
+HOLDING = frozenset({"holding_torques", "lossy_holding_torques"})
+KINDS: dict[str, type] = {
+    **dict.fromkeys(("choices", "missing", "excess"), np.int16),
+    **dict.fromkeys(("idle", "consistent", "locked", "undecided"), np.bool_),
+    **dict.fromkeys(("turned", "tied_up", "balanced", "holds", "conflict"), np.bool_),
+}
+
+_plans: dict[Hashable, Plans] = {}
+_lock = threading.Lock()
+
+
+def solve_variants(
+    case: Transmission, ratios: Floats | None, efficiencies: Floats | None, variants: int
+) -> dict[str, Any]:
+    """The arrays of `Results`, with the variants as first axis.
+
+    Parameters
+    ----------
+    ratios, efficiencies : ndarray, shape (variants, mechanisms), optional
+        The case's own where not given. [-]
+    variants : int
+        Their number.
+    """
+    fixed, inputs = _inputs(case, ratios, efficiencies, variants)
+    block = memory.block(_forms(case, variants))
+    fields = tuple(block.forms)
+    structure = (*_structure(case), tuple(fixed), fields)
+    for gear, rows in zip(case.gears, block.gears, strict=True):
+        if variants:
+            key = (*structure, *_conditions(case, gear))
+            _remembered(key, partial(_function, case, gear, fixed, fields)).run(inputs, rows)
+    found = {name: table.transpose(2, 0, 1) for name, table in memory.shown(block).items()}
+    none = np.broadcast_to(np.nan, (variants, len(case.gears), case.links))
+    return {
+        name: found[name][..., 0] if width is None else found.get(name, none)
+        for name, width in widths(case).items()
+    }
+
+
+def _inputs(
+    case: Transmission, ratios: Floats | None, efficiencies: Floats | None, variants: int
+) -> tuple[list[float | None], Inputs]:
+    """What is fixed, None for what varies; and the numbers that vary.
+
+    A single case has nothing fixed, so that its plans suit others of its structure.
+    """
+    mechanisms = case.mechanisms
+    own = [one.ratio for one in mechanisms] + [one.efficiency for one in mechanisms]
+    given = _columns(ratios, len(mechanisms)) + _columns(efficiencies, len(mechanisms))
+    fixed: list[float | None] = []
+    varied = []
+    for number, column in zip(own, given, strict=True):
+        if variants > 1 and (column is None or _is_all(column, number)):
+            fixed.append(number)
+        else:
+            fixed.append(None)
+            varied.append([number] if column is None else column)
+    values = np.empty((len(varied), variants))
+    for row, column in zip(values, varied, strict=True):
+        row[:] = column
+    return fixed, prepared(values)
+
+
+def _columns(given: Floats | None, mechanisms: int) -> list[Any]:
+    """The numbers of each mechanism, None where none are given."""
+    return [None] * mechanisms if given is None else list(given.T)
+
+
+def _is_all(column: Floats, number: float) -> bool:
+    """Whether a column holds one number only; the first few tell most often that not."""
+    return bool((column[:9] == number).all() and (column == number).all())
+
+
+def _forms(case: Transmission, variants: int) -> dict[str, Form]:
+    """The tables for the fields of `Solved`, those of the largest type first.
+
+    Where no speed is given nothing is held, and holding torques need no memory.
+    """
+    held = any(gear.speeds for gear in case.gears)
+    forms = {
+        name: Form(
+            (len(case.gears), 1 if width is None else width, variants), KINDS.get(name, np.float64)
+        )
+        for name, width in widths(case).items()
+        if held or name not in HOLDING
+    }
+    return dict(sorted(forms.items(), key=lambda item: -np.dtype(item[1].kind).itemsize))
+
+
+def _structure(case: Transmission) -> tuple[Hashable, ...]:
+    """What the gears of a case have in common, without the numbers that may vary."""
+    return (
+        case.links,
+        tuple((one.first, one.second, one.is_freewheel, one.drag) for one in case.shift_elements),
+        tuple((*one.links, one.planet_ratio, one.back_efficiency) for one in case.mechanisms),
+        (case.coast, case.idle),
+    )
+
+
+def _conditions(case: Transmission, gear: Gear) -> tuple[Hashable, ...]:
+    """What a gear has of its own."""
+    return (
+        (tuple(gear.engaged), tuple(gear.speeds.items()), tuple(gear.torques.items())),
+        (tuple(gear.drag.items()), tuple(gear.open_drag.items())),
+        (case.gear_input(gear), case.gear_output(gear)),
+    )
+
+
+def _remembered(key: Hashable, function: Callable[[], Function]) -> Plans:
+    """The plans of a gear; gears that differ only in numbers that vary have the same."""
+    with _lock:
+        plans = _plans.pop(key, None) or Plans(function())
+        _plans[key] = plans  # the latest stand last
+        while len(_plans) > REMEMBERED:
+            del _plans[next(iter(_plans))]
+    return plans
+
+
+def _function(
+    case: Transmission, gear: Gear, fixed: Sequence[float | None], fields: Sequence[str]
+) -> Function:
+    """The calculation of a gear from the numbers that vary."""
+    count = len(case.mechanisms)
+
+    def calculate(numbers: Sequence[Number]) -> list[Number]:
+        varied = iter(numbers)
+        given = [next(varied) if number is None else number for number in fixed]
+        solved = solve_gear(case, gear, given[:count], given[count:])
+        watch(case, gear, solved)
+        return flat(solved, fields)
+
+    return calculate

@@ -1,0 +1,70 @@
+"""What a designer asks of a gearbox first: design table, shifts, largest values."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import NamedTuple
+
+from vstatics.numerics.arrays import Floats
+from vstatics.statics.results import Results
+from vstatics.summary.combinations import Combination, combinations
+from vstatics.summary.design import Design, design
+from vstatics.summary.duty import Cycle
+from vstatics.summary.extremes import Largest, largest
+from vstatics.summary.margins import Margin, margins
+from vstatics.summary.sensitivity import sensitivities
+from vstatics.summary.shifts import Transition, transitions
+
+__all__ = ["Summary", "summarize"]
+
+
+class Summary(NamedTuple):
+    """Everything that `vstatics summary` tells of one case."""
+
+    results: Results
+    design: Design
+    transitions: Sequence[Transition]
+    largest: Mapping[str, Sequence[Largest]]
+    """By the name of the table that they are the largest values of."""
+    sensitivities: Floats
+    """(gears, mechanisms), ``(u/i) di/du``. [-]"""
+    margins: Sequence[Margin]
+    """Of the shift elements that have a capacity."""
+    combinations: Sequence[Combination] | None = None
+    """If they were asked for."""
+    cycle: Cycle | None = None
+    """If there is a duty cycle."""
+
+
+def summarize(results: Results, *, at_most: int | None = None) -> Summary:
+    """The summary of a case.
+
+    Parameters
+    ----------
+    results : Results
+        Of one case, not of arrays of variants.
+    at_most : int, optional
+        So many further combinations of shift elements may be tried; none when not given.
+
+    Raises
+    ------
+    CaseError
+        If there are more.
+
+    Examples
+    --------
+    >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
+    >>> case = Transmission(3, [ShiftElement(1, 2), ShiftElement(2)],
+    ...                     [Mechanism(1, 2, 3, -2.5)], [Gear([2]), Gear([1])])
+    >>> summarize(solve(case)).design.spread
+    3.5
+    """
+    return Summary(
+        results,
+        design(results),
+        transitions(results),
+        largest(results),
+        sensitivities(results),
+        margins(results),
+        None if at_most is None else combinations(results, at_most),
+    )

@@ -1,0 +1,127 @@
+"""Two summaries beside one another."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+
+from vstatics.summary import Summary
+from vstatics.summary.design import GearLine
+from vstatics.summary.extremes import Largest, overall
+from vstatics.summary.grids import other_combinations
+from vstatics.tables.grid import NOTHING, Column, Grid, number, text
+
+QUANTITIES = (
+    ("WSAT", "largest planet speed", 3),
+    ("WFRI", "largest slip", 3),
+    ("AMLG", "largest torque", 3),
+    ("AMLGP", "largest torque with losses", 3),
+    ("WSAT_rpm", "largest planet speed [rpm]", 1),
+    ("WFRI_rpm", "largest slip [rpm]", 1),
+    ("AMLG_Nm", "largest torque [N*m]", 1),
+    ("AMLGP_Nm", "largest torque with losses [N*m]", 1),
+)
+"""Tables, how their largest values are called, and with how many decimals they are shown."""
+
+_MISSING = GearLine("", math.nan, "", math.nan, math.nan, "")
+
+
+def contrasted(one: Summary, other: Summary) -> Iterator[Grid]:
+    """The tables of two cases, called A and B, side by side.
+
+    Gears of one name stand on one line.
+    """
+    pair = one, other
+    yield _gears(pair)
+    yield Grid(
+        "In all",
+        [text("quantity"), Column("A"), text("where"), Column("B"), text("where")],
+        list(_in_all(pair)),
+    )
+    for letter, summary in zip("AB", pair, strict=True):
+        if summary.combinations is not None:
+            grid = other_combinations(summary)
+            yield grid._replace(title=f"{letter}. {grid.title}")
+
+
+def _gears(pair: Sequence[Summary]) -> Grid:
+    lines = [{line.gear: line for line in summary.design.gears} for summary in pair]
+    names = _in_order(*map(list, lines))
+    headings = (f"{what} {letter}" for what in ("ratio", "step", "efficiency") for letter in "AB")
+    rows = []
+    for name in names:
+        found = [by_name.get(name, _MISSING) for by_name in lines]
+        values = [
+            *(line.ratio for line in found),
+            *(line.step for line in found),
+            *(line.efficiency for line in found),
+        ]
+        rows.append([name, *map(number, values)])
+    return Grid("Gears", [text("gear"), *map(Column, headings)], rows)
+
+
+def _in_order(first: Sequence[str], second: Sequence[str]) -> list[str]:
+    """The gears of both; one that only the second case has stands after the one before it.
+
+    >>> _in_order(["1", "2", "R"], ["1", "2", "3", "R"])
+    ['1', '2', '3', 'R']
+    """
+    names = list(first)
+    place = 0
+    for name in second:
+        if name in names:
+            place = names.index(name) + 1
+        else:
+            names.insert(place, name)
+            place += 1
+    return names
+
+
+def _in_all(pair: Sequence[Summary]) -> Iterator[list[str]]:
+    """Rows of what is told of a case as a whole."""
+    yield _row("forward gears", [_count(len(one.design.forward)) for one in pair])
+    yield _row("shift elements", [_count(len(one.results.case.shift_elements)) for one in pair])
+    yield _row("most that change in a shift", [_count(_most_changes(one)) for one in pair])
+    yield _row("spread", [(number(one.design.spread), "") for one in pair])
+    if any(one.cycle for one in pair):
+        yield _row(
+            "efficiency of the duty cycle",
+            [(number(one.cycle.efficiency if one.cycle else math.nan), "") for one in pair],
+        )
+    if any(one.margins for one in pair):
+        yield _row("least margin", [_least_margin(one) for one in pair])
+    for table, name, decimals in QUANTITIES:
+        found = [overall(one.largest.get(table, ())) for one in pair]
+        if any(found):
+            yield _row(name, [_largest(line, decimals) for line in found])
+
+
+Cells = tuple[str, str]
+"""A number, and where it is found."""
+
+
+def _row(name: str, cells: Sequence[Cells]) -> list[str]:
+    return [name, *(cell for both in cells for cell in both)]
+
+
+def _count(how_many: int) -> Cells:
+    return str(how_many), ""
+
+
+def _most_changes(summary: Summary) -> int:
+    """Elements that change at once between neighbours, at most."""
+    return max((one.changes for one in summary.transitions if not one.jumped), default=0)
+
+
+def _least_margin(summary: Summary) -> Cells:
+    known = [one for one in summary.margins if one.gear]
+    if not known:
+        return NOTHING, ""
+    least = min(known, key=lambda one: one.least)
+    return number(least.least), f"{least.element}, {least.gear}"
+
+
+def _largest(line: Largest | None, decimals: int) -> Cells:
+    if line is None:
+        return NOTHING, ""
+    return number(line.value, decimals), f"{line.row}, {line.gear}" if line.gear else ""

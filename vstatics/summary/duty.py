@@ -1,0 +1,106 @@
+"""Efficiency over a duty cycle: gears with their shares of energy or of time."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Literal, NamedTuple
+
+from vstatics.errors import CaseError, Problem
+from vstatics.statics.results import Results
+from vstatics.tables.values import tables
+
+Kind = Literal["energy", "time"]
+"""What the shares of a duty cycle are shares of."""
+
+
+class Duty(NamedTuple):
+    """A duty cycle."""
+
+    kind: Kind
+    shares: Mapping[str, float]
+    """Name of a gear -> its share of the input energy, or of the time; of any sum."""
+
+
+class Stage(NamedTuple):
+    """A gear in a duty cycle."""
+
+    gear: str
+    energy: float
+    """Share of the input energy; all together are 1. [-]"""
+    efficiency: float
+
+
+class Cycle(NamedTuple):
+    """A duty cycle of a transmission."""
+
+    stages: Sequence[Stage]
+    efficiency: float
+    """Energy that leaves by energy that enters. [-]"""
+
+
+def cycle(results: Results, duty: Duty) -> Cycle:
+    """Mean efficiency: ``sum(E ETA)/sum(E)`` with the input energies E of the gears.
+
+    Shares of energy are the E themselves; shares of time are multiplied by the input power
+    of the gear, which needs a load.
+
+    Parameters
+    ----------
+    results : Results
+        Of one case.
+
+    Raises
+    ------
+    CaseError
+        If a gear with a share is none of the case, has no efficiency, or no input power
+        though the shares are of time.
+
+    Examples
+    --------
+    >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
+    >>> case = Transmission(3, [ShiftElement(1, 2, "C"), ShiftElement(2, 0, "B")],
+    ...                     [Mechanism(1, 2, 3, -2.5, 0.98)], [Gear([2]), Gear([1])])
+    >>> made = cycle(solve(case), Duty("energy", {"1": 1, "2": 3}))
+    >>> [stage.energy for stage in made.stages], round(made.efficiency, 4)
+    ([0.25, 0.75], 0.9964)
+    """
+    shares = {gear: share for gear, share in duty.shares.items() if share > 0}
+    efficiencies = dict(zip(_gears(results), results.efficiency.tolist(), strict=True))
+    powers = _powers(results) if duty.kind == "time" else dict.fromkeys(efficiencies, 1.0)
+    problems = list(_problems(shares, efficiencies, powers))
+    if problems:
+        raise CaseError(problems)
+    largest = max(shares.values())  # shares of any sum: also of one that overflows
+    energies = {gear: share / largest * powers[gear] for gear, share in shares.items()}
+    total = math.fsum(energies.values())
+    stages = [Stage(gear, energy / total, efficiencies[gear]) for gear, energy in energies.items()]
+    return Cycle(stages, math.fsum(stage.energy * stage.efficiency for stage in stages))
+
+
+def _gears(results: Results) -> list[str]:
+    return [gear.name for gear in results.case.gears]
+
+
+def _powers(results: Results) -> dict[str, float]:
+    """Power that enters in each gear [kW]; NaN without a load."""
+    for table in tables(results):
+        if table.shape.name == "input_power_kW":
+            return dict(zip(table.columns, table.values[0].tolist(), strict=True))
+    return dict.fromkeys(_gears(results), math.nan)
+
+
+def _problems(
+    shares: Mapping[str, float], efficiencies: Mapping[str, float], powers: Mapping[str, float]
+) -> Iterator[Problem]:
+    """Why the mean efficiency does not exist; paths are those of the duty cycle."""
+    for gear in shares:
+        if gear not in efficiencies:
+            yield Problem("there is no such gear in the case", (gear,))
+        elif not math.isfinite(efficiencies[gear]):
+            yield Problem("the gear has no efficiency, expected no share for it", (gear,))
+        elif not powers[gear] > 0:
+            message = "shares of time need the power of the gear, expected a load with speed"
+            yield Problem(f"{message} and torque", (gear,))
+    if not shares:
+        yield Problem("all shares are 0, expected one above 0")

@@ -1,0 +1,151 @@
+"""The tables of a summary, each cell as text: what every format for people shows."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+
+from vstatics.summary import Summary
+from vstatics.summary.extremes import LOSSY_TORQUES, PLANETS, SLIPS, TORQUES, Largest
+from vstatics.tables.grid import Column, Grid, number, text, words
+
+
+def grids(summary: Summary) -> Iterator[Grid]:
+    """All tables of a summary; those that would be empty are left out.
+
+    What was asked for and gave nothing stays, without rows and columns.
+    """
+    yield from (grid for grid in _all(summary) if grid.rows)
+    if summary.combinations is not None:
+        yield other_combinations(summary)
+
+
+def _all(summary: Summary) -> Iterator[Grid]:
+    yield _design(summary)
+    yield _spread(summary)
+    yield _transitions(summary)
+    yield from _largest(summary)
+    yield from _margins(summary)
+    yield _duty(summary)
+    yield _sensitivities(summary)
+
+
+def _design(summary: Summary) -> Grid:
+    columns = [text("gear"), Column("ratio"), text("next"), Column("step"), Column("efficiency")]
+    rows = [
+        [line.gear, number(line.ratio), line.next, number(line.step), number(line.efficiency)]
+        for line in summary.design.gears
+    ]
+    if any(line.state for line in summary.design.gears):
+        columns.append(text("state"))
+        for row, line in zip(rows, summary.design.gears, strict=True):
+            row.append(line.state)
+    return Grid("Gears", columns, rows)
+
+
+def _spread(summary: Summary) -> Grid:
+    forward = summary.design.forward
+    if len(forward) < 2:
+        return Grid("Spread", (), ())
+    row = [forward[0], forward[-1], number(summary.design.spread)]
+    return Grid("Spread", [text("from"), text("to"), Column("spread")], [row])
+
+
+def _transitions(summary: Summary) -> Grid:
+    columns = [text(one) for one in ("from", "to", "jumps", "kind", "released", "engaged")]
+    rows = [
+        [one.start, one.end, one.jumped, one.word, words(one.released), words(one.engaged)]
+        for one in summary.transitions
+    ]
+    return Grid("Transitions", columns, rows)
+
+
+_UNITS = ((("", "", ""), 3), (("_rpm", "_rpm", "_Nm"), 1))
+"""Endings of the names of the tables of planets, slip and torques; decimals."""
+
+
+def _largest(summary: Summary) -> Iterator[Grid]:
+    found = summary.largest
+    for (planets, slips, torques), decimals in _UNITS:
+        rpm, nm = (" [rpm]", " [N*m]") if planets else ("", "")
+        columns = [text("planet"), Column(f"speed{rpm}"), text("gear")]
+        if f"{PLANETS}{planets}" in found:
+            lines = found[f"{PLANETS}{planets}"]  # those of gear pairs, say, are none
+            rows = [[one.row, *_cells(one, decimals)] for one in lines if not math.isnan(one.value)]
+            yield Grid("Largest speeds of planets against their carriers", columns, rows)
+        named = {
+            f"slip{rpm}": found.get(f"{SLIPS}{slips}"),
+            f"torque{nm}": found.get(f"{TORQUES}{torques}"),
+            f"with losses{nm}": found.get(f"{LOSSY_TORQUES}{torques}"),
+        }
+        yield _elements({heading: lines for heading, lines in named.items() if lines}, decimals)
+
+
+def _elements(named: dict[str, Sequence[Largest]], decimals: int) -> Grid:
+    """Slip and torques of shift elements side by side."""
+    columns = [text("element")]
+    for heading in named:
+        columns += [Column(heading), text("gear")]
+    rows = [
+        [lines[0].row, *(cell for line in lines for cell in _cells(line, decimals))]
+        for lines in zip(*named.values(), strict=True)
+    ]
+    return Grid("Largest slip when open, largest torque when engaged", columns, rows)
+
+
+def _cells(line: Largest, decimals: int) -> list[str]:
+    return [number(line.value, decimals), line.gear]
+
+
+def _sensitivities(summary: Summary) -> Grid:
+    case = summary.results.case
+    columns = [text("mechanism"), *(Column(gear.name) for gear in case.gears)]
+    rows = [
+        [mechanism.name, *map(number, row)]
+        for mechanism, row in zip(case.mechanisms, summary.sensitivities.T.tolist(), strict=True)
+    ]
+    title = "Sensitivity (u/i) di/du of the ratio i of each gear to each internal ratio u"
+    return Grid(title, columns, rows)
+
+
+def other_combinations(summary: Summary) -> Grid:
+    """Combinations of shift elements that are no gear yet."""
+    columns = [Column("ratio"), Column("efficiency"), text("same as"), text("engaged")]
+    found = summary.combinations or ()
+    title = "Other combinations of shift elements"
+    if not found:
+        return Grid(f"{title}: none", (), ())
+    rows = [
+        [number(one.ratio), number(one.efficiency), one.gear, words(one.engaged)] for one in found
+    ]
+    if any(one.holding for one in found):
+        columns.append(text("holding"))
+        for row, one in zip(rows, found, strict=True):
+            row.append(words(one.holding))
+    return Grid(title, columns, rows)
+
+
+def _margins(summary: Summary) -> Iterator[Grid]:
+    """The least margins, then those of all gears."""
+    case = summary.results.case
+    torque = None if case.load is None else case.load.torque
+    unit, size, decimals = (" [N*m]", abs(torque), 1) if torque else ("", 1.0, 3)
+    columns = [text("element"), Column(f"capacity{unit}"), Column("least"), text("gear")]
+    rows = [
+        [one.element, number(one.capacity * size, decimals), number(one.least), one.gear]
+        for one in summary.margins
+    ]
+    yield Grid("Least margin, capacity by torque", columns, rows)
+    columns = [text("element"), *(Column(gear.name) for gear in case.gears)]
+    rows = [[one.element, *map(number, one.by_gear)] for one in summary.margins]
+    yield Grid("Margins by gear", columns, rows)
+
+
+def _duty(summary: Summary) -> Grid:
+    columns = [text("gear"), Column("energy"), Column("efficiency")]
+    if summary.cycle is None:
+        return Grid("Duty cycle", columns, ())
+    stages = summary.cycle.stages
+    rows = [[stage.gear, number(stage.energy), number(stage.efficiency)] for stage in stages]
+    total = ["in all", number(1.0), number(summary.cycle.efficiency)]
+    return Grid("Duty cycle: share of the input energy, efficiency", columns, [*rows, total])

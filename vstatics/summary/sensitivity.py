@@ -1,0 +1,67 @@
+"""How much the ratio of each gear changes with the internal ratio of each mechanism."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from vstatics.numerics.arrays import Floats
+from vstatics.statics.results import Results
+from vstatics.statics.solve import solve
+
+
+def sensitivities(results: Results) -> Floats:
+    """Relative sensitivities ``(u/i) di/du``: per cent of ratio per cent of internal ratio.
+
+    They need no further solution. The torques of a gear, without losses and without
+    further external torques, give ``(u/i) di/du = M (w_first - w_third)/(Mx w_output)``,
+    which is the power that the first link brings in, seen from the third link, by that
+    at the output. Given speeds, relative to the input speed, stay as they are.
+
+    Parameters
+    ----------
+    results : Results
+        Of one case.
+
+    Returns
+    -------
+    ndarray, shape (gears, mechanisms)
+        NaN where the ratio, or the torque, is not determined. [-]
+
+    Source
+    ------
+    docs/insight.md, from equation (4) of docs/method.md.
+
+    Examples
+    --------
+    >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
+    >>> case = Transmission(3, [ShiftElement(1, 2), ShiftElement(2)],
+    ...                     [Mechanism(1, 2, 3, -2.5)], [Gear([2]), Gear([1])])
+    >>> sensitivities(solve(case)).round(4) + 0
+    array([[0.7143],
+           [0.    ]])
+    """
+    alone = _without_torques(results)
+    case = alone.case
+    elements = len(case.shift_elements)
+    outputs = np.array([case.gear_output(gear) for gear in case.gears])
+    output_power = alone.output_torque * alone.speeds[np.arange(len(outputs)), outputs - 1]
+    speeds = np.hstack([np.zeros((len(outputs), 1)), alone.speeds])
+    first = np.array([mechanism.first for mechanism in case.mechanisms], dtype=int)
+    third = np.array([mechanism.third for mechanism in case.mechanisms], dtype=int)
+    with np.errstate(all="ignore"):
+        motion = speeds[:, first] - speeds[:, third]
+        found = alone.torques[:, elements:-1] * motion / output_power[:, np.newaxis]
+    # an idle one turns as one piece or carries nothing, which no internal ratio changes
+    idle = alone.idle & np.isfinite(alone.ratio)[:, np.newaxis]
+    found = np.where(idle, 0.0, found)
+    return np.where(np.isfinite(found), found + 0.0, np.nan)
+
+
+def _without_torques(results: Results) -> Results:
+    """The same gears without further external torques, each freewheel as it is."""
+    case = results.settled
+    if not any(gear.torques for gear in case.gears):
+        return results
+    return solve(replace(case, gears=[gear._replace(torques={}) for gear in case.gears]))

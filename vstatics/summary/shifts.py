@@ -1,0 +1,81 @@
+"""Transitions: which shift elements change from gear to gear."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
+
+from vstatics.statics.results import Results
+from vstatics.summary.order import ranges
+
+WORDS = ("none", "single", "double", "triple")
+
+
+class Transition(NamedTuple):
+    """A shift from one gear to another, upward; downward the two lists change places."""
+
+    start: str
+    end: str
+    jumped: str
+    """The gear between the two, if one is jumped."""
+    released: Sequence[str]
+    engaged: Sequence[str]
+
+    @property
+    def changes(self) -> int:
+        """How many elements change at once: the longer of the two lists."""
+        return max(len(self.released), len(self.engaged))
+
+    @property
+    def word(self) -> str:
+        """Of a single transition one element goes out and one in, of a double one two.
+
+        >>> Transition("1", "2", "", ["A", "B"], ["C"]).word
+        'double'
+        """
+        return WORDS[self.changes] if self.changes < len(WORDS) else f"{self.changes} at once"
+
+
+def transitions(results: Results) -> list[Transition]:
+    """The shifts between neighbours, then those that jump one gear.
+
+    A freewheel counts as engaged where it holds, so what it does by itself is told, too.
+
+    Parameters
+    ----------
+    results : Results
+        Of one case.
+
+    Examples
+    --------
+    >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
+    >>> case = Transmission(3, [ShiftElement(1, 2, "C"), ShiftElement(2, 0, "B")],
+    ...                     [Mechanism(1, 2, 3, -2.5)], [Gear([2]), Gear([1])])
+    >>> [transition] = transitions(solve(case))
+    >>> transition.released, transition.engaged, transition.word
+    (['B'], ['C'], 'single')
+    """
+    found = ranges(results)
+    return [
+        transition
+        for distance in (1, 2)
+        for indices in found
+        for transition in _over(results, indices, distance)
+    ]
+
+
+def _over(results: Results, indices: Sequence[int], distance: int) -> Iterator[Transition]:
+    """The shifts over so many steps."""
+    case = results.case
+    names = [element.name for element in case.shift_elements]
+    for place, start in enumerate(indices[:-distance]):
+        end = indices[place + distance]
+        before, after = results.holds[start].tolist(), results.holds[end].tolist()
+        states = list(zip(names, before, after, strict=True))
+        yield Transition(
+            case.gears[start].name,
+            case.gears[end].name,
+            case.gears[indices[place + 1]].name if distance == 2 else "",
+            [name for name, was, holds in states if was and not holds],
+            [name for name, was, holds in states if holds and not was],
+        )

@@ -1,0 +1,189 @@
+"""The text of --out -> columns with headings."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from vstatics.errors import Problem, ReadError
+from vstatics.model.transmission import Transmission
+from vstatics.numerics.arrays import Floats
+from vstatics.statics.results import Results
+from vstatics.sweep.expressions import Expression, read_part
+from vstatics.sweep.expressions.evaluation import Applied, Given, Selection
+from vstatics.sweep.expressions.operands import FUNCTIONS
+from vstatics.sweep.expressions.source import Source
+from vstatics.sweep.targets import Target
+from vstatics.tables.rows import table_rows, written
+
+OPTION = "--out"
+DEFAULT = "ratio,efficiency"
+
+_BLANK = re.compile(r"\s")
+
+
+class Part(NamedTuple):
+    """An expression, and which of its values become columns."""
+
+    expression: Expression
+    cells: tuple[tuple[int, int], ...]
+    """Index of gear and of row, 0 where it has none."""
+
+
+@dataclass(frozen=True)
+class Columns:
+    """What is written of each variant.
+
+    Parameters
+    ----------
+    headings : tuple of str
+        All different.
+    parts : tuple of Part
+        What they stand for, in the same order.
+    """
+
+    headings: tuple[str, ...]
+    parts: tuple[Part, ...]
+
+    def __call__(self, results: Results, values: Floats) -> Floats:
+        """Calculate all columns.
+
+        Parameters
+        ----------
+        results : Results
+            Of an array of variants.
+        values : ndarray, shape (variants, targets)
+            The varied numbers. [-]
+
+        Returns
+        -------
+        ndarray, shape (variants, columns)
+            Each column lies in one stretch of memory. NaN does not exist. [-]
+        """
+        made = np.empty((len(self.headings), len(values))).T
+        column = 0
+        for expression, cells in self.parts:
+            table = expression.spread(results, values)
+            for gear, row in cells:
+                made[:, column] = table[:, gear, row]
+                column += 1
+        return made
+
+
+def read_columns(
+    text: str, case: Transmission, targets: Sequence[Target], option: str = OPTION
+) -> Columns:
+    """Read a list of expressions, separated by commas outside brackets.
+
+    Each gives a column, or one for each gear and row that it has: all gears of the first
+    row, then of the second. What is asked for twice is written once, and varied numbers not
+    at all, since they have columns of their own.
+
+    Parameters
+    ----------
+    text : str
+    case : Transmission
+        Whose names the text uses.
+    targets : sequence of Target
+        What is varied.
+    option : str
+        Where the text was given, for messages.
+
+    Raises
+    ------
+    ReadError
+        With everything that is wrong, and its places.
+
+    Examples
+    --------
+    >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission
+    >>> case = Transmission(3, [ShiftElement(1, 2), ShiftElement(2, 0)],
+    ...                     [Mechanism(1, 2, 3, -2.5)], [Gear([1]), Gear([2], name="1R")])
+    >>> columns = read_columns("ratio, speeds[3], abs(losses[D1]), ratio[2] - 1", case, [])
+    >>> columns.headings[:4]
+    ('ratio[1]', 'ratio["1R"]', 'speeds[3,1]', 'speeds[3,"1R"]')
+    >>> columns.headings[4:]
+    ('abs(losses[D1])[1]', 'abs(losses[D1])["1R"]', 'ratio[2] - 1')
+    """
+    varied = {one.name for one in targets}
+    known = set(varied)
+    headings: list[str] = []
+    parts: list[Part] = []
+    problems: list[Problem] = []
+    for start, stop in _items(text):
+        try:
+            expression = read_part(Source(text, option, start, stop), case, targets)
+        except ReadError as error:
+            problems += error.problems
+            continue
+        cells = []
+        for cell, heading in _headings(expression, case, targets):
+            if heading in varied and not isinstance(expression.node, Given):
+                heading = f"({heading})"  # noqa: PLW2901 - it is not what is varied
+            if heading not in known:
+                known.add(heading)
+                headings.append(heading)
+                cells.append(cell)
+        parts.append(Part(expression, tuple(cells)))
+    if problems:
+        raise ReadError(problems)
+    return Columns(tuple(headings), tuple(parts))
+
+
+def _items(text: str) -> Iterator[tuple[int, int]]:
+    """The ends of the parts between commas that stand outside brackets and quotes."""
+    start, depth, quote = 0, 0, ""
+    for at, letter in enumerate(text):
+        if quote:
+            quote = "" if letter == quote else quote
+        elif letter in "\"'":
+            quote = letter
+        elif letter in "([":
+            depth += 1
+        elif letter in ")]":
+            depth -= 1
+        elif letter == "," and depth <= 0:
+            yield start, at
+            start = at + 1
+    yield start, len(text)
+
+
+def _headings(
+    expression: Expression, case: Transmission, targets: Sequence[Target]
+) -> Iterator[tuple[tuple[int, int], str]]:
+    """Gear and row of each column, and its heading."""
+    node = expression.node
+    gear_names = [gear.name for gear in case.gears]
+    if isinstance(node, Given):
+        yield (0, 0), targets[node.column].name
+        return
+    table = node.table if isinstance(node, Selection) else ""
+    row_names = table_rows(table, case) if table else list(expression.rows or ())
+    for row in range(len(expression.rows or ("",))):
+        for gear in range(len(expression.gears or ("",))):
+            keys = []
+            if isinstance(node, Selection):
+                if node.has_rows:
+                    keys.append(written(row if node.row is None else node.row, row_names))
+                keys.append(written(gear if node.gear is None else node.gear, gear_names))
+            else:
+                keys += [written(row, row_names)] if expression.rows is not None else []
+                keys += [written(gear, gear_names)] if expression.gears is not None else []
+            before = table or _before_keys(expression)
+            yield (gear, row), f"{before}[{','.join(keys)}]" if keys else _text(expression)
+
+
+def _text(expression: Expression) -> str:
+    """The text of an expression in one line."""
+    return _BLANK.sub(" ", expression.text)
+
+
+def _before_keys(expression: Expression) -> str:
+    """The text of an expression, in brackets if it is not a single call."""
+    node, text = expression.node, _text(expression)
+    single = isinstance(node, Applied) and node.name in FUNCTIONS
+    return text if single else f"({text})"

@@ -1,0 +1,134 @@
+"""Results against results, number by number: for golden files in CI."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Generator, Iterator, Sequence
+from typing import NamedTuple
+
+from vstatics.model.transmission import Transmission
+from vstatics.readers.results import Figure, Figures, Report
+from vstatics.statics.results import TABLES, TableShape, row_names
+
+
+class Difference(NamedTuple):
+    """A number, or the shape of a table, that is not as expected."""
+
+    table: str
+    row: str
+    gear: str
+    """Or the device, in AJK."""
+    actual: str
+    expected: str
+
+    def __str__(self) -> str:
+        """The difference in one line."""
+        column = "device" if self.table == "AJK" else "gear"
+        place = [self.table, self.row and f"row {self.row}", self.gear and f"{column} {self.gear}"]
+        return f"{', '.join(filter(None, place))}: {self.actual}, expected {self.expected}"
+
+
+def differences(
+    actual: Report, expected: Report, *, atol: float = 1e-12, rtol: float = 1e-9
+) -> Iterator[Difference]:
+    """Every place in which two results differ.
+
+    A number from a listing matches anything within half of its last digit. Otherwise
+    ``|actual - expected| <= atol + rtol*|expected|``. What does not exist matches
+    only what does not exist. Tables that the report of the source lacks are compared
+    where both results have them.
+    """
+    if actual.errors or expected.errors:
+        if actual.errors != expected.errors:
+            shown = {True: "a case in error", False: "a result"}
+            yield Difference("case", "", "", shown[actual.errors], shown[expected.errors])
+        return
+    for shape in TABLES:
+        here, there = actual.tables.get(shape.name), expected.tables.get(shape.name)
+        if here is None or there is None:
+            yield from _lacking(shape, actual, expected)
+        else:
+            names = _Names(shape, expected.case or actual.case)
+            rows = [report.rows.get(shape.name, ()) for report in (actual, expected)]
+            if all(rows):
+                names.rows, here, there = yield from _by_name(shape, rows, here, there)
+            yield from _table(names, here, there, atol, rtol)
+
+
+def _by_name(
+    shape: TableShape, rows: Sequence[Sequence[str]], here: Figures, there: Figures
+) -> Generator[Difference, None, tuple[Sequence[str], Figures, Figures]]:
+    """The rows that both results have, in one order, after those that only one has."""
+    found, wanted = (
+        dict(zip(*pair, strict=True)) for pair in zip(rows, (here, there), strict=True)
+    )
+    for name in [*found, *(name for name in wanted if name not in found)]:
+        if name not in wanted:
+            yield Difference(shape.name, name, "", "has this row", "does not have it")
+        elif name not in found:
+            yield Difference(shape.name, name, "", "does not have this row", "has it")
+    both = [name for name in wanted if name in found]
+    return both, [found[name] for name in both], [wanted[name] for name in both]
+
+
+def _lacking(shape: TableShape, actual: Report, expected: Report) -> Iterator[Difference]:
+    """A table that only one of the results has.
+
+    Empty tables are not printed; and a listing of the source has its own tables only.
+    """
+    one = actual if shape.name in actual.tables else expected
+    other = expected if one is actual else actual
+    if not any(one.tables.get(shape.name, ())):
+        return
+    foreign = other.printed and "ratio" not in other.tables
+    if shape.published or not foreign:
+        has, lacks = "has this table", "does not have it"
+        yield Difference(shape.name, "", "", *((has, lacks) if one is actual else (lacks, has)))
+
+
+class _Names:
+    """Names of the rows and columns of a table, numbers where no case tells them."""
+
+    def __init__(self, shape: TableShape, case: Transmission | None) -> None:
+        self.table = shape.name
+        self.one = shape.rows == "one"
+        self.rows: Sequence[str] = row_names(case, shape) if case else ()
+        self.columns: Sequence[str] = [gear.name for gear in case.gears] if case else ()
+        if case and shape.name == "AJK":
+            self.columns = case.devices
+
+    def row(self, number: int) -> str:
+        if self.one:
+            return ""
+        return self.rows[number] if number < len(self.rows) else str(number + 1)
+
+    def column(self, number: int) -> str:
+        return self.columns[number] if number < len(self.columns) else str(number + 1)
+
+
+def _table(
+    names: _Names, here: Figures, there: Figures, atol: float, rtol: float
+) -> Iterator[Difference]:
+    if len(here) != len(there):
+        yield Difference(names.table, "", "", f"{len(here)} rows", f"{len(there)} rows")
+        return
+    for number, (row, other) in enumerate(zip(here, there, strict=True)):
+        if len(row) != len(other):
+            counts = f"{len(row)} columns", f"{len(other)} columns"
+            yield Difference(names.table, names.row(number), "", *counts)
+            continue
+        for column, (one, two) in enumerate(zip(row, other, strict=True)):
+            if not _same(one, two, atol, rtol):
+                place = names.table, names.row(number), names.column(column)
+                yield Difference(*place, _shown(one), _shown(two))
+
+
+def _same(one: Figure, two: Figure, atol: float, rtol: float) -> bool:
+    if math.isnan(one.value) or math.isnan(two.value):
+        return math.isnan(one.value) and math.isnan(two.value)
+    slack = max(one.slack, two.slack) * (1 + 1e-9)  # .5 of a digit is itself rounded
+    return abs(one.value - two.value) <= slack + atol + rtol * abs(two.value)
+
+
+def _shown(figure: Figure) -> str:
+    return "no value" if math.isnan(figure.value) else repr(figure.value)

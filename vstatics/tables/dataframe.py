@@ -1,0 +1,69 @@
+"""Results as a pandas table."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+from vstatics.statics.results import ARRAYS, Results
+from vstatics.tables.rows import table_rows, written
+
+if TYPE_CHECKING:
+    import pandas as pd
+
+
+def to_dataframe(results: Results) -> pd.DataFrame:
+    """One row per variant and gear, a column per table and row.
+
+    Parameters
+    ----------
+    results : Results
+        Of one case or of arrays of variants, with any axes.
+
+    Returns
+    -------
+    DataFrame
+        Indexed by the number of the variant, from 0 in the order of the arrays, and the name
+        of the gear; by the gear alone for one case. Columns are named as in ``--out``,
+        without the gear: `ratio`, `speeds[C1]`.
+
+    Raises
+    ------
+    CaseError
+        If pandas is missing.
+
+    Examples
+    --------
+    >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
+    >>> case = Transmission(3, [ShiftElement(1, 2), ShiftElement(2, 0)],
+    ...                     [Mechanism(1, 2, 3, -2.5, 0.96)], [Gear([1]), Gear([2])])
+    >>> table = to_dataframe(solve(case, ratios=[[-2.0], [-3.0]]))
+    >>> table.shape, table.loc[(1, "2"), "ratio"].item()
+    ((4, 39), 4.0)
+    """
+    from vstatics.extras import require
+
+    require("pandas", "to_dataframe")
+    import pandas as pd
+
+    axes = results.ratio.shape[:-1]
+    gears = [gear.name for gear in results.case.gears]
+    index = (
+        pd.MultiIndex.from_product([range(math.prod(axes)), gears], names=["variant", "gear"])
+        if axes
+        else pd.Index(gears, name="gear")
+    )
+    return pd.DataFrame(dict(_columns(results)), index=index)
+
+
+def _columns(results: Results) -> Iterator[tuple[str, Any]]:
+    """Each column with its name."""
+    for name, kind in ARRAYS.items():
+        table = getattr(results, name)
+        if kind == "one":
+            yield name, table.ravel()
+            continue
+        rows = table_rows(name, results.case)
+        for row in range(len(rows)):
+            yield f"{name}[{written(row, rows)}]", table[..., row].ravel()

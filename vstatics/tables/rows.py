@@ -1,0 +1,51 @@
+"""Names of rows: those of a table, and how one is written, as in `speeds[C1]`."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from vstatics.model.transmission import Transmission
+from vstatics.statics.results import ARRAYS, TableShape, row_names
+
+NAME = re.compile(r"[^\W\d]\w*")
+"""What is written without quotes, as are digits."""
+_DIGITS = re.compile(r"[0-9]+")
+
+
+def table_rows(name: str, case: Transmission) -> Sequence[str]:
+    """The names of a table's rows; none if it has one value per gear.
+
+    Examples
+    --------
+    >>> from vstatics.model.transmission import Gear, Mechanism, Transmission
+    >>> case = Transmission(3, [], [Mechanism(1, 2, 3, -2.5)], [Gear()])
+    >>> list(table_rows("torques", case)), list(table_rows("ratio", case))
+    (['D1', 'Mx'], [])
+    """
+    rows = ARRAYS[name]
+    return [] if rows == "one" else row_names(case, TableShape(name, name, rows))
+
+
+def written(index: int, names: Sequence[str]) -> str:
+    """A row or a gear as it can be written between brackets; no other is written so.
+
+    >>> [written(index, ["C1", "4-5", "C1"]) for index in range(3)]
+    ['#1', '"4-5"', '#3']
+    """
+    name = names[index]
+    if names.count(name) > 1 or ('"' in name and "'" in name):
+        return f"#{index + 1}"
+    if is_bare(name):
+        return name
+    mark = "'" if '"' in name else '"'
+    return f"{mark}{name}{mark}"
+
+
+def is_bare(name: str) -> bool:
+    """Whether a name may stand between brackets without quotes.
+
+    >>> is_bare("C1"), is_bare("вал"), is_bare("2"), is_bare("1R"), is_bare("4-5")
+    (True, True, True, False, False)
+    """
+    return bool(NAME.fullmatch(name) or _DIGITS.fullmatch(name))

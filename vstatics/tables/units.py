@@ -1,0 +1,90 @@
+"""Tables in rpm, N*m and kW, for a case that tells its load."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+
+import numpy as np
+
+from vstatics.numerics.arrays import Floats
+from vstatics.statics.matrix import external_torques
+from vstatics.statics.results import TABLES, Results
+from vstatics.tables.table import Table
+
+KW_OF_RPM_NM = math.pi / 30 / 1000
+"""1 N*m at 1 rpm, in kW."""
+
+
+def physical(results: Results, relative: Mapping[str, Table]) -> dict[str, Table]:
+    """The tables with units, by their names.
+
+    Parameters
+    ----------
+    relative : mapping of name to Table
+        The tables without units.
+    """
+    with np.errstate(over="ignore", invalid="ignore"):
+        return _physical(results, relative)
+
+
+def _physical(results: Results, relative: Mapping[str, Table]) -> dict[str, Table]:
+    by_unit = scales(results)
+    gears = [gear.name for gear in results.case.gears]
+    entering, leaving = _ports(results)
+    own = {"input_power_kW": entering, "output_power_kW": leaving}
+    made = {}
+    for shape in TABLES:
+        if not shape.unit or np.isnan(by_unit[shape.unit]).all():
+            continue
+        if shape.name in own:
+            values = own[shape.name][np.newaxis]
+        elif shape.of in relative:
+            values = relative[shape.of].values * by_unit[shape.unit]
+        else:
+            continue
+        rows = [shape.name] if shape.rows == "one" else relative[shape.of].rows
+        finite = np.where(np.isfinite(values), values + 0.0, np.nan)
+        made[shape.name] = Table(shape, rows, gears, finite)
+    return made
+
+
+def scales(results: Results) -> dict[str, Floats]:
+    """By unit (rpm, Nm, kW): what a relative number of each gear is multiplied by.
+
+    Arrays of shape (gears,), NaN where no load tells.
+
+    When coasting the input link is driven: the torque on it is against its speed.
+    """
+    case = results.case
+    loads = [case.gear_load(gear) for gear in case.gears]
+    rpm = np.array([math.nan if load.speed is None else load.speed for load in loads])
+    torque = np.array([math.nan if load.torque is None else load.torque for load in loads])
+    if case.coast:
+        torque = -torque
+    return {"rpm": rpm, "Nm": torque, "kW": rpm * torque * KW_OF_RPM_NM}
+
+
+def _ports(results: Results) -> tuple[Floats, Floats]:
+    """Power that enters and that leaves by all links with an external torque, by gear [kW].
+
+    With losses; drag apart. So what enters less what leaves is lost.
+    """
+    case = results.case
+    power = np.zeros((len(case.gears), case.links + 1))
+    for gear, row, speeds, torques, holding in zip(
+        case.gears,
+        power,
+        results.speeds,
+        results.lossy_torques,
+        results.lossy_holding_torques,
+        strict=True,
+    ):
+        external = external_torques(case, gear)
+        external |= {link: holding[link - 1] for link in gear.speeds}
+        output = case.gear_output(gear)
+        external[output] = external.get(output, 0.0) - torques[-1]
+        for link, torque in external.items():
+            row[link] = 0.0 if torque == 0 else torque * speeds[link - 1]
+    power *= scales(results)["kW"][:, np.newaxis]
+    return np.maximum(power, 0.0).sum(axis=1), np.maximum(-power, 0.0).sum(axis=1)

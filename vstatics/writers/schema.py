@@ -1,0 +1,81 @@
+"""The JSON Schema of a result, made from the declaration of its tables.
+
+``python -m vstatics.writers.schema > schemas/result.schema.json``
+"""
+
+from __future__ import annotations
+
+import json
+import sys
+from typing import Any
+
+from vstatics.statics.results import TABLES, TableShape
+from vstatics.writers.result_json import CONVENTIONS, VERSION
+
+ROWS = {
+    "links": "links",
+    "elements": "shift elements",
+    "mechanisms": "mechanisms",
+    "torques": "shift elements, then mechanisms, then the output",
+    "meshes": "meshes",
+    "one": "",
+}
+NUMBERS: dict[type, dict[str, Any]] = {
+    float: {"type": ["number", "null"]},
+    int: {"enum": [-1, 0, 1, None]},
+    bool: {"type": ["boolean", "null"]},
+}
+
+
+def json_schema() -> dict[str, Any]:
+    """The schema of what `result_json.document` makes."""
+    texts = {"type": "array", "items": {"type": "string"}}
+    properties: dict[str, Any] = {
+        "format": {"const": "vstatics-result"},
+        "version": {"const": VERSION},
+        "conventions": {
+            "type": "object",
+            "properties": {key: {"type": "string"} for key in CONVENTIONS},
+            "required": list(CONVENTIONS),
+        },
+        "case": {"$ref": "case.schema.json", "description": "The case as it was calculated."},
+        "gears": {**texts, "description": "Names of the gears."},
+        "rows": {
+            "type": "object",
+            "additionalProperties": texts,
+            "description": "Names of the rows of each table, for a case that is drawn: its own "
+            "links and elements, planets, members, meshes.",
+        },
+    }
+    properties |= {shape.name: _table(shape) for shape in TABLES}
+    properties["messages"] = {**texts, "description": "What was noticed, gear by gear."}
+    sometimes = {"rows", *(shape.name for shape in TABLES if not shape.always)}
+    required = [name for name in properties if name not in sometimes]
+    return {
+        "$schema": "https://json-schema.org/draft/2020-12/schema",
+        "$id": "result.schema.json",
+        "title": "Result of vstatics",
+        "description": "Tables of one case under the names of the deck; null: no value.",
+        "type": "object",
+        "properties": properties,
+        "required": required,
+        "additionalProperties": False,
+    }
+
+
+def _table(shape: TableShape) -> dict[str, Any]:
+    row = {"type": "array", "items": NUMBERS[shape.kind]}
+    unit = f" [{shape.unit}]" if shape.unit else ""
+    if shape.rows == "one":
+        return {"description": f"A list over the gears{unit}.", **row}
+    columns = "devices" if shape.name == "AJK" else "gears"
+    return {
+        "description": f"Rows: {ROWS[shape.rows]}; columns: {columns}{unit}.",
+        "type": "array",
+        "items": row,
+    }
+
+
+if __name__ == "__main__":
+    json.dump(json_schema(), sys.stdout, indent=2, ensure_ascii=False)
+    sys.stdout.write("\n")
