@@ -29,7 +29,7 @@ def kept(case: Transmission, form: str) -> Transmission:
     """
     if form in KEEPS_ALL:
         return case
-    settled = library.solve(case).settled
+    settled = library.solve(case).with_freewheels_engaged
     plain = [element._replace(kind="") for element in settled.shift_elements]
     bare = {"description": "", "source": "", "load": None, "drawing": None}
     return replace(settled, shift_elements=plain, **bare)  # type: ignore[arg-type]

@@ -10,16 +10,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from vstatics.numerics.elimination import dependencies, solve
-from vstatics.numerics.entries import RIGHT, Row
+from vstatics.numerics.entries import RIGHT, Equation
 
 
-def rows(matrix: list[list[float]], right: list[float]) -> list[Row]:
+def rows(matrix: list[list[float]], right: list[float]) -> list[Equation]:
     """Dense equations as sparse rows."""
     return [
-        {
-            **{j: (value, abs(value)) for j, value in enumerate(line) if value},
-            RIGHT: (b, abs(b)),
-        }
+        {**{j: value for j, value in enumerate(line) if value}, RIGHT: b}
         for line, b in zip(matrix, right, strict=True)
     ]
 
@@ -88,8 +85,8 @@ def test_solutions_are_those_of_dense_elimination(size: int, rng: st.DataObject)
 @pytest.mark.parametrize("stage", [1e300, 1e-300])
 def test_overflow_harms_nothing_before_it(stage: float) -> None:
     # the stages multiply to 1e900, or to 1e-900
-    chain = [{0: (1.0, 1.0), RIGHT: (1.0, 1.0)}]
-    chain += [{i: (1.0, 1.0), i + 1: (-stage, stage)} for i in range(3)]
+    chain: list[Equation] = [{0: 1.0, RIGHT: 1.0}]
+    chain += [{i: 1.0, i + 1: -stage} for i in range(3)]
     values = solve(chain, 4).values
     assert values[0] == 1
     assert values[1] == pytest.approx(1 / stage, rel=1e-14)

@@ -13,7 +13,7 @@ from hypothesis import given, settings
 from tests.numerics.programs import Program, programs, rows_for, run, run_plan, same_bits, variants
 from vstatics.numerics import elimination
 from vstatics.numerics.arrays import Floats
-from vstatics.numerics.entries import RIGHT, TRACED
+from vstatics.numerics.entries import RIGHT
 from vstatics.numerics.tape import GUARDS, LONGEST, Plain, Tape, Untraceable
 from vstatics.numerics.traced import (
     HUGE,
@@ -322,16 +322,15 @@ def test_entries_that_nearly_cancel_stand_for_no_other_variant() -> None:
     """x0 + x1 = 1, a x0 + x1 = 2: too little of ``a - 1`` is left where a is 1 + 1e-13."""
     for excess, fits in ((0.5, True), (1e-13, False)):
         (a,) = traced(1 + excess)
-        rows = [{0: (a, 1.0), 1: (1.0, 1.0), RIGHT: (2.0, 1.0)}]
-        rows += [{0: (1.0, 1.0), 1: (1.0, 1.0), RIGHT: (1.0, 1.0)}]
+        rows = [{0: a, 1: 1.0, RIGHT: 2.0}, {0: 1.0, 1: 1.0, RIGHT: 1.0}]
         if fits:
-            found = elimination.solve(rows, 2, arithmetic=TRACED)
+            found = elimination.solve(rows, 2)
             assert found.consistent
             assert found.missing == 0
             assert found.values[0].magnitude.value == pytest.approx(2)
         else:
             with pytest.raises(Untraceable):
-                elimination.solve(rows, 2, arithmetic=TRACED)
+                elimination.solve(rows, 2)
 
 
 @settings(max_examples=80)

@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 
 import vstatics
 from vstatics import Gear, Mechanism, ShiftElement, Transmission
-from vstatics.elements.element import drawing_of
+from vstatics.elements.drawing import drawing_of
 from vstatics.elements.group import group_of
 from vstatics.elements.kinds import KINDS, Simple
 from vstatics.errors import CaseError

@@ -8,7 +8,7 @@ from vstatics import readers
 from vstatics.cli import cases as arguments
 from vstatics.cli import files
 from vstatics.cli.cases import Settings, calculate
-from vstatics.elements.element import drawing_of
+from vstatics.elements.drawing import drawing_of
 from vstatics.statics.diagnosis import freedom, given_conditions
 from vstatics.statics.results import Results
 

@@ -25,7 +25,7 @@ def write(case: Transmission, output_format: readers.Format) -> tuple[str, list[
             for gear, is_so in zip(case.gears, results.conflict.tolist(), strict=True)
             if is_so
         ]
-        return write_deck(results.settled), [*lost(case), *conflicts]
+        return write_deck(results.with_freewheels_engaged), [*lost(case), *conflicts]
     from vstatics.writers import named
 
     writer = named.write_yaml if output_format == "yaml" else named.write_json

@@ -7,6 +7,7 @@ say what cannot be, and `view` shows results for the elements again.
 """
 
 from vstatics.elements.build import transmission
-from vstatics.elements.element import CentralWheel, Drawing, Element, MeshEfficiency
+from vstatics.elements.drawing import Drawing
+from vstatics.elements.element import CentralWheel, Element, MeshEfficiency
 
 __all__ = ["CentralWheel", "Drawing", "Element", "MeshEfficiency", "transmission"]

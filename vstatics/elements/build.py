@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from vstatics.elements.element import Drawing
+from vstatics.elements.drawing import Drawing
 from vstatics.elements.lower import parts
 from vstatics.model.transmission import Transmission
 

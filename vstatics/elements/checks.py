@@ -10,7 +10,8 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 
 from vstatics.elements import group_checks
-from vstatics.elements.element import Drawing, Element
+from vstatics.elements.drawing import Drawing
+from vstatics.elements.element import Element
 from vstatics.elements.group import group_of
 from vstatics.elements.group_checks import MOST
 from vstatics.elements.kinds import GROUP, KINDS, Kind, Planetary, Simple

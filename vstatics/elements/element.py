@@ -8,7 +8,6 @@ from typing import Literal, NamedTuple
 
 from vstatics.elements.kinds import KINDS, Kind
 from vstatics.model.parts import HOUSING, Mechanism
-from vstatics.model.transmission import Transmission
 
 Losses = Literal["meshes", "reduced"]
 """Whether losses are calculated at each mesh, or in as few mechanisms as the speeds need."""
@@ -101,8 +100,8 @@ class Element:
 
 
 @dataclass(frozen=True)
-class Drawing:
-    """What a case draws: elements, and mechanisms that stand beside them.
+class DrawingFields:
+    """What a case draws: elements, and mechanisms that stand beside them; see `Drawing`.
 
     Parameters
     ----------
@@ -126,8 +125,3 @@ class Drawing:
     def efficiency_of(self, element: Element) -> MeshEfficiency:
         """The efficiencies of an element's meshes."""
         return MeshEfficiency(**{**self.mesh_efficiency, **element.mesh_efficiency})
-
-
-def drawing_of(case: Transmission) -> Drawing | None:
-    """What a case was drawn as, if it was."""
-    return case.drawing if isinstance(case.drawing, Drawing) else None

@@ -14,11 +14,10 @@ from collections.abc import Iterator, Mapping
 from fractions import Fraction
 from typing import NamedTuple
 
-from vstatics.elements.element import CentralWheel, Drawing, Element, MeshEfficiency, drawing_of
+from vstatics.elements.element import CentralWheel, DrawingFields, Element, MeshEfficiency
 from vstatics.elements.group import PlanetGroup, group_of
 from vstatics.elements.kinds import Planetary, Simple
 from vstatics.model.parts import Mechanism
-from vstatics.model.transmission import Transmission
 
 
 class Lowered(NamedTuple):
@@ -52,7 +51,7 @@ class Part(NamedTuple):
         return {member: found[member] for member in (*wheels, "carrier") if member in found}
 
 
-def parts(drawing: Drawing) -> list[Part]:
+def parts(drawing: DrawingFields) -> list[Part]:
     """What each element of a drawing becomes; planets that are links count on from its links."""
     made: list[Part] = []
     last = drawing.links
@@ -63,19 +62,13 @@ def parts(drawing: Drawing) -> list[Part]:
     return [*made, *map(_given, drawing.mechanisms)]
 
 
-def parts_of(case: Transmission) -> list[Part]:
-    """The parts of any case: of its drawing, or its mechanisms as they are."""
-    drawing = drawing_of(case)
-    return [*map(_given, case.mechanisms)] if drawing is None else parts(drawing)
-
-
 def _given(mechanism: Mechanism) -> Part:
     """A mechanism that was given as such."""
     members = ("first", "second", "third" if mechanism.third else "")
     return Part(mechanism.name, None, (Lowered(mechanism, members),), {})
 
 
-def at_meshes(element: Element, group: PlanetGroup, drawing: Drawing) -> bool:
+def at_meshes(element: Element, group: PlanetGroup, drawing: DrawingFields) -> bool:
     """Whether the losses of a group are calculated at its meshes."""
     if element.efficiency is not None:
         return False
@@ -84,7 +77,7 @@ def at_meshes(element: Element, group: PlanetGroup, drawing: Drawing) -> bool:
     return drawing.losses == "meshes"
 
 
-def _part(element: Element, drawing: Drawing, last: int) -> Part:
+def _part(element: Element, drawing: DrawingFields, last: int) -> Part:
     given = drawing.efficiency_of(element)
     if isinstance(element.shape, Simple):
         return Part(element.name, element, (_simple(element, element.shape, given),), {})

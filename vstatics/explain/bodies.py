@@ -6,9 +6,9 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
-from vstatics.elements.element import drawing_of
+from vstatics.elements.drawing import drawing_of, parts_of
 from vstatics.elements.kinds import Planetary
-from vstatics.elements.lower import Part, parts, parts_of
+from vstatics.elements.lower import Part, parts
 from vstatics.model.transmission import HOUSING, Gear, Transmission
 from vstatics.numerics import elimination
 from vstatics.numerics.entries import RIGHT, Row

@@ -97,7 +97,7 @@ def explain(results: Results, number: int) -> Explanation:
     >>> explained.speeds.equations[0].terms[1]
     Term(unknown='w_2', symbol='-u_D1', coefficient=2.5)
     """
-    case = results.settled
+    case = results.with_freewheels_engaged
     given, gear = results.case.gears[number], case.gears[number]
     names = names_of(case)
     matrix = distribution_matrix(case) + 0.0
@@ -139,7 +139,7 @@ def _torques(
     results: Results, number: int, names: Names, matrix: Floats, signs: Sequence[Sign]
 ) -> tuple[System | None, System | None]:
     """The torque equations without losses and with them."""
-    case = results.settled
+    case = results.with_freewheels_engaged
     gear = case.gears[number]
     if results.tied_up[number] or results.conflict[number]:
         return None, None
@@ -173,7 +173,7 @@ _Joined = tuple[list[Together], list[str], list[str], Formula | None, str]
 
 def _structure(results: Results, number: int, names: Names) -> _Joined:
     """What turns together, and the formula."""
-    case = results.settled
+    case = results.with_freewheels_engaged
     gear = case.gears[number]
     if results.conflict[number]:
         return [], [], [], None, "the freewheels are in conflict"

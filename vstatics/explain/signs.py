@@ -73,7 +73,7 @@ def signs_of(results: Results, number: int) -> list[Sign]:
 
 def _torques(results: Results, number: int) -> list[float]:
     """On the first links of the mechanisms: those of which the power decides the signs."""
-    case = results.settled
+    case = results.with_freewheels_engaged
     elements = len(case.shift_elements)
     dragging = drag.of_gear(results, number)
     if dragging is drag.NO_DRAG or not results.calculable[number]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from vstatics.elements.lower import parts_of
+from vstatics.elements.drawing import parts_of
 from vstatics.explain.bodies import OwnLinks
 from vstatics.explain.names import Names
 from vstatics.model.transmission import Transmission

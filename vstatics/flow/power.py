@@ -14,26 +14,13 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.flow.circulation import Edge, Loop, Node, cancel
-from vstatics.flow.exchange import (
-    Exchange,
-    Torques,
-    Train,
-    ideal_torques,
-    links_of,
-    lossy_torques,
-    of_devices,
-    of_drag,
-    of_ports,
-    pieces_of,
-    trains,
-)
+from vstatics.flow.exchange import Exchange, exchanges, links_of, pieces_of
 from vstatics.model.transmission import HOUSING
-from vstatics.statics.drag import NO_DRAG, Drag
+from vstatics.numerics.tolerances import NOISE
 from vstatics.statics.results import Results
+from vstatics.statics.state import GearState
 from vstatics.tables.units import scales
 
-NOISE = 1e-12
-"""Power below this part of the largest one of the gear is rounding."""
 
 
 class MemberPower(NamedTuple):
@@ -152,45 +139,29 @@ def flows(results: Results) -> list[GearFlow]:
     if results.speeds.ndim != 2:
         raise ValueError(f"speeds of shape {results.speeds.shape}: expected (gears, links)")
     kilowatts = np.abs(scales(results)["kW"]).tolist()
-    given = zip(trains(results), ideal_torques(results), lossy_torques(results), strict=True)
-    found = []
-    for number, (train, ideal, lossy) in enumerate(given):
-        calculable = bool(results.calculable[number])
-        stands = calculable and not (results.locked[number] or results.undecided[number])
-        found.append(
-            GearFlow(
-                train.gear.name,
-                _flow(train, ideal, NO_DRAG) if calculable else None,
-                _flow(train, lossy, train.drag) if stands else None,
-                kilowatts[number],
-                _note(results, number),
-            )
-        )
-    return found
+    return [
+        _of_gear(results.gear(number), power) for number, power in enumerate(kilowatts, 1)
+    ]
 
 
-def _note(results: Results, number: int) -> str:
-    """Why a flow of a gear does not exist."""
-    if results.conflict[number]:
-        return "freewheels in conflict"
-    if results.tied_up[number]:
-        return "tied up"
-    if not results.calculable[number]:
-        return "torques do not balance"
-    if results.locked[number]:
-        return "locked by friction"
-    return "signs of losses not found" if results.undecided[number] else ""
+def _of_gear(state: GearState, kilowatts: float) -> GearFlow:
+    why = next((one.english for one in state.statuses if not one.has_power), "")
+    return GearFlow(
+        state.gear.name,
+        _flow(state, lossy=False) if state.calculable else None,
+        None if why else _flow(state, lossy=True),
+        kilowatts,
+        why,
+    )
 
 
-def _flow(train: Train, torques: Torques, dragging: Drag) -> PowerFlow:
-    """The power of a gear under given torques."""
-    devices = list(of_devices(train, torques, dragging))
-    ports = list(of_ports(train, torques))
-    everything = _without_noise([*devices, *ports, *of_drag(train, dragging)])
-    links = links_of(train)
+def _flow(state: GearState, *, lossy: bool) -> PowerFlow:
+    """The power of a gear without or with losses."""
+    everything = _without_noise(exchanges(state, lossy=lossy))
+    links = links_of(state)
     edges = tuple(_edges(everything, links))
     order = [*links.values(), *dict.fromkeys(one.node for one in everything)]
-    pieces = pieces_of(train)
+    pieces = pieces_of(state)
     within = [e for e in edges if e.source in pieces and pieces[e.source] == pieces.get(e.target)]
     at_rest = cancel(within, order)
     outside = [edge for edge in edges if edge not in within]
@@ -200,12 +171,12 @@ def _flow(train: Train, torques: Torques, dragging: Drag) -> PowerFlow:
         edges,
         forward,
         tuple(
-            MemberPower(one.node, one.member, train.case.link_name(one.link), one.power)
+            MemberPower(one.node, one.member, state.case.link_name(one.link), one.power)
             for one in everything
             if one.member
         ),
         _throughput(everything, links),
-        _losses(train, torques, dragging),
+        _losses(state, exchanges(state, lossy=True)) if lossy else {},
         -sum(given for given in at_ports if not given > 0) + 0.0,
         sum(given for given in at_ports if not given < 0) + 0.0,
         loops,
@@ -249,13 +220,14 @@ def _throughput(given: Sequence[Exchange], links: Mapping[int, Node]) -> dict[No
     return found
 
 
-def _losses(train: Train, torques: Torques, dragging: Drag) -> dict[Node, float]:
-    """Of each mechanism, open element and link."""
+def _losses(state: GearState, given: Sequence[Exchange]) -> dict[Node, float]:
+    """Of each mechanism or drawn element, open shift element and link."""
     found: dict[Node, float] = {}
-    for number, (part, loss) in enumerate(zip(train.parts, torques.losses, strict=False), 1):
-        found[Node("mechanism", number, part.name)] = loss * train.direction + 0.0
-    for one in (*of_devices(train, torques, dragging), *of_drag(train, dragging)):
-        drags = one.node.kind == "element" and one.node.number - 1 in dragging.elements
+    for number, device in enumerate(state.case.own_devices, 1):
+        lost = sum(float(state.losses[index]) for index in device.mechanisms)
+        found[Node("mechanism", number, device.name)] = lost * state.ideal.direction + 0.0
+    for one in given:
+        drags = one.node.kind == "element" and one.node.number - 1 in state.drag.elements
         if drags or one.node.kind == "drag":
             found[one.node] = found.get(one.node, 0.0) + one.power
     return found

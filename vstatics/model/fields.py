@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Literal, Protocol
 
+from vstatics.model.own import Member, OwnDevice, Planet
 from vstatics.model.parts import Gear, Load, Mechanism, ShiftElement
 
 IdleConvention = Literal["published", "exact"]
@@ -22,6 +24,10 @@ class AnyDrawing(Protocol):
     @property
     def mechanisms(self) -> Sequence[Mechanism]:
         """Those that were given as such, not made from elements."""
+
+    @property
+    def devices(self) -> Sequence[OwnDevice]:
+        """Elements and mechanisms, in the order of the mechanisms that they became."""
 
 
 @dataclass(frozen=True)
@@ -47,6 +53,13 @@ class TransmissionFields:
     def own_links(self) -> int:
         """How many links the case itself has, without those of planets."""
         return self.links if self.drawing is None else self.drawing.links
+
+    @cached_property
+    def own_devices(self) -> Sequence[OwnDevice]:
+        """Mechanisms and drawn elements as the case itself names them."""
+        if self.drawing is not None:
+            return self.drawing.devices
+        return [_own_device(number, one) for number, one in enumerate(self.mechanisms)]
 
     def gear_input(self, gear: Gear) -> int:
         """The input link of a gear."""
@@ -86,3 +99,13 @@ class TransmissionFields:
         """Names of all devices in the order of the structural-distribution matrix."""
         elements = [element.name for element in self.shift_elements]
         return elements + [mechanism.name for mechanism in self.mechanisms]
+
+
+def _own_device(index: int, mechanism: Mechanism) -> OwnDevice:
+    """A mechanism that was not made from an element."""
+    links = mechanism.links if mechanism.third else mechanism.links[:2]
+    members = [
+        Member(name, link, ((index, place),))
+        for place, (name, link) in enumerate(zip(("first", "second", "third"), links, strict=False))
+    ]
+    return OwnDevice(mechanism.name, (index,), tuple(members), (Planet(mechanism.name, index),))

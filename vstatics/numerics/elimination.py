@@ -13,11 +13,19 @@ from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
-from vstatics.numerics.entries import EXACTLY_ONE, FLOATS, RIGHT, Arithmetic, Entry, Row
-from vstatics.numerics.traced import Number, is_traced
-
-PIVOT = 0.1
-"""A pivot is at least this part of the largest entry in its row: so rows can't grow."""
+from vstatics.numerics.entries import (
+    EXACTLY_ONE,
+    FLOATS,
+    RIGHT,
+    Arithmetic,
+    Entry,
+    Equation,
+    Row,
+    arithmetic_of,
+    row_of,
+)
+from vstatics.numerics.tolerances import PIVOT
+from vstatics.numerics.traced import Number, absolute, is_traced
 
 
 class Solution(NamedTuple):
@@ -34,17 +42,16 @@ class Solution(NamedTuple):
 
 
 def solve(
-    rows: Sequence[Row],
+    equations: Sequence[Equation],
     unknowns: int,
-    sums: Sequence[Mapping[int, float]] = (),
-    arithmetic: Arithmetic = FLOATS,
+    sums: Sequence[Mapping[int, Number]] = (),
 ) -> Solution:
     """Solve a system; give every unknown, and every sum of unknowns, that is determined.
 
     Parameters
     ----------
-    rows : sequence of Row
-        Equations; their entries belong to the arithmetic.
+    equations : sequence of Equation
+        Numbers are floats, or traced.
     unknowns : int
         Columns 0 to unknowns - 1.
     sums : sequence of mapping
@@ -55,24 +62,26 @@ def solve(
     --------
     Two equations for x0 - x1 = 1 and x2 = 5; x0 and x1 are open, their difference is not.
 
-    >>> rows = [{0: (1.0, 1.0), 1: (-1.0, 1.0), RIGHT: (1.0, 1.0)},
-    ...         {2: (2.0, 2.0), RIGHT: (10.0, 10.0)}]
-    >>> solve(rows, 3, sums=[{0: 1.0, 1: -1.0}])
+    >>> equations = [{0: 1.0, 1: -1.0, RIGHT: 1.0}, {2: 2.0, RIGHT: 10.0}]
+    >>> solve(equations, 3, sums=[{0: 1.0, 1: -1.0}])
     Solution(values=[nan, nan, 5.0, 1.0], consistent=True, missing=1, excess=0)
     """
-    run = _Elimination(rows, arithmetic)
+    arithmetic = arithmetic_of(equations)
+    run = _Elimination([row_of(equation, arithmetic) for equation in equations], arithmetic)
     consistent = run.consistent()
-    values = run.values(unknowns, sums) if consistent else [math.nan] * (unknowns + len(sums))
+    values: list[Number] = [math.nan] * (unknowns + len(sums))
+    if consistent:
+        values = run.values(unknowns, sums)
     return Solution(values, consistent, unknowns - len(run.pivots), len(run.left))
 
 
-def dependencies(rows: Sequence[Row]) -> Iterator[tuple[list[int], bool]]:
+def dependencies(equations: Sequence[Equation]) -> Iterator[tuple[list[int], bool]]:
     """Equations that say the same or contradict each other.
 
-    For every equation in excess: the numbers of the rows whose weighted sum has no
+    For every equation in excess: the numbers of those whose weighted sum has no
     unknown left, and whether the right-hand sides agree.
     """
-    marked: list[Row] = [{**row, -2 - n: (1.0, 1.0)} for n, row in enumerate(rows)]
+    marked = [row_of({**one, -2 - number: 1.0}, FLOATS) for number, one in enumerate(equations)]
     for left in _Elimination(marked, FLOATS).left:
         yield sorted(-2 - column for column in left if column < RIGHT), RIGHT not in left
 
@@ -118,7 +127,7 @@ class _Elimination:
         """Whether no row says that zero is something else."""
         return not any(RIGHT in row for row in self.left)
 
-    def values(self, unknowns: int, sums: Sequence[Mapping[int, float]]) -> list[Number]:
+    def values(self, unknowns: int, sums: Sequence[Mapping[int, Number]]) -> list[Number]:
         """Back substitution: each unknown and sum, NaN where it hangs on a free unknown."""
         pivots = {column for column, _, _ in self.pivots}
         known: dict[int, Row] = {
@@ -165,8 +174,8 @@ def _choose(active: Sequence[Row]) -> tuple[Row, int]:
     )
     for _, number, _, column in places:
         row = candidates[number]
-        least = abs(row[column][0])
+        least = absolute(row[column][0])
         others = (row[other][0] for other in row if other not in (column, RIGHT))
-        if all(least >= PIVOT * abs(other) for other in others):
+        if all(least >= PIVOT * absolute(other) for other in others):
             return row, column
     return candidates[0], max(candidates[0])  # only where an overflow left no number

@@ -12,30 +12,33 @@ first variant is so for all.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import NamedTuple
 
 from vstatics.numerics.tape import Untraceable
-from vstatics.numerics.traced import Number, difference, first, guard_same, is_traced
+from vstatics.numerics.tolerances import LEAST, REAL, ZERO
+from vstatics.numerics.traced import (
+    Number,
+    Traced,
+    absolute,
+    difference,
+    first,
+    guard_same,
+    is_traced,
+)
 
 Entry = tuple[Number, float]
 """A value and its size."""
 Row = dict[int, Entry]
-"""Column -> entry of the equation ``sum(a_j x_j) = b``; b stands in column `RIGHT`."""
+"""Column -> entry of an equation."""
+Coefficient = Number | tuple[Number, ...]
+"""A number, or terms that have it as their sum."""
+Equation = Mapping[int, Coefficient]
+"""Column -> coefficient of the equation ``sum(a_j x_j) = b``; b stands in column `RIGHT`."""
 
 RIGHT = -1
-EPSILON = 2.0**-52
-ZERO = 32 * EPSILON
-"""A difference is zero when it is at most this part of its size, ..."""
-REAL = 2.0**-20
-"""... and this part of the larger of its terms."""
-LEAST = 1 / 64
-"""Traced: a difference is at least this part of its larger term for all variants, or a
-sixteenth of the part that the first variant has, but more than `REAL`."""
 UNKNOWN = math.nan
 """The size of what was calculated from traced numbers."""
-ONE: Entry = (1.0, 1.0)
-MINUS_ONE: Entry = (-1.0, 1.0)
 EXACTLY_ONE: Entry = (1.0, 0.0)
 """A factor that adds no rounding."""
 
@@ -50,23 +53,53 @@ class Arithmetic(NamedTuple):
     """``less(a, b, c)`` is a - b * c; exactly 0 where that is only rounding."""
 
 
-def of(numbers: Iterable[Number]) -> Arithmetic:
-    """The arithmetic for some numbers: traced, if one of them is."""
-    return TRACED if any(map(is_traced, numbers)) else FLOATS
+def arithmetic_of(equations: Iterable[Equation]) -> Arithmetic:
+    """The arithmetic for some equations: traced, if one of their numbers is."""
+    for equation in equations:
+        for coefficient in equation.values():
+            terms = coefficient if isinstance(coefficient, tuple) else (coefficient,)
+            if any(map(is_traced, terms)):
+                return TRACED
+    return FLOATS
 
 
-def _entry(number: float) -> Entry:
+def row_of(equation: Equation, arithmetic: Arithmetic) -> Row:
+    """An equation as entries of a system.
+
+    >>> row_of({0: 2.0, 1: (1.5, -1.0)}, FLOATS)
+    {0: (2.0, 2.0), 1: (0.5, 2.5)}
+    """
+    return {
+        column: _total(coefficient, arithmetic)
+        if isinstance(coefficient, tuple)
+        else arithmetic.entry(coefficient)
+        for column, coefficient in equation.items()
+    }
+
+
+def _total(terms: Sequence[Number], arithmetic: Arithmetic) -> Entry:
+    """The sum of terms; it may be zero where they cancel."""
+    total = arithmetic.entry(terms[0])
+    for term in terms[1:]:
+        total = arithmetic.less(total, EXACTLY_ONE, arithmetic.entry(-term))
+    return total
+
+
+_FloatEntry = tuple[float, float]
+
+
+def _entry(number: float) -> _FloatEntry:
     return number, abs(number)
 
 
-def _quotient(entry: Entry, pivot: Entry) -> Entry:
+def _quotient(entry: _FloatEntry, pivot: _FloatEntry) -> _FloatEntry:
     value, size = entry
     divisor, its_size = pivot
     ratio = value / divisor
     return ratio, (size + abs(ratio) * its_size) / abs(divisor)
 
 
-def _less(entry: Entry, factor: Entry, term: Entry) -> Entry:
+def _less(entry: _FloatEntry, factor: _FloatEntry, term: _FloatEntry) -> _FloatEntry:
     value, size = entry
     a, its_size = factor
     b, last_size = term
@@ -77,25 +110,26 @@ def _less(entry: Entry, factor: Entry, term: Entry) -> Entry:
     return (0.0 if abs(left) <= rounding < math.inf else left), size
 
 
-FLOATS = Arithmetic(_entry, _quotient, _less)
+FLOATS = Arithmetic(_entry, _quotient, _less)  # type: ignore[arg-type]
+"""For equations without a traced number, as `arithmetic_of` makes sure."""
 
 
 def _traced_entry(number: Number) -> Entry:
-    return (number, UNKNOWN) if is_traced(number) else _entry(number)
+    return (number, UNKNOWN) if isinstance(number, Traced) else _entry(number)
 
 
 def _traced_quotient(entry: Entry, pivot: Entry) -> Entry:
     if is_traced(entry[0]) or is_traced(pivot[0]):
         return entry[0] / pivot[0], UNKNOWN
-    return _quotient(entry, pivot)
+    return _quotient(entry, pivot)  # type: ignore[arg-type]
 
 
 def _traced_less(entry: Entry, factor: Entry, term: Entry) -> Entry:
     plain = not any(map(is_traced, (entry[0], factor[0], term[0])))
     if plain and not math.isnan(entry[1] + factor[1] + term[1]):
-        return _less(entry, factor, term)
+        return _less(entry, factor, term)  # type: ignore[arg-type]
     value, product = entry[0], factor[0] * term[0]
-    if not all(is_traced(number) or math.isfinite(number) for number in (value, product)):
+    if not all(isinstance(one, Traced) or math.isfinite(one) for one in (value, product)):
         raise Untraceable
     if value == 0 or product == 0 or (value > 0) != (product > 0):
         return value - product, UNKNOWN
@@ -103,7 +137,7 @@ def _traced_less(entry: Entry, factor: Entry, term: Entry) -> Entry:
     part = 1 - first(smaller) / first(larger)
     if part <= ZERO:
         if not plain:
-            guard_same(abs(smaller), abs(larger), ZERO)
+            guard_same(absolute(smaller), absolute(larger), ZERO)
         return 0.0, UNKNOWN
     if part <= 2 * REAL:
         raise Untraceable

@@ -18,7 +18,7 @@ from vstatics.numerics.arrays import Booleans, Floats, Integers
 from vstatics.numerics.memory import Rows
 from vstatics.numerics.replay import Replay, replay
 from vstatics.numerics.tape import Tape, Untraceable
-from vstatics.numerics.traced import Magnitude, Number, Traced
+from vstatics.numerics.traced import Magnitude, Number, Rest, Traced
 
 FEW = 4
 """So many variants are not worth a plan."""
@@ -34,7 +34,7 @@ plans, so that numbers that wander do not need a new one again and again."""
 SPREAD = 64.0
 """The bounds of a plan reach no further than this factor from the variant that made it."""
 
-Function = Callable[[Sequence[Number]], Sequence[Number]]
+Function = Callable[[Sequence[Number]], Sequence[Number | Rest]]
 """The calculation for one variant: its numbers -> its results."""
 
 

@@ -103,15 +103,15 @@ class Replay(NamedTuple):
         return True
 
 
-def replay(tape: Tape, results: Sequence[Number]) -> Replay:
+def replay(tape: Tape, results: Sequence[Number | Rest]) -> Replay:
     """Arrange the operations of a tape that its guards and some results need."""
-    varied = [row for row, result in enumerate(results) if isinstance(result, Traced | Rest)]
+    varied: list[int] = []
     copies: dict[int, list[tuple[int, float]]] = {}
-    for cell, row in enumerate(varied, tape.inputs):
-        result = results[row]
-        slot = result.slot if isinstance(result, Rest) else result.magnitude.operand
-        sign = 1.0 if isinstance(result, Rest) else float(result.sign)
-        copies.setdefault(slot, []).append((cell, sign))
+    for row, result in enumerate(results):
+        if isinstance(result, Traced | Rest):
+            slot, sign = _slot(result)
+            copies.setdefault(slot, []).append((tape.inputs + len(varied), sign))
+            varied.append(row)
     last = _last_uses(tape, copies)
     cells = _Cells(tape.inputs, len(varied))
     steps: list[Step] = []
@@ -121,8 +121,8 @@ def replay(tape: Tape, results: Sequence[Number]) -> Replay:
         if slot in last:
             operands = cells.of(one), cells.of(other)
             cells.release(s for s in {one, other} if isinstance(s, int) and last[s] == slot)
-            result = None if name in GUARDS else cells.taken(slot, copies)
-            steps.append(Step(getattr(np, name), PLAIN[name], *operands, result))
+            cell = None if name in GUARDS else cells.taken(slot, copies)
+            steps.append(Step(getattr(np, name), PLAIN[name], *operands, cell))
             steps += cells.copied(slot, copies)
     varies = set(varied)
     constants = [(row, value) for row, value in enumerate(results) if row not in varies]
@@ -133,6 +133,14 @@ def replay(tape: Tape, results: Sequence[Number]) -> Replay:
         [plain.number for plain in cells.plain],
         Layout(varied, constants),
     )
+
+
+def _slot(result: Traced | Rest) -> tuple[int, float]:
+    """Where a result stands on its tape, and its sign."""
+    if isinstance(result, Rest):
+        return result.slot, 1.0
+    assert isinstance(result.magnitude.operand, int)  # noqa: S101 - a plain number is not traced
+    return result.magnitude.operand, float(result.sign)
 
 
 def _last_uses(tape: Tape, copies: Mapping[int, Any]) -> dict[int, int]:

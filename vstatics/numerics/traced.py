@@ -15,12 +15,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TypeGuard
 
 from vstatics.numerics.tape import Operand, Plain, Tape, Untraceable
-
-Number = Any
-"""A float, or a `Traced` number: the operators are the same for both."""
 
 HUGE = 1e100
 """A first variant with a magnitude above it, or below its inverse, is a special case."""
@@ -97,9 +94,18 @@ class Traced:
         return not _equal(self.tape, self, other)
 
 
-def is_traced(number: Number) -> bool:
+Number = float | Traced
+"""A float, or a traced number: the operators are the same for both."""
+
+
+def is_traced(number: Number | Rest) -> TypeGuard[Traced]:
     """Whether it is a traced number, not a plain one."""
     return number.__class__ is Traced
+
+
+def absolute(number: Number) -> Number:
+    """Its magnitude; `abs`, whose type is lost on a union."""
+    return abs(number)  # type: ignore[return-value]
 
 
 def first(number: Number) -> float:
@@ -108,21 +114,21 @@ def first(number: Number) -> float:
 
 
 def _magnitude(number: Number) -> Magnitude:
-    if is_traced(number):
-        return number.magnitude  # type: ignore[no-any-return]
+    if isinstance(number, Traced):
+        return number.magnitude
     size = abs(float(number))
     return Magnitude(Plain(size), size, size, size)
 
 
 def _sign(number: Number) -> int:
-    if is_traced(number):
-        return number.sign  # type: ignore[no-any-return]
+    if isinstance(number, Traced):
+        return number.sign
     return 1 if number >= 0 else -1
 
 
 def _is_nothing(number: Number) -> bool:
     """Whether it is a plain 0 or NaN, with which there is nothing to calculate."""
-    return not is_traced(number) and not abs(number) > 0
+    return not isinstance(number, Traced) and not abs(number) > 0
 
 
 def _ordered(one: Operand, other: Operand) -> tuple[Operand, Operand]:
@@ -163,7 +169,7 @@ def _total(tape: Tape, one: Number, other: Number) -> Number:
     """A sum; where magnitudes are subtracted the larger one is guarded to be larger."""
     for number, left in ((one, other), (other, one)):
         if _is_nothing(number):
-            return number if math.isnan(number) else left
+            return number if number != number else left  # noqa: PLR0124 - NaN
     a, b = _magnitude(one), _magnitude(other)
     if _sign(one) == _sign(other):
         slot = tape.note("add", *_ordered(a.operand, b.operand))
@@ -178,20 +184,27 @@ def difference(larger: Number, smaller: Number, least: float = 0.0) -> Traced:
 
     At least one of them is traced. Guards see to it for all variants.
     """
-    tape: Tape = (larger if is_traced(larger) else smaller).tape
+    tape = _tape(larger, smaller)
     a, b = _magnitude(larger), _magnitude(smaller)
     left = a.low - b.high * SURE
     if not left > least * a.high:  # also where there is no upper bound
-        _compare(tape, "less", abs(smaller), abs(larger) * (1 - least))
+        _compare(tape, "less", absolute(smaller), absolute(larger) * (1 - least))
         left = max(least * a.low / SURE, 0.0)
     slot = tape.note("subtract", a.operand, b.operand)
     made = Magnitude(slot, a.value - b.value, left, a.high - b.low / SURE)
     return Traced(tape, _sign(larger), made)
 
 
+def _tape(one: Number, other: Number) -> Tape:
+    """The tape of two numbers, one of which is traced."""
+    traced = one if isinstance(one, Traced) else other
+    assert isinstance(traced, Traced)  # noqa: S101
+    return traced.tape
+
+
 def guard_same(one: Number, other: Number, part: float) -> None:
     """Guard that two numbers above 0, one of them traced, differ by no more than a part."""
-    tape: Tape = (one if is_traced(one) else other).tape
+    tape = _tape(one, other)
     if _magnitude(one).operand != _magnitude(other).operand:
         _compare(tape, "less_equal", one, other * (1 + part))
         _compare(tape, "less_equal", other * (1 - part), one)
@@ -222,7 +235,7 @@ def _compare(tape: Tape, name: str, one: Number, other: Number) -> bool:
 
 def _stand_in(number: Number) -> float:
     """A number to compare with 0, infinity or NaN, for all variants alike."""
-    return float(number.sign if is_traced(number) else number)
+    return float(number.sign if isinstance(number, Traced) else number)
 
 
 def _equal(tape: Tape, one: Number, other: Any) -> bool:
@@ -254,7 +267,7 @@ class Rest:
     __abs__ = __sub__ = __rsub__ = _refuse
 
 
-def rest(terms: Sequence[Number]) -> Number:
+def rest(terms: Sequence[Number]) -> Number | Rest:
     """The sum of terms that should cancel, from left to right.
 
     >>> rest([1.0, 0.5, -1.5])

@@ -78,7 +78,7 @@ def draw(results: Results, style: Style, gear: int | None) -> Figure:
     CaseError
         If there is no mechanism of two links or more.
     """
-    case = results.settled
+    case = results.with_freewheels_engaged
     gears = [gear] if gear else list(range(1, len(case.gears) + 1))
     page = _page(results, style, gears)
     wide = page.columns[-1]
@@ -133,7 +133,7 @@ def _limits(results: Results, drawn: Sequence[Lever], gears: Sequence[int]) -> t
 
 def _row(figure: Figure, page: _Page, chosen: int, middle: float) -> None:
     """All levers in a gear."""
-    joined = signs.joined(page.results.settled, chosen)
+    joined = signs.joined(page.results.with_freewheels_engaged, chosen)
     bottom = middle - page.high / 2
     for place, left in enumerate(page.lefts):
         start = page.columns[place] + left
@@ -157,7 +157,7 @@ def _node_text(case: Transmission, node: Node, style: Style) -> str:
 
 def _gear_text(results: Results, chosen: int, style: Style) -> str:
     """Name, ratio and engaged elements of a gear, in lines."""
-    case = results.settled
+    case = results.with_freewheels_engaged
     gear = case.gears[chosen - 1]
     lines = [style.text(f"gear {gear.name}", f"передача {gear.name}")]
     if results.conflict[chosen - 1]:

@@ -10,9 +10,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import NamedTuple
 
+from vstatics.elements.drawing import parts_of
 from vstatics.elements.group import group_of
 from vstatics.elements.kinds import Planetary
-from vstatics.elements.lower import Part, parts_of
+from vstatics.elements.lower import Part
 from vstatics.model.transmission import HOUSING, Mechanism, Transmission
 
 

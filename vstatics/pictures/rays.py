@@ -102,7 +102,7 @@ def plans(results: Results) -> list[Plan]:
     >>> [round(ray.start + 0.0, 3) for ray in plan.rays], [round(ray.slope, 3) for ray in plan.rays]
     ([1.0, -0.4, 0.0], [0.0, 1.4, 1.0])
     """
-    case = results.settled
+    case = results.with_freewheels_engaged
     known = [
         (number, gear, output)
         for number, gear in enumerate(case.gears, 1)

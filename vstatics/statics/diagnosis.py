@@ -16,13 +16,12 @@ from vstatics.model.checks import doubts
 from vstatics.model.transmission import Gear, Transmission
 from vstatics.numerics import elimination
 from vstatics.numerics.arrays import Booleans
+from vstatics.numerics.tolerances import UNCERTAIN
 from vstatics.statics import drag, freewheels, matrix
+from vstatics.statics.efficiency import sign
 from vstatics.statics.idling import coincidences
 from vstatics.statics.results import Message, Results
 from vstatics.statics.speeds import solve_speeds
-
-UNCERTAIN = 1e-6
-"""Speeds and torques that disagree by this part are told of."""
 
 Said = tuple[Severity, str]
 
@@ -63,12 +62,12 @@ def messages(results: Results) -> Iterator[Message]:
     wheels, has_drag = case.freewheels, case.has_drag
     for number, given in enumerate(case.gears):
         held = [element for element in wheels if results.holds[number, element - 1]]
-        gear = freewheels.holding(given, held)
+        gear = freewheels.with_engaged(given, held)
         said = (
             *(_conflict(case, gear) if results.conflict[number] else ()),
             *_speed_messages(results, number, gear),
             *_torque_messages(results, number, gear),
-            *_loss_messages(results, number, gear),
+            *_loss_messages(results, number),
             *(_shared(case, given, held) if held else ()),
             *(_drag_messages(results, number, gear) if has_drag else ()),
         )
@@ -78,7 +77,7 @@ def messages(results: Results) -> Iterator[Message]:
 
 def _shared(case: Transmission, gear: Gear, held: Sequence[int]) -> Iterator[Said]:
     """Freewheels that could hold as well as those that do."""
-    others = freewheels.as_well(case, gear, held, _ratios(case))
+    others = freewheels.alternatives(case, gear, held, _ratios(case))
     if others:
         ones, twos = (
             [case.shift_elements[number - 1].name for number in numbers]
@@ -93,7 +92,7 @@ def _shared(case: Transmission, gear: Gear, held: Sequence[int]) -> Iterator[Sai
 def _drag_messages(results: Results, number: int, gear: Gear) -> Iterator[Said]:
     """What would drag, but with an unknown speed."""
     speeds, slips = results.speeds[number].tolist(), results.slip_speeds[number].tolist()
-    unknown = drag.unknown(results.case, gear, speeds, slips)
+    unknown = drag.unknown_drag(results.case, gear, speeds, slips)
     if unknown and results.calculable[number]:
         yield _warning(
             f"the drag of {_list(unknown)} is left out, as statics does not determine a speed there"
@@ -143,8 +142,8 @@ def _overrunning(results: Results, number: int, gear: Gear) -> list[str]:
     free = [n for n in case.freewheels if n not in gear.engaged]
 
     def drives(*held: int) -> bool:
-        speeds = solve_speeds(case, freewheels.holding(gear, held), _ratios(case))
-        return speeds.consistent and not math.isnan(speeds.links[output])
+        speeds = solve_speeds(case, freewheels.with_engaged(gear, held), _ratios(case))
+        return speeds.consistent and not math.isnan(sign(speeds.links[output]))
 
     chosen = [n for n in free if math.isnan(results.slip_speeds[number, n - 1]) and drives(n)]
     if not chosen and free and drives(*free):
@@ -244,7 +243,7 @@ def _uncertain(results: Results, number: int, gear: Gear) -> bool:
     return abs(float(results.torques[number, -1]) * float(speed) - 1) > UNCERTAIN
 
 
-def _loss_messages(results: Results, number: int, gear: Gear) -> Iterator[Said]:
+def _loss_messages(results: Results, number: int) -> Iterator[Said]:
     """Friction locks, flows that losses turn round, idle mechanisms that matter."""
     case = results.case
     names = [mechanism.name for mechanism in case.mechanisms]
@@ -269,7 +268,7 @@ def _loss_messages(results: Results, number: int, gear: Gear) -> Iterator[Said]:
             f"{results.choices[number]} sets of directions of power agree with the losses; "
             "the one of the largest efficiency is taken"
         )
-    idle = coincidences(results, number, gear)
+    idle = _coincidences(results, number)
     if idle:
         what = "torques with losses and efficiency depend"
         if not any(idle.values()):
@@ -277,3 +276,10 @@ def _loss_messages(results: Results, number: int, gear: Gear) -> Iterator[Said]:
         yield _warning(
             f"{_list([*idle])}: idle by coincidence; {what} on the direction of power assumed there"
         )
+
+
+def _coincidences(results: Results, number: int) -> dict[str, bool]:
+    """Idle mechanisms that matter, where there can be any; see `coincidences`."""
+    if results.case.drawing is None and not results.idle[number].any():
+        return {}
+    return coincidences(results.gear(number + 1))

@@ -10,14 +10,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from types import MappingProxyType
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 from vstatics.model.transmission import HOUSING, Gear, Transmission
-from vstatics.numerics.traced import Number
+from vstatics.numerics.traced import Number, absolute
 from vstatics.statics.speeds import is_tie
-
-if TYPE_CHECKING:
-    from vstatics.statics.results import Results
 
 NOTHING: Mapping[int, float] = MappingProxyType({})
 
@@ -38,14 +35,7 @@ class Drag(NamedTuple):
 NO_DRAG = Drag()
 
 
-def of_gear(results: Results, number: int) -> Drag:
-    """The drag of a gear of one case, by its index, at the speeds that it has."""
-    case = results.settled
-    speeds, slips = results.speeds[number].tolist(), results.slip_speeds[number].tolist()
-    return acting(case, case.gears[number], speeds, slips)
-
-
-def acting(
+def drag_torques(
     case: Transmission, gear: Gear, speeds: Sequence[Number], slips: Sequence[Number]
 ) -> Drag:
     """The drag of a gear at its speeds; none where a speed is 0 or not determined.
@@ -61,7 +51,7 @@ def acting(
     --------
     >>> from vstatics.model.transmission import Mechanism
     >>> case = Transmission(2, [], [Mechanism(1, 2, 0, -4.0)], [Gear(drag={2: 0.1})])
-    >>> acting(case, case.gears[0], [1.0, -0.25], [])[2:]
+    >>> drag_torques(case, case.gears[0], [1.0, -0.25], [])[2:]
     ({2: 0.1}, [0.025])
     """
     torques = _open(case, gear)
@@ -74,21 +64,21 @@ def acting(
     losses: list[Number] = []
     for link, torque in gear.drag.items():
         speed = speeds[link - 1]
-        against = torque * direction * _way(speed)
+        against = torque * direction * _direction(speed)
         if against:
             links[link] = -against
             external[link] = -against
-            losses.append(abs(speed) * (torque * direction))
-    by_link = [0.0, *map(abs, speeds)]
+            losses.append(absolute(speed) * (torque * direction))
+    by_link = [0.0, *map(absolute, speeds)]
     for number, torque in torques.items():
         element, slip = case.shift_elements[number - 1], slips[number - 1]
-        against = torque * direction * _way(slip)
-        if against and not is_tie(abs(slip), by_link[element.first], by_link[element.second]):
+        against = torque * direction * _direction(slip)
+        if against and not is_tie(absolute(slip), by_link[element.first], by_link[element.second]):
             elements[number - 1] = against
             for link, pull in ((element.first, -against), (element.second, against)):
                 if link != HOUSING:
                     external[link] = external.get(link, 0.0) + pull
-            losses.append(abs(slip) * (torque * direction))
+            losses.append(absolute(slip) * (torque * direction))
     return Drag(links, elements, external, losses)
 
 
@@ -102,7 +92,7 @@ def _open(case: Transmission, gear: Gear) -> dict[int, float]:
     return {number: torque for number, torque in torques.items() if torque}
 
 
-def unknown(
+def unknown_drag(
     case: Transmission, gear: Gear, speeds: Sequence[Number], slips: Sequence[Number]
 ) -> list[str]:
     """Names of links and open elements with drag whose speed is not determined; of one case."""
@@ -111,11 +101,11 @@ def unknown(
     return [*links, *(case.shift_elements[number - 1].name for number in elements)]
 
 
-def _is(values: Sequence[float], number: int) -> bool:
+def _is(values: Sequence[Number], number: int) -> bool:
     """Whether a value exists."""
     return values[number - 1] == values[number - 1]
 
 
-def _way(speed: Number) -> int:
+def _direction(speed: Number) -> int:
     """+1 forward, -1 backward; 0 where it stands, or where that is not determined."""
     return 1 if speed > 0 else -1 if speed < 0 else 0

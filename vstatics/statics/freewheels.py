@@ -11,36 +11,27 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from itertools import combinations
-from typing import NamedTuple
 
 from vstatics.model.transmission import Gear, Transmission
-from vstatics.numerics.traced import Number
-from vstatics.statics import matrix, signs
-from vstatics.statics.drag import NO_DRAG, acting
-from vstatics.statics.losses import Efficiency, Flow, both_ways, is_nothing, sign, with_loss
-from vstatics.statics.signs import Outcome
+from vstatics.numerics.traced import Number, absolute
+from vstatics.statics import matrix
+from vstatics.statics.drag import NO_DRAG
+from vstatics.statics.efficiency import (
+    Efficiency,
+    efficiencies_by_direction,
+    lossy_ratios,
+    sign,
+)
+from vstatics.statics.ideal import IdealGear, ideal_gear, is_nothing
+from vstatics.statics.sign_search import find_signs
 from vstatics.statics.speeds import Speeds, is_tie, solve_speeds
-from vstatics.statics.torques import Torques, solve_torques
-
-Held = tuple[int, ...]
-"""Numbers of the freewheels that hold."""
+from vstatics.statics.state import GearState
+from vstatics.statics.torques import Torques
 
 
-class State(NamedTuple):
-    """A gear in which every freewheel either holds or overruns."""
-
-    gear: Gear
-    """With the freewheels that hold among the engaged elements."""
-    speeds: Speeds
-    flow: Flow
-    outcome: Outcome
-    conflict: bool = False
-    """There is no such state."""
-
-
-def settle(
+def find_state(
     case: Transmission, gear: Gear, ratios: Sequence[Number], efficiencies: Sequence[Number]
-) -> State:
+) -> GearState:
     """The gear with its freewheels where they belong.
 
     All sets of freewheels that may hold are tried, the smallest first. The first is
@@ -53,7 +44,7 @@ def settle(
     ratios, efficiencies : sequence of Number
         Of each mechanism: floats, or traced numbers. [-]
     """
-    both = both_ways(case, efficiencies)
+    both = efficiencies_by_direction(case, efficiencies)
     if not case.freewheels:
         return _state(case, gear, ratios, both, solve_speeds(case, gear, ratios))
     nobody = solve_speeds(case, gear, ratios)
@@ -62,7 +53,7 @@ def settle(
     if driven_backward(case, gear, nobody):
         return _conflict(case, gear, ratios, both, nobody)
     for held in _sets(case):
-        chosen = holding(gear, held)
+        chosen = with_engaged(gear, held)
         speeds = solve_speeds(case, chosen, ratios) if held else nobody
         state = _possible(case, chosen, ratios, both, speeds)
         if state is not None:
@@ -76,7 +67,7 @@ def _possible(
     ratios: Sequence[Number],
     efficiencies: Sequence[Efficiency],
     speeds: Speeds,
-) -> State | None:
+) -> GearState | None:
     """A gear with some freewheels engaged, if they can hold and the others can overrun."""
     held = [number for number in case.freewheels if number in gear.engaged]
     drives = speeds.consistent and not math.isnan(sign(speeds.links[case.gear_output(gear) - 1]))
@@ -86,7 +77,7 @@ def _possible(
     return state if all(_can_hold(state, number) for number in held) else None
 
 
-def as_well(
+def alternatives(
     case: Transmission, gear: Gear, held: Sequence[int], ratios: Sequence[float]
 ) -> list[int]:
     """Numbers of the freewheels that could hold in place of some of those that do.
@@ -98,10 +89,10 @@ def as_well(
     held : sequence of int
         The freewheels that hold.
     """
-    both = both_ways(case, [mechanism.efficiency for mechanism in case.mechanisms])
+    both = efficiencies_by_direction(case)
     others: set[int] = set()
     for chosen in combinations(case.freewheels, len(held)):
-        other = holding(gear, chosen)
+        other = with_engaged(gear, chosen)
         if chosen != tuple(held):
             speeds = solve_speeds(case, other, ratios)
             if _possible(case, other, ratios, both, speeds) is not None:
@@ -109,24 +100,24 @@ def as_well(
     return sorted(others.difference(held))
 
 
-def holding(gear: Gear, held: Sequence[int]) -> Gear:
+def with_engaged(gear: Gear, held: Sequence[int]) -> Gear:
     """The gear with some freewheels engaged."""
     return gear._replace(engaged=(*gear.engaged, *held)) if held else gear
 
 
 def driven_backward(case: Transmission, gear: Gear, speeds: Speeds) -> list[int]:
     """Numbers of the freewheels that do not hold and would have to overrun backward."""
-    by_link = [0.0, *map(abs, speeds.links)]
+    by_link = [0.0, *map(absolute, speeds.links)]
     found = []
     for number in case.freewheels:
         element, slip = case.shift_elements[number - 1], speeds.slips[number - 1]
         if number not in gear.engaged and slip < 0:
             ends = by_link[element.first], by_link[element.second]
-            found += [number] * (not is_tie(abs(slip), *ends))
+            found += [number] * (not is_tie(absolute(slip), *ends))
     return found
 
 
-def _sets(case: Transmission) -> Iterator[Held]:
+def _sets(case: Transmission) -> Iterator[tuple[int, ...]]:
     """All sets of freewheels, the smallest first."""
     for size in range(len(case.freewheels) + 1):
         yield from combinations(case.freewheels, size)
@@ -138,27 +129,22 @@ def _state(
     ratios: Sequence[Number],
     efficiencies: Sequence[Efficiency],
     speeds: Speeds,
-) -> State:
-    """Torques without and with losses, for the elements that are engaged."""
-    torques = solve_torques(case, gear, ratios)
-    drag = acting(case, gear, speeds.links, speeds.slips)
-    driving = torques if drag is NO_DRAG else solve_torques(case, gear, ratios, drag)
-    flow = Flow(
-        case, gear, ratios, efficiencies, speeds.links, speeds.motion, torques, drag, driving
-    )
-    moving = torques.consistent and speeds.consistent
-    return State(gear, speeds, flow, signs.search(flow, moving=moving))
+) -> GearState:
+    """The gear with torques, for the elements that are engaged."""
+    ideal = ideal_gear(case, gear, ratios, efficiencies, speeds)
+    moving = ideal.torques.consistent and speeds.consistent
+    return GearState(ideal, find_signs(ideal, moving=moving))
 
 
-def _can_hold(state: State, number: int) -> bool:
+def _can_hold(state: GearState, number: int) -> bool:
     """Whether a freewheel that holds has a torque of the right sign, with losses if they exist."""
-    flow, lossy = state.flow, state.outcome.lossy
-    torques, ratios = flow.driving, flow.ratios
-    if not math.isnan(sign(lossy.torques[number - 1])):
-        torques = Torques(list(lossy.torques), lossy.holding, consistent=True)
-        ratios = list(map(with_loss, ratios, flow.efficiencies, lossy.signs))
-    pull = sign(torques.first[number - 1]) * flow.direction
-    return pull <= 0 or (pull > 0 and is_nothing(flow, ratios, torques, number))
+    ideal, lossy = state.ideal, state.search.lossy
+    torques, ratios = ideal.torques_with_drag, ideal.ratios
+    if not math.isnan(sign(lossy.torques.on_first_link[number - 1])):
+        torques = lossy.torques
+        ratios = lossy_ratios(ratios, ideal.efficiencies, lossy.signs)
+    pull = sign(torques.on_first_link[number - 1]) * ideal.direction
+    return pull <= 0 or (pull > 0 and is_nothing(ideal, ratios, torques, number))
 
 
 def _conflict(
@@ -167,12 +153,12 @@ def _conflict(
     ratios: Sequence[Number],
     efficiencies: Sequence[Efficiency],
     nobody: Speeds,
-) -> State:
+) -> GearState:
     """A gear without a state, and so without values."""
     nan = math.nan
     speeds = nobody._replace(
         links=[nan] * len(nobody.links),
-        motion=[nan] * len(nobody.motion),
+        relative_speeds=[nan] * len(nobody.relative_speeds),
         slips=[nan] * len(nobody.slips),
     )
     torques = Torques(
@@ -180,7 +166,5 @@ def _conflict(
         dict.fromkeys(matrix.held_links(case, gear), nan),
         consistent=False,
     )
-    flow = Flow(
-        case, gear, ratios, efficiencies, speeds.links, speeds.motion, torques, NO_DRAG, torques
-    )
-    return State(gear, speeds, flow, signs.search(flow, moving=False), conflict=True)
+    ideal = IdealGear(case, gear, ratios, efficiencies, speeds, torques, NO_DRAG, torques)
+    return GearState(ideal, find_signs(ideal, moving=False), conflict=True)

@@ -1,53 +1,25 @@
-"""One gear: speeds, torques without and with losses, what is determined."""
+"""One gear: its state, and what `Results` have of it."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
-from typing import NamedTuple
+from collections.abc import Iterator, Mapping, Sequence
 
-from vstatics.model.transmission import Gear, Mechanism, Transmission
-from vstatics.numerics.traced import Number, Rest, Traced, guard_within
-from vstatics.statics import freewheels
-from vstatics.statics.results import ARRAYS, Rows
-
-CLOSED = 1e-9
-"""Powers agree to this part of the input power, or rounding is too large for a plan."""
+from vstatics.model.own import Planet
+from vstatics.model.parts import HOUSING
+from vstatics.model.transmission import Gear, Transmission
+from vstatics.numerics.tolerances import CLOSED, ROUNDING
+from vstatics.numerics.traced import Number, Rest, Traced, absolute, guard_within
+from vstatics.statics.arrays import ARRAYS, row_counts
+from vstatics.statics.freewheels import find_state
+from vstatics.statics.state import GearState
 
 Numbers = Sequence[Number]
+Values = Mapping[str, Number | Rest | list[Number] | list[bool] | tuple[float, ...]]
+"""Name of an array of `Results` -> its values in one gear and one variant, or traced for many."""
 
 
-class Solved(NamedTuple):
-    """The values of `Results` for one gear and one variant, or traced for many."""
-
-    speeds: Numbers
-    planet_speeds: Numbers
-    slip_speeds: Numbers
-    ratio: Number
-    torques: Numbers
-    holding_torques: Numbers
-    lossy_torques: Numbers
-    lossy_holding_torques: Numbers
-    efficiency: Number
-    power_sign: Numbers
-    idle: Sequence[bool]
-    losses: Numbers
-    power_balance: Number
-    drag_losses: Number
-    consistent: bool
-    locked: bool
-    undecided: bool
-    turned: Sequence[bool]
-    choices: int
-    tied_up: bool
-    missing: int
-    excess: int
-    balanced: bool
-    holds: Sequence[bool]
-    conflict: bool
-
-
-def solve_gear(case: Transmission, gear: Gear, ratios: Numbers, efficiencies: Numbers) -> Solved:
+def solve_gear(case: Transmission, gear: Gear, ratios: Numbers, efficiencies: Numbers) -> Values:
     """Everything that is calculated for one gear.
 
     Parameters
@@ -55,86 +27,143 @@ def solve_gear(case: Transmission, gear: Gear, ratios: Numbers, efficiencies: Nu
     ratios, efficiencies : sequence of Number
         Of each mechanism: floats, or traced numbers. [-]
     """
-    state = freewheels.settle(case, gear, ratios, efficiencies)
-    speeds, torques, outcome = state.speeds, state.flow.torques, state.outcome
-    lossy = outcome.lossy
-    output_speed = speeds.links[case.gear_output(gear) - 1]
-    return Solved(
-        speeds=speeds.links,
-        planet_speeds=[
-            _planet_speed(mechanism, ratio, motion)
-            for mechanism, ratio, motion in zip(case.mechanisms, ratios, speeds.motion, strict=True)
-        ],
-        slip_speeds=speeds.slips,
-        ratio=math.nan if output_speed == 0 else 1 / output_speed,
-        torques=torques.first,
-        holding_torques=_by_link(case, torques.holding),
-        lossy_torques=lossy.torques,
-        lossy_holding_torques=_by_link(case, lossy.holding),
-        efficiency=lossy.efficiency,
-        power_sign=lossy.signs,
-        idle=outcome.idle,
-        losses=lossy.losses,
-        power_balance=lossy.balance,
-        drag_losses=lossy.drag_losses,
-        consistent=lossy.admissible,
-        locked=outcome.locked,
-        undecided=outcome.undecided,
-        turned=outcome.turned,
-        choices=outcome.choices,
-        tied_up=not speeds.consistent,
-        missing=speeds.missing,
-        excess=speeds.excess,
-        balanced=torques.consistent,
-        holds=[n in state.gear.engaged for n in range(1, len(case.shift_elements) + 1)],
-        conflict=state.conflict,
-    )
+    state = find_state(case, gear, ratios, efficiencies)
+    speeds, search, lossy = state.ideal.speeds, state.search, state.search.lossy
+    devices = case.own_devices
+    return {
+        "speeds": speeds.links[: case.own_links],
+        "planet_speeds": list(_planet_speeds(state)),
+        "slip_speeds": speeds.slips,
+        "ratio": state.ratio,
+        "torques": _torques(state, lossy=False),
+        "holding_torques": _by_link(case, state.torques.holding),
+        "lossy_torques": _torques(state, lossy=True),
+        "lossy_holding_torques": _by_link(case, state.lossy_torques.holding),
+        "efficiency": lossy.efficiency,
+        "power_sign": lossy.signs,
+        "idle": [all(search.idle[index] for index in one.mechanisms) for one in devices],
+        "losses": [_total([lossy.losses[index] for index in one.mechanisms]) for one in devices],
+        "power_balance": lossy.balance,
+        "drag_losses": lossy.drag_losses,
+        "consistent": state.consistent,
+        "locked": search.locked,
+        "undecided": search.undecided,
+        "turned": search.turned,
+        "choices": search.choices,
+        "tied_up": state.tied_up,
+        "missing": speeds.missing,
+        "excess": speeds.excess,
+        "balanced": state.balanced,
+        "holds": [n in state.engaged for n in range(1, len(case.shift_elements) + 1)],
+        "conflict": state.conflict,
+        "mesh_torques": list(_of_meshes(state, state.torques.on_first_link)),
+        "lossy_mesh_torques": list(_of_meshes(state, state.lossy_torques.on_first_link)),
+        "mesh_losses": [lossy.losses[index] for one in devices for index, _ in one.meshes_by_index],
+    }
 
 
-def _planet_speed(mechanism: Mechanism, ratio: Number, motion: Number) -> Number:
-    """Speed of the planet against the third link."""
+def _total(numbers: Numbers) -> Number:
+    """The sum of at least one number."""
+    total = numbers[0]
+    for number in numbers[1:]:
+        total = total + number
+    return total
+
+
+def _planet_speeds(state: GearState) -> Iterator[Number]:
+    """Speeds of all planets against their carriers."""
+    case, ratios = state.case, state.ideal.ratios
+    for device in case.own_devices:
+        for planet in device.planets:
+            index = planet.mechanism
+            if planet.wheels and (index < 0 or ratios[index] == case.mechanisms[index].ratio):
+                yield _by_wheels(state, planet)
+            else:
+                yield _by_ratio(state, index)
+
+
+def _by_ratio(state: GearState, index: int) -> Number:
+    """From the planet ratio of a mechanism."""
+    mechanism, motion = state.case.mechanisms[index], state.relative_speeds[index]
     if mechanism.planet_ratio is not None:
         return motion / mechanism.planet_ratio
+    ratio = state.ideal.ratios[index]
     return motion / ((ratio + 1) / 2) if mechanism.is_plain(ratio) else math.nan
 
 
-def _by_link(case: Transmission, holding: dict[int, Number]) -> Numbers:
-    return [holding.get(link, math.nan) for link in range(1, case.links + 1)]
+def _by_wheels(state: GearState, planet: Planet) -> Number:
+    """From the first wheel that meshes with its train and has a speed."""
+    if math.isnan(planet.speed):
+        return math.nan
+
+    def speed(link: int) -> Number:
+        return 0.0 if link == HOUSING else state.speeds[link - 1]
+
+    carrier = speed(planet.carrier)
+    for wheel in planet.wheels:
+        motion = speed(wheel.link) - carrier
+        if absolute(motion) <= ROUNDING * (absolute(speed(wheel.link)) + absolute(carrier)):
+            return 0.0
+        if motion == motion:  # noqa: PLR0124 - else NaN
+            return motion / wheel.ratio * planet.speed
+    return math.nan
 
 
-def watch(case: Transmission, gear: Gear, solved: Solved) -> None:
+def _torques(state: GearState, *, lossy: bool) -> list[Number]:
+    """On shift elements, mechanisms or members of drawn elements, and the output."""
+    torques = (state.lossy_torques if lossy else state.torques).on_first_link
+    if state.case.drawing is None:
+        return torques
+    members = state.member_torques(lossy=lossy)
+    elements = len(state.case.shift_elements)
+    return [
+        *torques[:elements],
+        *(torque for device in members for torque in device.values()),
+        torques[-1],
+    ]
+
+
+def _of_meshes(state: GearState, torques: Numbers) -> Iterator[Number]:
+    """On the first wheel of each mesh, where its teeth are known."""
+    elements = len(state.case.shift_elements)
+    for device in state.case.own_devices:
+        for index, is_known in device.meshes_by_index:
+            yield torques[elements + index] if is_known else math.nan
+
+
+def _by_link(case: Transmission, holding: Mapping[int, Number]) -> list[Number]:
+    return [holding.get(link, math.nan) for link in range(1, case.own_links + 1)]
+
+
+def guard_power(case: Transmission, gear: Gear, values: Values) -> None:
     """Guard, for traced numbers, that power is conserved: without losses and with them.
 
+    Without losses output torque times output speed is 1, equation (1) of docs/method.md.
     A variant of which this is not true is left to be calculated by itself.
     """
-    output_speed = solved.speeds[case.gear_output(gear) - 1]
-    power = solved.torques[-1] * output_speed
+    speeds, torques, balance = values["speeds"], values["torques"], values["power_balance"]
+    assert isinstance(speeds, list)  # noqa: S101
+    assert isinstance(torques, list)  # noqa: S101
+    power = torques[-1] * speeds[case.gear_output(gear) - 1]
     if not gear.speeds and not gear.torques and isinstance(power, Traced):
         guard_within(power, 1 - CLOSED, 1 + CLOSED)
-    if isinstance(solved.power_balance, Rest):
-        guard_within(solved.power_balance, -CLOSED, CLOSED)
+    if isinstance(balance, Rest):
+        guard_within(balance, -CLOSED, CLOSED)
 
 
 def widths(case: Transmission) -> dict[str, int | None]:
-    """Field of `Solved` -> how many values it has; None for a value of the gear itself."""
-    elements, mechanisms = len(case.shift_elements), len(case.mechanisms)
-    counts: dict[Rows, int | None] = {
-        "links": case.links,
-        "elements": elements,
-        "mechanisms": mechanisms,
-        "torques": elements + mechanisms + 1,
-        "one": None,
-    }
-    return {name: counts[ARRAYS[name]] for name in Solved._fields}
+    """Array of `Results` -> how many values a gear has; None for a value of the gear itself."""
+    counts = row_counts(case)
+    return {name: None if one.rows == "one" else counts[one.rows] for name, one in ARRAYS.items()}
 
 
-def flat(solved: Solved, fields: Sequence[str]) -> list[Number]:
-    """The values of some fields in their order, without -0; what overflowed does not exist."""
-    values: list[Number] = []
-    for name in fields:
-        value = getattr(solved, name)
-        values += value if isinstance(value, list | tuple) else [value]
-    return [_tidy(value) if value.__class__ is float else value for value in values]
+def flat(values: Values, names: Sequence[str]) -> list[Number | Rest]:
+    """The values of some arrays in their order, without -0; what overflowed does not exist."""
+    numbers: list[Number | Rest] = []
+    for name in names:
+        value = values[name]
+        numbers += value if isinstance(value, list | tuple) else [value]
+    return [_tidy(value) if value.__class__ is float else value for value in numbers]
 
 
 def _tidy(value: float) -> float:

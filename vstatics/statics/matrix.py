@@ -14,7 +14,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from types import MappingProxyType
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -23,52 +23,56 @@ if TYPE_CHECKING:
 
 from vstatics.model.transmission import HOUSING, Gear, Transmission
 from vstatics.numerics.arrays import Floats
-from vstatics.numerics.entries import (
-    EXACTLY_ONE,
-    FLOATS,
-    MINUS_ONE,
-    ONE,
-    RIGHT,
-    Arithmetic,
-    Entry,
-    Row,
-)
+from vstatics.numerics.entries import RIGHT, Coefficient, Equation
 from vstatics.numerics.traced import Number
 
-Column = dict[int, Entry]
+Column = Mapping[int, Coefficient]
 """Link number -> torque on that link when the torque on the first link is 1."""
+
+ON_ELEMENT = (1.0, -1.0)
+"""Torques on the links of a shift element (a, b)."""
 
 INPUT_SPEED = "the input speed"
 """How messages call this condition."""
 
 
-def columns(
-    case: Transmission, ratios: Sequence[Number], arithmetic: Arithmetic = FLOATS
-) -> list[Column]:
+def on_mechanism(ratio: Number) -> tuple[Number, Number, tuple[Number, Number]]:
+    """Torques on the links (f, s, h) of a mechanism: 1, -u, and u - 1 as two terms."""
+    return 1.0, -ratio, (ratio, -1.0)
+
+
+def column(ratio: Any) -> tuple[Any, Any, Any]:
+    """The same three as plain values: of a number, an array, or a symbol.
+
+    >>> column(-2.5)
+    (1.0, 2.5, -3.5)
+    """
+    first, second, (term, other) = on_mechanism(ratio)
+    return first, second, term + other
+
+
+def columns(case: Transmission, ratios: Sequence[Number]) -> list[Column]:
     """Columns of the structural-distribution matrix, shift elements before mechanisms.
 
-    Shift element (a, b): +1 at a, -1 at b. Mechanism (f, s, h): 1 at f, -u at s,
-    u - 1 at h. The housing has no row.
+    The housing has no row.
 
     Parameters
     ----------
     ratios : sequence of Number
         Internal ratio of each mechanism. [-]
-    arithmetic : Arithmetic
-        Of the entries.
     """
-    made: list[Column] = [
-        {element.first: ONE, element.second: MINUS_ONE} for element in case.shift_elements
+    of_elements = [
+        _without_housing((element.first, element.second), ON_ELEMENT)
+        for element in case.shift_elements
     ]
-    for mechanism, ratio in zip(case.mechanisms, ratios, strict=True):
-        given = arithmetic.entry(ratio)
-        column: Column = {mechanism.first: ONE, mechanism.second: (-ratio, given[1])}
-        if mechanism.third != HOUSING:  # there the ratio may be 1
-            column[mechanism.third] = arithmetic.less(given, EXACTLY_ONE, ONE)
-        made.append(column)
-    for column in made:
-        column.pop(HOUSING, None)
-    return made
+    return of_elements + [
+        _without_housing(mechanism.links, on_mechanism(ratio))
+        for mechanism, ratio in zip(case.mechanisms, ratios, strict=True)
+    ]
+
+
+def _without_housing(links: Sequence[int], torques: Sequence[Coefficient]) -> Column:
+    return {link: torque for link, torque in zip(links, torques, strict=True) if link != HOUSING}
 
 
 def distribution_matrix(case: Transmission, ratios: ArrayLike | None = None) -> Floats:
@@ -103,12 +107,11 @@ def distribution_matrix(case: Transmission, ratios: ArrayLike | None = None) -> 
     elements = len(case.shift_elements)
     matrix = np.zeros((*given.shape[:-1], 1 + case.links, elements + len(own)))
     for number, element in enumerate(case.shift_elements):
-        matrix[..., element.first, number] = 1
-        matrix[..., element.second, number] = -1
+        for link, torque in zip((element.first, element.second), ON_ELEMENT, strict=True):
+            matrix[..., link, number] = torque
     for number, mechanism in enumerate(case.mechanisms):
-        matrix[..., mechanism.first, elements + number] = 1
-        matrix[..., mechanism.second, elements + number] = -given[..., number]
-        matrix[..., mechanism.third, elements + number] = given[..., number] - 1
+        for link, torques in zip(mechanism.links, column(given[..., number]), strict=True):
+            matrix[..., link, elements + number] = torques
     return matrix[..., 1:, :]
 
 
@@ -126,26 +129,20 @@ def by_mechanism(name: str, given: ArrayLike, mechanisms: int) -> Floats:
     return array
 
 
-def speed_rows(
-    case: Transmission,
-    gear: Gear,
-    columns: Sequence[Column],
-    arithmetic: Arithmetic = FLOATS,
-) -> list[Row]:
+def speed_rows(case: Transmission, gear: Gear, columns: Sequence[Column]) -> list[Equation]:
     """Equations for the link speeds of a gear; unknown ``link - 1`` is the link's speed.
 
-    The column of a mechanism, or of an engaged element, is its equation; the input
-    has speed 1; then one equation for each further given speed (figure 3).
+    The column of a mechanism, or of an engaged element, is its equation, ``w_f - u w_s +
+    (u - 1) w_h = 0`` and ``w_a - w_b = 0``; the input has speed 1; then one equation
+    for each further given speed (figure 3).
     """
     elements = len(case.shift_elements)
     held = [columns[number - 1] for number in gear.engaged]
-    rows: list[Row] = [
-        {link - 1: entry for link, entry in column.items()}
-        for column in (*columns[elements:], *held)
+    rows: list[Equation] = [
+        {link - 1: torque for link, torque in one.items()} for one in (*columns[elements:], *held)
     ]
-    rows.append({case.gear_input(gear) - 1: ONE, RIGHT: ONE})
-    for link, speed in gear.speeds.items():
-        rows.append({link - 1: ONE, RIGHT: arithmetic.entry(speed)})
+    rows.append({case.gear_input(gear) - 1: 1.0, RIGHT: 1.0})
+    rows += [{link - 1: 1.0, RIGHT: speed} for link, speed in gear.speeds.items()]
     return rows
 
 
@@ -178,10 +175,9 @@ def torque_rows(
     case: Transmission,
     gear: Gear,
     columns: Sequence[Column],
-    arithmetic: Arithmetic = FLOATS,
     drag: Mapping[int, float] = MappingProxyType({}),
-) -> list[Row]:
-    """Equilibrium of each link of a gear (figure 4).
+) -> list[Equation]:
+    """Equilibrium of each link of a gear, ``A M + e_out Mx = T`` (figure 4).
 
     Unknowns: the torque on the first link of each of `loaded_devices`, the output
     torque, the holding torque of each of `held_links`. An element that is not engaged
@@ -192,20 +188,20 @@ def torque_rows(
     drag : mapping of int to float
         Link -> external torque of drag. [-]
     """
-    rows: list[Row] = [{} for _ in range(case.links)]
+    rows: list[dict[int, Coefficient]] = [{} for _ in range(case.links)]
     loaded = loaded_devices(case, gear)
     for unknown, device in enumerate(loaded):
-        for link, entry in columns[device].items():
-            rows[link - 1][unknown] = entry
-    rows[case.gear_output(gear) - 1][len(loaded)] = ONE
+        for link, torque in columns[device].items():
+            rows[link - 1][unknown] = torque
+    rows[case.gear_output(gear) - 1][len(loaded)] = 1.0
     for unknown, link in enumerate(held_links(case, gear), len(loaded) + 1):
-        rows[link - 1][unknown] = MINUS_ONE
+        rows[link - 1][unknown] = -1.0
     torques = external_torques(case, gear)
     for link, torque in drag.items():
         torques[link] = torques.get(link, 0.0) + torque
     for link, torque in torques.items():
-        rows[link - 1][RIGHT] = arithmetic.entry(torque)
-    return rows
+        rows[link - 1][RIGHT] = torque
+    return [*rows]
 
 
 def external_torques(case: Transmission, gear: Gear) -> dict[int, float]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Literal, NamedTuple
 
@@ -11,19 +11,15 @@ import numpy as np
 from vstatics.errors import Severity
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Booleans, Floats, Integers
+from vstatics.statics.arrays import Rows
+from vstatics.statics.freewheels import find_state
+from vstatics.statics.state import GearState
 
 if TYPE_CHECKING:
     import pandas as pd
 
 Language = Literal["en", "ru"]
 """Of the headings of a listing and of a deck."""
-
-
-Rows = Literal["links", "elements", "mechanisms", "torques", "meshes", "one"]
-"""What the rows of a table stand for; `torques`: devices and the output; `one`: none.
-
-`meshes` are those of a case that is drawn, with planets as links.
-"""
 
 
 class TableShape(NamedTuple):
@@ -53,7 +49,7 @@ def _with_unit(name: str, printed: str, rows: Rows, unit: str, of: str) -> Table
 
 WITH_UNITS: tuple[tuple[str, str, Rows, str, str], ...] = (
     ("W_rpm", "WRPM", "links", "rpm", "W"),
-    ("WSAT_rpm", "WSATRPM", "mechanisms", "rpm", "WSAT"),
+    ("WSAT_rpm", "WSATRPM", "planets", "rpm", "WSAT"),
     ("WFRI_rpm", "WFRIRPM", "elements", "rpm", "WFRI"),
     ("AMLG_Nm", "AMLGNM", "torques", "Nm", "AMLG"),
     ("AMLGP_Nm", "AMLGPNM", "torques", "Nm", "AMLGP"),
@@ -61,7 +57,7 @@ WITH_UNITS: tuple[tuple[str, str, Rows, str, str], ...] = (
     ("lossy_mesh_torques_Nm", "MESHPNM", "meshes", "Nm", "lossy_mesh_torques"),
     ("AMWZ_Nm", "AMWZNM", "links", "Nm", "AMWZ"),
     ("AMWZP_Nm", "AMWZPNM", "links", "Nm", "AMWZP"),
-    ("losses_kW", "LOSSKW", "mechanisms", "kW", "losses"),
+    ("losses_kW", "LOSSKW", "devices", "kW", "losses"),
     ("drag_losses_kW", "DRAGKW", "one", "kW", "drag_losses"),
     ("input_power_kW", "PINKW", "one", "kW", ""),
     ("output_power_kW", "POUTKW", "one", "kW", ""),
@@ -71,15 +67,15 @@ WITH_UNITS: tuple[tuple[str, str, Rows, str, str], ...] = (
 TABLES = (
     TableShape("AJK", "AJK", "links"),
     TableShape("W", "W", "links"),
-    TableShape("WSAT", "WSAT", "mechanisms"),
+    TableShape("WSAT", "WSAT", "planets"),
     TableShape("WFRI", "WFRI", "elements"),
     TableShape("AMLG", "AMLG", "torques"),
     TableShape("AMLGP", "AMLGP", "torques"),
     TableShape("ETA", "ETA", "one"),
     TableShape("IX", "IX", "mechanisms", int),
     TableShape("ratio", "RATIO", "one", published=False),
-    TableShape("idle", "IDLING", "mechanisms", bool, published=False),
-    TableShape("losses", "LOSS", "mechanisms", published=False),
+    TableShape("idle", "IDLING", "devices", bool, published=False),
+    TableShape("losses", "LOSS", "devices", published=False),
     TableShape("power_balance", "BALANCE", "one", published=False),
     TableShape("consistent", "CONSISTENT", "one", bool, published=False),
     TableShape("locked", "LOCKED", "one", bool, published=False),
@@ -95,52 +91,6 @@ TABLES = (
 
 NAME = "|"
 """Stands before the name of a row in a listing."""
-
-OUTPUT = "Mx"
-"""The name of the row of the output torque."""
-
-
-def row_names(case: Transmission, shape: TableShape) -> Sequence[str]:
-    """The names of a table's rows."""
-    names = {
-        "links": case.link_names,
-        "elements": [element.name for element in case.shift_elements],
-        "mechanisms": [mechanism.name for mechanism in case.mechanisms],
-        "torques": [*case.devices, OUTPUT],
-        "meshes": (),
-        "one": [shape.name],
-    }
-    return names[shape.rows]
-
-
-ARRAYS: Mapping[str, Rows] = {
-    "speeds": "links",
-    "planet_speeds": "mechanisms",
-    "slip_speeds": "elements",
-    "ratio": "one",
-    "torques": "torques",
-    "holding_torques": "links",
-    "lossy_torques": "torques",
-    "lossy_holding_torques": "links",
-    "efficiency": "one",
-    "power_sign": "mechanisms",
-    "idle": "mechanisms",
-    "losses": "mechanisms",
-    "power_balance": "one",
-    "drag_losses": "one",
-    "consistent": "one",
-    "locked": "one",
-    "undecided": "one",
-    "turned": "mechanisms",
-    "choices": "one",
-    "tied_up": "one",
-    "missing": "one",
-    "excess": "one",
-    "balanced": "one",
-    "holds": "elements",
-    "conflict": "one",
-}
-"""The arrays of `Results`, and what their last axis stands for."""
 
 
 class Message(NamedTuple):
@@ -160,8 +110,10 @@ class Results(NamedTuple):
     """Everything that is calculated, for every gear.
 
     The order of axes is the same everywhere: variants first (none for one case), then
-    gears, then links, shift elements, mechanisms or devices (shift elements, then
-    mechanisms). NaN stands for what does not exist. Speeds are relative to the input
+    gears, then what `row_names` of `vstatics.statics.arrays` names. Devices are mechanisms
+    and drawn elements as the case itself names them; a case that is drawn has other
+    mechanisms too, those that the solver made of its elements. NaN stands for what does
+    not exist. Speeds are relative to the input
     speed, torques to the input torque, powers to the input power; signs as in
     `vstatics.statics.matrix`.
     """
@@ -172,15 +124,16 @@ class Results(NamedTuple):
     speeds: Floats
     """(..., gears, links). [-]"""
     planet_speeds: Floats
-    """(..., gears, mechanisms), against the third link (carrier). [-]"""
+    """(..., gears, planets), against the third link (carrier). [-]"""
     slip_speeds: Floats
     """(..., gears, shift elements), first link against second. [-]"""
     ratio: Floats
     """(..., gears), ``w_input/w_output``. [-]"""
 
     torques: Floats
-    """(..., gears, devices + 1), on the first link of each device; the last is the output
-    torque, given to the load. Without losses. [-]"""
+    """(..., gears, shift elements + mechanisms + 1), on the first link of each; the last is
+    the output torque, given to the load. In place of a drawn element stand its members:
+    what their links give to them. Without losses. [-]"""
     holding_torques: Floats
     """(..., gears, links), the external torque that holds a given speed. [-]"""
 
@@ -193,9 +146,9 @@ class Results(NamedTuple):
     power_sign: Floats
     """(..., gears, mechanisms): +1 the first link drives, -1 it is driven, 0 idle. [-]"""
     idle: Booleans
-    """(..., gears, mechanisms): carries no torque, or turns as one piece."""
+    """(..., gears, devices): carries no torque, or turns as one piece."""
     losses: Floats
-    """(..., gears, mechanisms), power lost; below 0 when coasting, as the flow turns. [-]"""
+    """(..., gears, devices), power lost; below 0 when coasting, as the flow turns. [-]"""
     power_balance: Floats
     """(..., gears), external power less all losses, with losses: 0 to rounding. [-]"""
     drag_losses: Floats
@@ -225,6 +178,13 @@ class Results(NamedTuple):
     """(..., gears, shift elements): is engaged, or a freewheel that holds."""
     conflict: Booleans
     """(..., gears): a freewheel can neither hold nor overrun."""
+
+    mesh_torques: Floats
+    """(..., gears, meshes), on the first wheel of each mesh of drawn elements. [-]"""
+    lossy_mesh_torques: Floats
+    """As `mesh_torques`, with losses. [-]"""
+    mesh_losses: Floats
+    """(..., gears, meshes), power lost. [-]"""
 
     messages: Sequence[Message] = ()
     """What was noticed; for one case only, not for arrays of variants."""
@@ -264,8 +224,34 @@ class Results(NamedTuple):
         """Of shape (..., gears), without losses [-]."""
         return self.torques[..., -1]
 
+    def gear(self, number: int) -> GearState:
+        """The state of a gear of one case: its speeds, torques, powers and status as one object.
+
+        Parameters
+        ----------
+        number : int
+            From 1, in the order of the case.
+
+        Raises
+        ------
+        ValueError
+            For arrays of variants, or if there is no such gear.
+        """
+        if self.ratio.ndim != 1:
+            raise ValueError(f"results of shape {self.ratio.shape}: a gear is one of a single case")
+        if not 1 <= number <= len(self.case.gears):
+            raise ValueError(f"gear {number}: expected 1 to {len(self.case.gears)}")
+        mechanisms = self.case.mechanisms
+        with np.errstate(all="ignore"):
+            return find_state(
+                self.case,
+                self.case.gears[number - 1],
+                [one.ratio for one in mechanisms],
+                [one.efficiency for one in mechanisms],
+            )
+
     @property
-    def settled(self) -> Transmission:
+    def with_freewheels_engaged(self) -> Transmission:
         """The case with every freewheel engaged in the gears where it holds, as a plain element.
 
         For a format that knows no freewheels; of one case, not of arrays of variants.

@@ -6,12 +6,10 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from vstatics.model.transmission import HOUSING, Gear, Transmission
-from vstatics.numerics import elimination, entries
-from vstatics.numerics.traced import Number
+from vstatics.numerics import elimination
+from vstatics.numerics.tolerances import TIE
+from vstatics.numerics.traced import Number, absolute
 from vstatics.statics import matrix
-
-TIE = 1e-9
-"""Speeds, or torques on a link, that differ by less than this part are the same."""
 
 
 class Speeds(NamedTuple):
@@ -19,8 +17,8 @@ class Speeds(NamedTuple):
 
     links: list[Number]
     """By link. [-]"""
-    motion: list[Number]
-    """By mechanism: first link against the third, 0 where it is a tie. [-]"""
+    relative_speeds: list[Number]
+    """By mechanism: ``w_f - w_h``, the first link against the third; 0 where it is a tie. [-]"""
     slips: list[Number]
     """By shift element. [-]"""
     consistent: bool
@@ -39,18 +37,16 @@ def solve_speeds(case: Transmission, gear: Gear, ratios: Sequence[Number]) -> Sp
     differences = [(mechanism.first, mechanism.third) for mechanism in case.mechanisms]
     slips = [(element.first, element.second) for element in case.shift_elements]
     sums = [_difference(*pair) for pair in (*differences, *slips)]
-    arithmetic = entries.of(ratios)
-    columns = matrix.columns(case, ratios, arithmetic)
-    rows = matrix.speed_rows(case, gear, columns, arithmetic)
-    solution = elimination.solve(rows, case.links, sums, arithmetic)
+    rows = matrix.speed_rows(case, gear, matrix.columns(case, ratios))
+    solution = elimination.solve(rows, case.links, sums)
     links = solution.values[: case.links]
-    motion = solution.values[case.links : case.links + len(differences)]
-    by_link = [0.0, *map(abs, links)]
+    relative = solution.values[case.links : case.links + len(differences)]
+    by_link = [0.0, *map(absolute, links)]
     return Speeds(
         links,
         [
-            0.0 if is_tie(abs(speed), by_link[first], by_link[third]) else speed
-            for speed, (first, third) in zip(motion, differences, strict=True)
+            0.0 if is_tie(absolute(speed), by_link[first], by_link[third]) else speed
+            for speed, (first, third) in zip(relative, differences, strict=True)
         ],
         solution.values[case.links + len(differences) :],
         solution.consistent,
@@ -66,6 +62,6 @@ def _difference(first: int, second: int) -> dict[int, float]:
     return terms
 
 
-def is_tie(motion: Number, first: Number, third: Number) -> bool:
-    """Whether a difference of speeds is nothing beside the speeds themselves."""
-    return bool(motion <= TIE * first or motion <= TIE * third)
+def is_tie(difference: Number, first: Number, third: Number) -> bool:
+    """Whether a difference of speeds is nothing beside the speeds themselves; magnitudes all."""
+    return bool(difference <= TIE * first or difference <= TIE * third)

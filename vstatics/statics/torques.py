@@ -7,19 +7,19 @@ from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 from vstatics.model.transmission import Gear, Transmission
-from vstatics.numerics import elimination, entries
+from vstatics.numerics import elimination
 from vstatics.numerics.traced import Number
 from vstatics.statics import matrix
 from vstatics.statics.drag import NO_DRAG, Drag
 
-Shares = Mapping[int, float]
+Shares = Mapping[int, Number]
 """Index of a device -> its share in a sum."""
 
 
 class Torques(NamedTuple):
     """The torques of a gear. NaN: no single value."""
 
-    first: list[Number]
+    on_first_link: list[Number]
     """By device: on its first link, that of drag alone on an element that is not engaged;
     then the output torque. [-]"""
     holding: dict[int, Number]
@@ -40,25 +40,24 @@ def solve_torques(
     drag : Drag
         What drags, and with which torques.
     """
-    arithmetic = entries.of(ratios)
-    columns = matrix.columns(case, ratios, arithmetic)
+    columns = matrix.columns(case, ratios)
     devices = matrix.loaded_devices(case, gear)
     held = matrix.held_links(case, gear)
-    rows = matrix.torque_rows(case, gear, columns, arithmetic, drag.external)
-    solution = elimination.solve(rows, len(devices) + 1 + len(held), arithmetic=arithmetic)
-    first = [0.0 if solution.consistent else math.nan] * (len(columns) + 1)
+    rows = matrix.torque_rows(case, gear, columns, drag.external)
+    solution = elimination.solve(rows, len(devices) + 1 + len(held))
+    on_first_link: list[Number] = [0.0 if solution.consistent else math.nan] * (len(columns) + 1)
     for device, torque in zip([*devices, len(columns)], solution.values, strict=False):
-        first[device] = torque
+        on_first_link[device] = torque
     if solution.consistent:
         for device, torque in drag.elements.items():
-            first[device] = torque
+            on_first_link[device] = torque
     holding = dict(zip(held, solution.values[len(devices) + 1 :], strict=True))
-    return Torques(first, holding, solution.consistent)
+    return Torques(on_first_link, holding, solution.consistent)
 
 
 def solve_sums(
-    case: Transmission, gear: Gear, ratios: Sequence[float], sums: Sequence[Shares], drag: Drag
-) -> list[float]:
+    case: Transmission, gear: Gear, ratios: Sequence[Number], sums: Sequence[Shares], drag: Drag
+) -> list[Number]:
     """Sums of torques of devices, which may be determined where the torques are not.
 
     Parameters
@@ -70,7 +69,7 @@ def solve_sums(
 
     Returns
     -------
-    list of float
+    list of Number
         NaN where there is no single value. [-]
 
     Examples

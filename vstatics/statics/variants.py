@@ -2,29 +2,26 @@
 
 from __future__ import annotations
 
+import dataclasses
 import threading
-from collections.abc import Callable, Hashable, Sequence
+from collections.abc import Callable, Hashable, Mapping, Sequence
 from functools import partial
 from typing import Any
 
 import numpy as np
 
-from vstatics.model.transmission import Gear, Transmission
+from vstatics.model.transmission import Gear, Mechanism, ShiftElement, Transmission
 from vstatics.numerics import memory
 from vstatics.numerics.arrays import Floats
 from vstatics.numerics.memory import Form
 from vstatics.numerics.plans import Function, Inputs, Plans, prepared
-from vstatics.numerics.traced import Number
-from vstatics.statics.gear import flat, solve_gear, watch, widths
+from vstatics.numerics.traced import Number, Rest
+from vstatics.statics.arrays import ARRAYS
+from vstatics.statics.gear import flat, guard_power, solve_gear, widths
 
 REMEMBERED = 256
 """Gears whose plans are kept for calls to come."""
 HOLDING = frozenset({"holding_torques", "lossy_holding_torques"})
-KINDS: dict[str, type] = {
-    **dict.fromkeys(("choices", "missing", "excess"), np.int16),
-    **dict.fromkeys(("idle", "consistent", "locked", "undecided"), np.bool_),
-    **dict.fromkeys(("turned", "tied_up", "balanced", "holds", "conflict"), np.bool_),
-}
 
 _plans: dict[Hashable, Plans] = {}
 _lock = threading.Lock()
@@ -51,7 +48,7 @@ def solve_variants(
             key = (*structure, *_conditions(case, gear))
             _remembered(key, partial(_function, case, gear, fixed, fields)).run(inputs, rows)
     found = {name: table.transpose(2, 0, 1) for name, table in memory.shown(block).items()}
-    none = np.broadcast_to(np.nan, (variants, len(case.gears), case.links))
+    none = np.broadcast_to(np.nan, (variants, len(case.gears), case.own_links))
     return {
         name: found[name][..., 0] if width is None else found.get(name, none)
         for name, width in widths(case).items()
@@ -93,38 +90,62 @@ def _is_all(column: Floats, number: float) -> bool:
 
 
 def _forms(case: Transmission, variants: int) -> dict[str, Form]:
-    """The tables for the fields of `Solved`, those of the largest type first.
+    """The tables for the arrays of `Results`, those of the largest type first.
 
     Where no speed is given nothing is held, and holding torques need no memory.
     """
     held = any(gear.speeds for gear in case.gears)
     forms = {
-        name: Form(
-            (len(case.gears), 1 if width is None else width, variants), KINDS.get(name, np.float64)
-        )
+        name: Form((len(case.gears), 1 if width is None else width, variants), ARRAYS[name].type)
         for name, width in widths(case).items()
         if held or name not in HOLDING
     }
     return dict(sorted(forms.items(), key=lambda item: -np.dtype(item[1].kind).itemsize))
 
 
+VARIED = frozenset({"ratio", "efficiency"})
+"""Of mechanisms: numbers that a plan takes as its inputs."""
+WITHOUT_EFFECT = frozenset(
+    {"name", "description", "source", "link_names", "capacity", "load", "drawing"}
+)
+"""Fields that no result depends on; a drawing acts through its devices."""
+
+
 def _structure(case: Transmission) -> tuple[Hashable, ...]:
-    """What the gears of a case have in common, without the numbers that may vary."""
-    return (
-        case.links,
-        tuple((one.first, one.second, one.is_freewheel, one.drag) for one in case.shift_elements),
-        tuple((*one.links, one.planet_ratio, one.back_efficiency) for one in case.mechanisms),
-        (case.coast, case.idle),
-    )
+    """All that the gears of a case have in common, without the numbers that may vary.
+
+    Made from all fields but a few, so that a new one is never forgotten: plans of another
+    case would give its numbers without a sound.
+    """
+    own = [
+        _hashable(getattr(case, one.name))
+        for one in dataclasses.fields(case)
+        if one.name not in WITHOUT_EFFECT | {"shift_elements", "mechanisms", "gears"}
+    ]
+    parts = [*map(_key, case.shift_elements), *map(_key, case.mechanisms)]
+    drawn = () if case.drawing is None else tuple(case.drawing.devices)
+    return (*own, len(case.mechanisms), *parts, drawn, case.own_links)
 
 
 def _conditions(case: Transmission, gear: Gear) -> tuple[Hashable, ...]:
     """What a gear has of its own."""
-    return (
-        (tuple(gear.engaged), tuple(gear.speeds.items()), tuple(gear.torques.items())),
-        (tuple(gear.drag.items()), tuple(gear.open_drag.items())),
-        (case.gear_input(gear), case.gear_output(gear)),
+    return (*_key(gear), case.gear_input(gear), case.gear_output(gear))
+
+
+def _key(part: ShiftElement | Mechanism | Gear) -> tuple[Hashable, ...]:
+    """All fields of a part that results depend on, but the numbers that vary."""
+    left_out = WITHOUT_EFFECT | (VARIED if isinstance(part, Mechanism) else frozenset())
+    return tuple(
+        _hashable(value)
+        for name, value in zip(part._fields, part, strict=True)
+        if name not in left_out
     )
+
+
+def _hashable(value: Any) -> Hashable:
+    if isinstance(value, Mapping):
+        return tuple(value.items())
+    return tuple(value) if isinstance(value, list) else value
 
 
 def _remembered(key: Hashable, function: Callable[[], Function]) -> Plans:
@@ -143,11 +164,11 @@ def _function(
     """The calculation of a gear from the numbers that vary."""
     count = len(case.mechanisms)
 
-    def calculate(numbers: Sequence[Number]) -> list[Number]:
+    def calculate(numbers: Sequence[Number]) -> list[Number | Rest]:
         varied = iter(numbers)
         given = [next(varied) if number is None else number for number in fixed]
         solved = solve_gear(case, gear, given[:count], given[count:])
-        watch(case, gear, solved)
+        guard_power(case, gear, solved)
         return flat(solved, fields)
 
     return calculate

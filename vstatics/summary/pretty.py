@@ -7,7 +7,8 @@ from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
 from vstatics.model.transmission import Transmission
-from vstatics.statics.results import OUTPUT, Results
+from vstatics.statics.arrays import OUTPUT
+from vstatics.statics.results import Results
 from vstatics.summary.design import GearLine, design
 from vstatics.tables.table import Table
 from vstatics.tables.values import tables

@@ -61,7 +61,7 @@ def sensitivities(results: Results) -> Floats:
 
 def _without_torques(results: Results) -> Results:
     """The same gears without further external torques, each freewheel as it is."""
-    case = results.settled
+    case = results.with_freewheels_engaged
     if not any(gear.torques for gear in case.gears):
         return results
     return solve(replace(case, gears=[gear._replace(torques={}) for gear in case.gears]))

@@ -8,7 +8,8 @@ from typing import NamedTuple
 
 from vstatics.model.transmission import Transmission
 from vstatics.readers.results import Figure, Figures, Report
-from vstatics.statics.results import TABLES, TableShape, row_names
+from vstatics.statics.arrays import row_names
+from vstatics.statics.results import TABLES, TableShape
 
 
 class Difference(NamedTuple):
@@ -92,7 +93,7 @@ class _Names:
     def __init__(self, shape: TableShape, case: Transmission | None) -> None:
         self.table = shape.name
         self.one = shape.rows == "one"
-        self.rows: Sequence[str] = row_names(case, shape) if case else ()
+        self.rows: Sequence[str] = row_names(case, shape.rows) if case else ()
         self.columns: Sequence[str] = [gear.name for gear in case.gears] if case else ()
         if case and shape.name == "AJK":
             self.columns = case.devices

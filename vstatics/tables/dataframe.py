@@ -6,7 +6,8 @@ import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
-from vstatics.statics.results import ARRAYS, Results
+from vstatics.statics.arrays import ARRAYS
+from vstatics.statics.results import Results
 from vstatics.tables.rows import table_rows, written
 
 if TYPE_CHECKING:
@@ -59,9 +60,9 @@ def to_dataframe(results: Results) -> pd.DataFrame:
 
 def _columns(results: Results) -> Iterator[tuple[str, Any]]:
     """Each column with its name."""
-    for name, kind in ARRAYS.items():
+    for name, array in ARRAYS.items():
         table = getattr(results, name)
-        if kind == "one":
+        if array.rows == "one":
             yield name, table.ravel()
             continue
         rows = table_rows(name, results.case)

@@ -6,7 +6,7 @@ import re
 from collections.abc import Sequence
 
 from vstatics.model.transmission import Transmission
-from vstatics.statics.results import ARRAYS, TableShape, row_names
+from vstatics.statics.arrays import ARRAYS, row_names
 
 NAME = re.compile(r"[^\W\d]\w*")
 """What is written without quotes, as are digits."""
@@ -23,8 +23,7 @@ def table_rows(name: str, case: Transmission) -> Sequence[str]:
     >>> list(table_rows("torques", case)), list(table_rows("ratio", case))
     (['D1', 'Mx'], [])
     """
-    rows = ARRAYS[name]
-    return [] if rows == "one" else row_names(case, TableShape(name, name, rows))
+    return row_names(case, ARRAYS[name].rows)
 
 
 def written(index: int, names: Sequence[str]) -> str:

@@ -8,7 +8,10 @@ from collections.abc import Mapping
 import numpy as np
 
 from vstatics.numerics.arrays import Floats
-from vstatics.statics.matrix import external_torques
+from vstatics.statics.matrix import held_links
+from vstatics.statics.power import port_torques
+from vstatics.statics.power import power as own_power
+from vstatics.statics.torques import Torques
 from vstatics.statics.results import TABLES, Results
 from vstatics.tables.table import Table
 
@@ -72,19 +75,15 @@ def _ports(results: Results) -> tuple[Floats, Floats]:
     """
     case = results.case
     power = np.zeros((len(case.gears), case.links + 1))
-    for gear, row, speeds, torques, holding in zip(
-        case.gears,
-        power,
-        results.speeds,
-        results.lossy_torques,
-        results.lossy_holding_torques,
-        strict=True,
-    ):
-        external = external_torques(case, gear)
-        external |= {link: holding[link - 1] for link in gear.speeds}
-        output = case.gear_output(gear)
-        external[output] = external.get(output, 0.0) - torques[-1]
-        for link, torque in external.items():
-            row[link] = 0.0 if torque == 0 else torque * speeds[link - 1]
+    for number, gear in enumerate(case.gears):
+        speeds = results.speeds[number].tolist()
+        held = results.lossy_holding_torques[number].tolist()
+        torques = Torques(
+            results.lossy_torques[number].tolist(),
+            {link: held[link - 1] for link in held_links(case, gear)},
+            consistent=True,
+        )
+        for link, torque in port_torques(case, gear, torques).items():
+            power[number, link] = own_power(torque, speeds[link - 1])
     power *= scales(results)["kW"][:, np.newaxis]
     return np.maximum(power, 0.0).sum(axis=1), np.maximum(-power, 0.0).sum(axis=1)

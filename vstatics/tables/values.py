@@ -7,12 +7,9 @@ from typing import Any
 import numpy as np
 
 from vstatics.statics.matrix import distribution_matrix
-from vstatics.statics.results import TABLES, Results, TableShape, row_names
+from vstatics.statics.arrays import row_names
+from vstatics.statics.results import TABLES, Results
 from vstatics.tables.table import Table
-
-KINDS: dict[str, TableShape] = {shape.rows: shape for shape in TABLES if shape.rows != "one"}
-"""A table of each kind of rows, for their names."""
-
 
 def tables(results: Results) -> list[Table]:
     """All tables of the results of one case; some only where the case has what they speak of."""
@@ -41,21 +38,17 @@ def tables(results: Results) -> list[Table]:
         values["drag_losses"] = results.drag_losses
     if case.freewheels:
         values["holds"] = results.holds
-    rows = {kind: row_names(case, shape) for kind, shape in KINDS.items()}
-    drawn: dict[str, Any] = {}
-    if case.drawing is not None:
-        from vstatics.tables.drawn import shown  # most cases do without
-
-        drawn = dict(shown(results))
+    if row_names(case, "meshes"):
+        values["mesh_torques"] = results.mesh_torques
+        values["lossy_mesh_torques"] = results.lossy_mesh_torques
     made = []
     for shape in TABLES:
-        names = rows.get(shape.rows, [shape.name])
+        names = row_names(case, shape.rows) or [shape.name]
         if shape.name == "AJK":
+            names = case.link_names
             made.append(Table(shape, names, case.devices, distribution_matrix(case) + 0.0))
-        elif shape.name in drawn and (shape.name in values or shape.rows == "meshes"):
-            own = drawn[shape.name]
-            made.append(Table(shape, own.rows, gears, own.values.T))
         elif shape.name in values:
+            names = [shape.name] if shape.rows == "one" else row_names(case, shape.rows)
             array = np.asarray(values[shape.name], dtype=np.float64)
             by_gear = array.reshape(len(gears), len(names)).T
             made.append(Table(shape, names, gears, by_gear))

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from vstatics.elements.element import CentralWheel, Drawing, Element
+from vstatics.elements.drawing import Drawing
+from vstatics.elements.element import CentralWheel, Element
 
 Words = Sequence[int | str]
 

@@ -258,7 +258,7 @@ def write(results: Results, lang: Language = "en") -> str:
         Language of the headings.
     """
     words = WORDS[lang]
-    lines = [deck.write(results.settled, lang), words.results, *words.conventions]
+    lines = [deck.write(results.with_freewheels_engaged, lang), words.results, *words.conventions]
     if results.case.coast:
         lines.append(words.coasting)
     drawn = results.case.drawing is not None

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING, Any
 
-from vstatics.elements.element import drawing_of
+from vstatics.elements.drawing import drawing_of
 from vstatics.model.transmission import Gear, Load, Mechanism, ShiftElement, Transmission
 
 if TYPE_CHECKING:

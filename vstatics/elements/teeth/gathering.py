@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from vstatics.elements.element import Drawing, Element
+from vstatics.elements.drawing import Drawing
+from vstatics.elements.element import Element
 from vstatics.elements.group import group_of
 from vstatics.elements.kinds import Planetary
 from vstatics.elements.teeth.assembly import bevel_assembled, goes_in

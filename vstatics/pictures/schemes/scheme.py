@@ -8,8 +8,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from vstatics.elements.drawing import parts_of
 from vstatics.elements.element import Element
-from vstatics.elements.lower import parts_of
 from vstatics.model.transmission import HOUSING, Gear, Mechanism, ShiftElement, Transmission
 from vstatics.statics.results import Results
 

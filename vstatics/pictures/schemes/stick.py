@@ -10,7 +10,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import TYPE_CHECKING, NamedTuple
 
-from vstatics.elements.element import drawing_of
+from vstatics.elements.drawing import drawing_of
 from vstatics.elements.group import group_of
 from vstatics.elements.kinds import Planetary
 from vstatics.errors import CaseError, Problem

@@ -9,7 +9,8 @@ from typing import Any
 from vstatics.elements import teeth
 from vstatics.elements.build import lowered
 from vstatics.elements.checks import hints, problems
-from vstatics.elements.element import CentralWheel, Drawing, Element
+from vstatics.elements.drawing import Drawing
+from vstatics.elements.element import CentralWheel, Element
 from vstatics.elements.kinds import GROUP, KINDS
 from vstatics.elements.lower import parts as parts_of
 from vstatics.errors import Path, Problem

@@ -1,0 +1,110 @@
+"""A drawing, and how results are given for what it draws: elements, members, planets, meshes."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+from vstatics.elements.element import DrawingFields
+from vstatics.elements.group import group_of
+from vstatics.elements.kinds import Planetary
+from vstatics.elements.lower import Part, parts
+from vstatics.model.own import Member, OwnDevice, Planet, WheelOfPlanet
+from vstatics.model.parts import HOUSING
+from vstatics.model.transmission import Transmission
+
+
+@dataclass(frozen=True)
+class Drawing(DrawingFields):
+    """What a case draws; for its parameters see `DrawingFields`.
+
+    Examples
+    --------
+    >>> from vstatics.elements.element import Element
+    >>> teeth = {"sun": 30, "ring": 75}
+    >>> members = {"sun": 1, "ring": 2, "carrier": 3}
+    >>> drawing = Drawing(3, [Element("P", "planetary", members, teeth)])
+    >>> [(device.name, [member.name for member in device.members]) for device in drawing.devices]
+    [('P', ['sun', 'ring', 'carrier'])]
+    """
+
+    @cached_property
+    def parts(self) -> Sequence[Part]:
+        """What each element became."""
+        return parts(self)
+
+    @cached_property
+    def devices(self) -> Sequence[OwnDevice]:
+        """Elements and mechanisms, in the order of the mechanisms that they became."""
+        return tuple(_devices(self.parts))
+
+
+def drawing_of(case: Transmission) -> Drawing | None:
+    """What a case was drawn as, if it was."""
+    return case.drawing if isinstance(case.drawing, Drawing) else None
+
+
+def parts_of(case: Transmission) -> Sequence[Part]:
+    """The parts of any case: of its drawing, or its mechanisms as they are."""
+    drawing = drawing_of(case)
+    return (
+        parts(DrawingFields(case.links, (), case.mechanisms)) if drawing is None else drawing.parts
+    )
+
+
+def _devices(made: Sequence[Part]) -> Iterator[OwnDevice]:
+    number = 0
+    for part in made:
+        numbers = tuple(range(number, number + len(part.lowered)))
+        number += len(part.lowered)
+        members = [
+            Member(name, link, tuple(_places(part, name, numbers)))
+            for name, link in part.members.items()
+        ]
+        yield OwnDevice(
+            part.name, numbers, tuple(members), tuple(_planets(part, numbers)), _meshes(part)
+        )
+
+
+def _places(part: Part, member: str, numbers: Sequence[int]) -> Iterator[tuple[int, int]]:
+    """Where a member stands in the mechanisms of its element."""
+    for number, lowered in zip(numbers, part.lowered, strict=True):
+        for place, name in enumerate(lowered.members):
+            if name == member:
+                yield number, place
+
+
+def _meshes(part: Part) -> tuple[bool, ...]:
+    """Of each mesh: whether the teeth of its first wheel are known."""
+    if part.element is None or not part.planet_links:
+        return ()
+    group = group_of(part.element)
+    firsts = [lowered.members[0] for lowered in part.lowered]
+    return tuple(first not in group.planets or group.is_known(first) for first in firsts)
+
+
+def _planets(part: Part, numbers: Sequence[int]) -> Iterator[Planet]:
+    """All planets and idlers of a part that turn against a carrier."""
+    element, mechanism = part.element, part.lowered[0].mechanism
+    if element is not None and isinstance(element.shape, Planetary):
+        group = group_of(element)
+        follows_ratio = len(numbers) == len(group.planets) == 1 and mechanism.planet_ratio is None
+        for train in group.trains:
+            wheels = tuple(
+                WheelOfPlanet(wheel.link, float(group.relative(wheel, train)))
+                for wheel in group.wheels_of(train)
+            )
+            for planet, speed in train.items():
+                yield Planet(
+                    f"{part.name}.{planet}",
+                    numbers[0] if follows_ratio else -1,
+                    wheels,
+                    group.carrier,
+                    float(speed) if group.is_known(planet) else math.nan,
+                )
+    elif element is not None and mechanism.planet_ratio is not None:
+        yield Planet(f"{part.name}.{element.shape.toothed[1]}", numbers[0])
+    elif element is None and (mechanism.third != HOUSING or mechanism.planet_ratio is not None):
+        yield Planet(f"{part.name}.planet", numbers[0])

@@ -1,0 +1,33 @@
+"""All tolerances: when a difference is nothing, and when rounding has grown too large.
+
+Those of the arithmetic are in units of the last place; those of a gear are parts of what
+they are compared with, so that a train of any ratios is measured by its own numbers.
+"""
+
+from __future__ import annotations
+
+EPSILON = 2.0**-52
+"""A unit in the last place of 1."""
+
+# arithmetic of linear systems
+ZERO = 32 * EPSILON
+"""A difference is zero when it is at most this part of its size, ..."""
+REAL = 2.0**-20
+"""... and this part of the larger of its terms."""
+LEAST = 1 / 64
+"""Traced: a difference is at least this part of its larger term for all variants, or a
+sixteenth of the part that the first variant has, but more than `REAL`."""
+PIVOT = 0.1
+"""A pivot is at least this part of the largest entry in its row: so rows can't grow."""
+
+# a gear
+TIE = 1e-9
+"""Speeds, or torques on a link, that differ by less than this part are the same."""
+ROUNDING = 2.0**-48
+"""Speeds of a wheel and its carrier that agree to this part are the same."""
+UNCERTAIN = 1e-6
+"""Speeds and torques that disagree by this part are told of."""
+CLOSED = 1e-9
+"""Powers agree to this part of the input power, or rounding is too large for a plan."""
+NOISE = 1e-12
+"""Power below this part of the largest one of the gear is rounding."""

@@ -1,0 +1,103 @@
+"""Links that turn as one piece: joined by engaged elements, and by mechanisms that can't turn."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+from vstatics.model.own import OwnDevice
+from vstatics.model.transmission import HOUSING, Gear, Transmission
+from vstatics.numerics.tolerances import UNCERTAIN
+from vstatics.numerics.traced import Number, absolute
+from vstatics.statics.matrix import column
+from vstatics.statics.speeds import is_tie
+
+Bodies = list[int]
+"""By link, the housing first: the least link of those that turn as one with it."""
+
+
+def joined_by_elements(case: Transmission, gear: Gear) -> Bodies:
+    """The bodies that the engaged elements make of the links.
+
+    >>> from vstatics.model.transmission import Mechanism, ShiftElement
+    >>> case = Transmission(3, [ShiftElement(2), ShiftElement(3, 1)],
+    ...                     [Mechanism(1, 2, 3, -2.5)], [Gear([1]), Gear([2])])
+    >>> [joined_by_elements(case, gear) for gear in case.gears]
+    [[0, 1, 0, 3], [0, 1, 2, 1]]
+    """
+    bodies = list(range(case.links + 1))
+    for number in gear.engaged:
+        element = case.shift_elements[number - 1]
+        join(bodies, element.first, element.second)
+    return bodies
+
+
+def join(bodies: Bodies, *links: int) -> None:
+    """Make some links one body, in place."""
+    joined = {bodies[link] for link in links}
+    bodies[:] = [min(joined) if body in joined else body for body in bodies]
+
+
+def turning_as_one(case: Transmission, gear: Gear, speeds: Sequence[Number]) -> Bodies:
+    """The bodies of a gear by its speeds.
+
+    Engaged elements join links, and devices in which nothing moves; what stands joins none.
+    """
+    bodies = list(range(case.links + 1))
+    ends: list[tuple[int, ...]] = [case.shift_elements[number - 1][:2] for number in gear.engaged]
+    ends += [_links(device) for device in case.own_devices if is_one_piece(device, speeds)]
+    for links in ends:
+        if HOUSING not in links:
+            join(bodies, *links)
+    return bodies
+
+
+def is_one_piece(device: OwnDevice, speeds: Sequence[Number]) -> bool:
+    """Whether all members of a device turn alike, so that nothing in it moves."""
+    with_housing = [0.0, *speeds]
+    first, *others = (with_housing[link] for link in _links(device))
+    size = absolute(first)
+    return all(is_tie(absolute(first - other), size, absolute(other)) for other in others)
+
+
+def _links(device: OwnDevice) -> tuple[int, ...]:
+    return tuple(member.link for member in device.members)
+
+
+def held_as_one(case: Transmission, gear: Gear) -> set[int]:
+    """Indices of mechanisms that turn as one piece whatever their losses, as far as plain to see.
+
+    An engaged element makes two links one body. Where two links of a mechanism are one,
+    so is the third; and two mechanisms of different ratios that join the same three
+    bodies leave them one.
+    """
+    bodies = joined_by_elements(case, gear)
+    held: set[int] = set()
+    while True:
+        free = [index for index in range(len(case.mechanisms)) if index not in held]
+        found = _held(case, free, bodies)
+        if not found:
+            return held
+        for index in found:
+            join(bodies, *case.mechanisms[index].links)
+        held.update(found)
+
+
+def _held(case: Transmission, mechanisms: Iterable[int], bodies: Sequence[int]) -> set[int]:
+    """Those of some mechanisms whose links are one body."""
+    found: set[int] = set()
+    known: dict[tuple[int, ...], tuple[int, float, float]] = {}
+    for index in mechanisms:
+        one = case.mechanisms[index]
+        own = [bodies[link] for link in one.links]
+        if len(set(own)) < 3:
+            if own[0] != own[1] or one.ratio != 1:  # with ratio 1 the third link is loose
+                found.add(index)
+            continue
+        torques = zip(own, column(one.ratio), strict=True)
+        (first, torque), (second, other), (third, _) = sorted(torques)
+        entry = index, torque, other
+        before, old_torque, old_other = known.setdefault((first, second, third), entry)
+        left, right = torque * old_other, other * old_torque
+        if abs(left - right) > UNCERTAIN * (abs(left) + abs(right)):
+            found |= {before, index}
+    return found

@@ -1,0 +1,98 @@
+"""Efficiency of a mechanism for each direction of power, and its ratio with losses.
+
+With losses the internal ratio u of a mechanism becomes ``u * efficiency**x`` in the
+torque system; x is +1 where power enters by the first link, seen from the third, and
+-1 where it leaves by it (equation (5) of docs/method.md). Some mechanisms, worm gears
+say, have another efficiency for x = -1.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from vstatics.model.transmission import Transmission
+from vstatics.numerics.traced import Number
+
+Signs = tuple[float, ...]
+"""By mechanism: the exponent x of its efficiency, +1, -1 or 0; NaN where it is open."""
+
+
+class Efficiency(NamedTuple):
+    """The efficiency of a mechanism for each direction of power."""
+
+    forward: Number
+    """From the first link to the second."""
+    back: Number
+    """0: power can't flow back."""
+
+    @property
+    def lossless(self) -> bool:
+        """Whether the direction does not matter."""
+        return bool(self.forward == 1 and self.back == 1)
+
+    @property
+    def lossy(self) -> bool:
+        """Whether there are losses in one of the directions."""
+        return bool(self.forward < 1 or self.back < 1)
+
+
+def efficiencies_by_direction(
+    case: Transmission, efficiencies: Sequence[Number] | None = None
+) -> list[Efficiency]:
+    """The efficiencies of the mechanisms, where a case may give others for the way back.
+
+    Parameters
+    ----------
+    efficiencies : sequence of Number, optional
+        Forward; the case's own when not given. [-]
+    """
+    if efficiencies is None:
+        efficiencies = [mechanism.efficiency for mechanism in case.mechanisms]
+    backs = (mechanism.back_efficiency for mechanism in case.mechanisms)
+    return [
+        Efficiency(forward, forward if back is None else back)
+        for forward, back in zip(efficiencies, backs, strict=True)
+    ]
+
+
+def lossy_ratio(ratio: Number, efficiency: Efficiency, exponent: float) -> Number:
+    """``u * efficiency**x``; NaN where power can't flow back, or x is open.
+
+    >>> [lossy_ratio(-2.0, Efficiency(0.5, 0.25), x) for x in (1.0, -1.0)]
+    [-1.0, -8.0]
+    """
+    if exponent == 0:
+        return ratio
+    if math.isnan(exponent):
+        return ratio if efficiency.lossless else math.nan
+    if exponent > 0:
+        return ratio if efficiency.forward == 1 else ratio * efficiency.forward
+    if efficiency.back == 0:
+        return math.nan
+    return ratio if efficiency.back == 1 else ratio / efficiency.back
+
+
+def lossy_ratios(
+    ratios: Sequence[Number], efficiencies: Sequence[Efficiency], signs: Sequence[float]
+) -> list[Number]:
+    """The ratios of all mechanisms with losses under given signs; see `lossy_ratio`."""
+    return list(map(lossy_ratio, ratios, efficiencies, signs))
+
+
+def is_possible(efficiencies: Sequence[Efficiency], signs: Signs) -> bool:
+    """Whether power flows back through no mechanism that is self-locking."""
+    return not any(
+        x < 0 and bool(efficiency.back == 0)
+        for x, efficiency in zip(signs, efficiencies, strict=True)
+    )
+
+
+def sign(number: Number) -> float:
+    """+1, -1 or 0, or NaN."""
+    if number > 0:
+        return 1.0
+    if number < 0:
+        return -1.0
+    return 0.0 if number == 0 else math.nan

@@ -1,0 +1,113 @@
+"""A gear with ideal mechanisms: what decides where power enters each of them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from vstatics.model.transmission import HOUSING, Gear, Transmission
+from vstatics.numerics.tolerances import TIE
+from vstatics.numerics.traced import Number, absolute
+from vstatics.statics import matrix
+from vstatics.statics.drag import NO_DRAG, Drag, drag_torques
+from vstatics.statics.efficiency import Efficiency
+from vstatics.statics.speeds import Speeds
+from vstatics.statics.torques import Torques, solve_torques
+
+OUTSIDE = -1
+"""Stands for an external torque, where a device has its index."""
+
+
+class IdealGear(NamedTuple):
+    """Speeds and torques of a gear without losses."""
+
+    case: Transmission
+    gear: Gear
+    """With the freewheels that hold among the engaged elements."""
+    ratios: Sequence[Number]
+    efficiencies: Sequence[Efficiency]
+    speeds: Speeds
+    torques: Torques
+    """Without drag."""
+    drag: Drag
+    torques_with_drag: Torques
+    """Drag alone loads some mechanisms; the same where nothing drags."""
+
+    @property
+    def direction(self) -> int:
+        """+1, or -1 when coasting: all flows turn."""
+        return -1 if self.case.coast else 1
+
+
+def ideal_gear(
+    case: Transmission,
+    gear: Gear,
+    ratios: Sequence[Number],
+    efficiencies: Sequence[Efficiency],
+    speeds: Speeds,
+) -> IdealGear:
+    """Torques without losses, for the elements that are engaged and their speeds."""
+    torques = solve_torques(case, gear, ratios)
+    drag = drag_torques(case, gear, speeds.links, speeds.slips)
+    with_drag = torques if drag is NO_DRAG else solve_torques(case, gear, ratios, drag)
+    return IdealGear(case, gear, ratios, efficiencies, speeds, torques, drag, with_drag)
+
+
+def mechanism_torques(ideal: IdealGear, ratios: Sequence[Number], torques: Torques) -> list[Number]:
+    """Torque on the first link of each mechanism, 0 where it is a tie.
+
+    It is a tie when on each of its links the mechanism's torque is nothing beside the
+    other torques there: so a stage of a large ratio is measured by its own links.
+    """
+    case = ideal.case
+    elements = len(case.shift_elements)
+    by_link = _torques_by_link(ideal, ratios, torques)
+    return [
+        0.0 if _is_nothing(by_link, device, mechanism.links) else torques.on_first_link[device]
+        for device, mechanism in enumerate(case.mechanisms, elements)
+    ]
+
+
+def is_nothing(ideal: IdealGear, ratios: Sequence[Number], torques: Torques, number: int) -> bool:
+    """Whether the torque of a shift element, by its number, is a tie: see `mechanism_torques`."""
+    element = ideal.case.shift_elements[number - 1]
+    by_link = _torques_by_link(ideal, ratios, torques)
+    return _is_nothing(by_link, number - 1, (element.first, element.second))
+
+
+_OnLink = tuple[int, Number]
+"""The index of a device, or `OUTSIDE`, and the size of its torque on a link."""
+
+
+def _is_nothing(by_link: Sequence[Sequence[_OnLink]], device: int, links: Sequence[int]) -> bool:
+    """Whether a device's torque is nothing beside another one, on each of its links."""
+
+    def on(link: int) -> bool:
+        own = next(torque for other, torque in by_link[link] if other == device)
+        others = [torque for other, torque in by_link[link] if other != device]
+        return bool(own == 0 or any(own <= TIE * torque for torque in others))
+
+    return all(on(link) for link in links if link != HOUSING)
+
+
+def _torques_by_link(
+    ideal: IdealGear, ratios: Sequence[Number], torques: Torques
+) -> list[list[_OnLink]]:
+    """All torques on each link, the housing first."""
+    case, gear = ideal.case, ideal.gear
+    by_link: list[list[_OnLink]] = [[] for _ in range(case.links + 1)]
+    columns: list[tuple[Sequence[int], Sequence[Number]]] = [
+        ((element.first, element.second), matrix.ON_ELEMENT) for element in case.shift_elements
+    ]
+    columns += [
+        (mechanism.links, matrix.column(ratio))
+        for mechanism, ratio in zip(case.mechanisms, ratios, strict=True)
+    ]
+    for device, (links, shares) in enumerate(columns):
+        for link, share in zip(links, shares, strict=True):
+            by_link[link].append((device, absolute(share * torques.on_first_link[device])))
+    by_link[case.gear_output(gear)].append((OUTSIDE, absolute(torques.on_first_link[-1])))
+    external = matrix.external_torques(case, gear)
+    for link, torque in (*external.items(), *torques.holding.items(), *ideal.drag.links.items()):
+        by_link[link].append((OUTSIDE, absolute(torque)))
+    return by_link

@@ -1,0 +1,242 @@
+"""The search for signs of the power flow that agree with the torques they lead to."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from itertools import product
+from typing import NamedTuple
+
+from vstatics.numerics.tape import Untraceable
+from vstatics.numerics.tolerances import TIE
+from vstatics.numerics.traced import Number, Rest, absolute
+from vstatics.statics.efficiency import Signs, is_possible
+from vstatics.statics.ideal import IdealGear
+from vstatics.statics.losses import LossyTorques, no_solution, torques_for_signs
+from vstatics.statics.signs import IdealSigns, ideal_signs
+from vstatics.statics.torques import Torques
+
+SEARCHED = 12
+"""Up to so many mechanisms all sets of signs are tried."""
+ROUNDS = 200
+"""So often the signs follow the flow, where there are too many sets to try them all."""
+
+
+class SignSearch(NamedTuple):
+    """What the search for admissible signs ended with; names as in `Results`."""
+
+    lossy: LossyTorques
+    idle: list[bool]
+    """By mechanism, like `turned`."""
+    locked: bool
+    undecided: bool
+    turned: list[bool]
+    choices: int
+
+
+class Admissible(NamedTuple):
+    """Admissible signs of the largest efficiency."""
+
+    lossy: LossyTorques | None = None
+    """None: there are none, and friction locks the gear; or the search was cut short."""
+    choices: int = 0
+    """How many sets of signs are admissible."""
+    cut_short: bool = False
+
+
+def find_signs(ideal: IdealGear, *, moving: bool) -> SignSearch:
+    """Find the signs that agree with the flow they lead to.
+
+    The signs without losses are tried first, then all sets of signs.
+
+    Parameters
+    ----------
+    moving : bool
+        Whether speeds, and torques without losses, exist.
+    """
+    start = ideal_signs(ideal, moving=moving)
+    found = Admissible(no_solution(ideal, start.signs))
+    if moving and _open(ideal, start):
+        found = Admissible(_common(ideal, start))
+    elif moving:
+        first = _follow_unloaded(ideal, start)
+        found = Admissible(first, 1) if first.admissible else _search(ideal, start)
+    lossy = found.lossy or no_solution(ideal, start.signs)
+    idle = start.idle
+    turned = [
+        lossy.admissible and not is_idle and x != before and efficiency.lossy
+        for is_idle, x, before, efficiency in zip(
+            idle, lossy.signs, start.signs, ideal.efficiencies, strict=True
+        )
+    ]
+    locked = found.lossy is None and not found.cut_short
+    return SignSearch(lossy, idle, locked, found.cut_short, turned, found.choices)
+
+
+def _open(ideal: IdealGear, start: IdealSigns) -> list[int]:
+    """Mechanisms with losses whose direction of power statics leaves open."""
+    return [
+        place
+        for place, x in enumerate(start.signs)
+        if math.isnan(x) and ideal.efficiencies[place].lossy
+    ]
+
+
+def _follow_unloaded(ideal: IdealGear, start: IdealSigns) -> LossyTorques:
+    """The signs without losses; unloaded mechanisms take the sign of their flow with losses."""
+    signs = start.signs
+    lossy = torques_for_signs(ideal, signs)
+    for _ in signs:
+        followed = _turned(signs, lossy.directions, start.unloaded)
+        if followed == signs:
+            break
+        signs = followed
+        lossy = torques_for_signs(ideal, signs)
+    return lossy
+
+
+def _turned(signs: Signs, directions: Signs, allowed: Sequence[bool]) -> Signs:
+    """The signs with those of the flow where that is allowed and there is any."""
+    return tuple(
+        direction if may and abs(direction) == 1 else x
+        for x, direction, may in zip(signs, directions, allowed, strict=True)
+    )
+
+
+def _search(ideal: IdealGear, start: IdealSigns) -> Admissible:
+    """Try all sets of signs of the mechanisms that move, or follow the flow if there are many."""
+    moving = [
+        not still and efficiency.lossy
+        for still, efficiency in zip(start.still, ideal.efficiencies, strict=True)
+    ]
+    free = [place for place, moves in enumerate(moving) if moves]
+    if len(free) > SEARCHED:
+        free = [place for place in free if not start.unloaded[place]]
+    if len(free) > SEARCHED:
+        return _follow(ideal, start, moving)
+    admissible = [lossy for lossy in _every_set(ideal, start, free) if lossy.admissible]
+    if admissible:
+        return _best(admissible, start)
+    if not free and any(x for x, still in zip(start.signs, start.still, strict=True) if still):
+        # nothing moves that could lock: the convention for idle mechanisms does not suit
+        signs = tuple(
+            0.0 if still else x for x, still in zip(start.signs, start.still, strict=True)
+        )
+        return _search(ideal, start._replace(signs=signs))
+    return Admissible()
+
+
+def _best(admissible: Sequence[LossyTorques], start: IdealSigns) -> Admissible:
+    """The signs of the largest efficiency; those that turn nothing are as they were."""
+    flows = {
+        tuple(x * turns * turns for x, turns in zip(one.signs, one.directions, strict=True))
+        for one in admissible
+    }
+    best = admissible[0]
+    for other in admissible[1:]:
+        if other.efficiency > best.efficiency or not best.efficiency < math.inf:
+            best = other
+    signs = tuple(
+        before if unloaded and turns == 0 else x
+        for x, before, unloaded, turns in zip(
+            best.signs, start.signs, start.unloaded, best.directions, strict=True
+        )
+    )
+    return Admissible(best._replace(signs=signs), len(flows))
+
+
+def _every_set(ideal: IdealGear, start: IdealSigns, free: Sequence[int]) -> Iterator[LossyTorques]:
+    """The torques for all possible sets of signs of the `free` mechanisms."""
+    for chosen in product((1.0, -1.0), repeat=len(free)):
+        signs = list(start.signs)
+        for place, x in zip(free, chosen, strict=True):
+            signs[place] = x
+        if is_possible(ideal.efficiencies, tuple(signs)):
+            yield torques_for_signs(ideal, tuple(signs))
+
+
+def _common(ideal: IdealGear, start: IdealSigns) -> LossyTorques:
+    """What all sets of signs lead to, where statics leaves the flow through mechanisms open.
+
+    So a redundant part of a train does not hide what is determined in the rest of it.
+    """
+    none = no_solution(ideal, start.signs)
+    open_ = _open(ideal, start)
+    if len(open_) > SEARCHED:
+        return none
+    tried = list(_every_set(ideal, start, open_))
+    if not tried or any(one.efficiency <= 0 for one in tried):
+        return none
+    torques = [one.torques for one in tried]
+    return LossyTorques(
+        signs=tuple(map(_same_sign, zip(*(one.signs for one in tried), strict=True))),
+        torques=Torques(
+            list(map(_same, zip(*(one.on_first_link for one in torques), strict=True))),
+            {link: _same([one.holding[link] for one in torques]) for link in none.torques.holding},
+            consistent=True,
+        ),
+        directions=tuple(map(_same_sign, zip(*(one.directions for one in tried), strict=True))),
+        losses=list(map(_same, zip(*(one.losses for one in tried), strict=True))),
+        efficiency=_same([one.efficiency for one in tried]),
+        drag_losses=tried[0].drag_losses,
+        balance=_same([one.balance for one in tried]),
+        admissible=False,
+    )
+
+
+def _same(values: Sequence[Number | Rest]) -> Number:
+    """The number that all of some are, to rounding; else NaN."""
+    numbers = [value for value in values if not isinstance(value, Rest)]
+    if len(numbers) < len(values):
+        raise Untraceable
+    first = numbers[0]
+    size = absolute(first)
+    most = size if size > 1 else 1.0  # the input is 1
+    agree = all(absolute(number - first) <= TIE * most for number in numbers)
+    return first if agree else math.nan
+
+
+def _same_sign(values: Sequence[float]) -> float:
+    """The sign that all of some are; else NaN."""
+    return values[0] if len(set(values)) == 1 else math.nan
+
+
+def _follow(ideal: IdealGear, start: IdealSigns, moving: Sequence[bool]) -> Admissible:
+    """Let the signs follow the flow until they agree.
+
+    Where that runs in a circle only the sign that loses most is turned.
+    """
+    signs = _possible(ideal, start.signs)
+    seen: set[Signs] = set()
+    for _ in range(ROUNDS):
+        lossy = torques_for_signs(ideal, signs)
+        if lossy.admissible:
+            return Admissible(lossy, 1)
+        turned = _possible(ideal, _turned(signs, lossy.directions, moving))
+        if turned == signs:
+            break
+        if turned in seen:
+            turned = _worst_turned(ideal, signs, turned, lossy)
+        if turned in seen:
+            break
+        seen.add(turned)
+        signs = turned
+    return Admissible(cut_short=True)
+
+
+def _possible(ideal: IdealGear, signs: Signs) -> Signs:
+    """The signs, but that no self-locking mechanism is driven back."""
+    return tuple(
+        1.0 if x < 0 and efficiency.back == 0 else x
+        for x, efficiency in zip(signs, ideal.efficiencies, strict=True)
+    )
+
+
+def _worst_turned(ideal: IdealGear, signs: Signs, turned: Signs, lossy: LossyTorques) -> Signs:
+    """Of the signs that should turn, only the one whose mechanism gains most."""
+    gains = [
+        -loss * ideal.direction if x != y else -math.inf
+        for x, y, loss in zip(signs, turned, lossy.losses, strict=True)
+    ]
+    worst = max(range(len(gains)), key=gains.__getitem__)
+    return tuple(-x if place == worst else x for place, x in enumerate(signs))
