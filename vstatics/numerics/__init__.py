@@ -1,1 +1,14 @@
-"""Numbers."""
+"""Numbers: linear systems that need not be regular, and one calculation for many variants.
+
+Equations go in, what they determine comes out; NaN stands for what they leave open.
+
+>>> from vstatics.numerics.elimination import solve
+>>> from vstatics.numerics.entries import RIGHT
+>>> solve([{0: 1.0, 1: -1.0, RIGHT: 1.0}, {2: 2.0, RIGHT: 10.0}], 3, sums=[{0: 1.0, 1: -1.0}])
+Solution(values=[nan, nan, 5.0, 1.0], consistent=True, missing=1, excess=0)
+
+`entries` tells what is zero (`tolerances`), `elimination` solves. The same calculation runs
+for arrays: `traced` numbers note on a `tape` what is done with them, `replay` does it again
+on arrays in `memory`, `plans` tells which variant takes which tape. `fronts` has the best
+points by several objectives. Nothing here knows of transmissions.
+"""
