@@ -15,8 +15,8 @@ from vstatics.report.drawn import palette
 from vstatics.report.gathering import Material
 from vstatics.report.given import given
 from vstatics.summary import Summary
-from vstatics.summary.grids import grids
-from vstatics.tables.grid import Cell, Column, Grid, sign
+from vstatics.summary.grids import Marks, element_signs, grids
+from vstatics.tables.grid import Column, Grid
 from vstatics.tables.html import Markup, joined, scrolled, table, tag, terms
 
 POLICY = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'"
@@ -89,19 +89,16 @@ def _spread(others: Sequence[Grid]) -> Iterator[Markup]:
 
 def _gears(summary: Summary, grid: Grid) -> Markup:
     """The table of gears, with a dot for each shift element that is engaged or holds."""
-    case = summary.results.case
+    elements = summary.results.case.shift_elements
     columns = [
         grid.columns[0],
-        *(Column(element.name) for element in case.shift_elements),
+        *(Column(element.name, is_sign=True) for element in elements),
         *grid.columns[1:],
     ]
-    rows: list[list[Cell | str]] = []
-    for gear, holds, row in zip(case.gears, summary.results.holds.tolist(), grid.rows, strict=True):
-        dots = [
-            sign(value, "engaged" if number in gear.engaged else "freewheel that holds")
-            for number, value in enumerate(holds, 1)
-        ]
-        rows.append([row[0], *dots, *row[1:]])
+    rows = [
+        [row[0], *element_signs(summary.results, index, Marks()), *row[1:]]
+        for index, row in enumerate(grid.rows)
+    ]
     return table(Grid("Ratios, steps, efficiencies", columns, rows))
 
 

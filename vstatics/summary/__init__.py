@@ -10,8 +10,7 @@ from vstatics.statics.results import Results
 from vstatics.summary.combinations import Combination, combinations
 from vstatics.summary.design import Design, design
 from vstatics.summary.duty import Cycle
-from vstatics.summary.extremes import Largest, largest
-from vstatics.summary.margins import Margin, margins
+from vstatics.summary.extremes import Largest, Margin, largest, margins
 from vstatics.summary.sensitivity import sensitivities
 from vstatics.summary.shifts import Transition, transitions
 
