@@ -63,9 +63,6 @@ def _text(case: Transmission, found: list[GearFlow], output_format: str) -> str:
         from vstatics.flow.text import text
 
         return "\n".join(map(text, found))
-    import json
+    from vstatics.flow.document import write
 
-    from vstatics.flow.document import document
-
-    made = document(case.name, found)
-    return json.dumps(made, ensure_ascii=False, allow_nan=False, indent=1) + "\n"
+    return write(case.name, found)

@@ -12,9 +12,9 @@ from vstatics.explain.explanation import Explanation
 from vstatics.explain.formula import Formula
 from vstatics.explain.signs import Sign
 from vstatics.explain.sums import INDENT, WIDTH, filled, in_numbers, in_symbols, listed
-from vstatics.tables import text as plain
 from vstatics.tables.grid import Column, Grid
 from vstatics.tables.numbers import fixed, short
+from vstatics.tables.text import lines as table_lines
 
 LABEL = 20
 """What stands before an equation has a line of its own when it is longer."""
@@ -57,7 +57,7 @@ def _matrix(one: Explanation) -> Iterator[str]:
     rows = [
         [name, *map(fixed, row)] for name, row in zip(one.rows, one.matrix.tolist(), strict=True)
     ]
-    yield from filter(None, plain.lines(Grid("", columns, rows), indent=INDENT))
+    yield from filter(None, table_lines(Grid("", columns, rows), indent=INDENT))
     if one.not_engaged:
         text = "not engaged, so without column and torque: " + ", ".join(one.not_engaged)
         yield from wrap(text, WIDTH, initial_indent=INDENT, subsequent_indent=INDENT * 2)

@@ -1,13 +1,13 @@
-"""The power of gears as plain data for JSON."""
+"""The power of gears as JSON, with all digits."""
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from typing import Any
 
-from vstatics.flow.circulation import Loop, Node
+from vstatics.flow.circulation import Edge, Loop
 from vstatics.flow.power import GearFlow, PowerFlow
+from vstatics.writers.plain_json import json_text
 
 VERSION = 1
 CONVENTIONS = {
@@ -22,72 +22,62 @@ CONVENTIONS = {
 }
 
 
-def document(name: str, found: Sequence[GearFlow]) -> dict[str, Any]:
-    """The power of gears as a plain mapping, ready for JSON; NaN becomes None.
+def write(name: str, gears: Sequence[GearFlow]) -> str:
+    """The power of gears as one JSON object.
 
     Parameters
     ----------
     name : str
         Of the case.
     """
-    return {
-        "format": "vstatics-flow",
-        "version": VERSION,
-        "conventions": CONVENTIONS,
-        "case": name,
-        "gears": [
-            {
-                "gear": flow.gear,
-                "note": flow.note,
-                "input_link_kW": _number(flow.kilowatts),
-                "ideal": _side(flow.ideal),
-                "lossy": _side(flow.lossy),
-            }
-            for flow in found
-        ],
-    }
+    return json_text(
+        {
+            "format": "vstatics-flow",
+            "version": VERSION,
+            "conventions": CONVENTIONS,
+            "case": name,
+            "gears": [
+                {
+                    "gear": flow.gear,
+                    "note": flow.note,
+                    "input_link_kW": flow.kilowatts,
+                    "ideal": _side(flow.ideal),
+                    "lossy": _side(flow.lossy),
+                }
+                for flow in gears
+            ],
+        }
+    )
 
 
 def _side(side: PowerFlow | None) -> dict[str, Any] | None:
     if side is None:
         return None
-    passing, shares = side.throughput, side.shares
+    names = "entering", "leaving", "lost", "balance", "circulating", "circulating_share"
+    shares = side.shares
     return {
-        "entering": _number(side.entering),
-        "leaving": _number(side.leaving),
-        "lost": _number(side.lost),
-        "balance": _number(side.balance),
-        "circulating": _number(side.circulating),
-        "circulating_share": _number(side.circulating_share),
-        "throughput": [_node(node) | {"power": _number(passing[node])} for node in passing],
+        **{name: getattr(side, name) for name in names},
+        "throughput": [
+            node._asdict() | {"power": power} for node, power in side.throughput.items()
+        ],
         "losses": [
-            _node(node) | {"power": _number(loss), "share": _number(shares[node])}
+            node._asdict() | {"power": loss, "share": shares[node]}
             for node, loss in side.losses.items()
         ],
         "members": [
-            _node(device) | {"member": member, "link": link, "power": _number(power)}
+            device._asdict() | {"member": member, "link": link, "power": power}
             for device, member, link, power in side.members
         ],
         "edges": _edges(side.edges),
         "forward": _edges(side.forward),
-        "loops": _loops(side.loops),
-        "locked_in": _loops(side.locked_in),
+        "loops": [_loop(loop) for loop in side.loops],
+        "locked_in": [_loop(loop) for loop in side.locked_in],
     }
 
 
-def _edges(edges: Sequence[Any]) -> list[dict[str, Any]]:
-    return [
-        {"from": _node(one.source), "to": _node(one.target), "power": one.power} for one in edges
-    ]
+def _edges(edges: Sequence[Edge]) -> list[dict[str, Any]]:
+    return [{"from": one.source, "to": one.target, "power": one.power} for one in edges]
 
 
-def _loops(loops: Sequence[Loop]) -> list[dict[str, Any]]:
-    return [{"power": loop.power, "nodes": [_node(node) for node in loop.nodes]} for loop in loops]
-
-
-def _node(node: Node) -> dict[str, Any]:
-    return node._asdict()
-
-
-def _number(value: float) -> float | None:
-    return value if math.isfinite(value) else None
+def _loop(loop: Loop) -> dict[str, Any]:
+    return {"power": loop.power, "nodes": loop.nodes}

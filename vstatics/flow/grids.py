@@ -30,16 +30,8 @@ def power_grid(flow: GearFlow) -> Grid:
     >>> from vstatics.flow.power import flows
     >>> pair = Mechanism(1, 2, 0, -4.0, 0.98, name="pair")
     >>> [flow] = flows(solve(Transmission(2, [], [pair], [Gear()])))
-    >>> grid = power_grid(flow)
-    >>> for level, row in zip(grid.levels, grid.texts):
-    ...     print(level, row)
-    1 ['links', '', '', '', '']
-    2 ['1', '1.000', '1.000', '', '']
-    2 ['2', '1.000', '.980', '', '']
-    1 ['mechanisms', '', '', '', '']
-    2 ['pair', '1.000', '1.000', '.0200', '100.0']
-    3 ['first: 1', '1.000', '1.000', '', '']
-    3 ['second: 2', '-1.000', '-.980', '', '']
+    >>> power_grid(flow).texts[4]
+    ['pair', '1.000', '1.000', '.0200', '100.0']
     """
     load = not math.isnan(flow.kilowatts)
     columns = [text("power through"), Column("ideal"), Column("with losses")]
@@ -47,7 +39,7 @@ def power_grid(flow: GearFlow) -> Grid:
     columns.append(Column("share, %"))
     rows: list[list[Cell | str]] = []
     levels = []
-    moving = [node for node in _nodes(flow) if _carries(flow, node)]
+    moving = [node for node, carries in _nodes(flow).items() if carries]
     for kind, heading in SECTIONS.items():
         nodes = [node for node in moving if node.kind == kind]
         if nodes:
@@ -67,7 +59,8 @@ def remarks(flow: GearFlow) -> Iterator[str]:
     """What is without power, the balance, what circulates: a line each, loops set in."""
     if flow.ideal is None:
         return
-    still = [str(n) for n in _nodes(flow) if not _carries(flow, n) and n.kind in SECTIONS]
+    nodes = _nodes(flow).items()
+    still = [str(node) for node, carries in nodes if not carries and node.kind in SECTIONS]
     if still:
         yield f"no power: {', '.join(still)}"
     if flow.note:
@@ -104,26 +97,24 @@ def _circulating(ideal: PowerFlow, lossy: PowerFlow | None) -> str:
     return f"circulating: {fixed(shown.circulating)}{of_input}{without}"
 
 
-def _nodes(flow: GearFlow) -> list[Node]:
-    """All nodes of both flows."""
-    sides = [side.throughput for side in (flow.ideal, flow.lossy) if side is not None]
-    return list(dict.fromkeys(node for side in sides for node in side))
-
-
-def _carries(flow: GearFlow, node: Node) -> bool:
-    """Whether power goes through, or may."""
-    sides = [side for side in (flow.ideal, flow.lossy) if side is not None]
-    return any(side.throughput.get(node, 0.0) != 0 for side in sides)
+def _nodes(flow: GearFlow) -> dict[Node, bool]:
+    """All nodes of both flows, and whether power goes through each, or may."""
+    carrying: dict[Node, bool] = {}
+    for side in (flow.ideal, flow.lossy):
+        for node, power in side.throughput.items() if side is not None else ():
+            carrying[node] = carrying.get(node, False) or power != 0
+    return carrying
 
 
 def _of_node(flow: GearFlow, node: Node) -> list[Cell | str]:
-    ideal, lossy = flow.ideal, flow.lossy
-    entering = ideal.throughput.get(node, 0.0) if ideal is not None else math.nan
-    if lossy is None:
-        return _row(flow, str(node), (entering, math.nan))
-    passing = lossy.throughput.get(node, 0.0)
-    loss, share = lossy.losses.get(node), lossy.shares.get(node)
-    return _row(flow, str(node), (entering, passing), loss, share)
+    ideal, lossy = (
+        math.nan if side is None else side.throughput.get(node, 0.0)
+        for side in (flow.ideal, flow.lossy)
+    )
+    if flow.lossy is None:
+        return _row(flow, str(node), (ideal, lossy))
+    loss, share = flow.lossy.losses.get(node), flow.lossy.shares.get(node)
+    return _row(flow, str(node), (ideal, lossy), loss, share)
 
 
 def _of_members(flow: GearFlow, node: Node) -> Iterator[list[Cell | str]]:

@@ -75,7 +75,7 @@ def number(value: float, decimals: int = 3) -> str:
 
 
 def exact(value: float | None, decimals: int = 3) -> Cell:
-    """A number as a cell that keeps all its digits; None does not exist.
+    """A number as a cell that keeps all its digits for a page; None does not exist.
 
     >>> exact(0.98765)[:2], exact(-1.5e9).text, exact(None).text
     (('.988', 0.98765), '-1.5e+09', '-')
@@ -86,11 +86,11 @@ def exact(value: float | None, decimals: int = 3) -> Cell:
     return Cell(number(known, decimals), known)
 
 
-def sign(value: float | None, meaning: str = "yes") -> Cell:
-    """A dot for what is so; NaN or None where it is unknown."""
-    if value is None or math.isnan(value):
+def sign(value: float) -> Cell:
+    """A dot for what is so; NaN where it is unknown."""
+    if math.isnan(value):
         return Cell(NOTHING, math.nan)
-    return Cell(YES, 1.0, meaning) if value else Cell(NO, 0.0, "no")
+    return Cell(YES, 1.0, "yes") if value else Cell(NO, 0.0, "no")
 
 
 def words(names: Sequence[str]) -> str:

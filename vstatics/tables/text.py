@@ -61,7 +61,7 @@ def lines(
         for row in rows[first:]:
             if len(row[0]) > widths[0]:
                 yield f"{indent}{row[0]}".rstrip()
-                row[0] = ""
+                row = ["", *row[1:]]  # noqa: PLW2901 - the rest of it
             padded = (_padded(row[place], grid.columns[place], widths[place]) for place in chosen)
             yield f"{indent}{gap.join(padded)}".rstrip()
 
