@@ -17,7 +17,7 @@ from tests.commands import vstatics
 from vstatics import CaseError, ReadError, Transmission, solve
 from vstatics.readers.named.reader import read_json, read_yaml
 from vstatics.summary.duty import Duty, cycle
-from vstatics.summary.margins import margins
+from vstatics.summary.extremes import margins
 from vstatics.writers import deck, named
 
 CASE = """\

@@ -11,7 +11,7 @@ from rich.console import Console
 
 import vstatics as library
 from tests.commands import CASES, MZKT, vstatics
-from vstatics.summary.pretty import ASCII, Marks, view
+from vstatics.summary.pretty import ASCII, DOTS, view
 
 FREEWHEEL = """
 name: two states
@@ -68,7 +68,7 @@ def test_a_freewheel_that_holds_has_a_sign_of_its_own() -> None:
 
 def test_a_terminal_without_dots_gets_letters() -> None:
     results = library.solve(library.load(MZKT))
-    for marks, sign in ((ASCII, "x"), (Marks(), "●")):
+    for marks, sign in ((ASCII, "x"), (DOTS, "●")):
         console = Console(width=80)
         with console.capture() as captured:
             console.print(view(results, marks))

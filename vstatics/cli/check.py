@@ -11,13 +11,15 @@ from vstatics.cli.cases import Settings, calculate
 from vstatics.elements.drawing import drawing_of
 from vstatics.statics.diagnosis import freedom, given_conditions
 from vstatics.statics.results import Results
+from vstatics.tables.grid import Grid, text
+from vstatics.tables.text import lines
 
 
 def _count(number: int, noun: str) -> str:
     return f"{number} {noun}{'s' * (number != 1)}"
 
 
-def summary(file: str, results: Results) -> str:
+def conditions(file: str, results: Results) -> Grid:
     """What the case is, and how many conditions each gear has for its speeds."""
     case = results.case
     free = freedom(case)
@@ -32,9 +34,8 @@ def summary(file: str, results: Results) -> str:
         counts[0] = _count(drawing.links, "link")
         counts[2] = f"{_count(len(drawing.elements), 'element')} as {counts[2]}"
         counts[2] += f" and {_count(planets, 'planet')}" * bool(planets)
-    lines = [f"{file}: {', '.join(counts)}; degrees of freedom: {free}"]
     names = [element.name for element in case.shift_elements]
-    width = max(len(gear.name) for gear in case.gears)
+    rows = []
     states = zip(
         case.gears,
         results.holds,
@@ -52,11 +53,10 @@ def summary(file: str, results: Results) -> str:
         verdict += ["tied up"] * bool(tied_up)
         verdict += ["freewheels in conflict"] * bool(conflict)
         given = given_conditions(gear) + len(held)
-        lines.append(
-            f"  gear {gear.name:{width}}  {given} of {free} conditions: "
-            f"{', '.join(verdict) or 'ok'} (engaged: {engaged})"
-        )
-    return "\n".join(lines) + "\n"
+        found = f"{given} of {free} conditions: {', '.join(verdict) or 'ok'} (engaged: {engaged})"
+        rows.append([f"gear {gear.name}", found])
+    title = f"{file}: {', '.join(counts)}; degrees of freedom: {free}"
+    return Grid(title, [text(""), text("")], rows)
 
 
 @click.command()
@@ -81,5 +81,6 @@ def check(
     for outcome in calculate(cases, Settings(input_format, notes=True)):
         failed |= outcome.failed
         if outcome.results is not None:
-            files.write_output(summary(outcome.file, outcome.results), None)
+            shown = lines(conditions(outcome.file, outcome.results), indent="  ")
+            files.write_output("\n".join(shown) + "\n", None)
     context.exit(1 if failed else 0)

@@ -59,11 +59,10 @@ def flow(
 
 
 def _text(case: Transmission, found: list[GearFlow], output_format: str) -> str:
-    from vstatics.flow import text as flow_text
-
     if output_format == "text":
-        return "\n".join(map(flow_text.text, found))
-    import json
+        from vstatics.flow.text import text
 
-    made = flow_text.document(case.name, found)
-    return json.dumps(made, ensure_ascii=False, allow_nan=False, indent=1) + "\n"
+        return "\n".join(map(text, found))
+    from vstatics.flow.document import write
+
+    return write(case.name, found)

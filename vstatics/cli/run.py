@@ -112,14 +112,14 @@ def _pretty(names: list[str], settings: Settings) -> int:
     """Show the gears of each case to a person; the exit status."""
     from rich.console import Console
 
-    from vstatics.summary.pretty import ASCII, Marks, view
+    from vstatics.summary.pretty import ASCII, DOTS, view
 
     console = Console(highlight=False)
     failed = False
     for outcome in calculate(names, settings):
         failed |= outcome.failed
         if outcome.results is not None:
-            marks = ASCII if console.options.ascii_only else Marks()
+            marks = ASCII if console.options.ascii_only else DOTS
             console.print(view(outcome.results, marks))
     return int(failed)
 

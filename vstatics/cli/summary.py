@@ -113,9 +113,9 @@ def _text(outcomes: Sequence[Outcome], output_format: SummaryFormat, asked: _Ask
         if outcome.results is not None
     ]
     if output_format == "json":
-        from vstatics.summary.document import document, write
+        from vstatics.summary.document import write
 
-        return write([document(one) for one in made])
+        return write(made)
     from vstatics.summary import contrast, grids
     from vstatics.tables import latex, markdown
     from vstatics.tables import text as plain

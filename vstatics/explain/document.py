@@ -1,8 +1,7 @@
-"""Explanations as plain data, ready for JSON; NaN becomes None."""
+"""Explanations as JSON, with all digits."""
 
 from __future__ import annotations
 
-import json
 from collections.abc import Sequence
 from typing import Any
 
@@ -11,6 +10,7 @@ from vstatics.explain.explanation import Explanation
 from vstatics.explain.formula import Formula
 from vstatics.explain.sums import in_numbers, in_symbols
 from vstatics.model.transmission import Transmission
+from vstatics.writers.plain_json import json_text, plain_data
 
 VERSION = 1
 
@@ -23,26 +23,26 @@ def write(case: Transmission, explained: Sequence[Explanation]) -> str:
         "case": case.name,
         "gears": [document(one) for one in explained],
     }
-    return json.dumps(made, indent=1, ensure_ascii=False, allow_nan=False) + "\n"
+    return json_text(made)
 
 
 def document(one: Explanation) -> dict[str, Any]:
-    """An explanation as a plain mapping.
+    """An explanation as plain data.
 
     An equation has its text in symbols and in numbers, and its terms to calculate with;
     `right` is its right side.
     """
-    plain: dict[str, Any] = one._asdict() | {
-        "matrix": one.matrix.tolist(),
-        "speeds": _system(one.speeds),
-        "torques": None if one.torques is None else _system(one.torques),
-        "lossy": None if one.lossy is None else _system(one.lossy),
-        "signs": [sign._asdict() for sign in one.signs],
-        "together": [body._asdict() for body in one.together],
-        "formula": None if one.formula is None else _formula(one.formula),
-    }
-    cleaned: dict[str, Any] = _without_nan(plain)
-    return cleaned
+    made: dict[str, Any] = plain_data(
+        one._asdict()
+        | {
+            "matrix": one.matrix.tolist(),
+            "speeds": _system(one.speeds),
+            "torques": None if one.torques is None else _system(one.torques),
+            "lossy": None if one.lossy is None else _system(one.lossy),
+            "formula": None if one.formula is None else _formula(one.formula),
+        }
+    )
+    return made
 
 
 def _system(system: System) -> dict[str, Any]:
@@ -51,12 +51,12 @@ def _system(system: System) -> dict[str, Any]:
             "of": equation.of,
             "symbols": " ".join(in_symbols(equation)),
             "numbers": " ".join(in_numbers(equation)),
-            "terms": [term._asdict() for term in equation.terms],
+            "terms": equation.terms,
             "right": equation.right,
         }
         for equation in system.equations
     ]
-    return {"equations": equations, "values": dict(system.values)}
+    return {"equations": equations, "values": system.values}
 
 
 def _formula(formula: Formula) -> dict[str, Any]:
@@ -70,11 +70,3 @@ def _formula(formula: Formula) -> dict[str, Any]:
         for number, (name, value) in enumerate(formula.speeds.items(), 1)
     ]
     return formula._asdict() | {"symbols": symbols, "speeds": speeds}
-
-
-def _without_nan(value: Any) -> Any:
-    if isinstance(value, dict):
-        return {key: _without_nan(one) for key, one in value.items()}
-    if isinstance(value, list | tuple):
-        return [_without_nan(one) for one in value]
-    return None if isinstance(value, float) and value != value else value  # noqa: PLR0124 - NaN

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from textwrap import wrap
 
 from vstatics.explain.equations import System
@@ -12,7 +12,9 @@ from vstatics.explain.explanation import Explanation
 from vstatics.explain.formula import Formula
 from vstatics.explain.signs import Sign
 from vstatics.explain.sums import INDENT, WIDTH, filled, in_numbers, in_symbols, listed
+from vstatics.tables.grid import Column, Grid
 from vstatics.tables.numbers import fixed, short
+from vstatics.tables.text import lines as table_lines
 
 LABEL = 20
 """What stands before an equation has a line of its own when it is longer."""
@@ -51,34 +53,14 @@ def _matrix(one: Explanation) -> Iterator[str]:
     """The matrix, as many columns side by side as fit."""
     yield "Structural-distribution matrix: torques on the links (rows) for 1 on the first"
     yield "link of each device (columns)"
-    names = max(map(len, one.rows))
-    cells = [[fixed(value) for value in row] for row in one.matrix.tolist()]
-    widths = [
-        max(len(name), *(len(row[place]) for row in cells))
-        for place, name in enumerate(one.columns)
+    columns = [Column("", is_number=False), *map(Column, one.columns)]
+    rows = [
+        [name, *map(fixed, row)] for name, row in zip(one.rows, one.matrix.tolist(), strict=True)
     ]
-    for block in _blocks(widths, WIDTH - names - len(INDENT)):
-        head = "".join(f"  {one.columns[place]:>{widths[place]}}" for place in block)
-        yield f"{INDENT}{'':{names}}{head}".rstrip()
-        for name, row in zip(one.rows, cells, strict=True):
-            numbers = "".join(f"  {row[place]:>{widths[place]}}" for place in block)
-            yield f"{INDENT}{name:{names}}{numbers}"
+    yield from filter(None, table_lines(Grid("", columns, rows), indent=INDENT))
     if one.not_engaged:
         text = "not engaged, so without column and torque: " + ", ".join(one.not_engaged)
         yield from wrap(text, WIDTH, initial_indent=INDENT, subsequent_indent=INDENT * 2)
-
-
-def _blocks(widths: Sequence[int], room: int) -> Iterator[list[int]]:
-    """Columns that fit beside one another."""
-    block: list[int] = []
-    used = 0
-    for place, width in enumerate(widths):
-        if block and used + width + 2 > room:
-            yield block
-            block, used = [], 0
-        block.append(place)
-        used += width + 2
-    yield block
 
 
 def _system(system: System, *, with_symbols: bool) -> Iterator[str]:

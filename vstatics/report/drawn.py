@@ -11,8 +11,8 @@ from vstatics.errors import CaseError
 from vstatics.extras import require
 from vstatics.pictures import PICTURES, sheets
 from vstatics.pictures.style import Style
-from vstatics.report.markup import Markup
 from vstatics.statics.results import Results
+from vstatics.tables.html import Markup
 
 _LIGHT, _DARK = Style(), Style(dark=True)
 _PAIRS = {

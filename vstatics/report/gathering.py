@@ -8,9 +8,9 @@ from typing import Any, NamedTuple
 from vstatics.errors import CaseError, Problem
 from vstatics.flow.power import GearFlow, flows
 from vstatics.report.drawn import Drawn, flow_pictures, pictures
-from vstatics.report.markup import Markup
 from vstatics.statics.results import Message, Results
 from vstatics.summary import Summary, summarize
+from vstatics.tables.html import Markup
 from vstatics.writers import result_json
 
 

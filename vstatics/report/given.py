@@ -9,10 +9,9 @@ from vstatics.elements.drawing import Drawing
 from vstatics.elements.element import drawing_of
 from vstatics.model.parts import ShiftElement
 from vstatics.model.transmission import HOUSING, Transmission
-from vstatics.report.cells import Cell, listed, numeric, table
-from vstatics.report.markup import Markup
 from vstatics.statics.results import Results
-from vstatics.tables.grid import Column, text, words
+from vstatics.tables.grid import Cell, Column, Grid, exact, text, words
+from vstatics.tables.html import Markup, table, terms
 
 _NAMED = ("name", "description", "source", "shift_elements", "elements", "mechanisms", "gears")
 """What has a place of its own on the page."""
@@ -31,18 +30,18 @@ def given(results: Results, mapping: Mapping[str, Any]) -> Iterator[Markup]:
     common = {key: value for key, value in mapping.items() if key not in _NAMED}
     common = {"input": case.link_name(case.input), "output": case.link_name(case.output), **common}
     labels = {key: _LABELS.get(key, key.replace("_", " ")) for key in common}
-    yield listed([(labels[key], _said(one)) for key, one in common.items()])
+    yield terms((labels[key], _said(one)) for key, one in common.items())
     drawing = drawing_of(case)
     if drawing is not None and drawing.elements:
-        yield _elements(drawing, mapping["elements"])
+        yield table(_elements(drawing, mapping["elements"]))
     if case.mechanisms:
-        yield _mechanisms(case)
+        yield table(_mechanisms(case))
     if case.shift_elements:
-        yield _shift_elements(case)
-    yield _gears(results, mapping["gears"])
+        yield table(_shift_elements(case))
+    yield table(_gears(results, mapping["gears"]))
 
 
-def _elements(drawing: Drawing, mapping: Mapping[str, Mapping[str, Any]]) -> Markup:
+def _elements(drawing: Drawing, mapping: Mapping[str, Mapping[str, Any]]) -> Grid:
     columns = [text("element"), text("kind"), text("links"), text("teeth and the rest")]
     rows = []
     for element in drawing.elements:
@@ -50,10 +49,10 @@ def _elements(drawing: Drawing, mapping: Mapping[str, Mapping[str, Any]]) -> Mar
         kind = str(data.pop("kind")).replace("_", " ")
         links = {member: data.pop(member) for member in element.members}
         rows.append([element.name, kind, _said(links), _said(data)])
-    return table("Elements", columns, rows)
+    return Grid("Elements", columns, rows)
 
 
-def _mechanisms(case: Transmission) -> Markup:
+def _mechanisms(case: Transmission) -> Grid:
     """Three-link mechanisms, with the links of planets where elements became these."""
     mechanisms = case.mechanisms
     more = {
@@ -68,21 +67,21 @@ def _mechanisms(case: Transmission) -> Markup:
             Cell(one.name),
             *(Cell(case.link_name(link)) for link in (one.first, one.second)),
             Cell(case.link_name(one.third) if one.third else "-"),
-            *(numeric(value, 4) for value in (one.ratio, one.efficiency)),
-            *(numeric(values[place], 4) for values in more.values()),
+            *(exact(value, 4) for value in (one.ratio, one.efficiency)),
+            *(exact(values[place], 4) for values in more.values()),
         ]
         for place, one in enumerate(mechanisms)
     ]
     drawing = drawing_of(case)
     drawn = drawing is not None and bool(drawing.elements)
-    return table("Mechanisms, as they are calculated" if drawn else "Mechanisms", columns, rows)
+    return Grid("Mechanisms, as they are calculated" if drawn else "Mechanisms", columns, rows)
 
 
 def _is_told(value: float | None) -> bool:
     return value is not None
 
 
-def _shift_elements(case: Transmission) -> Markup:
+def _shift_elements(case: Transmission) -> Grid:
     elements = case.shift_elements
     columns = [text("shift element"), text("kind"), text("first"), text("second")]
     drag, capacity = any(one.drag for one in elements), any(_is_told(e.capacity) for e in elements)
@@ -93,12 +92,12 @@ def _shift_elements(case: Transmission) -> Markup:
             Cell(one.name),
             Cell(_kind(one)),
             *(Cell(case.link_name(link)) for link in (one.first, one.second)),
-            *[numeric(one.drag, 4)] * drag,
-            *[numeric(one.capacity)] * capacity,
+            *[exact(one.drag, 4)] * drag,
+            *[exact(one.capacity)] * capacity,
         ]
         for one in elements
     ]
-    return table("Shift elements", columns, rows)
+    return Grid("Shift elements", columns, rows)
 
 
 def _kind(element: ShiftElement) -> str:
@@ -106,7 +105,7 @@ def _kind(element: ShiftElement) -> str:
     return (element.kind or by_links).replace("_", " ")
 
 
-def _gears(results: Results, mapping: Mapping[str, Mapping[str, Any]]) -> Markup:
+def _gears(results: Results, mapping: Mapping[str, Mapping[str, Any]]) -> Grid:
     """What each gear engages and gives besides; freewheels that hold are results."""
     case = results.case
     names = [element.name for element in case.shift_elements]
@@ -125,7 +124,7 @@ def _gears(results: Results, mapping: Mapping[str, Mapping[str, Any]]) -> Markup
     if any(further):
         columns.append(text("given besides"))
         rows = [[*row, said] for row, said in zip(rows, further, strict=True)]
-    return table("Gears and what they engage", columns, rows)
+    return Grid("Gears and what they engage", columns, rows)
 
 
 def _said(value: Any) -> str:

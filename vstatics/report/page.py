@@ -6,16 +6,18 @@ import json
 from collections.abc import Iterator, Sequence
 from importlib.resources import files
 from typing import Any
+from urllib.parse import quote
 
-from vstatics.report.cells import Cell, listed, of_grid, of_results, sign, table
+from vstatics.flow.grids import power_grid, remarks
+from vstatics.flow.power import GearFlow
+from vstatics.report.cells import of_results
 from vstatics.report.drawn import palette
 from vstatics.report.gathering import Material
 from vstatics.report.given import given
-from vstatics.report.markup import Markup, figure, joined, tag
-from vstatics.report.power import flow_by_gear
 from vstatics.summary import Summary
-from vstatics.summary.grids import grids
+from vstatics.summary.grids import Marks, element_signs, grids
 from vstatics.tables.grid import Column, Grid
+from vstatics.tables.html import Markup, joined, scrolled, table, tag, terms
 
 POLICY = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'"
 """A browser loads nothing from anywhere."""
@@ -67,11 +69,11 @@ def _sections(material: Material) -> Iterator[tuple[str, Sequence[Markup]]]:
     yield "Gears", [_gears(material.summary, gears), *_spread(others)]
     yield "Input", list(given(results, material.document["case"]))
     yield "Pictures", list(_pictures(material))
-    yield "Power flow", list(flow_by_gear(material.flows, material.flow_pictures))
-    yield "Shifts and largest values", [of_grid(one) for one in others if one.title != SPREAD]
-    yield "Results", list(of_results(results))
+    yield "Power flow", list(_power_flow(material.flows, material.flow_pictures))
+    yield "Shifts and largest values", [table(one) for one in others if one.title != SPREAD]
+    yield "Results", [table(one) for one in of_results(results)]
     conventions = material.document["conventions"].items()
-    yield "Conventions", [listed([(name.replace("_", " "), text) for name, text in conventions])]
+    yield "Conventions", [terms((name.replace("_", " "), text) for name, text in conventions)]
 
 
 SPREAD = "Spread"
@@ -87,20 +89,17 @@ def _spread(others: Sequence[Grid]) -> Iterator[Markup]:
 
 def _gears(summary: Summary, grid: Grid) -> Markup:
     """The table of gears, with a dot for each shift element that is engaged or holds."""
-    case = summary.results.case
+    elements = summary.results.case.shift_elements
     columns = [
         grid.columns[0],
-        *(Column(element.name) for element in case.shift_elements),
+        *(Column(element.name, is_sign=True) for element in elements),
         *grid.columns[1:],
     ]
-    rows: list[list[Cell | str]] = []
-    for gear, holds, row in zip(case.gears, summary.results.holds.tolist(), grid.rows, strict=True):
-        dots = [
-            sign(value, "engaged" if number in gear.engaged else "freewheel that holds")
-            for number, value in enumerate(holds, 1)
-        ]
-        rows.append([row[0], *dots, *row[1:]])
-    return table("Ratios, steps, efficiencies", columns, rows)
+    rows = [
+        [row[0], *element_signs(summary.results, index, Marks()), *row[1:]]
+        for index, row in enumerate(grid.rows)
+    ]
+    return table(Grid("Ratios, steps, efficiencies", columns, rows))
 
 
 def _messages(messages: Sequence[str]) -> Markup:
@@ -119,7 +118,45 @@ def _pictures(material: Material) -> Iterator[Markup]:
             yield tag("p", f"{name}: not drawn. {drawn.why}")
         for number, sheet in enumerate(drawn.sheets, 1):
             several = f", {number} of {len(drawn.sheets)}" if len(drawn.sheets) > 1 else ""
-            yield figure(f"{name}{several}", sheet)
+            yield _figure(f"{name}{several}", sheet)
+
+
+def _power_flow(found: Sequence[GearFlow], drawn: Sequence[Markup]) -> Iterator[Markup]:
+    """Links to choose a gear by, then the gears; without a script all of them show.
+
+    Parameters
+    ----------
+    drawn : sequence of Markup
+        The picture of each gear, or none at all.
+    """
+    links = (
+        tag("a", flow.gear, href=f"#{_gear_id(flow.gear)}", data_choose=flow.gear) for flow in found
+    )
+    yield tag("nav", "Gear: ", *links, class_="chooser", aria_label="Gear")
+    for number, flow in enumerate(found):
+        shown = [*_power(flow)]
+        if drawn and flow.ideal is not None:
+            shown.insert(0, _figure(f"Power flow in gear {flow.gear}", drawn[number]))
+        yield tag("div", *shown, id=_gear_id(flow.gear), data_gear=flow.gear)
+
+
+def _gear_id(gear: str) -> str:
+    """The name of a gear as the end of an address, which has no blanks."""
+    return f"gear={quote(gear, safe='')}"
+
+
+def _power(flow: GearFlow) -> Iterator[Markup]:
+    if flow.ideal is None:
+        yield tag("h3", f"Gear {flow.gear}")
+        yield tag("p", f"{flow.note}, so there is no power to show".capitalize())
+        return
+    yield table(power_grid(flow))
+    yield tag("ul", *(tag("li", line.strip()) for line in remarks(flow)))
+
+
+def _figure(name: str, picture: Markup) -> Markup:
+    """A picture with its name."""
+    return tag("figure", tag("figcaption", name), scrolled(picture, name))
 
 
 def _section(name: str, inner: Sequence[Markup]) -> Markup:

@@ -1,4 +1,22 @@
-"""What a designer asks of a gearbox first: design table, shifts, largest values."""
+"""What a designer asks of a gearbox first: design table, shifts, largest values.
+
+Results go in; `summarize` makes a `Summary`, `grids` its tables, `vstatics.tables` their text.
+
+>>> from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
+>>> from vstatics.summary.grids import grids
+>>> from vstatics.tables import text
+>>> case = Transmission(3, [ShiftElement(1, 2), ShiftElement(2)],
+...                     [Mechanism(1, 2, 3, -2.5)], [Gear([2]), Gear([1])])
+>>> print(text.write([], list(grids(summarize(solve(case))))[:2]), end="")
+Gears
+gear  ratio  next   step  efficiency
+1     3.500  2     3.500       1.000
+2     1.000            -       1.000
+<BLANKLINE>
+Spread
+from  to  spread
+1     2    3.500
+"""
 
 from __future__ import annotations
 
@@ -10,8 +28,7 @@ from vstatics.statics.results import Results
 from vstatics.summary.combinations import Combination, combinations
 from vstatics.summary.design import Design, design
 from vstatics.summary.duty import Cycle
-from vstatics.summary.extremes import Largest, largest
-from vstatics.summary.margins import Margin, margins
+from vstatics.summary.extremes import Largest, Margin, largest, margins
 from vstatics.summary.sensitivity import sensitivities
 from vstatics.summary.shifts import Transition, transitions
 
@@ -50,14 +67,6 @@ def summarize(results: Results, *, at_most: int | None = None) -> Summary:
     ------
     CaseError
         If there are more.
-
-    Examples
-    --------
-    >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
-    >>> case = Transmission(3, [ShiftElement(1, 2), ShiftElement(2)],
-    ...                     [Mechanism(1, 2, 3, -2.5)], [Gear([2]), Gear([1])])
-    >>> summarize(solve(case)).design.spread
-    3.5
     """
     return Summary(
         results,

@@ -13,8 +13,7 @@ from vstatics.model.transmission import Gear, Transmission
 from vstatics.statics.diagnosis import freedom
 from vstatics.statics.results import Results
 from vstatics.statics.solve import solve
-from vstatics.summary.design import state
-from vstatics.summary.order import is_same
+from vstatics.summary.design import is_same, state
 
 MOST = 10_000
 """So many combinations are tried unless more are asked for: some seconds."""

@@ -1,4 +1,4 @@
-"""The design table: ratios, steps from gear to gear, spread, efficiencies."""
+"""The design table: ratios, steps, spread, efficiencies, and which gears are neighbours."""
 
 from __future__ import annotations
 
@@ -8,7 +8,9 @@ from itertools import pairwise
 from typing import NamedTuple
 
 from vstatics.statics.results import Results
-from vstatics.summary.order import ranges
+
+SAME = 1e-9
+"""Two numbers that agree to this part are the same but for rounding."""
 
 
 class GearLine(NamedTuple):
@@ -89,3 +91,49 @@ def state(results: Results, index: int) -> str:
         "undecided": results.undecided[index],
     }
     return next((word for word, is_so in said.items() if is_so), "")
+
+
+def is_same(one: float, other: float) -> bool:
+    """Whether two numbers differ by rounding only.
+
+    >>> is_same(1.0, 1 + 1e-15), is_same(1.0, 1.001), is_same(math.nan, math.nan)
+    (True, False, False)
+    """
+    return math.isclose(one, other, rel_tol=SAME)
+
+
+def ranges(results: Results) -> list[list[int]]:
+    """The gears that can be compared, by their indices.
+
+    A range has gears of one input, one output and one direction, from the largest ratio
+    to the smallest, both without sign. The first range is the longest, which is taken
+    as forward: a final drive may turn the sign of all gears. Gears without a ratio are in
+    none.
+
+    Parameters
+    ----------
+    results : Results
+        Of one case.
+
+    Examples
+    --------
+    >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
+    >>> case = Transmission(3, [ShiftElement(1, 2), ShiftElement(2)],
+    ...                     [Mechanism(1, 2, 3, -2.5)], [Gear([1]), Gear(), Gear([2])])
+    >>> ranges(solve(case))
+    [[2, 0]]
+    """
+    case = results.case
+    found: dict[tuple[int, int, bool], list[int]] = {}
+    for index, (gear, ratio) in enumerate(zip(case.gears, results.ratio.tolist(), strict=True)):
+        if math.isfinite(ratio):
+            key = case.gear_input(gear), case.gear_output(gear), ratio > 0
+            found.setdefault(key, []).append(index)
+    ordered = [_descending(indices, results) for indices in found.values()]
+    return sorted(ordered, key=len, reverse=True)
+
+
+def _descending(indices: Sequence[int], results: Results) -> list[int]:
+    """By ratio; gears of one ratio stay as they are, whatever rounding says."""
+    size = {index: float(f"{abs(results.ratio[index]):.9e}") for index in indices}
+    return sorted(indices, key=lambda index: -size[index])

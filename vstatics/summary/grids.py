@@ -4,10 +4,20 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from typing import NamedTuple
 
+from vstatics.statics.results import Results
 from vstatics.summary import Summary
 from vstatics.summary.extremes import LOSSY_TORQUES, PLANETS, SLIPS, TORQUES, Largest
-from vstatics.tables.grid import Column, Grid, number, text, words
+from vstatics.tables.grid import NO, YES, Cell, Column, Grid, number, text, words
+
+
+class Marks(NamedTuple):
+    """Signs for what a shift element does in a gear."""
+
+    engaged: str = YES
+    holds: str = YES
+    open: str = NO
 
 
 def grids(summary: Summary) -> Iterator[Grid]:
@@ -41,6 +51,24 @@ def _design(summary: Summary) -> Grid:
         for row, line in zip(rows, summary.design.gears, strict=True):
             row.append(line.state)
     return Grid("Gears", columns, rows)
+
+
+def element_signs(results: Results, index: int, marks: Marks) -> Iterator[Cell]:
+    """Of each shift element: whether it is engaged in a gear, or a freewheel that holds.
+
+    Parameters
+    ----------
+    index : int
+        Of the gear.
+    """
+    engaged = results.case.gears[index].engaged
+    for element, holds in enumerate(results.holds[index].tolist(), 1):
+        if element in engaged:
+            yield Cell(marks.engaged, 1.0, "engaged", "green")
+        elif holds:
+            yield Cell(marks.holds, 1.0, "freewheel that holds", "cyan")
+        else:
+            yield Cell(marks.open, 0.0, "no", "dim")
 
 
 def _spread(summary: Summary) -> Grid:

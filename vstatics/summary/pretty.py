@@ -3,20 +3,20 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Sequence
-from typing import TYPE_CHECKING, NamedTuple
+from collections.abc import Iterable, Iterator
+from typing import TYPE_CHECKING
 
 from vstatics.model.transmission import Transmission
 from vstatics.statics.arrays import OUTPUT
 from vstatics.statics.results import Results
 from vstatics.summary.design import GearLine, design
+from vstatics.summary.grids import Marks, element_signs
+from vstatics.tables.grid import Cell, Column, Grid, text
 from vstatics.tables.table import Table
 from vstatics.tables.values import tables
 
 if TYPE_CHECKING:
     from rich.console import Group
-    from rich.table import Table as RichTable
-    from rich.text import Text
 
 POOR, BAD = 0.95, 0.9
 """An efficiency below is yellow, or red."""
@@ -24,38 +24,15 @@ POOR, BAD = 0.95, 0.9
 WIDE = 12
 """So many characters of names of shift elements head columns; more are numbered."""
 
-
 LARGE = 1e6
 """From here on numbers are written with a power of ten."""
 
-
-class Marks(NamedTuple):
-    """Signs of the table; others where the terminal knows ASCII only."""
-
-    engaged: str = "●"
-    holds: str = "◆"
-    open: str = "·"
-
-
+DOTS = Marks(holds="◆")
 ASCII = Marks("x", "f", ".")
+"""Signs for a terminal that knows no others."""
 
 
-class Largest(NamedTuple):
-    """The largest of some numbers, with what it belongs to."""
-
-    value: float
-    name: str
-
-    def text(self, *, whole: bool) -> str:
-        """The number and the name; nothing where there is no number."""
-        if not self.name:
-            return ""
-        if self.value >= LARGE:
-            return f"{self.value:.3g} {self.name}"
-        return f"{self.value:.0f} {self.name}" if whole else f"{self.value:.2f} {self.name}"
-
-
-def view(results: Results, marks: Marks = Marks()) -> Group:  # noqa: B008 - it is frozen
+def view(results: Results, marks: Marks = DOTS) -> Group:
     """One table of the gears, and what its marks mean.
 
     Parameters
@@ -83,55 +60,40 @@ def view(results: Results, marks: Marks = Marks()) -> Group:  # noqa: B008 - it 
     from rich.console import Group
     from rich.text import Text
 
+    from vstatics.tables import terminal
+
     case = results.case
     found = {table.shape.name: table for table in tables(results)}
-    parts: list[RichTable | Text] = []
-    if case.name:
-        parts.append(Text(case.name, style="bold"))
-    parts.append(_table(results, found, marks))
-    parts += [Text(line, style="dim") for line in _legend(results, found, marks)]
-    return Group(*parts)
+    title = [Text(case.name, style="bold")] * bool(case.name)
+    legend = (Text(line, style="dim") for line in _legend(results, found, marks))
+    return Group(*title, terminal.table(_grid(results, found, marks)), *legend)
 
 
-def _table(results: Results, found: dict[str, Table], marks: Marks) -> RichTable:
-    from rich import box
-    from rich.table import Table as RichTable
-    from rich.text import Text
-
-    case = results.case
-    made = RichTable(box=box.SIMPLE_HEAD, padding=(0, 1, 0, 0), pad_edge=False)
-    made.add_column("gear", style="bold", overflow="fold")
-    headings = _headings(case)
-    if headings:
-        made.add_column(_in_line([(heading, "") for heading in headings], headings), no_wrap=True)
-    gears = range(len(case.gears))
-    lines = design(results).gears
-    figures = [_figures(line) for line in lines]
-    for heading, column in zip(("ratio", "step", "eff."), zip(*figures, strict=True), strict=True):
-        wide = max(map(len, column))  # numbers are never cut
-        made.add_column(heading, justify="right", no_wrap=True, min_width=wide)
+def _grid(results: Results, found: dict[str, Table], marks: Marks) -> Grid:
+    """What each gear engages, its ratio and efficiency, its largest speed and torque."""
     rpm, torque = "W_rpm" in found, "AMLGP_Nm" in found
-    largest = [
-        (
-            _fastest(found, number, rpm=rpm).text(whole=rpm),
-            _strongest(found, number).text(whole=torque) if results.calculable[number] else "",
-        )
-        for number in gears
+    columns = [
+        text("gear"),
+        *(Column(heading, is_sign=True) for heading in _headings(results.case)),
+        *map(Column, ("ratio", "step", "eff.")),
+        text("speed, rpm" if rpm else "speed"),
+        text("torque, N*m" if torque else "torque"),
+        text("idle"),
     ]
-    titles = ("speed, rpm" if rpm else "speed", "torque, N*m" if torque else "torque")
-    for heading, column in zip(titles, zip(*largest, strict=True), strict=True):
-        wide = max(len(text.partition(" ")[0]) for text in column)
-        made.add_column(heading, overflow="fold", min_width=wide)
-    made.add_column("idle", overflow="fold")
-    for number in gears:
-        made.add_row(
-            Text(case.gears[number].name),
-            *([_in_line(_dots(results, number, marks), headings)] if headings else ()),
-            *figures[number],
-            *map(Text, largest[number]),
-            _state(lines[number], found, number),
-        )
-    return made
+    rows = [
+        [
+            Cell(line.gear),
+            *element_signs(results, index, marks),
+            *_figures(line),
+            _largest(_speeds(found, index, rpm=rpm), whole=rpm),
+            _largest(_torques(found, index), whole=torque)
+            if results.calculable[index]
+            else Cell(""),
+            _state(line, found, index),
+        ]
+        for index, line in enumerate(design(results).gears)
+    ]
+    return Grid(results.case.name, columns, rows)
 
 
 def _headings(case: Transmission) -> list[str]:
@@ -140,33 +102,15 @@ def _headings(case: Transmission) -> list[str]:
     return names if sum(map(len, names)) <= WIDE else list(map(str, range(1, len(names) + 1)))
 
 
-def _dots(results: Results, number: int, marks: Marks) -> Iterator[tuple[str, str]]:
-    """Whether each element is engaged, or a freewheel that holds; with a style."""
-    engaged = results.case.gears[number].engaged
-    for element, holds in enumerate(results.holds[number].tolist(), 1):
-        if element in engaged:
-            yield marks.engaged, "green"
-        else:
-            yield (marks.holds, "cyan") if holds else (marks.open, "dim")
-
-
-def _in_line(words: Iterable[tuple[str, str]], headings: Sequence[str]) -> Text:
-    """One word under each heading, side by side where all headings are letters."""
-    from rich.text import Text
-
-    width = max(map(len, headings))
-    padded = [(word.ljust(width), style) for word, style in words]
-    return Text(" " if width > 1 else "").join(Text(word, style) for word, style in padded)
-
-
-def _figures(line: GearLine) -> tuple[Text, Text, Text]:
+def _figures(line: GearLine) -> list[Cell]:
     """Ratio, step to the next gear of the same direction, and efficiency."""
-    from rich.text import Text
-
     good = line.efficiency
     colour = "red" if good < BAD else "yellow" if good < POOR else "green"
-    ratio = Text(_fixed(line.ratio), "magenta" if line.ratio < 0 else "")
-    return ratio, Text(_fixed(line.step)), Text(_fixed(good), colour)
+    return [
+        Cell(_fixed(line.ratio), line.ratio, style="magenta" if line.ratio < 0 else ""),
+        Cell(_fixed(line.step), line.step),
+        Cell(_fixed(good), good, style=colour),
+    ]
 
 
 def _fixed(value: float) -> str:
@@ -175,39 +119,43 @@ def _fixed(value: float) -> str:
     return f"{value:.3f}" if abs(value) < LARGE else f"{value:.3g}"
 
 
-def _fastest(found: dict[str, Table], number: int, *, rpm: bool) -> Largest:
-    """The largest speed of links, planets and open elements."""
+def _speeds(found: dict[str, Table], number: int, *, rpm: bool) -> Iterator[tuple[str, float]]:
+    """The speeds of links, planets and open elements."""
     unit = "_rpm" if rpm else ""
-    kinds = (("W", ""), ("WSAT", "planet "), ("WFRI", "slip "))
-    return _largest(
-        # P1.planet tells by itself what it is, 1 does not
-        (abs(value), name if "." in name else f"{kind or 'link ' * name.isdigit()}{name}")
-        for table, kind in kinds
-        if table + unit in found
-        for name, value in _column(found[table + unit], number)
-    )
+    for table, kind in (("W", ""), ("WSAT", "planet "), ("WFRI", "slip ")):
+        if table + unit in found:
+            for name, value in _column(found[table + unit], number):
+                # P1.planet tells by itself what it is, 1 does not
+                front = "" if "." in name else kind or "link " * name.isdigit()
+                yield front + name, value
 
 
-def _strongest(found: dict[str, Table], number: int) -> Largest:
-    """The largest torque of shift elements, mechanisms and members, with losses if they exist.
+def _torques(found: dict[str, Table], number: int) -> list[tuple[str, float]]:
+    """The torques of shift elements, mechanisms and members, with losses if they exist.
 
     None where one of them is not determined: it may be larger than all others.
     """
     names = ("AMLGP_Nm", "AMLG_Nm") if "AMLGP_Nm" in found else ("AMLGP", "AMLG")
     for name in names:
-        column = [(abs(v), n) for n, v in _column(found[name], number) if n != OUTPUT]
-        if not any(math.isnan(value) for value, _ in column):
-            return _largest(column)
-    return Largest(math.nan, "")
+        column = [one for one in _column(found[name], number) if one[0] != OUTPUT]
+        if not any(math.isnan(value) for _, value in column):
+            return column
+    return []
 
 
 def _column(table: Table, number: int) -> Iterator[tuple[str, float]]:
     yield from zip(table.rows, table.values[:, number].tolist(), strict=True)
 
 
-def _largest(values: Iterator[tuple[float, str]] | Sequence[tuple[float, str]]) -> Largest:
-    known = [Largest(value, name) for value, name in values if not math.isnan(value)]
-    return max(known, key=lambda one: one.value, default=Largest(math.nan, ""))
+def _largest(values: Iterable[tuple[str, float]], *, whole: bool) -> Cell:
+    """The largest number without its sign, and its name; nothing where there is no number."""
+    known = [(abs(value), name) for name, value in values if not math.isnan(value)]
+    if not known:
+        return Cell("")
+    value, name = max(known, key=lambda one: one[0])
+    if value >= LARGE:
+        return Cell(f"{value:.3g} {name}", value)
+    return Cell(f"{value:.0f} {name}" if whole else f"{value:.2f} {name}", value)
 
 
 STATES = {
@@ -225,13 +173,11 @@ FAULTS = {"tied up", "conflict", "locked"}
 """Those that no gear should have."""
 
 
-def _state(line: GearLine, found: dict[str, Table], number: int) -> Text:
+def _state(line: GearLine, found: dict[str, Table], number: int) -> Cell:
     """What is idle; or why there are no numbers."""
-    from rich.text import Text
-
     if line.state:
-        return Text(line.state, "red" if line.state in FAULTS else "yellow")
-    return Text(" ".join(name for name, value in _column(found["idle"], number) if value == 1))
+        return Cell(line.state, style="red" if line.state in FAULTS else "yellow")
+    return Cell(" ".join(name for name, value in _column(found["idle"], number) if value == 1))
 
 
 def _legend(results: Results, found: dict[str, Table], marks: Marks) -> Iterator[str]:

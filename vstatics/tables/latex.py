@@ -1,4 +1,4 @@
-"""Tables of a summary as LaTeX, for `\\input`; no package is needed."""
+"""Tables as LaTeX, for `\\input`; no package is needed."""
 
 from __future__ import annotations
 
@@ -63,7 +63,7 @@ def _lines(grid: Grid) -> Iterator[str]:
     yield r"\hline"
     yield _row(escaped(column.heading) for column in grid.columns)
     yield r"\hline"
-    for row in grid.rows:
+    for row in grid.texts:
         cells = zip(row, grid.columns, strict=True)
         yield _row(_number(cell) if column.is_number else escaped(cell) for cell, column in cells)
     yield r"\hline"

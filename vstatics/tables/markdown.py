@@ -1,4 +1,4 @@
-"""Tables of a summary as Markdown."""
+"""Tables as Markdown."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ def _lines(grid: Grid) -> Iterator[str]:
     yield ""
     yield _row([escaped(column.heading) for column in grid.columns])
     yield _row(["---:" if column.is_number else ":---" for column in grid.columns])
-    for row in grid.rows:
+    for row in grid.texts:
         yield _row(map(escaped, row))
 
 

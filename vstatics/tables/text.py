@@ -1,4 +1,4 @@
-"""Tables of a summary as plain text."""
+"""Tables as plain text."""
 
 from __future__ import annotations
 
@@ -9,6 +9,8 @@ from vstatics.tables.grid import Column, Grid
 WIDTH = 80
 """A table that is wider goes on below, where its last column is one of numbers."""
 GAP = "  "
+INDENT = "  "
+"""Of a level."""
 
 
 def write(titles: Sequence[str], tables: Iterable[Grid]) -> str:
@@ -25,46 +27,57 @@ def write(titles: Sequence[str], tables: Iterable[Grid]) -> str:
     1     3.500
     """
     parts = [list(titles)] if titles else []
-    parts += [_table(grid) for grid in tables]
-    return "\n\n".join("\n".join(lines) for lines in parts) + "\n"
+    parts += [list(lines(grid)) for grid in tables]
+    return "\n\n".join("\n".join(part) for part in parts) + "\n"
 
 
-def _table(grid: Grid) -> list[str]:
-    lines = [grid.title]
+def lines(
+    grid: Grid, *, widths: Sequence[int] = (), gap: str = GAP, indent: str = ""
+) -> Iterator[str]:
+    """The lines of a table; without headings it has no line of these.
+
+    Parameters
+    ----------
+    widths : sequence of int, optional
+        Of columns that are the same in all tables: a longer cell moves those after it, and
+        a longer first cell has a line of its own. Else a column suits its widest cell.
+    gap : str, optional
+        Between columns.
+    indent : str, optional
+        Before everything but the title.
+    """
+    if grid.title:
+        yield grid.title
     if not grid.rows:
-        return lines
-    for number, chosen in enumerate(_pieces(grid)):
-        lines += [""] * bool(number)
-        lines += _lines(
-            [grid.columns[place] for place in chosen],
-            [[row[place] for place in chosen] for row in grid.rows],
-        )
-    return lines
+        return
+    rows = [[column.heading for column in grid.columns], *grid.texts]
+    for row, level in zip(rows[1:], grid.levels, strict=False):
+        row[0] = INDENT * (level - 1) + row[0]
+    widths = widths or [max(map(len, column)) for column in zip(*rows, strict=True)]
+    first = 0 if any(rows[0]) else 1
+    for number, chosen in enumerate(_pieces(grid, widths, WIDTH - len(indent), len(gap))):
+        if number:
+            yield ""
+        for row in rows[first:]:
+            if len(row[0]) > widths[0]:
+                yield f"{indent}{row[0]}".rstrip()
+                row = ["", *row[1:]]  # noqa: PLW2901 - the rest of it
+            padded = (_padded(row[place], grid.columns[place], widths[place]) for place in chosen)
+            yield f"{indent}{gap.join(padded)}".rstrip()
 
 
-def _widths(grid: Grid) -> list[int]:
-    cells = [[column.heading for column in grid.columns], *grid.rows]
-    return [max(map(len, column)) for column in zip(*cells, strict=True)]
+def _padded(cell: str, column: Column, width: int) -> str:
+    return cell.rjust(width) if column.is_number else cell.ljust(width)
 
 
-def _pieces(grid: Grid) -> Iterator[list[int]]:
+def _pieces(grid: Grid, widths: Sequence[int], room: int, gap: int) -> Iterator[list[int]]:
     """Columns that stand beside one another; the first one is repeated."""
-    widths = _widths(grid)
+    parted = all(column.is_number for column in grid.columns[1:])
     chosen, width = [0], widths[0]
     for place in range(1, len(widths)):
-        width += len(GAP) + widths[place]
-        if width > WIDTH and len(chosen) > 1 and all(one.is_number for one in grid.columns[1:]):
+        width += gap + widths[place]
+        if width > room and len(chosen) > 1 and parted:
             yield chosen
-            chosen, width = [0], widths[0] + len(GAP) + widths[place]
+            chosen, width = [0], widths[0] + gap + widths[place]
         chosen.append(place)
     yield chosen
-
-
-def _lines(columns: Sequence[Column], rows: Sequence[Sequence[str]]) -> Iterator[str]:
-    widths = _widths(Grid("", columns, rows))
-    for row in ([column.heading for column in columns], *rows):
-        cells = (
-            cell.rjust(width) if column.is_number else cell.ljust(width)
-            for cell, column, width in zip(row, columns, widths, strict=True)
-        )
-        yield GAP.join(cells).rstrip()

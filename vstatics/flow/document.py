@@ -1,0 +1,83 @@
+"""The power of gears as JSON, with all digits."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from vstatics.flow.circulation import Edge, Loop
+from vstatics.flow.power import GearFlow, PowerFlow
+from vstatics.writers.plain_json import json_text
+
+VERSION = 1
+CONVENTIONS = {
+    "powers": "relative to the power at the input link, in their real direction; times "
+    "input_link_kW they are in kW",
+    "members": "above 0: from the link to the member",
+    "throughput": "what enters a node; of a port what passes it",
+    "forward": "the edges less all loops",
+    "loops": "circulating power",
+    "locked_in": "loops within what turns as one piece, which do not count",
+    "null": "does not exist, or is not determined",
+}
+
+
+def write(name: str, gears: Sequence[GearFlow]) -> str:
+    """The power of gears as one JSON object.
+
+    Parameters
+    ----------
+    name : str
+        Of the case.
+    """
+    return json_text(
+        {
+            "format": "vstatics-flow",
+            "version": VERSION,
+            "conventions": CONVENTIONS,
+            "case": name,
+            "gears": [
+                {
+                    "gear": flow.gear,
+                    "note": flow.note,
+                    "input_link_kW": flow.kilowatts,
+                    "ideal": _side(flow.ideal),
+                    "lossy": _side(flow.lossy),
+                }
+                for flow in gears
+            ],
+        }
+    )
+
+
+def _side(side: PowerFlow | None) -> dict[str, Any] | None:
+    if side is None:
+        return None
+    names = "entering", "leaving", "lost", "balance", "circulating", "circulating_share"
+    shares = side.shares
+    return {
+        **{name: getattr(side, name) for name in names},
+        "throughput": [
+            node._asdict() | {"power": power} for node, power in side.throughput.items()
+        ],
+        "losses": [
+            node._asdict() | {"power": loss, "share": shares[node]}
+            for node, loss in side.losses.items()
+        ],
+        "members": [
+            device._asdict() | {"member": member, "link": link, "power": power}
+            for device, member, link, power in side.members
+        ],
+        "edges": _edges(side.edges),
+        "forward": _edges(side.forward),
+        "loops": [_loop(loop) for loop in side.loops],
+        "locked_in": [_loop(loop) for loop in side.locked_in],
+    }
+
+
+def _edges(edges: Sequence[Edge]) -> list[dict[str, Any]]:
+    return [{"from": one.source, "to": one.target, "power": one.power} for one in edges]
+
+
+def _loop(loop: Loop) -> dict[str, Any]:
+    return {"power": loop.power, "nodes": loop.nodes}

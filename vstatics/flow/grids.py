@@ -1,0 +1,152 @@
+"""The power of a gear as a table, and what stands below it: for every format for people."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+
+from vstatics.flow.circulation import Loop, Node, NodeKind
+from vstatics.flow.power import GearFlow, PowerFlow
+from vstatics.tables.grid import Cell, Column, Grid, exact, text
+from vstatics.tables.numbers import fixed
+
+SECTIONS: Mapping[NodeKind, str] = {
+    "link": "links",
+    "mechanism": "mechanisms",
+    "element": "shift elements",
+    "drag": "drag of links",
+}
+
+
+def power_grid(flow: GearFlow) -> Grid:
+    """The power through each link, mechanism and shift element; with a load in kW, too.
+
+    Below a mechanism stands the power of its members. Whatever has no power is left out.
+    There are no rows where the ideal flow does not exist.
+
+    Examples
+    --------
+    >>> from vstatics import Gear, Mechanism, Transmission, solve
+    >>> from vstatics.flow.power import flows
+    >>> pair = Mechanism(1, 2, 0, -4.0, 0.98, name="pair")
+    >>> [flow] = flows(solve(Transmission(2, [], [pair], [Gear()])))
+    >>> power_grid(flow).texts[4]
+    ['pair', '1.000', '1.000', '.0200', '100.0']
+    """
+    load = not math.isnan(flow.kilowatts)
+    columns = [text("power through"), Column("ideal"), Column("with losses")]
+    columns += [Column("kW")] * load + [Column("loss")] + [Column("loss, kW")] * load
+    columns.append(Column("share, %"))
+    rows: list[list[Cell | str]] = []
+    levels = []
+    moving = [node for node, carries in _nodes(flow).items() if carries]
+    for kind, heading in SECTIONS.items():
+        nodes = [node for node in moving if node.kind == kind]
+        if nodes:
+            rows.append([heading, *[""] * (len(columns) - 1)])
+            levels.append(1)
+        for node in nodes:
+            rows.append(_of_node(flow, node))
+            levels.append(2)
+            if kind == "mechanism":
+                members = list(_of_members(flow, node))
+                rows += members
+                levels += [3] * len(members)
+    return Grid(f"Gear {flow.gear}", columns, rows, levels)
+
+
+def remarks(flow: GearFlow) -> Iterator[str]:
+    """What is without power, the balance, what circulates: a line each, loops set in."""
+    if flow.ideal is None:
+        return
+    nodes = _nodes(flow).items()
+    still = [str(node) for node, carries in nodes if not carries and node.kind in SECTIONS]
+    if still:
+        yield f"no power: {', '.join(still)}"
+    if flow.note:
+        yield f"with losses: {flow.note}"
+    shown = flow.lossy or flow.ideal
+    given = (shown.entering, shown.leaving, shown.lost, shown.balance)
+    entering, leaving, lost, rest = map(fixed, given)
+    yield f"in {entering} - out {leaving} - lost {lost} = {rest}"
+    unknown = [str(node) for node in shown.unknown]
+    if unknown:
+        yield f"not determined: {', '.join(unknown)}"
+        yield "circulating: not determined"
+        return
+    if flow.ideal.loops or shown.loops:
+        yield _circulating(flow.ideal, flow.lossy)
+    else:
+        yield "circulating: none"
+    for loop in shown.loops:
+        yield f"  {fixed(loop.power)}: {around(loop)}"
+    for loop in shown.locked_in:
+        yield f"within one piece, does not count: {fixed(loop.power)}: {around(loop)}"
+
+
+def around(loop: Loop) -> str:
+    """A loop in words: its nodes, and the first again."""
+    return " > ".join(map(str, (*loop.nodes, loop.nodes[0])))
+
+
+def _circulating(ideal: PowerFlow, lossy: PowerFlow | None) -> str:
+    shown = lossy or ideal
+    share = shown.circulating_share
+    of_input = "" if math.isnan(share) else f", {100 * share:.1f}% of the power in"
+    without = "" if lossy is None else f"; ideal {fixed(ideal.circulating)}"
+    return f"circulating: {fixed(shown.circulating)}{of_input}{without}"
+
+
+def _nodes(flow: GearFlow) -> dict[Node, bool]:
+    """All nodes of both flows, and whether power goes through each, or may."""
+    carrying: dict[Node, bool] = {}
+    for side in (flow.ideal, flow.lossy):
+        for node, power in side.throughput.items() if side is not None else ():
+            carrying[node] = carrying.get(node, False) or power != 0
+    return carrying
+
+
+def _of_node(flow: GearFlow, node: Node) -> list[Cell | str]:
+    ideal, lossy = (
+        math.nan if side is None else side.throughput.get(node, 0.0)
+        for side in (flow.ideal, flow.lossy)
+    )
+    if flow.lossy is None:
+        return _row(flow, str(node), (ideal, lossy))
+    loss, share = flow.lossy.losses.get(node), flow.lossy.shares.get(node)
+    return _row(flow, str(node), (ideal, lossy), loss, share)
+
+
+def _of_members(flow: GearFlow, node: Node) -> Iterator[list[Cell | str]]:
+    """Power of each member of a mechanism, but those that are the housing."""
+    assert flow.ideal is not None  # noqa: S101 - for mypy
+    lossy = {} if flow.lossy is None else _by_member(flow.lossy, node)
+    for (member, link), power in _by_member(flow.ideal, node).items():
+        if link != "housing":
+            powers = power, lossy.get((member, link), math.nan)
+            yield _row(flow, f"{member}: {link}", powers)
+
+
+def _by_member(side: PowerFlow, node: Node) -> dict[tuple[str, str], float]:
+    return {(one.member, one.link): one.power for one in side.members if one.device == node}
+
+
+def _row(
+    flow: GearFlow,
+    name: str,
+    powers: tuple[float, float],
+    loss: float | None = None,
+    share: float | None = None,
+) -> list[Cell | str]:
+    """A row, with the powers without and with losses; fields that do not exist are empty."""
+    (ideal, lossy), unit = powers, flow.kilowatts
+    load = not math.isnan(unit)
+    return [
+        name,
+        exact(ideal),
+        exact(lossy),
+        *[exact(lossy * unit)] * load,
+        "" if loss is None else exact(loss, 4),
+        *["" if loss is None else exact(loss * unit)] * load,
+        "" if share is None or math.isnan(share) else exact(100 * share, 1),
+    ]

@@ -1,0 +1,105 @@
+"""Tables as HTML, and HTML from small parts: whatever is not markup already is escaped."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from html import escape
+
+from vstatics.tables.grid import Cell, Column, Grid
+
+
+class Markup(str):
+    """Text that is HTML already."""
+
+    __slots__ = ()
+
+
+VOID = {"meta"}
+"""Elements that have no end."""
+
+
+def tag(name: str, /, *children: str, **attributes: object) -> Markup:
+    """An element; children that are no `Markup` are escaped.
+
+    Parameters
+    ----------
+    **attributes
+        False leaves an attribute out, True gives its name alone. ``class_`` is ``class``,
+        other underscores are hyphens.
+
+    Examples
+    --------
+    >>> tag("td", "a < b", class_="name", data_value=0.5, hidden=True, id=False)
+    '<td class="name" data-value="0.5" hidden>a &lt; b</td>'
+    >>> tag("p", tag("b", "&"))
+    '<p><b>&amp;</b></p>'
+    """
+    given = "".join(_attribute(key, value) for key, value in attributes.items())
+    start = f"<{name}{given}>"
+    return Markup(start) if name in VOID else Markup(f"{start}{joined(*children)}</{name}>")
+
+
+def _attribute(key: str, value: object) -> str:
+    if value is False:
+        return ""
+    name = key.removesuffix("_").replace("_", "-")
+    return f" {name}" if value is True else f' {name}="{escape(str(value))}"'
+
+
+def joined(*children: str) -> Markup:
+    """Parts one after the other.
+
+    >>> joined(tag("b", "1"), " < 2")
+    '<b>1</b> &lt; 2'
+    """
+    return Markup("".join(one if isinstance(one, Markup) else escape(one) for one in children))
+
+
+def terms(entries: Iterable[tuple[str, str]]) -> Markup:
+    """Terms, each with what it is.
+
+    >>> terms([("input", "sun")])
+    '<dl><dt>input</dt><dd>sun</dd></dl>'
+    """
+    return tag("dl", *(joined(tag("dt", term), tag("dd", text)) for term, text in entries))
+
+
+def table(grid: Grid) -> Markup:
+    """A table with its title, which can be scrolled; one without rows is its title.
+
+    Numbers keep their digits in ``data-value``.
+    """
+    if not grid.rows:
+        return tag("p", grid.title)
+    heads = (tag("th", one.heading, scope="col", class_=_kind(one)) for one in grid.columns)
+    levels = grid.levels or [0] * len(grid.rows)
+    body = (_row(grid, row, level) for row, level in zip(grid.cells, levels, strict=True))
+    inner = tag("table", tag("thead", tag("tr", *heads)), tag("tbody", *body))
+    return tag("section", tag("h3", grid.title), scrolled(inner, grid.title), class_="table")
+
+
+def scrolled(inner: Markup, label: str) -> Markup:
+    """What may be wider than a screen."""
+    return tag("div", inner, class_="scroll", tabindex=0, role="region", aria_label=label)
+
+
+def _row(grid: Grid, row: list[Cell], level: int) -> Markup:
+    name = tag("th", _text(row[0]), scope="row", class_=f"level{level}" if level > 1 else False)
+    cells = (_cell(*pair) for pair in zip(grid.columns[1:], row[1:], strict=True))
+    return tag("tr", name, *cells, data_level=level or False)
+
+
+def _cell(column: Column, cell: Cell) -> Markup:
+    value: object = False
+    if cell.value is not None:
+        value = "" if math.isnan(cell.value) else repr(float(cell.value))
+    return tag("td", _text(cell), class_="sign" if cell.says else _kind(column), data_value=value)
+
+
+def _text(cell: Cell) -> str:
+    return tag("span", cell.text, role="img", aria_label=cell.says) if cell.says else cell.text
+
+
+def _kind(column: Column) -> str:
+    return "number" if column.is_number else "words"
