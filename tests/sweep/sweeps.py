@@ -13,7 +13,7 @@ from tests.commands import environment
 from vstatics import Gear, Mechanism, ShiftElement, Transmission
 from vstatics.sweep import build
 from vstatics.sweep.file import Settings, Text
-from vstatics.sweep.plan import Plan
+from vstatics.sweep.plan import SweepPlan
 
 DIFFERENTIAL = Transmission(
     3,
@@ -33,7 +33,7 @@ gears: {direct: {engaged: [C]}, low: {engaged: [B]}}
 
 def plan(
     *vary: str, piece: int | None = None, case: Transmission = DIFFERENTIAL, **more: Any
-) -> Plan:
+) -> SweepPlan:
     """A plan from texts as on the command line; `piece` is the size of a piece."""
     texts = {
         name: tuple(map(Text, value)) if name in ("min", "max") else Text(value)

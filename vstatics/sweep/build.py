@@ -1,4 +1,4 @@
-"""Options, from the command line, a sweep file or a call, -> Plan."""
+"""Options, from the command line, a sweep file or a call, -> SweepPlan."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ from vstatics.model.transmission import IdleConvention, Transmission
 from vstatics.sweep.expressions.columns import read_columns
 from vstatics.sweep.file import Settings, Text, located
 from vstatics.sweep.formats import Format
-from vstatics.sweep.plan import Plan
+from vstatics.sweep.plan import SweepPlan
 from vstatics.sweep.samples import Method, Sample
 from vstatics.sweep.selection import read_objective, read_where
 from vstatics.sweep.table import load_table
 from vstatics.sweep.targets import target
-from vstatics.sweep.variants import Grid, Table, Variants, Zip
+from vstatics.sweep.variants import VariantGrid, Variants, VariantTable, Zip
 from vstatics.sweep.variation import Variation, read_variation
 
 if TYPE_CHECKING:
@@ -51,7 +51,7 @@ def plan(
     *,
     arrays: Mapping[str, ArrayLike] | None = None,
     table: Mapping[str, ArrayLike] | None = None,
-) -> Plan:
+) -> SweepPlan:
     """Make a plan from settings.
 
     Parameters
@@ -75,7 +75,7 @@ def plan(
     try:
         return _with_expressions(case, settings, variants)
     except BaseException:
-        if isinstance(variants, Table):
+        if isinstance(variants, VariantTable):
             variants.close()
         raise
 
@@ -102,7 +102,7 @@ def _variants(case: Transmission, settings: Settings, arrays: Mapping[str, Array
     if settings.sample is not None:
         method = cast("Method", settings.method or "sobol")
         return Sample(variations, settings.sample, method, settings.seed or 0)
-    return Zip(variations) if settings.zip else Grid(variations)
+    return Zip(variations) if settings.zip else VariantGrid(variations)
 
 
 def _list(name: str, values: ArrayLike) -> np.ndarray[tuple[int], np.dtype[np.float64]]:
@@ -112,17 +112,17 @@ def _list(name: str, values: ArrayLike) -> np.ndarray[tuple[int], np.dtype[np.fl
     return array
 
 
-def _table(case: Transmission, columns: Mapping[str, ArrayLike]) -> Table:
+def _table(case: Transmission, columns: Mapping[str, ArrayLike]) -> VariantTable:
     targets = [target(name, case) for name in columns]
     arrays = [_list(name, values) for name, values in columns.items()]
     if len({len(array) for array in arrays}) != 1:
         lengths = ", ".join(f"{name} {len(a)}" for name, a in zip(columns, arrays, strict=True))
         message = f"variants: expected equally many values of each number ({lengths or 'none'})"
         raise CaseError([Problem(message)])
-    return Table(targets, np.column_stack(arrays))
+    return VariantTable(targets, np.column_stack(arrays))
 
 
-def _with_expressions(case: Transmission, settings: Settings, variants: Variants) -> Plan:
+def _with_expressions(case: Transmission, settings: Settings, variants: Variants) -> SweepPlan:
     targets = variants.targets
     problems: list[Problem] = []
 
@@ -148,7 +148,7 @@ def _with_expressions(case: Transmission, settings: Settings, variants: Variants
     if problems:
         raise ReadError(problems)
     condition = where[0] if where else None
-    return Plan(case, variants, columns[0], condition, tuple(objectives), settings.best)
+    return SweepPlan(case, variants, columns[0], condition, tuple(objectives), settings.best)
 
 
 def _all(texts: Iterable[Text], reader: Callable[[str], Read]) -> list[Read]:

@@ -24,7 +24,7 @@ so that the result does not depend on the number of jobs."""
 
 
 @dataclass(frozen=True)
-class Plan:
+class SweepPlan:
     """A sweep, checked when its parts were made; the same plan gives the same result.
 
     Parameters
