@@ -16,7 +16,7 @@ from vstatics.numerics.arrays import Floats, Integers
 from vstatics.numerics.fronts import merged, non_dominated, scaled
 from vstatics.sweep.expressions import Expression, read_expression
 from vstatics.sweep.expressions.excerpt import Excerpt
-from vstatics.sweep.expressions.grammar import Operation
+from vstatics.sweep.expressions.grammar import Applied
 from vstatics.sweep.targets import Target
 
 __all__ = [
@@ -59,7 +59,7 @@ def read_where(
 pick a gear, or use min, max or sum
     """
     condition = _of_one(read_expression(text, case, targets, option), text, option)
-    return Expression(condition.text, Operation("true", (condition.node,), 0, 0))
+    return Expression(condition.text, Applied("true", (condition.node,), 0, 0))
 
 
 def read_objective(

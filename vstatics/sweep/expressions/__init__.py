@@ -26,13 +26,13 @@ from vstatics.numerics.arrays import Floats
 from vstatics.statics.results import ARRAYS, Results
 from vstatics.sweep.expressions.evaluation import FUNCTIONS, REDUCTIONS, evaluate
 from vstatics.sweep.expressions.excerpt import Excerpt
-from vstatics.sweep.expressions.grammar import Operation, Tree, parse
-from vstatics.sweep.expressions.names import OPERANDS, ROW, Name, Names, value_of
+from vstatics.sweep.expressions.grammar import Applied, Tree, parse
+from vstatics.sweep.expressions.names import OPERANDS, ROW, Name, SweepNames, value_of
 from vstatics.sweep.expressions.operands import Constant, DottedName, TableName
 from vstatics.sweep.targets import Target
 from vstatics.tables.rows import table_rows
 
-Node: TypeAlias = Name | Constant | Operation
+Node: TypeAlias = Name | Constant | Applied
 
 
 @dataclass(frozen=True)
@@ -43,7 +43,7 @@ class Expression:
     ----------
     text : str
         As it was read, without blanks at its ends.
-    node : Constant, Operation, Selection or VariedNumber
+    node : Constant, Applied, Selection or VariedNumber
         What is calculated.
     gears : tuple of str, optional
         The names along the axis of gears; None if there is no such axis.
@@ -129,7 +129,7 @@ def read_expression(
     """
     source = Excerpt(text, option) if isinstance(text, str) else text
     tree = parse(source, FUNCTIONS, OPERANDS)
-    names = Names(source, case, targets)
+    names = SweepNames(source, case, targets)
     node, per_gear, table = _resolve(tree, names)
     return Expression(
         source.part.strip(),
@@ -150,7 +150,7 @@ class _Resolved(NamedTuple):
     """A table whose rows it has, if it has rows."""
 
 
-def _resolve(tree: Tree, names: Names) -> _Resolved:
+def _resolve(tree: Tree, names: SweepNames) -> _Resolved:
     """Ask what the names in a tree mean, and whether operands go together."""
     if isinstance(tree, Constant):
         return _Resolved(tree)
@@ -164,7 +164,7 @@ def _resolve(tree: Tree, names: Names) -> _Resolved:
     if name in ("abs", "sum") and len(operands) > 1:
         message = f"{name} of {len(operands)} parts, expected one, as in {name}(losses)"
         raise names.source.error(message, tree.at)
-    node = Operation(name, tuple(operand.node for operand in operands), tree.at, tree.depth)
+    node = Applied(name, tuple(operand.node for operand in operands), tree.at, tree.depth)
     if name in REDUCTIONS and len(operands) == 1:
         return _Resolved(node)
     tables = [operand.table for operand in operands if operand.table]

@@ -16,7 +16,7 @@ from vstatics.statics.results import Results
 from vstatics.sweep.expressions import Expression, read_expression
 from vstatics.sweep.expressions.evaluation import FUNCTIONS
 from vstatics.sweep.expressions.excerpt import Excerpt
-from vstatics.sweep.expressions.grammar import Operation
+from vstatics.sweep.expressions.grammar import Applied
 from vstatics.sweep.expressions.names import Selection, VariedNumber
 from vstatics.sweep.targets import Target
 from vstatics.tables.rows import table_rows, written
@@ -163,7 +163,7 @@ def _headings(
     gears: Sequence[str] = expression.gears or ()
     rows: Sequence[str] = expression.rows or ()
     own_gear = own_row = None
-    call = isinstance(node, Operation) and node.name in FUNCTIONS
+    call = isinstance(node, Applied) and node.name in FUNCTIONS
     before = text if call else f"({text})"
     if isinstance(node, Selection):  # a heading tells the row and gear that were picked, too
         gears, rows = [gear.name for gear in case.gears], table_rows(node.table, case)

@@ -14,7 +14,7 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from vstatics.numerics.arrays import Booleans, Floats
-from vstatics.sweep.expressions.grammar import Operation
+from vstatics.sweep.expressions.grammar import Applied
 from vstatics.sweep.expressions.operands import Constant
 
 Values: TypeAlias = Floats | Booleans
@@ -30,7 +30,7 @@ def evaluate(formula: Any, value_of: Callable[[Any], Floats]) -> Floats:
 
     Parameters
     ----------
-    formula : Constant, Operation or what names stand for
+    formula : Constant, Applied or what names stand for
     value_of : callable
         Gives the values of what a name stands for, shape (..., gears or 1, rows or 1).
 
@@ -51,7 +51,7 @@ def evaluate(formula: Any, value_of: Callable[[Any], Floats]) -> Floats:
     """
 
     def values(part: Any) -> Values:
-        if isinstance(part, Operation):
+        if isinstance(part, Applied):
             return _OPERATIONS[part.name]([values(operand) for operand in part.operands])
         return np.array([[part.value]]) if isinstance(part, Constant) else value_of(part)
 

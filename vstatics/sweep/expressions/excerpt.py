@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import NamedTuple
 
 from vstatics.errors import Place, Problem, ReadError
@@ -25,6 +26,15 @@ class Excerpt(NamedTuple):
     def part(self) -> str:
         """The part that is read."""
         return self.text[self.start : self.end]
+
+    def end_of(self, pattern: re.Pattern[str], at: int) -> int:
+        """Where what matches a pattern here ends; the place itself if nothing does."""
+        match = pattern.match(self.text, at, self.end)
+        return match.end() if match else at
+
+    def has(self, sign: str, at: int) -> bool:
+        """Whether a sign stands here."""
+        return self.text.startswith(sign, at, self.end)
 
     def error(self, message: str, at: int) -> ReadError:
         """An error at an offset into the text, from 0."""

@@ -15,8 +15,9 @@ import re
 from collections.abc import Collection, Sequence
 from typing import Any, NamedTuple, TypeAlias
 
-from vstatics.errors import ReadError, nearest
+from vstatics.errors import nearest
 from vstatics.sweep.expressions.excerpt import Excerpt, quoted
+from vstatics.sweep.expressions.mistakes import PYTHON, no_operand, no_operator
 from vstatics.sweep.expressions.operands import (
     Constant,
     DottedName,
@@ -41,33 +42,11 @@ _PREFIXES = {"not": "not", "-": "-x", "+": "-x"}
 """Signs before an operand, and what they bind like."""
 _BINARY = _BINDS.keys() - set(_PREFIXES.values())
 _WORDS = (*_LOGIC, "not")
-_ELSEWHERE = {
-    "&&": "and",
-    "&": "and",
-    "||": "or",
-    "|": "or",
-    "!": "not",
-    "^": "**",
-    "//": "/",
-    "=": "==",
-    "<>": "!=",
-    "≤": "<=",
-    "≥": ">=",
-    "≠": "!=",
-    "−": "-",
-    "–": "-",
-    "×": "*",
-    "·": "*",
-    "÷": "/",
-}
-"""Signs of other languages, and how they are written here."""
-_PYTHON = ("lambda", "for", "in", "if", "else", "is", "await", "async", "yield", "from", "import")
-"""Words that ask for more than this language has."""
 _SIGN = re.compile(r"\*\*|<>|[<>=!]=|//|&&|\|\||[-+*/<>(),=!&|^≤≥≠−–×·÷]")
 _BLANK = re.compile(r"\s*")
 
 
-class Operation(NamedTuple):
+class Applied(NamedTuple):
     """An operator or a function, and what it is applied to."""
 
     name: str
@@ -79,7 +58,7 @@ class Operation(NamedTuple):
     """How many parts stand one inside another."""
 
 
-Tree: TypeAlias = Constant | TableName | DottedName | Operation
+Tree: TypeAlias = Constant | TableName | DottedName | Applied
 
 
 def parse(source: Excerpt, functions: Collection[str], operands: str) -> Tree:
@@ -130,20 +109,11 @@ class _Parser:
     def take(self, read: str, end: int) -> None:
         """Go on behind what was read."""
         self.before, self.end_of_before = read, end
-        self.at = self.skip(end)
-
-    def skip(self, at: int) -> int:
-        """The next place that is not blank."""
-        match = _BLANK.match(self.source.text, at, self.source.end)
-        return match.end() if match else at
+        self.at = self.source.end_of(_BLANK, end)
 
     def matched(self, pattern: re.Pattern[str]) -> str:
         """What matches a pattern here; nothing if nothing does."""
-        match = pattern.match(self.source.text, self.at, self.source.end)
-        return match[0] if match else ""
-
-    def has(self, sign: str, at: int) -> bool:
-        return self.source.text.startswith(sign, at, self.source.end)
+        return self.source.text[self.at : self.source.end_of(pattern, self.at)]
 
     def expression(self, least: int = 0, depth: int = 1) -> Tree:
         """Operands with operators between them that bind at least so much."""
@@ -176,9 +146,9 @@ class _Parser:
         return left
 
     def operation(self, name: str, operands: Sequence[Tree], at: int) -> Tree:
-        depth = 1 + max(one.depth if isinstance(one, Operation) else 1 for one in operands)
+        depth = 1 + max(one.depth if isinstance(one, Applied) else 1 for one in operands)
         self.check_depth(depth, at)
-        return Operation(name, tuple(operands), at, depth)
+        return Applied(name, tuple(operands), at, depth)
 
     def check_depth(self, depth: int, at: int) -> None:
         if depth > MOST_DEPTH:
@@ -195,23 +165,7 @@ class _Parser:
             known = sign in _BINARY or (sign == ")" and bool(self.calls))
         if known or self.at == self.source.end:
             return sign
-        raise self.source.error(self.no_operator(name, sign), self.at)
-
-    def no_operator(self, name: str, sign: str) -> str:
-        """What to say of something behind an operand."""
-        if sign == ",":
-            return "read `,`, expected an operator, or an end"
-        if sign == ")":
-            return "read `)`, but no bracket is open"
-        if self.has("[", self.at):
-            return "read `[`, but rows and gears belong to a table, such as speeds[:,1]"
-        if sign in _ELSEWHERE and sign != "!":
-            return f"read `{sign}`, expected `{_ELSEWHERE[sign]}`"
-        if name in _PYTHON:
-            return f"read `{name}`, which this language does not have"
-        read = quoted(name or self.source.text[self.at])
-        expected = "expected an operator such as `+`, `<` or `and`, or an end"
-        return f"read {read} behind {quoted(self.before)}, {expected}"
+        raise self.source.error(no_operator(self.source, self.at, sign, self.before), self.at)
 
     def operand(self, least: int, depth: int) -> Tree:
         """An operand, with the signs before it."""
@@ -227,7 +181,8 @@ class _Parser:
             return self.named(name, depth)
         read = found or read_number(self.source, self.at)
         if not read:
-            raise self.no_operand(sign)
+            message = no_operand(self.source, self.at, sign, self.before, self.operands)
+            raise self.source.error(message, self.at)
         if self.before in _WORDS and self.end_of_before == self.at:
             raise self.source.error(f"expected a blank behind {quoted(self.before)}", self.at)
         tree, end = read
@@ -262,8 +217,8 @@ class _Parser:
     def named(self, name: str, depth: int) -> Tree:
         """What begins with a name that has no point: a call, or a table."""
         at, end = self.at, self.at + len(name)
-        behind = self.skip(end)
-        call = self.has("(", behind)
+        behind = self.source.end_of(_BLANK, end)
+        call = self.source.has("(", behind)
         if name in self.functions and call:
             self.take(name, end)
             return self.operation(name, self.bracketed(depth + 1, call=True), at)
@@ -275,25 +230,11 @@ class _Parser:
             known = ", ".join(self.functions)
             message = f"there is no function {quoted(name)}, expected {known}{hint}"
             raise self.source.error(message, at)
-        if name in _PYTHON:
+        if name in PYTHON:
             message = f"read `{name}`, which this language does not have; expected {self.operands}"
             raise self.source.error(message, at)
         subscripts, end = (
-            read_subscripts(self.source, behind) if self.has("[", behind) else ((), end)
+            read_subscripts(self.source, behind) if self.source.has("[", behind) else ((), end)
         )
         self.take(name, end)
         return TableName(name, subscripts, at)
-
-    def no_operand(self, sign: str) -> ReadError:
-        """An error about what stands where an operand is wanted."""
-        behind = f" behind {quoted(self.before)}" if self.before else ""
-        if self.at == self.source.end:
-            message = f"the text ends{behind}" if behind else "read nothing"
-        elif _ELSEWHERE.get(sign) in _PREFIXES:
-            return self.source.error(f"read `{sign}`, expected `{_ELSEWHERE[sign]}`", self.at)
-        elif self.has("[", self.at):
-            message = "read `[`, expected a table before it, such as speeds[:,1]"
-            return self.source.error(message, self.at)
-        else:
-            message = f"read {quoted(sign or self.source.text[self.at])}{behind}"
-        return self.source.error(f"{message}, expected {self.operands}", self.at)

@@ -80,14 +80,14 @@ def value_of(name: Name, results: Results, varied: Floats) -> Floats:
     return values
 
 
-class Names:
+class SweepNames:
     """Finds what names in a text mean, for a case and what is varied of it.
 
     Examples
     --------
     >>> from vstatics.model.transmission import Gear, Mechanism, Transmission
     >>> case = Transmission(3, [], [Mechanism(1, 2, 3, -2.5)], [Gear(), Gear()])
-    >>> names = Names(Excerpt("losses[D1, :]", "--out"), case, [])
+    >>> names = SweepNames(Excerpt("losses[D1, :]", "--out"), case, [])
     >>> names.table(TableName("losses", (Subscript("D1", 7), Subscript(":", 11)), 0))
     Selection(table='losses', gear=None, row=0, has_rows=True)
     """

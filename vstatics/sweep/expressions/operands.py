@@ -1,6 +1,6 @@
 """What a formula speaks of, as it is written: numbers, and names with subscripts or a point.
 
-Names are taken letter by letter, so they may be Cyrillic, or words that mean something
+SweepNames are taken letter by letter, so they may be Cyrillic, or words that mean something
 elsewhere. What they mean is not asked here.
 """
 
@@ -62,11 +62,11 @@ def read_number(source: Excerpt, at: int) -> tuple[Constant, int] | None:
     >>> read_number(Excerpt("2.5e3*x", "--where"), 0)
     (Constant(value=2500.0), 5)
     """
-    match = _NUMBER.match(source.text, at, source.end)
-    if not match:
+    behind = source.end_of(_NUMBER, at)
+    if behind == at:
         return None
-    end = _end(_WORD, source, match.end())
-    text, word = match[0], source.text[at:end]
+    end = source.end_of(_WORD, behind)
+    text, word = source.text[at:behind], source.text[at:end]
     if re.fullmatch(r"[0-9_]+_[0-9]+", word):
         message = f"read {quoted(word)}, expected a number without `_`: {word.replace('_', '')}"
         raise source.error(message, at)
@@ -92,9 +92,9 @@ def read_dotted(source: Excerpt, at: int) -> tuple[DottedName, int] | None:
     >>> read_dotted(Excerpt('"set 1".ratio > -3', "--where"), 0)
     (DottedName(written='"set 1".ratio', at=0), 13)
     """
-    end = _end(_ANY_NAME, source, at)
-    if end > at and source.text.startswith(".", end, source.end):
-        end = _end(_WORD, source, end + 1)
+    end = source.end_of(_ANY_NAME, at)
+    if end > at and source.has(".", end):
+        end = source.end_of(_WORD, end + 1)
         return DottedName(source.text[at:end], at), end
     first = source.text[at:end][:1] or source.text[at : source.end][:1]
     if first not in (*_QUOTES, "#"):
@@ -123,9 +123,9 @@ def read_subscripts(source: Excerpt, bracket: int) -> tuple[tuple[Subscript, ...
     """
     subscripts, at = [], bracket
     while source.text[at] != "]":
-        begin = _end(_BLANK, source, at + 1)
-        written = source.text[begin : _end(_UNTIL_NEXT, source, begin)].rstrip()
-        at = _end(_BLANK, source, begin + len(written))
+        begin = source.end_of(_BLANK, at + 1)
+        written = source.text[begin : source.end_of(_UNTIL_NEXT, begin)].rstrip()
+        at = source.end_of(_BLANK, begin + len(written))
         if not _SUBSCRIPT.fullmatch(written):
             raise source.error(_no_subscript(written, source.text[begin : source.end]), begin)
         subscripts.append(Subscript(written, begin))
@@ -144,9 +144,3 @@ def _no_subscript(written: str, rest: str) -> str:
     if written and not written.startswith(("#", ":")):
         expected += f'; a name that is no plain word goes in quotes: "{written}"'
     return f"read {quoted(written) if written else 'nothing'}, {expected}"
-
-
-def _end(pattern: re.Pattern[str], source: Excerpt, at: int) -> int:
-    """Where a match ends; the place itself if nothing matches."""
-    match = pattern.match(source.text, at, source.end)
-    return match.end() if match else at
