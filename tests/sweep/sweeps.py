@@ -12,8 +12,8 @@ from typing import Any
 from tests.commands import environment
 from vstatics import Gear, Mechanism, ShiftElement, Transmission
 from vstatics.sweep import build
-from vstatics.sweep.file import Settings, Text
-from vstatics.sweep.plan import Plan
+from vstatics.sweep.options import SweepOptions
+from vstatics.sweep.plan import SweepPlan
 
 DIFFERENTIAL = Transmission(
     3,
@@ -33,15 +33,9 @@ gears: {direct: {engaged: [C]}, low: {engaged: [B]}}
 
 def plan(
     *vary: str, piece: int | None = None, case: Transmission = DIFFERENTIAL, **more: Any
-) -> Plan:
+) -> SweepPlan:
     """A plan from texts as on the command line; `piece` is the size of a piece."""
-    texts = {
-        name: tuple(map(Text, value)) if name in ("min", "max") else Text(value)
-        for name, value in more.items()
-        if name in ("out", "where", "min", "max")
-    }
-    settings = Settings(vary=tuple(map(Text, vary)), **{**more, **texts})
-    made = build.plan(case, settings)
+    made = build.plan(case, SweepOptions.of(vary=vary, **more))
     return made if piece is None else made.__class__(**{**vars(made), "piece": piece})
 
 

@@ -628,3 +628,32 @@ def test_quotes_are_told_where_they_belong() -> None:
         read_expression("1.ratio < -5", case, [], "--where")
     assert read_expression('"1".ratio < -5', case, [], "--where").gears is None
     assert target("1 . ratio", case).name == "1.ratio"
+
+
+# Names of the deck
+
+
+def test_the_names_of_the_deck_are_the_tables_of_the_library() -> None:
+    """W, WSAT, WFRI, AMLG, AMLGP, ETA, IX as in the report of the source."""
+    for deck, library in {
+        "W[in, 2]": "speeds[in, 2]",
+        "WSAT": "planet_speeds",
+        "WFRI": "slip_speeds",
+        "AMLG[Mx]": "torques[Mx]",
+        "AMLGP": "lossy_torques",
+        "AMWZ": "holding_torques",
+        "AMWZP": "lossy_holding_torques",
+        'ETA["1R"]': 'efficiency["1R"]',
+        "max(abs(IX))": "max(abs(power_sign))",
+    }.items():
+        np.testing.assert_array_equal(value(deck), value(library))
+        assert expression(deck).node == expression(library).node or "(" in deck
+
+
+def test_headings_have_the_names_of_tables_as_they_were_written() -> None:
+    assert headings("ETA[2], W[in], (efficiency)") == (
+        "ETA[2]",
+        *("W[in,2]", 'W[in,"1R"]', "W[in,N]"),
+        *("efficiency[2]", 'efficiency["1R"]', "efficiency[N]"),
+    )
+    assert "expected ETA[gear]" in problem("ETA[2,1]").message

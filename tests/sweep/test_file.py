@@ -9,7 +9,8 @@ import pytest
 from tests.commands import vstatics
 from tests.sweep.sweeps import CASE_TEXT
 from vstatics.errors import ReadError
-from vstatics.sweep.file import Settings, Text, read_sweep_file
+from vstatics.sweep.file import read_sweep_file
+from vstatics.sweep.options import SweepOptions
 
 WHOLE = """\
 case: box.yaml
@@ -29,7 +30,7 @@ idle: published
 """
 
 
-def read(text: str, file: str = "sweep.yaml") -> Settings:
+def read(text: str, file: str = "sweep.yaml") -> SweepOptions:
     return read_sweep_file(text.encode(), file)
 
 
@@ -52,22 +53,6 @@ def test_every_key_is_read() -> None:
     assert (other.variants, other.case) == ("own.csv", "/a/box.dat")
     assert (other.sample, other.method, other.seed) == (1000, "lhs", 0)
     assert read("vary: [D.ratio=1, D.efficiency=.9]").vary[1].text == "D.efficiency=.9"
-
-
-def test_the_command_line_wins() -> None:
-    file = read("vary: [D.ratio=1]\nsample: 5\nout: ratio\nmax: ratio\nbest: 3\ncase: a.yaml")
-    vary, table = (Text("D.ratio=2"),), "own.csv"
-    assert Settings().over(file) == file
-    assert Settings(vary=vary).over(file).vary == vary
-    assert Settings(vary=vary).over(file).sample == 5
-    assert Settings(variants=table).over(file)[:4] == ("a.yaml", (), None, None)
-    assert Settings(vary=vary).over(read("variants: x.csv")).variants is None
-    sampled = read("vary: [D.ratio=1:2]\nsample: 5\nmethod: random\nseed: 3")
-    assert Settings(variants=table).over(sampled) == Settings(variants=table)
-    assert Settings(zip=True).over(sampled)[1:6] == (sampled.vary, True, None, None, None)
-    assert Settings(sample=2).over(read("vary: [D.ratio=1:2]\nzip: true")).zip is None
-    assert Settings(min=vary).over(file).max == ()
-    assert Settings(best=4, coast=False).over(file).best == 4
 
 
 @pytest.mark.parametrize(

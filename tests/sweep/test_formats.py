@@ -22,7 +22,7 @@ from vstatics.jobs.pieces import Account, Segment
 from vstatics.jobs.store import Store
 from vstatics.sweep.chunk import STATUS, Chunk
 from vstatics.sweep.formats import format_of_name, npz, text
-from vstatics.sweep.formats.checksum import combined
+from vstatics.sweep.formats.npz import combined_crc
 from vstatics.sweep.output import Output, description
 
 NUMBERS = st.floats(allow_nan=True, allow_infinity=True)
@@ -77,7 +77,7 @@ def test_json_lines_are_read_back_by_the_standard_library(
 
 @given(st.binary(max_size=300), st.binary(max_size=70000))
 def test_check_sums_are_combined_as_zlib_does_it(first: bytes, second: bytes) -> None:
-    assert combined(zlib.crc32(first), zlib.crc32(second), len(second)) == zlib.crc32(
+    assert combined_crc(zlib.crc32(first), zlib.crc32(second), len(second)) == zlib.crc32(
         first + second
     )
 
@@ -190,7 +190,7 @@ def test_an_archive_of_many_gigabytes_is_laid_out_in_64_bits(tmp_path: Path) -> 
         zero = zlib.crc32(bytes(10**6), zero)
         half = Segment(8 * rows // 2, zero) if million == 1200 else half
     accounts = [Account(piece, rows // 2, {}, (half, half)) for piece in range(2)]
-    columns = [npz.Column(name, np.dtype("<f8")) for name in ("a", "b")]
+    columns = [npz.ColumnType(name, np.dtype("<f8")) for name in ("a", "b")]
     made = npz.layout(columns, accounts)
     path = tmp_path / "large.npz"
     with path.open("wb") as file:
@@ -208,7 +208,7 @@ def test_an_archive_of_many_gigabytes_is_laid_out_in_64_bits(tmp_path: Path) -> 
             assert np.lib.format.read_array_header_1_0(member)[0] == (rows,)
             assert member.read(80) == bytes(80)
         with archive.open("a.npy") as member:
-            assert combined(zlib.crc32(member.read(128)), zero, 8 * rows) == infos["a.npy"].CRC
+            assert combined_crc(zlib.crc32(member.read(128)), zero, 8 * rows) == infos["a.npy"].CRC
 
 
 @pytest.mark.parametrize(

@@ -22,10 +22,10 @@ from vstatics.jobs.spool import PREFIX, Spool
 from vstatics.numerics.arrays import Floats
 from vstatics.sweep import table as tables
 from vstatics.sweep.table import load_table, read_table
-from vstatics.sweep.variants import Part, Table
+from vstatics.sweep.variants import VariantPart, VariantTable
 
 
-def read(data: bytes | str, folder: Path | None = None) -> Table:
+def read(data: bytes | str, folder: Path | None = None) -> VariantTable:
     encoded = data.encode() if isinstance(data, str) else data
     return read_table(io.BytesIO(encoded), "own.csv", CASE, folder=str(folder) if folder else None)
 
@@ -209,7 +209,7 @@ def test_a_large_table_lies_in_a_temporary_file(spooled: Path) -> None:
 
 def test_the_digest_is_that_of_the_numbers(spooled: Path) -> None:
     with read(BIG, spooled) as large:
-        assert large.digest == Table(large.targets, EXPECTED).digest
+        assert large.digest == VariantTable(large.targets, EXPECTED).digest
         assert large.digest == read(BIG.replace(".5,", ".50,")).digest
         assert large.digest != read(BIG.replace(".5,", ".6,")).digest
 
@@ -223,7 +223,7 @@ def test_copies_read_the_same_file_and_leave_it(spooled: Path) -> None:
         copy.close()
         del copy
         assert len(list(spooled.iterdir())) == 1
-        part = pickle.loads(pickle.dumps(Part(table, 100, 110)))  # noqa: S301
+        part = pickle.loads(pickle.dumps(VariantPart(table, 100, 110)))  # noqa: S301
     assert np.array_equal(part.block(102, 104), EXPECTED[102:104])
 
 

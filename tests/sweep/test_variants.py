@@ -17,7 +17,7 @@ from vstatics.model.transmission import Gear, Mechanism, Transmission
 from vstatics.numerics.arrays import Floats
 from vstatics.sweep.steps import Steps, stepped
 from vstatics.sweep.targets import Target, target
-from vstatics.sweep.variants import Grid, Part, Table, Variants, Zip
+from vstatics.sweep.variants import VariantGrid, VariantPart, Variants, VariantTable, Zip
 from vstatics.sweep.variation import Span, Variation, read_variation
 
 CASE = Transmission(
@@ -226,24 +226,24 @@ def test_steps_are_made_only_when_they_are_asked_for() -> None:
 @given(st.lists(st.lists(st.floats(-9, 9), min_size=1, max_size=6), max_size=4))
 def test_a_grid_is_every_value_with_every_other(lists: list[list[float]]) -> None:
     """The order is that of `itertools.product`, like nested loops."""
-    grid = Grid(variations(*lists))
+    grid = VariantGrid(variations(*lists))
     assert list(map(tuple, grid.block(0, grid.count).tolist())) == list(product(*lists))
 
 
 @given(st.lists(st.integers(1, 7), min_size=1, max_size=4), st.lists(st.integers(0, 10**4)))
 def test_a_grid_is_the_same_in_any_blocks(numbers: list[int], cuts: list[int]) -> None:
-    grid = Grid(variations(*(Steps(0.0, number - 1.0, number) for number in numbers)))
+    grid = VariantGrid(variations(*(Steps(0.0, number - 1.0, number) for number in numbers)))
     assert np.array_equal(in_parts(grid, cuts), grid.block(0, grid.count))
 
 
 def test_the_largest_grid_and_one_too_large() -> None:
     """2**63 - 1 = 7 * 7 * 73 * 127 * 337 * 92737 * 649657."""
     sizes = (7, 7, 73, 127, 337, 92737, 649657)
-    grid = Grid(variations(*(Steps(0.0, size - 1.0, size) for size in sizes)))
+    grid = VariantGrid(variations(*(Steps(0.0, size - 1.0, size) for size in sizes)))
     assert grid.count == 2**63 - 1
     assert grid.block(grid.count - 1, grid.count).tolist() == [[size - 1 for size in sizes]]
     with pytest.raises(CaseError, match=r"the grid has 10000000000000000000000 variants.*2\*\*63"):
-        Grid(variations(Steps(0, 1, 10**11), Steps(0, 1, 10**11)))
+        VariantGrid(variations(Steps(0, 1, 10**11), Steps(0, 1, 10**11)))
 
 
 @given(st.integers(1, 30), st.lists(st.integers(0, 100)))
@@ -261,7 +261,7 @@ def problems_of(made: Any, *texts: str) -> list[Problem]:
     return caught.value.problems
 
 
-@pytest.mark.parametrize("made", [Grid, Zip])
+@pytest.mark.parametrize("made", [VariantGrid, Zip])
 def test_what_does_not_go_together(made: Any) -> None:
     (problem,) = problems_of(made, "D1.ratio=1,2", "2.ratio=1,2", "#1.ratio=3,4")
     assert problem.message == "D1.ratio is varied twice, expected each number once"
@@ -272,7 +272,7 @@ def test_what_does_not_go_together(made: Any) -> None:
 
 
 def test_nothing_but_an_empty_list() -> None:
-    for made in (Grid, Zip):
+    for made in (VariantGrid, Zip):
         with pytest.raises(ReadError, match=r"D2\.ratio has no values, expected at least one"):
             made(variations([1], []))
 
@@ -285,12 +285,12 @@ def test_pairs_need_equally_many_values() -> None:
     assert second.place == Place("--vary", 1, 1, "D1.efficiency=1")
 
 
-TABLE = Table([Target("D1.ratio", 0, "ratio")], np.arange(-9.0, -2.0)[:, np.newaxis])
+TABLE = VariantTable([Target("D1.ratio", 0, "ratio")], np.arange(-9.0, -2.0)[:, np.newaxis])
 EACH = [
-    Grid(variations([1, 2, 3], Steps(0.0, 1.0, 5))),
+    VariantGrid(variations([1, 2, 3], Steps(0.0, 1.0, 5))),
     Zip(variations([1, 2, 3], Steps(0.0, 1.0, 3))),
     TABLE,
-    Part(TABLE, 0, TABLE.count),
+    VariantPart(TABLE, 0, TABLE.count),
 ]
 
 
@@ -312,7 +312,7 @@ def test_variants_of_each_kind(variants: Variants) -> None:
 
 
 def test_a_part_has_its_own_variants_only() -> None:
-    part = Part(TABLE, 2, 5)
+    part = VariantPart(TABLE, 2, 5)
     assert part.count == TABLE.count
     assert np.array_equal(part.block(3, 5), TABLE.block(3, 5))
     for start, stop in ((1, 3), (4, 6)):
@@ -322,10 +322,10 @@ def test_a_part_has_its_own_variants_only() -> None:
 
 def test_a_table_in_memory_is_a_copy_with_a_digest_of_its_own() -> None:
     rows = np.array([[-2.0], [-3.0]])
-    table = Table(TABLE.targets, rows)
+    table = VariantTable(TABLE.targets, rows)
     rows[:] = 0
     assert table.block(0, 2).tolist() == [[-2], [-3]]
-    assert table.digest == Table(TABLE.targets, np.array([[-2.0], [-3.0]])).digest
-    assert table.digest != Table(TABLE.targets, rows).digest
+    assert table.digest == VariantTable(TABLE.targets, np.array([[-2.0], [-3.0]])).digest
+    assert table.digest != VariantTable(TABLE.targets, rows).digest
     with pytest.raises(ValueError, match=r"expected \(variants, 1\)"):
-        Table(TABLE.targets, np.ones((3, 2)))
+        VariantTable(TABLE.targets, np.ones((3, 2)))

@@ -2,45 +2,51 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from typing import cast, get_args
+from typing import Any, cast
 
 import click
 
 from vstatics import readers
 from vstatics.cli import cases as arguments
 from vstatics.cli import files
+from vstatics.cli.cases import Command
 from vstatics.cli.sweep_run import in_good_order, is_stream, run
 from vstatics.errors import CaseError, ReadError
-from vstatics.model.transmission import IdleConvention, Transmission
+from vstatics.model.transmission import Transmission
 from vstatics.sweep import build
-from vstatics.sweep.file import METHODS, Settings, Text, read_sweep_file
+from vstatics.sweep.file import read_sweep_file
 from vstatics.sweep.formats import SUFFIXES, TEXTS, Format, format_of_name
+from vstatics.sweep.options import OPTIONS, Option, SweepOptions, conflicts, says
+
+
+def declared(command: Command) -> Command:
+    """The options that a sweep file and `vstatics.sweep()` have, too."""
+    for name, option in reversed(list(OPTIONS.items())):
+        if option.help:
+            command = _click_option(name, option)(command)
+    return command
+
+
+def _click_option(name: str, option: Option) -> Callable[[Command], Command]:
+    kinds: dict[str, dict[str, Any]] = {
+        "path": {"type": click.Path()},
+        "count": {"type": click.IntRange(option.least)},
+        "flag": {"is_flag": True, "default": None},
+        "choice": {"type": click.Choice(option.choices)},
+        "texts": {"multiple": True},
+        "vary": {"multiple": True},
+    }
+    names = filter(None, [option.short, f"--{name}"])
+    more = kinds.get(option.kind, {})
+    return click.option(*names, metavar=option.metavar, help=option.help, **more)
 
 
 @click.command()
 @click.argument("case", required=False, type=click.Path(), metavar="[CASE]")
 @click.option("--file", "sweep_file", type=click.Path(), help="Read the sweep from this YAML file.")
-@click.option("--vary", multiple=True, metavar="NAME=VALUES", help="Vary a number; repeatable.")
-@click.option("--zip", "together", is_flag=True, default=None, help="Values in pairs, not a grid.")
-@click.option("--sample", type=click.IntRange(1), metavar="N", help="N points between low:high.")
-@click.option("--method", type=click.Choice(METHODS), help="How they are picked.  [default: sobol]")
-@click.option("--seed", type=click.IntRange(0), metavar="S", help="Of --sample.  [default: 0]")
-@click.option("--variants", type=click.Path(), metavar="FILE", help="A CSV table of variants.")
-@click.option("--out", metavar="LIST", help="The columns.  [default: ratio,efficiency]")
-@click.option("--where", metavar="EXPR", help="Keep variants for which this is true.")
-@click.option("--min", "least", multiple=True, metavar="EXPR", help="Keep those with the least.")
-@click.option("--max", "most", multiple=True, metavar="EXPR", help="Keep those with the most.")
-@click.option("--best", type=click.IntRange(1), metavar="N", help="So many.  [default: 20]")
-@click.option("-o", "--output", type=click.Path(), help="Write to this file, whole or not at all.")
-@click.option(
-    "-f",
-    "--format",
-    "output_format",
-    type=click.Choice(get_args(Format)),
-    help="Format of the output; else told by the suffix, CSV on stdout.",
-)
+@declared
 @click.option(
     "-j", "--jobs", type=click.IntRange(1), default=1, show_default=True, help="Processes."
 )
@@ -53,28 +59,14 @@ from vstatics.sweep.formats import SUFFIXES, TEXTS, Format, format_of_name
 @click.pass_context
 def sweep(
     context: click.Context,
-    case: str | None,
+    /,
     sweep_file: str | None,
-    vary: tuple[str, ...],
-    together: bool | None,
-    sample: int | None,
-    method: str | None,
-    seed: int | None,
-    variants: str | None,
-    out: str | None,
-    where: str | None,
-    least: tuple[str, ...],
-    most: tuple[str, ...],
-    best: int | None,
-    output: str | None,
-    output_format: Format | None,
     jobs: int,
     scheduler: str | None,
     resume: bool,
     dry_run: bool,
     input_format: readers.Format | None,
-    coast: bool | None,
-    idle: IdleConvention | None,
+    **said: Any,
 ) -> None:
     """Calculate variants of CASE and write a table: a row each, or the best ones.
 
@@ -97,71 +89,59 @@ def sweep(
     Exit status: 0 done; 1 not finished, or no variant has a solution;
     2 wrong use; 130 or 143 stopped by Ctrl-C or SIGTERM.
     """
-    given = Settings(
-        case=case,
-        vary=tuple(map(Text, vary)),
-        zip=together,
-        sample=sample,
-        method=method,
-        seed=seed,
-        variants=variants,
-        out=None if out is None else Text(out),
-        where=None if where is None else Text(where),
-        min=tuple(map(Text, least)),
-        max=tuple(map(Text, most)),
-        best=best,
-        output=output,
-        format=output_format,
-        coast=coast,
-        idle=idle,
-    )
+    own, of_file = SweepOptions.of(**said), SweepOptions()
     if sweep_file is not None:
-        given = given.over(read_sweep_file(*files.read_input(sweep_file)))
-    form = _checked(given, resume=resume, jobs=jobs, scheduler=scheduler)
-    files.spare(filter(None, [given.case, given.variants, sweep_file]), given.output)
+        of_file = read_sweep_file(*files.read_input(sweep_file))
+    options = own.over(of_file)
+
+    def spelled(name: str) -> str:
+        in_file = says(getattr(of_file, name)) and not says(getattr(own, name))
+        return f"`{name}`" if in_file else f"--{name}"
+
+    form = _checked(options, spelled, resume=resume, jobs=jobs, scheduler=scheduler)
+    files.spare(filter(None, [options.case, options.variants, sweep_file]), options.output)
 
     def carry_out() -> int:
-        build.check_packages(given, form, scheduler)
-        plan = build.plan(_case(given.case or "", input_format), given)
+        build.check_packages(options, form, scheduler)
+        plan = build.plan(_case(options.case or "", input_format), options)
         if dry_run:
             from vstatics.cli.sweep_estimate import estimate
 
             files.write_output(estimate(plan, form, jobs), None)
             return 0
-        return run(plan, form, given.output, jobs=jobs, scheduler=scheduler, resume=resume)
+        return run(plan, form, options.output, jobs=jobs, scheduler=scheduler, resume=resume)
 
     with _told():
         status = in_good_order(carry_out)
     context.exit(status)
 
 
-def _checked(given: Settings, *, resume: bool, jobs: int, scheduler: str | None) -> Format:
+def _checked(
+    options: SweepOptions,
+    spelled: Callable[[str], str],
+    *,
+    resume: bool,
+    jobs: int,
+    scheduler: str | None,
+) -> Format:
     """The format of the output; wrong combinations of options are wrong use."""
-    to_stream = is_stream(given.output)
-    best = given.min or given.max
-    wrong = {
-        "Missing argument 'CASE' (or `case` in --file).": given.case is None,
-        "Nothing is varied: expected --vary, or --variants.": not (given.vary or given.variants),
-        "--variants is a table of all variants: it excludes --vary, --zip and --sample.": (
-            given.variants and (given.vary or given.zip or given.sample)
-        ),
-        "--zip and --sample exclude one another.": given.zip and given.sample,
-        "--method and --seed belong to --sample.": (
-            not given.sample and (given.method or given.seed is not None)
-        ),
-        "--best needs --min or --max: the best by what?": given.best is not None and not best,
-        "--resume needs a file to go on with: -o FILE.": resume and to_stream,
-        "--jobs and --scheduler exclude one another.": scheduler and jobs > 1,
-    }
-    for message, is_wrong in wrong.items():
-        if is_wrong:
-            raise click.UsageError(message)
-    form = cast("Format | None", given.format) or format_of_name(given.output or "")
+    to_stream = is_stream(options.output)
+    if options.case is None:
+        raise click.UsageError("Missing argument 'CASE' (or `case` in --file).")
+    if not (options.vary or options.variants):
+        raise click.UsageError("Nothing is varied: expected --vary, or --variants.")
+    for message in conflicts(vars(options), spelled):
+        raise click.UsageError(message if message.endswith("?") else f"{message}.")
+    if resume and to_stream:
+        raise click.UsageError("--resume needs a file to go on with: -o FILE.")
+    if scheduler and jobs > 1:
+        raise click.UsageError("--jobs and --scheduler exclude one another.")
+    form = cast("Format | None", options.format) or format_of_name(options.output or "")
     if to_stream and (form or "csv") not in TEXTS:
         raise click.UsageError(f"{form} can't go to a stream, expected a file: -o FILE")
     if form is None and not to_stream:
         raise click.UsageError(
-            f"can't tell the format of {given.output}: expected a suffix of "
+            f"can't tell the format of {options.output}: expected a suffix of "
             f"{' '.join(SUFFIXES)}, or --format"
         )
     return form or "csv"

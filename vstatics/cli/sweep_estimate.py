@@ -8,18 +8,18 @@ import time
 from vstatics.sweep import chunk
 from vstatics.sweep.best import BEST
 from vstatics.sweep.formats import TEXTS, Format
-from vstatics.sweep.plan import Plan
-from vstatics.sweep.tasks import Task, columns_of, text_of
+from vstatics.sweep.plan import SweepPlan
+from vstatics.sweep.tasks import SweepTask, columns_of, text_of
 
 
-def estimate(plan: Plan, form: Format, jobs: int) -> str:
+def estimate(plan: SweepPlan, form: Format, jobs: int) -> str:
     """Calculate a block of the sweep, and tell from it about the whole."""
     variants, columns = plan.variants.count, len(plan.names) + len(plan.headings) + 2
     start, stop = _middle_block(plan)
     chunk.calculate(plan, start, min(start + 100, stop))  # the first time costs more
     began = time.perf_counter()
     made = chunk.calculate(plan, start, stop)
-    data = [text_of(Task(plan, form), made)] if form in TEXTS else columns_of(made)
+    data = [text_of(SweepTask(plan, form), made)] if form in TEXTS else columns_of(made)
     seconds = (time.perf_counter() - began) / max(stop - start, 1) * variants
     part = len(made.variants) / max(stop - start, 1)
     rows = round(part * variants)
@@ -41,7 +41,7 @@ def estimate(plan: Plan, form: Format, jobs: int) -> str:
     return "".join(f"{name:9} {value}\n" for name, value in lines.items())
 
 
-def _middle_block(plan: Plan) -> tuple[int, int]:
+def _middle_block(plan: SweepPlan) -> tuple[int, int]:
     """A block in the middle of the sweep."""
     start, stop = plan.span(plan.pieces // 2)
     blocks = list(chunk.blocks(plan.case, start, stop))

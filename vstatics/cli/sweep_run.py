@@ -17,10 +17,10 @@ from vstatics.jobs.stopping import StoppedError, stoppable
 from vstatics.jobs.store import SUFFIX, Store
 from vstatics.sweep.chunk import STATUS
 from vstatics.sweep.formats import Format
-from vstatics.sweep.output import Output, Report, description, stream
-from vstatics.sweep.plan import Plan
-from vstatics.sweep.tasks import Task
-from vstatics.sweep.variants import Table
+from vstatics.sweep.output import Output, SweepReport, description, stream
+from vstatics.sweep.plan import SweepPlan
+from vstatics.sweep.tasks import SweepTask
+from vstatics.sweep.variants import VariantTable
 
 UNSOLVED = ("tied up", "conflict", "invalid")
 """A variant of this status has no solution at all."""
@@ -49,7 +49,7 @@ def in_good_order(act: Callable[[], int]) -> int:
 
 
 def run(
-    plan: Plan,
+    plan: SweepPlan,
     form: Format,
     output: str | None,
     *,
@@ -63,12 +63,12 @@ def run(
             return to_stream(plan, form, output, jobs, scheduler)
         return to_file(plan, form, output, jobs, scheduler, resume=resume)
     finally:
-        if isinstance(plan.variants, Table):
+        if isinstance(plan.variants, VariantTable):
             plan.variants.close()
 
 
 def to_file(
-    plan: Plan, form: Format, output: str, jobs: int, scheduler: str | None, *, resume: bool
+    plan: SweepPlan, form: Format, output: str, jobs: int, scheduler: str | None, *, resume: bool
 ) -> int:
     """Write the output file, whole or not at all; the exit status."""
     from vstatics.cli.progress import progress
@@ -123,14 +123,14 @@ def _kept(written: Output, output: str) -> str:
 
 
 def to_stream(
-    plan: Plan, form: Format, output: str | None, jobs: int, scheduler: str | None
+    plan: SweepPlan, form: Format, output: str | None, jobs: int, scheduler: str | None
 ) -> int:
     """Write rows to stdout, or to what is no file, as they come; the exit status."""
     from vstatics.cli.progress import progress
     from vstatics.jobs.workers import workers
 
     began = time.perf_counter()
-    task = Task(plan, form)
+    task = SweepTask(plan, form)
     name = "<stdout>" if output in (None, files.STDIN) else str(output)
     done = 0
     try:
@@ -177,7 +177,7 @@ def _opened(output: str | None) -> Iterator[Callable[[bytes], Any]]:
             yield write_there
 
 
-def _summary(output: str, report: Report, kept: int, seconds: float) -> int:
+def _summary(output: str, report: SweepReport, kept: int, seconds: float) -> int:
     """Say what became of the variants; the exit status."""
     reasons = [
         f"{report.counts[status]} {status}" for status in STATUS[1:] if status in report.counts

@@ -1,4 +1,15 @@
-"""Sweeps: thousands and millions of variants of a case, and what is kept of them."""
+"""Sweeps: thousands and millions of variants of a case, and what is kept of them.
+
+>>> from vstatics import Gear, Mechanism, Transmission
+>>> case = Transmission(3, [], [Mechanism(1, 2, 3, -2.5)], [Gear(speeds={2: 0})])
+>>> for chunk in sweep(case, {"D1.ratio": "-4:-2:5"}, out="ratio[1]", where="ratio[1] > 4"):
+...     print(chunk.values[:, 0], chunk.columns[:, 0])
+[-4.  -3.5] [5.  4.5]
+
+`options` become a plan (`build`, `plan`): numbered `variants`, columns and conditions
+(`expressions`). Its pieces are calculated anywhere (`chunk`, `tasks`) and put together
+(`output`, `formats`).
+"""
 
 from __future__ import annotations
 
@@ -84,40 +95,39 @@ def sweep(  # noqa: PLR0913 (as on the command line)
     """
     from vstatics.extras import require
     from vstatics.sweep import build
-    from vstatics.sweep.file import Settings, Text
+    from vstatics.sweep.options import SweepOptions, conflicts
 
     if jobs < 1:
         raise ValueError(f"jobs is {jobs}, expected 1 or more")
-    if variants is not None and (vary or zip or sample is not None):
-        raise ValueError("variants is a table of all variants: it excludes vary, zip and sample")
-    if zip and sample is not None:
-        raise ValueError("zip and sample exclude one another")
+    said = {"variants": variants is not None, "vary": bool(vary), "zip": zip, "sample": sample}
+    for message in conflicts(said):
+        raise ValueError(message)
     if sample is not None and method != "random":
         require("scipy", f"the method {method}")
     arrays = dict(vary) if isinstance(vary, Mapping) else {}
     texts = [f"{name}={values}" for name, values in arrays.items() if isinstance(values, str)]
     if not isinstance(vary, Mapping):
         texts += [vary] if isinstance(vary, str) else vary
-    settings = Settings(
-        vary=tuple(map(Text, texts)),
+    options = SweepOptions.of(
+        vary=texts,
         zip=zip,
         sample=sample,
         method=method,
         seed=seed,
-        out=Text(out if isinstance(out, str) else ",".join(out)),
-        where=None if where is None else Text(where),
+        out=out,
+        where=where,
         coast=coast,
         idle=idle,
     )
     numbers = {name: values for name, values in arrays.items() if not isinstance(values, str)}
-    return _chunks(build.plan(case, settings, arrays=numbers, table=variants), jobs)
+    return _chunks(build.plan(case, options, arrays=numbers, table=variants), jobs)
 
 
 def _chunks(plan: Any, jobs: int) -> Iterator[Chunk]:
     from vstatics.jobs.workers import workers
-    from vstatics.sweep.tasks import Task, calculate
+    from vstatics.sweep.tasks import SweepTask, calculate
 
-    task = Task(plan, "csv")
+    task = SweepTask(plan, "csv")
     with workers(task, task.describe, jobs=min(jobs, plan.pieces)) as called:
         for _, chunk in called.each(calculate, range(plan.pieces), ordered=True):
             yield chunk

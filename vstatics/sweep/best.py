@@ -12,23 +12,23 @@ import numpy as np
 from vstatics.numerics.arrays import Floats, Integers
 from vstatics.sweep import selection
 from vstatics.sweep.chunk import Chunk, joined
-from vstatics.sweep.plan import Plan
+from vstatics.sweep.plan import SweepPlan
 
 BEST = 20
 """So many rows by one objective, where nobody asks for another number."""
 
 
-def within(plan: Plan, chunk: Chunk) -> Chunk:
+def within(plan: SweepPlan, chunk: Chunk) -> Chunk:
     """The rows of a chunk that may be among the best of all."""
     return chunk.rows(_chosen(plan, chunk.objectives))
 
 
-def among(plan: Plan, chunks: Callable[[], Iterable[Chunk]]) -> Iterator[Chunk]:
+def among(plan: SweepPlan, chunks: Callable[[], Iterable[Chunk]]) -> Iterator[Chunk]:
     """The best rows of several chunks: of one objective sorted, else in order of variants.
 
     Parameters
     ----------
-    plan : Plan
+    plan : SweepPlan
     chunks : callable
         Gives all chunks, in order, each with the best of its rows; it is asked twice where
         there are several objectives, so that only these have to be in memory.
@@ -47,7 +47,7 @@ def among(plan: Plan, chunks: Callable[[], Iterable[Chunk]]) -> Iterator[Chunk]:
             yield chunk.rows(np.isin(chunk.variants, variants[slice(*ends)], assume_unique=True))
 
 
-def _front(plan: Plan, chunks: Iterable[Chunk]) -> Integers:
+def _front(plan: SweepPlan, chunks: Iterable[Chunk]) -> Integers:
     """The numbers of the variants that no other dominates, or so many of them as are asked for."""
     objectives = np.zeros((0, len(plan.objectives)))
     variants = np.zeros(0, dtype=np.int64)
@@ -61,7 +61,7 @@ def _front(plan: Plan, chunks: Iterable[Chunk]) -> Integers:
     return variants
 
 
-def _chosen(plan: Plan, objectives: Floats) -> Integers:
+def _chosen(plan: SweepPlan, objectives: Floats) -> Integers:
     if len(plan.objectives) == 1:
         return selection.best(objectives[:, 0], plan.best or BEST)
     return selection.non_dominated(objectives)

@@ -1,4 +1,4 @@
-"""Options, from the command line, a sweep file or a call, -> Plan."""
+"""Options, from the command line, a sweep file or a call, -> SweepPlan."""
 
 from __future__ import annotations
 
@@ -12,14 +12,15 @@ from vstatics.errors import CaseError, Problem, ReadError
 from vstatics.extras import require
 from vstatics.model.transmission import IdleConvention, Transmission
 from vstatics.sweep.expressions.columns import read_columns
-from vstatics.sweep.file import Settings, Text, located
 from vstatics.sweep.formats import Format
-from vstatics.sweep.plan import Plan
+from vstatics.sweep.options import SweepOptions
+from vstatics.sweep.plan import SweepPlan
 from vstatics.sweep.samples import Method, Sample
 from vstatics.sweep.selection import read_objective, read_where
 from vstatics.sweep.table import load_table
 from vstatics.sweep.targets import target
-from vstatics.sweep.variants import Grid, Table, Variants, Zip
+from vstatics.sweep.texts import Text, located
+from vstatics.sweep.variants import VariantGrid, Variants, VariantTable, Zip
 from vstatics.sweep.variation import Variation, read_variation
 
 if TYPE_CHECKING:
@@ -30,7 +31,7 @@ Read = TypeVar("Read")
 OUT = "ratio,efficiency"
 
 
-def check_packages(settings: Settings, form: Format, scheduler: str | None) -> None:
+def check_packages(options: SweepOptions, form: Format, scheduler: str | None) -> None:
     """Make sure of the packages that a sweep needs, before anything is calculated.
 
     Raises
@@ -41,23 +42,23 @@ def check_packages(settings: Settings, form: Format, scheduler: str | None) -> N
         require("pyarrow", "Parquet")
     if scheduler is not None:
         require("distributed", "--scheduler")
-    if settings.sample is not None and settings.method != "random":
-        require("scipy", f"--method {settings.method or 'sobol'}")
+    if options.sample is not None and options.method != "random":
+        require("scipy", f"--method {options.method or 'sobol'}")
 
 
 def plan(
     case: Transmission,
-    settings: Settings,
+    options: SweepOptions,
     *,
     arrays: Mapping[str, ArrayLike] | None = None,
     table: Mapping[str, ArrayLike] | None = None,
-) -> Plan:
-    """Make a plan from settings.
+) -> SweepPlan:
+    """Make a plan of options.
 
     Parameters
     ----------
     case : Transmission
-    settings : Settings
+    options : SweepOptions
     arrays : mapping of str to array_like, optional
         Further numbers to vary. [-]
     table : mapping of str to array_like, optional
@@ -70,39 +71,41 @@ def plan(
     CaseError
         If there can be no such sweep.
     """
-    case = _with_conventions(case, settings)
-    variants = _table(case, table) if table is not None else _variants(case, settings, arrays or {})
+    case = _with_conventions(case, options)
+    variants = _table(case, table) if table is not None else _variants(case, options, arrays or {})
     try:
-        return _with_expressions(case, settings, variants)
+        return _with_expressions(case, options, variants)
     except BaseException:
-        if isinstance(variants, Table):
+        if isinstance(variants, VariantTable):
             variants.close()
         raise
 
 
-def _with_conventions(case: Transmission, settings: Settings) -> Transmission:
-    coast = case.coast if settings.coast is None else settings.coast
-    idle = cast("IdleConvention", settings.idle or case.idle)
+def _with_conventions(case: Transmission, options: SweepOptions) -> Transmission:
+    coast = case.coast if options.coast is None else options.coast
+    idle = cast("IdleConvention", options.idle or case.idle)
     return (
         case if (coast, idle) == (case.coast, case.idle) else replace(case, coast=coast, idle=idle)
     )
 
 
-def _variants(case: Transmission, settings: Settings, arrays: Mapping[str, ArrayLike]) -> Variants:
-    if settings.variants is not None:
-        return load_table(settings.variants, case)
-    read = _all(settings.vary, lambda text: read_variation(text, case))
+def _variants(
+    case: Transmission, options: SweepOptions, arrays: Mapping[str, ArrayLike]
+) -> Variants:
+    if options.variants is not None:
+        return load_table(options.variants, case)
+    read = _all(options.vary, lambda text: read_variation(text, case))
     variations = [
         *(
             variation._replace(place=text.place(1) or variation.place)
-            for variation, text in zip(read, settings.vary, strict=True)
+            for variation, text in zip(read, options.vary, strict=True)
         ),
         *(Variation(target(name, case), _list(name, values)) for name, values in arrays.items()),
     ]
-    if settings.sample is not None:
-        method = cast("Method", settings.method or "sobol")
-        return Sample(variations, settings.sample, method, settings.seed or 0)
-    return Zip(variations) if settings.zip else Grid(variations)
+    if options.sample is not None:
+        method = cast("Method", options.method or "sobol")
+        return Sample(variations, options.sample, method, options.seed or 0)
+    return Zip(variations) if options.zip else VariantGrid(variations)
 
 
 def _list(name: str, values: ArrayLike) -> np.ndarray[tuple[int], np.dtype[np.float64]]:
@@ -112,17 +115,17 @@ def _list(name: str, values: ArrayLike) -> np.ndarray[tuple[int], np.dtype[np.fl
     return array
 
 
-def _table(case: Transmission, columns: Mapping[str, ArrayLike]) -> Table:
+def _table(case: Transmission, columns: Mapping[str, ArrayLike]) -> VariantTable:
     targets = [target(name, case) for name in columns]
     arrays = [_list(name, values) for name, values in columns.items()]
     if len({len(array) for array in arrays}) != 1:
         lengths = ", ".join(f"{name} {len(a)}" for name, a in zip(columns, arrays, strict=True))
         message = f"variants: expected equally many values of each number ({lengths or 'none'})"
         raise CaseError([Problem(message)])
-    return Table(targets, np.column_stack(arrays))
+    return VariantTable(targets, np.column_stack(arrays))
 
 
-def _with_expressions(case: Transmission, settings: Settings, variants: Variants) -> Plan:
+def _with_expressions(case: Transmission, options: SweepOptions, variants: Variants) -> SweepPlan:
     targets = variants.targets
     problems: list[Problem] = []
 
@@ -133,22 +136,22 @@ def _with_expressions(case: Transmission, settings: Settings, variants: Variants
             problems.extend(error.problems)
             return []
 
-    columns = read(settings.out or Text(OUT), lambda text: read_columns(text, case, targets))
+    columns = read(options.out or Text(OUT), lambda text: read_columns(text, case, targets))
     where = [
         made
-        for text in filter(None, [settings.where])
+        for text in filter(None, [options.where])
         for made in read(text, lambda text: read_where(text, case, targets))
     ]
     objectives = [
         made
-        for option, texts in (("--min", settings.min), ("--max", settings.max))
+        for option, texts in (("--min", options.min), ("--max", options.max))
         for text in texts
         for made in read(text, lambda text: read_objective(text, case, targets, option))  # noqa: B023
     ]
     if problems:
         raise ReadError(problems)
     condition = where[0] if where else None
-    return Plan(case, variants, columns[0], condition, tuple(objectives), settings.best)
+    return SweepPlan(case, variants, columns[0], condition, tuple(objectives), options.best)
 
 
 def _all(texts: Iterable[Text], reader: Callable[[str], Read]) -> list[Read]:

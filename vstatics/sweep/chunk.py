@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     import pandas as pd
 
     from vstatics.model.transmission import Transmission
-    from vstatics.sweep.plan import Plan
+    from vstatics.sweep.plan import SweepPlan
     from vstatics.sweep.targets import Target
 
 Codes = np.ndarray[Any, np.dtype[np.uint8]]
@@ -97,12 +97,12 @@ class _Numbers(NamedTuple):
     invalid: Booleans
 
 
-def calculate(plan: Plan, start: int, stop: int) -> Chunk:
+def calculate(plan: SweepPlan, start: int, stop: int) -> Chunk:
     """Calculate the variants from `start` up to `stop`.
 
     Parameters
     ----------
-    plan : Plan
+    plan : SweepPlan
     start, stop : int
         Numbers of variants, from 0; `stop` is not included.
 
@@ -146,7 +146,7 @@ def variant_bytes(case: Transmission) -> int:
     return len(case.gears) * (8 * numbers + elements + 2 * mechanisms + 6)
 
 
-def _block(plan: Plan, own: Results, start: int, stop: int) -> Chunk:
+def _block(plan: SweepPlan, own: Results, start: int, stop: int) -> Chunk:
     """The rows of a block; the plan's condition is asked before columns are made."""
     case, targets = plan.case, plan.variants.targets
     values = plan.variants.block(start, stop)

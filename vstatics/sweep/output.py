@@ -15,15 +15,15 @@ from vstatics.jobs.store import Store
 from vstatics.sweep import best, chunk, tasks
 from vstatics.sweep.chunk import Chunk
 from vstatics.sweep.formats import TEXTS, Format, text
-from vstatics.sweep.formats.npz import Column, Layout
+from vstatics.sweep.formats.npz import ArchiveLayout, ColumnType
 from vstatics.sweep.formats.npz import layout as npz_layout
-from vstatics.sweep.plan import Plan
-from vstatics.sweep.tasks import Task, text_format, text_of
+from vstatics.sweep.plan import SweepPlan
+from vstatics.sweep.tasks import SweepTask, text_format, text_of
 
 Advance = Callable[[int], None]
 
 
-class Report(NamedTuple):
+class SweepReport(NamedTuple):
     """What became of a sweep."""
 
     rows: int
@@ -36,7 +36,7 @@ class Report(NamedTuple):
         return sum(self.counts.values())
 
 
-def description(plan: Plan, form: Format) -> dict[str, Any]:
+def description(plan: SweepPlan, form: Format) -> dict[str, Any]:
     """What a sweep is, for its directory of pieces and for whoever looks into that."""
     return {
         "what": "unfinished sweep of vstatics; the same command with --resume goes on",
@@ -54,23 +54,23 @@ def description(plan: Plan, form: Format) -> dict[str, Any]:
     }
 
 
-def column_types(plan: Plan) -> list[Column]:
+def column_types(plan: SweepPlan) -> list[ColumnType]:
     """Names and types of the columns of the output."""
     number = np.dtype("<f8")
     return [
-        Column("variant", np.dtype("<i8")),
-        *(Column(name, number) for name in plan.names),
-        Column("status", np.dtype("u1")),
-        *(Column(heading, number) for heading in plan.headings),
+        ColumnType("variant", np.dtype("<i8")),
+        *(ColumnType(name, number) for name in plan.names),
+        ColumnType("status", np.dtype("u1")),
+        *(ColumnType(heading, number) for heading in plan.headings),
     ]
 
 
 class Output:
     """The way of a sweep to its file; `store` is to be opened before."""
 
-    def __init__(self, plan: Plan, form: Format, store: Store) -> None:
+    def __init__(self, plan: SweepPlan, form: Format, store: Store) -> None:
         """Take the pieces that the store has."""
-        self.task = Task(plan, form, store.directory)
+        self.task = SweepTask(plan, form, store.directory)
         self.store = store
 
     @property
@@ -109,7 +109,7 @@ class Output:
             for _, account in workers.each(tasks.write_piece, self.pending):
                 yield account
 
-    def assemble(self, workers: Workers) -> Report:
+    def assemble(self, workers: Workers) -> SweepReport:
         """Put the pieces together and the output into its place.
 
         Raises
@@ -128,7 +128,7 @@ class Output:
             self.store.discard(pieces.ASSEMBLED)  # what is there of it may fill a disk
             raise
         self.store.finish()
-        return Report(sum(account.rows for account in accounts), counts)
+        return SweepReport(sum(account.rows for account in accounts), counts)
 
     def _write(self, workers: Workers, accounts: Sequence[Account]) -> None:
         plan = self.task.plan
@@ -140,7 +140,7 @@ class Output:
         else:
             self._copy(workers, self._layout(accounts))
 
-    def _layout(self, accounts: Sequence[Account]) -> Layout:
+    def _layout(self, accounts: Sequence[Account]) -> ArchiveLayout:
         plan, form = self.task.plan, self.task.form
         if form == "npz":
             return npz_layout(column_types(plan), accounts)
@@ -149,9 +149,9 @@ class Output:
         for account in accounts:
             copies.append(Copy(account.piece, 0, place, account.length))
             place += account.length
-        return Layout([(0, head)], copies, place)
+        return ArchiveLayout([(0, head)], copies, place)
 
-    def _copy(self, workers: Workers, layout: Layout) -> None:
+    def _copy(self, workers: Workers, layout: ArchiveLayout) -> None:
         """Write what is known and let the workers copy the rest, each piece to its place."""
         with open(self.store.path(pieces.ASSEMBLED), "wb") as file:  # noqa: PTH123
             file.truncate(layout.length)
@@ -184,7 +184,9 @@ class Output:
             number += 1
 
 
-def stream(task: Task, workers: Workers, advance: Advance, write: Callable[[bytes], Any]) -> Report:
+def stream(
+    task: SweepTask, workers: Workers, advance: Advance, write: Callable[[bytes], Any]
+) -> SweepReport:
     """Calculate everything and write it as text, in order; nothing is kept on disk.
 
     Raises
@@ -208,13 +210,13 @@ def stream(task: Task, workers: Workers, advance: Advance, write: Callable[[byte
         for made in best.among(plan, lambda: kept):
             rows += len(made.variants)
             write(text.rows(form, made))
-        return Report(rows, dict(counts))
+        return SweepReport(rows, dict(counts))
     for _, (account, data) in workers.each(tasks.lines, items, ordered=True):
         counts.update(account.counts)
         rows += account.rows
         write(data)
         advance(account.variants)
-    return Report(rows, dict(counts))
+    return SweepReport(rows, dict(counts))
 
 
 def _counted(accounts: Sequence[Account]) -> dict[str, int]:

@@ -14,7 +14,7 @@ from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Floats
 from vstatics.statics.results import Results
 from vstatics.sweep.expressions import Expression
-from vstatics.sweep.expressions.columns import Columns
+from vstatics.sweep.expressions.columns import OutputColumns
 from vstatics.sweep.selection import Objective
 from vstatics.sweep.variants import Variants
 
@@ -24,7 +24,7 @@ so that the result does not depend on the number of jobs."""
 
 
 @dataclass(frozen=True)
-class Plan:
+class SweepPlan:
     """A sweep, checked when its parts were made; the same plan gives the same result.
 
     Parameters
@@ -33,7 +33,7 @@ class Plan:
         With the conventions to use (`coast`, `idle`).
     variants : Variants
         The numbered variants.
-    columns : Columns
+    columns : OutputColumns
         What is written of each.
     where : Expression, optional
         Which variants are written; all when not given.
@@ -47,7 +47,7 @@ class Plan:
 
     case: Transmission
     variants: Variants
-    columns: Columns
+    columns: OutputColumns
     where: Expression | None = None
     objectives: tuple[Objective, ...] = ()
     best: int | None = None

@@ -15,8 +15,8 @@ from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Floats, Integers
 from vstatics.numerics.fronts import merged, non_dominated, scaled
 from vstatics.sweep.expressions import Expression, read_expression
-from vstatics.sweep.expressions.evaluation import Applied
-from vstatics.sweep.expressions.source import Source
+from vstatics.sweep.expressions.excerpt import Excerpt
+from vstatics.sweep.expressions.grammar import Applied
 from vstatics.sweep.targets import Target
 
 __all__ = [
@@ -59,7 +59,7 @@ def read_where(
 pick a gear, or use min, max or sum
     """
     condition = _of_one(read_expression(text, case, targets, option), text, option)
-    return Expression(condition.text, Applied("true", (condition.node,)), None, None)
+    return Expression(condition.text, Applied("true", (condition.node,), 0, 0))
 
 
 def read_objective(
@@ -81,7 +81,7 @@ def _of_one(expression: Expression, text: str, option: str) -> Expression:
     if not expression.per:
         return expression
     parts = [f"a {name}" for name in expression.per.split(" and ")]
-    raise Source(text, option).error(
+    raise Excerpt(text, option).error(
         f"`{expression.text}` has one value per {expression.per}: pick {' and '.join(parts)}, "
         "or use min, max or sum",
         len(text) - len(text.lstrip()),

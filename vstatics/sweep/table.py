@@ -1,4 +1,4 @@
-"""The user's CSV of variants -> Table."""
+"""The user's CSV of variants -> VariantTable."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from vstatics.jobs.spool import Spool
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Floats
 from vstatics.sweep.targets import Target, shown, target
-from vstatics.sweep.variants import Table
+from vstatics.sweep.variants import VariantTable
 from vstatics.sweep.variation import read_value
 
 NUMBER_COLUMN = "variant"
@@ -39,7 +39,7 @@ class _Columns(NamedTuple):
     """Which column holds each target."""
 
 
-def load_table(path: str, case: Transmission, *, folder: str | None = None) -> Table:
+def load_table(path: str, case: Transmission, *, folder: str | None = None) -> VariantTable:
     """Read a table of variants from a file; see `read_table`.
 
     Raises
@@ -57,7 +57,7 @@ def load_table(path: str, case: Transmission, *, folder: str | None = None) -> T
 
 def read_table(
     opened: IO[bytes], file: str, case: Transmission, *, folder: str | None = None
-) -> Table:
+) -> VariantTable:
     """Read a table of variants: CSV with names such as `D1.ratio` in its first line.
 
     Columns stand in any order; one of the name `variant` is passed over. Commas or
@@ -72,7 +72,7 @@ def read_table(
     case : Transmission
     folder : str, optional
         Where a large table is kept in a temporary file; the system's folder for these
-        when not given. `Table.close` removes it.
+        when not given. `VariantTable.close` removes it.
 
     Raises
     ------
@@ -111,7 +111,7 @@ def read_table(
     if spool is None and not kept:
         message = "there is no variant, expected a line of numbers below the names"
         raise ReadError([Problem(message, place=Place(file, 0, 0))])
-    return Table(columns.targets, spool or np.concatenate(kept), digest.hexdigest())
+    return VariantTable(columns.targets, spool or np.concatenate(kept), digest.hexdigest())
 
 
 def _pieces(opened: IO[bytes], file: str) -> Iterator[bytes]:

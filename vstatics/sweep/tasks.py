@@ -13,17 +13,17 @@ from vstatics.jobs.pieces import Account, Copy
 from vstatics.sweep import best, chunk
 from vstatics.sweep.chunk import Chunk
 from vstatics.sweep.formats import TEXTS, Format, text
-from vstatics.sweep.plan import Plan
-from vstatics.sweep.variants import Part, Table
+from vstatics.sweep.plan import SweepPlan
+from vstatics.sweep.variants import VariantPart, VariantTable
 
 if TYPE_CHECKING:
     from vstatics.sweep.formats.text import TextFormat
 
 
-class Task(NamedTuple):
+class SweepTask(NamedTuple):
     """What a worker needs to know to do a piece."""
 
-    plan: Plan
+    plan: SweepPlan
     form: Format
     directory: str = ""
 
@@ -40,23 +40,23 @@ class Portion(NamedTuple):
     """A piece with its variants, for a worker that does not see the file they are in."""
 
     piece: int
-    variants: Part
+    variants: VariantPart
 
 
 Item = int | Portion
 
 
-def items(task: Task, pieces: Iterable[int], *, remote: bool) -> Iterator[Item]:
+def items(task: SweepTask, pieces: Iterable[int], *, remote: bool) -> Iterator[Item]:
     """The numbers of pieces, or pieces with their variants where workers need these."""
     variants = task.plan.variants
     for piece in pieces:
-        if remote and isinstance(variants, Table):
-            yield Portion(piece, Part(variants, *task.plan.span(piece)))
+        if remote and isinstance(variants, VariantTable):
+            yield Portion(piece, VariantPart(variants, *task.plan.span(piece)))
         else:
             yield piece
 
 
-def calculate(task: Task, item: Item) -> Chunk:
+def calculate(task: SweepTask, item: Item) -> Chunk:
     """The rows of a piece that may get into the output."""
     plan, piece = task.plan, _number(item)
     if isinstance(item, Portion):
@@ -69,19 +69,19 @@ def _number(item: Item) -> int:
     return item.piece if isinstance(item, Portion) else item
 
 
-def text_of(task: Task, made: Chunk) -> bytes:
+def text_of(task: SweepTask, made: Chunk) -> bytes:
     """The rows of a chunk as text."""
     return text.rows(text_format(task.form), made)
 
 
-def lines(task: Task, item: Item) -> tuple[Account, bytes]:
+def lines(task: SweepTask, item: Item) -> tuple[Account, bytes]:
     """An account of a piece, and its rows as text."""
     made = calculate(task, item)
     account = Account(_number(item), len(made.variants), dict(made.counts), ())
     return account, text_of(task, made)
 
 
-def piece_data(task: Task, item: Item) -> tuple[Account, list[Any]]:
+def piece_data(task: SweepTask, item: Item) -> tuple[Account, list[Any]]:
     """A piece as it lies on disk: text if that can be the output, else columns."""
     made = calculate(task, item)
     if task.form in TEXTS and not task.plan.objectives:
@@ -91,20 +91,20 @@ def piece_data(task: Task, item: Item) -> tuple[Account, list[Any]]:
     return pieces.piece_bytes(_number(item), len(made.variants), dict(made.counts), data)
 
 
-def piece_sent(task: Task, item: Item) -> tuple[Account, bytes]:
+def piece_sent(task: SweepTask, item: Item) -> tuple[Account, bytes]:
     """A piece from another machine."""
     account, data = piece_data(task, item)
     return account, b"".join(memoryview(one).cast("B") for one in data)
 
 
-def write_piece(task: Task, piece: int) -> Account:
+def write_piece(task: SweepTask, piece: int) -> Account:
     """Calculate a piece and leave it on disk."""
     account, data = piece_data(task, piece)
     pieces.write_piece(task.directory, piece, data)
     return account
 
 
-def copy(task: Task, copies: Sequence[Copy]) -> int:
+def copy(task: SweepTask, copies: Sequence[Copy]) -> int:
     """Copy stretches of pieces into the output."""
     return pieces.copy(task.directory, copies)
 
@@ -120,7 +120,7 @@ def columns_of(made: Chunk) -> list[Any]:
     ]
 
 
-def read_chunk(task: Task, account: Account) -> Chunk:
+def read_chunk(task: SweepTask, account: Account) -> Chunk:
     """A piece of columns back from disk."""
     with open(pieces.piece_path(task.directory, account.piece), "rb") as file:  # noqa: PTH123
         data = [file.read(segment.length) for segment in account.segments]

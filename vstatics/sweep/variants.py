@@ -36,7 +36,7 @@ class Variants(Protocol):
         """
 
 
-class Grid:
+class VariantGrid:
     """Every value with every other; the last variation runs fastest, like nested loops.
 
     Parameters
@@ -54,7 +54,7 @@ class Grid:
     Examples
     --------
     >>> ratio, efficiency = Target("D1.ratio", 0, "ratio"), Target("D1.efficiency", 0, "efficiency")
-    >>> grid = Grid([Variation(ratio, Steps(-3, -2, 3)),
+    >>> grid = VariantGrid([Variation(ratio, Steps(-3, -2, 3)),
     ...              Variation(efficiency, np.array([0.95, 0.97]))])
     >>> grid.count
     6
@@ -121,7 +121,7 @@ class Zip:
         return block
 
 
-class Table(Closing):
+class VariantTable(Closing):
     """Variants of the user's own, a row each.
 
     A table in a spool has a temporary file: use it in a `with` statement or `close` it.
@@ -139,7 +139,7 @@ class Table(Closing):
 
     Examples
     --------
-    >>> table = Table([Target("D1.ratio", 0, "ratio")], np.array([[-2.0], [-3.0]]))
+    >>> table = VariantTable([Target("D1.ratio", 0, "ratio")], np.array([[-2.0], [-3.0]]))
     >>> table.count, table.block(1, 2)
     (2, array([[-3.]]))
     """
@@ -176,11 +176,11 @@ class Table(Closing):
             self._rows.close()
 
 
-class Part:
+class VariantPart:
     """A few of many variants, with their own numbers, for a machine that has not the rest.
 
-    >>> table = Table([Target("D1.ratio", 0, "ratio")], np.array([[-2.0], [-3.0], [-4.0]]))
-    >>> Part(table, 1, 3).block(2, 3)
+    >>> table = VariantTable([Target("D1.ratio", 0, "ratio")], np.array([[-2.0], [-3.0], [-4.0]]))
+    >>> VariantPart(table, 1, 3).block(2, 3)
     array([[-4.]])
     """
 

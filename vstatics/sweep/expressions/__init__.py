@@ -1,30 +1,38 @@
-"""Text of an expression and a case -> what can be calculated of results.
+"""Expressions of a sweep: what is calculated of the results of each variant.
 
-All names are resolved when the text is read, so that a mistake is told before anything is
-calculated and an expression can go to other processes.
+>>> from vstatics import Gear, Mechanism, Transmission, solve
+>>> case = Transmission(3, [], [Mechanism(1, 2, 3, -2.5)], [Gear(speeds={2: 0}, name="low")])
+>>> ratio = read_expression("ratio[low] - 1", case, [], "--out")
+>>> ratio(solve(case), np.zeros(0))
+array(2.5)
+
+A text becomes a tree (`grammar`, that reads `operands` and knows no names), names become
+tables and numbers of the case (`names`), and the values are calculated on arrays
+(`evaluation`). All names are resolved when the text is read, so that a mistake is told before
+anything is calculated and an expression can go to other processes. `columns` makes the list
+of --out of it.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import NamedTuple, TypeAlias
 
 import numpy as np
 
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Floats
-from vstatics.statics.results import ARRAYS, Results, Rows
-from vstatics.sweep.expressions import evaluation, syntax
-from vstatics.sweep.expressions.evaluation import Applied, Constant, Given, Node
-from vstatics.sweep.expressions.operands import Number, Table, Varied
-from vstatics.sweep.expressions.selected import ROW, select
-from vstatics.sweep.expressions.source import Source
-from vstatics.sweep.targets import Target, target
+from vstatics.statics.results import ARRAYS, Results
+from vstatics.sweep.expressions.evaluation import FUNCTIONS, REDUCTIONS, evaluate
+from vstatics.sweep.expressions.excerpt import Excerpt
+from vstatics.sweep.expressions.grammar import Applied, Tree, parse
+from vstatics.sweep.expressions.names import OPERANDS, ROW, Name, SweepNames, value_of
+from vstatics.sweep.expressions.operands import Constant, DottedName, TableName
+from vstatics.sweep.targets import Target
 from vstatics.tables.rows import table_rows
 
-REDUCTIONS = ("min", "max", "sum")
-"""Functions that make one number of all gears and rows of one operand."""
+Node: TypeAlias = Name | Constant | Applied
 
 
 @dataclass(frozen=True)
@@ -35,7 +43,7 @@ class Expression:
     ----------
     text : str
         As it was read, without blanks at its ends.
-    node : Node
+    node : Constant, Applied, Selection or VariedNumber
         What is calculated.
     gears : tuple of str, optional
         The names along the axis of gears; None if there is no such axis.
@@ -43,13 +51,16 @@ class Expression:
         The names along the axis of rows; None if there is no such axis.
     row : str
         What a row is, such as ``link``; empty if there is no such axis.
+    table : str
+        The name of the table as it was written, if it is nothing but a part of one.
     """
 
     text: str
     node: Node
-    gears: tuple[str, ...] | None
-    rows: tuple[str, ...] | None
+    gears: tuple[str, ...] | None = None
+    rows: tuple[str, ...] | None = None
     row: str = ""
+    table: str = ""
 
     def __call__(self, results: Results, values: Floats) -> Floats:
         """Calculate it.
@@ -68,13 +79,13 @@ class Expression:
         """
         all_of_them = slice(None)
         gears, rows = (0 if axis is None else all_of_them for axis in (self.gears, self.rows))
-        made: Floats = self.spread(results, values)[..., gears, rows]
-        return made
+        own_axes: Floats = self.spread(results, values)[..., gears, rows]
+        return own_axes
 
     def spread(self, results: Results, values: Floats) -> Floats:
         """As when called, but always of shape (variants, gears or 1, rows or 1)."""
-        made = evaluation.evaluate(self.node, results, values)
-        return np.broadcast_to(made, (*values.shape[:-1], *made.shape[-2:]))
+        calculated = evaluate(self.node, lambda name: value_of(name, results, values))
+        return np.broadcast_to(calculated, (*values.shape[:-1], *calculated.shape[-2:]))
 
     @property
     def per(self) -> str:
@@ -83,19 +94,20 @@ class Expression:
 
 
 def read_expression(
-    text: str, case: Transmission, targets: Sequence[Target], option: str
+    text: str | Excerpt, case: Transmission, targets: Sequence[Target], option: str = ""
 ) -> Expression:
     """Read an expression.
 
     Parameters
     ----------
-    text : str
+    text : str or Excerpt
+        All of a text, or a part of it.
     case : Transmission
         Whose names the text uses.
     targets : sequence of Target
         What is varied, in the order of the values; other numbers are those of the case.
     option : str
-        Where the text was given, for messages: ``--where``.
+        Where a whole text was given, for messages: ``--where``.
 
     Raises
     ------
@@ -107,7 +119,7 @@ def read_expression(
     >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
     >>> case = Transmission(3, [ShiftElement(1, 2), ShiftElement(2, 0)],
     ...                     [Mechanism(1, 2, 3, -2.5, 0.96)], [Gear([1]), Gear([2])])
-    >>> expression = read_expression("speeds[3] + 1", case, [target("D1.ratio", case)], "--out")
+    >>> expression = read_expression("speeds[3] + 1", case, [Target("D1.ratio", 0, "ratio")])
     >>> expression.gears, expression.rows
     (('1', '2'), None)
     >>> ratios = np.array([[-3.0], [-4.0]])
@@ -115,85 +127,54 @@ def read_expression(
     array([[2.  , 1.25],
            [2.  , 1.2 ]])
     """
-    return read_part(Source(text, option), case, targets)
+    source = Excerpt(text, option) if isinstance(text, str) else text
+    tree = parse(source, FUNCTIONS, OPERANDS)
+    names = SweepNames(source, case, targets)
+    node, per_gear, table = _resolve(tree, names)
+    return Expression(
+        source.part.strip(),
+        node,
+        tuple(names.gears) if per_gear else None,
+        tuple(table_rows(table, case)) if table else None,
+        ROW[ARRAYS[table]] if table else "",
+        tree.name if isinstance(tree, TableName) else "",
+    )
 
 
-def read_part(source: Source, case: Transmission, targets: Sequence[Target]) -> Expression:
-    """Read an expression that is a part of a text; see `read_expression`."""
-    shaped = _Resolver(source, case, targets).resolve(syntax.parse(source))
-    gears = tuple(gear.name for gear in case.gears) if shaped.gears else None
-    rows = tuple(table_rows(shaped.table, case)) if shaped.table else None
-    row = ROW[shaped.rows] if shaped.rows else ""
-    return Expression(source.part.strip(), shaped.node, gears, rows, row)
-
-
-class _Shaped(NamedTuple):
-    """A resolved part, and the axes that it has."""
+class _Resolved(NamedTuple):
+    """A part whose names are resolved, and the axes that it has."""
 
     node: Node
-    gears: bool = False
+    per_gear: bool = False
     table: str = ""
     """A table whose rows it has, if it has rows."""
 
-    @property
-    def rows(self) -> Rows | None:
-        return ARRAYS[self.table] if self.table else None
 
-
-class _Resolver:
-    """Finds what names stand for, and whether operands go together."""
-
-    def __init__(self, source: Source, case: Transmission, targets: Sequence[Target]) -> None:
-        self.source = source
-        self.case = case
-        self.targets = targets
-
-    def resolve(self, tree: syntax.Tree) -> _Shaped:
-        """Resolve all that is in a tree."""
-        match tree:
-            case Number(value):
-                return _Shaped(Constant(value))
-            case Table():
-                return self._table(tree)
-            case Varied():
-                return _Shaped(self._varied(tree))
-            case syntax.Operation(name, operands, at):
-                return self._operation(name, [self.resolve(one) for one in operands], at)
-
-    def _table(self, table: Table) -> _Shaped:
-        part = select(table, self.case, self.source)
+def _resolve(tree: Tree, names: SweepNames) -> _Resolved:
+    """Ask what the names in a tree mean, and whether operands go together."""
+    if isinstance(tree, Constant):
+        return _Resolved(tree)
+    if isinstance(tree, DottedName):
+        return _Resolved(names.number(tree))
+    if isinstance(tree, TableName):
+        part = names.table(tree)
         has_rows = part.has_rows and part.row is None
-        return _Shaped(part, part.gear is None, part.table if has_rows else "")
-
-    def _varied(self, varied: Varied) -> Node:
-        """A number of a mechanism: varied, or else the case's own."""
-        found = target(varied.text, self.case, self.source.place(varied.at))
-        for column, one in enumerate(self.targets):
-            if (one.mechanism, one.quantity) == (found.mechanism, found.quantity):
-                return Given(column)
-        return Constant(getattr(self.case.mechanisms[found.mechanism], found.quantity))
-
-    def _operation(self, name: str, operands: list[_Shaped], at: int) -> _Shaped:
-        if name in ("abs", "sum") and len(operands) > 1:
-            message = f"{name} of {len(operands)} parts, expected one, as in {name}(losses)"
-            raise self.source.error(message, at)
-        if name == "+" and len(operands) == 1:
-            return operands[0]
-        node = Applied(name, tuple(operand.node for operand in operands))
-        if name in REDUCTIONS and len(operands) == 1:
-            return _Shaped(node)
-        with_rows = [operand for operand in operands if operand.table]
-        for other in with_rows[1:]:
-            self._check_rows(name, with_rows[0], other, at)
-        table = with_rows[0].table if with_rows else ""
-        return _Shaped(node, any(operand.gears for operand in operands), table)
-
-    def _check_rows(self, name: str, first: _Shaped, other: _Shaped, at: int) -> None:
-        """Rows of different kinds do not belong together, one by one."""
-        if first.rows is None or other.rows is None or first.rows == other.rows:
-            return
-        raise self.source.error(
-            f"`{first.table}` has one value per {ROW[first.rows]} and `{other.table}` one per "
-            f"{ROW[other.rows]}, so `{name}` can't pair them: pick a row, or use min, max or sum",
-            at,
-        )
+        return _Resolved(part, part.gear is None, part.table if has_rows else "")
+    name, operands = tree.name, [_resolve(operand, names) for operand in tree.operands]
+    if name in ("abs", "sum") and len(operands) > 1:
+        message = f"{name} of {len(operands)} parts, expected one, as in {name}(losses)"
+        raise names.source.error(message, tree.at)
+    node = Applied(name, tuple(operand.node for operand in operands), tree.at, tree.depth)
+    if name in REDUCTIONS and len(operands) == 1:
+        return _Resolved(node)
+    tables = [operand.table for operand in operands if operand.table]
+    for other in tables[1:]:
+        one, two = ARRAYS[tables[0]], ARRAYS[other]
+        if one != two:
+            message = (
+                f"`{tables[0]}` has one value per {ROW[one]} and `{other}` one per {ROW[two]}, "
+                f"so `{name}` can't pair them: pick a row, or use min, max or sum"
+            )
+            raise names.source.error(message, tree.at)
+    per_gear = any(operand.per_gear for operand in operands)
+    return _Resolved(node, per_gear, tables[0] if tables else "")

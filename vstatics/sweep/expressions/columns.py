@@ -13,20 +13,20 @@ from vstatics.errors import Problem, ReadError
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Floats
 from vstatics.statics.results import Results
-from vstatics.sweep.expressions import Expression, read_part
-from vstatics.sweep.expressions.evaluation import Applied, Given, Selection
-from vstatics.sweep.expressions.operands import FUNCTIONS
-from vstatics.sweep.expressions.source import Source
+from vstatics.sweep.expressions import Expression, read_expression
+from vstatics.sweep.expressions.evaluation import FUNCTIONS
+from vstatics.sweep.expressions.excerpt import Excerpt
+from vstatics.sweep.expressions.grammar import Applied
+from vstatics.sweep.expressions.names import Selection, VariedNumber
 from vstatics.sweep.targets import Target
 from vstatics.tables.rows import table_rows, written
 
 OPTION = "--out"
-DEFAULT = "ratio,efficiency"
 
 _BLANK = re.compile(r"\s")
 
 
-class Part(NamedTuple):
+class ColumnGroup(NamedTuple):
     """An expression, and which of its values become columns."""
 
     expression: Expression
@@ -35,19 +35,19 @@ class Part(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Columns:
+class OutputColumns:
     """What is written of each variant.
 
     Parameters
     ----------
     headings : tuple of str
         All different.
-    parts : tuple of Part
+    parts : tuple of ColumnGroup
         What they stand for, in the same order.
     """
 
     headings: tuple[str, ...]
-    parts: tuple[Part, ...]
+    parts: tuple[ColumnGroup, ...]
 
     def __call__(self, results: Results, values: Floats) -> Floats:
         """Calculate all columns.
@@ -76,7 +76,7 @@ class Columns:
 
 def read_columns(
     text: str, case: Transmission, targets: Sequence[Target], option: str = OPTION
-) -> Columns:
+) -> OutputColumns:
     """Read a list of expressions, separated by commas outside brackets.
 
     Each gives a column, or one for each gear and row that it has: all gears of the first
@@ -112,26 +112,26 @@ def read_columns(
     varied = {one.name for one in targets}
     known = set(varied)
     headings: list[str] = []
-    parts: list[Part] = []
+    parts: list[ColumnGroup] = []
     problems: list[Problem] = []
     for start, stop in _items(text):
         try:
-            expression = read_part(Source(text, option, start, stop), case, targets)
+            expression = read_expression(Excerpt(text, option, start, stop), case, targets)
         except ReadError as error:
             problems += error.problems
             continue
         cells = []
         for cell, heading in _headings(expression, case, targets):
-            if heading in varied and not isinstance(expression.node, Given):
+            if heading in varied and not isinstance(expression.node, VariedNumber):
                 heading = f"({heading})"  # noqa: PLW2901 - it is not what is varied
             if heading not in known:
                 known.add(heading)
                 headings.append(heading)
                 cells.append(cell)
-        parts.append(Part(expression, tuple(cells)))
+        parts.append(ColumnGroup(expression, tuple(cells)))
     if problems:
         raise ReadError(problems)
-    return Columns(tuple(headings), tuple(parts))
+    return OutputColumns(tuple(headings), tuple(parts))
 
 
 def _items(text: str) -> Iterator[tuple[int, int]]:
@@ -156,34 +156,20 @@ def _headings(
     expression: Expression, case: Transmission, targets: Sequence[Target]
 ) -> Iterator[tuple[tuple[int, int], str]]:
     """Gear and row of each column, and its heading."""
-    node = expression.node
-    gear_names = [gear.name for gear in case.gears]
-    if isinstance(node, Given):
+    node, text = expression.node, _BLANK.sub(" ", expression.text)
+    if isinstance(node, VariedNumber):
         yield (0, 0), targets[node.column].name
         return
-    table = node.table if isinstance(node, Selection) else ""
-    row_names = table_rows(table, case) if table else list(expression.rows or ())
+    gears: Sequence[str] = expression.gears or ()
+    rows: Sequence[str] = expression.rows or ()
+    own_gear = own_row = None
+    call = isinstance(node, Applied) and node.name in FUNCTIONS
+    before = text if call else f"({text})"
+    if isinstance(node, Selection):  # a heading tells the row and gear that were picked, too
+        gears, rows = [gear.name for gear in case.gears], table_rows(node.table, case)
+        own_gear, own_row, before = node.gear, node.row, expression.table
     for row in range(len(expression.rows or ("",))):
         for gear in range(len(expression.gears or ("",))):
-            keys = []
-            if isinstance(node, Selection):
-                if node.has_rows:
-                    keys.append(written(row if node.row is None else node.row, row_names))
-                keys.append(written(gear if node.gear is None else node.gear, gear_names))
-            else:
-                keys += [written(row, row_names)] if expression.rows is not None else []
-                keys += [written(gear, gear_names)] if expression.gears is not None else []
-            before = table or _before_keys(expression)
-            yield (gear, row), f"{before}[{','.join(keys)}]" if keys else _text(expression)
-
-
-def _text(expression: Expression) -> str:
-    """The text of an expression in one line."""
-    return _BLANK.sub(" ", expression.text)
-
-
-def _before_keys(expression: Expression) -> str:
-    """The text of an expression, in brackets if it is not a single call."""
-    node, text = expression.node, _text(expression)
-    single = isinstance(node, Applied) and node.name in FUNCTIONS
-    return text if single else f"({text})"
+            picked = ((own_row, row, rows), (own_gear, gear, gears))
+            keys = [written(n if own is None else own, names) for own, n, names in picked if names]
+            yield (gear, row), f"{before}[{','.join(keys)}]" if keys else text

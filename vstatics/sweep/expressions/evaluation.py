@@ -1,8 +1,7 @@
-"""Values of a resolved expression, for all variants at once.
+"""Values of a formula: operators and functions on arrays, all variants at once.
 
-Every value has the axes (..., gears, rows), as in `Results`; where an expression has no
-gears or no rows this axis has the length 1, so that NumPy spreads it over the other
-operand. Selections are views of the results, whatever their strides.
+Every value has the axes (..., gears, rows), as in `Results`; where a formula has no gears
+or no rows this axis has the length 1, so that NumPy spreads it over the other operand.
 """
 
 from __future__ import annotations
@@ -10,68 +9,54 @@ from __future__ import annotations
 import operator
 from collections.abc import Callable, Mapping, Sequence
 from functools import reduce
-from typing import Any, NamedTuple
+from typing import Any, TypeAlias
 
 import numpy as np
 
 from vstatics.numerics.arrays import Booleans, Floats
-from vstatics.statics.results import Results
+from vstatics.sweep.expressions.grammar import Applied
+from vstatics.sweep.expressions.operands import Constant
 
-Values = Floats | Booleans
+Values: TypeAlias = Floats | Booleans
+Function: TypeAlias = Callable[[Sequence[Values]], Values]
 
-
-class Constant(NamedTuple):
-    """A number."""
-
-    value: float
-
-
-class Given(NamedTuple):
-    """A varied number."""
-
-    column: int
+FUNCTIONS = ("min", "max", "abs", "sum")
+REDUCTIONS = ("min", "max", "sum")
+"""Functions that make one number of all gears and rows of one operand."""
 
 
-class Selection(NamedTuple):
-    """A table of the results, or what is left of it."""
-
-    table: str
-    gear: int | None
-    """None for all gears."""
-    row: int | None
-    """None for all rows, or where the table has none."""
-    has_rows: bool
-
-
-class Applied(NamedTuple):
-    """An operator or a function of values."""
-
-    name: str
-    operands: tuple[Node, ...]
-
-
-Node = Constant | Given | Selection | Applied
-
-
-def evaluate(node: Node, results: Results, values: Floats) -> Floats:
-    """The values of a node.
+def evaluate(formula: Any, value_of: Callable[[Any], Floats]) -> Floats:
+    """The values of a formula.
 
     Parameters
     ----------
-    node : Node
-    results : Results
-        With leading axes of variants.
-    values : ndarray, shape (..., targets)
-        The varied numbers, with the same leading axes. [-]
+    formula : Constant, Applied or what names stand for
+    value_of : callable
+        Gives the values of what a name stands for, shape (..., gears or 1, rows or 1).
 
     Returns
     -------
     ndarray, shape (..., gears or 1, rows or 1)
-        1 and 0 for true and false; it may be a view of the results. Variants have the length
-        1 if the values are the same for all. [-]
+        1 and 0 for true and false; it may be a view of what `value_of` gave. Leading axes
+        may lack if the values are the same for all.
+
+    Examples
+    --------
+    >>> from vstatics.sweep.expressions.excerpt import Excerpt
+    >>> from vstatics.sweep.expressions.grammar import parse
+    >>> evaluate(parse(Excerpt("max(t, 2) + 1", "--where"), FUNCTIONS, "t"),
+    ...          lambda name: np.array([[1.0], [5.0]]))
+    array([[3.],
+           [6.]])
     """
+
+    def values(part: Any) -> Values:
+        if isinstance(part, Applied):
+            return _OPERATIONS[part.name]([values(operand) for operand in part.operands])
+        return np.array([[part.value]]) if isinstance(part, Constant) else value_of(part)
+
     with np.errstate(all="ignore"):
-        return _numbers(_values(node, results, values))
+        return _numbers(values(formula))
 
 
 def truth(values: Values) -> Booleans:
@@ -84,51 +69,8 @@ def truth(values: Values) -> Booleans:
     return made  # type: ignore[no-any-return]
 
 
-def _values(node: Node, results: Results, given: Floats) -> Values:
-    match node:
-        case Constant(value):
-            return np.full((1,) * (given.ndim + 1), value)
-        case Given(column):
-            return given[..., column, None, None]
-        case Selection():
-            return _selected(node, results)
-        case Applied(name, operands):
-            return _OPERATIONS[name]([_values(one, results, given) for one in operands])
-
-
-def _selected(part: Selection, results: Results) -> Values:
-    """A view of a table; numbers and marks that are no floats become floats in a copy."""
-    table: Any = results.existing(part.table)
-    if not part.has_rows:
-        table = table[..., None]
-    gears, rows = (
-        slice(None) if index is None else slice(index, index + 1) for index in (part.gear, part.row)
-    )
-    return _numbers(table[..., gears, rows])
-
-
-def _numbers(values: Any) -> Floats:
-    made: Floats = values.astype(np.float64, copy=False)
-    return made
-
-
-def _with_numbers(function: Callable[..., Any]) -> Callable[[Sequence[Values]], Values]:
-    """An operation on numbers, from the left to the right if there are more than two."""
-
-    def applied(operands: Sequence[Values]) -> Values:
-        numbers = map(_numbers, operands)
-        if len(operands) == 1:
-            return function(*numbers)  # type: ignore[no-any-return]
-        return reduce(function, numbers)
-
-    return applied
-
-
-def _with_truth(function: Callable[[Any, Any], Any]) -> Callable[[Sequence[Values]], Values]:
-    def applied(operands: Sequence[Values]) -> Values:
-        return reduce(function, map(truth, operands))
-
-    return applied
+def _numbers(values: Values) -> Floats:
+    return values.astype(np.float64, copy=False)
 
 
 def _unequal(first: Floats, second: Floats) -> Booleans:
@@ -137,7 +79,15 @@ def _unequal(first: Floats, second: Floats) -> Booleans:
     return made
 
 
-def _extreme(among: np.ufunc, existing: np.ufunc) -> Callable[[Sequence[Values]], Values]:
+def _of_numbers(function: Callable[[Any, Any], Any]) -> Function:
+    return lambda operands: reduce(function, map(_numbers, operands))
+
+
+def _of_truth(function: Callable[[Any, Any], Any]) -> Function:
+    return lambda operands: reduce(function, map(truth, operands))
+
+
+def _extreme(among: np.ufunc, existing: np.ufunc) -> Function:
     """The least or the largest: of all gears and rows, or of several operands.
 
     `among` gives NaN where one value does not exist, and is fast; `existing` leaves it out.
@@ -149,10 +99,6 @@ def _extreme(among: np.ufunc, existing: np.ufunc) -> Callable[[Sequence[Values]]
         return _over_all(_numbers(operands[0]), among.reduce, existing.reduce)
 
     return applied
-
-
-def _sum(operands: Sequence[Values]) -> Values:
-    return _over_all(_numbers(operands[0]), np.add.reduce, _sum_of_existing)
 
 
 def _over_all(values: Floats, among: Any, existing: Any) -> Floats:
@@ -172,25 +118,25 @@ def _sum_of_existing(values: Floats, **axes: Any) -> Floats:
     return made
 
 
-_OPERATIONS: Mapping[str, Callable[[Sequence[Values]], Values]] = {
-    "+": _with_numbers(operator.add),
-    "-": _with_numbers(operator.sub),
-    "*": _with_numbers(operator.mul),
-    "/": _with_numbers(operator.truediv),
-    "**": _with_numbers(operator.pow),
-    "negative": _with_numbers(operator.neg),
-    "abs": _with_numbers(np.abs),
-    "<": _with_numbers(operator.lt),
-    "<=": _with_numbers(operator.le),
-    ">": _with_numbers(operator.gt),
-    ">=": _with_numbers(operator.ge),
-    "==": _with_numbers(operator.eq),
-    "!=": _with_numbers(_unequal),
-    "and": _with_truth(operator.and_),
-    "or": _with_truth(operator.or_),
+_OPERATIONS: Mapping[str, Function] = {
+    "+": _of_numbers(operator.add),
+    "-": _of_numbers(operator.sub),
+    "*": _of_numbers(operator.mul),
+    "/": _of_numbers(operator.truediv),
+    "**": _of_numbers(operator.pow),
+    "<": _of_numbers(operator.lt),
+    "<=": _of_numbers(operator.le),
+    ">": _of_numbers(operator.gt),
+    ">=": _of_numbers(operator.ge),
+    "==": _of_numbers(operator.eq),
+    "!=": _of_numbers(_unequal),
+    "and": _of_truth(operator.and_),
+    "or": _of_truth(operator.or_),
     "not": lambda operands: ~truth(operands[0]),
+    "true": lambda operands: truth(operands[0]),
+    "-x": lambda operands: -_numbers(operands[0]),
+    "abs": lambda operands: np.abs(_numbers(operands[0])),
     "min": _extreme(np.minimum, np.fmin),
     "max": _extreme(np.maximum, np.fmax),
-    "sum": _sum,
-    "true": lambda operands: truth(operands[0]),
+    "sum": lambda operands: _over_all(_numbers(operands[0]), np.add.reduce, _sum_of_existing),
 }

@@ -1,78 +1,57 @@
-"""What an expression speaks of: numbers, tables, varied numbers, functions.
+"""What a formula speaks of, as it is written: numbers, and names with subscripts or a point.
 
-Names of a case are taken letter by letter as they are written, so they may be Cyrillic, or
-words that mean something elsewhere.
+SweepNames are taken letter by letter, so they may be Cyrillic, or words that mean something
+elsewhere. What they mean is not asked here.
 """
 
 from __future__ import annotations
 
 import re
-from typing import Literal, NamedTuple
+from typing import NamedTuple
 
-from vstatics.errors import nearest
-from vstatics.sweep.expressions.source import Source, quoted
-from vstatics.sweep.targets import QUANTITIES
-from vstatics.tables.rows import is_bare
-
-FUNCTIONS = ("min", "max", "abs", "sum")
-EXPECTED = "a number, a table such as ratio[1], a varied number such as D1.ratio, or a function"
+from vstatics.sweep.expressions.excerpt import Excerpt, quoted
+from vstatics.tables.rows import NAME
 
 _NUMBER = re.compile(r"(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")
+_ANY_NAME = re.compile(rf"\"[^\"]*\"|'[^']*'|#[0-9]+(?!\w)|{NAME.pattern}")
 _WORD = re.compile(r"\w*")
-_HASH = re.compile(r"#[0-9]+(?!\w)")
-_TO_NEXT_KEY = re.compile(r"[^,\]\"']*")
-PYTHON = ("lambda", "for", "in", "if", "else", "is", "await", "async", "yield", "from", "import")
-"""What the parser's own language has and ours has not."""
+_UNTIL_NEXT = re.compile(r"\"[^\"]*\"|'[^']*'|[^,\]\"']*")
+_BLANK = re.compile(r"\s*")
+_SUBSCRIPT = re.compile(rf"\"[^\"]*\"|'[^']*'|:|#?[0-9]+|{NAME.pattern}")
+_QUOTES = ('"', "'")
 
 
-class Key(NamedTuple):
-    """What tells a row or a gear: one of the parts between the brackets of a table."""
-
-    kind: Literal["all", "bare", "quoted", "number"]
-    text: str
-    """Without quotes and `#`."""
-    at: int
-
-
-class Number(NamedTuple):
-    """A number as it is written."""
+class Constant(NamedTuple):
+    """A number."""
 
     value: float
+
+
+class Subscript(NamedTuple):
+    """What tells a row or a gear: a name, a number, `#` and a number, or `:` for all."""
+
+    written: str
+    """With its quotes, if it has any."""
     at: int
 
 
-class Table(NamedTuple):
-    """A table of the results, or a part of one."""
+class TableName(NamedTuple):
+    """A name, and its subscripts if it has any."""
 
     name: str
-    keys: tuple[Key, ...] | None
+    subscripts: tuple[Subscript, ...]
     at: int
 
 
-class Varied(NamedTuple):
-    """A number of a mechanism: `D1.ratio`."""
+class DottedName(NamedTuple):
+    """A name, a point, and a word: `D1.ratio`; also `"set 1".ratio` and `#1.ratio`."""
 
-    text: str
+    written: str
     at: int
 
 
-class Call(NamedTuple):
-    """The name of a function, before its bracket."""
-
-    name: str
-    at: int
-
-
-Operand = Number | Table | Varied | Call
-
-
-def read_operand(source: Source, at: int) -> tuple[Operand, int] | None:
-    """Read the operand that begins at an offset.
-
-    Returns
-    -------
-    tuple of Operand and int, or None
-        The operand and where it ends; None if no operand begins here.
+def read_number(source: Excerpt, at: int) -> tuple[Constant, int] | None:
+    """A number and where it ends; a name that begins like one is told to go in quotes.
 
     Raises
     ------
@@ -80,123 +59,88 @@ def read_operand(source: Source, at: int) -> tuple[Operand, int] | None:
 
     Examples
     --------
-    >>> read_operand(Source("speeds[C1, #2] < 3", "--where"), 0)
-    (Table(name='speeds', keys=(Key(kind='bare', text='C1', at=7), \
-Key(kind='number', text='2', at=11)), at=0), 14)
+    >>> read_number(Excerpt("2.5e3*x", "--where"), 0)
+    (Constant(value=2500.0), 5)
     """
-    if source.has(at, '"', "'", "#"):
-        return _varied(source, at)
-    number = source.matched(_NUMBER, at)
-    if number:
-        return _number(source, at, number), at + len(number)
-    name = source.name(at)
-    return _named(source, at, name) if name else None
-
-
-def _number(source: Source, at: int, text: str) -> Number:
-    """A number; a name that begins like one is told to go in quotes."""
-    word = text + source.matched(_WORD, at + len(text))
+    behind = source.end_of(_NUMBER, at)
+    if behind == at:
+        return None
+    end = source.end_of(_WORD, behind)
+    text, word = source.text[at:behind], source.text[at:end]
     if re.fullmatch(r"[0-9_]+_[0-9]+", word):
         message = f"read {quoted(word)}, expected a number without `_`: {word.replace('_', '')}"
         raise source.error(message, at)
     if word != text:
-        name, dot, quantity = word.partition(".")
-        proper = f'"{name}".{quantity}' if dot and quantity in QUANTITIES else f'"{word}"'
-        raise source.error(
-            f"read {quoted(word)}, expected a number; a name that begins with a digit goes in "
-            f"quotes: {proper}",
-            at,
-        )
-    value = float(text)
-    if value == float("inf"):
+        name, dot, rest = word.partition(".")
+        proper = f'"{name}".{rest}' if dot and NAME.fullmatch(rest) else f'"{word}"'
+        expected = "expected a number; a name that begins with a digit goes in quotes"
+        raise source.error(f"read {quoted(word)}, {expected}: {proper}", at)
+    if float(text) == float("inf"):
         raise source.error(f"read {quoted(text)}, expected a number below 1.8e308", at)
-    return Number(value, at)
+    return Constant(float(text)), end
 
 
-def _named(source: Source, at: int, name: str) -> tuple[Operand, int]:
-    """What begins with a name: a function, a varied number or a table."""
-    end = at + len(name)
-    if source.has(end, "."):
-        return _varied(source, at)
-    behind = source.skip(end)
-    if source.has(behind, "("):
-        if name in FUNCTIONS:
-            return Call(name, at), end
-        hint = nearest(name, FUNCTIONS) or "; rows and gears of a table go in [ ]"
-        message = f"there is no function {quoted(name)}, expected {', '.join(FUNCTIONS)}{hint}"
-        raise source.error(message, at)
-    if name in FUNCTIONS:
-        message = f"`{name}` is a function, expected `(` behind it, such as {name}(ratio)"
-        raise source.error(message, behind)
-    if name in PYTHON:
-        message = f"read `{name}`, which this language does not have; expected {EXPECTED}"
-        raise source.error(message, at)
-    if source.has(behind, "["):
-        keys, end = _keys(source, behind)
-        return Table(name, keys, at), end
-    return Table(name, None, at), end
+def read_dotted(source: Excerpt, at: int) -> tuple[DottedName, int] | None:
+    """A name with a point, and where it ends.
 
+    Raises
+    ------
+    ReadError
 
-def _varied(source: Source, at: int) -> tuple[Varied, int]:
-    """A mechanism, by name or number, then `.` and a word."""
-    if source.has(at, "#"):
-        end = at + len(source.matched(_HASH, at))
-        if end == at:
-            message = f"read {quoted(_rough(source, at))}, expected `#` and a number, such as #2"
-            raise source.error(message, at)
-    else:
-        end = _quote_end(source, at) if source.has(at, '"', "'") else at + len(source.name(at))
-    if not source.has(end, "."):
+    Examples
+    --------
+    >>> read_dotted(Excerpt('"set 1".ratio > -3', "--where"), 0)
+    (DottedName(written='"set 1".ratio', at=0), 13)
+    """
+    end = source.end_of(_ANY_NAME, at)
+    if end > at and source.has(".", end):
+        end = source.end_of(_WORD, end + 1)
+        return DottedName(source.text[at:end], at), end
+    first = source.text[at:end][:1] or source.text[at : source.end][:1]
+    if first not in (*_QUOTES, "#"):
+        return None
+    if end > at:
         where = "it belongs between the brackets of a table, or before `.ratio`"
-        raise source.error(f"read {quoted(source.text[at:end])} alone; {where}", at)
-    end += 1 + len(source.matched(_WORD, end + 1))
-    return Varied(source.text[at:end], at), end
+        message = f"read {quoted(source.text[at:end])} alone; {where}"
+    elif first == "#":
+        message = "read `#`, expected `#` and a number, such as #2"
+    else:
+        message = f"the quote {first} is not closed"
+    raise source.error(message, at)
 
 
-def _rough(source: Source, at: int) -> str:
-    """What stands here up to the next blank."""
-    return (source.text[at : source.end].split() or [""])[0]
+def read_subscripts(source: Excerpt, bracket: int) -> tuple[tuple[Subscript, ...], int]:
+    """What stands between the brackets behind a name, and where they end.
 
+    Raises
+    ------
+    ReadError
 
-def _quote_end(source: Source, at: int) -> int:
-    """The end of a quoted name."""
-    end = source.text.find(source.text[at], at + 1, source.end)
-    if end < 0:
-        raise source.error(f"the quote {source.text[at]} is not closed", at)
-    return end + 1
-
-
-def _keys(source: Source, bracket: int) -> tuple[tuple[Key, ...], int]:
-    """What stands between the brackets of a table, and where it ends."""
-    keys, at = [], bracket
-    while True:
-        key, end = _key(source, source.skip(at + 1))
-        keys.append(key)
-        at = source.skip(end)
-        if source.has(at, "]"):
-            return tuple(keys), at + 1
+    Examples
+    --------
+    >>> read_subscripts(Excerpt("[C1, #2] < 3", "--where"), 0)
+    ((Subscript(written='C1', at=1), Subscript(written='#2', at=5)), 8)
+    """
+    subscripts, at = [], bracket
+    while source.text[at] != "]":
+        begin = source.end_of(_BLANK, at + 1)
+        written = source.text[begin : source.end_of(_UNTIL_NEXT, begin)].rstrip()
+        at = source.end_of(_BLANK, begin + len(written))
+        if not _SUBSCRIPT.fullmatch(written):
+            raise source.error(_no_subscript(written, source.text[begin : source.end]), begin)
+        subscripts.append(Subscript(written, begin))
         if at == source.end:
             raise source.error("a bracket `[` is not closed, expected `]`", bracket)
-        if not source.has(at, ","):
-            message = f"read {quoted(_rough(source, at))}, expected `,` or `]`"
-            raise source.error(message, at)
+        if source.text[at] not in ",]":
+            raise source.error(f"read {quoted(source.text[at])}, expected `,` or `]`", at)
+    return tuple(subscripts), at + 1
 
 
-def _key(source: Source, at: int) -> tuple[Key, int]:
-    if source.has(at, '"', "'"):
-        end = _quote_end(source, at)
-        return Key("quoted", source.text[at + 1 : end - 1], at), end
-    word = source.matched(_TO_NEXT_KEY, at).rstrip()
-    end = at + len(word)
-    if word == ":":
-        return Key("all", word, at), end
-    if _HASH.fullmatch(word):
-        return Key("number", word[1:], at), end
-    if is_bare(word):
-        return Key("bare", word, at), end
+def _no_subscript(written: str, rest: str) -> str:
+    """What to say of something between brackets that is no subscript."""
+    if not written and rest.startswith(_QUOTES):
+        return f"the quote {rest[0]} is not closed"
     expected = "expected a name, a number such as #2, or `:` for all"
-    if not word:
-        raise source.error(f"read nothing, {expected}", at)
-    if not word.startswith(("#", ":")):
-        expected += f'; a name that is no plain word goes in quotes: "{word}"'
-    raise source.error(f"read {quoted(word)}, {expected}", at)
+    if written and not written.startswith(("#", ":")):
+        expected += f'; a name that is no plain word goes in quotes: "{written}"'
+    return f"read {quoted(written) if written else 'nothing'}, {expected}"

@@ -11,13 +11,13 @@ import io
 import struct
 import zlib
 from collections.abc import Sequence
+from functools import cache
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from vstatics.jobs.pieces import Account, Copy
 from vstatics.sweep.chunk import STATUS
-from vstatics.sweep.formats.checksum import combined
 
 _LOCAL = struct.Struct("<4s5H3L2H")
 _LOCAL_SIZES = struct.Struct("<2H2Q")
@@ -30,16 +30,19 @@ _VERSION = 45  # ZIP64
 _UTF_8 = 0x800
 _DAY_ONE = 0, 0x21  # midnight, 1 January 1980: the archive tells no time
 _FULL = 0xFFFFFFFF
+_POLYNOMIAL = 0xEDB88320  # of CRC-32
+Matrix = tuple[int, ...]
+"""32 columns over the field of two numbers, as bits."""
 
 
-class Column(NamedTuple):
+class ColumnType(NamedTuple):
     """A column of the output: its name and the type of its numbers."""
 
     name: str
     dtype: np.dtype[Any]
 
 
-class Layout(NamedTuple):
+class ArchiveLayout(NamedTuple):
     """A file as texts that are known and stretches to copy."""
 
     texts: list[tuple[int, bytes]]
@@ -47,12 +50,12 @@ class Layout(NamedTuple):
     length: int
 
 
-def layout(columns: Sequence[Column], accounts: Sequence[Account]) -> Layout:
+def layout(columns: Sequence[ColumnType], accounts: Sequence[Account]) -> ArchiveLayout:
     """Where everything goes in the archive.
 
     Parameters
     ----------
-    columns : sequence of Column
+    columns : sequence of ColumnType
         In the order of the segments of the pieces.
     accounts : sequence of Account
         Of all pieces, in order.
@@ -68,7 +71,7 @@ def layout(columns: Sequence[Column], accounts: Sequence[Account]) -> Layout:
         segments = [account.segments[index] for account in accounts]
         crc = zlib.crc32(array)
         for segment in segments:
-            crc = combined(crc, segment.crc, segment.length)
+            crc = combined_crc(crc, segment.crc, segment.length)
         size = len(array) + sum(segment.length for segment in segments)
         local, entry = _heads(f"{column.name}.npy", crc, size, place)
         central.append(entry)
@@ -85,7 +88,7 @@ def layout(columns: Sequence[Column], accounts: Sequence[Account]) -> Layout:
     end = _end([*central, entry], place)
     texts.append((place, end))
     copies.sort(key=lambda copy: copy.piece)  # stable: a piece is opened once
-    return Layout(texts, copies, place + len(end))
+    return ArchiveLayout(texts, copies, place + len(end))
 
 
 def _array_head(dtype: np.dtype[Any], rows: int) -> bytes:
@@ -121,3 +124,46 @@ def _end(entries: Sequence[bytes], place: int) -> bytes:
     )
     where = _END_64_PLACE.pack(b"PK\6\7", 0, place + len(central), 1)
     return central + end_64 + where + _END.pack(b"PK\5\6", 0, 0, *[0xFFFF] * 2, _FULL, _FULL, 0)
+
+
+def combined_crc(first: int, second: int, length: int) -> int:
+    """The CRC-32 of two stretches of data, the second of `length` bytes.
+
+    As `crc32_combine` of zlib, which Python does not offer: the first sum is carried
+    through `length` zero bytes, and then the second is added.
+
+    >>> import zlib
+    >>> combined_crc(zlib.crc32(b"kinematic "), zlib.crc32(b"scheme"), 6) == zlib.crc32(
+    ...     b"kinematic scheme")
+    True
+    """
+    power = 0
+    while length:
+        if length & 1:
+            first = _times(_zeros(power), first)
+        length >>= 1
+        power += 1
+    return first ^ second
+
+
+@cache
+def _zeros(power: int) -> Matrix:
+    """What 2**power zero bytes do to a sum."""
+    if power:
+        half = _zeros(power - 1)
+        return tuple(_times(half, column) for column in half)
+    bit: Matrix = (_POLYNOMIAL, *(1 << place for place in range(31)))
+    for _ in range(3):
+        bit = tuple(_times(bit, column) for column in bit)
+    return bit
+
+
+def _times(matrix: Matrix, vector: int) -> int:
+    total = 0
+    for column in matrix:
+        if not vector:
+            break
+        if vector & 1:
+            total ^= column
+        vector >>= 1
+    return total

@@ -1,4 +1,4 @@
-"""The text of an option, and the places in it."""
+"""The part of a text that is read, and the places in it."""
 
 from __future__ import annotations
 
@@ -6,12 +6,9 @@ import re
 from typing import NamedTuple
 
 from vstatics.errors import Place, Problem, ReadError
-from vstatics.tables.rows import NAME
-
-_BLANK = re.compile(r"\s*")
 
 
-class Source(NamedTuple):
+class Excerpt(NamedTuple):
     """A text, the option that it was given to, and the part of it that is read."""
 
     text: str
@@ -30,6 +27,15 @@ class Source(NamedTuple):
         """The part that is read."""
         return self.text[self.start : self.end]
 
+    def end_of(self, pattern: re.Pattern[str], at: int) -> int:
+        """Where what matches a pattern here ends; the place itself if nothing does."""
+        match = pattern.match(self.text, at, self.end)
+        return match.end() if match else at
+
+    def has(self, sign: str, at: int) -> bool:
+        """Whether a sign stands here."""
+        return self.text.startswith(sign, at, self.end)
+
     def error(self, message: str, at: int) -> ReadError:
         """An error at an offset into the text, from 0."""
         return ReadError([Problem(message, place=self.place(at))])
@@ -37,23 +43,6 @@ class Source(NamedTuple):
     def place(self, at: int) -> Place:
         """The place of an offset into the text."""
         return Place(self.option, 1, at + 1, self.text)
-
-    def matched(self, pattern: re.Pattern[str], at: int) -> str:
-        """What matches a pattern here; nothing if nothing does."""
-        match = pattern.match(self.text, at, self.end)
-        return match[0] if match else ""
-
-    def name(self, at: int) -> str:
-        """The name that stands here, or nothing."""
-        return self.matched(NAME, at)
-
-    def has(self, at: int, *signs: str) -> bool:
-        """Whether one of the signs stands here."""
-        return self.text.startswith(signs, at, self.end)
-
-    def skip(self, at: int) -> int:
-        """The next place that is not blank."""
-        return at + len(self.matched(_BLANK, at))
 
 
 def quoted(read: str) -> str:

@@ -1,0 +1,240 @@
+"""Text of a formula -> tree: what binds how, not what names mean.
+
+From the operator that binds least to the one that binds most::
+
+    or | and | not x | < <= > >= == != | + - | * / | -x +x | **
+
+An operand is a number, a name (see `operands`), `(x)` or `function(x, ...)`. The parser climbs
+by precedence: an operand, then all operators behind it that bind at least as much as asked,
+each with what binds more to its right.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection, Sequence
+from typing import Any, NamedTuple, TypeAlias
+
+from vstatics.errors import nearest
+from vstatics.sweep.expressions.excerpt import Excerpt, quoted
+from vstatics.sweep.expressions.mistakes import PYTHON, no_operand, no_operator
+from vstatics.sweep.expressions.operands import (
+    Constant,
+    DottedName,
+    TableName,
+    read_dotted,
+    read_number,
+    read_subscripts,
+)
+from vstatics.tables.rows import NAME
+
+MOST_CHARACTERS = 2000
+MOST_BRACKETS = 50
+"""So many may be open at once."""
+MOST_DEPTH = 100
+"""So many operations may stand one inside another, since trees are walked by recursion."""
+
+_LOGIC = ("or", "and")
+_COMPARISONS = ("<", "<=", ">", ">=", "==", "!=")
+_LEVELS = (("or",), ("and",), ("not",), _COMPARISONS, ("+", "-"), ("*", "/"), ("-x",), ("**",))
+_BINDS = {sign: level for level, signs in enumerate(_LEVELS) for sign in signs}
+_PREFIXES = {"not": "not", "-": "-x", "+": "-x"}
+"""Signs before an operand, and what they bind like."""
+_BINARY = _BINDS.keys() - set(_PREFIXES.values())
+_WORDS = (*_LOGIC, "not")
+_SIGN = re.compile(r"\*\*|<>|[<>=!]=|//|&&|\|\||[-+*/<>(),=!&|^≤≥≠−–×·÷]")
+_BLANK = re.compile(r"\s*")
+
+
+class Applied(NamedTuple):
+    """An operator or a function, and what it is applied to."""
+
+    name: str
+    """The sign, `and`, `or`, `not`, `-x`, or the name of a function."""
+    operands: tuple[Any, ...]
+    """Trees; when names are resolved, what they mean in place of names."""
+    at: int
+    depth: int
+    """How many parts stand one inside another."""
+
+
+Tree: TypeAlias = Constant | TableName | DottedName | Applied
+
+
+def parse(source: Excerpt, functions: Collection[str], operands: str) -> Tree:
+    """Read a formula.
+
+    Parameters
+    ----------
+    source : Excerpt
+    functions : collection of str
+        Their names.
+    operands : str
+        What an operand can be, for messages: ``a number, or the time t``.
+
+    Returns
+    -------
+    Tree
+        A chain ``a < b < c`` has become ``a < b and b < c``.
+
+    Raises
+    ------
+    ReadError
+        At the first place that can't be read.
+
+    Examples
+    --------
+    >>> tree = parse(Excerpt("1 - ratio[2]**2", "--min"), ["abs"], "a number")
+    >>> tree.name, tree.operands[0], tree.operands[1].name, tree.operands[1].at
+    ('-', Constant(value=1.0), '**', 12)
+    """
+    read = source.end - source.start
+    if read > MOST_CHARACTERS:
+        message = f"read {read} characters, expected {MOST_CHARACTERS} at most"
+        raise source.error(message, source.start)
+    return _Parser(source, functions, operands).expression()
+
+
+class _Parser:
+    """Goes through a text from the left to the right."""
+
+    def __init__(self, source: Excerpt, functions: Collection[str], operands: str) -> None:
+        self.source = source
+        self.functions = functions
+        self.operands = operands
+        self.calls: list[bool] = []
+        """Whether each open bracket is that of a function."""
+        self.take("", source.start)
+
+    def take(self, read: str, end: int) -> None:
+        """Go on behind what was read."""
+        self.before, self.end_of_before = read, end
+        self.at = self.source.end_of(_BLANK, end)
+
+    def matched(self, pattern: re.Pattern[str]) -> str:
+        """What matches a pattern here; nothing if nothing does."""
+        return self.source.text[self.at : self.source.end_of(pattern, self.at)]
+
+    def expression(self, least: int = 0, depth: int = 1) -> Tree:
+        """Operands with operators between them that bind at least so much."""
+        left = self.operand(least, depth)
+        while (level := _BINDS.get(self.operator(), -1)) >= least:
+            operands: list[Tree] = [left]
+            signs: list[tuple[str, int]] = []
+            while (sign := self.operator()) in _LEVELS[level]:
+                signs.append((sign, self.at))
+                self.take(sign, self.at + len(sign))
+                behind = level if sign == "**" else level + 1  # a power goes from the right
+                operands.append(self.expression(behind, depth + 1))
+            left = self.joined(operands, signs)
+        return left
+
+    def joined(self, operands: Sequence[Tree], signs: Sequence[tuple[str, int]]) -> Tree:
+        """Operands with operators of one level between them."""
+        first, at = signs[0]
+        if first in _LOGIC:
+            return self.operation(first, operands, at)
+        if first in _COMPARISONS:
+            links = [
+                self.operation(sign, operands[number : number + 2], place)
+                for number, (sign, place) in enumerate(signs)
+            ]
+            return self.operation("and", links, at) if len(links) > 1 else links[0]
+        left = operands[0]
+        for (sign, place), right in zip(signs, operands[1:], strict=True):
+            left = self.operation(sign, (left, right), place)
+        return left
+
+    def operation(self, name: str, operands: Sequence[Tree], at: int) -> Tree:
+        depth = 1 + max(one.depth if isinstance(one, Applied) else 1 for one in operands)
+        self.check_depth(depth, at)
+        return Applied(name, tuple(operands), at, depth)
+
+    def check_depth(self, depth: int, at: int) -> None:
+        if depth > MOST_DEPTH:
+            message = f"more than {MOST_DEPTH} operations, one inside another; sum() may help"
+            raise self.source.error(message, at)
+
+    def operator(self) -> str:
+        """What stands behind an operand: an operator, `)`, `,`, or nothing at the end."""
+        name = self.matched(NAME)
+        sign = name or self.matched(_SIGN)
+        if sign == ",":
+            known = bool(self.calls) and self.calls[-1]
+        else:
+            known = sign in _BINARY or (sign == ")" and bool(self.calls))
+        if known or self.at == self.source.end:
+            return sign
+        raise self.source.error(no_operator(self.source, self.at, sign, self.before), self.at)
+
+    def operand(self, least: int, depth: int) -> Tree:
+        """An operand, with the signs before it."""
+        self.check_depth(depth, self.at)
+        name = self.matched(NAME)
+        sign = name if name in _WORDS else self.matched(_SIGN)
+        if sign in _PREFIXES:
+            return self.prefixed(sign, least, depth)
+        if sign == "(":
+            return self.bracketed(depth, call=False)[0]
+        found = None if sign else read_dotted(self.source, self.at)
+        if not found and name and not sign:
+            return self.named(name, depth)
+        read = found or read_number(self.source, self.at)
+        if not read:
+            message = no_operand(self.source, self.at, sign, self.before, self.operands)
+            raise self.source.error(message, self.at)
+        if self.before in _WORDS and self.end_of_before == self.at:
+            raise self.source.error(f"expected a blank behind {quoted(self.before)}", self.at)
+        tree, end = read
+        self.take(self.source.text[self.at : end], end)
+        return tree
+
+    def prefixed(self, sign: str, least: int, depth: int) -> Tree:
+        """An operand behind a sign."""
+        at, name = self.at, _PREFIXES[sign]
+        if sign == "not" and _BINDS[sign] < least:
+            message = f"put `not ...` behind {quoted(self.before)} in brackets: (not ...)"
+            raise self.source.error(message, at)
+        self.take(sign, at + len(sign))
+        operand = self.expression(_BINDS[name], depth + 1)
+        return operand if sign == "+" else self.operation(name, [operand], at)
+
+    def bracketed(self, depth: int, *, call: bool) -> list[Tree]:
+        """What stands between brackets: several parts in a call."""
+        self.calls.append(call)
+        if len(self.calls) > MOST_BRACKETS:
+            raise self.source.error(f"more than {MOST_BRACKETS} brackets are open", self.at)
+        inside: list[Tree] = []
+        while not inside or self.operator() == ",":
+            self.take(self.source.text[self.at], self.at + 1)
+            inside.append(self.expression(0, depth))
+        if self.at == self.source.end:
+            raise self.source.error("a bracket `(` is not closed, expected `)`", self.at)
+        self.calls.pop()
+        self.take(")", self.at + 1)
+        return inside
+
+    def named(self, name: str, depth: int) -> Tree:
+        """What begins with a name that has no point: a call, or a table."""
+        at, end = self.at, self.at + len(name)
+        behind = self.source.end_of(_BLANK, end)
+        call = self.source.has("(", behind)
+        if name in self.functions and call:
+            self.take(name, end)
+            return self.operation(name, self.bracketed(depth + 1, call=True), at)
+        if name in self.functions:
+            message = f"`{name}` is a function, expected `(` behind it, such as {name}(ratio)"
+            raise self.source.error(message, behind)
+        if call:
+            hint = nearest(name, self.functions) or "; rows and gears of a table go in [ ]"
+            known = ", ".join(self.functions)
+            message = f"there is no function {quoted(name)}, expected {known}{hint}"
+            raise self.source.error(message, at)
+        if name in PYTHON:
+            message = f"read `{name}`, which this language does not have; expected {self.operands}"
+            raise self.source.error(message, at)
+        subscripts, end = (
+            read_subscripts(self.source, behind) if self.source.has("[", behind) else ((), end)
+        )
+        self.take(name, end)
+        return TableName(name, subscripts, at)

@@ -1,0 +1,157 @@
+"""The options of a sweep, declared once for the command line, sweep files and `sweep()`."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field, fields
+from typing import Any, Literal, NamedTuple, get_args
+
+from vstatics.model.transmission import IdleConvention
+from vstatics.sweep.formats import Format
+from vstatics.sweep.samples import METHODS
+from vstatics.sweep.texts import Text
+
+Kind = Literal["path", "count", "flag", "choice", "text", "texts", "list", "vary"]
+"""How an option is read; `list`: one text, of items with commas; `vary`: texts such as `a=1`."""
+
+
+class Option(NamedTuple):
+    """How an option is read and described; its name is that of the field."""
+
+    kind: Kind
+    help: str = ""
+    """On the command line; nothing where other commands have it, too."""
+    metavar: str | None = None
+    short: str = ""
+    """A second name on the command line."""
+    least: int = 1
+    """The smallest count."""
+    choices: tuple[str, ...] = ()
+
+
+def _option(kind: Kind, help: str = "", **more: Any) -> Any:  # noqa: A002
+    default = () if kind in ("texts", "vary") else None
+    return field(default=default, metadata={"option": Option(kind, help, **more)})
+
+
+@dataclass(frozen=True)
+class SweepOptions:
+    """What a command line, a sweep file or a call says; None and () say nothing."""
+
+    case: str | None = _option("path")
+    vary: tuple[Text, ...] = _option("vary", "Vary a number; repeatable.", metavar="NAME=VALUES")
+    zip: bool | None = _option("flag", "Values in pairs, not a grid.")
+    sample: int | None = _option("count", "N points between low:high.", metavar="N")
+    method: str | None = _option(
+        "choice", "How they are picked.  [default: sobol]", choices=METHODS
+    )
+    seed: int | None = _option("count", "Of --sample.  [default: 0]", metavar="S", least=0)
+    variants: str | None = _option("path", "A CSV table of variants.", metavar="FILE")
+    out: Text | None = _option(  # noqa: RUF009 (a field)
+        "list", "The columns.  [default: ratio,efficiency]", metavar="LIST"
+    )
+    where: Text | None = _option(  # noqa: RUF009 (a field)
+        "text", "Keep variants for which this is true.", metavar="EXPR"
+    )
+    min: tuple[Text, ...] = _option("texts", "Keep those with the least.", metavar="EXPR")
+    max: tuple[Text, ...] = _option("texts", "Keep those with the most.", metavar="EXPR")
+    best: int | None = _option("count", "So many.  [default: 20]", metavar="N")
+    output: str | None = _option("path", "Write to this file, whole or not at all.", short="-o")
+    format: str | None = _option(
+        "choice",
+        "Format of the output; else told by the suffix, CSV on stdout.",
+        short="-f",
+        choices=get_args(Format),
+    )
+    coast: bool | None = _option("flag")
+    idle: str | None = _option("choice", choices=get_args(IdleConvention))
+
+    @classmethod
+    def of(cls, **said: Any) -> SweepOptions:
+        """Options from plain values, in which texts are of type str.
+
+        >>> SweepOptions.of(vary=["D1.ratio=-2,-3"], out=["ratio", "losses"]).out.text
+        'ratio,losses'
+        """
+        return cls(**{name: _with_texts(OPTIONS[name].kind, value) for name, value in said.items()})
+
+    def over(self, others: SweepOptions) -> SweepOptions:
+        """These options, and the others where these say nothing.
+
+        What these exclude goes, with what belongs to it: who gives a table does not want the
+        others' grid. What is to be small and large goes together.
+        """
+        own = vars(self)
+        given = {name for name in own if says(own[name])}
+        dropped = {"min", "max"} if given & {"min", "max"} else set()
+        for rule in EXCLUSIONS:
+            dropped |= set(rule.others) if rule.option in given else set()
+            dropped |= {rule.option} if given & set(rule.others) else set()
+        dropped |= {rule.option for rule in NEEDS if dropped - given >= set(rule.others)}
+        kept = {name: value for name, value in vars(others).items() if name not in dropped}
+        said = {name: value for name, value in own.items() if value not in (None, ())}
+        return SweepOptions(**{**kept, **said})
+
+
+OPTIONS: Mapping[str, Option] = {one.name: one.metadata["option"] for one in fields(SweepOptions)}
+"""All options by name, in order."""
+
+
+class Rule(NamedTuple):
+    """An option, and others that it does not go with, or does not go without."""
+
+    option: str
+    others: tuple[str, ...]
+    message: str
+    """With the names of options in braces, to be spelled as where they were given."""
+
+
+EXCLUSIONS = (
+    Rule(
+        "variants",
+        ("vary", "zip", "sample"),
+        "{variants} is a table of all variants: it excludes {vary}, {zip} and {sample}",
+    ),
+    Rule("zip", ("sample",), "{zip} and {sample} exclude one another"),
+)
+NEEDS = (
+    Rule("method", ("sample",), "{method} and {seed} belong to {sample}"),
+    Rule("seed", ("sample",), "{method} and {seed} belong to {sample}"),
+    Rule("best", ("min", "max"), "{best} needs {min} or {max}: the best by what?"),
+)
+
+
+def conflicts(said: Mapping[str, object], spelled: Callable[[str], str] = str) -> Iterator[str]:
+    """What does not go together, and what does not go alone.
+
+    Parameters
+    ----------
+    said : mapping of str to object
+        Options and their values.
+    spelled : callable
+        Gives the name of an option as it is written where it was given: ``--zip``.
+
+    Examples
+    --------
+    >>> list(conflicts({"zip": True, "sample": 5, "best": None}, "--{}".format))
+    ['--zip and --sample exclude one another']
+    """
+    given = {name for name, value in said.items() if says(value)}
+    names = {name: spelled(name) for name in OPTIONS}
+    for rules, wanted in ((EXCLUSIONS, False), (NEEDS, True)):
+        for rule in rules:
+            if rule.option in given and given.isdisjoint(rule.others) == wanted:
+                yield rule.message.format(**names)
+
+
+def says(value: object) -> bool:
+    """Whether an option asks for something: a count of 0 does, a flag that is false does not."""
+    return value is not False and value not in (None, (), "")
+
+
+def _with_texts(kind: Kind, value: Any) -> Any:
+    if kind in ("vary", "texts"):
+        return tuple(map(Text, value))
+    if kind in ("text", "list") and value is not None:
+        return Text(value if isinstance(value, str) else ",".join(value))
+    return value
