@@ -24,8 +24,8 @@ from vstatics import CaseError, Gear, Mechanism, Results, ShiftElement, Transmis
 from vstatics.pictures import FORMATS, PICTURES, Format, picture, render
 from vstatics.pictures.efficiency import loss_shares
 from vstatics.pictures.labels import spread
-from vstatics.pictures.levers import levers
-from vstatics.pictures.rays import Plan, plans
+from vstatics.pictures.lever import levers
+from vstatics.pictures.rays import KinematicPlan, plans
 from vstatics.pictures.style import Style
 
 SHIPPED = sorted(path.name for path in CASES.iterdir())
@@ -112,7 +112,7 @@ def test_speeds_on_a_vertical_are_those_of_its_gear(name: str) -> None:
         assert_speeds_on_rays(results, plan)
 
 
-def assert_speeds_on_rays(results: Results, plan: Plan) -> None:
+def assert_speeds_on_rays(results: Results, plan: KinematicPlan) -> None:
     for mark in plan.marks:
         speeds = results.speeds[mark.gear - 1]
         for ray in plan.rays:

@@ -27,7 +27,7 @@ FORMATS: tuple[Format, ...] = get_args(Format)
 PICTURES: dict[str, tuple[str, str]] = {
     "plan": ("vstatics.pictures.plan", "draw"),
     "lever": ("vstatics.pictures.lever", "draw"),
-    "flow": ("vstatics.pictures.sankey.picture", "draw"),
+    "flow": ("vstatics.pictures.flow", "draw"),
     "structure": ("vstatics.pictures.schemes.structure", "draw"),
     "stick": ("vstatics.pictures.schemes.stick", "draw"),
     "efficiency": ("vstatics.pictures.efficiency", "draw"),

@@ -56,7 +56,7 @@ class Mark(NamedTuple):
     """Numbers of the shift elements that are engaged besides those of the plan."""
 
 
-class Plan(NamedTuple):
+class KinematicPlan(NamedTuple):
     """One plan: what is engaged in all of it, its rays and its gears."""
 
     input: int
@@ -74,7 +74,7 @@ class Plan(NamedTuple):
         return all(abs(ray.at(1.0) - 1.0) < SAME for ray in self.rays)
 
 
-def plans(results: Results) -> list[Plan]:
+def plans(results: Results) -> list[KinematicPlan]:
     """The generalised kinematic plans of a case.
 
     A train of two degrees of freedom has one. Where there are more, there is one for
@@ -123,7 +123,7 @@ def plans(results: Results) -> list[Plan]:
         )
         rays = _rays(case, first, last, state)
         engaged, given = _names(case, state, marks)
-        made.append(Plan(first, last, engaged, given, tuple(rays), marks))
+        made.append(KinematicPlan(first, last, engaged, given, tuple(rays), marks))
     if not made:
         message = "a kinematic plan shows what is left free by all elements of a gear but one"
         raise CaseError([Problem(f"{message}, and no gear of this case leaves anything free")])

@@ -6,22 +6,19 @@ from collections.abc import Sequence
 from functools import cache
 from typing import TYPE_CHECKING, Any
 
-from vstatics.pictures.style import Style
+from vstatics.pictures import labels
+from vstatics.pictures.labels import Point
+from vstatics.pictures.style import FONT, Style
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
 
 SIZE, SMALL = 9.0, 7.5
 """Of text. [pt]"""
 LINE = 1.3
 """Width of a line. [pt]"""
-FONT = "DejaVu Sans"
-"""It comes with matplotlib and has Cyrillic letters."""
 WRAP = 14
 """Longer names are broken at blanks. [letters]"""
-
-Point = tuple[float, float]
 
 
 @cache
@@ -64,11 +61,8 @@ class Pen:
 
     def __init__(self, low: Point, high: Point, style: Style) -> None:
         """Make the figure."""
-        from matplotlib.figure import Figure
-
-        width, height = high[0] - low[0], high[1] - low[1]
         self.style = style
-        self.figure: Figure = Figure(figsize=(width / 72, height / 72), facecolor=style.paper)
+        self.figure = labels.figure(high[0] - low[0], high[1] - low[1])
         self.axes: Axes = self.figure.add_axes((0.0, 0.0, 1.0, 1.0))
         self.axes.set_axis_off()
         self.axes.set_xlim(low[0], high[0])

@@ -14,13 +14,13 @@ from matplotlib.patheffects import withStroke
 
 from vstatics.flow.power import GearFlow, flows
 from vstatics.pictures import labels
-from vstatics.pictures.labels import POINTS, Panel, height, wrapped
-from vstatics.pictures.sankey.bands import Box, Line, Point
-from vstatics.pictures.sankey.columns import ARM
-from vstatics.pictures.sankey.graph import graph
-from vstatics.pictures.sankey.places import Layout, layout
-from vstatics.pictures.sankey.words import heading, words
+from vstatics.pictures.flow_columns import ARM
+from vstatics.pictures.flow_graph import graph
+from vstatics.pictures.flow_places import Box, FlowLayout, Line, layout
+from vstatics.pictures.flow_texts import FlowTexts, heading
+from vstatics.pictures.labels import Panel, Point, height, wrapped
 from vstatics.pictures.style import TITLE, Style
+from vstatics.pictures.words import gear_title
 from vstatics.statics.results import Results
 
 WIDEST = 30.0
@@ -47,13 +47,13 @@ class _Gear(NamedTuple):
     """What is drawn of a gear."""
 
     title: str
-    told: str
-    layout: Layout | None
+    heading: str
+    layout: FlowLayout | None
 
     @property
     def head(self) -> float:
         """Height of its texts [pt]."""
-        return height("", TITLE) + (height(self.told) if self.told else 0.0) + 10
+        return height("", TITLE) + (height(self.heading) if self.heading else 0.0) + 10
 
     @property
     def high(self) -> float:
@@ -67,14 +67,6 @@ def draw(results: Results, style: Style, gear: int | None) -> Figure:
     Power runs from left to right, widths of bands are power in one scale for all gears.
     Losses leave downwards, power that circulates goes back below. With losses, if the
     gear has a flow with losses.
-
-    Parameters
-    ----------
-    results : Results
-        Of one case.
-    style : Style
-    gear : int, optional
-        Number, from 1.
 
     Examples
     --------
@@ -97,7 +89,7 @@ def _figure(results: Results, chosen: Sequence[GearFlow], style: Style) -> Figur
     layouts = placed(chosen, style)
     wide = max([LEAST, *(one.width for one in layouts if one)])
     gears = [
-        _Gear(f"{style.text('gear', 'передача')} {flow.gear}", heading(flow, wide, style), made)
+        _Gear(gear_title(flow.gear, style), heading(flow, wide, style), made)
         for flow, made in zip(chosen, layouts, strict=True)
     ]
     case = wrapped(results.case.name, wide, TITLE)
@@ -106,7 +98,7 @@ def _figure(results: Results, chosen: Sequence[GearFlow], style: Style) -> Figur
     top = name + (height("") + BETWEEN / 2 if shown else 0.0)
     high = top + sum(one.high for one in gears) + BETWEEN * (len(gears) - 1)
     across, up = wide + 2 * MARGIN, high + 2 * MARGIN
-    figure = Figure(figsize=(across / POINTS, up / POINTS), facecolor=style.paper)
+    figure = labels.figure(across, up)
     panel = labels.panel(figure, 0, 0, across, up)
     panel.axes.set(xlim=(0, across), ylim=(0, up))
     panel.axes.set_axis_off()
@@ -119,19 +111,19 @@ def _figure(results: Results, chosen: Sequence[GearFlow], style: Style) -> Figur
     return figure
 
 
-def placed(found: Sequence[GearFlow], style: Style) -> list[Layout | None]:
+def placed(found: Sequence[GearFlow], style: Style) -> list[FlowLayout | None]:
     """The layouts of gears in one scale; None of a gear of which nothing is to be drawn."""
     sides = [flow.lossy or flow.ideal for flow in found]
     graphs = [graph(side) if side is not None else None for side in sides]
     powers = [made.through(node) for made in graphs if made for node in made.layers]
     scale = min(WIDEST, THICKEST / max(powers, default=1.0))
     return [
-        layout(made, scale, words(flow, side, style)) if side and made and made.bands else None
+        layout(made, scale, FlowTexts(flow, side, style)) if side and made and made.bands else None
         for flow, side, made in zip(found, sides, graphs, strict=True)
     ]
 
 
-def _legend(panel: Panel, y: float, shown: Sequence[Layout], style: Style) -> None:
+def _legend(panel: Panel, y: float, shown: Sequence[FlowLayout], style: Style) -> None:
     """What colours mean, of those that the picture has."""
     loops = any(line.band.loop is not None for one in shown for line in one.lines)
     losses = any(box.cell.lost for one in shown for box in one.boxes)
@@ -152,7 +144,7 @@ def _legend(panel: Panel, y: float, shown: Sequence[Layout], style: Style) -> No
 def _draw_gear(panel: Panel, top: float, one: _Gear, style: Style) -> None:
     """A gear below a height."""
     panel.write(MARGIN, top, one.title, va="top", size=TITLE, weight="bold", color=style.ink)
-    panel.write(MARGIN, top - height("", TITLE), one.told, va="top", color=style.soft)
+    panel.write(MARGIN, top - height("", TITLE), one.heading, va="top", color=style.soft)
     if one.layout is None:
         return
     top -= one.head
