@@ -10,7 +10,7 @@ from textwrap import wrap
 from vstatics.explain.equations import System
 from vstatics.explain.explanation import Explanation
 from vstatics.explain.formula import Formula
-from vstatics.explain.signs import Sign
+from vstatics.explain.signs import PowerSign
 from vstatics.explain.sums import INDENT, WIDTH, filled, in_numbers, in_symbols, listed
 from vstatics.tables.numbers import fixed, short
 
@@ -149,7 +149,7 @@ def _drags(one: Explanation) -> bool:
     return any(ideal.right != lossy.right for ideal, lossy in pairs)
 
 
-def _sign(sign: Sign) -> Iterator[str]:
+def _sign(sign: PowerSign) -> Iterator[str]:
     """A mechanism, its power by the first link, its sign and its ratio with losses."""
     label = f"{INDENT}{sign.mechanism}: "
     if sign.efficiency == 1 and sign.lossy_ratio == sign.ratio:
