@@ -17,6 +17,7 @@ from typing import NamedTuple
 
 from vstatics.errors import CaseError, Problem
 from vstatics.model.transmission import HOUSING, Gear, Transmission
+from vstatics.pictures.state import state_of
 from vstatics.statics.results import Results
 from vstatics.statics.speeds import solve_speeds
 
@@ -103,23 +104,22 @@ def plans(results: Results) -> list[KinematicPlan]:
     ([1.0, -0.4, 0.0], [0.0, 1.4, 1.0])
     """
     case = results.settled
+    gears = [state_of(results, number) for number in range(1, len(case.gears) + 1)]
     known = [
-        (number, gear, output)
-        for number, gear in enumerate(case.gears, 1)
-        if math.isfinite(output := float(results.speeds[number - 1, case.gear_output(gear) - 1]))
+        (number, gear)
+        for number, gear in enumerate(gears, 1)
+        if math.isfinite(gear.speeds[gear.output])
     ]
-    states: dict[tuple[int, int, tuple[Condition, ...]], None] = {}
-    for _, gear, _ in known:
-        ends = (case.gear_input(gear), case.gear_output(gear))
-        for state in _states(case, gear):
-            states.setdefault((*ends, state))
+    states = dict.fromkeys(
+        (gear.input, gear.output, state) for _, gear in known for state in _states(case, gear.gear)
+    )
     made = []
     for first, last, state in sorted(states, key=lambda key: (key[:2], len(key[2]), key[2])):
         marks = tuple(
-            Mark(number, output, _further(case, gear, state))
-            for number, gear, output in known
-            if (first, last) == (case.gear_input(gear), case.gear_output(gear))
-            and _conditions(case, gear).issuperset(state)
+            Mark(number, gear.speeds[last], _further(case, gear.gear, state))
+            for number, gear in known
+            if (first, last) == (gear.input, gear.output)
+            and _conditions(case, gear.gear).issuperset(state)
         )
         rays = _rays(case, first, last, state)
         engaged, given = _names(case, state, marks)
