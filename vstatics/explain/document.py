@@ -17,13 +17,13 @@ VERSION = 1
 
 def write(case: Transmission, explained: Sequence[Explanation]) -> str:
     """Explanations of gears as one JSON object."""
-    made = {
+    plain = {
         "format": "vstatics-explanation",
         "version": VERSION,
         "case": case.name,
         "gears": [document(one) for one in explained],
     }
-    return json.dumps(made, indent=1, ensure_ascii=False, allow_nan=False) + "\n"
+    return json.dumps(plain, indent=1, ensure_ascii=False, allow_nan=False) + "\n"
 
 
 def document(one: Explanation) -> dict[str, Any]:

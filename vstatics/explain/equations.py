@@ -60,7 +60,7 @@ def speed_system(
     """
     elements = len(case.shift_elements)
     devices = [*range(elements, matrix.shape[1]), *(number - 1 for number in gear.engaged)]
-    made: list[tuple[list[Term], float]] = [
+    rows: list[tuple[list[Term], float]] = [
         (
             [
                 Term(names.speeds[link], symbol, float(matrix[link - 1, device]))
@@ -71,9 +71,9 @@ def speed_system(
         for device in devices
     ]
     for link, speed in {case.gear_input(gear): 1.0, **gear.speeds}.items():
-        made.append(([Term(names.speeds[link], "1", 1.0)], speed))
+        rows.append(([Term(names.speeds[link], "1", 1.0)], speed))
     labels = speed_row_names(case, gear)
-    equations = [Equation(of, *row) for of, row in zip(labels, made, strict=True)]
+    equations = [Equation(of, *row) for of, row in zip(labels, rows, strict=True)]
     return System(equations, dict(zip(names.speeds[1:], speeds, strict=True)))
 
 

@@ -175,12 +175,12 @@ def _formula(
     """The formula, or why there is none."""
     case = results.settled
     try:
-        made = formula(own, case.gears[number], names, symbols_of(case, names, own), bodies)
+        ratio = formula(own, case.gears[number], names, symbols_of(case, names, own), bodies)
     except NoFormula as none:
         return None, str(none)
-    if math.isnan(made.value) or (made.left == "i" and np.isnan(results.ratio[number])):
+    if math.isnan(ratio.value) or (ratio.left == "i" and np.isnan(results.ratio[number])):
         return None, "the mechanisms happen to have ratios at which the gear has none"
-    return made, ""
+    return ratio, ""
 
 
 def _together(own: OwnLinks, gear: Gear, found: Structure) -> list[Together]:
@@ -189,7 +189,7 @@ def _together(own: OwnLinks, gear: Gear, found: Structure) -> list[Together]:
     bodies: dict[int, list[int]] = {}
     for link, body in enumerate(found.body):
         bodies.setdefault(body, []).append(link)
-    made = []
+    together = []
     for body, links in bodies.items():
         if len(links) > 1:
             engaged = [
@@ -198,8 +198,8 @@ def _together(own: OwnLinks, gear: Gear, found: Structure) -> list[Together]:
                 if found.body[case.shift_elements[n - 1].first] == body
             ]
             named = [case.link_name(link) for link in links if link != HOUSING]
-            made.append(Together(named, body == HOUSING, engaged))
-    return made
+            together.append(Together(named, body == HOUSING, engaged))
+    return together
 
 
 def _pieces(own: OwnLinks, found: Structure) -> tuple[list[str], list[str]]:

@@ -60,8 +60,7 @@ def symbols_of(case: Transmission, names: Names, own: OwnLinks) -> list[Symbol]:
     own : OwnLinks
         The same on its own links.
     """
-    given = [one.name for one in case.mechanisms]
-    found: list[Symbol] = []
+    symbols: list[Symbol] = []
     number, wheels = 0, 0
     for part, reduced in zip(parts_of(case), own.parts, strict=True):
         for place, lowered in enumerate(reduced.lowered):
@@ -69,16 +68,16 @@ def symbols_of(case: Transmission, names: Names, own: OwnLinks) -> list[Symbol]:
                 wheels += 1
                 first, second, third = lowered.members
                 meaning = f"{part.name}: {first} to {second}, {third} held"
-                found.append(Symbol(f"k{wheels}", meaning, lowered.mechanism.ratio))
+                symbols.append(Symbol(f"k{wheels}", meaning, lowered.mechanism.ratio))
             else:
-                name = names.ratios[number + place]
-                found.append(Symbol(name, given[number + place], lowered.mechanism.ratio))
+                symbol, name = names.ratios[number + place], case.mechanisms[number + place].name
+                symbols.append(Symbol(symbol, name, lowered.mechanism.ratio))
         number += len(part.lowered)
-    return found
+    return symbols
 
 
 def formula(
-    own: OwnLinks, gear: Gear, names: Names, symbols: Sequence[Symbol], found: Structure
+    own: OwnLinks, gear: Gear, names: Names, symbols: Sequence[Symbol], structure: Structure
 ) -> Formula:
     """The formula of a gear's ratio; where several speeds are given, of its output speed.
 
@@ -97,20 +96,20 @@ def formula(
         If SymPy is not installed, the output speed is not determined or 0, or the formula
         would be too long.
     """
-    told = missing("sympy", "the formula")
-    if told:
-        raise NoFormula(told)
+    reason = missing("sympy", "the formula")
+    if reason:
+        raise NoFormula(reason)
     case = own.case
     given: dict[int, str] = {}
     numbers: dict[str, float] = {}
     for link, speed in {case.gear_input(gear): 1.0, **gear.speeds}.items():
-        if found.body[link] != HOUSING:
-            given.setdefault(found.body[link], names.speeds[link])
-            numbers.setdefault(given[found.body[link]], speed)
+        if structure.body[link] != HOUSING:
+            given.setdefault(structure.body[link], names.speeds[link])
+            numbers.setdefault(given[structure.body[link]], speed)
     output = case.gear_output(gear)
-    if found.body[output] == HOUSING:
+    if structure.body[output] == HOUSING:
         raise NoFormula("the output is held: there is no ratio")
-    parts = shares(own, found, given, found.body[output])
+    parts = shares(own, structure, given, structure.body[output])
     if not parts:
         raise NoFormula("the output stands still: there is no ratio")
     speeds = {given[body]: numbers[given[body]] for body in parts}

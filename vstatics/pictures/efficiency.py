@@ -115,11 +115,11 @@ def loss_shares(results: Results, style: Style) -> tuple[list[str], Floats]:
     >>> names, shares.round(6)
     (['D1'], array([[0.04]]))
     """
-    made = {table.shape.name: table for table in tables(results)}
-    names, losses = list(made["losses"].rows), made["losses"].values
-    if "drag_losses" in made:
+    by_name = {table.shape.name: table for table in tables(results)}
+    names, losses = list(by_name["losses"].rows), by_name["losses"].values
+    if "drag_losses" in by_name:
         names.append(style.text("drag", "сопротивления"))
-        losses = np.vstack([losses, made["drag_losses"].values])
+        losses = np.vstack([losses, by_name["drag_losses"].values])
     total = losses.sum(axis=0)
     # below 0 when coasting; the sum of all shares is 1 - efficiency by the balance of power
     entered = np.where(total == 0, 1.0, total)

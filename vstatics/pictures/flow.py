@@ -89,8 +89,8 @@ def _figure(results: Results, chosen: Sequence[GearFlow], style: Style) -> Figur
     layouts = placed(chosen, style)
     wide = max([LEAST, *(one.width for one in layouts if one)])
     gears = [
-        _Gear(gear_title(flow.gear, style), heading(flow, wide, style), made)
-        for flow, made in zip(chosen, layouts, strict=True)
+        _Gear(gear_title(flow.gear, style), heading(flow, wide, style), placing)
+        for flow, placing in zip(chosen, layouts, strict=True)
     ]
     case = wrapped(results.case.name, wide, TITLE)
     name = height(case, TITLE) if case else 0.0
@@ -115,11 +115,13 @@ def placed(found: Sequence[GearFlow], style: Style) -> list[FlowLayout | None]:
     """The layouts of gears in one scale; None of a gear of which nothing is to be drawn."""
     sides = [flow.lossy or flow.ideal for flow in found]
     graphs = [graph(side) if side is not None else None for side in sides]
-    powers = [made.through(node) for made in graphs if made for node in made.layers]
+    powers = [drawn.through(node) for drawn in graphs if drawn for node in drawn.layers]
     scale = min(WIDEST, THICKEST / max(powers, default=1.0))
     return [
-        layout(made, scale, FlowTexts(flow, side, style)) if side and made and made.bands else None
-        for flow, side, made in zip(found, sides, graphs, strict=True)
+        layout(drawn, scale, FlowTexts(flow, side, style))
+        if side and drawn and drawn.bands
+        else None
+        for flow, side, drawn in zip(found, sides, graphs, strict=True)
     ]
 
 
@@ -153,9 +155,8 @@ def _draw_gear(panel: Panel, top: float, one: _Gear, style: Style) -> None:
     for box in one.layout.boxes:
         _draw_box(panel, top, box, style)
     for note in one.layout.notes:
-        how = {"ha": "center", "va": "center", "zorder": 5}
-        colour = style.colour(LOOP) if note.loop else style.ink
-        panel.write(MARGIN + note.x, top - note.y, note.text, color=colour, **how, **_halo(style))
+        how = {"color": style.colour(LOOP) if note.loop else style.ink, "va": "center"}
+        panel.write(MARGIN + note.x, top - note.y, note.text, **how, **_halo(style))
 
 
 def _draw_line(panel: Panel, top: float, line: Line, style: Style) -> None:
@@ -217,6 +218,7 @@ def _draw_box(panel: Panel, top: float, box: Box, style: Style) -> None:
     left, right, middle = MARGIN + box.left, MARGIN + box.right, MARGIN + box.middle
     high, low = top - box.top, top - box.bottom
     kind = cell.node.kind if cell.node else ""
+    how = _halo(style)
     if cell.lost:
         tip = low - ARM - cell.loss / 2
         half = max(cell.loss, VISIBLE) / 2
@@ -225,24 +227,20 @@ def _draw_box(panel: Panel, top: float, box: Box, style: Style) -> None:
         outline = [*shaft, (middle + head, tip + head), (middle, tip)]
         outline += [(2 * middle - x, y) for x, y in reversed(outline[:-1])]
         panel.axes.add_patch(Polygon(outline, color=style.colour(LOSS), linewidth=0))
-        how = {
-            "ha": "center",
-            "va": "top",
-            "color": style.colour(LOSS),
-            "zorder": 5,
-            **_halo(style),
-        }
-        panel.write(middle, tip - 1, cell.lost, **how)
+        panel.write(middle, tip - 1, cell.lost, va="top", color=style.colour(LOSS), **how)
     point = min(6.0, box.cell.body / 2) if kind == "port" else 0.0
     shape = [(left, high), (right - point, high), (right, (high + low) / 2), (right - point, low)]
     shape += [(left, low)]
     face = {"link": style.ink, "port": style.faint}.get(kind, style.paper)
     outer = Polygon(shape, zorder=3, facecolor=face, edgecolor=style.ink, linewidth=0.9)
     panel.axes.add_patch(outer)
-    how = {"ha": "center", "va": "bottom", "color": style.ink, "zorder": 5, **_halo(style)}
-    panel.write(middle, high + 2, cell.text, **how)
+    panel.write(middle, high + 2, cell.text, va="bottom", color=style.ink, **how)
 
 
 def _halo(style: Style) -> dict[str, Any]:
-    """A rim of paper around a text, which may stand on a band."""
-    return {"path_effects": [withStroke(linewidth=2, foreground=style.paper)]}
+    """How a text is written that may stand on a band: with a rim of paper around it."""
+    return {
+        "ha": "center",
+        "zorder": 5,
+        "path_effects": [withStroke(linewidth=2, foreground=style.paper)],
+    }

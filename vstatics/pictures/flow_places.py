@@ -132,8 +132,8 @@ def layout(graph: Graph, scale: float, texts: FlowTexts) -> FlowLayout:
     >>> from vstatics.pictures.style import Style
     >>> pair = Mechanism(1, 2, 0, -4.0, 0.98, name="pair")
     >>> [gear] = flows(solve(Transmission(2, [], [pair], [Gear()])))
-    >>> made = layout(graph(gear.lossy), 100.0, FlowTexts(gear, gear.lossy, Style()))
-    >>> [(str(one.cell.node), round(one.cell.thick), round(one.cell.loss)) for one in made.boxes]
+    >>> placing = layout(graph(gear.lossy), 100.0, FlowTexts(gear, gear.lossy, Style()))
+    >>> [(str(one.cell.node), round(one.cell.thick), round(one.cell.loss)) for one in placing.boxes]
     [('input', 100, 0), ('1', 100, 0), ('pair', 100, 2), ('2', 98, 0), ('output', 98, 0)]
     """
     cells = columns(graph, scale, texts)

@@ -113,7 +113,7 @@ def plans(results: Results) -> list[KinematicPlan]:
     states = dict.fromkeys(
         (gear.input, gear.output, state) for _, gear in known for state in _states(case, gear.gear)
     )
-    made = []
+    drawn = []
     for first, last, state in sorted(states, key=lambda key: (key[:2], len(key[2]), key[2])):
         marks = tuple(
             Mark(number, gear.speeds[last], _further(case, gear.gear, state))
@@ -123,12 +123,12 @@ def plans(results: Results) -> list[KinematicPlan]:
         )
         rays = _rays(case, first, last, state)
         engaged, given = _names(case, state, marks)
-        made.append(KinematicPlan(first, last, engaged, given, tuple(rays), marks))
-    if not made:
+        drawn.append(KinematicPlan(first, last, engaged, given, tuple(rays), marks))
+    if not drawn:
         message = "a kinematic plan shows what is left free by all elements of a gear but one"
         raise CaseError([Problem(f"{message}, and no gear of this case leaves anything free")])
-    shared = [plan for plan in made if len({mark.output for mark in plan.marks}) > 1]
-    return shared or made
+    shared = [plan for plan in drawn if len({mark.output for mark in plan.marks}) > 1]
+    return shared or drawn
 
 
 def _conditions(case: Transmission, gear: Gear) -> set[Condition]:
