@@ -25,28 +25,18 @@ Track = tuple[int, int]
 
 
 class Tap(NamedTuple):
-    """Where a wire meets an item.
-
-    Attributes
-    ----------
-    wire : int
-    side : int
-        ABOVE, BELOW, or 0: that of the wire.
-    x : float
-        From the left end of the item. [pt]
-    reach : str
-    label : str
-        What the item calls it.
-    depth : float
-        How far from the middle of the row, toward its side, it leaves the item. [pt]
-    """
+    """Where a wire meets an item."""
 
     wire: int
     side: int
+    """ABOVE, BELOW, or 0: that of the wire."""
     x: float
+    """From the left end of the item. [pt]"""
     reach: Reach = "row"
     label: str = ""
+    """What the item calls it."""
     depth: float = 0.0
+    """How far from the middle of the row, toward its side, it leaves the item. [pt]"""
 
 
 @dataclass(frozen=True)

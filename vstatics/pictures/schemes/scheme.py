@@ -14,29 +14,19 @@ from vstatics.pictures.state import PictureState
 
 
 class Device(NamedTuple):
-    """A mechanism, an element with teeth, or a shift element, and the links that it joins.
-
-    Attributes
-    ----------
-    name : str
-    kind : str
-        ``mechanism``, a kind of element, or a kind of shift element.
-    members : mapping of member to link
-        0 is the housing.
-    numbers : sequence of int
-        Its mechanisms, or the shift element itself, as indices.
-    element : Element, optional
-        With its teeth, where it was drawn.
-    ratio : float
-        Of a mechanism. [-]
-    """
+    """A mechanism, an element with teeth, or a shift element, and the links that it joins."""
 
     name: str
     kind: str
+    """``mechanism``, a kind of element, or a kind of shift element."""
     members: dict[str, int]
+    """Their links; 0 is the housing."""
     numbers: tuple[int, ...]
+    """Its mechanisms, or the shift element itself, as indices."""
     element: Element | None = None
+    """With its teeth, where it was drawn."""
     ratio: float = math.nan
+    """Of a mechanism. [-]"""
 
     @property
     def is_shift_element(self) -> bool:
