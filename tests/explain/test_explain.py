@@ -9,7 +9,7 @@ from __future__ import annotations
 import importlib.util
 import json
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from pathlib import Path
 from typing import Any
@@ -21,7 +21,7 @@ from tests.trains import random_train, seeded
 from vstatics import load, solve
 from vstatics.explain import Explanation, explain
 from vstatics.explain.document import document
-from vstatics.explain.equations import System, residual
+from vstatics.explain.equations import Equation, System
 from vstatics.explain.sums import in_numbers, in_symbols
 from vstatics.explain.text import write
 from vstatics.model.transmission import Gear, Mechanism, ShiftElement, Transmission
@@ -379,6 +379,12 @@ def test_coasting_turns_the_signs() -> None:
     [first, _, third] = explain(results, 0).signs
     assert (first.sign, third.sign) == (-1, -1)
     assert first.why == "coasting, power leaves by the first link"
+
+
+def residual(equation: Equation, values: Mapping[str, float]) -> float:
+    """Left less right side at given values, NaN where one of them does not exist."""
+    terms = [term.coefficient * values[term.unknown] for term in equation.terms if term.coefficient]
+    return math.fsum([*terms, -equation.right])
 
 
 def test_a_residual_shows_what_does_not_hold() -> None:

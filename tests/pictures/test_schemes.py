@@ -17,8 +17,9 @@ from vstatics.elements.kinds import KINDS, Simple
 from vstatics.errors import CaseError
 from vstatics.pictures.schemes import stick, structure
 from vstatics.pictures.schemes.placing import Placement
-from vstatics.pictures.schemes.scheme import Scheme, scheme_of, state_of
+from vstatics.pictures.schemes.scheme import Scheme, scheme_of, scheme_state
 from vstatics.pictures.schemes.sets import section_of
+from vstatics.pictures.state import state_of
 from vstatics.pictures.style import Style
 from vstatics.statics.results import Results
 
@@ -179,14 +180,14 @@ def check(
 def test_structure_can_be_read_and_joins_what_the_case_joins(path: Path) -> None:
     results = vstatics.solve(vstatics.load(path))
     scheme = scheme_of(results.case)
-    check(scheme, structure.place(scheme, "en"), results, structure.draw)
+    check(scheme, structure.place(scheme, Style()), results, structure.draw)
 
 
 @every_drawn_case
 def test_stick_diagram_can_be_read_and_joins_what_the_case_joins(path: Path) -> None:
     results = vstatics.solve(vstatics.load(path))
     scheme = scheme_of(results.case)
-    check(scheme, stick.place(scheme, "en").placement, results, stick.draw)
+    check(scheme, stick.place(scheme, Style()).placement, results, stick.draw)
 
 
 @pytest.mark.slow
@@ -197,20 +198,20 @@ def test_pairs_of_every_kind_can_be_read_and_are_joined(tmp_path: Path) -> None:
     scheme = scheme_of(results.case)
     kinds = {device.kind for device in scheme.devices}
     assert kinds >= {name for name, kind in KINDS.items() if isinstance(kind, Simple)}
-    check(scheme, stick.place(scheme, "en").placement, results, stick.draw)
+    check(scheme, stick.place(scheme, Style()).placement, results, stick.draw)
 
 
 def test_ten_speed_automatic_has_no_crossing() -> None:
     # bodies of revolution about one axis cannot pass through each other, so the half-section of
     # a gearbox that exists has none, if its sets stand in their order, as P1 to P4 of this one do
     scheme = scheme_of(vstatics.load(SHIPPED / "ford-10r80.yaml"))
-    assert stick.place(scheme, "en").placement.crossings() == []
+    assert stick.place(scheme, Style()).placement.crossings() == []
 
 
 def test_the_same_case_looks_the_same() -> None:
     scheme = scheme_of(vstatics.load(SHIPPED / "wheel-hub.yaml"))
-    assert structure.place(scheme, "en") == structure.place(scheme, "en")
-    assert stick.place(scheme, "en") == stick.place(scheme, "en")
+    assert structure.place(scheme, Style()) == structure.place(scheme, Style())
+    assert stick.place(scheme, Style()) == stick.place(scheme, Style())
 
 
 def test_stick_diagram_needs_elements() -> None:
@@ -276,8 +277,8 @@ def test_freewheel_is_marked_where_it_holds() -> None:
     results = vstatics.solve(vstatics.load(SHIPPED / "simpson-th400.yaml"))
     scheme = scheme_of(results.case)
     roller = [device.name for device in scheme.devices].index("low roller clutch")
-    assert roller in state_of(results, scheme, 1).engaged
-    assert roller in state_of(results, scheme, 2).idle
+    assert roller in scheme_state(scheme, state_of(results, 1)).engaged
+    assert roller in scheme_state(scheme, state_of(results, 2)).idle
 
 
 def test_support_that_holds_is_not_pale() -> None:
@@ -286,11 +287,12 @@ def test_support_that_holds_is_not_pale() -> None:
     results = vstatics.solve(vstatics.load(SHIPPED / "wheel-hub.yaml"))
     scheme = scheme_of(results.case)
     support = [device.name for device in scheme.devices].index("support")
-    assert support in state_of(results, scheme, 1).idle
-    assert support not in state_of(results, scheme, 3).idle
+    assert support in scheme_state(scheme, state_of(results, 1)).idle
+    assert support not in scheme_state(scheme, state_of(results, 3)).idle
     wheel = scheme.links.index("right wheel") + 1
     pale = {
-        gear: {port.link for port in state_of(results, scheme, gear).idle_ports} for gear in (1, 3)
+        gear: {port.link for port in scheme_state(scheme, state_of(results, gear)).idle_ports}
+        for gear in (1, 3)
     }
     assert wheel in pale[1]
     assert wheel not in pale[3]

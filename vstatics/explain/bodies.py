@@ -54,15 +54,15 @@ def on_own_links(case: Transmission) -> OwnLinks:
     drawing = drawing_of(case)
     if drawing is None:
         return OwnLinks(case, parts_of(case))
-    made = parts(replace(drawing, losses="reduced"))
+    reduced = parts(replace(drawing, losses="reduced"))
     plain = replace(
         case,
         links=drawing.links,
         link_names=case.link_names[: drawing.links],
-        mechanisms=[lowered.mechanism for part in made for lowered in part.lowered],
+        mechanisms=[lowered.mechanism for part in reduced for lowered in part.lowered],
         drawing=None,
     )
-    return OwnLinks(plain, made)
+    return OwnLinks(plain, reduced)
 
 
 def structure(own: OwnLinks, gear: Gear) -> Structure:

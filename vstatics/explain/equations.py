@@ -7,17 +7,13 @@ names, and what each coefficient is made of.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Mapping, Sequence
-from types import MappingProxyType
 from typing import NamedTuple
 
 from vstatics.explain.names import Names
 from vstatics.model.transmission import HOUSING, Gear, Transmission
 from vstatics.numerics.arrays import Floats
 from vstatics.statics.matrix import external_torques, held_links, loaded_devices, speed_row_names
-
-NOTHING: Mapping[int, float] = MappingProxyType({})
 
 
 class Term(NamedTuple):
@@ -64,7 +60,7 @@ def speed_system(
     """
     elements = len(case.shift_elements)
     devices = [*range(elements, matrix.shape[1]), *(number - 1 for number in gear.engaged)]
-    made: list[tuple[list[Term], float]] = [
+    rows: list[tuple[list[Term], float]] = [
         (
             [
                 Term(names.speeds[link], symbol, float(matrix[link - 1, device]))
@@ -75,9 +71,9 @@ def speed_system(
         for device in devices
     ]
     for link, speed in {case.gear_input(gear): 1.0, **gear.speeds}.items():
-        made.append(([Term(names.speeds[link], "1", 1.0)], speed))
+        rows.append(([Term(names.speeds[link], "1", 1.0)], speed))
     labels = speed_row_names(case, gear)
-    equations = [Equation(of, *row) for of, row in zip(labels, made, strict=True)]
+    equations = [Equation(of, *row) for of, row in zip(labels, rows, strict=True)]
     return System(equations, dict(zip(names.speeds[1:], speeds, strict=True)))
 
 
@@ -89,7 +85,7 @@ def torque_system(  # noqa: PLR0913 - all of them make the equations
     torques: Sequence[float],
     *,
     holding: Sequence[float],
-    drag: Mapping[int, float] = NOTHING,
+    drag: Mapping[int, float],
 ) -> System:
     """The equilibrium of each link of a gear (figure 4).
 
@@ -125,19 +121,6 @@ def torque_system(  # noqa: PLR0913 - all of them make the equations
         if link != HOUSING
     ]
     return System(equations, values)
-
-
-def residual(equation: Equation, values: Mapping[str, float]) -> float:
-    """Left less right side at given values, NaN where one of them does not exist.
-
-    Examples
-    --------
-    >>> row = Equation("B", [Term("w_1", "1", 1.0), Term("w_2", "-1", -1.0)], 0.0)
-    >>> residual(row, {"w_1": 0.5, "w_2": 0.25})
-    0.25
-    """
-    terms = [term.coefficient * values[term.unknown] for term in equation.terms if term.coefficient]
-    return math.fsum([*terms, -equation.right])
 
 
 def _column(case: Transmission, device: int, names: Names) -> Iterator[tuple[int, str]]:

@@ -10,11 +10,10 @@ import numpy as np
 
 from vstatics.explain.bodies import OwnLinks, Structure, on_own_links, structure
 from vstatics.explain.equations import System, speed_system, torque_system
-from vstatics.explain.formula import Formula, formula
+from vstatics.explain.formula import Formula, formula, symbols_of
 from vstatics.explain.names import Names, names_of
 from vstatics.explain.shares import NoFormula
-from vstatics.explain.signs import Sign, signs_of
-from vstatics.explain.symbols import symbols_of
+from vstatics.explain.signs import PowerSign, signs_of
 from vstatics.model.transmission import HOUSING, Gear
 from vstatics.numerics.arrays import Floats
 from vstatics.statics import drag
@@ -50,7 +49,7 @@ class Explanation(NamedTuple):
     speeds: System
     torques: System | None
     """None where a gear is tied up, or its freewheels in conflict."""
-    signs: Sequence[Sign]
+    signs: Sequence[PowerSign]
     lossy: System | None
     """With losses; None where there is no such solution."""
     together: Sequence[Together]
@@ -85,19 +84,8 @@ def explain(results: Results, number: int) -> Explanation:
 
     Source: Algin, Schematization and calculation of mobile machine presented as
     multibody system, figures 3 and 4.
-
-    Examples
-    --------
-    >>> from vstatics.model.transmission import Mechanism, ShiftElement, Transmission
-    >>> from vstatics.statics.solve import solve
-    >>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)], [Gear([1])])
-    >>> explained = explain(solve(case), 0)
-    >>> explained.formula.text, explained.formula.value
-    ('1 - u_D1', 3.5)
-    >>> explained.speeds.equations[0].terms[1]
-    Term(unknown='w_2', symbol='-u_D1', coefficient=2.5)
     """
-    case = results.with_freewheels_engaged
+    case = results.settled
     given, gear = results.case.gears[number], case.gears[number]
     names = names_of(case)
     matrix = distribution_matrix(case) + 0.0
@@ -105,7 +93,12 @@ def explain(results: Results, number: int) -> Explanation:
     loaded = sorted(n - 1 for n in gear.engaged) + list(range(len(elements), len(case.devices)))
     signs = signs_of(results, number)
     torques, lossy = _torques(results, number, names, matrix, signs)
-    together, one_piece, standing, found, reason = _structure(results, number, names)
+    fault = _fault(results, number)
+    own = on_own_links(case)
+    bodies = None if fault else structure(own, gear)
+    together = _together(own, gear, bodies) if bodies else []
+    one_piece, standing = _pieces(own, bodies) if bodies else ([], [])
+    ratio, reason = _formula(results, number, names, own, bodies) if bodies else (None, fault)
     return Explanation(
         gear=gear.name,
         engaged=[elements[n - 1] for n in given.engaged],
@@ -123,7 +116,7 @@ def explain(results: Results, number: int) -> Explanation:
         standing=standing,
         input=names.speeds[case.gear_input(gear)],
         output=names.speeds[case.gear_output(gear)],
-        formula=found,
+        formula=ratio,
         reason=reason,
         ratio=float(results.ratio[number]),
         efficiency=float(results.efficiency[number]),
@@ -135,13 +128,20 @@ def explain(results: Results, number: int) -> Explanation:
     )
 
 
+def _fault(results: Results, number: int) -> str:
+    """Why a gear has no solution at all."""
+    if results.conflict[number]:
+        return "the freewheels are in conflict"
+    return "the gear is tied up" if results.tied_up[number] else ""
+
+
 def _torques(
-    results: Results, number: int, names: Names, matrix: Floats, signs: Sequence[Sign]
+    results: Results, number: int, names: Names, matrix: Floats, signs: Sequence[PowerSign]
 ) -> tuple[System | None, System | None]:
     """The torque equations without losses and with them."""
-    case = results.with_freewheels_engaged
+    case = results.settled
     gear = case.gears[number]
-    if results.tied_up[number] or results.conflict[number]:
+    if _fault(results, number):
         return None, None
     ideal = torque_system(
         case,
@@ -150,6 +150,7 @@ def _torques(
         matrix,
         results.torques[number].tolist(),
         holding=results.holding_torques[number].tolist(),
+        drag={},
     )
     ratios = [sign.lossy_ratio for sign in signs]
     exists = results.calculable[number] and not results.locked[number]
@@ -168,29 +169,18 @@ def _torques(
     return ideal, lossy
 
 
-_Joined = tuple[list[Together], list[str], list[str], Formula | None, str]
-
-
-def _structure(results: Results, number: int, names: Names) -> _Joined:
-    """What turns together, and the formula."""
-    case = results.with_freewheels_engaged
-    gear = case.gears[number]
-    if results.conflict[number]:
-        return [], [], [], None, "the freewheels are in conflict"
-    if results.tied_up[number]:
-        return [], [], [], None, "the gear is tied up"
-    own = on_own_links(case)
-    found = structure(own, gear)
-    one_piece, standing = _pieces(own, found)
-    together = _together(own, gear, found)
+def _formula(
+    results: Results, number: int, names: Names, own: OwnLinks, bodies: Structure
+) -> tuple[Formula | None, str]:
+    """The formula, or why there is none."""
+    case = results.settled
     try:
-        made = formula(own, gear, names, symbols_of(case, names, own), found)
+        ratio = formula(own, case.gears[number], names, symbols_of(case, names, own), bodies)
     except NoFormula as none:
-        return together, one_piece, standing, None, str(none)
-    if math.isnan(made.value) or (made.left == "i" and np.isnan(results.ratio[number])):
-        reason = "the mechanisms happen to have ratios at which the gear has none"
-        return together, one_piece, standing, None, reason
-    return together, one_piece, standing, made, ""
+        return None, str(none)
+    if math.isnan(ratio.value) or (ratio.left == "i" and np.isnan(results.ratio[number])):
+        return None, "the mechanisms happen to have ratios at which the gear has none"
+    return ratio, ""
 
 
 def _together(own: OwnLinks, gear: Gear, found: Structure) -> list[Together]:
@@ -199,7 +189,7 @@ def _together(own: OwnLinks, gear: Gear, found: Structure) -> list[Together]:
     bodies: dict[int, list[int]] = {}
     for link, body in enumerate(found.body):
         bodies.setdefault(body, []).append(link)
-    made = []
+    together = []
     for body, links in bodies.items():
         if len(links) > 1:
             engaged = [
@@ -208,8 +198,8 @@ def _together(own: OwnLinks, gear: Gear, found: Structure) -> list[Together]:
                 if found.body[case.shift_elements[n - 1].first] == body
             ]
             named = [case.link_name(link) for link in links if link != HOUSING]
-            made.append(Together(named, body == HOUSING, engaged))
-    return made
+            together.append(Together(named, body == HOUSING, engaged))
+    return together
 
 
 def _pieces(own: OwnLinks, found: Structure) -> tuple[list[str], list[str]]:

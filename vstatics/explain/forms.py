@@ -15,7 +15,7 @@ Fraction = Any
 """`sympy.polys.fields.FracElement`"""
 
 
-class Style(NamedTuple):
+class Notation(NamedTuple):
     """How symbols, products and powers are written."""
 
     symbols: Sequence[str]
@@ -25,14 +25,14 @@ class Style(NamedTuple):
     """Between two brackets."""
 
 
-def neutral(count: int) -> Style:
+def neutral(count: int) -> Notation:
     """Symbols of equal length, so that names do not decide on the form."""
-    return Style(["u"] * count)
+    return Notation(["u"] * count)
 
 
-def python(count: int) -> Style:
+def python(count: int) -> Notation:
     """An expression that Python and SymPy read; its symbols are u1, u2, ..."""
-    return Style([f"u{number}" for number in range(1, count + 1)], "*", "**", "*")
+    return Notation([f"u{number}" for number in range(1, count + 1)], "*", "**", "*")
 
 
 class _Written(NamedTuple):
@@ -51,7 +51,7 @@ class _Written(NamedTuple):
         return f"({self.text})" if self.is_sum or self.is_product else self.text
 
 
-def fraction(value: Fraction, style: Style) -> str:
+def fraction(value: Fraction, notation: Notation) -> str:
     """The shortest form of a fraction of polynomials.
 
     Examples
@@ -59,22 +59,22 @@ def fraction(value: Fraction, style: Style) -> str:
     >>> from sympy import ZZ
     >>> from sympy.polys.fields import field
     >>> _, u, v = field("u, v", ZZ)
-    >>> [fraction(one, Style("uv")) for one in (1 - u, (1 - u) * (1 - v), u / (u - 1), u * v)]
+    >>> [fraction(one, Notation("uv")) for one in (1 - u, (1 - u) * (1 - v), u / (u - 1), u * v)]
     ['1 - u', '(1 - u)(1 - v)', 'u/(u - 1)', 'u v']
-    >>> [fraction(one, Style("uv")) for one in (2 - 1 / u, (u + v - 1) / u, 1 - u * v)]
+    >>> [fraction(one, Notation("uv")) for one in (2 - 1 / u, (u + v - 1) / u, 1 - u * v)]
     ['2 - 1/u', '(u + v - 1)/u', '1 - u v']
-    >>> fraction((u - 1) / u * (1 - v), Style("uv"))
+    >>> fraction((u - 1) / u * (1 - v), Notation("uv"))
     '(1 - 1/u)(1 - v)'
     """
-    forms = [form for form in (_in_factors, _by_terms, _one_and_rest) if form(value, style)]
+    forms = [form for form in (_in_factors, _by_terms, _one_and_rest) if form(value, notation)]
     if len(factored(value.numer).factors) > 1:
         forms = forms[:1]  # a product is to be seen as one
-    measure = neutral(len(style.symbols))
+    measure = neutral(len(notation.symbols))
     shortest = min(forms, key=lambda form: len(_text(form(value, measure))))
-    return _text(shortest(value, style))
+    return _text(shortest(value, notation))
 
 
-def weighted(values: Sequence[Fraction], unknowns: Sequence[str], style: Style) -> str:
+def weighted(values: Sequence[Fraction], unknowns: Sequence[str], notation: Notation) -> str:
     """A sum of unknowns with fractions of polynomials as coefficients, over one divisor.
 
     Examples
@@ -82,7 +82,7 @@ def weighted(values: Sequence[Fraction], unknowns: Sequence[str], style: Style) 
     >>> from sympy import ZZ
     >>> from sympy.polys.fields import field
     >>> _, u = field("u", ZZ)
-    >>> weighted([1 / (1 - u), -u / (1 - u)], ["w_sun", "w_ring"], Style("u"))
+    >>> weighted([1 / (1 - u), -u / (1 - u)], ["w_sun", "w_ring"], Notation("u"))
     '(w_sun - u w_ring)/(1 - u)'
     """
     divisor = values[0].denom
@@ -92,14 +92,14 @@ def weighted(values: Sequence[Fraction], unknowns: Sequence[str], style: Style) 
     terms = []
     for value, unknown in zip(values, unknowns, strict=True):
         whole = (value * divisor).numer * (1 if below.number > 0 else -1)
-        sign, text = _signed(whole, style)
-        term = unknown if text.text == "1" else f"{text.factor}{style.times}{unknown}"
+        sign, text = _signed(whole, notation)
+        term = unknown if text.text == "1" else f"{text.factor}{notation.times}{unknown}"
         terms.append((sign, term))
     terms.sort(key=lambda one: one[0] == "-")
     written = "".join(f" {sign} {term}" for sign, term in terms)
     written = written.removeprefix(" + ") if terms[0][0] == "+" else f"-{written[3:]}"
     positive = below._replace(number=abs(below.number))
-    over = _product(positive, style)
+    over = _product(positive, notation)
     if over.text == "1":
         return written
     return f"({written})/{over.divisor}" if len(values) > 1 else f"{written}/{over.divisor}"
@@ -109,27 +109,36 @@ def _text(written: _Written | None) -> str:
     return "" if written is None else written.text
 
 
-def _signed(polynomial: Polynomial, style: Style) -> tuple[str, _Written]:
+def _signed(polynomial: Polynomial, notation: Notation) -> tuple[str, _Written]:
     """The sign of a polynomial, as far as it can't be taken into a factor, and the rest."""
     found = factored(polynomial)
     if found.number < 0:
         found, _ = _turned(found, Factored(1, []))
-    rest = _product(found._replace(number=abs(found.number)), style)
+    rest = _product(found._replace(number=abs(found.number)), notation)
     return ("-" if found.number < 0 else "+"), rest
 
 
-def _in_factors(value: Fraction, style: Style) -> _Written:
+def _in_factors(value: Fraction, notation: Notation) -> _Written:
     """Numerator and denominator, each in factors; ``(u - 1)/u`` within is ``1 - 1/u``."""
     above, below = factored(value.numer), factored(value.denom)
     above, below, inverse = _inverse(above, below)
     if above.number * below.number < 0:
         above, below = _turned(above, below)
-    minus = "-" * (above.number * below.number < 0)
-    over = _product(below._replace(number=abs(below.number)), style)
-    top = _product(above._replace(number=abs(above.number)), style, inverse)
-    if over.text == "1":
-        return top._replace(text=f"{minus}{top.factor if minus else top.text}")
-    return _Written(f"{minus}{top.factor}/{over.divisor}", is_product=True)
+    is_negative = above.number * below.number < 0
+    quotient = _quotient(above, below, notation, inverse)
+    return quotient._replace(text=f"-{quotient.factor}") if is_negative else quotient
+
+
+def _quotient(
+    above: Factored,
+    below: Factored,
+    notation: Notation,
+    inverse: Sequence[tuple[Polynomial, int]] = (),
+) -> _Written:
+    """One product over another, without their signs."""
+    top = _product(above._replace(number=abs(above.number)), notation, inverse)
+    over = _product(below._replace(number=abs(below.number)), notation)
+    return top if over.text == "1" else _Written(f"{top.factor}/{over.divisor}", is_product=True)
 
 
 def _inverse(above: Factored, below: Factored) -> tuple[Factored, Factored, Powers]:
@@ -162,30 +171,27 @@ def _turned(above: Factored, below: Factored) -> tuple[Factored, Factored]:
     return above, below
 
 
-def _by_terms(value: Fraction, style: Style) -> _Written | None:
+def _by_terms(value: Fraction, notation: Notation) -> _Written | None:
     """Each term of the numerator over a denominator of one term."""
     if len(value.denom) > 1 or len(value.numer) < 2:
         return None
     field = value.parent()
     text = ""
     for term in _ordered(value.numer):
-        one = _in_factors(field(term) / field(value.denom), style).text
+        one = _in_factors(field(term) / field(value.denom), notation).text
         minus = one.startswith("-")
         text += f" {'-' if minus else '+'} {one.lstrip('-')}" if text else one
     return _Written(text, is_sum=True)
 
 
-def _one_and_rest(value: Fraction, style: Style) -> _Written | None:
+def _one_and_rest(value: Fraction, notation: Notation) -> _Written | None:
     """1 plus or minus what is left, in factors."""
     rest = value - 1
     if not rest or len(rest.numer) == len(value.numer) == 1:
         return None
     above, below = factored(rest.numer), factored(rest.denom)
     sign = "-" if above.number * below.number < 0 else "+"
-    over = _product(below._replace(number=abs(below.number)), style)
-    top = _product(above._replace(number=abs(above.number)), style)
-    text = top.factor if over.text == "1" else f"{top.factor}/{over.divisor}"
-    return _Written(f"1 {sign} {text}", is_sum=True)
+    return _Written(f"1 {sign} {_quotient(above, below, notation).factor}", is_sum=True)
 
 
 def _ordered(polynomial: Polynomial) -> list[Polynomial]:
@@ -196,7 +202,7 @@ def _ordered(polynomial: Polynomial) -> list[Polynomial]:
 
 
 def _product(
-    product: Factored, style: Style, inverse: Sequence[tuple[Polynomial, int]] = ()
+    product: Factored, notation: Notation, inverse: Sequence[tuple[Polynomial, int]] = ()
 ) -> _Written:
     """A product, single symbols before sums, in the order of the symbols.
 
@@ -206,11 +212,11 @@ def _product(
         Symbols u of further factors ``1 - 1/u``, each with its power.
     """
     factors = [
-        (len(factor) > 1, _position(factor), _sum(factor, style), power)
+        (len(factor) > 1, _position(factor), _sum(factor, notation), power)
         for factor, power in product.factors
     ]
     factors += [
-        (True, _position(symbol), f"1 - 1/{_sum(symbol, style)}", power)
+        (True, _position(symbol), f"1 - 1/{_sum(symbol, notation)}", power)
         for symbol, power in inverse
     ]
     factors.sort()
@@ -220,9 +226,9 @@ def _product(
     text = str(product.number) if product.number != 1 or not factors else ""
     for is_sum, _, written, power in factors:
         base = f"({written})" if is_sum else written
-        raised = base if power == 1 else f"{base}{style.power}{power}"
+        raised = base if power == 1 else f"{base}{notation.power}{power}"
         bracketed = is_sum and text.endswith(")")
-        text += f"{style.joined if bracketed else style.times}{raised}" if text else raised
+        text += f"{notation.joined if bracketed else notation.times}{raised}" if text else raised
     return _Written(text, is_product=len(factors) + (product.number != 1) > 1)
 
 
@@ -232,19 +238,19 @@ def _position(polynomial: Polynomial) -> tuple[int, ...]:
     return tuple(sorted(occurring))
 
 
-def _sum(polynomial: Polynomial, style: Style) -> str:
+def _sum(polynomial: Polynomial, notation: Notation) -> str:
     """A polynomial term by term."""
     text = ""
     for term in _ordered(polynomial):
         [(powers, factor)] = term.terms()
         symbols = [
-            symbol if power == 1 else f"{symbol}{style.power}{power}"
-            for symbol, power in zip(style.symbols, powers, strict=True)
+            symbol if power == 1 else f"{symbol}{notation.power}{power}"
+            for symbol, power in zip(notation.symbols, powers, strict=True)
             if power
         ]
         size = abs(int(factor))
         parts = [str(size)] * (size != 1 or not symbols) + symbols
         minus = factor < 0
         front = (" - " if minus else " + ") if text else "-" * minus
-        text += front + style.times.join(parts)
+        text += front + notation.times.join(parts)
     return text

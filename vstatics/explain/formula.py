@@ -8,16 +8,26 @@ from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from typing import Any, NamedTuple
 
+from vstatics.elements.lower import parts_of
 from vstatics.explain import forms
 from vstatics.explain.bodies import OwnLinks, Structure
 from vstatics.explain.names import Names
 from vstatics.explain.shares import NoFormula, shares
-from vstatics.explain.symbols import Symbol
 from vstatics.extras import missing
-from vstatics.model.transmission import HOUSING, Gear
+from vstatics.model.transmission import HOUSING, Gear, Transmission
 
 SHARED = ("u", "v")
 """Symbols for ratios that several mechanisms have."""
+
+
+class Symbol(NamedTuple):
+    """The ratio of a mechanism in a formula."""
+
+    name: str
+    meaning: str
+    """The mechanism, or the members of an element."""
+    value: float
+    """[-]"""
 
 
 class Formula(NamedTuple):
@@ -40,8 +50,34 @@ class Formula(NamedTuple):
     """Shorter, as some ratios are the same; may be nothing."""
 
 
+def symbols_of(case: Transmission, names: Names, own: OwnLinks) -> list[Symbol]:
+    """Symbols for the mechanisms between own links: those of the equations, or between wheels.
+
+    Parameters
+    ----------
+    case : Transmission
+        As it is calculated, planets among its links.
+    own : OwnLinks
+        The same on its own links.
+    """
+    symbols: list[Symbol] = []
+    number, wheels = 0, 0
+    for part, reduced in zip(parts_of(case), own.parts, strict=True):
+        for place, lowered in enumerate(reduced.lowered):
+            if part.planet_links:
+                wheels += 1
+                first, second, third = lowered.members
+                meaning = f"{part.name}: {first} to {second}, {third} held"
+                symbols.append(Symbol(f"k{wheels}", meaning, lowered.mechanism.ratio))
+            else:
+                symbol, name = names.ratios[number + place], case.mechanisms[number + place].name
+                symbols.append(Symbol(symbol, name, lowered.mechanism.ratio))
+        number += len(part.lowered)
+    return symbols
+
+
 def formula(
-    own: OwnLinks, gear: Gear, names: Names, symbols: Sequence[Symbol], found: Structure
+    own: OwnLinks, gear: Gear, names: Names, symbols: Sequence[Symbol], structure: Structure
 ) -> Formula:
     """The formula of a gear's ratio; where several speeds are given, of its output speed.
 
@@ -60,20 +96,20 @@ def formula(
         If SymPy is not installed, the output speed is not determined or 0, or the formula
         would be too long.
     """
-    told = missing("sympy", "the formula")
-    if told:
-        raise NoFormula(told)
+    reason = missing("sympy", "the formula")
+    if reason:
+        raise NoFormula(reason)
     case = own.case
     given: dict[int, str] = {}
     numbers: dict[str, float] = {}
     for link, speed in {case.gear_input(gear): 1.0, **gear.speeds}.items():
-        if found.body[link] != HOUSING:
-            given.setdefault(found.body[link], names.speeds[link])
-            numbers.setdefault(given[found.body[link]], speed)
+        if structure.body[link] != HOUSING:
+            given.setdefault(structure.body[link], names.speeds[link])
+            numbers.setdefault(given[structure.body[link]], speed)
     output = case.gear_output(gear)
-    if found.body[output] == HOUSING:
+    if structure.body[output] == HOUSING:
         raise NoFormula("the output is held: there is no ratio")
-    parts = shares(own, found, given, found.body[output])
+    parts = shares(own, structure, given, structure.body[output])
     if not parts:
         raise NoFormula("the output stands still: there is no ratio")
     speeds = {given[body]: numbers[given[body]] for body in parts}
@@ -86,7 +122,7 @@ def _of_ratio(ratio: Any, symbols: Sequence[Symbol]) -> Formula:
     occurring = sorted(_occurring(ratio))
     kept = [symbols[number] for number in occurring]
     renamed = _in_symbols(ratio, {number: place for place, number in enumerate(occurring)})
-    text = forms.fraction(renamed, forms.Style([one.name for one in kept]))
+    text = forms.fraction(renamed, forms.Notation([one.name for one in kept]))
     shared, shorter = _shared(renamed, kept)
     return Formula(
         left="i",
@@ -107,12 +143,12 @@ def _of_speed(
     kept = [symbols[number] for number in occurring]
     places = {number: place for place, number in enumerate(occurring)}
     renamed = [_in_symbols(share, places) for share in shares]
-    style = forms.Style([one.name for one in kept])
+    notation = forms.Notation([one.name for one in kept])
     unknowns = [f"w{number}" for number in range(1, len(speeds) + 1)]
     numbers = zip(renamed, speeds.values(), strict=True)
     return Formula(
         left=output,
-        text=forms.weighted(renamed, list(speeds), style),
+        text=forms.weighted(renamed, list(speeds), notation),
         expression=forms.weighted(renamed, unknowns, forms.python(len(kept))),
         symbols=kept,
         speeds=speeds,
@@ -169,7 +205,7 @@ def _shared(value: Any, symbols: Sequence[Symbol]) -> tuple[dict[str, list[str]]
     if one is None:
         return {}, ""
     stands_for = {letter: [symbols[n].name for n in numbers] for letter, numbers in letters.items()}
-    return stands_for, forms.fraction(one, forms.Style(new))
+    return stands_for, forms.fraction(one, forms.Notation(new))
 
 
 def _value(value: Any, symbols: Sequence[Symbol]) -> float:

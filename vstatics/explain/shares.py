@@ -27,7 +27,7 @@ class NoFormula(Exception):  # noqa: N818 - not an error of the case
 
 def shares(
     own: OwnLinks,
-    found: Structure,
+    structure: Structure,
     given: Mapping[Body, str],
     output: Body,
 ) -> Row:
@@ -40,7 +40,9 @@ def shares(
     )
     if output in given:
         return {output: fractions.one}
-    rows = [row for n in found.needed if (row := _row(own, n, found.body, ratios, fractions))]
+    rows = [
+        row for n in structure.needed if (row := _row(own, n, structure.body, ratios, fractions))
+    ]
     while unknown := {body for row in rows for body in row} - {output, *given}:
         counts = Counter(body for row in rows for body in row)
         body = min(unknown, key=lambda one: (counts[one], one))
@@ -76,8 +78,8 @@ def _without(row: Row, body: Body, pivot: Row) -> Row:
     if body not in row:
         return row
     share = row[body] / pivot[body]
-    made = {one: row.get(one, 0) - share * pivot.get(one, 0) for one in {**row, **pivot}}
-    return {one: factor for one, factor in made.items() if factor and one != body}
+    reduced = {one: row.get(one, 0) - share * pivot.get(one, 0) for one in {**row, **pivot}}
+    return {one: factor for one, factor in reduced.items() if factor and one != body}
 
 
 def _size(row: Row) -> int:

@@ -13,7 +13,7 @@ from vstatics.statics.speeds import is_tie
 from vstatics.statics.torques import solve_torques
 
 
-class Sign(NamedTuple):
+class PowerSign(NamedTuple):
     """A mechanism with losses: ``ratio x efficiency**sign`` stands in place of its ratio."""
 
     mechanism: str
@@ -34,7 +34,7 @@ class Sign(NamedTuple):
     why: str
 
 
-def signs_of(results: Results, number: int) -> list[Sign]:
+def signs_of(results: Results, number: int) -> list[PowerSign]:
     """The signs of a gear, by mechanism.
 
     Source: closed form of the published test, docs/method.md.
@@ -56,7 +56,7 @@ def signs_of(results: Results, number: int) -> list[Sign]:
         torque, efficiency = torques[place], both[place]
         power = torque * motion
         found.append(
-            Sign(
+            PowerSign(
                 mechanism=mechanism.name,
                 torque=torque,
                 motion=motion,

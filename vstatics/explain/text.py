@@ -10,7 +10,7 @@ from textwrap import wrap
 from vstatics.explain.equations import System
 from vstatics.explain.explanation import Explanation
 from vstatics.explain.formula import Formula
-from vstatics.explain.signs import Sign
+from vstatics.explain.signs import PowerSign
 from vstatics.explain.sums import INDENT, WIDTH, filled, in_numbers, in_symbols, listed
 from vstatics.tables.grid import Column, Grid
 from vstatics.tables.numbers import fixed, short
@@ -43,10 +43,10 @@ def _gear(one: Explanation) -> Iterator[str]:
 
 
 def _engaged(one: Explanation) -> str:
-    told = ["engaged " + ", ".join(one.engaged)] * bool(one.engaged)
+    parts = ["engaged " + ", ".join(one.engaged)] * bool(one.engaged)
     if one.holding:
-        told.append(f"{', '.join(one.holding)} hold{'s' * (len(one.holding) == 1)}")
-    return "; ".join(told) or "nothing engaged"
+        parts.append(f"{', '.join(one.holding)} hold{'s' * (len(one.holding) == 1)}")
+    return "; ".join(parts) or "nothing engaged"
 
 
 def _matrix(one: Explanation) -> Iterator[str]:
@@ -131,7 +131,7 @@ def _drags(one: Explanation) -> bool:
     return any(ideal.right != lossy.right for ideal, lossy in pairs)
 
 
-def _sign(sign: Sign) -> Iterator[str]:
+def _sign(sign: PowerSign) -> Iterator[str]:
     """A mechanism, its power by the first link, its sign and its ratio with losses."""
     label = f"{INDENT}{sign.mechanism}: "
     if sign.efficiency == 1 and sign.lossy_ratio == sign.ratio:
@@ -172,37 +172,34 @@ def _together(one: Explanation) -> Iterator[str]:
 
 def _ratio(one: Explanation) -> Iterator[str]:
     """The formula beside the value, and the values of its symbols."""
-    made = one.formula
-    heading = "Ratio" if made is None or made.left == "i" else "Output speed"
+    formula, ratio = one.formula, f"{INDENT}i = {one.input}/{one.output} = "
+    heading = "Ratio" if formula is None or formula.left == "i" else "Output speed"
     yield from ("", heading)
-    if made is None:
+    if formula is None:
         if not math.isnan(one.ratio):
-            yield f"{INDENT}i = {one.input}/{one.output} = {short(one.ratio)}"
+            yield f"{ratio}{short(one.ratio)}"
         yield from wrap(one.reason, WIDTH, initial_indent=INDENT, subsequent_indent=INDENT * 2)
         return
-    front = (
-        f"{INDENT}i = {one.input}/{one.output} = "
-        if made.left == "i"
-        else (f"{INDENT}{made.left} = ")
+    yield from _formula(
+        ratio if formula.left == "i" else f"{INDENT}{formula.left} = ", formula.text
     )
-    yield from _formula(front, made.text)
-    if made.shared_text:
-        equal = "; ".join(f"{new} = {' = '.join(old)}" for new, old in made.shared.items())
-        yield from _formula(f"{INDENT}with {equal}: i = ", made.shared_text)
-    for symbol in made.symbols:
-        told = "" if f"u_{symbol.meaning}" == symbol.name else f"  ({symbol.meaning})"
-        yield f"{INDENT}{symbol.name} = {short(symbol.value)}{told}"
-    for name, speed in made.speeds.items():
+    if formula.shared_text:
+        equal = "; ".join(f"{new} = {' = '.join(old)}" for new, old in formula.shared.items())
+        yield from _formula(f"{INDENT}with {equal}: i = ", formula.shared_text)
+    for symbol in formula.symbols:
+        meaning = "" if f"u_{symbol.meaning}" == symbol.name else f"  ({symbol.meaning})"
+        yield f"{INDENT}{symbol.name} = {short(symbol.value)}{meaning}"
+    for name, speed in formula.speeds.items():
         yield f"{INDENT}{name} = {short(speed)}"
-    yield f"{INDENT}{made.left} = {short(made.value)}{_agreement(one, made)}"
-    if made.left != "i" and not math.isnan(one.ratio):
-        yield f"{INDENT}i = {one.input}/{one.output} = {short(one.ratio)}"
+    yield f"{INDENT}{formula.left} = {short(formula.value)}{_agreement(one, formula)}"
+    if formula.left != "i" and not math.isnan(one.ratio):
+        yield f"{ratio}{short(one.ratio)}"
 
 
-def _agreement(one: Explanation, made: Formula) -> str:
+def _agreement(one: Explanation, formula: Formula) -> str:
     """Whether the formula gives what was calculated."""
-    calculated = one.ratio if made.left == "i" else one.speeds.values[one.output]
-    if math.isclose(made.value, calculated, rel_tol=1e-6, abs_tol=1e-12):
+    calculated = one.ratio if formula.left == "i" else one.speeds.values[one.output]
+    if math.isclose(formula.value, calculated, rel_tol=1e-6, abs_tol=1e-12):
         return ", as calculated"
     return f"; calculated: {short(calculated)}"
 

@@ -1,5 +1,15 @@
 """Pictures of a result: which there are, and how one becomes SVG, PNG or PDF.
 
+A result, a kind of picture and a style go in; the bytes of a file come out.
+
+>>> from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
+>>> from vstatics.pictures.style import Style
+>>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)], [Gear([1])])
+>>> render(solve(case), "plan", "svg", Style())[:5]
+b'<?xml'
+>>> len(picture(solve(case), "plan", Style()).axes)
+1
+
 A kind of picture is a function ``draw(results, style, gear) -> Figure`` in a module of
 its own, which is imported when its picture is asked for: matplotlib is an extra.
 """
@@ -24,15 +34,15 @@ if TYPE_CHECKING:
 Format = Literal["svg", "png", "pdf"]
 FORMATS: tuple[Format, ...] = get_args(Format)
 
-PICTURES: dict[str, tuple[str, str]] = {
-    "plan": ("vstatics.pictures.plan", "draw"),
-    "lever": ("vstatics.pictures.lever", "draw"),
-    "flow": ("vstatics.pictures.sankey.picture", "draw"),
-    "structure": ("vstatics.pictures.schemes.structure", "draw"),
-    "stick": ("vstatics.pictures.schemes.stick", "draw"),
-    "efficiency": ("vstatics.pictures.efficiency", "draw"),
+PICTURES = {
+    "plan": "vstatics.pictures.plan",
+    "lever": "vstatics.pictures.lever",
+    "flow": "vstatics.pictures.flow",
+    "structure": "vstatics.pictures.schemes.structure",
+    "stick": "vstatics.pictures.schemes.stick",
+    "efficiency": "vstatics.pictures.efficiency",
 }
-"""Kind of picture -> module and function."""
+"""Kind of picture -> module."""
 
 DPI = 150
 """Of PNG. [1/inch]"""
@@ -62,36 +72,18 @@ def picture(results: Results, kind: str, style: Style, gear: int | None = None) 
     ------
     CaseError
         If matplotlib is not installed, or the case has nothing that could be drawn.
-
-    Examples
-    --------
-    >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
-    >>> from vstatics.pictures.style import Style
-    >>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)], [Gear([1])])
-    >>> figure = picture(solve(case), "plan", Style())
-    >>> len(figure.axes)
-    1
     """
     require("matplotlib", "a picture")
-    module, function = PICTURES[kind]
+    module = import_module(PICTURES[kind])
     with _settings(style):
-        figure: Figure = getattr(import_module(module), function)(results, style, gear)
+        figure: Figure = module.draw(results, style, gear)
     return figure
 
 
 def render(
     results: Results, kind: str, form: Format, style: Style, gear: int | None = None
 ) -> bytes:
-    """A picture of a result as a file; parameters and errors as of `picture`.
-
-    Examples
-    --------
-    >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
-    >>> from vstatics.pictures.style import Style
-    >>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)], [Gear([1])])
-    >>> render(solve(case), "plan", "svg", Style())[:5]
-    b'<?xml'
-    """
+    """A picture of a result as a file; parameters and errors as of `picture`."""
     return _written(picture(results, kind, style, gear), form, style)
 
 
@@ -100,7 +92,7 @@ def sheets(results: Results, kind: str, style: Style) -> list[bytes]:
 
     Parameters and errors as of `picture`.
     """
-    module = import_module(PICTURES[kind][0])
+    module = import_module(PICTURES[kind])
     if not hasattr(module, "sheets"):
         return [render(results, kind, "svg", style)]
     with _settings(style):

@@ -7,16 +7,20 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from matplotlib.figure import Figure
 
 from vstatics.errors import CaseError, Problem
 from vstatics.numerics.arrays import Floats
 from vstatics.pictures import labels
 from vstatics.pictures.labels import LEADER, Label, Panel
+from vstatics.pictures.state import LOCKED, state_of
 from vstatics.pictures.style import TITLE, Style, number
+from vstatics.pictures.words import fault, title
 from vstatics.tables.values import tables
 
 if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from vstatics.model.transmission import Transmission
     from vstatics.statics.results import Results
 
 HIGH = 230.0
@@ -38,14 +42,6 @@ LONGEST = 120.0
 def draw(results: Results, style: Style, gear: int | None) -> Figure:
     """Draw the efficiency of all gears, or of one.
 
-    Parameters
-    ----------
-    results : Results
-        Of one case.
-    style : Style
-    gear : int, optional
-        Number, from 1.
-
     Raises
     ------
     CaseError
@@ -59,34 +55,36 @@ def draw(results: Results, style: Style, gear: int | None) -> Figure:
         raise CaseError([Problem(f"{which} has no efficiency that could be drawn")])
     names, shares = loss_shares(results, style)
     shares = shares[:, chosen]
-    told = [labels.wrapped(name, LONGEST) for name in names]
+    wrapped = [labels.wrapped(name, LONGEST) for name in names]
     gears = [case.gears[place].name for place in chosen]
-    figure, panel = _figure(_title(results, style), gears, told)
+    figure, panel = _figure(_title(case, style), gears, wrapped)
     _frame(panel, efficiency, style)
     _bars(panel, efficiency, shares, style)
     for place, one in enumerate(chosen):
         if math.isnan(efficiency[place]):
-            locked = style.text("locked by friction", "заклинена трением")
-            why = locked if results.locked[one] else style.text("not determined", "не определён")
+            is_locked = LOCKED in state_of(results, one + 1).faults
+            why = (
+                fault(LOCKED, style) if is_locked else style.text("not determined", "не определён")
+            )
             how = {"ha": "center", "va": "top", "rotation": 90}
             panel.write(panel.across(place), panel.up(1.0) - 6, why, **how)
     at = [Label(panel.across(place), name, style.ink) for place, name in enumerate(gears)]
     panel.along("bottom", at, upright=_foot(gears)[0])
     low = -LEADER - _foot(gears)[1] - 4
     panel.write(panel.width / 2, low, style.text("gear", "передача"), ha="center", va="top")
-    _legend(panel, told, style)
+    _legend(panel, wrapped, style)
     return figure
 
 
-def _figure(title: str, gears: Sequence[str], told: Sequence[str]) -> tuple[Figure, Panel]:
+def _figure(head: str, gears: Sequence[str], wrapped: Sequence[str]) -> tuple[Figure, Panel]:
     """A figure with room for its title, the names of gears and those of mechanisms."""
     wide = max(len(gears) * STEP, LEAST)
-    high = max(HIGH, sum(labels.height(name) + 6 for name in told))
-    across = LEFT + wide + 3 * MARGIN + 12 + max(map(labels.width, told), default=0.0)
-    lines = labels.wrapped(title, across - 2 * MARGIN, TITLE)
+    high = max(HIGH, sum(labels.height(name) + 6 for name in wrapped))
+    across = LEFT + wide + 3 * MARGIN + 12 + max(map(labels.width, wrapped), default=0.0)
+    lines = labels.wrapped(head, across - 2 * MARGIN, TITLE)
     below = LEADER + _foot(gears)[1] + BELOW
     up = below + high + labels.height(lines, TITLE) + 3 * MARGIN
-    figure = Figure(figsize=(across / labels.POINTS, up / labels.POINTS))
+    figure = labels.figure(across, up)
     figure.text(0.5, 1 - MARGIN / up, lines, ha="center", va="top", fontsize=TITLE)
     return figure, labels.panel(figure, LEFT, below, wide, high)
 
@@ -117,22 +115,22 @@ def loss_shares(results: Results, style: Style) -> tuple[list[str], Floats]:
     >>> names, shares.round(6)
     (['D1'], array([[0.04]]))
     """
-    made = {table.shape.name: table for table in tables(results)}
-    names, losses = list(made["losses"].rows), made["losses"].values
-    if "drag_losses" in made:
+    by_name = {table.shape.name: table for table in tables(results)}
+    names, losses = list(by_name["losses"].rows), by_name["losses"].values
+    if "drag_losses" in by_name:
         names.append(style.text("drag", "сопротивления"))
-        losses = np.vstack([losses, made["drag_losses"].values])
+        losses = np.vstack([losses, by_name["drag_losses"].values])
     total = losses.sum(axis=0)
     # below 0 when coasting; the sum of all shares is 1 - efficiency by the balance of power
     entered = np.where(total == 0, 1.0, total)
     return names, losses / entered * (1.0 - results.efficiency) + 0.0
 
 
-def _title(results: Results, style: Style) -> str:
+def _title(case: Transmission, style: Style) -> str:
     what = style.text("efficiency, and what each mechanism takes", "КПД и доли потерь в механизмах")
-    if results.case.coast:
+    if case.coast:
         what += style.text(" (coasting)", " (торможение двигателем)")
-    return f"{results.case.name}: {what}" if results.case.name else f"{what[0].upper()}{what[1:]}"
+    return title(case, what)
 
 
 def _frame(panel: Panel, efficiency: Floats, style: Style) -> None:

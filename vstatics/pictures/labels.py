@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 from matplotlib.font_manager import FontProperties
 from matplotlib.patches import Rectangle
 
-from vstatics.pictures.style import SIZE
+from vstatics.pictures.style import FONT, SIZE
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -22,6 +22,8 @@ GAP = 3.0
 """Between labels. [pt]"""
 LEADER = 16.0
 """Length of the line from an edge to its label. [pt]"""
+Point = tuple[float, float]
+"""A place of a picture. [pt]"""
 LINE = 1.25
 """Height of a line of text over its size, with what stands between lines."""
 
@@ -83,7 +85,7 @@ def _renderer() -> Any:
 @cache
 def width(text: str, size: float = SIZE) -> float:
     """Width of a text of one or more lines [pt]."""
-    font = FontProperties(family="DejaVu Sans", size=size)
+    font = FontProperties(family=FONT, size=size)
     measure = _renderer().get_text_width_height_descent
     return float(max(measure(line, font, ismath=False)[0] for line in text.split("\n")))
 
@@ -196,6 +198,11 @@ class Panel(NamedTuple):
             y = start + 0.65 * LEADER * way
             turned = {"rotation": 90} if upright else {}
             self.write(place, y, label.text, color=label.colour, **aligned, **turned)
+
+
+def figure(wide: float, high: float) -> Figure:
+    """A figure of a size in points."""
+    return Figure(figsize=(wide / POINTS, high / POINTS))
 
 
 def panel(figure: Figure, left: float, bottom: float, wide: float, high: float) -> Panel:

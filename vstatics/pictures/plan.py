@@ -6,15 +6,16 @@ import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from matplotlib.figure import Figure
-
 from vstatics.errors import CaseError, Problem
 from vstatics.pictures import labels
 from vstatics.pictures.labels import LEADER, Label, Panel
-from vstatics.pictures.rays import SAME, Plan, Ray, plans
+from vstatics.pictures.rays import SAME, KinematicPlan, Ray, plans
 from vstatics.pictures.style import TITLE, Style, number
+from vstatics.pictures.words import title
 
 if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
     from vstatics.model.transmission import Transmission
     from vstatics.statics.results import Results
 
@@ -36,14 +37,6 @@ ON_SHEET = 6
 
 def draw(results: Results, style: Style, gear: int | None) -> Figure:
     """Draw all plans of a case, or those that have a gear.
-
-    Parameters
-    ----------
-    results : Results
-        Of one case.
-    style : Style
-    gear : int, optional
-        Number, from 1.
 
     Raises
     ------
@@ -75,11 +68,11 @@ def sheets(results: Results, style: Style) -> list[Figure]:
     return [_figure(results.case, found[n : n + ON_SHEET], style) for n in starts]
 
 
-def _figure(case: Transmission, chosen: Sequence[Plan], style: Style) -> Figure:
+def _figure(case: Transmission, chosen: Sequence[KinematicPlan], style: Style) -> Figure:
     """Some plans, one beside and below another."""
     layout = _layout(case, chosen, style)
     wide, high = layout.size
-    figure = Figure(figsize=(wide / labels.POINTS, high / labels.POINTS))
+    figure = labels.figure(wide, high)
     how: dict[str, Any] = {"ha": "center", "va": "top", "fontsize": TITLE}
     figure.text(0.5, 1 - MARGIN / high, layout.title, **how)
     for place, plan in enumerate(chosen):
@@ -103,7 +96,7 @@ class _Layout(NamedTuple):
     size: tuple[float, float]
 
 
-def _layout(case: Transmission, chosen: Sequence[Plan], style: Style) -> _Layout:
+def _layout(case: Transmission, chosen: Sequence[KinematicPlan], style: Style) -> _Layout:
     columns = min(math.ceil(math.sqrt(len(chosen))), SIDE_BY_SIDE)
     names = [name for plan in chosen for name in _ray_names(case, plan)]
     left = MARGIN + LEADER + max(map(labels.width, names))
@@ -112,13 +105,14 @@ def _layout(case: Transmission, chosen: Sequence[Plan], style: Style) -> _Layout
     if any(heads):
         above += max(map(labels.height, heads))
     up, wide = above + HIGH + BELOW, columns * (left + WIDE + RIGHT)
-    title = labels.wrapped(_title(case, style), wide - 2 * MARGIN, TITLE)
-    title_high = labels.height(title, TITLE) + 2 * MARGIN
+    subject = style.text("generalised kinematic plan", "обобщённый кинематический план")
+    head = labels.wrapped(title(case, subject), wide - 2 * MARGIN, TITLE)
+    title_high = labels.height(head, TITLE) + 2 * MARGIN
     high = math.ceil(len(chosen) / columns) * up + title_high
-    return _Layout(columns, left, up, title, title_high, (wide, high))
+    return _Layout(columns, left, up, head, title_high, (wide, high))
 
 
-def _draw_plan(panel: Panel, case: Transmission, plan: Plan, style: Style) -> None:
+def _draw_plan(panel: Panel, case: Transmission, plan: KinematicPlan, style: Style) -> None:
     """A plan with all its labels."""
     _draw_rays(panel, case, plan, style)
     _draw_scales(panel, plan, style)
@@ -128,12 +122,7 @@ def _draw_plan(panel: Panel, case: Transmission, plan: Plan, style: Style) -> No
     panel.write(WIDE / 2, HIGH + LEADER + top.height + 2, head, ha="center", va="bottom")
 
 
-def _title(case: Transmission, style: Style) -> str:
-    what = style.text("generalised kinematic plan", "обобщённый кинематический план")
-    return f"{case.name}: {what}" if case.name else what.capitalize()
-
-
-def _heading(plan: Plan, style: Style) -> str:
+def _heading(plan: KinematicPlan, style: Style) -> str:
     """What all gears of a plan have in common."""
     parts = []
     if plan.engaged:
@@ -143,7 +132,7 @@ def _heading(plan: Plan, style: Style) -> str:
     return labels.wrapped("; ".join(parts), WIDE)
 
 
-def _ray_names(case: Transmission, plan: Plan) -> list[str]:
+def _ray_names(case: Transmission, plan: KinematicPlan) -> list[str]:
     """The links of each ray in lines."""
     return [
         labels.wrapped(" = ".join(case.link_name(link) for link in ray.links), LONGEST)
@@ -151,7 +140,7 @@ def _ray_names(case: Transmission, plan: Plan) -> list[str]:
     ]
 
 
-def _gear_text(case: Transmission, plan: Plan, place: int, between: str) -> str:
+def _gear_text(case: Transmission, plan: KinematicPlan, place: int, between: str) -> str:
     mark = plan.marks[place]
     elements = ", ".join(case.shift_elements[number - 1].name for number in mark.elements)
     name = case.gears[mark.gear - 1].name
@@ -167,7 +156,7 @@ class _Top(NamedTuple):
     """[pt]"""
 
 
-def _top(case: Transmission, plan: Plan, style: Style) -> _Top:
+def _top(case: Transmission, plan: KinematicPlan, style: Style) -> _Top:
     """The names of gears, across if each can stand near to its vertical, else upwards."""
     low, high = _frame(plan)[:2]
     at = [(mark.output - low) / (high - low) * WIDE for mark in plan.marks]
@@ -187,13 +176,13 @@ def _top(case: Transmission, plan: Plan, style: Style) -> _Top:
     return _Top(turned, upright=True, height=max(labels.width(a.text) for a in turned))
 
 
-def _neutral(plan: Plan, style: Style) -> str:
+def _neutral(plan: KinematicPlan, style: Style) -> str:
     """What to call the vertical at the origin."""
     taken = any(abs(mark.output) < SAME for mark in plan.marks)
     return "" if taken else style.text("output stands", "выход стоит")
 
 
-def _frame(plan: Plan) -> tuple[float, float, float, float]:
+def _frame(plan: KinematicPlan) -> tuple[float, float, float, float]:
     """The ends of the abscissa, and of all rays between them."""
     outputs = [0.0, 1.0, *(mark.output for mark in plan.marks)]
     room = 0.06 * (max(outputs) - min(outputs))
@@ -203,7 +192,7 @@ def _frame(plan: Plan) -> tuple[float, float, float, float]:
     return low, high, min(reached) - room, max(reached) + room
 
 
-def _draw_rays(panel: Panel, case: Transmission, plan: Plan, style: Style) -> None:
+def _draw_rays(panel: Panel, case: Transmission, plan: KinematicPlan, style: Style) -> None:
     """Rays with their labels at the left, verticals, and what stops or joins links."""
     axes = panel.axes
     low, high, lowest, highest = _frame(plan)
@@ -229,12 +218,12 @@ def _draw_rays(panel: Panel, case: Transmission, plan: Plan, style: Style) -> No
     panel.beside("left", [Label(panel.up(ray.at(low)), name, one) for ray, name, one in at_edge])
 
 
-def _colour(ray: Ray, plan: Plan, style: Style, place: int) -> str:
+def _colour(ray: Ray, plan: KinematicPlan, style: Style, place: int) -> str:
     return style.ink if {plan.input, plan.output} & set(ray.links) else style.colour(place)
 
 
 def _stops(
-    case: Transmission, plan: Plan, elements: Sequence[int], output: float
+    case: Transmission, plan: KinematicPlan, elements: Sequence[int], output: float
 ) -> list[tuple[float, float]]:
     """Where the rays of two links that an element joins meet, or one crosses the abscissa."""
     speeds = {link: ray.at(output) for ray in plan.rays for link in ray.links}
@@ -246,7 +235,7 @@ def _stops(
     return places
 
 
-def _draw_scales(panel: Panel, plan: Plan, style: Style) -> None:
+def _draw_scales(panel: Panel, plan: KinematicPlan, style: Style) -> None:
     """1/i of the gears at the abscissa, ordinates at the right."""
     outputs = sorted({round(mark.output, 9) + 0.0 for mark in plan.marks})
     found = [Label(panel.across(x), number(x), style.ink) for x in outputs]

@@ -17,6 +17,7 @@ from typing import NamedTuple
 
 from vstatics.errors import CaseError, Problem
 from vstatics.model.transmission import HOUSING, Gear, Transmission
+from vstatics.pictures.state import state_of
 from vstatics.statics.results import Results
 from vstatics.statics.speeds import solve_speeds
 
@@ -56,7 +57,7 @@ class Mark(NamedTuple):
     """Numbers of the shift elements that are engaged besides those of the plan."""
 
 
-class Plan(NamedTuple):
+class KinematicPlan(NamedTuple):
     """One plan: what is engaged in all of it, its rays and its gears."""
 
     input: int
@@ -74,7 +75,7 @@ class Plan(NamedTuple):
         return all(abs(ray.at(1.0) - 1.0) < SAME for ray in self.rays)
 
 
-def plans(results: Results) -> list[Plan]:
+def plans(results: Results) -> list[KinematicPlan]:
     """The generalised kinematic plans of a case.
 
     A train of two degrees of freedom has one. Where there are more, there is one for
@@ -102,33 +103,32 @@ def plans(results: Results) -> list[Plan]:
     >>> [round(ray.start + 0.0, 3) for ray in plan.rays], [round(ray.slope, 3) for ray in plan.rays]
     ([1.0, -0.4, 0.0], [0.0, 1.4, 1.0])
     """
-    case = results.with_freewheels_engaged
+    case = results.settled
+    gears = [state_of(results, number) for number in range(1, len(case.gears) + 1)]
     known = [
-        (number, gear, output)
-        for number, gear in enumerate(case.gears, 1)
-        if math.isfinite(output := float(results.speeds[number - 1, case.gear_output(gear) - 1]))
+        (number, gear)
+        for number, gear in enumerate(gears, 1)
+        if math.isfinite(gear.speeds[gear.output])
     ]
-    states: dict[tuple[int, int, tuple[Condition, ...]], None] = {}
-    for _, gear, _ in known:
-        ends = (case.gear_input(gear), case.gear_output(gear))
-        for state in _states(case, gear):
-            states.setdefault((*ends, state))
-    made = []
+    states = dict.fromkeys(
+        (gear.input, gear.output, state) for _, gear in known for state in _states(case, gear.gear)
+    )
+    drawn = []
     for first, last, state in sorted(states, key=lambda key: (key[:2], len(key[2]), key[2])):
         marks = tuple(
-            Mark(number, output, _further(case, gear, state))
-            for number, gear, output in known
-            if (first, last) == (case.gear_input(gear), case.gear_output(gear))
-            and _conditions(case, gear).issuperset(state)
+            Mark(number, gear.speeds[last], _further(case, gear.gear, state))
+            for number, gear in known
+            if (first, last) == (gear.input, gear.output)
+            and _conditions(case, gear.gear).issuperset(state)
         )
         rays = _rays(case, first, last, state)
         engaged, given = _names(case, state, marks)
-        made.append(Plan(first, last, engaged, given, tuple(rays), marks))
-    if not made:
+        drawn.append(KinematicPlan(first, last, engaged, given, tuple(rays), marks))
+    if not drawn:
         message = "a kinematic plan shows what is left free by all elements of a gear but one"
         raise CaseError([Problem(f"{message}, and no gear of this case leaves anything free")])
-    shared = [plan for plan in made if len({mark.output for mark in plan.marks}) > 1]
-    return shared or made
+    shared = [plan for plan in drawn if len({mark.output for mark in plan.marks}) > 1]
+    return shared or drawn
 
 
 def _conditions(case: Transmission, gear: Gear) -> set[Condition]:

@@ -7,6 +7,8 @@ from typing import Any, NamedTuple
 
 from vstatics.statics.results import Language
 
+FONT = "DejaVu Sans"
+"""It comes with matplotlib and has Cyrillic letters."""
 SIZE = 8.0
 """Of texts. [pt]"""
 TITLE = 10.0
@@ -90,7 +92,7 @@ class Style(NamedTuple):
         inked = ("text.color", "axes.edgecolor", "axes.labelcolor", "xtick.color", "ytick.color")
         return {
             **dict.fromkeys(inked, self.ink),
-            "font.family": "DejaVu Sans",  # comes with matplotlib, has Cyrillic
+            "font.family": FONT,
             "font.size": SIZE,
             "axes.titlesize": TITLE,
             "figure.facecolor": self.paper,

@@ -25,28 +25,18 @@ Track = tuple[int, int]
 
 
 class Tap(NamedTuple):
-    """Where a wire meets an item.
-
-    Attributes
-    ----------
-    wire : int
-    side : int
-        ABOVE, BELOW, or 0: that of the wire.
-    x : float
-        From the left end of the item. [pt]
-    reach : str
-    label : str
-        What the item calls it.
-    depth : float
-        How far from the middle of the row, toward its side, it leaves the item. [pt]
-    """
+    """Where a wire meets an item."""
 
     wire: int
     side: int
+    """ABOVE, BELOW, or 0: that of the wire."""
     x: float
+    """From the left end of the item. [pt]"""
     reach: Reach = "row"
     label: str = ""
+    """What the item calls it."""
     depth: float = 0.0
+    """How far from the middle of the row, toward its side, it leaves the item. [pt]"""
 
 
 @dataclass(frozen=True)
@@ -77,7 +67,7 @@ class Item:
 
 
 @dataclass(frozen=True)
-class Plan:
+class Arrangement:
     """An arrangement: the order of items, their variants, sides of wires, order of tracks."""
 
     order: tuple[int, ...]
@@ -105,8 +95,8 @@ class PlacedTap(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Row:
-    """A plan with places along the row [pt]."""
+class PlacedRow:
+    """An arrangement with places along the row [pt]."""
 
     lefts: Mapping[int, float]
     """Left ends of the items that are there, by their index."""
@@ -136,64 +126,64 @@ class Board:
     to_right: Sequence[int] = ()
     gap: float = 16.0
 
-    def row(self, plan: Plan, extra: Mapping[int, float] | None = None) -> Row:
+    def row(self, arrangement: Arrangement, extra: Mapping[int, float] | None = None) -> PlacedRow:
         """The places of items and taps; `extra` widens the gap before an item."""
         lefts: dict[int, float] = {}
         widths: dict[int, float] = {}
         taps: list[PlacedTap] = []
         x = 0.0
-        missing = self._bridges(plan)
-        reaches = self._reaches(plan)
-        for place, index in enumerate(plan.order):
+        missing = self._bridges(arrangement)
+        reaches = self._reaches(arrangement)
+        for place, index in enumerate(arrangement.order):
             item = self.items[index]
             if item.bridge is not None and item.bridge not in missing:
                 continue
-            variant = plan.variants[index]
+            variant = arrangement.variants[index]
             x += self.gap + (extra.get(index, 0.0) if extra else 0.0)
-            own, width = _taps(item, variant, plan, place, reaches)
+            own, width = _taps(item, variant, arrangement, place, reaches)
             lefts[index], widths[index] = x, width
             for wire, side, at, reach, label, depth in own:
                 taps.append(PlacedTap(index, wire, side, x + at, reach, label, depth))
             x += width
         x += self.gap + (extra.get(-1, 0.0) if extra else 0.0)
-        return Row(lefts, widths, taps, self._spans(taps, plan, x), x)
+        return PlacedRow(lefts, widths, taps, self._spans(taps, arrangement, x), x)
 
-    def _bridges(self, plan: Plan) -> set[int]:
+    def _bridges(self, arrangement: Arrangement) -> set[int]:
         """Wires whose tracks on both sides are joined by no item."""
         sides: dict[int, set[int]] = {}
         joined: set[int] = set()
-        for index in plan.order:
+        for index in arrangement.order:
             item = self.items[index]
             if item.bridge is not None:
                 continue
             own: dict[tuple[int, float], int] = {}
-            for wire, given, x, reach, _, _ in item.variants[plan.variants[index]]:
+            for wire, given, x, reach, _, _ in item.variants[arrangement.variants[index]]:
                 if reach == "none":
                     continue
-                side = given or plan.sides[wire]
+                side = given or arrangement.sides[wire]
                 sides.setdefault(wire, set()).add(side)
                 if own.setdefault((wire, x), side) != side:
                     joined.add(wire)
         return {wire for wire, found in sides.items() if len(found) > 1} - joined
 
-    def _reaches(self, plan: Plan) -> dict[int, tuple[int, int]]:
+    def _reaches(self, arrangement: Arrangement) -> dict[int, tuple[int, int]]:
         """The first and the last place in the row at which a wire meets an item."""
         found: dict[int, tuple[int, int]] = dict.fromkeys(self.from_left, (-1, -1))
-        for place, index in enumerate(plan.order):
+        for place, index in enumerate(arrangement.order):
             item = self.items[index]
             if item.bridge is None:
-                for tap in item.variants[plan.variants[index]]:
+                for tap in item.variants[arrangement.variants[index]]:
                     if tap.reach == "none":
                         continue
                     first = found.get(tap.wire, (place, place))[0]
                     found[tap.wire] = first, place
         for wire in self.to_right:
-            first = found.get(wire, (len(plan.order), 0))[0]
-            found[wire] = first, len(plan.order)
+            first = found.get(wire, (len(arrangement.order), 0))[0]
+            found[wire] = first, len(arrangement.order)
         return found
 
     def _spans(
-        self, taps: Sequence[PlacedTap], plan: Plan, end: float
+        self, taps: Sequence[PlacedTap], arrangement: Arrangement, end: float
     ) -> dict[Track, tuple[float, float]]:
         spans: dict[Track, tuple[float, float]] = {}
         for _, wire, side, x, reach, _, _ in taps:
@@ -206,16 +196,18 @@ class Board:
                 spans[wire, side] = min(low, x), max(high, x)
         for wires, x in ((self.from_left, 0.0), (self.to_right, end)):
             for wire in wires:
-                track = end_track(spans, wire, plan.sides[wire])
+                track = end_track(spans, wire, arrangement.sides[wire])
                 low, high = spans.get(track, (x, x))
                 spans[track] = min(low, x), max(high, x)
         return spans
 
-    def cost(self, plan: Plan) -> float:
+    def cost(self, arrangement: Arrangement) -> float:
         """Crossings, length of wire, tracks."""
-        row = self.row(plan)
+        row = self.row(arrangement)
         length = sum(high - low for low, high in row.spans.values())
-        return CROSSING * crossings(row, plan) + length + TRACK * len(row.spans) + 2 * row.width
+        return (
+            CROSSING * crossings(row, arrangement) + length + TRACK * len(row.spans) + 2 * row.width
+        )
 
 
 def end_track(spans: Mapping[Track, tuple[float, float]], wire: int, side: int) -> Track:
@@ -225,10 +217,10 @@ def end_track(spans: Mapping[Track, tuple[float, float]], wire: int, side: int) 
     return (wire, ABOVE) if (wire, ABOVE) in spans else (wire, side)
 
 
-def crossings(row: Row, plan: Plan) -> int:
+def crossings(row: PlacedRow, arrangement: Arrangement) -> int:
     """How often taps pass tracks of other wires."""
     count = 0
-    ranks = plan.ranks
+    ranks = arrangement.ranks
     by_side: dict[int, list[tuple[int, int, float, float]]] = {ABOVE: [], BELOW: []}
     for track, (low, high) in row.spans.items():
         by_side[track[1]].append((track[0], ranks[track], low, high))
@@ -250,10 +242,14 @@ Sided = tuple[int, int, float, Reach, str, float]
 
 
 def _taps(
-    item: Item, variant: int, plan: Plan, place: int, reaches: Mapping[int, tuple[int, int]]
+    item: Item,
+    variant: int,
+    arrangement: Arrangement,
+    place: int,
+    reaches: Mapping[int, tuple[int, int]],
 ) -> tuple[Sequence[Sided], float]:
     """The taps of an item with their sides, and its width."""
-    sides, ranks = plan.sides, plan.ranks
+    sides, ranks = arrangement.sides, arrangement.ranks
     own: list[Sided] = [
         (wire, side or sides[wire], x, reach, label, depth)
         for wire, side, x, reach, label, depth in item.variants[variant]

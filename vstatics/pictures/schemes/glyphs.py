@@ -6,9 +6,8 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from vstatics.model.transmission import HOUSING
+from vstatics.pictures.labels import Point
 from vstatics.pictures.schemes.channels import ABOVE, Reach, Tap
-
-Point = tuple[float, float]
 
 TOOTH, SLEEVE = 2.2, 3.0
 """Widths of the lines of teeth and of the sleeves that join rims. [pt]"""

@@ -6,22 +6,19 @@ from collections.abc import Sequence
 from functools import cache
 from typing import TYPE_CHECKING, Any
 
-from vstatics.pictures.style import Style
+from vstatics.pictures import labels
+from vstatics.pictures.labels import Point
+from vstatics.pictures.style import FONT, Style
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
 
 SIZE, SMALL = 9.0, 7.5
 """Of text. [pt]"""
 LINE = 1.3
 """Width of a line. [pt]"""
-FONT = "DejaVu Sans"
-"""It comes with matplotlib and has Cyrillic letters."""
 WRAP = 14
 """Longer names are broken at blanks. [letters]"""
-
-Point = tuple[float, float]
 
 
 @cache
@@ -64,11 +61,8 @@ class Pen:
 
     def __init__(self, low: Point, high: Point, style: Style) -> None:
         """Make the figure."""
-        from matplotlib.figure import Figure
-
-        width, height = high[0] - low[0], high[1] - low[1]
         self.style = style
-        self.figure: Figure = Figure(figsize=(width / 72, height / 72), facecolor=style.paper)
+        self.figure = labels.figure(high[0] - low[0], high[1] - low[1])
         self.axes: Axes = self.figure.add_axes((0.0, 0.0, 1.0, 1.0))
         self.axes.set_axis_off()
         self.axes.set_xlim(low[0], high[0])
@@ -82,13 +76,9 @@ class Pen:
 
     def dot(self, at: Point, color: str) -> None:
         """Where wires are joined."""
-        self.disc(at, 2.3, color)
-
-    def disc(self, at: Point, radius: float, color: str) -> None:
-        """A filled circle."""
         from matplotlib.patches import Circle
 
-        self.axes.add_patch(Circle(at, radius, facecolor=color, edgecolor="none", zorder=6))
+        self.axes.add_patch(Circle(at, 2.3, facecolor=color, edgecolor="none", zorder=6))
 
     def shape(self, points: Sequence[Point], *, fill: str, edge: str, width: float = LINE) -> None:
         """A filled polygon."""
@@ -139,17 +129,10 @@ class Pen:
         points = [(x, y), (x - 9 * way, y + 3.5), (x - 9 * way, y - 3.5)]
         self.shape(points, fill=color, edge=color, width=0.5)
 
-    def hatch(self, left: Point, right: Point, side: int, color: str) -> None:
-        """A piece of the housing: a line with strokes on the outer side."""
-        (start, y), (end, _) = left, right
-        self.line(left, right, color=color, width=1.6)
-        count = max(int((end - start) / 5), 2)
-        step = (end - start) / count
-        for number in range(count):
-            x = start + step * (number + 0.5)
-            self.line((x - 2.5, y), (x + 2.5, y + 5 * side), color=color, width=0.8)
-
     def ground(self, at: Point, side: int, color: str) -> None:
-        """The housing at a point, away from it toward a side."""
+        """A piece of the housing at a point: a line with strokes toward a side."""
         x, y = at
-        self.hatch((x - 8, y), (x + 8, y), side, color)
+        self.line((x - 8, y), (x + 8, y), color=color, width=1.6)
+        for number in range(3):
+            middle = x - 8 + 16 / 3 * (number + 0.5)
+            self.line((middle - 2.5, y), (middle + 2.5, y + 5 * side), color=color, width=0.8)

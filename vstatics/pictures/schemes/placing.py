@@ -6,7 +6,15 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
-from vstatics.pictures.schemes.channels import ABOVE, BELOW, Board, Plan, Row, Track, end_track
+from vstatics.pictures.schemes.channels import (
+    ABOVE,
+    BELOW,
+    Arrangement,
+    Board,
+    PlacedRow,
+    Track,
+    end_track,
+)
 
 PITCH = 17.0
 """From track to track. [pt]"""
@@ -22,8 +30,8 @@ PAD = 6.0
 class Placement:
     """Where everything stands; y is 0 in the middle of the row [pt]."""
 
-    plan: Plan
-    row: Row
+    arrangement: Arrangement
+    row: PlacedRow
     levels: Mapping[Track, int]
     half: float
     """Half the height of the row."""
@@ -34,7 +42,7 @@ class Placement:
 
     def end_of(self, wire: int) -> Track:
         """The track by which a wire reaches an end of the picture."""
-        return end_track(self.row.spans, wire, self.plan.sides[wire])
+        return end_track(self.row.spans, wire, self.arrangement.sides[wire])
 
     def y(self, track: Track) -> float:
         """Of a track."""
@@ -78,13 +86,15 @@ class Placement:
         return found
 
 
-def placed(board: Board, plan: Plan, half: float, names: Mapping[int, float]) -> Placement:
+def placed(
+    board: Board, arrangement: Arrangement, half: float, names: Mapping[int, float]
+) -> Placement:
     """Everything at its place.
 
     Parameters
     ----------
     board : Board
-    plan : Plan
+    arrangement : Arrangement
     half : float
         Half the height of the row. [pt]
     names : mapping of wire to float
@@ -92,8 +102,8 @@ def placed(board: Board, plan: Plan, half: float, names: Mapping[int, float]) ->
     """
     extra: dict[int, float] = {}
     for _ in range(3 * len(names) + 3):
-        row = board.row(plan, extra)
-        bare = Placement(plan, row, _levels(row, plan), half, {})
+        row = board.row(arrangement, extra)
+        bare = Placement(arrangement, row, _levels(row, arrangement), half, {})
         labels: dict[int, tuple[float, float]] = {}
         for wire, width in names.items():
             middle, y, lack, before = _room(bare, wire, width + 2 * PAD, board.gap)
@@ -103,14 +113,14 @@ def placed(board: Board, plan: Plan, half: float, names: Mapping[int, float]) ->
             labels[wire] = middle, y
         else:
             break
-    return Placement(plan, row, bare.levels, half, labels, board.from_left, board.to_right)
+    return Placement(arrangement, row, bare.levels, half, labels, board.from_left, board.to_right)
 
 
-def _levels(row: Row, plan: Plan) -> dict[Track, int]:
+def _levels(row: PlacedRow, arrangement: Arrangement) -> dict[Track, int]:
     """The lowest level of each track at which no other is in its way."""
     levels: dict[Track, int] = {}
     for side in (ABOVE, BELOW):
-        tracks = sorted((t for t in row.spans if t[1] == side), key=lambda t: plan.ranks[t])
+        tracks = sorted((t for t in row.spans if t[1] == side), key=lambda t: arrangement.ranks[t])
         for track in tracks:
             low, high = row.spans[track]
             under = [

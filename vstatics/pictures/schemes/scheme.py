@@ -2,39 +2,31 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
-import numpy as np
-
-from vstatics.elements.drawing import parts_of
 from vstatics.elements.element import Element
+from vstatics.elements.lower import parts_of
 from vstatics.model.transmission import HOUSING, Gear, Mechanism, ShiftElement, Transmission
-from vstatics.statics.results import Results
+from vstatics.pictures.state import PictureState
 
 
 class Device(NamedTuple):
-    """A mechanism, an element with teeth, or a shift element, and the links that it joins.
-
-    Attributes
-    ----------
-    name : str
-    kind : str
-        ``mechanism``, a kind of element, or a kind of shift element.
-    members : mapping of member to link
-        0 is the housing.
-    numbers : sequence of int
-        Its mechanisms, or the shift element itself, as indices.
-    element : Element, optional
-        With its teeth, where it was drawn.
-    """
+    """A mechanism, an element with teeth, or a shift element, and the links that it joins."""
 
     name: str
     kind: str
+    """``mechanism``, a kind of element, or a kind of shift element."""
     members: dict[str, int]
+    """Their links; 0 is the housing."""
     numbers: tuple[int, ...]
+    """Its mechanisms, or the shift element itself, as indices."""
     element: Element | None = None
+    """With its teeth, where it was drawn."""
+    ratio: float = math.nan
+    """Of a mechanism. [-]"""
 
     @property
     def is_shift_element(self) -> bool:
@@ -61,8 +53,8 @@ class Port(NamedTuple):
 
 
 @dataclass(frozen=True)
-class State:
-    """What is engaged in a gear, what carries nothing; of no gear, nothing is either."""
+class SchemeState:
+    """What is marked in a picture of a gear, and what is pale; of no gear, nothing is."""
 
     engaged: frozenset[int] = frozenset()
     """Devices by their places in `Scheme.devices`."""
@@ -109,7 +101,11 @@ def scheme_of(case: Transmission) -> Scheme:
     """
     count = case.own_links
     devices = [*_mechanisms(case), *_shift_elements(case.shift_elements)]
-    ports = dict.fromkeys(port for gear in case.gears for port in _ports(case, gear))
+    ports = dict.fromkeys(
+        port
+        for gear in case.gears
+        for port in _ports(case.gear_input(gear), case.gear_output(gear), gear)
+    )
     if not ports:
         ports = dict.fromkeys([Port(case.input, "input"), Port(case.output, "output")])
     roles = {(port.link, port.role) for port in ports}
@@ -128,7 +124,9 @@ def _mechanisms(case: Transmission) -> list[Device]:
         numbers = tuple(range(number, number + len(part.lowered)))
         number += len(part.lowered)
         if part.element is None:
-            found.append(Device(part.name, *_shape_of(part.lowered[0].mechanism), numbers))
+            mechanism = part.lowered[0].mechanism
+            shape = _shape_of(mechanism)
+            found.append(Device(part.name, *shape, numbers, ratio=mechanism.ratio))
         else:
             kind = part.element.kind
             found.append(Device(part.name, kind, part.members, numbers, part.element))
@@ -155,37 +153,29 @@ def _shift_elements(elements: Sequence[ShiftElement]) -> list[Device]:
     ]
 
 
-def _ports(case: Transmission, gear: Gear) -> list[Port]:
+def _ports(first: int, last: int, gear: Gear) -> list[Port]:
     given = dict.fromkeys([*gear.speeds, *gear.torques])
-    ends = [Port(case.gear_input(gear), "input"), Port(case.gear_output(gear), "output")]
-    return [*ends, *(Port(link, "given") for link in given)]
+    return [Port(first, "input"), Port(last, "output"), *(Port(link, "given") for link in given)]
 
 
-def state_of(results: Results, scheme: Scheme, gear: int | None) -> State:
-    """What is engaged and what is idle in a gear, by its number from 1; None for no gear."""
-    if gear is None:
-        return State()
-    case = results.case
-    torques = np.nan_to_num(results.torques[gear - 1, :-1], nan=1.0)
-    holds = results.holds[gear - 1]
-    exists = bool(results.calculable[gear - 1])
+def scheme_state(scheme: Scheme, state: PictureState) -> SchemeState:
+    """What is engaged and what is idle in a gear."""
     engaged: set[int] = set()
     idle: set[int] = set()
-    ports = _ports(case, case.gears[gear - 1])
+    ports = _ports(state.input, state.output, state.gear)
     ends = [port.link for port in ports]
     for place, device in enumerate(scheme.devices):
         if device.is_shift_element:
-            carries = bool(holds[device.numbers[0]])
+            carries = state.holds[device.numbers[0]]
             (engaged if carries else idle).add(place)
         else:
-            columns = [len(case.shift_elements) + number for number in device.numbers]
-            carries = bool(torques[columns].any())
-            rests = bool(results.idle[gear - 1, list(device.numbers)].all())
+            carries = any(state.is_loaded[number] for number in device.numbers)
+            rests = all(state.is_idle[number] for number in device.numbers)
             # a support never turns: it is idle only where it holds nothing
-            if exists and rests and not (device.kind == "held" and carries):
+            if rests and not (device.kind == "held" and carries):
                 idle.add(place)
         ends += list(device.links) if carries else []
     links = {link for link in range(1, len(scheme.links) + 1) if ends.count(link) < 2}
     used = {port.link for port in ports}
     unused = {port for port in scheme.ports if port.link not in used}
-    return State(frozenset(engaged), frozenset(idle), frozenset(links), frozenset(unused))
+    return SchemeState(frozenset(engaged), frozenset(idle), frozenset(links), frozenset(unused))

@@ -11,7 +11,7 @@ from dataclasses import replace
 from functools import partial
 from random import Random
 
-from vstatics.pictures.schemes.channels import ABOVE, BELOW, Board, Plan
+from vstatics.pictures.schemes.channels import ABOVE, BELOW, Arrangement, Board
 
 STEPS, MOST_STEPS = 150, 4000
 """Of each attempt, for each item and wire, and in all."""
@@ -22,8 +22,8 @@ HOT, COLD = 600.0, 6.0
 """Temperatures at the start and at the end, in points of length of wire."""
 
 
-def arranged(board: Board, *, is_free: bool) -> Plan:
-    """A plan with few crossings and short wires.
+def arranged(board: Board, *, is_free: bool) -> Arrangement:
+    """An arrangement with few crossings and short wires.
 
     Parameters
     ----------
@@ -40,7 +40,7 @@ def arranged(board: Board, *, is_free: bool) -> Plan:
     return _settled(board, *min(ends, key=lambda end: end[1]))
 
 
-def _start(board: Board) -> Plan:
+def _start(board: Board) -> Arrangement:
     order = tuple(range(len(board.items)))
     sides = {wire: ABOVE if number % 2 else BELOW for number, wire in enumerate(board.wires)}
     ranks = {
@@ -48,44 +48,44 @@ def _start(board: Board) -> Plan:
         for number, wire in enumerate([*board.wires, 0])
         for side in (ABOVE, BELOW)
     }
-    return Plan(order, (0,) * len(order), sides, ranks)
+    return Arrangement(order, (0,) * len(order), sides, ranks)
 
 
 def _annealed(
-    board: Board, plan: Plan, chance: Random, steps: int, *, is_free: bool
-) -> tuple[Plan, float]:
-    cost = board.cost(plan)
-    best = plan, cost
+    board: Board, arrangement: Arrangement, chance: Random, steps: int, *, is_free: bool
+) -> tuple[Arrangement, float]:
+    cost = board.cost(arrangement)
+    best = arrangement, cost
     varied = [i for i, item in enumerate(board.items) if len(item.variants) > 1]
     kinds = ["order", "order", "swap", "rank"] + ["side"] * is_free + ["variant"] * 2 * bool(varied)
     for step in range(steps):
         heat = HOT * (COLD / HOT) ** (step / steps)
-        other = _moved(board, plan, chance.choice(kinds), varied, chance)
+        other = _moved(board, arrangement, chance.choice(kinds), varied, chance)
         if other is None:
             continue
         value = board.cost(other)
         if value <= cost or chance.random() < math.exp((cost - value) / heat):
-            plan, cost = other, value
+            arrangement, cost = other, value
             if cost < best[1]:
-                best = plan, cost
+                best = arrangement, cost
     return best
 
 
-def _settled(board: Board, plan: Plan, cost: float) -> Plan:
-    """The plan after each change of one variant, or of two neighbours, that makes it better."""
+def _settled(board: Board, arrangement: Arrangement, cost: float) -> Arrangement:
+    """The arrangement after each change of one variant or of two neighbours that helps."""
     for _ in range(SWEEPS):
         before = cost
         for change in _changes(board):
-            other = change(plan)
+            other = change(arrangement)
             value = board.cost(other)
             if value < cost:
-                plan, cost = other, value
+                arrangement, cost = other, value
         if cost == before:
             break
-    return plan
+    return arrangement
 
 
-def _changes(board: Board) -> Iterator[Callable[[Plan], Plan]]:
+def _changes(board: Board) -> Iterator[Callable[[Arrangement], Arrangement]]:
     for index, item in enumerate(board.items):
         for variant in range(len(item.variants)):
             yield partial(_varied, index=index, variant=variant)
@@ -93,40 +93,44 @@ def _changes(board: Board) -> Iterator[Callable[[Plan], Plan]]:
         yield partial(_exchanged, board=board, place=place)
 
 
-def _varied(plan: Plan, index: int, variant: int) -> Plan:
-    variants = (*plan.variants[:index], variant, *plan.variants[index + 1 :])
-    return replace(plan, variants=variants)
+def _varied(arrangement: Arrangement, index: int, variant: int) -> Arrangement:
+    variants = (*arrangement.variants[:index], variant, *arrangement.variants[index + 1 :])
+    return replace(arrangement, variants=variants)
 
 
-def _exchanged(plan: Plan, board: Board, place: int) -> Plan:
-    one, other = plan.order[place : place + 2]
+def _exchanged(arrangement: Arrangement, board: Board, place: int) -> Arrangement:
+    one, other = arrangement.order[place : place + 2]
     if None not in {board.items[one].rank, board.items[other].rank}:
-        return plan
-    return replace(plan, order=(*plan.order[:place], other, one, *plan.order[place + 2 :]))
+        return arrangement
+    return replace(
+        arrangement, order=(*arrangement.order[:place], other, one, *arrangement.order[place + 2 :])
+    )
 
 
 def _moved(
-    board: Board, plan: Plan, kind: str, varied: Sequence[int], chance: Random
-) -> Plan | None:
-    """A neighbour of a plan; None where the move is not allowed."""
+    board: Board, arrangement: Arrangement, kind: str, varied: Sequence[int], chance: Random
+) -> Arrangement | None:
+    """A neighbour of an arrangement; None where the move is not allowed."""
     if kind in {"order", "swap"}:
-        order = list(plan.order)
+        order = list(arrangement.order)
         a, b = chance.randrange(len(order)), chance.randrange(len(order))
         if kind == "swap":
             order[a], order[b] = order[b], order[a]
         else:
             order.insert(b, order.pop(a))
         ranks = [rank for i in order if (rank := board.items[i].rank) is not None]
-        return replace(plan, order=tuple(order)) if ranks == sorted(ranks) else None
+        return replace(arrangement, order=tuple(order)) if ranks == sorted(ranks) else None
     if kind == "rank":
-        one, wire = chance.choice(list(plan.ranks)), chance.choice(list(board.wires))
+        one, wire = chance.choice(list(arrangement.ranks)), chance.choice(list(board.wires))
         other = wire, one[1]  # on the same side, so that no two ranks are the same
-        ranks_now = plan.ranks
-        return replace(plan, ranks={**ranks_now, one: ranks_now[other], other: ranks_now[one]})
+        ranks_now = arrangement.ranks
+        return replace(
+            arrangement, ranks={**ranks_now, one: ranks_now[other], other: ranks_now[one]}
+        )
     if kind == "side":
         wire = chance.choice(list(board.wires))
-        return replace(plan, sides={**plan.sides, wire: -plan.sides[wire]})
+        return replace(arrangement, sides={**arrangement.sides, wire: -arrangement.sides[wire]})
     index = chance.choice(list(varied))
-    variants = list(plan.variants)
+    variants = list(arrangement.variants)
     variants[index] = chance.randrange(len(board.items[index].variants))
-    return replace(plan, variants=tuple(variants))
+    return replace(arrangement, variants=tuple(variants))

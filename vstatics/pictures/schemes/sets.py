@@ -28,7 +28,7 @@ MOST_COLUMNS = 6
 
 
 @dataclass
-class Column:
+class WheelColumn:
     """A plane of wheels: the rims of planets by their levels, a sun below, a ring above."""
 
     rims: dict[int, str]
@@ -50,7 +50,7 @@ class Section:
     group: PlanetGroup
     levels: Mapping[str, int]
     """Of each planet."""
-    columns: Sequence[Column] = field(default_factory=list)
+    columns: Sequence[WheelColumn] = field(default_factory=list)
 
     def x(self, column: int) -> float:
         """Of the plane of a column."""
@@ -127,8 +127,8 @@ def _levels(group: PlanetGroup) -> dict[str, int]:
     return levels
 
 
-def _columns(group: PlanetGroup, levels: Mapping[str, int]) -> list[Column]:
-    columns: list[Column] = []
+def _columns(group: PlanetGroup, levels: Mapping[str, int]) -> list[WheelColumn]:
+    columns: list[WheelColumn] = []
     for pair in group.meshes:
         places = {levels[group.planet_of[rim]]: rim for rim in pair}
         for column in columns:
@@ -138,7 +138,7 @@ def _columns(group: PlanetGroup, levels: Mapping[str, int]) -> list[Column]:
                 column.rims = both
                 break
         else:
-            columns.append(Column(places))
+            columns.append(WheelColumn(places))
     for wheel in group.wheels:
         level = levels[group.planet_of[wheel.rim]]
         for column in columns:
@@ -147,7 +147,7 @@ def _columns(group: PlanetGroup, levels: Mapping[str, int]) -> list[Column]:
             if column.rims[end] == wheel.rim and taken is None:
                 break
         else:
-            column = Column({level: wheel.rim})
+            column = WheelColumn({level: wheel.rim})
             columns.append(column)
         if wheel.internal:
             column.ring = wheel

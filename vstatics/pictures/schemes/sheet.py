@@ -1,16 +1,20 @@
-"""What all schemes draw alike: paper, wires, ends, clutches and brakes."""
+"""What all schemes draw alike: paper, title, wires, ends, clutches and brakes."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import NamedTuple
 
 from vstatics.model.transmission import HOUSING
+from vstatics.pictures.labels import Point
 from vstatics.pictures.schemes.channels import ABOVE, BELOW, Item, PlacedTap, Tap
-from vstatics.pictures.schemes.pen import SIZE, Pen, width_of, wrapped
+from vstatics.pictures.schemes.pen import LINE, SIZE, Pen, width_of, wrapped
 from vstatics.pictures.schemes.placing import Placement
-from vstatics.pictures.schemes.scheme import Device, Scheme, State
-from vstatics.pictures.schemes.symbols import coupling
+from vstatics.pictures.schemes.scheme import Device, Scheme, SchemeState, scheme_state
+from vstatics.pictures.state import state_of
 from vstatics.pictures.style import Style
+from vstatics.pictures.words import fault, gear_title
+from vstatics.statics.results import Results
 
 TERMINAL = 30.0
 """Length of an arrow at an end of the picture. [pt]"""
@@ -21,6 +25,10 @@ BAND = 26.0
 """From the last track to the housing: there is room for a brake. [pt]"""
 BESIDE = 14.0
 """From a brake to its name. [pt]"""
+PLATE = 9.0
+"""Half the length of a plate. [pt]"""
+SPLIT = {"freewheel": 6.0, "dog_clutch": 4.0}
+"""Half the length along the line, where it is not that of plates. [pt]"""
 
 
 class Sheet(NamedTuple):
@@ -29,7 +37,7 @@ class Sheet(NamedTuple):
     pen: Pen
     placement: Placement
     scheme: Scheme
-    state: State
+    state: SchemeState
 
     def color(self, index: int) -> str:
         """Of a device."""
@@ -48,8 +56,16 @@ class Sheet(NamedTuple):
         return [tap for tap in self.placement.row.taps if tap.item == index]
 
 
-def sheet_of(placement: Placement, scheme: Scheme, state: State, title: str, style: Style) -> Sheet:
-    """A figure with room for everything, its title and its wires."""
+def sheet_of(
+    results: Results, scheme: Scheme, placement: Placement, style: Style, gear: int | None
+) -> Sheet:
+    """A figure with room for everything, its title and its wires; a gear by its number from 1."""
+    state, title = SchemeState(), results.case.name
+    if gear is not None:
+        found = state_of(results, gear)
+        state = scheme_state(scheme, found)
+        texts = [gear_title(found.gear.name, style), *(fault(one, style) for one in found.faults)]
+        title = ", ".join([title, *texts] if title else texts)
     names = {
         "left": [width_of(scheme.name(wire)) for wire in placement.from_left],
         "right": [width_of(scheme.name(wire)) for wire in placement.to_right],
@@ -132,6 +148,35 @@ def clutch_item(index: int, device: Device, sides: tuple[int, ...]) -> Item:
     return Item(index, [width] * len(variants), variants)
 
 
+def coupling(pen: Pen, kind: str, ends: tuple[Point, Point], color: str, *, closed: bool) -> None:
+    """A shift element on a level or upright line, from its first link to its second."""
+    start, end = ends
+    middle = (start[0] + end[0]) / 2, (start[1] + end[1]) / 2
+    length = abs(end[0] - start[0]) + abs(end[1] - start[1])
+    dx, dy = (end[0] - start[0]) / length, (end[1] - start[1]) / length
+
+    def at(forward: float, across: float) -> Point:
+        return middle[0] + forward * dx - across * dy, middle[1] + forward * dy + across * dx
+
+    half = SPLIT.get(kind, 3.0)
+    pen.line(start, at(-half, 0), color=color)
+    pen.line(at(half, 0), end, color=color)
+    if kind == "freewheel":
+        fill = color if closed else pen.style.paper
+        pen.shape([at(-half, 6), at(-half, -6), at(half, 0)], fill=fill, edge=color)
+        pen.line(at(half, 7), at(half, -7), color=color, width=2.0)
+        return
+    if closed:
+        corners = [at(-half, PLATE), at(half, PLATE), at(half, -PLATE), at(-half, -PLATE)]
+        pen.shape(corners, fill=color, edge=color)
+    for place in (-half, half):
+        pen.line(at(place, PLATE), at(place, -PLATE), color=color, width=2 * LINE)
+    if kind == "dog_clutch":
+        for side, places in ((-half, (-7.0, 0.0, 7.0)), (half, (-3.5, 3.5))):
+            for across in places:  # teeth of the one between teeth of the other
+                pen.line(at(side, across), at(-side / 3, across), color=color)
+
+
 def draw_clutch(sheet: Sheet, index: int) -> None:
     """A clutch between two links, its name below."""
     device, color = sheet.scheme.devices[index], sheet.color(index)
@@ -157,3 +202,14 @@ def draw_brake(sheet: Sheet, index: int) -> None:
     coupling(sheet.pen, device.kind, (way[0], way[1]), color, closed=closed)
     at = tap.x + BESIDE, (ends[0][1] + ends[1][1]) / 2
     sheet.pen.text(at, wrapped(device.name), color=color, across="left", bold=closed)
+
+
+def draw_devices(sheet: Sheet, draw_mechanism: Callable[[Sheet, int], None]) -> None:
+    """All devices, each by its index."""
+    for index, device in enumerate(sheet.scheme.devices):
+        if device.is_on_housing:
+            draw_brake(sheet, index)
+        elif device.is_shift_element:
+            draw_clutch(sheet, index)
+        else:
+            draw_mechanism(sheet, index)

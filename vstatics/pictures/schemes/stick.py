@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
+from functools import partial
 from typing import TYPE_CHECKING, NamedTuple
 
 from vstatics.elements.drawing import drawing_of
@@ -19,7 +20,7 @@ from vstatics.pictures.schemes.glyphs import Glyph
 from vstatics.pictures.schemes.pairs import pair_glyphs
 from vstatics.pictures.schemes.pen import SMALL, width_of, wrapped
 from vstatics.pictures.schemes.placing import Placement, placed
-from vstatics.pictures.schemes.scheme import Device, Scheme, scheme_of, state_of
+from vstatics.pictures.schemes.scheme import Device, Scheme, scheme_of
 from vstatics.pictures.schemes.search import arranged
 from vstatics.pictures.schemes.sets import set_glyphs
 from vstatics.pictures.schemes.sheet import (
@@ -28,14 +29,13 @@ from vstatics.pictures.schemes.sheet import (
     Sheet,
     brake_width,
     clutch_item,
-    draw_brake,
-    draw_clutch,
+    draw_devices,
     sheet_of,
 )
-from vstatics.pictures.schemes.structure import box_item, draw_box, named_on_tracks, note_of
-from vstatics.pictures.schemes.words import title_of, word
+from vstatics.pictures.schemes.structure import box_item, draw_box, named_on_tracks
 from vstatics.pictures.style import Style
-from vstatics.statics.results import Language, Results
+from vstatics.pictures.words import word
+from vstatics.statics.results import Results
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -48,7 +48,7 @@ BESIDE = 7.0
 """From the name of an element to its drawing. [pt]"""
 
 
-class Layout(NamedTuple):
+class StickLayout(NamedTuple):
     """The elements with the ways in which they can be drawn, and where all stands."""
 
     placement: Placement
@@ -56,19 +56,13 @@ class Layout(NamedTuple):
 
     def glyph(self, index: int) -> Glyph:
         """How an element is drawn."""
-        return self.glyphs[index][self.placement.plan.variants[index]]
+        return self.glyphs[index][self.placement.arrangement.variants[index]]
 
 
 def draw(results: Results, style: Style, gear: int | None) -> Figure:
     """The stick diagram of a case that is made of elements.
 
-    Parameters
-    ----------
-    results : Results
-        Of one case.
-    style : Style
-    gear : int or None
-        Number of a gear from 1: what is engaged in it is marked, what is idle is pale.
+    In the picture of a gear what is engaged is marked, what is idle is pale.
 
     Raises
     ------
@@ -84,24 +78,15 @@ def draw(results: Results, style: Style, gear: int | None) -> Figure:
         )
         raise CaseError([Problem(message)])
     scheme = scheme_of(case)
-    layout = place(scheme, style.language)
-    state = state_of(results, scheme, gear)
-    sheet = sheet_of(layout.placement, scheme, state, title_of(results, style, gear), style)
+    layout = place(scheme, style)
+    sheet = sheet_of(results, scheme, layout.placement, style, gear)
     if all(_is_coaxial(device) for device in scheme.devices):
         _axis(sheet)
-    for index, device in enumerate(scheme.devices):
-        if device.is_on_housing:
-            draw_brake(sheet, index)
-        elif device.is_shift_element:
-            draw_clutch(sheet, index)
-        elif device.element is None:
-            draw_box(sheet, index, note_of(results, device, style.language))
-        else:
-            _element(sheet, layout, index)
+    draw_devices(sheet, partial(_mechanism, layout))
     return sheet.pen.figure
 
 
-def place(scheme: Scheme, lang: Language) -> Layout:
+def place(scheme: Scheme, style: Style) -> StickLayout:
     """Where everything stands in the picture; the same for all gears of a case."""
     glyphs = {
         index: glyphs_of(device)
@@ -109,9 +94,9 @@ def place(scheme: Scheme, lang: Language) -> Layout:
         if device.element is not None and not device.is_on_housing
     }
     items = [
-        _element_item(index, device, glyphs[index], lang)
+        _element_item(index, device, glyphs[index], style)
         if index in glyphs
-        else _item(index, device, lang)
+        else _item(index, device, style)
         for index, device in enumerate(scheme.devices)
     ]
     wires = range(1, len(scheme.links) + 1)
@@ -119,9 +104,9 @@ def place(scheme: Scheme, lang: Language) -> Layout:
         wall = [Tap(wire, ABOVE, BRIDGE / 2), Tap(wire, BELOW, BRIDGE / 2)]
         items.append(Item(len(items), [BRIDGE], [wall], bridge=wire))
     board = Board(items, wires, *scheme.ends)
-    plan = arranged(board, is_free=False)
+    arrangement = arranged(board, is_free=False)
     half = max([LEAST_HALF, *(glyph.half + 8 for ways in glyphs.values() for glyph in ways)])
-    return Layout(placed(board, plan, half, named_on_tracks(scheme)), glyphs)
+    return StickLayout(placed(board, arrangement, half, named_on_tracks(scheme)), glyphs)
 
 
 def glyphs_of(device: Device) -> list[Glyph]:
@@ -147,25 +132,25 @@ def _axis(sheet: Sheet) -> None:
     sheet.pen.line(*ends, color=sheet.pen.style.faint, width=0.8, linestyle=dashes)
 
 
-def _names(device: Device, lang: Language) -> tuple[str, str]:
+def _names(device: Device, style: Style) -> tuple[str, str]:
     """The name of an element, and its kind if that cannot be seen from its planets."""
     element = device.element
     is_set = element is None or isinstance(element.shape, Planetary)
-    return wrapped(device.name), "" if is_set else word(device.kind, lang)
+    return wrapped(device.name), "" if is_set else word(device.kind, style)
 
 
-def _label_width(device: Device, lang: Language) -> float:
-    name, kind = _names(device, lang)
+def _label_width(device: Device, style: Style) -> float:
+    name, kind = _names(device, style)
     return max(width_of(name, bold=True), width_of(kind, SMALL)) + BESIDE
 
 
-def _element_item(index: int, device: Device, glyphs: list[Glyph], lang: Language) -> Item:
-    label = _label_width(device, lang)
+def _element_item(index: int, device: Device, glyphs: list[Glyph], style: Style) -> Item:
+    label = _label_width(device, style)
     variants = [[tap._replace(x=tap.x + label) for tap in glyph.taps] for glyph in glyphs]
     return Item(index, [glyph.width + label for glyph in glyphs], variants, rank=index)
 
 
-def _item(index: int, device: Device, lang: Language) -> Item:
+def _item(index: int, device: Device, style: Style) -> Item:
     """A shift element, a support, or a mechanism that is given as such."""
     if device.is_on_housing:
         (link,) = device.links
@@ -174,11 +159,14 @@ def _item(index: int, device: Device, lang: Language) -> Item:
         return Item(index, [brake_width(device)] * 2, [drum, shaft])
     if device.is_shift_element:
         return clutch_item(index, device, (ABOVE, BELOW))
-    return replace(box_item(index, device, (ABOVE, BELOW), lang), rank=index)
+    return replace(box_item(index, device, (ABOVE, BELOW), style), rank=index)
 
 
-def _element(sheet: Sheet, layout: Layout, index: int) -> None:
-    """An element with its name."""
+def _mechanism(layout: StickLayout, sheet: Sheet, index: int) -> None:
+    """An element with its name; a box, where its wheels are not known."""
+    if sheet.scheme.devices[index].element is None:
+        draw_box(sheet, index)
+        return
     pen, color, placement = sheet.pen, sheet.color(index), sheet.placement
     device, glyph = sheet.scheme.devices[index], layout.glyph(index)
     left = placement.row.lefts[index]
@@ -192,7 +180,7 @@ def _element(sheet: Sheet, layout: Layout, index: int) -> None:
             end = tap.x, tap.side * (placement.half + 4)
             pen.line((tap.x, tap.y), end, color=color)
             pen.ground(end, tap.side, color)
-    name, kind = _names(device, pen.style.language)
+    name, kind = _names(device, pen.style)
     x, y = start - BESIDE, placement.half - 2
     pen.text((x, y), name, color=color, across="right", up="top", bold=True)
     y -= HEIGHT * (name.count("\n") + 1)

@@ -11,20 +11,19 @@ from vstatics.model.transmission import HOUSING
 from vstatics.pictures.schemes.channels import ABOVE, BELOW, Board, Item, Reach, Tap
 from vstatics.pictures.schemes.pen import SMALL, width_of, wrapped
 from vstatics.pictures.schemes.placing import Placement, placed
-from vstatics.pictures.schemes.scheme import Device, Scheme, scheme_of, state_of
+from vstatics.pictures.schemes.scheme import Device, Scheme, scheme_of
 from vstatics.pictures.schemes.search import arranged
 from vstatics.pictures.schemes.sheet import (
     HEIGHT,
     Sheet,
     brake_width,
     clutch_item,
-    draw_brake,
-    draw_clutch,
+    draw_devices,
     sheet_of,
 )
-from vstatics.pictures.schemes.words import title_of, word
 from vstatics.pictures.style import Style
-from vstatics.statics.results import Language, Results
+from vstatics.pictures.words import word
+from vstatics.statics.results import Results
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -38,13 +37,7 @@ LETTERS = 18
 def draw(results: Results, style: Style, gear: int | None) -> Figure:
     """Mechanisms, links, clutches and brakes, and how they are joined.
 
-    Parameters
-    ----------
-    results : Results
-        Of one case.
-    style : Style
-    gear : int or None
-        Number of a gear from 1: what is engaged in it is marked, what is idle is pale.
+    In the picture of a gear what is engaged is marked, what is idle is pale.
 
     Source: figure 5b.
 
@@ -55,22 +48,14 @@ def draw(results: Results, style: Style, gear: int | None) -> Figure:
     ['1', '1', '2', '2', '3', '3', 'D1', 'T1', 'i = −2']
     """
     scheme = scheme_of(results.case)
-    placement = place(scheme, style.language)
-    state = state_of(results, scheme, gear)
-    sheet = sheet_of(placement, scheme, state, title_of(results, style, gear), style)
-    for index, device in enumerate(scheme.devices):
-        if device.is_on_housing:
-            draw_brake(sheet, index)
-        elif device.is_shift_element:
-            draw_clutch(sheet, index)
-        else:
-            draw_box(sheet, index, note_of(results, device, style.language))
+    sheet = sheet_of(results, scheme, place(scheme, style), style, gear)
+    draw_devices(sheet, draw_box)
     return sheet.pen.figure
 
 
-def place(scheme: Scheme, lang: Language) -> Placement:
+def place(scheme: Scheme, style: Style) -> Placement:
     """Where everything stands in the picture; the same for all gears of a case."""
-    items = [_item(index, device, lang) for index, device in enumerate(scheme.devices)]
+    items = [_item(index, device, style) for index, device in enumerate(scheme.devices)]
     board = Board(items, range(1, len(scheme.links) + 1), *scheme.ends)
     return placed(board, arranged(board, is_free=True), HALF, named_on_tracks(scheme))
 
@@ -85,21 +70,21 @@ def named_on_tracks(scheme: Scheme) -> dict[int, float]:
     }
 
 
-def _item(index: int, device: Device, lang: Language) -> Item:
+def _item(index: int, device: Device, style: Style) -> Item:
     """A device as something in the row, its wires on the side where they run."""
     if device.is_on_housing:
         (link,) = device.links
         return Item(index, [brake_width(device)], [[Tap(link, 0, 12.0, "edge")]])
     if device.is_shift_element:
         return clutch_item(index, device, (0,))
-    return box_item(index, device, (0,), lang)
+    return box_item(index, device, (0,), style)
 
 
-def box_item(index: int, device: Device, sides: tuple[int, ...], lang: Language) -> Item:
+def box_item(index: int, device: Device, sides: tuple[int, ...], style: Style) -> Item:
     """A mechanism as a box with its members at the top and at the bottom."""
-    slot = max(width_of(word(member, lang), SMALL) for member in device.members) + 9
+    slot = max(width_of(word(member, style), SMALL) for member in device.members) + 9
     name = width_of(wrapped(device.name, LETTERS), bold=True)
-    inner = max(name, width_of(word(device.kind, lang), SMALL), 60.0) + 10
+    inner = max(name, width_of(word(device.kind, style), SMALL), 60.0) + 10
     variants: list[list[Tap]] = [[]]
     for member, link in device.members.items():
         own = (ABOVE, BELOW) if link == HOUSING else sides
@@ -112,29 +97,29 @@ def box_item(index: int, device: Device, sides: tuple[int, ...], lang: Language)
     return Item(index, [inner] * len(variants), variants, slot=slot)
 
 
-def note_of(results: Results, device: Device, lang: Language) -> str:
+def _note(device: Device, style: Style) -> str:
     """What stands below the name: the kind of an element, the ratio of a mechanism."""
     if device.kind != "mechanism":
-        return word(device.kind, lang)
-    ratio = results.case.mechanisms[device.numbers[0]].ratio
-    return f"i = {ratio:.5g}".replace("-", "−")
+        return word(device.kind, style)
+    return f"i = {device.ratio:.5g}".replace("-", "−")
 
 
-def draw_box(sheet: Sheet, index: int, note: str) -> None:
+def draw_box(sheet: Sheet, index: int) -> None:
     """A mechanism with its name, a note and its members."""
+    device = sheet.scheme.devices[index]
     pen, color = sheet.pen, sheet.color(index)
     left = sheet.placement.row.lefts[index]
     right = left + sheet.placement.row.widths[index]
     corners = [(left, -HALF), (right, -HALF), (right, HALF), (left, HALF)]
     pen.shape(corners, fill=pen.style.paper, edge=color, width=1.8)
-    names = wrapped(sheet.scheme.devices[index].name, LETTERS).split("\n")
+    names = wrapped(device.name, LETTERS).split("\n")
     y = HEIGHT * len(names) / 2
     for line in names:
         pen.text(((left + right) / 2, y), line, color=color, bold=True)
         y -= 0.95 * HEIGHT
-    pen.text(((left + right) / 2, y), note, color=color, size=SMALL)
+    pen.text(((left + right) / 2, y), _note(device, pen.style), color=color, size=SMALL)
     for tap in sheet.taps(index):
-        text = word(tap.label, pen.style.language)
+        text = word(tap.label, pen.style)
         pen.text((tap.x, tap.side * (HALF - 8)), text, color=color, size=SMALL)
         if tap.reach == "none":
             end = tap.x, tap.side * (HALF + 8)

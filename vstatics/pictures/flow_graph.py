@@ -69,10 +69,10 @@ def graph(side: PowerFlow) -> Graph:
     >>> from vstatics.flow.power import flows
     >>> mechanisms = [Mechanism(1, 2, 3, -2.0, name="set"), Mechanism(1, 2, 0, -4.0, name="pair")]
     >>> [gear] = flows(solve(Transmission(3, [], mechanisms, [Gear()])))
-    >>> made = graph(gear.ideal)
-    >>> {str(node): layer for node, layer in made.layers.items()}
+    >>> drawn = graph(gear.ideal)
+    >>> {str(node): layer for node, layer in drawn.layers.items()}
     {'input': 0, '1': 1, 'set': 2, '3': 3, 'output': 4}
-    >>> [" > ".join(map(str, (band.source, *band.between))) for band in made.bands if band.back]
+    >>> [" > ".join(map(str, (band.source, *band.between))) for band in drawn.bands if band.back]
     ['set > 2 > pair']
     """
     edges = [edge for edge in side.forward if edge.target.kind != "drag"]

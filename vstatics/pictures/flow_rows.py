@@ -6,9 +6,9 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import combinations, pairwise
 
+from vstatics.pictures.flow_columns import SPACE, FlowCell, Key, NodeColumns, key
+from vstatics.pictures.flow_graph import Graph
 from vstatics.pictures.labels import spread
-from vstatics.pictures.sankey.columns import SPACE, Cell, Columns, Key, key
-from vstatics.pictures.sankey.graph import Graph
 
 SWEEPS = 12
 """Times that nodes are moved towards their neighbours."""
@@ -21,7 +21,7 @@ _Near = Mapping[Key, Sequence[tuple[Key, float]]]
 """Neighbours of a cell, with the power that they exchange with it."""
 
 
-def tops(graph: Graph, cells: Columns) -> dict[Key, float]:
+def tops(graph: Graph, cells: NodeColumns) -> dict[Key, float]:
     """How deep each cell stands: few bands cross, neighbours are near to one another.
 
     Returns
@@ -49,11 +49,11 @@ def tops(graph: Graph, cells: Columns) -> dict[Key, float]:
     return {own: top - highest for own, top in deep.items()}
 
 
-def _keyed(layer: int, column: Sequence[Cell]) -> dict[Key, Cell]:
+def _keyed(layer: int, column: Sequence[FlowCell]) -> dict[Key, FlowCell]:
     return {key(layer, one): one for one in column}
 
 
-def _neighbours(graph: Graph, cells: Columns) -> tuple[_Near, _Near]:
+def _neighbours(graph: Graph, cells: NodeColumns) -> tuple[_Near, _Near]:
     """Cells before each along bands, and those after it."""
     before: dict[Key, list[tuple[Key, float]]] = {}
     after: dict[Key, list[tuple[Key, float]]] = {}
@@ -80,8 +80,8 @@ def _rising(wanted: Sequence[float]) -> list[float]:
 
 
 def _ordered(
-    columns: list[dict[Key, Cell]], near: tuple[_Near, _Near], graph: Graph
-) -> list[dict[Key, Cell]]:
+    columns: list[dict[Key, FlowCell]], near: tuple[_Near, _Near], graph: Graph
+) -> list[dict[Key, FlowCell]]:
     """The columns in an order with few crossings; neighbours are exchanged as long as it helps."""
     looped = {node for band in graph.bands if band.loop is not None for node in band.pairs[0]}
     given = [list(column) for column in columns]

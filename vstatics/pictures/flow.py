@@ -14,13 +14,13 @@ from matplotlib.patheffects import withStroke
 
 from vstatics.flow.power import GearFlow, flows
 from vstatics.pictures import labels
-from vstatics.pictures.labels import POINTS, Panel, height, wrapped
-from vstatics.pictures.sankey.bands import Box, Line, Point
-from vstatics.pictures.sankey.columns import ARM
-from vstatics.pictures.sankey.graph import graph
-from vstatics.pictures.sankey.places import Layout, layout
-from vstatics.pictures.sankey.words import heading, words
+from vstatics.pictures.flow_columns import ARM
+from vstatics.pictures.flow_graph import graph
+from vstatics.pictures.flow_places import Box, FlowLayout, Line, layout
+from vstatics.pictures.flow_texts import FlowTexts, heading
+from vstatics.pictures.labels import Panel, Point, height, wrapped
 from vstatics.pictures.style import TITLE, Style
+from vstatics.pictures.words import gear_title
 from vstatics.statics.results import Results
 
 WIDEST = 30.0
@@ -47,13 +47,13 @@ class _Gear(NamedTuple):
     """What is drawn of a gear."""
 
     title: str
-    told: str
-    layout: Layout | None
+    heading: str
+    layout: FlowLayout | None
 
     @property
     def head(self) -> float:
         """Height of its texts [pt]."""
-        return height("", TITLE) + (height(self.told) if self.told else 0.0) + 10
+        return height("", TITLE) + (height(self.heading) if self.heading else 0.0) + 10
 
     @property
     def high(self) -> float:
@@ -67,14 +67,6 @@ def draw(results: Results, style: Style, gear: int | None) -> Figure:
     Power runs from left to right, widths of bands are power in one scale for all gears.
     Losses leave downwards, power that circulates goes back below. With losses, if the
     gear has a flow with losses.
-
-    Parameters
-    ----------
-    results : Results
-        Of one case.
-    style : Style
-    gear : int, optional
-        Number, from 1.
 
     Examples
     --------
@@ -97,8 +89,8 @@ def _figure(results: Results, chosen: Sequence[GearFlow], style: Style) -> Figur
     layouts = placed(chosen, style)
     wide = max([LEAST, *(one.width for one in layouts if one)])
     gears = [
-        _Gear(f"{style.text('gear', 'передача')} {flow.gear}", heading(flow, wide, style), made)
-        for flow, made in zip(chosen, layouts, strict=True)
+        _Gear(gear_title(flow.gear, style), heading(flow, wide, style), placing)
+        for flow, placing in zip(chosen, layouts, strict=True)
     ]
     case = wrapped(results.case.name, wide, TITLE)
     name = height(case, TITLE) if case else 0.0
@@ -106,7 +98,7 @@ def _figure(results: Results, chosen: Sequence[GearFlow], style: Style) -> Figur
     top = name + (height("") + BETWEEN / 2 if shown else 0.0)
     high = top + sum(one.high for one in gears) + BETWEEN * (len(gears) - 1)
     across, up = wide + 2 * MARGIN, high + 2 * MARGIN
-    figure = Figure(figsize=(across / POINTS, up / POINTS), facecolor=style.paper)
+    figure = labels.figure(across, up)
     panel = labels.panel(figure, 0, 0, across, up)
     panel.axes.set(xlim=(0, across), ylim=(0, up))
     panel.axes.set_axis_off()
@@ -119,19 +111,21 @@ def _figure(results: Results, chosen: Sequence[GearFlow], style: Style) -> Figur
     return figure
 
 
-def placed(found: Sequence[GearFlow], style: Style) -> list[Layout | None]:
+def placed(found: Sequence[GearFlow], style: Style) -> list[FlowLayout | None]:
     """The layouts of gears in one scale; None of a gear of which nothing is to be drawn."""
     sides = [flow.lossy or flow.ideal for flow in found]
     graphs = [graph(side) if side is not None else None for side in sides]
-    powers = [made.through(node) for made in graphs if made for node in made.layers]
+    powers = [drawn.through(node) for drawn in graphs if drawn for node in drawn.layers]
     scale = min(WIDEST, THICKEST / max(powers, default=1.0))
     return [
-        layout(made, scale, words(flow, side, style)) if side and made and made.bands else None
-        for flow, side, made in zip(found, sides, graphs, strict=True)
+        layout(drawn, scale, FlowTexts(flow, side, style))
+        if side and drawn and drawn.bands
+        else None
+        for flow, side, drawn in zip(found, sides, graphs, strict=True)
     ]
 
 
-def _legend(panel: Panel, y: float, shown: Sequence[Layout], style: Style) -> None:
+def _legend(panel: Panel, y: float, shown: Sequence[FlowLayout], style: Style) -> None:
     """What colours mean, of those that the picture has."""
     loops = any(line.band.loop is not None for one in shown for line in one.lines)
     losses = any(box.cell.lost for one in shown for box in one.boxes)
@@ -152,7 +146,7 @@ def _legend(panel: Panel, y: float, shown: Sequence[Layout], style: Style) -> No
 def _draw_gear(panel: Panel, top: float, one: _Gear, style: Style) -> None:
     """A gear below a height."""
     panel.write(MARGIN, top, one.title, va="top", size=TITLE, weight="bold", color=style.ink)
-    panel.write(MARGIN, top - height("", TITLE), one.told, va="top", color=style.soft)
+    panel.write(MARGIN, top - height("", TITLE), one.heading, va="top", color=style.soft)
     if one.layout is None:
         return
     top -= one.head
@@ -161,9 +155,8 @@ def _draw_gear(panel: Panel, top: float, one: _Gear, style: Style) -> None:
     for box in one.layout.boxes:
         _draw_box(panel, top, box, style)
     for note in one.layout.notes:
-        how = {"ha": "center", "va": "center", "zorder": 5}
-        colour = style.colour(LOOP) if note.loop else style.ink
-        panel.write(MARGIN + note.x, top - note.y, note.text, color=colour, **how, **_halo(style))
+        how = {"color": style.colour(LOOP) if note.loop else style.ink, "va": "center"}
+        panel.write(MARGIN + note.x, top - note.y, note.text, **how, **_halo(style))
 
 
 def _draw_line(panel: Panel, top: float, line: Line, style: Style) -> None:
@@ -225,6 +218,7 @@ def _draw_box(panel: Panel, top: float, box: Box, style: Style) -> None:
     left, right, middle = MARGIN + box.left, MARGIN + box.right, MARGIN + box.middle
     high, low = top - box.top, top - box.bottom
     kind = cell.node.kind if cell.node else ""
+    how = _halo(style)
     if cell.lost:
         tip = low - ARM - cell.loss / 2
         half = max(cell.loss, VISIBLE) / 2
@@ -233,24 +227,20 @@ def _draw_box(panel: Panel, top: float, box: Box, style: Style) -> None:
         outline = [*shaft, (middle + head, tip + head), (middle, tip)]
         outline += [(2 * middle - x, y) for x, y in reversed(outline[:-1])]
         panel.axes.add_patch(Polygon(outline, color=style.colour(LOSS), linewidth=0))
-        how = {
-            "ha": "center",
-            "va": "top",
-            "color": style.colour(LOSS),
-            "zorder": 5,
-            **_halo(style),
-        }
-        panel.write(middle, tip - 1, cell.lost, **how)
+        panel.write(middle, tip - 1, cell.lost, va="top", color=style.colour(LOSS), **how)
     point = min(6.0, box.cell.body / 2) if kind == "port" else 0.0
     shape = [(left, high), (right - point, high), (right, (high + low) / 2), (right - point, low)]
     shape += [(left, low)]
     face = {"link": style.ink, "port": style.faint}.get(kind, style.paper)
     outer = Polygon(shape, zorder=3, facecolor=face, edgecolor=style.ink, linewidth=0.9)
     panel.axes.add_patch(outer)
-    how = {"ha": "center", "va": "bottom", "color": style.ink, "zorder": 5, **_halo(style)}
-    panel.write(middle, high + 2, cell.text, **how)
+    panel.write(middle, high + 2, cell.text, va="bottom", color=style.ink, **how)
 
 
 def _halo(style: Style) -> dict[str, Any]:
-    """A rim of paper around a text, which may stand on a band."""
-    return {"path_effects": [withStroke(linewidth=2, foreground=style.paper)]}
+    """How a text is written that may stand on a band: with a rim of paper around it."""
+    return {
+        "ha": "center",
+        "zorder": 5,
+        "path_effects": [withStroke(linewidth=2, foreground=style.paper)],
+    }

@@ -17,8 +17,8 @@ from vstatics import Gear, Mechanism, Results, Transmission, load, solve
 from vstatics.flow.power import GearFlow, PowerFlow, flows
 from vstatics.model.parts import Load
 from vstatics.pictures import picture
-from vstatics.pictures.sankey.picture import placed
-from vstatics.pictures.sankey.places import Layout
+from vstatics.pictures.flow import placed
+from vstatics.pictures.flow_places import FlowLayout
 from vstatics.pictures.style import Style
 from vstatics.readers.named.reader import read_yaml
 
@@ -36,7 +36,7 @@ def shown(flow: GearFlow) -> PowerFlow | None:
     return flow.lossy or flow.ideal
 
 
-def layouts(results: Results) -> list[tuple[PowerFlow, Layout]]:
+def layouts(results: Results) -> list[tuple[PowerFlow, FlowLayout]]:
     """Gears that have a flow."""
     found = flows(results)
     return [

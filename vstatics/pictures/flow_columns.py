@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 from vstatics.flow.circulation import Node
+from vstatics.pictures.flow_graph import Graph
+from vstatics.pictures.flow_texts import FlowTexts
 from vstatics.pictures.labels import height, width
-from vstatics.pictures.sankey.graph import Graph
 
 BODY = 12.0
 """Width of a node. [pt]"""
@@ -20,21 +21,11 @@ CLEAR = 5.0
 ARM = 8.0
 """Length of a loss, besides half its width. [pt]"""
 
-
 Key = tuple[int, Node | int]
 """Layer, and the node or the index of the band that passes."""
 
 
-class Words(NamedTuple):
-    """How things are called: functions of powers that give a text, which may have lines."""
-
-    node: Callable[[Node, float], str]
-    power: Callable[[float], str]
-    """Of a loss, and of a band."""
-    loop: Callable[[float], str]
-
-
-class Cell(NamedTuple):
+class FlowCell(NamedTuple):
     """What stands in a column: a node with its texts, or a band that passes."""
 
     node: Node | None
@@ -75,37 +66,37 @@ class Cell(NamedTuple):
         return max(self.body, *(width(text) if text else 0.0 for text in (self.text, self.lost)))
 
 
-class Columns(NamedTuple):
+class NodeColumns(NamedTuple):
     """All cells, and the ways of bands through them."""
 
-    cells: list[list[Cell]]
+    cells: list[list[FlowCell]]
     """By layer."""
-    ways: Mapping[int, list[Cell]]
+    ways: Mapping[int, list[FlowCell]]
     """Of each band that does not go back: from its source to its target."""
 
 
-def cell(graph: Graph, node: Node, power: float, scale: float, words: Words) -> Cell:
+def cell(graph: Graph, node: Node, power: float, scale: float, texts: FlowTexts) -> FlowCell:
     """A node and its texts; losses of a node on the way back are none."""
     lost = graph.losses.get(node, 0.0) if node in graph.layers else 0.0
-    told = words.power(lost) if lost else ""
-    return Cell(node, -1, words.node(node, power), told, power * scale, lost * scale)
+    below = texts.power(lost) if lost else ""
+    return FlowCell(node, -1, texts.node(node, power), below, power * scale, lost * scale)
 
 
-def columns(graph: Graph, scale: float, words: Words) -> Columns:
+def columns(graph: Graph, scale: float, texts: FlowTexts) -> NodeColumns:
     """Nodes by layer, and a cell wherever a band passes a layer."""
-    nodes = {node: cell(graph, node, graph.through(node), scale, words) for node in graph.layers}
-    cells: list[list[Cell]] = [[] for _ in range(1 + max(graph.layers.values(), default=-1))]
+    nodes = {node: cell(graph, node, graph.through(node), scale, texts) for node in graph.layers}
+    cells: list[list[FlowCell]] = [[] for _ in range(1 + max(graph.layers.values(), default=-1))]
     for node, layer in graph.layers.items():
         cells[layer].append(nodes[node])
     ways = {}
     for number, band in enumerate(graph.bands):
         if not band.back:
             between = range(graph.layers[band.source] + 1, graph.layers[band.target])
-            passing = Cell(None, number, thick=band.power * scale)
+            passing = FlowCell(None, number, thick=band.power * scale)
             for layer in between:
                 cells[layer].append(passing)
             ways[number] = [nodes[band.source], *[passing] * len(between), nodes[band.target]]
-    return Columns(cells, ways)
+    return NodeColumns(cells, ways)
 
 
 class Across(NamedTuple):
@@ -123,15 +114,19 @@ class Across(NamedTuple):
 
 
 def across(
-    graph: Graph, cells: Columns, told: Mapping[int, str], needed: Mapping[int, float], scale: float
+    graph: Graph,
+    cells: NodeColumns,
+    on_bands: Mapping[int, str],
+    needed: Mapping[int, float],
+    scale: float,
 ) -> Across:
     """Places of columns, with room for texts on bands and for bands that turn.
 
     Parameters
     ----------
     graph : Graph
-    cells : Columns
-    told : mapping
+    cells : NodeColumns
+    on_bands : mapping
         Texts on bands.
     needed : mapping
         Room that each band needs on its way back, by which columns grow; bands that turn
@@ -141,7 +136,7 @@ def across(
     layers, bands = graph.layers, graph.bands
     wide = [max(one.wide for one in column) for column in cells.cells]
     texts = [SPACE] * len(wide)
-    for number, words in told.items():
+    for number, words in on_bands.items():
         at = layers[bands[number].source]
         texts[at] = max(texts[at], width(words) + 2 * CLEAR)
     for number, room in needed.items():
@@ -166,6 +161,6 @@ def across(
     return Across(middles, behind, leaving, arriving, x - texts[-1])
 
 
-def key(layer: int, one: Cell) -> Key:
+def key(layer: int, one: FlowCell) -> Key:
     """What tells a cell from all others."""
     return layer, one.node or one.band

@@ -1,1 +1,0 @@
-"""The power flow of each gear as bands from input to output."""

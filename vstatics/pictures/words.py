@@ -1,0 +1,70 @@
+"""Words of pictures that do not come from the case, in two languages."""
+
+from __future__ import annotations
+
+from vstatics.model.transmission import Transmission
+from vstatics.pictures.style import Style
+
+ELEMENTS = {
+    "sun": "солнце",
+    "ring": "эпицикл",
+    "carrier": "водило",
+    "small_sun": "солнце м.",
+    "large_sun": "солнце б.",
+    "sun2": "солнце 2",
+    "ring2": "эпицикл 2",
+    "left": "левое",
+    "right": "правое",
+    "worm": "червяк",
+    "wheel": "колесо",
+    "first": "1",
+    "second": "2",
+    "planetary": "план. ряд",
+    "double_planet": "парные сателлиты",
+    "stepped": "двухвенц. сателлит",
+    "ravigneaux": "ряд Равиньо",
+    "planet_group": "группа сателлитов",
+    "bevel": "конич. дифф.",
+    "bevel_pair": "конич. пара",
+    "gear_pair": "пара колёс",
+    "internal_pair": "внутр. пара",
+    "idler": "паразитное к.",
+    "chain": "цепь",
+    "belt": "ремень",
+    "shaft": "вал",
+}
+"""Members of elements and their kinds."""
+FAULTS = {
+    "tied up": "заперта",
+    "conflict of freewheels": "конфликт обгонных муфт",
+    "freewheels in conflict": "конфликт обгонных муфт",
+    "locked by friction": "заклинена трением",
+    "not determined": "не определена",
+    "torques do not balance": "моменты не уравновешены",
+    "signs of losses not found": "знаки потерь не найдены",
+}
+"""What keeps a gear from being calculated."""
+
+
+def word(name: str, style: Style) -> str:
+    """A member or kind as it is written in a picture; names of a case stay as they are.
+
+    >>> word("small_sun", Style("en")), word("small_sun", Style("ru"))
+    ('small sun', 'солнце м.')
+    """
+    return style.text(name.replace("_", " "), ELEMENTS.get(name, name))
+
+
+def fault(name: str, style: Style) -> str:
+    """What keeps a gear from being calculated."""
+    return style.text(name, FAULTS.get(name, name))
+
+
+def gear_title(gear: str, style: Style) -> str:
+    """How a gear is called."""
+    return f"{style.text('gear', 'передача')} {gear}"
+
+
+def title(case: Transmission, subject: str) -> str:
+    """What is shown of a case, with its name."""
+    return f"{case.name}: {subject}" if case.name else f"{subject[0].upper()}{subject[1:]}"
