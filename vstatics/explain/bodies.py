@@ -11,7 +11,7 @@ from vstatics.elements.kinds import Planetary
 from vstatics.elements.lower import Part, parts
 from vstatics.model.transmission import HOUSING, Gear, Transmission
 from vstatics.numerics import elimination
-from vstatics.numerics.entries import RIGHT, Row
+from vstatics.numerics.entries import RIGHT, Equation
 from vstatics.statics import matrix
 
 GOLDEN = 0.6180339887498949
@@ -107,14 +107,14 @@ def structure(own: OwnLinks, gear: Gear) -> Structure:
     return Structure(body, [number for number in numbers if number < len(ratios)])
 
 
-def _rows(case: Transmission, gear: Gear, ratios: Sequence[float]) -> list[Row]:
+def _rows(case: Transmission, gear: Gear, ratios: Sequence[float]) -> list[Equation]:
     """Equations of mechanisms, then of engaged elements."""
     plain = gear._replace(speeds={})
     rows = matrix.speed_rows(case, plain, matrix.columns(case, ratios))[:-1]
-    return [{column: entry for column, entry in row.items() if column != RIGHT} for row in rows]
+    return [{column: value for column, value in row.items() if column != RIGHT} for row in rows]
 
 
-def _independent(rows: Sequence[Row], mechanisms: int) -> list[int]:
+def _independent(rows: Sequence[Equation], mechanisms: int) -> list[int]:
     """Numbers of rows that do not imply one another; a mechanism is left out first."""
     numbers = list(range(len(rows)))
     while True:

@@ -13,7 +13,9 @@ from typing import NamedTuple
 from vstatics.explain.names import Names
 from vstatics.model.transmission import HOUSING, Gear, Transmission
 from vstatics.numerics.arrays import Floats
+from vstatics.numerics.traced import plain
 from vstatics.statics.matrix import external_torques, held_links, loaded_devices, speed_row_names
+from vstatics.statics.torques import Torques
 
 
 class Term(NamedTuple):
@@ -82,9 +84,8 @@ def torque_system(  # noqa: PLR0913 - all of them make the equations
     gear: Gear,
     names: Names,
     matrix: Floats,
-    torques: Sequence[float],
+    torques: Torques,
     *,
-    holding: Sequence[float],
     drag: Mapping[int, float],
 ) -> System:
     """The equilibrium of each link of a gear (figure 4).
@@ -95,10 +96,8 @@ def torque_system(  # noqa: PLR0913 - all of them make the equations
         With the freewheels that hold among the engaged elements.
     matrix : ndarray, shape (links, devices)
         Structural-distribution matrix, with losses or without. [-]
-    torques : sequence of float
-        By device, then the output torque. [-]
-    holding : sequence of float
-        By link, the torques that hold given speeds. [-]
+    torques : Torques
+        Without losses or with them.
     drag : mapping of int to float
         Link -> external torque of drag. [-]
     """
@@ -106,14 +105,14 @@ def torque_system(  # noqa: PLR0913 - all of them make the equations
     values: dict[str, float] = {}
     for device in loaded_devices(case, gear):
         unknown = names.torques[device]
-        values[unknown] = torques[device]
+        values[unknown] = plain(torques.on_first_link[device])
         for link, symbol in _column(case, device, names):
             rows[link].append(Term(unknown, symbol, float(matrix[link - 1, device])))
     rows[case.gear_output(gear)].append(Term(names.torques[-1], "1", 1.0))
-    values[names.torques[-1]] = torques[-1]
+    values[names.torques[-1]] = plain(torques.on_first_link[-1])
     for link in held_links(case, gear):
         rows[link].append(Term(names.holding[link], "-1", -1.0))
-        values[names.holding[link]] = holding[link - 1]
+        values[names.holding[link]] = plain(torques.holding[link])
     right = external_torques(case, gear)
     equations = [
         Equation(case.link_name(link), row, right.get(link, 0.0) + drag.get(link, 0.0))

@@ -16,9 +16,11 @@ from vstatics.explain.shares import NoFormula
 from vstatics.explain.signs import PowerSign, signs_of
 from vstatics.model.transmission import HOUSING, Gear
 from vstatics.numerics.arrays import Floats
-from vstatics.statics import drag
+from vstatics.numerics.traced import plain
 from vstatics.statics.matrix import distribution_matrix
 from vstatics.statics.results import Results
+from vstatics.statics.state import GearState
+from vstatics.statics.status import CONFLICT, TIED_UP
 
 
 class Together(NamedTuple):
@@ -85,31 +87,30 @@ def explain(results: Results, number: int) -> Explanation:
     Source: Algin, Schematization and calculation of mobile machine presented as
     multibody system, figures 3 and 4.
     """
-    case = results.settled
-    given, gear = results.case.gears[number], case.gears[number]
+    state = results.gear(number + 1)
+    case, gear = state.case, state.gear
     names = names_of(case)
     matrix = distribution_matrix(case) + 0.0
     elements = [element.name for element in case.shift_elements]
     loaded = sorted(n - 1 for n in gear.engaged) + list(range(len(elements), len(case.devices)))
-    signs = signs_of(results, number)
-    torques, lossy = _torques(results, number, names, matrix, signs)
-    fault = _fault(results, number)
+    torques, lossy = _torques(state, names, matrix)
+    fault = FAULTS.get(state.status, "")
     own = on_own_links(case)
     bodies = None if fault else structure(own, gear)
     together = _together(own, gear, bodies) if bodies else []
     one_piece, standing = _pieces(own, bodies) if bodies else ([], [])
-    ratio, reason = _formula(results, number, names, own, bodies) if bodies else (None, fault)
+    ratio, reason = _formula(state, names, own, bodies) if bodies else (None, fault)
     return Explanation(
         gear=gear.name,
-        engaged=[elements[n - 1] for n in given.engaged],
-        holding=[elements[n - 1] for n in gear.engaged if n not in given.engaged],
+        engaged=[elements[n - 1] for n in gear.engaged if n not in state.holding],
+        holding=[elements[n - 1] for n in state.holding],
         not_engaged=[name for n, name in enumerate(elements, 1) if n not in gear.engaged],
         rows=case.link_names,
         columns=[case.devices[device] for device in loaded],
         matrix=matrix[:, loaded],
-        speeds=speed_system(case, gear, names, matrix, results.speeds[number].tolist()),
+        speeds=speed_system(case, gear, names, matrix, list(map(plain, state.speeds))),
         torques=torques,
-        signs=signs,
+        signs=signs_of(state),
         lossy=lossy,
         together=together,
         one_piece=one_piece,
@@ -128,57 +129,36 @@ def explain(results: Results, number: int) -> Explanation:
     )
 
 
-def _fault(results: Results, number: int) -> str:
-    """Why a gear has no solution at all."""
-    if results.conflict[number]:
-        return "the freewheels are in conflict"
-    return "the gear is tied up" if results.tied_up[number] else ""
+FAULTS = {
+    CONFLICT: "the freewheels are in conflict",
+    TIED_UP: "the gear is tied up",
+}
+"""Why a gear has no solution at all."""
 
 
-def _torques(
-    results: Results, number: int, names: Names, matrix: Floats, signs: Sequence[PowerSign]
-) -> tuple[System | None, System | None]:
+def _torques(state: GearState, names: Names, matrix: Floats) -> tuple[System | None, System | None]:
     """The torque equations without losses and with them."""
-    case = results.settled
-    gear = case.gears[number]
-    if _fault(results, number):
+    if state.status in FAULTS:
         return None, None
-    ideal = torque_system(
-        case,
-        gear,
-        names,
-        matrix,
-        results.torques[number].tolist(),
-        holding=results.holding_torques[number].tolist(),
-        drag={},
-    )
-    ratios = [sign.lossy_ratio for sign in signs]
-    exists = results.calculable[number] and not results.locked[number]
-    if not exists or results.undecided[number] or np.isnan(ratios).any():
+    ideal = torque_system(state.case, state.gear, names, matrix, state.torques, drag={})
+    ratios = list(map(plain, state.lossy_ratios))
+    if any(not one.has_power for one in state.statuses) or np.isnan(ratios).any():
         return ideal, None
-    dragging = drag.of_gear(results, number).external
-    lossy = torque_system(
-        case,
-        gear,
-        names,
-        distribution_matrix(case, ratios) + 0.0,
-        results.lossy_torques[number].tolist(),
-        holding=results.lossy_holding_torques[number].tolist(),
-        drag={link: float(torque) for link, torque in dragging.items()},
-    )
+    matrix = distribution_matrix(state.case, ratios) + 0.0
+    dragging = {link: float(torque) for link, torque in state.drag.external.items()}
+    lossy = torque_system(state.case, state.gear, names, matrix, state.lossy_torques, drag=dragging)
     return ideal, lossy
 
 
 def _formula(
-    results: Results, number: int, names: Names, own: OwnLinks, bodies: Structure
+    state: GearState, names: Names, own: OwnLinks, bodies: Structure
 ) -> tuple[Formula | None, str]:
     """The formula, or why there is none."""
-    case = results.settled
     try:
-        ratio = formula(own, case.gears[number], names, symbols_of(case, names, own), bodies)
+        ratio = formula(own, state.gear, names, symbols_of(state.case, names, own), bodies)
     except NoFormula as none:
         return None, str(none)
-    if math.isnan(ratio.value) or (ratio.left == "i" and np.isnan(results.ratio[number])):
+    if math.isnan(ratio.value) or (ratio.left == "i" and math.isnan(plain(state.ratio))):
         return None, "the mechanisms happen to have ratios at which the gear has none"
     return ratio, ""
 

@@ -8,7 +8,7 @@ from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from typing import Any, NamedTuple
 
-from vstatics.elements.lower import parts_of
+from vstatics.elements.drawing import parts_of
 from vstatics.explain import forms
 from vstatics.explain.bodies import OwnLinks, Structure
 from vstatics.explain.names import Names

@@ -12,6 +12,7 @@ from typing import Any
 
 from vstatics.explain.bodies import OwnLinks, Structure
 from vstatics.model.transmission import HOUSING
+from vstatics.statics.matrix import column
 
 LARGEST = 400
 """A formula of more terms helps nobody, and takes long."""
@@ -67,7 +68,7 @@ def _row(
     if own.is_fixed(number):
         ratio = fractions(int(mechanism.ratio))
     row: Row = {}
-    for link, factor in zip(mechanism.links, (fractions.one, -ratio, ratio - 1), strict=True):
+    for link, factor in zip(mechanism.links, column(ratio), strict=True):
         if body[link] != HOUSING:
             row[body[link]] = row.get(body[link], fractions.zero) + factor
     return {one: factor for one, factor in row.items() if factor}

@@ -6,11 +6,9 @@ import math
 from typing import NamedTuple
 
 from vstatics.model.transmission import HOUSING
-from vstatics.statics import drag
-from vstatics.statics.losses import both_ways, with_loss
-from vstatics.statics.results import Results
+from vstatics.numerics.traced import plain
 from vstatics.statics.speeds import is_tie
-from vstatics.statics.torques import solve_torques
+from vstatics.statics.state import GearState
 
 
 class PowerSign(NamedTuple):
@@ -34,26 +32,16 @@ class PowerSign(NamedTuple):
     why: str
 
 
-def signs_of(results: Results, number: int) -> list[PowerSign]:
-    """The signs of a gear, by mechanism.
-
-    Source: closed form of the published test, docs/method.md.
-
-    Parameters
-    ----------
-    number : int
-        Index of the gear.
-    """
-    case = results.case
-    speeds = [0.0, *results.speeds[number].tolist()]
-    torques = _torques(results, number)
-    both = both_ways(case, [mechanism.efficiency for mechanism in case.mechanisms])
+def signs_of(state: GearState) -> list[PowerSign]:
+    """The signs of a gear, by mechanism: equation (5) of docs/method.md."""
+    case, elements = state.case, len(state.case.shift_elements)
+    speeds = [0.0, *map(plain, state.speeds)]
+    torques = map(plain, state.ideal.torques_with_drag.on_first_link[elements:-1])
     found = []
-    for place, mechanism in enumerate(case.mechanisms):
+    for place, (mechanism, torque) in enumerate(zip(case.mechanisms, torques, strict=True)):
         first, third = speeds[mechanism.first], speeds[mechanism.third]
         motion = 0.0 if is_tie(abs(first - third), abs(first), abs(third)) else first - third
-        sign = float(results.power_sign[number, place])
-        torque, efficiency = torques[place], both[place]
+        sign, efficiency = state.signs[place], state.ideal.efficiencies[place]
         power = torque * motion
         found.append(
             PowerSign(
@@ -63,37 +51,23 @@ def signs_of(results: Results, number: int) -> list[PowerSign]:
                 power=power,
                 sign=sign,
                 ratio=mechanism.ratio,
-                efficiency=float(efficiency.back if sign < 0 else efficiency.forward),
-                lossy_ratio=float(with_loss(mechanism.ratio, efficiency, sign)),
-                why=_why(results, number, place, motion, power),
+                efficiency=plain(efficiency.back if sign < 0 else efficiency.forward),
+                lossy_ratio=plain(state.lossy_ratios[place]),
+                why=_why(state, place, motion, power),
             )
         )
     return found
 
 
-def _torques(results: Results, number: int) -> list[float]:
-    """On the first links of the mechanisms: those of which the power decides the signs."""
-    case = results.with_freewheels_engaged
-    elements = len(case.shift_elements)
-    dragging = drag.of_gear(results, number)
-    if dragging is drag.NO_DRAG or not results.calculable[number]:
-        first = results.torques[number].tolist()
-    else:
-        ratios = [mechanism.ratio for mechanism in case.mechanisms]
-        first = solve_torques(case, case.gears[number], ratios, dragging).first
-    return list(first[elements:-1])
-
-
-def _why(results: Results, number: int, place: int, motion: float, power: float) -> str:
+def _why(state: GearState, place: int, motion: float, power: float) -> str:
     """The reason for a sign, in words."""
-    case = results.case
-    sign = float(results.power_sign[number, place])
+    case, sign = state.case, state.signs[place]
     mechanism = case.mechanisms[place]
     if mechanism.efficiency == 1 and mechanism.back_efficiency in (None, 1):
         return "no losses"
     if math.isnan(sign):
         return "not determined"
-    if results.idle[number, place]:
+    if state.search.idle[place]:
         still = "the first link stands" if mechanism.third == HOUSING else "it turns as one piece"
         why = f"idle: {still if motion == 0 else 'no torque'}"
         if sign == 0:
@@ -108,5 +82,5 @@ def _why(results: Results, number: int, place: int, motion: float, power: float)
     if math.isnan(ideal):
         return f"{way} {'enters' if sign > 0 else 'leaves'} by the first link"
     why = f"{way} {'enters' if ideal > 0 else 'leaves'} by the first link"
-    turned = results.turned[number, place] or ideal * sign < 0
+    turned = state.search.turned[place] or ideal * sign < 0
     return f"{why}, but losses turn it round" if turned else why

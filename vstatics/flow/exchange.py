@@ -6,6 +6,7 @@ from typing import NamedTuple
 
 from vstatics.flow.circulation import Node
 from vstatics.model.transmission import HOUSING
+from vstatics.numerics.traced import plain
 from vstatics.statics.bodies import is_one_piece
 from vstatics.statics.power import LinkPower
 from vstatics.statics.state import GearState
@@ -29,15 +30,13 @@ def exchanges(state: GearState, *, lossy: bool) -> list[Exchange]:
 
 def _exchange(given: LinkPower) -> Exchange:
     node = Node(given.kind, given.number, given.name)
-    return Exchange(node, given.member, given.link, float(given.power))
+    return Exchange(node, given.member, given.link, plain(given.power))
 
 
 def links_of(state: GearState) -> dict[int, Node]:
     """The links that a case names itself: planets of drawn elements apart."""
     case = state.case
-    return {
-        link: Node("link", link, case.link_name(link)) for link in range(1, case.own_links + 1)
-    }
+    return {link: Node("link", link, case.link_name(link)) for link in range(1, case.own_links + 1)}
 
 
 def pieces_of(state: GearState) -> dict[Node, int]:

@@ -17,10 +17,11 @@ from vstatics.flow.circulation import Edge, Loop, Node, cancel
 from vstatics.flow.exchange import Exchange, exchanges, links_of, pieces_of
 from vstatics.model.transmission import HOUSING
 from vstatics.numerics.tolerances import NOISE
+from vstatics.numerics.traced import plain
 from vstatics.statics.results import Results
 from vstatics.statics.state import GearState
+from vstatics.statics.status import OK, Status
 from vstatics.tables.units import scales
-
 
 
 class MemberPower(NamedTuple):
@@ -101,8 +102,13 @@ class GearFlow(NamedTuple):
     """With losses; None where `ideal` is, or where friction locks the gear."""
     kilowatts: float
     """The power at the input link, NaN where no load tells it. [kW]"""
-    note: str
-    """Why a flow does not exist, else nothing."""
+    status: Status
+    """Why a flow does not exist; `OK` where it does."""
+
+    @property
+    def note(self) -> str:
+        """Why a flow does not exist, else nothing."""
+        return self.status.english
 
 
 def flows(results: Results) -> list[GearFlow]:
@@ -139,19 +145,17 @@ def flows(results: Results) -> list[GearFlow]:
     if results.speeds.ndim != 2:
         raise ValueError(f"speeds of shape {results.speeds.shape}: expected (gears, links)")
     kilowatts = np.abs(scales(results)["kW"]).tolist()
-    return [
-        _of_gear(results.gear(number), power) for number, power in enumerate(kilowatts, 1)
-    ]
+    return [_of_gear(results.gear(number), power) for number, power in enumerate(kilowatts, 1)]
 
 
 def _of_gear(state: GearState, kilowatts: float) -> GearFlow:
-    why = next((one.english for one in state.statuses if not one.has_power), "")
+    status = next((one for one in state.statuses if not one.has_power), OK)
     return GearFlow(
         state.gear.name,
         _flow(state, lossy=False) if state.calculable else None,
-        None if why else _flow(state, lossy=True),
+        _flow(state, lossy=True) if status is OK else None,
         kilowatts,
-        why,
+        status,
     )
 
 
@@ -224,7 +228,7 @@ def _losses(state: GearState, given: Sequence[Exchange]) -> dict[Node, float]:
     """Of each mechanism or drawn element, open shift element and link."""
     found: dict[Node, float] = {}
     for number, device in enumerate(state.case.own_devices, 1):
-        lost = sum(float(state.losses[index]) for index in device.mechanisms)
+        lost = sum(plain(state.losses[index]) for index in device.mechanisms)
         found[Node("mechanism", number, device.name)] = lost * state.ideal.direction + 0.0
     for one in given:
         drags = one.node.kind == "element" and one.node.number - 1 in state.drag.elements

@@ -89,7 +89,7 @@ _FloatEntry = tuple[float, float]
 
 
 def _entry(number: float) -> _FloatEntry:
-    return number, abs(number)
+    return float(number), abs(number)
 
 
 def _quotient(entry: _FloatEntry, pivot: _FloatEntry) -> _FloatEntry:

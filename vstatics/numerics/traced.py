@@ -108,6 +108,19 @@ def absolute(number: Number) -> Number:
     return abs(number)  # type: ignore[return-value]
 
 
+def plain(number: Number) -> float:
+    """A number of a single variant, which is not traced.
+
+    Raises
+    ------
+    TypeError
+        If it is.
+    """
+    if isinstance(number, Traced):
+        raise TypeError("a traced number stands for many variants")
+    return number
+
+
 def first(number: Number) -> float:
     """The magnitude in the first variant."""
     return _magnitude(number).value

@@ -12,9 +12,10 @@ from vstatics.errors import CaseError, Problem
 from vstatics.numerics.arrays import Floats
 from vstatics.pictures import labels
 from vstatics.pictures.labels import LEADER, Label, Panel
-from vstatics.pictures.state import LOCKED, state_of
+from vstatics.pictures.state import state_of
 from vstatics.pictures.style import TITLE, Style, number
 from vstatics.pictures.words import fault, title
+from vstatics.statics.status import LOCKED
 from vstatics.tables.values import tables
 
 if TYPE_CHECKING:

@@ -8,7 +8,8 @@ from itertools import pairwise
 from typing import NamedTuple
 
 from vstatics.flow.circulation import Edge, Loop, Node
-from vstatics.flow.power import NOISE, PowerFlow
+from vstatics.flow.power import PowerFlow
+from vstatics.numerics.tolerances import NOISE
 
 
 class Band(NamedTuple):

@@ -58,7 +58,7 @@ def _name(node: Node, style: Style) -> str:
 
 def heading(flow: GearFlow, wide: float, style: Style) -> str:
     """What is to be said of a gear besides its picture."""
-    lines = [fault(flow.note, style)] if flow.note else []
+    lines = [fault(flow.status, style)] if flow.note else []
     side = flow.lossy or flow.ideal
     if side is None:
         lines.append(style.text("no flow of power", "потока мощности нет"))

@@ -13,15 +13,16 @@ from collections.abc import Iterator, Sequence
 from itertools import accumulate
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from vstatics.elements.drawing import parts_of
 from vstatics.elements.group import group_of
 from vstatics.elements.kinds import Planetary
-from vstatics.elements.lower import Part, parts_of
+from vstatics.elements.lower import Part
 from vstatics.errors import CaseError, Problem
 from vstatics.model.transmission import HOUSING, Mechanism, Transmission
 from vstatics.pictures import labels, lever_marks
 from vstatics.pictures.labels import LEADER, Label, Panel
 from vstatics.pictures.lever_marks import MARGIN, mark_of
-from vstatics.pictures.state import CONFLICT, TIED_UP, PictureState, state_of
+from vstatics.pictures.state import PictureState, state_of
 from vstatics.pictures.style import TITLE, Style, number
 from vstatics.pictures.words import fault, gear_title, title
 
@@ -29,6 +30,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from vstatics.statics.results import Results
+from vstatics.statics.status import CONFLICT, TIED_UP
 
 WIDE = 110.0
 """Of the speeds of a lever. [pt]"""
@@ -220,7 +222,7 @@ def _node_text(case: Transmission, node: LeverNode, style: Style) -> str:
 def _gear_text(case: Transmission, state: PictureState, style: Style) -> str:
     """Name, ratio and engaged elements of a gear, in lines."""
     gear = state.gear
-    faults = [fault(name, style) for name in (CONFLICT, TIED_UP) if name in state.faults]
+    faults = [fault(one, style) for one in state.faults if one in (CONFLICT, TIED_UP)]
     lines = [gear_title(gear.name, style), *(faults or [f"i = {number(state.ratio)}"])[:1]]
     lines.append(", ".join(case.shift_elements[one - 1].name for one in gear.engaged))
     lines += [f"{case.link_name(link)} = {speed:g}" for link, speed in gear.speeds.items()]

@@ -17,6 +17,7 @@ from typing import NamedTuple
 
 from vstatics.errors import CaseError, Problem
 from vstatics.model.transmission import HOUSING, Gear, Transmission
+from vstatics.numerics.traced import plain
 from vstatics.pictures.state import state_of
 from vstatics.statics.results import Results
 from vstatics.statics.speeds import solve_speeds
@@ -103,7 +104,7 @@ def plans(results: Results) -> list[KinematicPlan]:
     >>> [round(ray.start + 0.0, 3) for ray in plan.rays], [round(ray.slope, 3) for ray in plan.rays]
     ([1.0, -0.4, 0.0], [0.0, 1.4, 1.0])
     """
-    case = results.settled
+    case = results.with_freewheels_engaged
     gears = [state_of(results, number) for number in range(1, len(case.gears) + 1)]
     known = [
         (number, gear)
@@ -176,7 +177,7 @@ def _speeds(
     if output is not None:
         speeds[last] = output
     found = solve_speeds(case, Gear(engaged, speeds, input=first, output=last), ratios)
-    values = [float(value) for value in found.links]
+    values = [plain(value) for value in found.links]
     return [*values, values[last - 1]]
 
 

@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import NamedTuple
 
-import numpy as np
-
 from vstatics.model.transmission import HOUSING, Gear, Transmission
+from vstatics.numerics.traced import plain
+from vstatics.statics.bodies import joined_by_elements
 from vstatics.statics.results import Results
+from vstatics.statics.status import Status
 
-TIED_UP, CONFLICT = "tied up", "conflict of freewheels"
-LOCKED, MISSING = "locked by friction", "not determined"
+NOT_DETERMINED = Status("missing", "not determined", "не определена", "")
+"""Some speed is free."""
 
 
 class Joined(NamedTuple):
@@ -30,7 +31,7 @@ class PictureState(NamedTuple):
     output: int
     gear: Gear
     """With the freewheels that hold among the engaged elements."""
-    faults: Sequence[str]
+    faults: Sequence[Status]
     """What keeps it from being calculated."""
     ratio: float
     """[-]"""
@@ -63,38 +64,29 @@ def state_of(results: Results, number: int) -> PictureState:
     >>> state.speeds[:3], state.joined.housing
     ([0.0, 1.0, 0.0], frozenset({0, 2}))
     """
-    index, case = number - 1, results.case
-    gear = results.settled.gears[index]
-    marks = (
-        (TIED_UP, results.tied_up),
-        (CONFLICT, results.conflict),
-        (LOCKED, results.locked),
-        (MISSING, results.missing),
-    )
-    torques = results.torques[index, len(case.shift_elements) : -1]
+    state = results.gear(number)
+    case, gear, first = state.case, state.gear, len(state.case.shift_elements)
+    faults = [one for one in state.statuses if one.is_fault]
+    if state.ideal.speeds.missing:
+        faults.append(NOT_DETERMINED)
     return PictureState(
         case.gear_input(gear),
         case.gear_output(gear),
         gear,
-        [fault for fault, mark in marks if mark[index]],
-        float(results.ratio[index]),
-        [0.0, *results.speeds[index].tolist()],
+        faults,
+        plain(state.ratio),
+        [0.0, *map(plain, state.speeds)],
         _joined(case, gear),
-        results.holds[index].tolist(),
-        (results.idle[index] & results.calculable[index]).tolist(),
-        (np.nan_to_num(torques, nan=1.0) != 0).tolist(),
+        [one in state.engaged for one in range(1, first + 1)],
+        [one and state.calculable for one in state.search.idle],
+        [torque != 0 for torque in state.torques.on_first_link[first:-1]],
     )
 
 
 def _joined(case: Transmission, gear: Gear) -> Joined:
-    pairs = [case.shift_elements[one - 1][:2] for one in gear.engaged]
+    bodies = joined_by_elements(case, gear)
 
     def with_(link: int) -> frozenset[int]:
-        found = {link}
-        for _ in pairs:
-            for pair in pairs:
-                if found & set(pair):
-                    found |= set(pair)
-        return frozenset(found)
+        return frozenset(one for one, body in enumerate(bodies) if body == bodies[link])
 
     return Joined(with_(case.gear_input(gear)), with_(case.gear_output(gear)), with_(HOUSING))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from vstatics.model.transmission import Transmission
 from vstatics.pictures.style import Style
+from vstatics.statics.status import Status
 
 ELEMENTS = {
     "sun": "солнце",
@@ -34,16 +35,6 @@ ELEMENTS = {
     "shaft": "вал",
 }
 """Members of elements and their kinds."""
-FAULTS = {
-    "tied up": "заперта",
-    "conflict of freewheels": "конфликт обгонных муфт",
-    "freewheels in conflict": "конфликт обгонных муфт",
-    "locked by friction": "заклинена трением",
-    "not determined": "не определена",
-    "torques do not balance": "моменты не уравновешены",
-    "signs of losses not found": "знаки потерь не найдены",
-}
-"""What keeps a gear from being calculated."""
 
 
 def word(name: str, style: Style) -> str:
@@ -55,9 +46,9 @@ def word(name: str, style: Style) -> str:
     return style.text(name.replace("_", " "), ELEMENTS.get(name, name))
 
 
-def fault(name: str, style: Style) -> str:
+def fault(status: Status, style: Style) -> str:
     """What keeps a gear from being calculated."""
-    return style.text(name, FAULTS.get(name, name))
+    return style.text(status.english, status.russian)
 
 
 def gear_title(gear: str, style: Style) -> str:

@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
-from vstatics.elements.drawing import Drawing
-from vstatics.elements.element import drawing_of
+from vstatics.elements.drawing import Drawing, drawing_of
 from vstatics.model.parts import ShiftElement
 from vstatics.model.transmission import HOUSING, Transmission
 from vstatics.statics.results import Results

@@ -29,7 +29,7 @@ from vstatics.numerics.traced import Number
 Column = Mapping[int, Coefficient]
 """Link number -> torque on that link when the torque on the first link is 1."""
 
-ON_ELEMENT = (1.0, -1.0)
+ON_ELEMENT = (1, -1)
 """Torques on the links of a shift element (a, b)."""
 
 INPUT_SPEED = "the input speed"
@@ -38,14 +38,14 @@ INPUT_SPEED = "the input speed"
 
 def on_mechanism(ratio: Number) -> tuple[Number, Number, tuple[Number, Number]]:
     """Torques on the links (f, s, h) of a mechanism: 1, -u, and u - 1 as two terms."""
-    return 1.0, -ratio, (ratio, -1.0)
+    return 1, -ratio, (ratio, -1)
 
 
 def column(ratio: Any) -> tuple[Any, Any, Any]:
     """The same three as plain values: of a number, an array, or a symbol.
 
     >>> column(-2.5)
-    (1.0, 2.5, -3.5)
+    (1, 2.5, -3.5)
     """
     first, second, (term, other) = on_mechanism(ratio)
     return first, second, term + other

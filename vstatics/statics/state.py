@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from vstatics.model.own import Member
 from vstatics.model.transmission import Gear, Transmission
-from vstatics.numerics.traced import Number
+from vstatics.numerics.traced import Number, plain
 from vstatics.statics.bodies import Bodies, turning_as_one
 from vstatics.statics.drag import NO_DRAG, Drag
 from vstatics.statics.efficiency import lossy_ratios
@@ -169,7 +169,7 @@ class GearState(NamedTuple):
         members = self.member_torques(lossy=lossy)
         given = (self.case, self.gear, self.speeds, torques)
         return [
-            one._replace(power=self.ideal.direction * one.power)
+            one._replace(power=self.ideal.direction * plain(one.power))
             for one in (
                 *device_powers(*given, members=members, drag=drag),
                 *port_powers(*given),

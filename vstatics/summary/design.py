@@ -69,28 +69,12 @@ def design(results: Results) -> Design:
                 "" if after is None else names[after],
                 math.nan if after is None else ratios[index] / ratios[after],
                 float(results.efficiency[index]),
-                state(results, index),
+                results.gear(index + 1).status.name,
             )
         )
     forward = found[0] if found else []
     spread = ratios[forward[0]] / ratios[forward[-1]] if forward else math.nan
     return Design(lines, [names[index] for index in forward], spread)
-
-
-def state(results: Results, index: int) -> str:
-    """What is to be said of a gear, in a word or two."""
-    case = results.case
-    output_speed = results.speeds[index, case.gear_output(case.gears[index]) - 1]
-    said = {
-        "tied up": results.tied_up[index],
-        "conflict": results.conflict[index],
-        "output stands": output_speed == 0,
-        "open": math.isnan(results.ratio[index]),
-        "no torques": not results.balanced[index],
-        "locked": results.locked[index],
-        "undecided": results.undecided[index],
-    }
-    return next((word for word, is_so in said.items() if is_so), "")
 
 
 def is_same(one: float, other: float) -> bool:

@@ -46,15 +46,18 @@ def sensitivities(results: Results) -> Floats:
     case = alone.case
     elements = len(case.shift_elements)
     outputs = np.array([case.gear_output(gear) for gear in case.gears])
-    output_power = alone.output_torque * alone.speeds[np.arange(len(outputs)), outputs - 1]
-    speeds = np.hstack([np.zeros((len(outputs), 1)), alone.speeds])
+    states = [alone.gear(number) for number in range(1, len(outputs) + 1)]
+    speeds = np.array([[0.0, *state.speeds] for state in states])
+    torques = np.array([state.torques.on_first_link for state in states])
+    output_power = torques[:, -1] * speeds[np.arange(len(outputs)), outputs]
     first = np.array([mechanism.first for mechanism in case.mechanisms], dtype=int)
     third = np.array([mechanism.third for mechanism in case.mechanisms], dtype=int)
     with np.errstate(all="ignore"):
         motion = speeds[:, first] - speeds[:, third]
-        found = alone.torques[:, elements:-1] * motion / output_power[:, np.newaxis]
+        found = torques[:, elements:-1] * motion / output_power[:, np.newaxis]
     # an idle one turns as one piece or carries nothing, which no internal ratio changes
-    idle = alone.idle & np.isfinite(alone.ratio)[:, np.newaxis]
+    idle = np.array([state.search.idle for state in states])
+    idle &= np.isfinite(alone.ratio)[:, np.newaxis]
     found = np.where(idle, 0.0, found)
     return np.where(np.isfinite(found), found + 0.0, np.nan)
 

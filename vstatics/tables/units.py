@@ -8,11 +8,12 @@ from collections.abc import Mapping
 import numpy as np
 
 from vstatics.numerics.arrays import Floats
+from vstatics.numerics.traced import plain
 from vstatics.statics.matrix import held_links
 from vstatics.statics.power import port_torques
 from vstatics.statics.power import power as own_power
-from vstatics.statics.torques import Torques
 from vstatics.statics.results import TABLES, Results
+from vstatics.statics.torques import Torques
 from vstatics.tables.table import Table
 
 KW_OF_RPM_NM = math.pi / 30 / 1000
@@ -84,6 +85,6 @@ def _ports(results: Results) -> tuple[Floats, Floats]:
             consistent=True,
         )
         for link, torque in port_torques(case, gear, torques).items():
-            power[number, link] = own_power(torque, speeds[link - 1])
+            power[number, link] = plain(own_power(torque, speeds[link - 1]))
     power *= scales(results)["kW"][:, np.newaxis]
     return np.maximum(power, 0.0).sum(axis=1), np.maximum(-power, 0.0).sum(axis=1)

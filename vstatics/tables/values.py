@@ -6,10 +6,11 @@ from typing import Any
 
 import numpy as np
 
-from vstatics.statics.matrix import distribution_matrix
 from vstatics.statics.arrays import row_names
+from vstatics.statics.matrix import distribution_matrix
 from vstatics.statics.results import TABLES, Results
 from vstatics.tables.table import Table
+
 
 def tables(results: Results) -> list[Table]:
     """All tables of the results of one case; some only where the case has what they speak of."""
@@ -45,7 +46,7 @@ def tables(results: Results) -> list[Table]:
     for shape in TABLES:
         names = row_names(case, shape.rows) or [shape.name]
         if shape.name == "AJK":
-            names = case.link_names
+            names = list(case.link_names)
             made.append(Table(shape, names, case.devices, distribution_matrix(case) + 0.0))
         elif shape.name in values:
             names = [shape.name] if shape.rows == "one" else row_names(case, shape.rows)

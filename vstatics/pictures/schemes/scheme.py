@@ -7,8 +7,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
+from vstatics.elements.drawing import parts_of
 from vstatics.elements.element import Element
-from vstatics.elements.lower import parts_of
 from vstatics.model.transmission import HOUSING, Gear, Mechanism, ShiftElement, Transmission
 from vstatics.pictures.state import PictureState
 

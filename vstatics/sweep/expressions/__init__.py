@@ -23,7 +23,8 @@ import numpy as np
 
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Floats
-from vstatics.statics.results import ARRAYS, Results
+from vstatics.statics.arrays import ARRAYS
+from vstatics.statics.results import Results
 from vstatics.sweep.expressions.evaluation import FUNCTIONS, REDUCTIONS, evaluate
 from vstatics.sweep.expressions.excerpt import Excerpt
 from vstatics.sweep.expressions.grammar import Applied, Tree, parse
@@ -136,7 +137,7 @@ def read_expression(
         node,
         tuple(names.gears) if per_gear else None,
         tuple(table_rows(table, case)) if table else None,
-        ROW[ARRAYS[table]] if table else "",
+        ROW[ARRAYS[table].rows] if table else "",
         tree.name if isinstance(tree, TableName) else "",
     )
 
@@ -169,7 +170,7 @@ def _resolve(tree: Tree, names: SweepNames) -> _Resolved:
         return _Resolved(node)
     tables = [operand.table for operand in operands if operand.table]
     for other in tables[1:]:
-        one, two = ARRAYS[tables[0]], ARRAYS[other]
+        one, two = ARRAYS[tables[0]].rows, ARRAYS[other].rows
         if one != two:
             message = (
                 f"`{tables[0]}` has one value per {ROW[one]} and `{other}` one per {ROW[two]}, "

@@ -8,7 +8,8 @@ from typing import Any, NamedTuple, TypeAlias
 from vstatics.errors import nearest
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Floats
-from vstatics.statics.results import ARRAYS, Results, Rows
+from vstatics.statics.arrays import ARRAYS, Rows
+from vstatics.statics.results import Results
 from vstatics.sweep.expressions.evaluation import FUNCTIONS
 from vstatics.sweep.expressions.excerpt import Excerpt, quoted
 from vstatics.sweep.expressions.operands import Constant, DottedName, Subscript, TableName
@@ -33,9 +34,12 @@ DECK_NAMES: Mapping[str, str] = {
 
 ROW: Mapping[Rows, str] = {
     "links": "link",
+    "planets": "planet",
     "elements": "shift element",
+    "devices": "mechanism",
     "mechanisms": "mechanism",
     "torques": "device",
+    "meshes": "mesh",
     "one": "gear",
 }
 """What one row is called."""
@@ -111,7 +115,7 @@ class SweepNames:
         name = DECK_NAMES.get(read.name, read.name)
         if name not in ARRAYS:
             raise self.source.error(self._no_table(name), read.at)
-        kind, subscripts, row = ARRAYS[name], list(read.subscripts), None
+        kind, subscripts, row = ARRAYS[name].rows, list(read.subscripts), None
         if kind != "one":
             rows = table_rows(name, self.case)
             if not rows:
