@@ -182,5 +182,4 @@ KINDS: Mapping[str, Kind] = {
 }
 """Every kind by the name that a case gives it."""
 
-PLANETARY = tuple(name for name, kind in KINDS.items() if isinstance(kind, Planetary))
 GROUP = "planet_group"

@@ -9,17 +9,16 @@ from typing import Any
 from vstatics.elements import teeth
 from vstatics.elements.build import lowered
 from vstatics.elements.checks import hints, problems
-from vstatics.elements.element import CentralWheel, Drawing, Element
-from vstatics.elements.kinds import GROUP, KINDS
+from vstatics.elements.element import Drawing
+from vstatics.elements.keys import DRAWN, drawn, element_of, with_elements
+from vstatics.elements.kinds import KINDS
 from vstatics.elements.lower import parts as parts_of
 from vstatics.errors import Path, Problem
-from vstatics.model.transmission import HOUSING, Mechanism
+from vstatics.model.keys import CASE
+from vstatics.model.parts import Gear, Mechanism
 from vstatics.readers.named import nodes
 from vstatics.readers.named.arguments import arguments, untold
-from vstatics.readers.named.elements_shape import DRAWN, drawn, with_elements
-from vstatics.readers.named.nodes import Listing, Node, Scalar, is_null, shown
-from vstatics.readers.named.shape import CASE
-from vstatics.readers.named.spots import Spot, Spots
+from vstatics.readers.named.nodes import Listing, Node, Scalar, Spot, Spots, is_null, shown
 from vstatics.readers.named.walk import Walk
 from vstatics.readers.reading import Reading, finish
 
@@ -86,7 +85,7 @@ def read_drawing(root: nodes.Mapping, walk: Walk) -> Reading:
         walk.references.set_link_names(list(dict.fromkeys(n.text for n in joined_links(root))))
     values = walk.read(Spot((), "", root), drawn(with_elements(CASE)))
     if not listed:
-        values["links"] = len(walk.references.link_names)
+        values = {**values, "links": len(walk.references.link_names)}
         for end in ("input", "output"):
             if end not in given:
                 spots.missing(Spot((), "", root), end)
@@ -106,10 +105,8 @@ def read_drawing(root: nodes.Mapping, walk: Walk) -> Reading:
             parts["output"] = parts.get("output", made.links)
             locate = _locator(spots, made)
             faults = [*hints(made), *teeth.doubts(made)]
-            faults += [] if listed else loose_links(root, values, names, spots)
+            faults += [] if listed else loose_links(root, values, names, parts["gears"], spots)
         found += map(spots.locate, faults)
-    for key in DRAWN:
-        parts.pop(key.name, None)
     return finish(parts, found, untold(spots.unreadable), locate)
 
 
@@ -140,7 +137,11 @@ def _locator(spots: Spots, drawn: Drawing) -> Callable[[Problem], Problem]:
 
 
 def loose_links(
-    root: nodes.Mapping, values: Mapping[str, Any], names: Sequence[str], spots: Spots
+    root: nodes.Mapping,
+    values: Mapping[str, Any],
+    names: Sequence[str],
+    gears: Sequence[Gear],
+    spots: Spots,
 ) -> Iterator[Problem]:
     """Links that one thing only joins, where the document has no list of links.
 
@@ -148,11 +149,10 @@ def loose_links(
     """
     found = list(joined_links(root))
     counts = Counter(node.text for node in found)
-    carriers = {record.get("carrier") for _, record in values["elements"]}
+    carriers = {record.get("carrier") for record in values["elements"].values()}
     told = {values.get("input"), values.get("output")}
-    for _, gear in values["gears"]:
-        told.update(*(gear.get(key, ()) for key in ("speeds", "torques", "drag")))
-        told.update((gear.get("input"), gear.get("output")))
+    for gear in gears:
+        told.update((*gear.speeds, *gear.torques, *gear.drag, gear.input, gear.output))
     for number, name in enumerate(names, 1):
         others = [*(other for other in names if other != name), "housing"]
         hint = spots.found.hint(name, others)
@@ -179,51 +179,8 @@ def drawing(
     """
     return Drawing(
         len(link_names),
-        tuple(_element(name, record, link_names) for name, record in values["elements"]),
+        tuple(element_of(name, one, link_names) for name, one in values["elements"].items()),
         tuple(mechanisms),
         values.get("losses"),
         values.get("mesh_efficiency", {}),
     )
-
-
-def _element(name: str, record: Mapping[str, Any], link_names: Sequence[str]) -> Element:
-    kind = record["kind"]
-    members = KINDS[kind].members
-    given: dict[str, Any] = {
-        "name": name,
-        "kind": kind,
-        "members": {member: record[member] for member in members if member in record},
-        "teeth": record.get("teeth", record.get("diameters", {})),
-        "planets": record.get("planets"),
-        "mesh_efficiency": record.get("mesh_efficiency", {}),
-    }
-    efficiency = record.get("efficiency")
-    if isinstance(efficiency, dict):
-        given |= {"efficiency": efficiency["worm"], "back_efficiency": efficiency["wheel"]}
-    else:
-        given["efficiency"] = efficiency
-    if kind == GROUP:
-        given["rims"] = {planet: dict(rims) for planet, rims in record["rims"]}
-        given["wheels"] = tuple(_wheels(record, link_names))
-        given["meshes"] = tuple(map(tuple, record.get("meshes", ())))
-    return Element(**given)
-
-
-def _wheels(record: Mapping[str, Any], link_names: Sequence[str]) -> Iterable[CentralWheel]:
-    """Suns, then rings; each is called by its link, and more where that is not enough."""
-    found = [
-        (wheel, internal)
-        for key, internal in (("suns", False), ("rings", True))
-        for wheel in record.get(key, ())
-    ]
-    links = Counter(wheel["link"] for wheel, _ in found)
-    taken = {"carrier", *(planet for planet, _ in record["rims"])}
-    for wheel, internal in found:
-        link, rim = wheel["link"], wheel["rim"]
-        member = link_names[link - 1] if link > HOUSING else "housing"
-        if links[link] > 1 or member in taken:
-            member += f"/{rim}"
-        if member in taken:
-            member += " (ring)" if internal else " (sun)"
-        taken.add(member)
-        yield CentralWheel(member, link, wheel["teeth"], internal, rim)
