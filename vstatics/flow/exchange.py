@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
-from vstatics.elements.lower import Part, parts_of
+from vstatics.elements.lower import DrawnPart, parts_of
 from vstatics.flow.circulation import Node
 from vstatics.model.transmission import HOUSING, Gear, Transmission
 from vstatics.numerics.arrays import Floats
@@ -51,7 +51,7 @@ class Train(NamedTuple):
     case: Transmission
     gear: Gear
     """With the freewheels that hold among the engaged elements."""
-    parts: Sequence[Part]
+    parts: Sequence[DrawnPart]
     speeds: Sequence[float]
     """By link. [-]"""
     slips: Sequence[float]
@@ -68,7 +68,7 @@ class Train(NamedTuple):
             return 0.0
         return self.direction * float(power(torque, self.speeds[link - 1]))
 
-    def is_one_piece(self, part: Part) -> bool:
+    def is_one_piece(self, part: DrawnPart) -> bool:
         """Whether all members turn alike, so that nothing in it moves."""
         links = part.members.values()
         first, *others = (self.speeds[link - 1] if link else 0.0 for link in links)

@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 from vstatics.elements.group import group_of
 from vstatics.elements.kinds import Planetary
-from vstatics.elements.lower import Part, parts_of
+from vstatics.elements.lower import DrawnPart, parts_of
 from vstatics.model.transmission import HOUSING, Mechanism, Transmission
 
 
@@ -57,7 +57,7 @@ def levers(case: Transmission) -> list[Lever]:
     return [lever for lever in found if sum(node.link != HOUSING for node in lever.nodes) > 1]
 
 
-def _of_part(part: Part) -> Iterator[Lever]:
+def _of_part(part: DrawnPart) -> Iterator[Lever]:
     element = part.element
     if element is None or not isinstance(element.shape, Planetary):
         for lowered in part.lowered:

@@ -15,7 +15,7 @@ import numpy as np
 from vstatics.elements.element import drawing_of
 from vstatics.elements.group import PlanetGroup, group_of
 from vstatics.elements.kinds import Planetary
-from vstatics.elements.lower import Part, parts
+from vstatics.elements.lower import DrawnPart, parts
 from vstatics.model.transmission import HOUSING
 from vstatics.numerics.arrays import Booleans, Floats
 from vstatics.statics.results import OUTPUT, Results
@@ -76,7 +76,7 @@ class _Mesh(NamedTuple):
     is_known: bool
 
 
-def _meshes(made: Sequence[Part]) -> Iterator[_Mesh]:
+def _meshes(made: Sequence[DrawnPart]) -> Iterator[_Mesh]:
     number = 0
     for part in made:
         for lowered in part.lowered:
@@ -87,7 +87,7 @@ def _meshes(made: Sequence[Part]) -> Iterator[_Mesh]:
             number += 1
 
 
-def _planets(results: Results, made: Sequence[Part]) -> Shown:
+def _planets(results: Results, made: Sequence[DrawnPart]) -> Shown:
     """Speeds of all planets and idlers against their carriers."""
     rows: list[str] = []
     columns: list[Floats] = []
@@ -107,7 +107,7 @@ def _planets(results: Results, made: Sequence[Part]) -> Shown:
     return Shown(rows, values)
 
 
-def _has_planet(part: Part) -> bool:
+def _has_planet(part: DrawnPart) -> bool:
     """Whether an element of one mechanism turns a planet or an idler, as far as is told."""
     mechanism = part.lowered[0].mechanism
     own = part.element is None and mechanism.third != HOUSING
@@ -135,7 +135,7 @@ def _difference(one: Floats, other: Floats) -> Floats:
     return np.where(np.abs(difference) <= noise, 0.0, difference)
 
 
-def _torques(results: Results, made: Sequence[Part], *, lossy: bool) -> Shown:
+def _torques(results: Results, made: Sequence[DrawnPart], *, lossy: bool) -> Shown:
     """Torques of shift elements, then those that links give to the members, then the output."""
     case = results.case
     torques = results.lossy_torques if lossy else results.torques
@@ -147,7 +147,7 @@ def _torques(results: Results, made: Sequence[Part], *, lossy: bool) -> Shown:
     return Shown([*rows, OUTPUT], np.array([*columns, torques[:, -1]]).T + 0.0)
 
 
-def by_element(made: Sequence[Part], values: Floats | Booleans, *, all_of: bool) -> Floats:
+def by_element(made: Sequence[DrawnPart], values: Floats | Booleans, *, all_of: bool) -> Floats:
     """Values of mechanisms put together for each element: whether all, or the sum."""
     columns = []
     number = 0

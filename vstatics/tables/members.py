@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from vstatics.elements.lower import Part
+from vstatics.elements.lower import DrawnPart
 from vstatics.numerics.arrays import Floats
 from vstatics.statics import drag
 from vstatics.statics.results import Results
@@ -19,14 +19,14 @@ Terms = list[tuple[int, Floats]]
 """Indices of devices, each with the share that a member has of its torque in each gear."""
 
 
-def member_torques(results: Results, made: Sequence[Part], *, lossy: bool) -> list[Members]:
+def member_torques(results: Results, made: Sequence[DrawnPart], *, lossy: bool) -> list[Members]:
     """For each part of a case, the torques that links give to its members.
 
     Parameters
     ----------
     results : Results
         Of one case.
-    made : sequence of Part
+    made : sequence of DrawnPart
         Its parts.
     lossy : bool
         Whether with losses.
@@ -85,7 +85,7 @@ def _lossy_ratios(results: Results) -> Floats:
     return np.where(np.isnan(signs), np.nan, _ratios(results) * factor)
 
 
-def _terms(made: Sequence[Part], elements: int, ratios: Floats) -> Iterator[dict[str, Terms]]:
+def _terms(made: Sequence[DrawnPart], elements: int, ratios: Floats) -> Iterator[dict[str, Terms]]:
     """For each part and member, what its torque is the sum of; `elements` stand before."""
     device = elements
     for part in made:
