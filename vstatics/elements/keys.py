@@ -176,13 +176,7 @@ def record_of(element: Element) -> dict[str, Any]:
 
 
 def element_of(name: str, record: Mapping[str, Any], link_names: Sequence[str]) -> Element:
-    """The element of a record, as `record_of` gives it.
-
-    Parameters
-    ----------
-    link_names : sequence of str
-        Of the case's own links, by which the wheels of a group of planets are called.
-    """
+    """The element of a record; wheels of a group of planets are called by the case's own links."""
     kind = record["kind"]
     efficiency, back = record.get("efficiency"), None
     if isinstance(efficiency, dict):

@@ -149,7 +149,7 @@ GEAR = ByKey(
         ),
         KeyShape(
             "open_drag",
-            Numbers("element", TORQUE, {"minimum": 0}),
+            Numbers("shift element", TORQUE, {"minimum": 0}),
             "Drag of shift elements in this gear when they are open, in place of their own.",
         ),
         KeyShape("input", LINK, "This gear's own input link."),

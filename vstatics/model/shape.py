@@ -54,7 +54,7 @@ class Ends(NamedTuple):
 class Numbers(NamedTuple):
     """Links or shift elements with a number for each."""
 
-    by: Literal["link", "element"]
+    by: Literal["link", "shift element"]
     item: Leaf
     limits: Limits = NO_LIMITS
 

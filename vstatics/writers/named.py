@@ -56,7 +56,7 @@ def mapping(case: Transmission) -> dict[str, Any]:
         values |= vars(drawing)
         values["elements"] = {one.name: record_of(one) for one in drawing.elements}
     links, own = _link_words(case), case.own_links
-    values["links"] = own if _numbered(case) else links[1 : own + 1]
+    values["links"] = own if links[1] == 1 else links[1 : own + 1]
     values["output"] = None if case.output == own else case.output
     for part in ("shift_elements", "mechanisms", "gears"):
         values[part] = {item.name: item for item in values[part]}
@@ -91,15 +91,10 @@ def write_json(case: Transmission) -> str:
     return json.dumps(mapping(case), indent=2, ensure_ascii=False) + "\n"
 
 
-def _numbered(case: Transmission) -> bool:
-    """Whether the case's own links are called by their numbers."""
-    own = case.own_links
-    return list(case.link_names[:own]) == [str(number) for number in range(1, own + 1)]
-
-
 def _link_words(case: Transmission) -> list[int | str]:
-    """How each link is written, the housing first."""
-    if _numbered(case):
+    """How each link is written, the housing first: the case's own by their numbers if they can."""
+    own = case.own_links
+    if list(case.link_names[:own]) == [str(number) for number in range(1, own + 1)]:
         return ["housing", *range(1, case.links + 1)]
     return ["housing", *map(str, case.link_names)]
 

@@ -11,63 +11,55 @@ from vstatics.elements.build import lowered
 from vstatics.elements.checks import hints, problems
 from vstatics.elements.element import Drawing
 from vstatics.elements.keys import DRAWN, drawn, element_of, with_elements
-from vstatics.elements.kinds import KINDS
 from vstatics.elements.lower import parts as parts_of
 from vstatics.errors import Path, Problem
 from vstatics.model.keys import CASE
 from vstatics.model.parts import Gear, Mechanism
+from vstatics.model.shape import ByKey, ByKind, ByName, Either, Ends, Leaf, ListOf, Shape
 from vstatics.readers.named import nodes
 from vstatics.readers.named.arguments import arguments, untold
 from vstatics.readers.named.nodes import Listing, Node, Scalar, Spot, Spots, is_null, shown
 from vstatics.readers.named.walk import Walk
 from vstatics.readers.reading import Reading, finish
 
-_MECHANISM = ("first", "second", "third")
 _DRAWN = {"links", "link_names", "mechanisms", *(key.name for key in DRAWN)}
 
 
-def joined_links(root: nodes.Mapping) -> Iterator[Scalar]:
+def joined_links(root: nodes.Mapping) -> list[Scalar]:
     """Every place of a document where an element, a mechanism or a shift element names a link.
 
     In the order of the document, the housing apart.
     """
-    for key, value in root.entries:
-        if not isinstance(value, nodes.Mapping):
-            continue
-        for _, item in value.entries:
-            if key.text == "elements":
-                yield from _scalars(_of_element(item))
-            elif key.text == "mechanisms":
-                yield from _scalars(_values(item, _MECHANISM))
-            elif key.text == "shift_elements":
-                yield from _scalars(_of_shift_element(item))
+    keys = [key for key in with_elements(CASE).keys if isinstance(key.shape, ByName)]
+    devices = CASE._replace(keys=tuple(key for key in keys if key.name != "gears"))
+    named = (node for node in _links(root, devices) if isinstance(node, Scalar))
+    return [node for node in named if not is_null(node) and node.text not in ("0", "housing")]
 
 
-def _scalars(found: Iterable[Node]) -> Iterator[Scalar]:
-    for node in found:
-        if isinstance(node, Scalar) and not is_null(node) and node.text not in ("0", "housing"):
+def _links(node: Node, shape: Shape) -> Iterator[Node]:  # noqa: C901 - a table
+    """What stands where a shape has a link; links of their own before those in lists."""
+    match node, shape:
+        case _, Leaf("link"):
             yield node
-
-
-def _values(node: Node, keys: Iterable[str]) -> Iterator[Node]:
-    """What stands under some keys of a mapping."""
-    if isinstance(node, nodes.Mapping):
-        wanted = set(keys)
-        yield from (value for key, value in node.entries if key.text in wanted)
-
-
-def _of_element(node: Node) -> Iterator[Node]:
-    kind = next(iter(_values(node, ["kind"])), None)
-    if isinstance(kind, Scalar) and kind.text in KINDS:
-        yield from _values(node, KINDS[kind.text].members)
-    for wheels in _values(node, ("suns", "rings")):
-        for wheel in wheels.items if isinstance(wheels, Listing) else ():
-            yield from _values(wheel, ["link"])
-
-
-def _of_shift_element(node: Node) -> Iterator[Node]:
-    for ends in [node, *_values(node, ["links"])]:
-        yield from ends.items if isinstance(ends, Listing) else ()
+        case nodes.Mapping(entries), ByKey():
+            shapes = {key.name: key.shape for key in shape.keys}
+            inner = [(shapes[key.text], value) for key, value in entries if key.text in shapes]
+            for of, value in sorted(inner, key=lambda one: isinstance(one[0], ListOf)):
+                yield from _links(value, of)
+        case nodes.Mapping(entries), ByKind(records):
+            kinds = [v.text for key, v in entries if key.text == "kind" and isinstance(v, Scalar)]
+            if kinds and kinds[0] in records:
+                yield from _links(node, records[kinds[0]])
+        case nodes.Mapping(entries), ByName(_, item):
+            for _, value in entries:
+                yield from _links(value, item)
+        case nodes.Mapping(), Either(_, record):
+            yield from _links(node, record)
+        case Listing(items), Ends() | Either():
+            yield from items
+        case Listing(items), ListOf(item):
+            for value in items:
+                yield from _links(value, item)
 
 
 def read_drawing(root: nodes.Mapping, walk: Walk) -> Reading:
@@ -147,7 +139,7 @@ def loose_links(
 
     A carrier may turn freely, so it is told only if its name looks mistyped.
     """
-    found = list(joined_links(root))
+    found = joined_links(root)
     counts = Counter(node.text for node in found)
     carriers = {record.get("carrier") for record in values["elements"].values()}
     told = {values.get("input"), values.get("output")}

@@ -12,7 +12,7 @@ from vstatics.errors import Path
 from vstatics.model.parts import HOUSING, Gear, Load, ShiftElement
 from vstatics.model.shape import UNITS
 from vstatics.readers.named.nodes import Spots
-from vstatics.readers.named.scalars import Quantity, WithUnit
+from vstatics.readers.named.scalars import WithUnit
 
 _NO_LESS = "a torque of 0 or more: drag opposes any motion"
 
@@ -35,18 +35,6 @@ class Common(NamedTuple):
     coast: bool
     drag: Mapping[int, float]
     """Of links."""
-
-
-class _Whole(NamedTuple):
-    """What numbers with a unit are related to."""
-
-    quantity: Quantity
-    value: float
-    """0 where the load does not tell."""
-
-    @property
-    def unit(self) -> str:
-        return UNITS[self.quantity]
 
 
 def relative(
@@ -82,8 +70,8 @@ def _of_links(drag: _ByPart, spots: Spots) -> Iterator[tuple[int, _Located]]:
         if link == HOUSING:
             spots.tell(path, "the housing does not turn, expected a link")
         elif torque < 0:
-            unit = f" {UNITS['torque']}" if isinstance(torque, WithUnit) else ""
-            spots.tell(path, f"read {torque:g}{unit}, expected {_NO_LESS}")
+            read = torque if isinstance(torque, WithUnit) else f"{torque:g}"
+            spots.tell(path, f"read {read}, expected {_NO_LESS}")
         else:
             yield link, _Located(torque, path)
 
@@ -95,10 +83,9 @@ def _of_elements(elements: list[ShiftElement], spots: Spots) -> Iterator[tuple[i
         if not isinstance(drag, WithUnit):
             continue
         if drag < 0:
-            spots.tell(path, f"read {drag:g} N*m, expected {_NO_LESS}")
+            spots.tell(path, f"read {drag}, expected {_NO_LESS}")
         elif drag and element.kind == "dog_clutch":
-            message = f"read {drag:g} N*m, but a dog clutch does not drag when it is open"
-            spots.tell(path, message)
+            spots.tell(path, f"read {drag}, but a dog clutch does not drag when it is open")
         else:
             yield number, _Located(drag, path)
 
@@ -109,10 +96,10 @@ def _element(element: ShiftElement, number: int, load: Load, spots: Spots) -> Sh
     capacity, path = element.capacity, ("shift_elements", number, "capacity")
     if isinstance(capacity, WithUnit):
         if capacity > 0:
-            whole = _Whole("torque", abs(load.torque or 0.0))
-            capacity = _related({number: _Located(capacity, path)}, whole, spots).get(number)
+            given = {number: _Located(capacity, path)}
+            capacity = _related(given, abs(load.torque or 0.0), spots).get(number)
         else:
-            spots.tell(path, f"read {capacity:g} N*m, expected a torque above 0")
+            spots.tell(path, f"read {capacity}, expected a torque above 0")
             capacity = None
     return element._replace(drag=drag, capacity=capacity)
 
@@ -121,40 +108,40 @@ def _gear(
     gear: Gear, number: int, common: Common, drags: tuple[_ByPart, _ByPart], spots: Spots
 ) -> Gear:
     load = (gear.load or Load()).or_else(common.load)
-    torque = load.torque or 0.0
-    speed, drag = _Whole("speed", load.speed or 0.0), _Whole("torque", abs(torque))
-    # when coasting, the torque of the load is against its speed
-    external = _Whole("torque", -torque if common.coast else torque)
-    path, (of_links, of_elements) = ("gears", number), drags
+    torque, (of_links, of_elements) = load.torque or 0.0, drags
 
     def related(
-        key: str, numbers: Mapping[int, float], whole: _Whole, of_all: _ByPart
+        key: str, numbers: Mapping[int, float], whole: float, of_all: _ByPart
     ) -> Mapping[int, float]:
-        return _related({**of_all, **_located(numbers, (*path, key))}, whole, spots)
+        return _related({**of_all, **_located(numbers, ("gears", number, key))}, whole, spots)
 
     return gear._replace(
-        speeds=related("speeds", gear.speeds, speed, {}),
-        torques=related("torques", gear.torques, external, {}),
-        drag=related("drag", gear.drag, drag, of_links),
-        open_drag=related("open_drag", gear.open_drag, drag, of_elements),
+        speeds=related("speeds", gear.speeds, load.speed or 0.0, {}),
+        # when coasting, the torque of the load is against its speed
+        torques=related("torques", gear.torques, -torque if common.coast else torque, {}),
+        drag=related("drag", gear.drag, abs(torque), of_links),
+        open_drag=related("open_drag", gear.open_drag, abs(torque), of_elements),
     )
 
 
-def _related(numbers: _ByPart, whole: _Whole, spots: Spots) -> dict[int, float]:
-    """Numbers without units; those that cannot be related are told."""
+def _related(numbers: _ByPart, whole: float, spots: Spots) -> dict[int, float]:
+    """Numbers as parts of the input's, which is 0 where none is known.
+
+    Those that cannot be related are told.
+    """
     made: dict[int, float] = {}
     for part, (number, path) in numbers.items():
         if not isinstance(number, WithUnit):
             made[part] = number
         elif number < 0 and path[-2] in ("drag", "open_drag"):
-            spots.tell(path, f"read {number:g} {whole.unit}, expected {_NO_LESS}")
-        elif whole.value:
-            made[part] = number / whole.value
+            spots.tell(path, f"read {number}, expected {_NO_LESS}")
+        elif whole:
+            made[part] = number / whole
         elif path not in spots.unreadable:
-            quantity, unit = whole.quantity, whole.unit
+            quantity, unit = number.quantity, UNITS[number.quantity]
             spots.tell(
                 path,
-                f"read {number:g} {unit}, but there is no input {quantity} to relate it to; "
+                f"read {number}, but there is no input {quantity} to relate it to; "
                 f"expected a number relative to the input {quantity}, or "
                 f"`load: {{{quantity}: ... {unit}}}` in the case",
             )

@@ -9,7 +9,7 @@ import math
 import re
 import warnings
 from functools import cache
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, Literal, Self
 
 from vstatics.model.shape import UNITS
 
@@ -172,6 +172,17 @@ def _hint(text: str, kind: Quantity) -> str:
 class WithUnit(float):
     """A speed in rpm or a torque in N*m, where others are relative to the input's."""
 
+    quantity: Quantity
+
+    def __new__(cls, value: float, quantity: Quantity) -> Self:
+        """Keep what it is the value of."""
+        made = super().__new__(cls, value)
+        made.quantity = quantity
+        return made
+
+    def __str__(self) -> str:
+        return f"{self:g} {UNITS[self.quantity]}"
+
 
 def relative(text: str, kind: Quantity) -> float:
     """A speed or torque relative to that of the input, or one with its unit.
@@ -192,6 +203,6 @@ def relative(text: str, kind: Quantity) -> float:
         if not any(letter.isalpha() for letter in text):
             raise
         try:
-            return WithUnit(quantity(text, kind))
+            return WithUnit(quantity(text, kind), kind)
         except ValueError as with_unit:
             raise ValueError(f"{with_unit}, or one relative to the input {kind}") from error

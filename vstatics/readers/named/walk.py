@@ -198,14 +198,12 @@ class Walk:
 
     def _numbers(self, spot: Spot, shape: Numbers) -> Any:
         """Numbers by that which their keys refer to."""
-        node, of = spot.node, "link" if shape.by == "link" else "shift element"
+        node = spot.node
         if not isinstance(node, Mapping):
-            return self._refuse(spot, shape, f"expected a mapping: a number for each {of}")
-        refer, nobody = (
-            (self.references.link, NO_LINK)
-            if shape.by == "link"
-            else (self.references.element, NO_ELEMENT)
-        )
+            return self._refuse(spot, shape, f"expected a mapping: a number for each {shape.by}")
+        refer, nobody = self.references.link, NO_LINK
+        if shape.by == "shift element":
+            refer, nobody = self.references.element, NO_ELEMENT
         values: dict[int, float] = {}
         for key, value in self._entries(spot, node):
             try:
@@ -216,7 +214,7 @@ class Walk:
             inner = spot.key(place, key.text, value)
             self.spots.keep(inner, key)
             if place in values:
-                self.spots.complain(inner, f"{of} {place} is given twice", key)
+                self.spots.complain(inner, f"{shape.by} {place} is given twice", key)
             number = self.read(inner, shape.item)
             if place != nobody:
                 values[place] = number
