@@ -125,5 +125,5 @@ def read_document(data: bytes, file: str, shape: ByKey, expected: str) -> tuple[
     spots = Spots(found)
     values = Walk(spots).read(Spot((), "", _mapping(root, found, expected)), shape)
     if found.problems:
-        raise ReadError(found.problems)
+        raise ReadError(sorted(found.problems, key=lambda one: one.place[1:3] if one.place else ()))
     return values, spots
