@@ -122,7 +122,7 @@ class _Writer:
         data: dict[str, Any] = {}
         for key in shape.keys:
             value = of(key.name)
-            if not key.leaves_out(value) or (key.required and value is not None):
+            if value is not None and (key.required or not key.leaves_out(value)):
                 data[key.name] = self.value(value, key.shape)
         return data
 
