@@ -14,9 +14,9 @@ from hypothesis import given, settings
 from jsonschema import Draft202012Validator
 
 from tests.strategies import transmissions
+from vstatics.elements.keys import DRAWN
 from vstatics.errors import ReadError
 from vstatics.model.transmission import Gear, Mechanism, Transmission
-from vstatics.readers.named.elements_shape import DRAWN
 from vstatics.readers.named.reader import read_json
 from vstatics.readers.named.schema import json_schema, schema_text
 from vstatics.writers.named import mapping

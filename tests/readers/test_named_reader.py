@@ -14,8 +14,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from vstatics.errors import Problem, ReadError
+from vstatics.model.shape import COUNT, TEXT, ByKey, KeyShape, ListOf
 from vstatics.model.transmission import Gear, Mechanism, ShiftElement, Transmission
-from vstatics.readers.named.reader import read_json, read_yaml
+from vstatics.readers.named.reader import read_document, read_json, read_yaml
 from vstatics.readers.reading import Reading
 
 BAD = Path(__file__).parents[1] / "bad"
@@ -592,3 +593,17 @@ def check_survival(data: bytes, file: str) -> None:
         assert all(problem.place and problem.place.file == file for problem in error.problems)  # noqa: PT017
     else:
         assert isinstance(reading.case, Transmission)
+
+
+def test_a_document_of_another_shape_is_read_the_same_way() -> None:
+    keys = (KeyShape("count", COUNT, "How many."), KeyShape("names", ListOf(TEXT), "Of what."))
+    shape = ByKey("Sample", "Another document.", keys)
+    values, spots = read_document(b"names: [a, b]\ncount: 3", "it.yaml", shape, "a sample")
+    assert values == {"names": ["a", "b"], "count": 3}
+    assert spots.place(("names", 2))[1:3] == (1, 12)
+    with pytest.raises(ReadError) as caught:
+        read_document(b"names: a\ncount: 0", "it.yaml", shape, "a sample")
+    assert [str(problem).splitlines()[0] for problem in caught.value.problems] == [
+        "it.yaml:1:8: error: names: read 'a', expected a list",
+        "it.yaml:2:8: error: count: read '0', expected a whole number from 1",
+    ]

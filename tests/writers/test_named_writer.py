@@ -9,7 +9,7 @@ import yaml
 from hypothesis import example, given, settings
 
 from tests.strategies import ANY_NUMBER, ODD_NAMES, transmissions
-from vstatics.model.transmission import Gear, Mechanism, ShiftElement, Transmission
+from vstatics.model.transmission import Gear, Load, Mechanism, ShiftElement, Transmission
 from vstatics.readers.named.reader import read_json, read_yaml
 from vstatics.writers.named import mapping, write_json, write_yaml
 
@@ -122,6 +122,15 @@ gears:
   '2': {engaged: [T2]}
 """
     )
+
+
+def test_the_order_of_keys_is_that_of_reading_but_for_the_load() -> None:
+    case = differential(
+        name="N", input=2, idle="published", coast=True, load=Load(2100, 0.5), gears=[Gear([1])]
+    )
+    keys = ["name", "links", "input", "idle", "coast", "load", "shift_elements", "mechanisms"]
+    assert list(mapping(case)) == [*keys, "gears"]
+    assert mapping(case)["load"] == {"speed": "2100.0 rpm", "torque": "0.5 N*m"}
 
 
 def test_json_is_indented_and_keeps_letters() -> None:

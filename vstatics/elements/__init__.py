@@ -1,9 +1,16 @@
 """Typical elements: gear wheels, planetary sets, differentials, from their teeth.
 
+>>> from vstatics.model.transmission import Gear, ShiftElement
+>>> links = {"sun": 1, "ring": 2, "carrier": 3}
+>>> sets = Element("P", "planetary", links, teeth={"sun": 30, "ring": 75})
+>>> case = transmission(Drawing(3, [sets]), shift_elements=[ShiftElement(2)], gears=[Gear([1])])
+>>> [(mechanism.name, mechanism.ratio) for mechanism in case.mechanisms]
+[('P', -2.5)]
+
 The room for cases that are drawn rather than prepared. `kinds` declares what there is,
-`element` holds a case's elements, `group` has exact ratios of planets on a carrier,
-`lower` makes three-link mechanisms of them, `build` a transmission; `checks` and `teeth`
-say what cannot be, and `view` shows results for the elements again.
+`element` holds a case's elements, `keys` their keys in YAML and JSON, `group` has exact
+ratios of planets on a carrier, `lower` makes three-link mechanisms of them, `build` a
+transmission; `checks` and `teeth` say what cannot be.
 """
 
 from vstatics.elements.build import transmission

@@ -10,7 +10,7 @@ from functools import cached_property
 from vstatics.elements.element import DrawingFields
 from vstatics.elements.group import group_of
 from vstatics.elements.kinds import Planetary
-from vstatics.elements.lower import Part, parts
+from vstatics.elements.lower import DrawnPart, parts
 from vstatics.model.own import Member, OwnDevice, Planet, WheelOfPlanet
 from vstatics.model.parts import HOUSING
 from vstatics.model.transmission import Transmission
@@ -31,7 +31,7 @@ class Drawing(DrawingFields):
     """
 
     @cached_property
-    def parts(self) -> Sequence[Part]:
+    def parts(self) -> Sequence[DrawnPart]:
         """What each element became."""
         return parts(self)
 
@@ -46,7 +46,7 @@ def drawing_of(case: Transmission) -> Drawing | None:
     return case.drawing if isinstance(case.drawing, Drawing) else None
 
 
-def parts_of(case: Transmission) -> Sequence[Part]:
+def parts_of(case: Transmission) -> Sequence[DrawnPart]:
     """The parts of any case: of its drawing, or its mechanisms as they are."""
     drawing = drawing_of(case)
     return (
@@ -54,7 +54,7 @@ def parts_of(case: Transmission) -> Sequence[Part]:
     )
 
 
-def _devices(made: Sequence[Part]) -> Iterator[OwnDevice]:
+def _devices(made: Sequence[DrawnPart]) -> Iterator[OwnDevice]:
     number = 0
     for part in made:
         numbers = tuple(range(number, number + len(part.lowered)))
@@ -68,7 +68,7 @@ def _devices(made: Sequence[Part]) -> Iterator[OwnDevice]:
         )
 
 
-def _places(part: Part, member: str, numbers: Sequence[int]) -> Iterator[tuple[int, int]]:
+def _places(part: DrawnPart, member: str, numbers: Sequence[int]) -> Iterator[tuple[int, int]]:
     """Where a member stands in the mechanisms of its element."""
     for number, lowered in zip(numbers, part.lowered, strict=True):
         for place, name in enumerate(lowered.members):
@@ -76,7 +76,7 @@ def _places(part: Part, member: str, numbers: Sequence[int]) -> Iterator[tuple[i
                 yield number, place
 
 
-def _meshes(part: Part) -> tuple[bool, ...]:
+def _meshes(part: DrawnPart) -> tuple[bool, ...]:
     """Of each mesh: whether the teeth of its first wheel are known."""
     if part.element is None or not part.planet_links:
         return ()
@@ -85,7 +85,7 @@ def _meshes(part: Part) -> tuple[bool, ...]:
     return tuple(first not in group.planets or group.is_known(first) for first in firsts)
 
 
-def _planets(part: Part, numbers: Sequence[int]) -> Iterator[Planet]:
+def _planets(part: DrawnPart, numbers: Sequence[int]) -> Iterator[Planet]:
     """All planets and idlers of a part that turn against a carrier."""
     element, mechanism = part.element, part.lowered[0].mechanism
     if element is not None and isinstance(element.shape, Planetary):

@@ -28,7 +28,7 @@ class Lowered(NamedTuple):
     """What its links are within the element: members, planets, or nothing."""
 
 
-class Part(NamedTuple):
+class DrawnPart(NamedTuple):
     """An element, or a mechanism that was given as such, and what it became."""
 
     name: str
@@ -51,9 +51,9 @@ class Part(NamedTuple):
         return {member: found[member] for member in (*wheels, "carrier") if member in found}
 
 
-def parts(drawing: DrawingFields) -> list[Part]:
+def parts(drawing: DrawingFields) -> list[DrawnPart]:
     """What each element of a drawing becomes; planets that are links count on from its links."""
-    made: list[Part] = []
+    made: list[DrawnPart] = []
     last = drawing.links
     for element in drawing.elements:
         part = _part(element, drawing, last)
@@ -62,10 +62,10 @@ def parts(drawing: DrawingFields) -> list[Part]:
     return [*made, *map(_given, drawing.mechanisms)]
 
 
-def _given(mechanism: Mechanism) -> Part:
+def _given(mechanism: Mechanism) -> DrawnPart:
     """A mechanism that was given as such."""
     members = ("first", "second", "third" if mechanism.third else "")
-    return Part(mechanism.name, None, (Lowered(mechanism, members),), {})
+    return DrawnPart(mechanism.name, None, (Lowered(mechanism, members),), {})
 
 
 def at_meshes(element: Element, group: PlanetGroup, drawing: DrawingFields) -> bool:
@@ -77,15 +77,15 @@ def at_meshes(element: Element, group: PlanetGroup, drawing: DrawingFields) -> b
     return drawing.losses == "meshes"
 
 
-def _part(element: Element, drawing: DrawingFields, last: int) -> Part:
+def _part(element: Element, drawing: DrawingFields, last: int) -> DrawnPart:
     given = drawing.efficiency_of(element)
     if isinstance(element.shape, Simple):
-        return Part(element.name, element, (_simple(element, element.shape, given),), {})
+        return DrawnPart(element.name, element, (_simple(element, element.shape, given),), {})
     group = group_of(element)
     if not at_meshes(element, group, drawing):
-        return Part(element.name, element, tuple(_reduced(element, group, given)), {})
+        return DrawnPart(element.name, element, tuple(_reduced(element, group, given)), {})
     links = {planet: last + number for number, planet in enumerate(group.planets, 1)}
-    return Part(element.name, element, tuple(_meshes(element, group, links, given)), links)
+    return DrawnPart(element.name, element, tuple(_meshes(element, group, links, given)), links)
 
 
 def _simple(element: Element, kind: Simple, given: MeshEfficiency) -> Lowered:

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from vstatics.elements.drawing import drawing_of, parts_of
 from vstatics.elements.kinds import Planetary
-from vstatics.elements.lower import Part, parts
+from vstatics.elements.lower import DrawnPart, parts
 from vstatics.model.transmission import HOUSING, Gear, Transmission
 from vstatics.numerics import elimination
 from vstatics.numerics.entries import RIGHT, Equation
@@ -32,7 +32,7 @@ class OwnLinks(NamedTuple):
     """A case whose planets are no links: the speeds are the same, losses are not."""
 
     case: Transmission
-    parts: Sequence[Part]
+    parts: Sequence[DrawnPart]
     """What its elements are then, and its mechanisms."""
 
     def is_fixed(self, number: int) -> bool:

@@ -71,11 +71,7 @@ class TransmissionFields:
 
     def gear_load(self, gear: Gear) -> Load:
         """The load of a gear: its own, filled up with that of the case."""
-        own, common = gear.load or Load(), self.load or Load()
-        return Load(
-            common.speed if own.speed is None else own.speed,
-            common.torque if own.torque is None else own.torque,
-        )
+        return (gear.load or Load()).or_else(self.load or Load())
 
     def link_name(self, link: int) -> str:
         """The name of a link; the housing is ``housing``."""

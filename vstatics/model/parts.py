@@ -45,6 +45,11 @@ class ShiftElement(NamedTuple):
     capacity: float | None = None
 
     @property
+    def links(self) -> tuple[int, int]:
+        """The first and second link."""
+        return self.first, self.second
+
+    @property
     def is_freewheel(self) -> bool:
         """Whether it finds by itself whether it holds."""
         return self.kind == "freewheel"
@@ -107,6 +112,13 @@ class Load(NamedTuple):
 
     speed: float | None = None
     torque: float | None = None
+
+    def or_else(self, other: Load) -> Load:
+        """The load with what it leaves open as in another."""
+        return Load(
+            other.speed if self.speed is None else self.speed,
+            other.torque if self.torque is None else self.torque,
+        )
 
 
 class Gear(NamedTuple):

@@ -88,7 +88,7 @@ def _completed(case: Transmission) -> dict[str, object]:
             element._replace(
                 name=element.name or element_name(number, element),
                 drag=float(element.drag),
-                capacity=None if element.capacity is None else float(element.capacity),
+                capacity=_float(element.capacity),
             )
             for number, element in enumerate(case.shift_elements, 1)
         ),
@@ -97,9 +97,7 @@ def _completed(case: Transmission) -> dict[str, object]:
                 ratio=float(mechanism.ratio),
                 efficiency=float(mechanism.efficiency),
                 name=mechanism.name or mechanism_name(number),
-                back_efficiency=(
-                    None if mechanism.back_efficiency is None else float(mechanism.back_efficiency)
-                ),
+                back_efficiency=_float(mechanism.back_efficiency),
             )
             for number, mechanism in enumerate(case.mechanisms, 1)
         ),
@@ -118,3 +116,7 @@ def _completed(case: Transmission) -> dict[str, object]:
             for number, gear in enumerate(case.gears, 1)
         ),
     }
+
+
+def _float(value: float | None) -> float | None:
+    return None if value is None else float(value)

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from vstatics.elements.drawing import parts_of
 from vstatics.elements.group import group_of
 from vstatics.elements.kinds import Planetary
-from vstatics.elements.lower import Part
+from vstatics.elements.lower import DrawnPart
 from vstatics.errors import CaseError, Problem
 from vstatics.model.transmission import HOUSING, Mechanism, Transmission
 from vstatics.pictures import labels, lever_marks
@@ -83,7 +83,7 @@ def levers(case: Transmission) -> list[Lever]:
     return [lever for lever in found if sum(node.link != HOUSING for node in lever.nodes) > 1]
 
 
-def _of_part(part: Part) -> Iterator[Lever]:
+def _of_part(part: DrawnPart) -> Iterator[Lever]:
     element = part.element
     if element is None or not isinstance(element.shape, Planetary):
         for lowered in part.lowered:

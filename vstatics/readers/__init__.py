@@ -1,4 +1,15 @@
-"""Readers of cases: one module per format, text -> Transmission."""
+"""Readers of cases: one module or folder per format, text -> Transmission.
+
+>>> text = "{links: 2, mechanisms: {D: {first: 1, second: 2, ratio: 3}}, gears: {low: , high: }}"
+>>> format_of("case.yaml", text.encode())
+'yaml'
+>>> reading = read(text.encode(), "case.yaml")  # or ReadError, with all that is wrong, and where
+>>> [gear.name for gear in reading.case.gears], reading.warnings
+(['low', 'high'], [])
+
+`load` reads a file. In both folders a text becomes values with their places, these a case;
+`reading` ends what all do. `results` reads what was written as a result.
+"""
 
 from __future__ import annotations
 

@@ -14,6 +14,7 @@ from vstatics.numerics.arrays import Booleans, Floats, Integers
 from vstatics.statics.arrays import Rows
 from vstatics.statics.freewheels import find_state
 from vstatics.statics.state import GearState
+from vstatics.statics.status import OK, Status, statuses
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -249,6 +250,20 @@ class Results(NamedTuple):
                 [one.ratio for one in mechanisms],
                 [one.efficiency for one in mechanisms],
             )
+
+    def status(self, number: int) -> Status:
+        """What is to be said of a gear of one case as a whole; its number counts from 1."""
+        index, case = number - 1, self.case
+        output = case.gear_output(case.gears[index])
+        found = statuses(
+            tied_up=bool(self.tied_up[index]),
+            conflict=bool(self.conflict[index]),
+            output_speed=float(self.speeds[index, output - 1]),
+            balanced=bool(self.balanced[index]),
+            locked=bool(self.locked[index]),
+            undecided=bool(self.undecided[index]),
+        )
+        return found[0] if found else OK
 
     @property
     def with_freewheels_engaged(self) -> Transmission:

@@ -72,6 +72,9 @@ UNDECIDED = Status(
     "the search for directions of power was cut short",
 )
 
+STATUSES = (TIED_UP, CONFLICT, LOCKED, OUTPUT_STANDS, NEUTRAL, NO_TORQUES, UNDECIDED)
+"""All of them, faults first."""
+
 
 def statuses(  # noqa: PLR0913
     *,

@@ -13,7 +13,7 @@ from vstatics.model.transmission import Gear, Transmission
 from vstatics.statics.diagnosis import freedom
 from vstatics.statics.results import Results
 from vstatics.statics.solve import solve
-from vstatics.summary.design import is_same, state
+from vstatics.summary.design import is_same
 
 MOST = 10_000
 """So many combinations are tried unless more are asked for: some seconds."""
@@ -148,5 +148,5 @@ def _usable(made: Results, ratios: Mapping[str, float]) -> Iterator[Combination]
                 ratio,
                 float(made.efficiency[index]),
                 next((name for name, other in ratios.items() if is_same(other, ratio)), ""),
-                state(made, index),
+                made.status(index + 1).name,
             )

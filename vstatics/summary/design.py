@@ -69,7 +69,7 @@ def design(results: Results) -> Design:
                 "" if after is None else names[after],
                 math.nan if after is None else ratios[index] / ratios[after],
                 float(results.efficiency[index]),
-                results.gear(index + 1).status.name,
+                results.status(index + 1).name,
             )
         )
     forward = found[0] if found else []

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from vstatics.model.transmission import Transmission
 from vstatics.statics.arrays import OUTPUT
 from vstatics.statics.results import Results
+from vstatics.statics.status import STATUSES, Status
 from vstatics.summary.design import GearLine, design
 from vstatics.summary.grids import Marks, element_signs
 from vstatics.tables.grid import Cell, Column, Grid, text
@@ -89,7 +90,7 @@ def _grid(results: Results, found: dict[str, Table], marks: Marks) -> Grid:
             _largest(_torques(found, index), whole=torque)
             if results.calculable[index]
             else Cell(""),
-            _state(line, found, index),
+            _state(results.status(index + 1), found, index),
         ]
         for index, line in enumerate(design(results).gears)
     ]
@@ -158,25 +159,10 @@ def _largest(values: Iterable[tuple[str, float]], *, whole: bool) -> Cell:
     return Cell(f"{value:.0f} {name}" if whole else f"{value:.2f} {name}", value)
 
 
-STATES = {
-    "tied up": "what is engaged contradicts itself, the input can't turn",
-    "conflict": "a freewheel can neither hold nor overrun",
-    "locked": "friction holds the train, whatever the input torque",
-    "output stands": "its speed is 0, so there is no ratio",
-    "open": "neutral, the speed of the output is not determined",
-    "no torques": "nothing holds the torque of the input",
-    "undecided": "the search for directions of power was cut short",
-}
-"""What the states of gears mean."""
-
-FAULTS = {"tied up", "conflict", "locked"}
-"""Those that no gear should have."""
-
-
-def _state(line: GearLine, found: dict[str, Table], number: int) -> Cell:
+def _state(status: Status, found: dict[str, Table], number: int) -> Cell:
     """What is idle; or why there are no numbers."""
-    if line.state:
-        return Cell(line.state, style="red" if line.state in FAULTS else "yellow")
+    if status.name:
+        return Cell(status.name, style="red" if status.is_fault else "yellow")
     return Cell(" ".join(name for name, value in _column(found["idle"], number) if value == 1))
 
 
@@ -194,5 +180,5 @@ def _legend(results: Results, found: dict[str, Table], marks: Marks) -> Iterator
     yield "speed, torque: the largest" + ("" if "W_rpm" in found else ", by the input's")
     if (found["idle"].values == 1).any():
         yield "idle: carries no torque, or turns as one piece"
-    states = [line.state for line in design(results).gears]
-    yield from (f"{state}: {why}" for state, why in STATES.items() if state in states)
+    states = {results.status(number + 1) for number in range(len(case.gears))}
+    yield from (f"{one.name}: {one.meaning}" for one in STATUSES if one in states)

@@ -3,10 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING
 
 from vstatics.model.transmission import Transmission, element_name, mechanism_name
 from vstatics.statics.results import Language
 from vstatics.tables.numbers import exponent
+
+if TYPE_CHECKING:
+    from vstatics.model.shape import ByKey
 
 RUSSIAN = {
     "STRUCTURE": "СТРУКТУРА",
@@ -51,6 +55,14 @@ KINDS = {
 """Kinds of shift elements that a deck does not know."""
 
 
+KEPT = {
+    *("name", "links", "input", "output", "idle", "coast", "shift_elements", "mechanisms", "gears"),
+    *("kind", "engaged", "speeds", "torques"),
+    *("first", "second", "third", "ratio", "efficiency", "planet_ratio"),
+}
+"""Keys of YAML and JSON that a deck has fields for; kinds of shift elements as far as it goes."""
+
+
 def write(case: Transmission, lang: Language = "en") -> str:
     """The case as a deck, which reads back as an equal case; see `lost`.
 
@@ -67,35 +79,31 @@ def write(case: Transmission, lang: Language = "en") -> str:
 
 def lost(case: Transmission) -> list[str]:
     """What a case has and a deck cannot keep: ``description``, ``source`` and some numbers."""
+    from vstatics.model.keys import CASE, ELEMENT, GEAR, MECHANISM  # costs start-up time
+
+    elements = case.shift_elements
+    named = (
+        ("shift element", ELEMENT, elements),
+        ("gear", GEAR, case.gears),
+        ("mechanism", MECHANISM, case.mechanisms),
+    )
     return [
-        *(part for part in ("description", "source", "load") if getattr(case, part)),
+        *_unkept(case, CASE),
+        *(KINDS[one.kind].format(one.name) for one in elements if one.kind in KINDS),
         *(
-            KINDS[element.kind].format(element.name)
-            for element in case.shift_elements
-            if element.kind in KINDS
-        ),
-        *(
-            f"drag of shift element {element.name}"
-            for element in case.shift_elements
-            if element.drag
-        ),
-        *(
-            f"capacity of shift element {element.name}"
-            for element in case.shift_elements
-            if element.capacity is not None
-        ),
-        *(
-            f"{part} of gear {gear.name}"
-            for gear in case.gears
-            for part in ("drag", "open_drag", "load")
-            if getattr(gear, part)
-        ),
-        *(
-            f"back_efficiency of mechanism {mechanism.name}"
-            for mechanism in case.mechanisms
-            if mechanism.back_efficiency is not None
+            f"{key} of {what} {part.name}"
+            for what, shape, parts in named
+            for part in parts
+            for key in _unkept(part, shape)
         ),
     ]
+
+
+def _unkept(part: object, shape: ByKey) -> Iterator[str]:
+    """The keys of a part that say something which no field of a deck does."""
+    for key in shape.keys:
+        if key.name not in KEPT and not key.leaves_out(getattr(part, key.name, None)):
+            yield key.name
 
 
 def _structure(case: Transmission) -> Iterator[str]:

@@ -3,10 +3,26 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping, Sequence
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from vstatics.elements.drawing import drawing_of
-from vstatics.model.transmission import Gear, Load, Mechanism, ShiftElement, Transmission
+from vstatics.model.keys import CASE
+from vstatics.model.shape import (
+    UNITS,
+    ByKey,
+    ByKind,
+    ByName,
+    Either,
+    Ends,
+    Leaf,
+    ListOf,
+    Numbers,
+    Pair,
+    Shape,
+)
+from vstatics.model.transmission import Transmission
 
 if TYPE_CHECKING:
     import yaml
@@ -32,35 +48,19 @@ def mapping(case: Transmission) -> dict[str, Any]:
     >>> mapping(case)["links"], mapping(case)["mechanisms"], mapping(case)["gears"]
     (2, {'D1': {'first': 1, 'second': 2, 'ratio': 2.0}}, {'1': {'engaged': ['F1']}})
     """
-    links = _link_words(case)
-    texts = {"name": case.name, "description": case.description, "source": case.source}
-    data: dict[str, Any] = {key: str(text) for key, text in texts.items() if text}
-    own = case.own_links
-    data["links"] = own if _numbered(case) else links[1 : own + 1]
-    if case.input != 1:
-        data["input"] = links[case.input]
-    if case.output != own:
-        data["output"] = links[case.output]
-    if case.idle != "exact":
-        data["idle"] = str(case.idle)
-    if case.coast:
-        data["coast"] = True
-    if case.load is not None:
-        data["load"] = _load(case.load)
-    if case.shift_elements:
-        data["shift_elements"] = {
-            str(element.name): _element(element, links) for element in case.shift_elements
-        }
-    mechanisms = case.mechanisms
+    shape, values = CASE, dict(vars(case))
     if drawing := drawing_of(case):
-        from vstatics.writers import elements
+        from vstatics.elements.keys import record_of, with_elements
 
-        data |= elements.mapping(drawing, links)
-        mechanisms = drawing.mechanisms
-    if mechanisms or drawing is None:
-        data["mechanisms"] = {str(m.name): _mechanism(m, links) for m in mechanisms}
-    data["gears"] = {str(gear.name): _gear(gear, case, links) for gear in case.gears}
-    return data
+        shape = with_elements(CASE)
+        values |= vars(drawing)
+        values["elements"] = {one.name: record_of(one) for one in drawing.elements}
+    links, own = _link_words(case), case.own_links
+    values["links"] = own if links[1] == 1 else links[1 : own + 1]
+    values["output"] = None if case.output == own else case.output
+    for part in ("shift_elements", "mechanisms", "gears"):
+        values[part] = {item.name: item for item in values[part]}
+    return _Writer(links, ["", *values["shift_elements"]]).by_key(values, _as_written(shape))
 
 
 def write_yaml(case: Transmission) -> str:
@@ -91,74 +91,82 @@ def write_json(case: Transmission) -> str:
     return json.dumps(mapping(case), indent=2, ensure_ascii=False) + "\n"
 
 
-def _numbered(case: Transmission) -> bool:
-    """Whether the case's own links are called by their numbers."""
-    own = case.own_links
-    return list(case.link_names[:own]) == [str(number) for number in range(1, own + 1)]
-
-
 def _link_words(case: Transmission) -> list[int | str]:
-    """How each link is written, the housing first."""
-    if _numbered(case):
+    """How each link is written, the housing first: the case's own by their numbers if they can."""
+    own = case.own_links
+    if list(case.link_names[:own]) == [str(number) for number in range(1, own + 1)]:
         return ["housing", *range(1, case.links + 1)]
     return ["housing", *map(str, case.link_names)]
 
 
-def _element(element: ShiftElement, links: list[int | str]) -> Any:
-    """Its links alone, where there is nothing else to say."""
-    ends = [links[element.first], links[element.second]]
-    data: dict[str, Any] = {"kind": str(element.kind)} if element.kind else {}
-    data["links"] = ends
-    if element.drag:
-        data["drag"] = float(element.drag)
-    if element.capacity is not None:
-        data["capacity"] = float(element.capacity)
-    return data if len(data) > 1 else ends
+def _as_written(case: ByKey) -> ByKey:
+    """The keys in the order in which they are written: `load` after `coast`."""
+    keys = {key.name: key for key in case.keys}
+    load = keys.pop("load")
+    at = [*keys].index("coast") + 1
+    ordered = [*keys.values()]
+    return case._replace(keys=(*ordered[:at], load, *ordered[at:]))
 
 
-def _mechanism(mechanism: Mechanism, links: list[int | str]) -> dict[str, Any]:
-    data: dict[str, Any] = {"first": links[mechanism.first], "second": links[mechanism.second]}
-    if mechanism.third:
-        data["third"] = links[mechanism.third]
-    data["ratio"] = float(mechanism.ratio)
-    if mechanism.efficiency != 1:
-        data["efficiency"] = float(mechanism.efficiency)
-    if mechanism.back_efficiency is not None:
-        data["back_efficiency"] = float(mechanism.back_efficiency)
-    if mechanism.planet_ratio is not None:
-        data["planet_ratio"] = float(mechanism.planet_ratio)
-    return data
+class _Writer:
+    """Gives parts of the model as plain data, by their shapes."""
 
+    def __init__(self, links: Sequence[int | str], elements: Sequence[str]) -> None:
+        """Keep how each link and each shift element is written, by their numbers."""
+        self.links = links
+        self.elements = [str(name) for name in elements]
 
-def _gear(gear: Gear, case: Transmission, links: list[int | str]) -> dict[str, Any]:
-    data: dict[str, Any] = {}
-    if gear.engaged:
-        data["engaged"] = [str(case.shift_elements[number - 1].name) for number in gear.engaged]
-    for key, given in (("speeds", gear.speeds), ("torques", gear.torques)):
-        if given:
-            data[key] = {links[link]: float(value) for link, value in given.items()}
-    if gear.drag:
-        data["drag"] = {links[link]: float(torque) for link, torque in gear.drag.items()}
-    if gear.open_drag:
-        data["open_drag"] = {
-            str(case.shift_elements[number - 1].name): float(torque)
-            for number, torque in gear.open_drag.items()
-        }
-    for key, end in (("input", gear.input), ("output", gear.output)):
-        if end is not None:
-            data[key] = links[end]
-    if gear.load is not None:
-        data["load"] = _load(gear.load)
-    return data
+    def by_key(self, part: Any, shape: ByKey) -> dict[str, Any]:
+        """The keys of a part of the model, or of a mapping, without those that say nothing."""
+        of = part.get if isinstance(part, Mapping) else partial(getattr, part)
+        data: dict[str, Any] = {}
+        for key in shape.keys:
+            value = of(key.name)
+            if value is not None and (key.required or not key.leaves_out(value)):
+                data[key.name] = self.value(value, key.shape)
+        return data
 
+    def value(self, value: Any, shape: Shape) -> Any:  # noqa: PLR0911 - a table
+        match shape:
+            case Leaf():
+                return self.leaf(value, shape)
+            case ByKey():
+                return self.by_key(value, shape)
+            case ByKind():
+                return self.by_key(value, shape.records[value["kind"]])
+            case ByName():
+                return {str(name): self.value(item, shape.item) for name, item in value.items()}
+            case Either():
+                data = self.by_key(value, shape.record)
+                return data if len(data) > 1 else data["links"]
+            case Numbers():
+                words = self.links if shape.by == "link" else self.elements
+                return {
+                    words[part]: self.leaf(number, shape.item) for part, number in value.items()
+                }
+            case ListOf():
+                return [self.value(item, shape.item) for item in value]
+            case Ends():
+                return [self.links[link] for link in value]
+            case Pair():
+                return [str(name) for name in value]
+        return value
 
-def _load(load: Load) -> dict[str, Any]:
-    units = {"speed": "rpm", "torque": "N*m"}
-    return {
-        quantity: f"{float(value)!r} {units[quantity]}"
-        for quantity, value in load._asdict().items()
-        if value is not None
-    }
+    def leaf(self, value: Any, shape: Leaf) -> Any:  # noqa: PLR0911 - a table
+        match shape.kind:
+            case "number" | "relative_speed" | "relative_torque":
+                return float(value)
+            case "speed" | "torque":
+                return f"{float(value)!r} {UNITS[shape.kind]}"
+            case "link":
+                return self.links[value]
+            case "element":
+                return self.elements[value]
+            case "text" | "choice":
+                return str(value)
+            case "flag":
+                return bool(value)
+        return value
 
 
 def _dumper() -> type[yaml.SafeDumper]:

@@ -9,7 +9,7 @@ from itertools import combinations
 
 from vstatics.elements.element import CentralWheel, Element
 from vstatics.elements.group import PlanetGroup
-from vstatics.elements.teeth.layout import Doubt, Layout, Teeth
+from vstatics.elements.teeth.layout import AxisLayout, Doubt, Teeth
 from vstatics.elements.teeth.subjects import OfPlanets, Subject
 
 
@@ -64,7 +64,7 @@ def goes_in(subject: Subject, teeth: Teeth) -> bool:
     return not any(placements(group, train) % count for train in group.trains)
 
 
-def assembled(layout: Layout) -> Iterator[Doubt]:
+def assembled(layout: AxisLayout) -> Iterator[Doubt]:
     """Equally spaced planets must all find a tooth space at the same time."""
     count = layout.element.planets or 1
     for train in layout.group.trains:
@@ -97,7 +97,7 @@ def bevel_assembled(element: Element, teeth: Teeth) -> Iterator[Doubt]:
         yield Doubt(message, None)
 
 
-def _sum(layout: Layout, one: CentralWheel, other: CentralWheel) -> tuple[str, int, int] | None:
+def _sum(layout: AxisLayout, one: CentralWheel, other: CentralWheel) -> tuple[str, int, int] | None:
     """What two wheels ask to be whole: its text, dividend, divisor but for the planets."""
     group = layout.group
     planets = [group.planet_of[wheel.rim] for wheel in (one, other)]

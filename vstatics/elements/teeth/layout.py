@@ -34,7 +34,7 @@ class Doubt(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Layout:
+class AxisLayout:
     """Planets around an axis: an element, and its group with these or other teeth."""
 
     element: Element

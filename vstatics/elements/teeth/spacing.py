@@ -8,7 +8,7 @@ from fractions import Fraction
 
 from vstatics.elements.element import CentralWheel
 from vstatics.elements.teeth.assembly import assembled, placements
-from vstatics.elements.teeth.layout import SHIFT, Doubt, Layout
+from vstatics.elements.teeth.layout import SHIFT, AxisLayout, Doubt
 from vstatics.elements.teeth.subjects import OfPlanets, Subject
 
 NO_GAP = 1e-9
@@ -24,7 +24,7 @@ PASSING = {
 """Rims and wheels that stand side by side without meshing."""
 
 
-def of_planets(layout: Layout) -> Iterator[Doubt]:
+def of_planets(layout: AxisLayout) -> Iterator[Doubt]:
     """Everything about the places of planets, each part of it in turn."""
     hopeless = [*_without_room(layout)]
     yield from hopeless
@@ -36,7 +36,7 @@ def of_planets(layout: Layout) -> Iterator[Doubt]:
         yield from _planets(layout)
 
 
-def _without_room(layout: Layout) -> Iterator[Doubt]:
+def _without_room(layout: AxisLayout) -> Iterator[Doubt]:
     for planet, rims in layout.group.planets.items():
         for rim, teeth in rims.items():
             if teeth is not None and teeth < 1:
@@ -44,7 +44,7 @@ def _without_room(layout: Layout) -> Iterator[Doubt]:
                 yield Doubt(message, layout.key(layout.around(rim)[-1]))
 
 
-def _coaxial(layout: Layout) -> Iterator[Doubt]:
+def _coaxial(layout: AxisLayout) -> Iterator[Doubt]:
     """Wheels that mesh with one rim stand at one distance from it."""
     for rim in layout.group.planet_of:
         wheels, teeth = layout.around(rim), layout.teeth(rim)
@@ -63,12 +63,12 @@ def _coaxial(layout: Layout) -> Iterator[Doubt]:
                 yield _off_axis(layout, first, other, change)
 
 
-def _difference(layout: Layout, rim: str) -> str:
+def _difference(layout: AxisLayout, rim: str) -> str:
     sun, ring = sorted(layout.around(rim), key=lambda wheel: wheel.internal)
     return f"{layout.label(ring)} - {layout.label(sun)}"
 
 
-def _off_axis(layout: Layout, first: CentralWheel, other: CentralWheel, change: int) -> Doubt:
+def _off_axis(layout: AxisLayout, first: CentralWheel, other: CentralWheel, change: int) -> Doubt:
     wanted = layout.label(first)
     if first.internal != other.internal:
         wanted += f" {'-' if first.internal else '+'} 2 {layout.label(first.rim)}"
@@ -79,7 +79,7 @@ def _off_axis(layout: Layout, first: CentralWheel, other: CentralWheel, change: 
     return Doubt(f"{message}: their axes don't coincide", layout.key(other))
 
 
-def _modules(layout: Layout) -> Iterator[Doubt]:
+def _modules(layout: AxisLayout) -> Iterator[Doubt]:
     """Different rims of a planet may differ in module, and often have to."""
     for rims in layout.group.planets.values():
         first, *others = [rim for rim in rims if layout.around(rim)] or [""]
@@ -96,7 +96,7 @@ def _modules(layout: Layout) -> Iterator[Doubt]:
                 yield Doubt(message, rim, "note", has_cure=False)
 
 
-def _triangles(layout: Layout) -> Iterator[Doubt]:
+def _triangles(layout: AxisLayout) -> Iterator[Doubt]:
     """Planets that mesh with one another stand at the corners of a triangle with the axis."""
     for one, other in layout.group.meshes:
         sides = _sides(layout, one, other)
@@ -117,7 +117,7 @@ def _triangles(layout: Layout) -> Iterator[Doubt]:
             yield Doubt(f"{message}, if all rims have one module", one, "note", has_cure=False)
 
 
-def _sides(layout: Layout, one: str, other: str) -> tuple[Fraction, Fraction, Fraction] | None:
+def _sides(layout: AxisLayout, one: str, other: str) -> tuple[Fraction, Fraction, Fraction] | None:
     """Twice the radii of two axes of planets, and twice their distance, in modules."""
     first, second = layout.axis(one), layout.axis(other)
     teeth = (layout.teeth(one), layout.teeth(other))
@@ -126,7 +126,7 @@ def _sides(layout: Layout, one: str, other: str) -> tuple[Fraction, Fraction, Fr
     return first[0], second[0], teeth[0] + teeth[1]
 
 
-def _clear_wheels(layout: Layout) -> Iterator[Doubt]:
+def _clear_wheels(layout: AxisLayout) -> Iterator[Doubt]:
     """Meshed planets keep clear of the wheel that they pass.
 
     A Ravigneaux ring stands beside the short planets, over the large sun, and long planets
@@ -149,7 +149,7 @@ def _clear_wheels(layout: Layout) -> Iterator[Doubt]:
             yield Doubt(f"tips of {names} touch, which are not to mesh", rim)
 
 
-def _planets(layout: Layout) -> Iterator[Doubt]:
+def _planets(layout: AxisLayout) -> Iterator[Doubt]:
     """Whether so many planets go in."""
     count = layout.element.planets or 1
     if count > 1:
@@ -157,7 +157,7 @@ def _planets(layout: Layout) -> Iterator[Doubt]:
         yield from _touching(layout, count)
 
 
-def _touching(layout: Layout, count: int) -> Iterator[Doubt]:
+def _touching(layout: AxisLayout, count: int) -> Iterator[Doubt]:
     """Tips of neighbouring planets must not meet."""
     sine = math.sin(math.pi / count)
     for rims in layout.group.planets.values():
@@ -169,7 +169,7 @@ def _touching(layout: Layout, count: int) -> Iterator[Doubt]:
         yield from _crossing(layout, one, other, count)
 
 
-def _gap(layout: Layout, rim: str, sine: float) -> tuple[float, str] | None:
+def _gap(layout: AxisLayout, rim: str, sine: float) -> tuple[float, str] | None:
     """How far the tips of neighbours are apart, in modules; which rim it is."""
     axis, teeth = layout.axis(rim), layout.teeth(rim)
     if axis is None or teeth is None:
@@ -177,7 +177,7 @@ def _gap(layout: Layout, rim: str, sine: float) -> tuple[float, str] | None:
     return float(axis[0]) * sine - float(teeth) - 2, rim
 
 
-def _touched(layout: Layout, rim: str, count: int) -> Doubt:
+def _touched(layout: AxisLayout, rim: str, count: int) -> Doubt:
     axis, teeth = layout.axis(rim), layout.teeth(rim)
     if axis is None or teeth is None:
         raise TypeError(rim)
@@ -193,7 +193,7 @@ def _touched(layout: Layout, rim: str, count: int) -> Doubt:
     return Doubt(message, None)
 
 
-def _crossing(layout: Layout, one: str, other: str, count: int) -> Iterator[Doubt]:
+def _crossing(layout: AxisLayout, one: str, other: str, count: int) -> Iterator[Doubt]:
     """A planet against the meshing planet of the next place."""
     sides = _sides(layout, one, other)
     if sides is None or not abs(sides[0] - sides[1]) < sides[2] < sides[0] + sides[1]:

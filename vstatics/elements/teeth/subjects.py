@@ -17,7 +17,7 @@ from typing import ClassVar
 from vstatics.elements.element import Element
 from vstatics.elements.group import group_of
 from vstatics.elements.kinds import Simple
-from vstatics.elements.teeth.layout import Key, Layout, Teeth, ratio_pairs, with_teeth
+from vstatics.elements.teeth.layout import AxisLayout, Key, Teeth, ratio_pairs, with_teeth
 from vstatics.elements.teeth.meshing import Mesh, Toothed
 from vstatics.elements.teeth.nearby import FEW, Space, space_of
 
@@ -82,9 +82,9 @@ class OfPlanets(Subject):
     against = " against the carrier"
 
     @cached_property
-    def given(self) -> Layout:
+    def given(self) -> AxisLayout:
         """The element as it stands."""
-        return Layout(self.element, group_of(self.element))
+        return AxisLayout(self.element, group_of(self.element))
 
     @cached_property
     def space(self) -> Space:
@@ -98,11 +98,11 @@ class OfPlanets(Subject):
         group = self.given.group
         return [*((place, wheel.rim) for place, wheel in enumerate(group.wheels)), *group.meshes]
 
-    def layout(self, teeth: Teeth | None = None) -> Layout:
+    def layout(self, teeth: Teeth | None = None) -> AxisLayout:
         """The element as it stands, or with other teeth."""
         if teeth is None:
             return self.given
-        return Layout(self.element, with_teeth(self.given.group, teeth))
+        return AxisLayout(self.element, with_teeth(self.given.group, teeth))
 
     def known(self) -> Teeth:
         """Teeth of the central wheels, and of the rims where they are told."""

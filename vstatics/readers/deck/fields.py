@@ -26,7 +26,7 @@ PARTS = {
 """What the values of a list are in the model, where each is a part of its own."""
 
 
-class Rows(NamedTuple, Generic[Number]):
+class GearRows(NamedTuple, Generic[Number]):
     """The values of each gear, and the gears (from 1) of which some could not be read."""
 
     numbers: list[list[Number]]
@@ -117,11 +117,11 @@ class Fields:
 
     def rows(
         self, key: str, counts: Sequence[int], counted: str, parse: Callable[[str], Number]
-    ) -> Rows[Number]:
+    ) -> GearRows[Number]:
         """The values of each gear, as many as `counts` says."""
         gears = len(counts)
         if min(counts, default=0) < 0:
-            return Rows([[] for _ in counts], set(range(1, gears + 1)))
+            return GearRows([[] for _ in counts], set(range(1, gears + 1)))
         need, field = sum(counts), self.found.fields.get(key)
         if field is not None:
             values = take_rows(self.found, field, counts, counted, parse)
@@ -137,7 +137,7 @@ class Fields:
             for gear, (start, end) in enumerate(pairwise(ends), 1)
             if values.unreadable and not values.unreadable.isdisjoint(range(start, end))
         }
-        return Rows([values.numbers[start:end] for start, end in pairwise(ends)], unreadable)
+        return GearRows([values.numbers[start:end] for start, end in pairwise(ends)], unreadable)
 
     def _list(
         self, key: str, need: int, why: str, parse: Callable[[str], Number]

@@ -5,45 +5,39 @@ from __future__ import annotations
 from typing import Any
 
 from vstatics.errors import Path
-from vstatics.model.transmission import HOUSING, Gear, Load, Mechanism, ShiftElement
-from vstatics.readers.named.relative import resolve
+from vstatics.model.keys import CASE
+from vstatics.model.parts import HOUSING, Load
+from vstatics.readers.named.relative import Common, relative
 from vstatics.readers.named.walk import Walk
+
+_OWN = tuple(key.name for key in CASE.keys if key.name != "drag")
+"""Keys that are attributes of a case; its drag becomes that of its gears."""
 
 
 def arguments(values: dict[str, Any], walk: Walk) -> dict[str, Any]:
     """The arguments of `Transmission`."""
-    resolve(values, walk.spots)
-    _output(values, walk)
-    return values | {
-        "shift_elements": [
-            _element(name, **record) for name, record in values.get("shift_elements", ())
-        ],
-        "mechanisms": [
-            Mechanism(**record, name=name) for name, record in values.get("mechanisms", ())
-        ],
-        "gears": [_gear(name, record) for name, record in values["gears"]],
-        "load": _load(values),
+    if values.get("output") == HOUSING:  # to the model this would say that none is given
+        walk.spots.tell(("output",), "read the housing, expected the link that drives the load")
+    parts = {
+        part: [item._replace(name=name) for name, item in values.get(part, {}).items()]
+        for part in ("shift_elements", "mechanisms", "gears")
+    }
+    load = values.get("load", Load())
+    common = Common(load, values["coast"], values.get("drag", {}))
+    elements, gears = relative(parts["shift_elements"], parts["gears"], common, walk.spots)
+    return {
+        **{key: values[key] for key in _OWN if key in values},
+        **parts,
+        "shift_elements": elements,
+        "gears": [gear._replace(load=_or_none(gear.load)) for gear in gears],
+        "load": _or_none(load),
         "link_names": walk.references.link_names,
     }
 
 
-def _output(values: dict[str, Any], walk: Walk) -> None:
-    """Refuse the housing as output; to the model its number would say that none is given."""
-    if values.get("output") == HOUSING:
-        walk.spots.tell(("output",), "read the housing, expected the link that drives the load")
-
-
-def _element(name: str, links: tuple[int, int], **other: Any) -> ShiftElement:
-    return ShiftElement(*links, name, **other)
-
-
-def _gear(name: str, record: dict[str, Any]) -> Gear:
-    return Gear(**(record | {"name": name, "load": _load(record)}))
-
-
-def _load(record: dict[str, Any]) -> Load | None:
-    given = record.get("load")
-    return Load(**given) if given else None
+def _or_none(load: Load | None) -> Load | None:
+    """A load that says nothing is none."""
+    return None if load == Load() else load
 
 
 def untold(unreadable: list[Path]) -> list[Path]:

@@ -10,66 +10,56 @@ from vstatics.elements import teeth
 from vstatics.elements.build import lowered
 from vstatics.elements.checks import hints, problems
 from vstatics.elements.drawing import Drawing
-from vstatics.elements.element import CentralWheel, Element
-from vstatics.elements.kinds import GROUP, KINDS
+from vstatics.elements.keys import DRAWN, drawn, element_of, with_elements
 from vstatics.elements.lower import parts as parts_of
 from vstatics.errors import Path, Problem
-from vstatics.model.transmission import HOUSING, Mechanism
+from vstatics.model.keys import CASE
+from vstatics.model.parts import Gear, Mechanism
+from vstatics.model.shape import ByKey, ByKind, ByName, Either, Ends, Leaf, ListOf, Shape
 from vstatics.readers.named import nodes
 from vstatics.readers.named.arguments import arguments, untold
-from vstatics.readers.named.elements_shape import DRAWN, drawn, with_elements
-from vstatics.readers.named.nodes import Listing, Node, Scalar, is_null, shown
-from vstatics.readers.named.shape import CASE
-from vstatics.readers.named.spots import Spot, Spots
+from vstatics.readers.named.nodes import Listing, Node, Scalar, Spot, Spots, is_null, shown
 from vstatics.readers.named.walk import Walk
 from vstatics.readers.reading import Reading, finish
 
-_MECHANISM = ("first", "second", "third")
 _DRAWN = {"links", "link_names", "mechanisms", *(key.name for key in DRAWN)}
 
 
-def joined_links(root: nodes.Mapping) -> Iterator[Scalar]:
+def joined_links(root: nodes.Mapping) -> list[Scalar]:
     """Every place of a document where an element, a mechanism or a shift element names a link.
 
     In the order of the document, the housing apart.
     """
-    for key, value in root.entries:
-        if not isinstance(value, nodes.Mapping):
-            continue
-        for _, item in value.entries:
-            if key.text == "elements":
-                yield from _scalars(_of_element(item))
-            elif key.text == "mechanisms":
-                yield from _scalars(_values(item, _MECHANISM))
-            elif key.text == "shift_elements":
-                yield from _scalars(_of_shift_element(item))
+    keys = [key for key in with_elements(CASE).keys if isinstance(key.shape, ByName)]
+    devices = CASE._replace(keys=tuple(key for key in keys if key.name != "gears"))
+    named = (node for node in _links(root, devices) if isinstance(node, Scalar))
+    return [node for node in named if not is_null(node) and node.text not in ("0", "housing")]
 
 
-def _scalars(found: Iterable[Node]) -> Iterator[Scalar]:
-    for node in found:
-        if isinstance(node, Scalar) and not is_null(node) and node.text not in ("0", "housing"):
+def _links(node: Node, shape: Shape) -> Iterator[Node]:  # noqa: C901 - a table
+    """What stands where a shape has a link; links of their own before those in lists."""
+    match node, shape:
+        case _, Leaf("link"):
             yield node
-
-
-def _values(node: Node, keys: Iterable[str]) -> Iterator[Node]:
-    """What stands under some keys of a mapping."""
-    if isinstance(node, nodes.Mapping):
-        wanted = set(keys)
-        yield from (value for key, value in node.entries if key.text in wanted)
-
-
-def _of_element(node: Node) -> Iterator[Node]:
-    kind = next(iter(_values(node, ["kind"])), None)
-    if isinstance(kind, Scalar) and kind.text in KINDS:
-        yield from _values(node, KINDS[kind.text].members)
-    for wheels in _values(node, ("suns", "rings")):
-        for wheel in wheels.items if isinstance(wheels, Listing) else ():
-            yield from _values(wheel, ["link"])
-
-
-def _of_shift_element(node: Node) -> Iterator[Node]:
-    for ends in [node, *_values(node, ["links"])]:
-        yield from ends.items if isinstance(ends, Listing) else ()
+        case nodes.Mapping(entries), ByKey():
+            shapes = {key.name: key.shape for key in shape.keys}
+            inner = [(shapes[key.text], value) for key, value in entries if key.text in shapes]
+            for of, value in sorted(inner, key=lambda one: isinstance(one[0], ListOf)):
+                yield from _links(value, of)
+        case nodes.Mapping(entries), ByKind(records):
+            kinds = [v.text for key, v in entries if key.text == "kind" and isinstance(v, Scalar)]
+            if kinds and kinds[0] in records:
+                yield from _links(node, records[kinds[0]])
+        case nodes.Mapping(entries), ByName(_, item):
+            for _, value in entries:
+                yield from _links(value, item)
+        case nodes.Mapping(), Either(_, record):
+            yield from _links(node, record)
+        case Listing(items), Ends() | Either():
+            yield from items
+        case Listing(items), ListOf(item):
+            for value in items:
+                yield from _links(value, item)
 
 
 def read_drawing(root: nodes.Mapping, walk: Walk) -> Reading:
@@ -87,7 +77,7 @@ def read_drawing(root: nodes.Mapping, walk: Walk) -> Reading:
         walk.references.set_link_names(list(dict.fromkeys(n.text for n in joined_links(root))))
     values = walk.read(Spot((), "", root), drawn(with_elements(CASE)))
     if not listed:
-        values["links"] = len(walk.references.link_names)
+        values = {**values, "links": len(walk.references.link_names)}
         for end in ("input", "output"):
             if end not in given:
                 spots.missing(Spot((), "", root), end)
@@ -107,10 +97,8 @@ def read_drawing(root: nodes.Mapping, walk: Walk) -> Reading:
             parts["output"] = parts.get("output", made.links)
             locate = _locator(spots, made)
             faults = [*hints(made), *teeth.doubts(made)]
-            faults += [] if listed else loose_links(root, values, names, spots)
+            faults += [] if listed else loose_links(root, values, names, parts["gears"], spots)
         found += map(spots.locate, faults)
-    for key in DRAWN:
-        parts.pop(key.name, None)
     return finish(parts, found, untold(spots.unreadable), locate)
 
 
@@ -141,19 +129,22 @@ def _locator(spots: Spots, drawn: Drawing) -> Callable[[Problem], Problem]:
 
 
 def loose_links(
-    root: nodes.Mapping, values: Mapping[str, Any], names: Sequence[str], spots: Spots
+    root: nodes.Mapping,
+    values: Mapping[str, Any],
+    names: Sequence[str],
+    gears: Sequence[Gear],
+    spots: Spots,
 ) -> Iterator[Problem]:
     """Links that one thing only joins, where the document has no list of links.
 
     A carrier may turn freely, so it is told only if its name looks mistyped.
     """
-    found = list(joined_links(root))
+    found = joined_links(root)
     counts = Counter(node.text for node in found)
-    carriers = {record.get("carrier") for _, record in values["elements"]}
+    carriers = {record.get("carrier") for record in values["elements"].values()}
     told = {values.get("input"), values.get("output")}
-    for _, gear in values["gears"]:
-        told.update(*(gear.get(key, ()) for key in ("speeds", "torques", "drag")))
-        told.update((gear.get("input"), gear.get("output")))
+    for gear in gears:
+        told.update((*gear.speeds, *gear.torques, *gear.drag, gear.input, gear.output))
     for number, name in enumerate(names, 1):
         others = [*(other for other in names if other != name), "housing"]
         hint = spots.found.hint(name, others)
@@ -180,51 +171,8 @@ def drawing(
     """
     return Drawing(
         len(link_names),
-        tuple(_element(name, record, link_names) for name, record in values["elements"]),
+        tuple(element_of(name, one, link_names) for name, one in values["elements"].items()),
         tuple(mechanisms),
         values.get("losses"),
         values.get("mesh_efficiency", {}),
     )
-
-
-def _element(name: str, record: Mapping[str, Any], link_names: Sequence[str]) -> Element:
-    kind = record["kind"]
-    members = KINDS[kind].members
-    given: dict[str, Any] = {
-        "name": name,
-        "kind": kind,
-        "members": {member: record[member] for member in members if member in record},
-        "teeth": record.get("teeth", record.get("diameters", {})),
-        "planets": record.get("planets"),
-        "mesh_efficiency": record.get("mesh_efficiency", {}),
-    }
-    efficiency = record.get("efficiency")
-    if isinstance(efficiency, dict):
-        given |= {"efficiency": efficiency["worm"], "back_efficiency": efficiency["wheel"]}
-    else:
-        given["efficiency"] = efficiency
-    if kind == GROUP:
-        given["rims"] = {planet: dict(rims) for planet, rims in record["rims"]}
-        given["wheels"] = tuple(_wheels(record, link_names))
-        given["meshes"] = tuple(map(tuple, record.get("meshes", ())))
-    return Element(**given)
-
-
-def _wheels(record: Mapping[str, Any], link_names: Sequence[str]) -> Iterable[CentralWheel]:
-    """Suns, then rings; each is called by its link, and more where that is not enough."""
-    found = [
-        (wheel, internal)
-        for key, internal in (("suns", False), ("rings", True))
-        for wheel in record.get(key, ())
-    ]
-    links = Counter(wheel["link"] for wheel, _ in found)
-    taken = {"carrier", *(planet for planet, _ in record["rims"])}
-    for wheel, internal in found:
-        link, rim = wheel["link"], wheel["rim"]
-        member = link_names[link - 1] if link > HOUSING else "housing"
-        if links[link] > 1 or member in taken:
-            member += f"/{rim}"
-        if member in taken:
-            member += " (ring)" if internal else " (sun)"
-        taken.add(member)
-        yield CentralWheel(member, link, wheel["teeth"], internal, rim)

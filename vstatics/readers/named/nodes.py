@@ -1,7 +1,7 @@
 """A document as a small tree of nodes, each with its place; what YAML and JSON share.
 
 Scalars stay text as it is written: what a text means is told by where it stands,
-so a gear may be called `on`, `1` or `1e3`.
+so a gear may be called `on`, `1` or `1e3`. `Spots` know where the parts of a model stand.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from collections.abc import Iterable
 from itertools import accumulate, islice
 from typing import NamedTuple, NoReturn, TypeAlias
 
-from vstatics.errors import Path, Place, Problem, ReadError, nearest
+from vstatics.errors import Path, Place, Problem, ReadError, nearest, path_text
 from vstatics.readers.reading import Source
 
 MOST_DEEP = 16
@@ -125,7 +125,7 @@ def well_formed(text: str) -> bool:
     return not any("\ud800" <= character <= "\udfff" for character in text)
 
 
-def decode(data: bytes, file: str) -> Found:
+def decode(data: bytes, file: str, expected: str = "a case") -> Found:
     """The text of a file in UTF-8, or in what its byte order mark tells.
 
     Raises
@@ -144,8 +144,89 @@ def decode(data: bytes, file: str) -> Found:
         found.stop(message, len(before), len(before[-1]) + 1)
     found = Found(Source(file, text))
     if not text.strip():
-        found.stop("the file is empty, expected a case", 1, 1)
+        found.stop(f"the file is empty, expected {expected}", 1, 1)
     zero = found.text.find("\0")
     if zero >= 0:
         found.stop("a zero byte: this is no text", *found.place(zero))
     return found
+
+
+class Spot(NamedTuple):
+    """A place in the model and in the document: what is said about it starts with `label`."""
+
+    path: Path
+    label: str
+    node: Node
+
+    def key(self, part: str | int, key: str, node: Node) -> Spot:
+        """The value under a key, which is `part` to the model."""
+        return Spot((*self.path, part), _joined(self.label, shown(key)), node)
+
+    def item(self, part: str | int, number: int, node: Node) -> Spot:
+        """An item of a list by its number from 1, which is `part` to the model."""
+        return Spot((*self.path, part), f"{self.label}[{number}]", node)
+
+
+class Spots:
+    """The spots of a document by their paths.
+
+    Attributes
+    ----------
+    unreadable : list of Path
+        Where something could not be read, and a stand-in is in the model.
+    """
+
+    def __init__(self, found: Found) -> None:
+        """Start without any."""
+        self.found = found
+        self.unreadable: list[Path] = []
+        self._spots: dict[Path, Spot] = {}
+
+    def keep(self, spot: Spot, node: Node | None = None) -> None:
+        """Remember a spot, or `node` as its place; the first one of a path counts."""
+        self._spots.setdefault(spot.path, spot._replace(node=node or spot.node))
+
+    def complain(self, spot: Spot, message: str, node: Node | None = None) -> None:
+        """Say what is wrong at a spot, or at a `node` of it."""
+        at = node or spot.node
+        text = f"{spot.label}: {message}" if spot.label else message
+        self.found.add(text, at.line, at.column, spot.path)
+
+    def refuse(self, spot: Spot, message: str) -> None:
+        """Say why a spot cannot be read."""
+        self.complain(spot, message)
+        self.unreadable.append(spot.path)
+
+    def tell(self, path: Path, message: str) -> None:
+        """Say what is wrong with a part of the model, of which that need say nothing then."""
+        self.found.problems.append(self.locate(Problem(message, path)))
+        self.unreadable.append(path)
+
+    def missing(self, spot: Spot, key: str) -> None:
+        """Say that a key is missing; where it would stand is where its record starts."""
+        self.complain(self._spots[spot.path], f"`{key}` is missing")
+        self.unreadable.append((*spot.path, key))
+
+    def place(self, path: Path) -> Place:
+        """Where a part stands that was read."""
+        node = self._spots[path].node
+        return self.found.source.place(node.line, node.column)
+
+    def locate(self, problem: Problem) -> Problem:
+        """Give a problem of the model its place, and its label before the message."""
+        if problem.place is not None:
+            return problem
+        known = problem.path
+        while known not in self._spots:
+            known = known[:-1]  # the root is always there
+        spot = self._spots[known]
+        label = _joined(spot.label, path_text(problem.path[len(known) :]))
+        return problem._replace(
+            message=f"{label}: {problem.message}" if label else problem.message,
+            place=self.place(known),
+        )
+
+
+def _joined(label: str, part: str) -> str:
+    dot = "." if label and part and not part.startswith("[") else ""
+    return f"{label}{dot}{part}"

@@ -1,11 +1,14 @@
-"""Reads cases in YAML and JSON: bytes -> tree of nodes -> Transmission."""
+"""Reads cases in YAML and JSON, and other documents in YAML: bytes -> tree of nodes -> values."""
 
 from __future__ import annotations
 
+from typing import Any
+
+from vstatics.errors import ReadError
+from vstatics.model.keys import CASE
+from vstatics.model.shape import ByKey
 from vstatics.readers.named.arguments import arguments, untold
-from vstatics.readers.named.nodes import Found, Mapping, Node, decode, what
-from vstatics.readers.named.shape import CASE
-from vstatics.readers.named.spots import Spot, Spots
+from vstatics.readers.named.nodes import Found, Mapping, Node, Spot, Spots, decode, what
 from vstatics.readers.named.walk import Walk
 from vstatics.readers.reading import Reading, finish
 
@@ -65,10 +68,8 @@ def read_json(data: bytes, file: str) -> Reading:
 
 def _reading(root: Node, found: Found) -> Reading:
     """The case of a tree of nodes."""
-    if not isinstance(root, Mapping):
-        expected = "expected a case: a mapping with `elements` or `mechanisms`, and `gears`"
-        found.stop(f"read {what(root)}, {expected}", root.line, root.column)
-    root = _case(root)
+    expected = "a case: a mapping with `elements` or `mechanisms`, and `gears`"
+    root = _case(_mapping(root, found, expected))
     walk = Walk(Spots(found))
     if any(key.text == "elements" for key, _ in root.entries):
         from vstatics.readers.named.drawing import read_drawing  # others do without
@@ -80,8 +81,49 @@ def _reading(root: Node, found: Found) -> Reading:
     )
 
 
+def _mapping(root: Node, found: Found, expected: str) -> Mapping:
+    if not isinstance(root, Mapping):
+        found.stop(f"read {what(root)}, expected {expected}", root.line, root.column)
+    return root
+
+
 def _case(root: Mapping) -> Mapping:
     """The case itself, or that of a JSON result: so a result can be run again, as a listing can."""
     entries = {key.text: value for key, value in root.entries}
     inner = entries.get("case")
     return inner if "format" in entries and isinstance(inner, Mapping) else root
+
+
+def read_document(data: bytes, file: str, shape: ByKey, expected: str) -> tuple[Any, Spots]:
+    """Read a document in YAML: its values, as `make` of the shape gives them, and their places.
+
+    Parameters
+    ----------
+    data : bytes
+    file : str
+        Its name, for messages.
+    shape : ByKey
+    expected : str
+        What it is, for messages.
+
+    Raises
+    ------
+    ReadError
+        With every problem and its place.
+
+    Examples
+    --------
+    >>> from vstatics.model.keys import LOAD
+    >>> load, spots = read_document(b"torque: 200 N*m", "load.yaml", LOAD, "a load")
+    >>> load, spots.place(("torque",)).column
+    (Load(speed=None, torque=200.0), 9)
+    """
+    from vstatics.readers.named.yaml_nodes import yaml_tree  # yaml costs start-up time
+
+    found = decode(data, file, expected)
+    root = yaml_tree(found)
+    spots = Spots(found)
+    values = Walk(spots).read(Spot((), "", _mapping(root, found, expected)), shape)
+    if found.problems:
+        raise ReadError(sorted(found.problems, key=lambda one: one.place[1:3] if one.place else ()))
+    return values, spots

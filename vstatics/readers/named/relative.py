@@ -6,123 +6,143 @@ Speeds are related to the input speed of the load, torques and drag to its torqu
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from vstatics.errors import Path
-from vstatics.model.transmission import HOUSING
-from vstatics.readers.named.quantities import WithUnit
-from vstatics.readers.named.spots import Spots
-
-Given = dict[int, tuple[float, Path]]
-"""By link or shift element: the number, and the path where it stands."""
-
+from vstatics.model.parts import HOUSING, Gear, Load, ShiftElement
+from vstatics.model.shape import UNITS
+from vstatics.readers.named.nodes import Spots
+from vstatics.readers.named.scalars import WithUnit
 
 _NO_LESS = "a torque of 0 or more: drag opposes any motion"
 
 
-class _Whole(NamedTuple):
-    """What numbers with a unit are related to."""
+class _Located(NamedTuple):
+    """A number, and the path where it stands."""
 
-    quantity: str
-    unit: str
-    value: float
-    """0 where the load does not tell."""
+    number: float
+    path: Path
 
 
-def resolve(values: dict[str, Any], spots: Spots) -> None:
-    """Put what holds for all gears into each, and relate what has a unit to the load.
+_ByPart = dict[int, _Located]
+"""By link or shift element."""
+
+
+class Common(NamedTuple):
+    """What a case gives for all gears."""
+
+    load: Load
+    coast: bool
+    drag: Mapping[int, float]
+    """Of links."""
+
+
+def relative(
+    elements: list[ShiftElement], gears: list[Gear], common: Common, spots: Spots
+) -> tuple[list[ShiftElement], list[Gear]]:
+    """Shift elements and gears with relative numbers only, and what holds for all in each gear.
+
+    Drag of shift elements with a unit goes into the gears. Their capacities are related to
+    the load of the case, as an element carries the same in all gears.
 
     Parameters
     ----------
-    values : dict
-        Of a document; its `drag` is taken out, and drag of shift elements with a unit.
-        Their capacities with a unit are related to the load of the case, as an element
-        carries the same in all gears.
+    elements, gears
+        Of a document, with their numbers as they are written.
     spots : Spots
         Is told where a unit stands without a load, and drag of a case that can't be.
     """
-    links = dict(_of_case(_given(values.pop("drag", {}), ("drag",)), spots))
-    elements = dict(_elements(values, spots))
-    _capacities(values, spots)
-    for number, (_, record) in enumerate(values["gears"], 1):
-        load = {**values.get("load", {}), **record.get("load", {})}
-        speed, torque = load.get("speed", 0.0), load.get("torque", 0.0)
-        # when coasting, the torque of the load is against its speed
-        turned = -torque if values.get("coast") else torque
-        for key, common, whole in (
-            ("speeds", {}, _Whole("speed", "rpm", speed)),
-            ("torques", {}, _Whole("torque", "N*m", turned)),
-            ("drag", links, _Whole("torque", "N*m", abs(torque))),
-            ("open_drag", elements, _Whole("torque", "N*m", abs(torque))),
-        ):
-            path = ("gears", number, key)
-            given = {**common, **dict(_given(record.pop(key, {}), path))}
-            if given:
-                record[key] = dict(_relative(given, whole, spots))
+    of_links = dict(_of_links(_located(common.drag, ("drag",)), spots))
+    of_elements = dict(_of_elements(elements, spots))
+    return (
+        [_element(element, n, common.load, spots) for n, element in enumerate(elements, 1)],
+        [_gear(gear, n, common, (of_links, of_elements), spots) for n, gear in enumerate(gears, 1)],
+    )
 
 
-def _given(numbers: Mapping[int, float], path: Path) -> Iterator[tuple[int, tuple[float, Path]]]:
-    for place, number in numbers.items():
-        yield place, (number, (*path, place))
+def _located(numbers: Mapping[int, float], path: Path) -> _ByPart:
+    return {part: _Located(number, (*path, part)) for part, number in numbers.items()}
 
 
-def _of_case(
-    drag: Iterator[tuple[int, tuple[float, Path]]], spots: Spots
-) -> Iterator[tuple[int, tuple[float, Path]]]:
+def _of_links(drag: _ByPart, spots: Spots) -> Iterator[tuple[int, _Located]]:
     """Drag for all gears; what can't be is told here once, and not again by each gear."""
-    for link, (torque, path) in drag:
+    for link, (torque, path) in drag.items():
         if link == HOUSING:
             spots.tell(path, "the housing does not turn, expected a link")
         elif torque < 0:
-            unit = " N*m" if isinstance(torque, WithUnit) else ""
-            spots.tell(path, f"read {torque:g}{unit}, expected {_NO_LESS}")
+            read = torque if isinstance(torque, WithUnit) else f"{torque:g}"
+            spots.tell(path, f"read {read}, expected {_NO_LESS}")
         else:
-            yield link, (torque, path)
+            yield link, _Located(torque, path)
 
 
-def _elements(values: dict[str, Any], spots: Spots) -> Iterator[tuple[int, tuple[float, Path]]]:
-    """Drag of shift elements that has a unit, taken out of their records."""
-    for number, (_, record) in enumerate(values.get("shift_elements", ()), 1):
-        drag, path = record.get("drag"), ("shift_elements", number, "drag")
+def _of_elements(elements: list[ShiftElement], spots: Spots) -> Iterator[tuple[int, _Located]]:
+    """Drag of shift elements that has a unit."""
+    for number, element in enumerate(elements, 1):
+        drag, path = element.drag, ("shift_elements", number, "drag")
         if not isinstance(drag, WithUnit):
             continue
-        del record["drag"]
         if drag < 0:
-            spots.tell(path, f"read {drag:g} N*m, expected {_NO_LESS}")
-        elif drag and record.get("kind") == "dog_clutch":
-            message = f"read {drag:g} N*m, but a dog clutch does not drag when it is open"
-            spots.tell(path, message)
+            spots.tell(path, f"read {drag}, expected {_NO_LESS}")
+        elif drag and element.kind == "dog_clutch":
+            spots.tell(path, f"read {drag}, but a dog clutch does not drag when it is open")
         else:
-            yield number, (drag, path)
+            yield number, _Located(drag, path)
 
 
-def _capacities(values: dict[str, Any], spots: Spots) -> None:
-    whole = _Whole("torque", "N*m", abs(values.get("load", {}).get("torque", 0.0)))
-    for number, (_, record) in enumerate(values.get("shift_elements", ()), 1):
-        capacity, path = record.get("capacity"), ("shift_elements", number, "capacity")
-        if not isinstance(capacity, WithUnit):
-            continue
-        del record["capacity"]
-        if capacity <= 0:
-            spots.tell(path, f"read {capacity:g} N*m, expected a torque above 0")
+def _element(element: ShiftElement, number: int, load: Load, spots: Spots) -> ShiftElement:
+    """An element without drag that has a unit, and with a relative capacity."""
+    drag = 0.0 if isinstance(element.drag, WithUnit) else element.drag
+    capacity, path = element.capacity, ("shift_elements", number, "capacity")
+    if isinstance(capacity, WithUnit):
+        if capacity > 0:
+            given = {number: _Located(capacity, path)}
+            capacity = _related(given, abs(load.torque or 0.0), spots).get(number)
         else:
-            for _, torque in _relative({number: (capacity, path)}, whole, spots):
-                record["capacity"] = torque
+            spots.tell(path, f"read {capacity}, expected a torque above 0")
+            capacity = None
+    return element._replace(drag=drag, capacity=capacity)
 
 
-def _relative(given: Given, whole: _Whole, spots: Spots) -> Iterator[tuple[int, float]]:
-    for place, (number, path) in given.items():
+def _gear(
+    gear: Gear, number: int, common: Common, drags: tuple[_ByPart, _ByPart], spots: Spots
+) -> Gear:
+    load = (gear.load or Load()).or_else(common.load)
+    torque, (of_links, of_elements) = load.torque or 0.0, drags
+
+    def related(
+        key: str, numbers: Mapping[int, float], whole: float, of_all: _ByPart
+    ) -> Mapping[int, float]:
+        return _related({**of_all, **_located(numbers, ("gears", number, key))}, whole, spots)
+
+    return gear._replace(
+        speeds=related("speeds", gear.speeds, load.speed or 0.0, {}),
+        # when coasting, the torque of the load is against its speed
+        torques=related("torques", gear.torques, -torque if common.coast else torque, {}),
+        drag=related("drag", gear.drag, abs(torque), of_links),
+        open_drag=related("open_drag", gear.open_drag, abs(torque), of_elements),
+    )
+
+
+def _related(numbers: _ByPart, whole: float, spots: Spots) -> dict[int, float]:
+    """Numbers as parts of the input's, which is 0 where none is known.
+
+    Those that cannot be related are told.
+    """
+    made: dict[int, float] = {}
+    for part, (number, path) in numbers.items():
         if not isinstance(number, WithUnit):
-            yield place, number
+            made[part] = number
         elif number < 0 and path[-2] in ("drag", "open_drag"):
-            spots.tell(path, f"read {number:g} {whole.unit}, expected {_NO_LESS}")
-        elif whole.value:
-            yield place, number / whole.value
+            spots.tell(path, f"read {number}, expected {_NO_LESS}")
+        elif whole:
+            made[part] = number / whole
         elif path not in spots.unreadable:
-            quantity, unit = whole.quantity, whole.unit
+            quantity, unit = number.quantity, UNITS[number.quantity]
             spots.tell(
                 path,
-                f"read {number:g} {unit}, but there is no input {quantity} to relate it to; "
+                f"read {number}, but there is no input {quantity} to relate it to; "
                 f"expected a number relative to the input {quantity}, or "
                 f"`load: {{{quantity}: ... {unit}}}` in the case",
             )
+    return made

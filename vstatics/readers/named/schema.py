@@ -9,26 +9,24 @@ import json
 import sys
 from typing import Any
 
-from vstatics.readers.named.elements_shape import with_elements
-from vstatics.readers.named.quantities import QUANTITY
-from vstatics.readers.named.scalars import LINK_NUMBER, NUMBER
-from vstatics.readers.named.shape import (
-    CASE,
-    ByElement,
+from vstatics.elements.keys import with_elements
+from vstatics.model.keys import CASE
+from vstatics.model.shape import (
+    ByKey,
     ByKind,
-    ByLink,
+    ByName,
     Either,
     Ends,
-    Engaged,
-    Key,
+    KeyShape,
     Leaf,
     Links,
     ListOf,
-    Named,
+    Numbers,
     Pair,
-    Record,
     Shape,
+    Shares,
 )
+from vstatics.readers.named.scalars import LINK_NUMBER, NUMBER, QUANTITY
 
 Words = dict[str, Any]
 
@@ -79,7 +77,7 @@ def schema_text() -> str:
     return json.dumps(json_schema(), indent=2, ensure_ascii=False) + "\n"
 
 
-def _record(shape: Record) -> Words:
+def _record(shape: ByKey) -> Words:
     words: Words = {
         "title": shape.title,
         "description": shape.description,
@@ -90,7 +88,7 @@ def _record(shape: Record) -> Words:
     return {**words, "required": shape.required} if shape.required else words
 
 
-def _key(key: Key) -> Words:
+def _key(key: KeyShape) -> Words:
     words = {"description": key.description, **_shape(key.shape), **key.limits}
     if key.default is not None:
         words["default"] = key.default
@@ -113,9 +111,9 @@ def _optional(words: Words) -> Words:
 def _shape(shape: Shape) -> Words:  # noqa: PLR0911, C901 - a table
     link: Words = {"$ref": "#/$defs/link"}
     match shape:
-        case Record():
+        case ByKey():
             return _record(shape)
-        case Named():
+        case ByName():
             least = {"minProperties": 1} if shape.kind == "gear" else {}
             return _by_name(_shape(shape.item)) | least
         case Links():
@@ -126,21 +124,22 @@ def _shape(shape: Shape) -> Words:  # noqa: PLR0911, C901 - a table
             return {"type": "array", "items": link, "minItems": shape.least, "maxItems": 2}
         case Either():
             return {"anyOf": [_shape(shape.links), _record(shape.record)]}
-        case Engaged():
-            return {"type": "array", "items": _NAME, "uniqueItems": True}
         case ListOf():
-            return {"type": "array", "items": _shape(shape.item)}
+            unique = {"uniqueItems": True} if shape.kind else {}
+            return {"type": "array", "items": _shape(shape.item), **unique}
         case Pair():
             return {"type": "array", "items": _NAME, "minItems": 2, "maxItems": 2}
         case ByKind():
             return {"oneOf": [_of_kind(kind, record) for kind, record in shape.records.items()]}
-        case ByLink() | ByElement():
+        case Numbers():
             return _by_name({**_leaf(shape.item), **shape.limits})
+        case Shares():
+            return _by_name(_leaf(Leaf("share")))
         case Leaf():
             return _leaf(shape)
 
 
-def _of_kind(kind: str, record: Record) -> Words:
+def _of_kind(kind: str, record: ByKey) -> Words:
     words = _record(record)
     words["properties"]["kind"] = {"const": kind}
     return {**words, "type": "object", "required": ["kind", *record.required]}
@@ -158,6 +157,8 @@ def _leaf(shape: Leaf) -> Words:  # noqa: PLR0911 - a table
     match shape.kind:
         case "number" | "link":
             return {"$ref": f"#/$defs/{shape.kind}"}
+        case "share":
+            return {"$ref": "#/$defs/number", "minimum": 0}
         case "count":
             return {"type": ["integer", "string"], "minimum": 1, "pattern": LINK_NUMBER}
         case "relative_speed" | "relative_torque":

@@ -1,65 +1,59 @@
 """The walk through a tree of nodes along the declared shape of a case.
 
-It gives plain values for the model's classes, remembers where each of the model's
-paths stands in the document, and leaves a stand-in where nothing can be read.
+It gives parts of the model and plain values, remembers where each of the model's paths
+stands in the document, and leaves a stand-in where nothing can be read.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
+from functools import partial
 from typing import Any
 
-from vstatics.model.transmission import HOUSING
-from vstatics.readers.named import quantities, scalars
-from vstatics.readers.named.nodes import Listing, Mapping, Node, Scalar, is_null, shown, what
-from vstatics.readers.named.references import NO_ELEMENT, NO_LINK, References
-from vstatics.readers.named.shape import (
-    ByElement,
+from vstatics.model.parts import HOUSING
+from vstatics.model.shape import (
+    TEXT,
+    ByKey,
     ByKind,
-    ByLink,
+    ByName,
     Either,
     Ends,
-    Engaged,
-    Key,
+    KeyShape,
     Leaf,
     LeafKind,
     Links,
     ListOf,
-    Named,
+    Numbers,
     Pair,
-    Record,
     Shape,
+    Shares,
 )
-from vstatics.readers.named.spots import Spot, Spots
+from vstatics.readers.named import scalars
+from vstatics.readers.named.nodes import (
+    Listing,
+    Mapping,
+    Node,
+    Scalar,
+    Spot,
+    Spots,
+    is_null,
+    shown,
+    what,
+)
+from vstatics.readers.named.references import NO_ELEMENT, NO_LINK, References
+from vstatics.readers.named.stand_ins import EXPECTED, stand_in, values_before
 
 _ENDS = ("first", "second")
-_MANY_LINKS = 10**9  # takes every link number in; the model refuses it, and this is not told
-_LEAVES: dict[LeafKind, tuple[str, Any]] = {  # what is expected, what stands in for it
-    "text": ("text", ""),
-    "number": ("a number", 1.0),
-    "count": ("a whole number", 1),
-    "speed": ("a speed with its unit", 1.0),
-    "torque": ("a torque with its unit", 1.0),
-    "relative_speed": ("a speed", 0.0),
-    "relative_torque": ("a torque", 0.0),
-    "link": ("a link", NO_LINK),
-    "element": ("the name of a shift element", NO_ELEMENT),
-    "flag": ("`true` or `false`", False),
-    "choice": ("text", None),
+_NUMBERS: dict[LeafKind, Callable[[str], float]] = {
+    "number": scalars.number,
+    "count": scalars.count,
+    "share": scalars.share,
+    "speed": partial(scalars.quantity, kind="speed"),
+    "torque": partial(scalars.quantity, kind="torque"),
+    "relative_speed": partial(scalars.relative, kind="speed"),
+    "relative_torque": partial(scalars.relative, kind="torque"),
 }
 NO_MERGE = "merge key `<<` is not taken, write its keys out"
-_COLLECTIONS: dict[type[Shape], Any] = {
-    Links: _MANY_LINKS,
-    Ends: (NO_LINK, NO_LINK),
-    Either: {"links": (NO_LINK, NO_LINK)},
-    Named: (),
-    ByLink: {},
-    ByElement: {},
-    Engaged: (),
-    ListOf: (),
-    Pair: ("", ""),
-    ByKind: {},
-}
 
 
 class Walk:
@@ -70,14 +64,13 @@ class Walk:
         self.spots = spots
         self.references = References(spots.found)
         self._readers: dict[type[Shape], Callable[[Spot, Any], Any]] = {
-            Record: self._record,
-            Named: self._named,
+            ByKey: self._by_key,
+            ByName: self._by_name,
             Links: self._links,
             Ends: self._ends,
             Either: self._either,
-            Engaged: self._engaged,
-            ByLink: self._by_link,
-            ByElement: self._by_element,
+            Numbers: self._numbers,
+            Shares: self._shares,
             Leaf: self._leaf,
             ListOf: self._list_of,
             Pair: self._pair,
@@ -91,7 +84,7 @@ class Walk:
 
     def _refuse(self, spot: Spot, shape: Shape, expected: object, read: str = "") -> Any:
         self.spots.refuse(spot, f"read {read or what(spot.node)}, {expected}")
-        return _stand_in(shape)
+        return stand_in(shape)
 
     def _entries(self, spot: Spot, node: Mapping) -> Iterator[tuple[Scalar, Node]]:
         """Keys with their values, without those that a case cannot have."""
@@ -110,7 +103,7 @@ class Walk:
                 seen[key.text] = key
                 yield key, value
 
-    def _record(self, spot: Spot, shape: Record) -> Any:
+    def _by_key(self, spot: Spot, shape: ByKey) -> Any:
         node = spot.node
         given: dict[str, Node] = {}
         if isinstance(node, Mapping):
@@ -118,21 +111,21 @@ class Walk:
         elif not is_null(node) or shape.required:
             expected = "expected a mapping with " + _listed(key.name for key in shape.keys)
             return self._refuse(spot, shape, expected)
-        values = _stand_ins(shape)
+        values = values_before(shape)
         for key in shape.keys:
             if key.name in given:
                 inner = spot.key(key.name, key.name, given[key.name])
                 values[key.name] = self.read(inner, key.shape)
             elif key.required:
                 self.spots.missing(spot, key.name)
-        return values
+        return shape.make(**values)
 
-    def _known_keys(self, spot: Spot, shape: Record, node: Mapping) -> dict[str, Node]:
+    def _known_keys(self, spot: Spot, shape: ByKey, node: Mapping) -> dict[str, Node]:
         """What is given; an optional key without a value is not.
 
         A mistyped key is read as what was meant, so that one slip brings no others.
         """
-        known: dict[str, Key] = {key.name: key for key in shape.keys}
+        known: dict[str, KeyShape] = {key.name: key for key in shape.keys}
         given: dict[str, Node] = {}
         meant: dict[str, Node] = {}
         for key, value in self._entries(spot, node):
@@ -146,7 +139,7 @@ class Walk:
                 given[key.text] = value
         return meant | given
 
-    def _named(self, spot: Spot, shape: Named) -> Any:
+    def _by_name(self, spot: Spot, shape: ByName) -> Any:
         elements = shape.kind == "shift element"
         if not isinstance(spot.node, Mapping):
             self.references.elements_known &= not elements
@@ -154,11 +147,11 @@ class Walk:
         entries = list(self._entries(spot, spot.node))
         if elements:
             self.references.set_elements(key.text for key, _ in entries)
-        items = []
+        items: dict[str, Any] = {}
         for number, (key, value) in enumerate(entries, 1):
             inner = spot.key(number, key.text, value)
             self.spots.keep(inner, key)
-            items.append((key.text, self.read(inner, shape.item)))
+            items[key.text] = self.read(inner, shape.item)
         return items
 
     def _links(self, spot: Spot, shape: Links) -> Any:
@@ -167,7 +160,7 @@ class Walk:
             named = spot._replace(path=("link_names",))
             self.spots.keep(named)
             items = [named.item(number, number, item) for number, item in enumerate(node.items, 1)]
-            self.references.set_link_names([self.read(item, Leaf("text")) for item in items])
+            self.references.set_link_names([self.read(item, TEXT) for item in items])
             return len(items)
         try:
             links = scalars.link_number(node.text) if isinstance(node, Scalar) else None
@@ -197,34 +190,20 @@ class Walk:
     def _either(self, spot: Spot, shape: Either) -> Any:
         """A record; where its links can't be read the model has nothing to say of it."""
         if not isinstance(spot.node, Mapping):
-            return {"links": self.read(spot, shape.links)}
-        record = self._record(spot, shape.record)
+            return shape.record.make(links=self.read(spot, shape.links))
+        made = self._by_key(spot, shape.record)
         if (*spot.path, "links") in self.spots.unreadable:
             self.spots.unreadable.append(spot.path)
-        return record
+        return made
 
-    def _engaged(self, spot: Spot, shape: Engaged) -> Any:
-        if not isinstance(spot.node, Listing):
-            return self._refuse(spot, shape, "expected a list of shift elements")
-        return tuple(
-            self.read(spot.item(number, number, item), Leaf("element"))
-            for number, item in enumerate(spot.node.items, 1)
-        )
-
-    def _by_link(self, spot: Spot, shape: ByLink) -> Any:
-        return self._numbers(spot, shape, "link", self.references.link)
-
-    def _by_element(self, spot: Spot, shape: ByElement) -> Any:
-        return self._numbers(spot, shape, "shift element", self.references.element)
-
-    def _numbers(
-        self, spot: Spot, shape: ByLink | ByElement, of: str, refer: Callable[[str], int]
-    ) -> Any:
+    def _numbers(self, spot: Spot, shape: Numbers) -> Any:
         """Numbers by that which their keys refer to."""
         node = spot.node
         if not isinstance(node, Mapping):
-            return self._refuse(spot, shape, f"expected a mapping: a number for each {of}")
-        nobody = NO_LINK if of == "link" else NO_ELEMENT
+            return self._refuse(spot, shape, f"expected a mapping: a number for each {shape.by}")
+        refer, nobody = self.references.link, NO_LINK
+        if shape.by == "shift element":
+            refer, nobody = self.references.element, NO_ELEMENT
         values: dict[int, float] = {}
         for key, value in self._entries(spot, node):
             try:
@@ -235,15 +214,31 @@ class Walk:
             inner = spot.key(place, key.text, value)
             self.spots.keep(inner, key)
             if place in values:
-                self.spots.complain(inner, f"{of} {place} is given twice", key)
+                self.spots.complain(inner, f"{shape.by} {place} is given twice", key)
             number = self.read(inner, shape.item)
             if place != nobody:
                 values[place] = number
         return values
 
+    def _shares(self, spot: Spot, shape: Shares) -> Any:
+        """Shares by names of gears, which no document can look up."""
+        if not isinstance(spot.node, Mapping):
+            return self._refuse(spot, shape, "expected a share for each gear")
+        shares: dict[str, float] = {}
+        for key, value in spot.node.entries:
+            gear = spot._replace(
+                path=(*spot.path, key.text), label=f"gear {shown(key.text)}", node=value
+            )
+            if key.text in shares:
+                self.spots.complain(spot, f"{gear.label} is given twice", key)
+            self.spots.keep(gear, key)
+            shares[key.text] = self.read(gear, Leaf("share"))
+        return shares
+
     def _list_of(self, spot: Spot, shape: ListOf) -> Any:
         if not isinstance(spot.node, Listing):
-            return self._refuse(spot, shape, "expected a list")
+            of = f" of {shape.kind}" if shape.kind else ""
+            return self._refuse(spot, shape, f"expected a list{of}")
         items = enumerate(spot.node.items, 1)
         return [self.read(spot.item(number, number, item), shape.item) for number, item in items]
 
@@ -253,7 +248,7 @@ class Walk:
             read = f"a list of {len(node.items)}" if isinstance(node, Listing) else ""
             return self._refuse(spot, shape, f"expected two: [{shape.kind}, {shape.kind}]", read)
         items = enumerate(node.items, 1)
-        return [self.read(spot.item(number, number, item), Leaf("text")) for number, item in items]
+        return [self.read(spot.item(number, number, item), TEXT) for number, item in items]
 
     def _by_kind(self, spot: Spot, shape: ByKind) -> Any:
         node = spot.node
@@ -270,62 +265,40 @@ class Walk:
         kind = self.read(spot.key("kind", "kind", given[0]), Leaf("choice", known))
         if (*spot.path, "kind") in self.spots.unreadable:
             return {}
-        return self._record(spot, shape.records[kind])
+        return self._by_key(spot, shape.records[kind])
 
     def _leaf(self, spot: Spot, shape: Leaf) -> Any:
         node = spot.node
         if not isinstance(node, Scalar) or is_null(node):
-            return self._refuse(spot, shape, f"expected {_LEAVES[shape.kind][0]}")
+            return self._refuse(spot, shape, f"expected {EXPECTED[shape.kind][0]}")
         try:
             value = self._scalar(node, shape)
         except ValueError as error:
             return self._refuse(spot, shape, error)
-        if value == _stand_in(shape) and shape.kind in ("link", "element"):
+        if value == stand_in(shape) and shape.kind in ("link", "element"):
             self.spots.unreadable.append(spot.path)
         return value
 
-    def _scalar(self, node: Scalar, shape: Leaf) -> Any:  # noqa: PLR0911 - a table
+    def _scalar(self, node: Scalar, shape: Leaf) -> Any:
         match shape.kind:
-            case "number":
-                return scalars.number(node.text)
-            case "count":
-                return scalars.count(node.text)
-            case "speed" | "torque":
-                return quantities.quantity(node.text, shape.kind)
-            case "relative_speed":
-                return quantities.relative(node.text, "speed")
-            case "relative_torque":
-                return quantities.relative(node.text, "torque")
+            case "text":
+                return node.text
             case "link":
                 return self.references.link(node.text)
             case "element":
                 return self.references.element(node.text)
             case "flag":
                 return scalars.flag(node.text, plain=node.plain)
-            case "choice" if node.text not in shape.choices:
-                hint = self.spots.found.hint(node.text, shape.choices)
-                raise ValueError(f"expected {_listed(shape.choices, 'or')}{hint}")
-        return node.text
+            case "choice":
+                if node.text not in shape.choices:
+                    hint = self.spots.found.hint(node.text, shape.choices)
+                    raise ValueError(f"expected {_listed(shape.choices, 'or')}{hint}")
+                return node.text
+        return _NUMBERS[shape.kind](node.text)
 
 
 def _is_merge(key: Scalar) -> bool:
     return key.plain and key.text == "<<"
-
-
-def _stand_in(shape: Shape) -> Any:
-    """What stands in for a value that cannot be read."""
-    match shape:
-        case Record():
-            return _stand_ins(shape)
-        case Leaf():
-            return shape.choices[0] if shape.choices else _LEAVES[shape.kind][1]
-    return _COLLECTIONS[type(shape)]
-
-
-def _stand_ins(shape: Record) -> dict[str, Any]:
-    """The values of a record as far as they are known before it is read."""
-    defaults = {key.name: key.default for key in shape.keys if key.default is not None}
-    return {key.name: _stand_in(key.shape) for key in shape.keys if key.required} | defaults
 
 
 def _listed(words: Iterable[str], last: str = "and") -> str:

@@ -1,0 +1,207 @@
+"""The keys of a case in YAML and JSON, declared once; see `model.shape`.
+
+Keys are the attributes of the model's classes, in the order in which they are read: what
+others refer to comes first.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from vstatics.model.parts import ELEMENT_KINDS, Gear, Load, Mechanism, ShiftElement
+from vstatics.model.shape import (
+    FLAG,
+    LINK,
+    NUMBER,
+    SPEED,
+    TEXT,
+    TORQUE,
+    ByKey,
+    ByName,
+    Either,
+    Ends,
+    KeyShape,
+    Leaf,
+    Links,
+    ListOf,
+    Numbers,
+)
+
+
+def _shift_element(links: tuple[int, int], **others: Any) -> ShiftElement:
+    return ShiftElement(*links, **others)
+
+
+ELEMENT = ByKey(
+    "Shift element",
+    "A clutch, brake, dog clutch or freewheel.",
+    (
+        KeyShape(
+            "kind",
+            Leaf("choice", ELEMENT_KINDS),
+            "What it is; with two links a clutch, with the housing a brake when not given. A "
+            "freewheel keeps its first link from turning backward against the second, and is "
+            "never engaged.",
+        ),
+        KeyShape(
+            "links",
+            Ends(least=1),
+            "First and second link; one link alone is held against the housing.",
+            required=True,
+            examples=(["carrier", "housing"],),
+        ),
+        KeyShape(
+            "drag",
+            TORQUE,
+            "Torque with which it drags when open, relative to the input torque.",
+            default=0,
+            limits={"minimum": 0},
+            examples=(0.002,),
+        ),
+        KeyShape(
+            "capacity",
+            TORQUE,
+            "Torque that it can carry, relative to the input torque of the case, or with a unit; "
+            "for the margins of `vstatics summary`.",
+            limits={"exclusiveMinimum": 0},
+            examples=("600 N*m",),
+        ),
+    ),
+    _shift_element,
+)
+
+MECHANISM = ByKey(
+    "Mechanism",
+    "A three-link device of constant structure: planetary set, gear pair, shaft, support.",
+    (
+        KeyShape("first", LINK, "First link; the sun of a planetary set.", required=True),
+        KeyShape("second", LINK, "Second link; the ring of a planetary set.", required=True),
+        KeyShape("third", LINK, "Third link; the carrier of a planetary set.", default=0),
+        KeyShape(
+            "ratio",
+            NUMBER,
+            "Internal ratio (w_first - w_third)/(w_second - w_third).",
+            required=True,
+            limits={"not": {"const": 0}},
+            examples=(-2.461, "-96/39"),
+        ),
+        KeyShape(
+            "efficiency",
+            NUMBER,
+            "Efficiency with the third link held, above 0 and up to 1.",
+            default=1,
+            limits={"exclusiveMinimum": 0, "maximum": 1},
+            examples=(0.97,),
+        ),
+        KeyShape(
+            "back_efficiency",
+            NUMBER,
+            "Efficiency where power flows from the second link to the first, if it is another "
+            "one; 0 is self-locking.",
+            limits={"minimum": 0, "maximum": 1},
+            examples=(0.7,),
+        ),
+        KeyShape(
+            "planet_ratio",
+            NUMBER,
+            "Ratio first link to planet, third link held; known by itself for a plain set.",
+            limits={"not": {"const": 0}},
+        ),
+    ),
+    Mechanism,
+)
+
+LOAD = ByKey(
+    "Load",
+    "Speed and torque at the input link, for a second set of tables in rpm, N*m and kW.",
+    (
+        KeyShape("speed", Leaf("speed"), "Speed of the input.", examples=("2100 rpm",)),
+        KeyShape("torque", Leaf("torque"), "Torque of the input.", examples=("1200 N*m",)),
+    ),
+    Load,
+)
+
+GEAR = ByKey(
+    "Gear",
+    "A shift state: what is engaged, and what is given besides.",
+    (
+        KeyShape(
+            "engaged",
+            ListOf(Leaf("element"), "shift elements"),
+            "Names of the engaged shift elements.",
+            examples=(["T1", "F2"],),
+        ),
+        KeyShape(
+            "speeds",
+            Numbers("link", SPEED),
+            "Further given link speeds, relative to the input speed, or with a unit.",
+        ),
+        KeyShape(
+            "torques",
+            Numbers("link", TORQUE),
+            "Further external torques, relative to the input torque, or with a unit.",
+        ),
+        KeyShape(
+            "drag",
+            Numbers("link", TORQUE, {"minimum": 0}),
+            "Drag of bearings and oil on links, against their rotation, relative to the input "
+            "torque.",
+        ),
+        KeyShape(
+            "open_drag",
+            Numbers("shift element", TORQUE, {"minimum": 0}),
+            "Drag of shift elements in this gear when they are open, in place of their own.",
+        ),
+        KeyShape("input", LINK, "This gear's own input link."),
+        KeyShape("output", LINK, "This gear's own output link."),
+        KeyShape("load", LOAD, "This gear's own load."),
+    ),
+    Gear,
+)
+
+CASE = ByKey(
+    "Transmission",
+    "A vehicle transmission by its kinematic scheme.",
+    (
+        KeyShape("name", TEXT, "Name of the transmission, on one line."),
+        KeyShape("description", TEXT, "What the transmission is, as long as you like."),
+        KeyShape("source", TEXT, "Where its data come from."),
+        KeyShape(
+            "links",
+            Links(),
+            "Main links without the housing: their number, or their names in order.",
+            required=True,
+            examples=(6, ["sun", "ring", "carrier"]),
+        ),
+        KeyShape("input", LINK, "Input link.", default=1),
+        KeyShape("output", LINK, "Output link; the last one when not given."),
+        KeyShape(
+            "idle",
+            Leaf("choice", ("exact", "published")),
+            "Sign of idle mechanisms: 0 (exact), or as in the published tables.",
+            default="exact",
+        ),
+        KeyShape("load", LOAD, "Load of all gears that give none themselves."),
+        KeyShape(
+            "drag",
+            Numbers("link", TORQUE, {"minimum": 0}),
+            "Drag of bearings and oil on links, in all gears that give none of that link.",
+        ),
+        KeyShape("coast", FLAG, "Power enters at the output (engine braking).", default=False),
+        KeyShape(
+            "shift_elements",
+            ByName("shift element", Either(Ends(), ELEMENT)),
+            "Clutches, brakes and freewheels in order: name and [first link, second link], or a "
+            "mapping with `links`.",
+        ),
+        KeyShape(
+            "mechanisms",
+            ByName("mechanism", MECHANISM),
+            "Mechanisms in order, each under its name.",
+            required=True,
+        ),
+        KeyShape(
+            "gears", ByName("gear", GEAR), "Gears in order, each under its name.", required=True
+        ),
+    ),
+)

@@ -1,0 +1,144 @@
+"""The words in which the shape of a document is declared: a key, and what may stand behind it.
+
+One declaration serves all who know the keys of YAML and JSON: the reader walks along it,
+the writer goes it the other way, the JSON Schema is made from it. `model.keys` and
+`elements.keys` declare a case.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from types import MappingProxyType
+from typing import Any, Literal, NamedTuple, TypeAlias
+
+LeafKind = Literal[
+    "text",
+    "number",
+    "count",
+    "share",
+    "speed",
+    "torque",
+    "relative_speed",
+    "relative_torque",
+    "link",
+    "element",
+    "flag",
+    "choice",
+]
+UNITS: Mapping[str, str] = {"speed": "rpm", "torque": "N*m"}
+"""Units in which the model has speeds and torques that are not relative."""
+
+Limits: TypeAlias = Mapping[str, Any]
+"""Words of JSON Schema for numbers, which the model checks in its own words."""
+NO_LIMITS: Limits = MappingProxyType({})
+
+
+class Leaf(NamedTuple):
+    """A single value."""
+
+    kind: LeafKind
+    choices: tuple[str, ...] = ()
+
+
+class Links(NamedTuple):
+    """The number of links, or their names in order."""
+
+
+class Ends(NamedTuple):
+    """The links of a shift element, first and second."""
+
+    least: int = 2
+    """With 1 the second may be missing, which is the housing."""
+
+
+class Numbers(NamedTuple):
+    """Links or shift elements with a number for each."""
+
+    by: Literal["link", "shift element"]
+    item: Leaf
+    limits: Limits = NO_LIMITS
+
+
+class Shares(NamedTuple):
+    """Names of gears, of whatever case, with a share for each."""
+
+
+class KeyShape(NamedTuple):
+    """A key: the attribute that it is in the model, and what stands behind it.
+
+    `default` is for keys whose default the document fixes.
+    """
+
+    name: str
+    shape: Shape
+    description: str
+    required: bool = False
+    default: Any = None
+    limits: Limits = NO_LIMITS
+    examples: tuple[Any, ...] = ()
+
+    def leaves_out(self, value: Any) -> bool:
+        """Whether a value says what a document says that has not the key.
+
+        >>> KeyShape("drag", NUMBER, "Drag.", default=0).leaves_out(0.0)
+        True
+        """
+        is_empty = not value and not isinstance(value, float | int)
+        return is_empty or value == self.default
+
+
+class ByKey(NamedTuple):
+    """A mapping of known keys."""
+
+    title: str
+    description: str
+    keys: tuple[KeyShape, ...]
+    make: Callable[..., Any] = dict
+    """What the reader makes of the values, given by their keys: a part of the model."""
+
+    @property
+    def required(self) -> list[str]:
+        """Names of the keys that must be there."""
+        return [key.name for key in self.keys if key.required]
+
+
+class Either(NamedTuple):
+    """A list of links, or a record with the key `links`: a shift element."""
+
+    links: Ends
+    record: ByKey
+
+
+class ByName(NamedTuple):
+    """Items of one kind in order, each under its name."""
+
+    kind: str
+    item: Shape
+
+
+class ListOf(NamedTuple):
+    """Items of one shape in order."""
+
+    item: Shape
+    kind: str = ""
+    """What messages call the items, and that each is the only one of its name."""
+
+
+class Pair(NamedTuple):
+    """Two names."""
+
+    kind: str
+
+
+class ByKind(NamedTuple):
+    """A mapping whose other keys depend on its `kind`."""
+
+    records: Mapping[str, ByKey]
+
+
+Shape: TypeAlias = (
+    Leaf | Links | Ends | Numbers | Shares | ByKey | Either | ByName | ListOf | Pair | ByKind
+)
+
+TEXT, NUMBER, LINK, FLAG = Leaf("text"), Leaf("number"), Leaf("link"), Leaf("flag")
+COUNT, SPEED, TORQUE = Leaf("count"), Leaf("relative_speed"), Leaf("relative_torque")
