@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from vstatics.model.transmission import Transmission
-from vstatics.statics.results import OUTPUT
+from vstatics.tables.rows import OUTPUT
 
 SIMPLE = re.compile(r"\w+")
 

@@ -125,7 +125,7 @@ def widths(case: Transmission) -> dict[str, int | None]:
         "torques": elements + mechanisms + 1,
         "one": None,
     }
-    return {name: counts[ARRAYS[name]] for name in Solved._fields}
+    return {name: counts[ARRAYS[name].rows] for name in Solved._fields}
 
 
 def flat(solved: Solved, fields: Sequence[str]) -> list[Number]:

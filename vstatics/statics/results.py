@@ -26,121 +26,42 @@ Rows = Literal["links", "elements", "mechanisms", "torques", "meshes", "one"]
 """
 
 
-class TableShape(NamedTuple):
-    """A table of the results as it is written and read back."""
+class Array(NamedTuple):
+    """An array of `Results`."""
 
-    name: str
-    """In JSON and CSV: the deck's name, or that of the library where the deck has none."""
-    printed: str
-    """In a listing."""
     rows: Rows
-    """What a row stands for; `one` is a list over the gears."""
-    kind: type = float
-    """float, int or bool: how a number is written."""
-    published: bool = True
-    """Whether the report of the source has it."""
-    of: str = ""
-    """The table that this one has in `unit`, where the case has a load."""
-    unit: str = ""
-    always: bool = True
-    """Whether every result has it, or only one of a case that has what it speaks of."""
+    """What its last axis stands for; `one`: that axis is the gears."""
+    dtype: type = np.float64
 
 
-def _with_unit(name: str, printed: str, rows: Rows, unit: str, of: str) -> TableShape:
-    """A table that only a case with a load has."""
-    return TableShape(name, printed, rows, published=False, always=False, of=of, unit=unit)
-
-
-WITH_UNITS: tuple[tuple[str, str, Rows, str, str], ...] = (
-    ("W_rpm", "WRPM", "links", "rpm", "W"),
-    ("WSAT_rpm", "WSATRPM", "mechanisms", "rpm", "WSAT"),
-    ("WFRI_rpm", "WFRIRPM", "elements", "rpm", "WFRI"),
-    ("AMLG_Nm", "AMLGNM", "torques", "Nm", "AMLG"),
-    ("AMLGP_Nm", "AMLGPNM", "torques", "Nm", "AMLGP"),
-    ("mesh_torques_Nm", "MESHNM", "meshes", "Nm", "mesh_torques"),
-    ("lossy_mesh_torques_Nm", "MESHPNM", "meshes", "Nm", "lossy_mesh_torques"),
-    ("AMWZ_Nm", "AMWZNM", "links", "Nm", "AMWZ"),
-    ("AMWZP_Nm", "AMWZPNM", "links", "Nm", "AMWZP"),
-    ("losses_kW", "LOSSKW", "mechanisms", "kW", "losses"),
-    ("drag_losses_kW", "DRAGKW", "one", "kW", "drag_losses"),
-    ("input_power_kW", "PINKW", "one", "kW", ""),
-    ("output_power_kW", "POUTKW", "one", "kW", ""),
-)
-"""Name, printed name, rows, unit, and the table that it repeats in this unit."""
-
-TABLES = (
-    TableShape("AJK", "AJK", "links"),
-    TableShape("W", "W", "links"),
-    TableShape("WSAT", "WSAT", "mechanisms"),
-    TableShape("WFRI", "WFRI", "elements"),
-    TableShape("AMLG", "AMLG", "torques"),
-    TableShape("AMLGP", "AMLGP", "torques"),
-    TableShape("ETA", "ETA", "one"),
-    TableShape("IX", "IX", "mechanisms", int),
-    TableShape("ratio", "RATIO", "one", published=False),
-    TableShape("idle", "IDLING", "mechanisms", bool, published=False),
-    TableShape("losses", "LOSS", "mechanisms", published=False),
-    TableShape("power_balance", "BALANCE", "one", published=False),
-    TableShape("consistent", "CONSISTENT", "one", bool, published=False),
-    TableShape("locked", "LOCKED", "one", bool, published=False),
-    TableShape("AMWZ", "AMWZ", "links", published=False, always=False),
-    TableShape("AMWZP", "AMWZP", "links", published=False, always=False),
-    TableShape("drag_losses", "DRAG", "one", published=False, always=False),
-    TableShape("holds", "HOLDS", "elements", bool, published=False, always=False),
-    TableShape("mesh_torques", "MESH", "meshes", published=False, always=False),
-    TableShape("lossy_mesh_torques", "MESHP", "meshes", published=False, always=False),
-    *(_with_unit(*table) for table in WITH_UNITS),
-)
-"""All tables in the order in which they are written."""
-
-NAME = "|"
-"""Stands before the name of a row in a listing."""
-
-OUTPUT = "Mx"
-"""The name of the row of the output torque."""
-
-
-def row_names(case: Transmission, shape: TableShape) -> Sequence[str]:
-    """The names of a table's rows."""
-    names = {
-        "links": case.link_names,
-        "elements": [element.name for element in case.shift_elements],
-        "mechanisms": [mechanism.name for mechanism in case.mechanisms],
-        "torques": [*case.devices, OUTPUT],
-        "meshes": (),
-        "one": [shape.name],
-    }
-    return names[shape.rows]
-
-
-ARRAYS: Mapping[str, Rows] = {
-    "speeds": "links",
-    "planet_speeds": "mechanisms",
-    "slip_speeds": "elements",
-    "ratio": "one",
-    "torques": "torques",
-    "holding_torques": "links",
-    "lossy_torques": "torques",
-    "lossy_holding_torques": "links",
-    "efficiency": "one",
-    "power_sign": "mechanisms",
-    "idle": "mechanisms",
-    "losses": "mechanisms",
-    "power_balance": "one",
-    "drag_losses": "one",
-    "consistent": "one",
-    "locked": "one",
-    "undecided": "one",
-    "turned": "mechanisms",
-    "choices": "one",
-    "tied_up": "one",
-    "missing": "one",
-    "excess": "one",
-    "balanced": "one",
-    "holds": "elements",
-    "conflict": "one",
+ARRAYS: Mapping[str, Array] = {
+    "speeds": Array("links"),
+    "planet_speeds": Array("mechanisms"),
+    "slip_speeds": Array("elements"),
+    "ratio": Array("one"),
+    "torques": Array("torques"),
+    "holding_torques": Array("links"),
+    "lossy_torques": Array("torques"),
+    "lossy_holding_torques": Array("links"),
+    "efficiency": Array("one"),
+    "power_sign": Array("mechanisms"),
+    "idle": Array("mechanisms", np.bool_),
+    "losses": Array("mechanisms"),
+    "power_balance": Array("one"),
+    "drag_losses": Array("one"),
+    "consistent": Array("one", np.bool_),
+    "locked": Array("one", np.bool_),
+    "undecided": Array("one", np.bool_),
+    "turned": Array("mechanisms", np.bool_),
+    "choices": Array("one", np.int16),
+    "tied_up": Array("one", np.bool_),
+    "missing": Array("one", np.int16),
+    "excess": Array("one", np.int16),
+    "balanced": Array("one", np.bool_),
+    "holds": Array("elements", np.bool_),
+    "conflict": Array("one", np.bool_),
 }
-"""The arrays of `Results`, and what their last axis stands for."""
+"""The arrays of `Results`, in its order."""
 
 
 class Message(NamedTuple):

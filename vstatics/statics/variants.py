@@ -16,15 +16,11 @@ from vstatics.numerics.memory import Form
 from vstatics.numerics.plans import Function, Inputs, Plans, prepared
 from vstatics.numerics.traced import Number
 from vstatics.statics.gear import flat, solve_gear, watch, widths
+from vstatics.statics.results import ARRAYS
 
 REMEMBERED = 256
 """Gears whose plans are kept for calls to come."""
 HOLDING = frozenset({"holding_torques", "lossy_holding_torques"})
-KINDS: dict[str, type] = {
-    **dict.fromkeys(("choices", "missing", "excess"), np.int16),
-    **dict.fromkeys(("idle", "consistent", "locked", "undecided"), np.bool_),
-    **dict.fromkeys(("turned", "tied_up", "balanced", "holds", "conflict"), np.bool_),
-}
 
 _plans: dict[Hashable, Plans] = {}
 _lock = threading.Lock()
@@ -99,9 +95,7 @@ def _forms(case: Transmission, variants: int) -> dict[str, Form]:
     """
     held = any(gear.speeds for gear in case.gears)
     forms = {
-        name: Form(
-            (len(case.gears), 1 if width is None else width, variants), KINDS.get(name, np.float64)
-        )
+        name: Form((len(case.gears), 1 if width is None else width, variants), ARRAYS[name].dtype)
         for name, width in widths(case).items()
         if held or name not in HOLDING
     }

@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from vstatics.summary import Summary
+from vstatics.tables.quantities import BY_NAME
 
 VERSION = 1
 
@@ -27,7 +28,8 @@ def document(summary: Summary) -> dict[str, Any]:
             for one in summary.transitions
         ],
         "largest": {
-            name: [_record(line) for line in lines] for name, lines in summary.largest.items()
+            BY_NAME[name].key: [_record(line) for line in lines]
+            for name, lines in summary.largest.items()
         },
         "sensitivity": {
             mechanism.name: [_known(value) for value in row]

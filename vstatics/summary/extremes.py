@@ -14,7 +14,7 @@ from vstatics.summary.order import SAME
 from vstatics.tables.table import Table
 from vstatics.tables.values import tables
 
-PLANETS, SLIPS, TORQUES, LOSSY_TORQUES = "WSAT", "WFRI", "AMLG", "AMLGP"
+PLANETS, SLIPS, TORQUES, LOSSY_TORQUES = "planet_speeds", "slip_speeds", "torques", "lossy_torques"
 
 
 class Largest(NamedTuple):
@@ -28,7 +28,7 @@ class Largest(NamedTuple):
 
 
 def largest(results: Results) -> dict[str, list[Largest]]:
-    """The largest values over all gears, by the name of the table.
+    """The largest values over all gears, by the name of the quantity.
 
     Speeds of planets, slip speeds of open shift elements, torques of engaged ones without
     and with losses where the gear can run; with a load all of them in rpm and N*m, too.
@@ -45,22 +45,22 @@ def largest(results: Results) -> dict[str, list[Largest]]:
     >>> case = Transmission(3, [ShiftElement(1, 2, "C"), ShiftElement(2, 0, "B")],
     ...                     [Mechanism(1, 2, 3, -2.5)], [Gear([2]), Gear([1])])
     >>> found = largest(solve(case))
-    >>> found["AMLG"][1]
+    >>> found["torques"][1]
     Largest(row='B', value=-2.5, gear='1')
     >>> list(found)
-    ['WSAT', 'WFRI', 'AMLG', 'AMLGP']
+    ['planet_speeds', 'slip_speeds', 'torques', 'lossy_torques']
     """
     found = {}
     for table in tables(results):
-        kind = table.shape.of or table.shape.name
+        kind = table.quantity.of or table.quantity.name
         if kind == PLANETS:
-            found[table.shape.name] = _of(table, table.values)
+            found[table.quantity.name] = _of(table, table.values)
         elif kind == SLIPS:
-            found[table.shape.name] = _of(table, np.where(results.holds.T, np.nan, table.values))
+            found[table.quantity.name] = _of(table, np.where(results.holds.T, np.nan, table.values))
         elif kind in (TORQUES, LOSSY_TORQUES):
             own = table.values[: len(results.case.shift_elements)]
             loaded = results.holds.T & results.calculable  # a gear that is tied up has no flow
-            found[table.shape.name] = _of(table, np.where(loaded, own, np.nan))
+            found[table.quantity.name] = _of(table, np.where(loaded, own, np.nan))
     return found
 
 

@@ -7,8 +7,9 @@ from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
 from vstatics.model.transmission import Transmission
-from vstatics.statics.results import OUTPUT, Results
+from vstatics.statics.results import Results
 from vstatics.summary.design import GearLine, design
+from vstatics.tables.rows import OUTPUT
 from vstatics.tables.table import Table
 from vstatics.tables.values import tables
 
@@ -83,7 +84,7 @@ def view(results: Results, marks: Marks = Marks()) -> Group:  # noqa: B008 - it 
     from rich.text import Text
 
     case = results.case
-    found = {table.shape.name: table for table in tables(results)}
+    found = {table.quantity.name: table for table in tables(results)}
     parts: list[RichTable | Text] = []
     if case.name:
         parts.append(Text(case.name, style="bold"))
@@ -109,7 +110,7 @@ def _table(results: Results, found: dict[str, Table], marks: Marks) -> RichTable
     for heading, column in zip(("ratio", "step", "eff."), zip(*figures, strict=True), strict=True):
         wide = max(map(len, column))  # numbers are never cut
         made.add_column(heading, justify="right", no_wrap=True, min_width=wide)
-    rpm, torque = "W_rpm" in found, "AMLGP_Nm" in found
+    rpm, torque = "speeds_rpm" in found, "lossy_torques_Nm" in found
     largest = [
         (
             _fastest(found, number, rpm=rpm).text(whole=rpm),
@@ -177,7 +178,7 @@ def _fixed(value: float) -> str:
 def _fastest(found: dict[str, Table], number: int, *, rpm: bool) -> Largest:
     """The largest speed of links, planets and open elements."""
     unit = "_rpm" if rpm else ""
-    kinds = (("W", ""), ("WSAT", "planet "), ("WFRI", "slip "))
+    kinds = (("speeds", ""), ("planet_speeds", "planet "), ("slip_speeds", "slip "))
     return _largest(
         # P1.planet tells by itself what it is, 1 does not
         (abs(value), name if "." in name else f"{kind or 'link ' * name.isdigit()}{name}")
@@ -192,7 +193,8 @@ def _strongest(found: dict[str, Table], number: int) -> Largest:
 
     None where one of them is not determined: it may be larger than all others.
     """
-    names = ("AMLGP_Nm", "AMLG_Nm") if "AMLGP_Nm" in found else ("AMLGP", "AMLG")
+    unit = "_Nm" if "lossy_torques_Nm" in found else ""
+    names = f"lossy_torques{unit}", f"torques{unit}"
     for name in names:
         column = [(abs(v), n) for n, v in _column(found[name], number) if n != OUTPUT]
         if not any(math.isnan(value) for value, _ in column):
@@ -244,7 +246,7 @@ def _legend(results: Results, found: dict[str, Table], marks: Marks) -> Iterator
         signs.append(f"{marks.holds} freewheel that holds")
     signs.append("step: to the next smaller ratio")
     yield "; ".join(signs)
-    yield "speed, torque: the largest" + ("" if "W_rpm" in found else ", by the input's")
+    yield "speed, torque: the largest" + ("" if "speeds_rpm" in found else ", by the input's")
     if (found["idle"].values == 1).any():
         yield "idle: carries no torque, or turns as one piece"
     states = [line.state for line in design(results).gears]

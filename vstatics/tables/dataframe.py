@@ -59,9 +59,9 @@ def to_dataframe(results: Results) -> pd.DataFrame:
 
 def _columns(results: Results) -> Iterator[tuple[str, Any]]:
     """Each column with its name."""
-    for name, kind in ARRAYS.items():
+    for name, array in ARRAYS.items():
         table = getattr(results, name)
-        if kind == "one":
+        if array.rows == "one":
             yield name, table.ravel()
             continue
         rows = table_rows(name, results.case)

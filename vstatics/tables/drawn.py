@@ -18,8 +18,9 @@ from vstatics.elements.kinds import Planetary
 from vstatics.elements.lower import Part, parts
 from vstatics.model.transmission import HOUSING
 from vstatics.numerics.arrays import Booleans, Floats
-from vstatics.statics.results import OUTPUT, Results
+from vstatics.statics.results import Results
 from vstatics.tables.members import member_torques
+from vstatics.tables.rows import OUTPUT
 
 ROUNDING = 2.0**-48
 """Two speeds that agree to this part are the same."""
@@ -34,7 +35,7 @@ class Shown(NamedTuple):
 
 
 def shown(results: Results) -> dict[str, Shown]:
-    """The tables that differ from the solver's own, by their names in `TABLES`.
+    """The tables that differ from the solver's own, by their quantities.
 
     Parameters
     ----------
@@ -50,14 +51,14 @@ def shown(results: Results) -> dict[str, Shown]:
     elements = [part.name for part in made]
     exists, idle = results.calculable[:, None], by_element(made, results.idle, all_of=True)
     tables = {
-        "W": Shown(names, results.speeds[:, : drawing.links]),
-        "WSAT": _planets(results, made),
-        "AMLG": _torques(results, made, lossy=False),
-        "AMLGP": _torques(results, made, lossy=True),
+        "speeds": Shown(names, results.speeds[:, : drawing.links]),
+        "planet_speeds": _planets(results, made),
+        "torques": _torques(results, made, lossy=False),
+        "lossy_torques": _torques(results, made, lossy=True),
         "idle": Shown(elements, np.where(exists, idle, np.nan)),
         "losses": Shown(elements, by_element(made, results.losses, all_of=False)),
-        "AMWZ": Shown(names, results.holding_torques[:, : drawing.links]),
-        "AMWZP": Shown(names, results.lossy_holding_torques[:, : drawing.links]),
+        "holding_torques": Shown(names, results.holding_torques[:, : drawing.links]),
+        "lossy_holding_torques": Shown(names, results.lossy_holding_torques[:, : drawing.links]),
     }
     meshes = list(_meshes(made))
     if meshes:

@@ -6,10 +6,16 @@ import re
 from collections.abc import Sequence
 
 from vstatics.model.transmission import Transmission
-from vstatics.statics.results import ARRAYS, TableShape, row_names
+from vstatics.statics.results import ARRAYS, Rows
 
 NAME = re.compile(r"[^\W\d]\w*")
 """What is written without quotes, as are digits."""
+OUTPUT = "Mx"
+"""The name of the row of the output torque."""
+
+BEFORE_NAME = "|"
+"""Stands before the name of a row in a listing."""
+
 _DIGITS = re.compile(r"[0-9]+")
 
 
@@ -23,8 +29,20 @@ def table_rows(name: str, case: Transmission) -> Sequence[str]:
     >>> list(table_rows("torques", case)), list(table_rows("ratio", case))
     (['D1', 'Mx'], [])
     """
-    rows = ARRAYS[name]
-    return [] if rows == "one" else row_names(case, TableShape(name, name, rows))
+    return row_names(case, ARRAYS[name].rows)
+
+
+def row_names(case: Transmission, rows: Rows) -> Sequence[str]:
+    """The names of what rows stand for; none of meshes, which a drawn case tells."""
+    names: dict[Rows, Sequence[str]] = {
+        "links": case.link_names,
+        "elements": [element.name for element in case.shift_elements],
+        "mechanisms": [mechanism.name for mechanism in case.mechanisms],
+        "torques": [*case.devices, OUTPUT],
+        "meshes": [],
+        "one": [],
+    }
+    return names[rows]
 
 
 def written(index: int, names: Sequence[str]) -> str:

@@ -137,7 +137,7 @@ class _Shaped(NamedTuple):
 
     @property
     def rows(self) -> Rows | None:
-        return ARRAYS[self.table] if self.table else None
+        return ARRAYS[self.table].rows if self.table else None
 
 
 class _Resolver:

@@ -50,7 +50,7 @@ def select(table: Table, case: Transmission, source: Source) -> Selection:
     """
     if table.name not in ARRAYS:
         raise source.error(_no_table(table.name, case), table.at)
-    kind, keys = ARRAYS[table.name], list(table.keys or ())
+    kind, keys = ARRAYS[table.name].rows, list(table.keys or ())
     gears = [gear.name for gear in case.gears]
     row = None
     if kind != "one":
