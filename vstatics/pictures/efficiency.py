@@ -117,7 +117,7 @@ def loss_shares(results: Results, style: Style) -> tuple[list[str], Floats]:
     >>> names, shares.round(6)
     (['D1'], array([[0.04]]))
     """
-    made = {table.quantity.name: table for table in tables(results)}
+    made = {table.quantity.key: table for table in tables(results)}
     names, losses = list(made["losses"].rows), made["losses"].values
     if "drag_losses" in made:
         names.append(style.text("drag", "сопротивления"))

@@ -11,15 +11,15 @@ from vstatics.summary.extremes import Largest, overall
 from vstatics.summary.grids import other_combinations
 from vstatics.tables.grid import NOTHING, Column, Grid, number, text
 
-COMPARED = (
-    ("planet_speeds", "largest planet speed", 3),
-    ("slip_speeds", "largest slip", 3),
-    ("torques", "largest torque", 3),
-    ("lossy_torques", "largest torque with losses", 3),
-    ("planet_speeds_rpm", "largest planet speed [rpm]", 1),
-    ("slip_speeds_rpm", "largest slip [rpm]", 1),
-    ("torques_Nm", "largest torque [N*m]", 1),
-    ("lossy_torques_Nm", "largest torque with losses [N*m]", 1),
+QUANTITIES = (
+    ("WSAT", "largest planet speed", 3),
+    ("WFRI", "largest slip", 3),
+    ("AMLG", "largest torque", 3),
+    ("AMLGP", "largest torque with losses", 3),
+    ("WSAT_rpm", "largest planet speed [rpm]", 1),
+    ("WFRI_rpm", "largest slip [rpm]", 1),
+    ("AMLG_Nm", "largest torque [N*m]", 1),
+    ("AMLGP_Nm", "largest torque with losses [N*m]", 1),
 )
 """Tables, how their largest values are called, and with how many decimals they are shown."""
 
@@ -90,7 +90,7 @@ def _in_all(pair: Sequence[Summary]) -> Iterator[list[str]]:
         )
     if any(one.margins for one in pair):
         yield _row("least margin", [_least_margin(one) for one in pair])
-    for table, name, decimals in COMPARED:
+    for table, name, decimals in QUANTITIES:
         found = [overall(one.largest.get(table, ())) for one in pair]
         if any(found):
             yield _row(name, [_largest(line, decimals) for line in found])

@@ -8,7 +8,6 @@ from collections.abc import Sequence
 from typing import Any
 
 from vstatics.summary import Summary
-from vstatics.tables.quantities import BY_NAME
 
 VERSION = 1
 
@@ -28,8 +27,7 @@ def document(summary: Summary) -> dict[str, Any]:
             for one in summary.transitions
         ],
         "largest": {
-            BY_NAME[name].key: [_record(line) for line in lines]
-            for name, lines in summary.largest.items()
+            name: [_record(line) for line in lines] for name, lines in summary.largest.items()
         },
         "sensitivity": {
             mechanism.name: [_known(value) for value in row]

@@ -11,10 +11,11 @@ import numpy as np
 from vstatics.numerics.arrays import Floats
 from vstatics.statics.results import Results
 from vstatics.summary.order import SAME
+from vstatics.tables.quantities import BY_NAME
 from vstatics.tables.table import Table
 from vstatics.tables.values import tables
 
-PLANETS, SLIPS, TORQUES, LOSSY_TORQUES = "planet_speeds", "slip_speeds", "torques", "lossy_torques"
+PLANETS, SLIPS, TORQUES, LOSSY_TORQUES = "WSAT", "WFRI", "AMLG", "AMLGP"
 
 
 class Largest(NamedTuple):
@@ -28,7 +29,7 @@ class Largest(NamedTuple):
 
 
 def largest(results: Results) -> dict[str, list[Largest]]:
-    """The largest values over all gears, by the name of the quantity.
+    """The largest values over all gears, by the name of the table.
 
     Speeds of planets, slip speeds of open shift elements, torques of engaged ones without
     and with losses where the gear can run; with a load all of them in rpm and N*m, too.
@@ -45,22 +46,23 @@ def largest(results: Results) -> dict[str, list[Largest]]:
     >>> case = Transmission(3, [ShiftElement(1, 2, "C"), ShiftElement(2, 0, "B")],
     ...                     [Mechanism(1, 2, 3, -2.5)], [Gear([2]), Gear([1])])
     >>> found = largest(solve(case))
-    >>> found["torques"][1]
+    >>> found["AMLG"][1]
     Largest(row='B', value=-2.5, gear='1')
     >>> list(found)
-    ['planet_speeds', 'slip_speeds', 'torques', 'lossy_torques']
+    ['WSAT', 'WFRI', 'AMLG', 'AMLGP']
     """
     found = {}
     for table in tables(results):
-        kind = table.quantity.of or table.quantity.name
+        key = table.quantity.key
+        kind = BY_NAME[table.quantity.of or key].key
         if kind == PLANETS:
-            found[table.quantity.name] = _of(table, table.values)
+            found[key] = _of(table, table.values)
         elif kind == SLIPS:
-            found[table.quantity.name] = _of(table, np.where(results.holds.T, np.nan, table.values))
+            found[key] = _of(table, np.where(results.holds.T, np.nan, table.values))
         elif kind in (TORQUES, LOSSY_TORQUES):
             own = table.values[: len(results.case.shift_elements)]
             loaded = results.holds.T & results.calculable  # a gear that is tied up has no flow
-            found[table.quantity.name] = _of(table, np.where(loaded, own, np.nan))
+            found[key] = _of(table, np.where(loaded, own, np.nan))
     return found
 
 

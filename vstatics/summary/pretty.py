@@ -84,7 +84,7 @@ def view(results: Results, marks: Marks = Marks()) -> Group:  # noqa: B008 - it 
     from rich.text import Text
 
     case = results.case
-    found = {table.quantity.name: table for table in tables(results)}
+    found = {table.quantity.key: table for table in tables(results)}
     parts: list[RichTable | Text] = []
     if case.name:
         parts.append(Text(case.name, style="bold"))
@@ -110,7 +110,7 @@ def _table(results: Results, found: dict[str, Table], marks: Marks) -> RichTable
     for heading, column in zip(("ratio", "step", "eff."), zip(*figures, strict=True), strict=True):
         wide = max(map(len, column))  # numbers are never cut
         made.add_column(heading, justify="right", no_wrap=True, min_width=wide)
-    rpm, torque = "speeds_rpm" in found, "lossy_torques_Nm" in found
+    rpm, torque = "W_rpm" in found, "AMLGP_Nm" in found
     largest = [
         (
             _fastest(found, number, rpm=rpm).text(whole=rpm),
@@ -178,7 +178,7 @@ def _fixed(value: float) -> str:
 def _fastest(found: dict[str, Table], number: int, *, rpm: bool) -> Largest:
     """The largest speed of links, planets and open elements."""
     unit = "_rpm" if rpm else ""
-    kinds = (("speeds", ""), ("planet_speeds", "planet "), ("slip_speeds", "slip "))
+    kinds = (("W", ""), ("WSAT", "planet "), ("WFRI", "slip "))
     return _largest(
         # P1.planet tells by itself what it is, 1 does not
         (abs(value), name if "." in name else f"{kind or 'link ' * name.isdigit()}{name}")
@@ -193,8 +193,7 @@ def _strongest(found: dict[str, Table], number: int) -> Largest:
 
     None where one of them is not determined: it may be larger than all others.
     """
-    unit = "_Nm" if "lossy_torques_Nm" in found else ""
-    names = f"lossy_torques{unit}", f"torques{unit}"
+    names = ("AMLGP_Nm", "AMLG_Nm") if "AMLGP_Nm" in found else ("AMLGP", "AMLG")
     for name in names:
         column = [(abs(v), n) for n, v in _column(found[name], number) if n != OUTPUT]
         if not any(math.isnan(value) for value, _ in column):
@@ -246,7 +245,7 @@ def _legend(results: Results, found: dict[str, Table], marks: Marks) -> Iterator
         signs.append(f"{marks.holds} freewheel that holds")
     signs.append("step: to the next smaller ratio")
     yield "; ".join(signs)
-    yield "speed, torque: the largest" + ("" if "speeds_rpm" in found else ", by the input's")
+    yield "speed, torque: the largest" + ("" if "W_rpm" in found else ", by the input's")
     if (found["idle"].values == 1).any():
         yield "idle: carries no torque, or turns as one piece"
     states = [line.state for line in design(results).gears]

@@ -70,7 +70,7 @@ RELATIVE = (
     Quantity("power_sign", "IX", "IX", Heading(
         "Sign of the power flow, first link drives (+1) or is driven (-1)",
         "Признак ведущего (+1) или ведомого (-1) первого звена механизма"),
-        own_kind=int, published=True),
+        is_sign=True, published=True),
     Quantity("ratio", "ratio", "RATIO", Heading(
         "Ratio of the gears, input speed to output speed",
         "Передаточные отношения на передачах")),

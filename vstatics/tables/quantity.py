@@ -42,8 +42,8 @@ class Quantity(NamedTuple):
     of what a drawn case has in place of them. None: the table has one part."""
     own_rows: Rows | None = None
     """Where it is no array of `Results`."""
-    own_kind: type | None = None
-    """Where it is not that of an array of `Results`, or float."""
+    is_sign: bool = False
+    """Whether it is +1, 0 or -1; its array is one of floats, for what does not exist."""
     columns: Literal["gears", "devices"] = "gears"
     published: bool = False
     """Whether the report of the source has it."""
@@ -73,8 +73,9 @@ class Quantity(NamedTuple):
     @property
     def kind(self) -> type:
         """How a number is written: float, int or bool."""
-        array = ARRAYS.get(self.name)
-        return self.own_kind or (KINDS[array.dtype] if array else float)
+        if self.is_sign:
+            return int
+        return KINDS[ARRAYS[self.name].dtype] if self.name in ARRAYS else float
 
     @property
     def always(self) -> bool:

@@ -23,9 +23,10 @@ ROWS = {
 }
 NUMBERS: dict[type, dict[str, Any]] = {
     float: {"type": ["number", "null"]},
-    int: {"enum": [-1, 0, 1, None]},
+    int: {"type": ["integer", "null"]},
     bool: {"type": ["boolean", "null"]},
 }
+SIGN = {"enum": [-1, 0, 1, None]}
 
 
 def json_schema() -> dict[str, Any]:
@@ -65,7 +66,7 @@ def json_schema() -> dict[str, Any]:
 
 
 def _table(quantity: Quantity) -> dict[str, Any]:
-    row = {"type": "array", "items": NUMBERS[quantity.kind]}
+    row = {"type": "array", "items": SIGN if quantity.is_sign else NUMBERS[quantity.kind]}
     unit = f" [{quantity.unit}]" if quantity.unit else ""
     if quantity.rows == "one":
         return {"description": f"A list over the gears{unit}.", **row}
