@@ -10,7 +10,7 @@ from __future__ import annotations
 import numpy as np
 
 from vstatics.statics.results import Results, Rows
-from vstatics.tables.quantity import UNITS, Heading, Quantity, in_unit
+from vstatics.tables.quantity import UNITS, Phrase, Quantity, in_unit
 
 
 def _has_given_speeds(results: Results) -> bool:
@@ -24,107 +24,107 @@ def _is_drawn(results: Results) -> bool:
 # fmt: off
 RELATIVE = (
     # name in the library, key in JSON and CSV, printed name
-    Quantity("distribution_matrix", "AJK", "AJK", Heading(
+    Quantity("distribution_matrix", "AJK", "AJK", Phrase(
         "Structural-distribution matrix, KLG = KL + KG",
         "Структурно-распределительная матрица, KLG = KL + KG"),
         own_title="Structural-distribution matrix", published=True,
         own_rows="links", columns="devices"),
-    Quantity("speeds", "W", "W", Heading(
+    Quantity("speeds", "W", "W", Phrase(
         "A. Speeds of the links in each gear",
         "А. Угловые скорости звеньев на передачах"),
         own_title="Speeds of the links", published=True,
-        with_load="rpm", brief=Heading("Speeds of the links", "Скорости звеньев")),
-    Quantity("planet_speeds", "WSAT", "WSAT", Heading(
+        with_load="rpm", brief=Phrase("Speeds of the links", "Скорости звеньев")),
+    Quantity("planet_speeds", "WSAT", "WSAT", Phrase(
         "Speeds of the planets against the carrier",
         "Скорости сателлитов относительно водила"),
         published=True, with_load="rpm"),
-    Quantity("slip_speeds", "WFRI", "WFRI", Heading(
+    Quantity("slip_speeds", "WFRI", "WFRI", Phrase(
         "Slip speeds of clutches and brakes",
         "Скорости скольжения муфт и тормозов"),
         published=True, with_load="rpm"),
-    Quantity("torques", "AMLG", "AMLG", Heading(
+    Quantity("torques", "AMLG", "AMLG", Phrase(
         "B. Torques of clutches and brakes, without losses",
         "Б. Моменты муфт и тормозов без потерь"),
         own_title="Torques of shift elements, mechanisms and the output (Mx), without losses",
-        members=(Heading(
+        members=(Phrase(
             "Torques of mechanisms and output, KLG1 = KLG + 1, without losses",
-            "Моменты механизмов и выходного звена, KLG1 = KLG + 1, без потерь"), Heading(
+            "Моменты механизмов и выходного звена, KLG1 = KLG + 1, без потерь"), Phrase(
             "Torques of the members of the elements and of the output, without losses",
             "Моменты звеньев элементов и выходного звена без потерь")),
         published=True, with_load="Nm",
-        brief=Heading("Torques without losses", "Моменты без потерь")),
-    Quantity("lossy_torques", "AMLGP", "AMLGP", Heading(
+        brief=Phrase("Torques without losses", "Моменты без потерь")),
+    Quantity("lossy_torques", "AMLGP", "AMLGP", Phrase(
         "C. Torques of clutches and brakes, with losses",
         "В. Моменты муфт и тормозов с учетом потерь"),
         own_title="Torques of shift elements, mechanisms and the output (Mx), with losses",
-        members=(Heading(
+        members=(Phrase(
             "Torques of mechanisms and output, with losses",
-            "Моменты механизмов и выходного звена с учетом потерь"), Heading(
+            "Моменты механизмов и выходного звена с учетом потерь"), Phrase(
             "Torques of the members of the elements and of the output, with losses",
             "Моменты звеньев элементов и выходного звена с учетом потерь")),
         published=True, with_load="Nm",
-        brief=Heading("Torques with losses", "Моменты с учетом потерь")),
-    Quantity("efficiency", "ETA", "ETA", Heading(
+        brief=Phrase("Torques with losses", "Моменты с учетом потерь")),
+    Quantity("efficiency", "ETA", "ETA", Phrase(
         "Efficiency of the gears",
         "КПД на передачах"), published=True, decimals=4),
-    Quantity("power_sign", "IX", "IX", Heading(
+    Quantity("power_sign", "IX", "IX", Phrase(
         "Sign of the power flow, first link drives (+1) or is driven (-1)",
         "Признак ведущего (+1) или ведомого (-1) первого звена механизма"),
         is_sign=True, published=True),
-    Quantity("ratio", "ratio", "RATIO", Heading(
+    Quantity("ratio", "ratio", "RATIO", Phrase(
         "Ratio of the gears, input speed to output speed",
         "Передаточные отношения на передачах")),
-    Quantity("idle", "idle", "IDLING", Heading(
+    Quantity("idle", "idle", "IDLING", Phrase(
         "Mechanisms that idle",
         "Механизмы без потока мощности")),
-    Quantity("losses", "losses", "LOSS", Heading(
+    Quantity("losses", "losses", "LOSS", Phrase(
         "Power lost in the mechanisms",
         "Потери мощности в механизмах"),
-        decimals=4, with_load="kW", brief=Heading("Power lost", "Потери мощности")),
-    Quantity("power_balance", "power_balance", "BALANCE", Heading(
+        decimals=4, with_load="kW", brief=Phrase("Power lost", "Потери мощности")),
+    Quantity("power_balance", "power_balance", "BALANCE", Phrase(
         "Balance of power, external power less losses",
         "Баланс мощностей")),
-    Quantity("consistent", "consistent", "CONSISTENT", Heading(
+    Quantity("consistent", "consistent", "CONSISTENT", Phrase(
         "Directions of power agree with the losses",
         "Направления потоков согласованы с потерями")),
-    Quantity("locked", "locked", "LOCKED", Heading(
+    Quantity("locked", "locked", "LOCKED", Phrase(
         "Locked by friction",
         "Самоторможение")),
-    Quantity("holding_torques", "AMWZ", "AMWZ", Heading(
+    Quantity("holding_torques", "AMWZ", "AMWZ", Phrase(
         "Torques that hold the given speeds, without losses",
         "Моменты, удерживающие заданные скорости, без потерь"),
         exists=_has_given_speeds, with_load="Nm"),
-    Quantity("lossy_holding_torques", "AMWZP", "AMWZP", Heading(
+    Quantity("lossy_holding_torques", "AMWZP", "AMWZP", Phrase(
         "Torques that hold the given speeds, with losses",
         "Моменты, удерживающие заданные скорости, с учетом потерь"),
         exists=_has_given_speeds, with_load="Nm"),
-    Quantity("drag_losses", "drag_losses", "DRAG", Heading(
+    Quantity("drag_losses", "drag_losses", "DRAG", Phrase(
         "Power that drag of bearings, oil and open elements takes",
         "Потери мощности от трения подшипников, масла и открытых муфт"),
         exists=lambda results: results.case.has_drag, decimals=4, with_load="kW",
-        brief=Heading("Power that drag takes", "Потери мощности от сопротивлений вращению")),
-    Quantity("holds", "holds", "HOLDS", Heading(
+        brief=Phrase("Power that drag takes", "Потери мощности от сопротивлений вращению")),
+    Quantity("holds", "holds", "HOLDS", Phrase(
         "Elements that are engaged, and freewheels that hold",
         "Включенные элементы и замкнутые муфты свободного хода"),
         exists=lambda results: bool(results.case.freewheels)),
-    Quantity("mesh_torques", "mesh_torques", "MESH", Heading(
+    Quantity("mesh_torques", "mesh_torques", "MESH", Phrase(
         "Torques of the meshes, on the first wheel or planet, without losses",
         "Моменты зацеплений на первом колесе или сателлите без потерь"),
         own_rows="meshes", exists=_is_drawn, with_load="Nm",
-        brief=Heading("Torques of the meshes without losses", "Моменты зацеплений без потерь")),
-    Quantity("lossy_mesh_torques", "lossy_mesh_torques", "MESHP", Heading(
+        brief=Phrase("Torques of the meshes without losses", "Моменты зацеплений без потерь")),
+    Quantity("lossy_mesh_torques", "lossy_mesh_torques", "MESHP", Phrase(
         "Torques of the meshes, with losses",
         "Моменты зацеплений с учетом потерь"),
         own_rows="meshes", exists=_is_drawn, with_load="Nm",
-        brief=Heading("Torques of the meshes with losses", "Моменты зацеплений с учетом потерь")),
+        brief=Phrase("Torques of the meshes with losses", "Моменты зацеплений с учетом потерь")),
 )
 """Those without a unit, in the order in which they are written."""
 
 _PORTS = (
-    Quantity("input_power_kW", "input_power_kW", "PINKW", Heading(
+    Quantity("input_power_kW", "input_power_kW", "PINKW", Phrase(
         "Input power, kW",
         "Мощность на входе, кВт"), own_rows="one", unit="kW"),
-    Quantity("output_power_kW", "output_power_kW", "POUTKW", Heading(
+    Quantity("output_power_kW", "output_power_kW", "POUTKW", Phrase(
         "Output power with losses, kW",
         "Мощность на выходе с учетом потерь, кВт"), own_rows="one", unit="kW"),
 )

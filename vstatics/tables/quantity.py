@@ -13,14 +13,14 @@ KINDS: dict[type, type] = {np.float64: float, np.int16: int, np.bool_: bool}
 """How the numbers of an array are written."""
 
 
-class Heading(NamedTuple):
-    """What stands over a table, without the colon."""
+class Phrase(NamedTuple):
+    """A text in the languages of a listing; headings are without their colon."""
 
     en: str
     ru: str
 
     def text(self, lang: Language) -> str:
-        """The heading in a language."""
+        """The text in one of them."""
         return self.ru if lang == "ru" else self.en
 
 
@@ -33,11 +33,11 @@ class Quantity(NamedTuple):
     """In JSON and CSV: the deck's name, or that of the library where the deck has none."""
     printed: str
     """In a listing."""
-    heading: Heading
+    heading: Phrase
     """In a listing."""
     own_title: str = ""
     """In a report, where it is not the English heading."""
-    members: tuple[Heading, Heading] | None = None
+    members: tuple[Phrase, Phrase] | None = None
     """Over the second part of a printed table of torques: of mechanisms and the output, and
     of what a drawn case has in place of them. None: the table has one part."""
     own_rows: Rows | None = None
@@ -53,7 +53,7 @@ class Quantity(NamedTuple):
     """In a report."""
     with_load: str = ""
     """The unit in which it is shown, too, where the case has a load."""
-    brief: Heading | None = None
+    brief: Phrase | None = None
     """Over the table in that unit, instead of the heading."""
     unit: str = ""
     """Of its numbers; empty: relative to the input."""
@@ -116,7 +116,7 @@ def in_unit(quantity: Quantity) -> Quantity:
         f"{quantity.name}_{unit}",
         f"{quantity.key}_{unit}",
         quantity.printed + unit.upper(),
-        Heading(f"{heading.en}, {written.en}", f"{heading.ru}, {written.ru}"),
+        Phrase(f"{heading.en}, {written.en}", f"{heading.ru}, {written.ru}"),
         own_rows=quantity.rows,
         decimals=written.decimals,
         unit=unit,

@@ -8,49 +8,30 @@ itself a deck that can be run again.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import NamedTuple
 
 from vstatics.model.transmission import Transmission
 from vstatics.statics.results import Language, Results
 from vstatics.tables.numbers import fixed
-from vstatics.tables.quantity import Heading, Quantity
+from vstatics.tables.quantity import Phrase, Quantity
 from vstatics.tables.rows import BEFORE_NAME
 from vstatics.tables.table import Table
 from vstatics.tables.values import tables
 from vstatics.writers import deck
 
-
-class Phrases(NamedTuple):
-    """The lines of a report that are neither table nor deck."""
-
-    results: str
-    conventions: tuple[str, ...]
-    coasting: str
-    messages: str
-
-
-PHRASES: dict[str, Phrases] = {
-    "en": Phrases(
-        "RESULTS",
-        (
-            "Conventions: speeds relative to the input speed, torques to the input torque;",
-            "a torque is that on the first link of its device, the last one (KLG1) is the",
-            "output torque, given to the load; ratio is w_input/w_output.",
-        ),
-        "Coasting: the power enters at the output; in this scaling losses are below 0.",
-        "Messages:",
-    ),
-    "ru": Phrases(
-        "РЕЗУЛЬТАТЫ РАСЧЕТОВ",
-        (
-            "Условности: скорости отнесены к скорости входа, моменты - к моменту входа;",
-            "момент устройства - на его первом звене, последний (KLG1) - на выходном",
-            "звене, отдаваемый нагрузке; передаточное отношение - w_вход/w_выход.",
-        ),
-        "Торможение двигателем: мощность входит с выхода, потери при этом меньше 0.",
-        "Сообщения:",
-    ),
-}
+RESULTS = Phrase("RESULTS", "РЕЗУЛЬТАТЫ РАСЧЕТОВ")
+CONVENTIONS = Phrase(
+    "Conventions: speeds relative to the input speed, torques to the input torque;\n"
+    "a torque is that on the first link of its device, the last one (KLG1) is the\n"
+    "output torque, given to the load; ratio is w_input/w_output.",
+    "Условности: скорости отнесены к скорости входа, моменты - к моменту входа;\n"
+    "момент устройства - на его первом звене, последний (KLG1) - на выходном\n"
+    "звене, отдаваемый нагрузке; передаточное отношение - w_вход/w_выход.",
+)
+COASTING = Phrase(
+    "Coasting: the power enters at the output; in this scaling losses are below 0.",
+    "Торможение двигателем: мощность входит с выхода, потери при этом меньше 0.",
+)
+MESSAGES = Phrase("Messages:", "Сообщения:")
 
 LAST = {
     "links": "KJG",
@@ -72,10 +53,9 @@ def write(results: Results, lang: Language = "en") -> str:
     lang : {"en", "ru"}
         Language of the headings.
     """
-    phrases = PHRASES[lang]
-    lines = [deck.write(results.settled, lang), phrases.results, *phrases.conventions]
+    lines = [deck.write(results.settled, lang), RESULTS.text(lang), CONVENTIONS.text(lang)]
     if results.case.coast:
-        lines.append(phrases.coasting)
+        lines.append(COASTING.text(lang))
     named = results.case.drawing is not None
     for table in tables(results):
         for heading, indices, part in _parts(table, results.case):
@@ -83,11 +63,11 @@ def write(results: Results, lang: Language = "en") -> str:
             lines += ["", f"{heading.text(lang)}{mark}:", indices]
             lines += _rows(part, named=named and table.quantity.rows != "one")
     if results.messages:
-        lines += ["", phrases.messages, *map(str, results.messages)]
+        lines += ["", MESSAGES.text(lang), *map(str, results.messages)]
     return "\n".join(lines) + "\n"
 
 
-def _parts(table: Table, case: Transmission) -> Iterator[tuple[Heading, str, Table]]:
+def _parts(table: Table, case: Transmission) -> Iterator[tuple[Phrase, str, Table]]:
     """What is printed of a table: heading, index list and rows; torques in two parts."""
     quantity = table.quantity
     if quantity.members is None:

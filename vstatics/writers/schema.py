@@ -19,7 +19,6 @@ ROWS = {
     "mechanisms": "mechanisms",
     "torques": "shift elements, then mechanisms, then the output",
     "meshes": "meshes",
-    "one": "",
 }
 NUMBERS: dict[type, dict[str, Any]] = {
     float: {"type": ["number", "null"]},
