@@ -19,8 +19,8 @@ from referencing import Registry, Resource
 
 from tests.commands import CASES, ROOT, vstatics
 from vstatics.readers.results import read_results
-from vstatics.statics.results import TABLES
 from vstatics.tables.compare import differences
+from vstatics.tables.quantities import QUANTITIES
 from vstatics.writers.schema import json_schema
 
 GOLDEN = Path(__file__).parent / "golden"
@@ -28,7 +28,7 @@ SHIPPED = sorted(path for path in CASES.iterdir() if path.suffix in (".yaml", ".
 FORMATS = {"lst": "listing", "json": "json"}
 WRITTEN = {f"{path.name}.{suffix}": path for path in SHIPPED for suffix in FORMATS}
 SCHEMA = ROOT / "schemas" / "result.schema.json"
-NAMES_OF_TABLES = {shape.name for shape in TABLES}
+NAMES_OF_TABLES = {quantity.key for quantity in QUANTITIES}
 
 
 def loaded(path: Path) -> Any:

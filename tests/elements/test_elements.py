@@ -46,7 +46,7 @@ def loaded(text: str) -> library.Transmission:
 
 def shown(text: str) -> dict[str, Table]:
     """The tables of a case by their names."""
-    return {table.shape.name: table for table in tables(library.solve(loaded(text)))}
+    return {table.quantity.key: table for table in tables(library.solve(loaded(text)))}
 
 
 def problems(text: str) -> list[str]:

@@ -21,8 +21,7 @@ from tests.commands import CASES, LOCKED, MZKT, NEUTRAL, TIED_UP, vstatics
 from vstatics import load, solve
 from vstatics.errors import CaseError, Problem
 from vstatics.report import gather, page
-from vstatics.report.cells import TITLES
-from vstatics.statics.results import TABLES
+from vstatics.tables.quantities import BY_NAME, QUANTITIES
 
 CHROMIUM = shutil.which("chromium")
 NASTY = "<script>alert(1)</script>"
@@ -163,7 +162,7 @@ def test_the_page_carries_the_result(zf: Page) -> None:
 
 @pytest.mark.parametrize("name", ["W", "WSAT", "WFRI", "AMLG", "AMLGP", "IX", "losses"])
 def test_tables_show_the_numbers_of_the_result(zf: Page, name: str) -> None:
-    table = zf.table(TITLES[name])
+    table = zf.table(BY_NAME[name].title)
     assert list(table) == zf.data["rows"][name]
     for shown, given in zip(table.values(), zf.data[name], strict=True):
         assert [value(shown[gear]) for gear in zf.data["gears"]] == given
@@ -277,7 +276,7 @@ def test_texts_of_the_case_are_shown_as_they_are(nasty: Page) -> None:
 
 def test_a_load_gives_tables_with_units(nasty: Page) -> None:
     """2100 rpm at the input; a sun, a held ring and 1 + 2.5 between sun and carrier."""
-    speeds = nasty.table(TITLES["W_rpm"])
+    speeds = nasty.table(BY_NAME["W_rpm"].title)
     assert value(speeds["<b>in</b>"]["low <1>"]) == 2100
     assert value(speeds["out'"]["low <1>"]) == pytest.approx(2100 / 3.5)
     assert value(nasty.table("Gear low <1>")["D&"]["kW"]) == pytest.approx(
@@ -334,7 +333,7 @@ def test_warnings_of_the_reader_come_with_their_line_and_without_the_file(tmp_pa
 
 
 def test_every_table_has_a_title() -> None:
-    assert {shape.name for shape in TABLES} <= set(TITLES)
+    assert all(quantity.title for quantity in QUANTITIES)
 
 
 def test_without_matplotlib_the_page_has_no_pictures(monkeypatch: pytest.MonkeyPatch) -> None:

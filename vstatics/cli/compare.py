@@ -5,11 +5,14 @@ from __future__ import annotations
 import click
 
 from vstatics.cli import files
-from vstatics.readers.results import Report, read_results
+from vstatics.readers.results import read_results
 from vstatics.tables.compare import Difference, differences
+from vstatics.tables.figures import WrittenResult
 
 
-def _differ(actual: list[Report], expected: list[Report], atol: float, rtol: float) -> list[str]:
+def _differ(
+    actual: list[WrittenResult], expected: list[WrittenResult], atol: float, rtol: float
+) -> list[str]:
     """The lines to print: one for each difference, with the number of the result."""
     if len(actual) != len(expected):
         counts = f"{len(actual)} results", f"{len(expected)} results"

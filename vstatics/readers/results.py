@@ -5,46 +5,19 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Mapping, Sequence
-from types import MappingProxyType
-from typing import Any, NamedTuple
+from typing import Any
 
 from vstatics.errors import Problem, ReadError
 from vstatics.model.transmission import Transmission
 from vstatics.readers import Format, read
 from vstatics.readers.deck.text import decode, head
 from vstatics.readers.reading import Source
-from vstatics.statics.results import NAME, TABLES
-
-PRINTED = {shape.printed: shape.name for shape in TABLES}
-
-
-class Figure(NamedTuple):
-    """A number as it was written: NaN stands for none."""
-
-    value: float
-    slack: float = 0.0
-    """Half of the last digit, for a number from a listing."""
+from vstatics.tables.figures import Figure, Figures, WrittenResult
+from vstatics.tables.quantities import PRINTED, QUANTITIES
+from vstatics.tables.rows import BEFORE_NAME
 
 
-Figures = list[list[Figure]]
-"""Rows of a table; a list over gears is one row."""
-
-
-class Report(NamedTuple):
-    """The tables of one result."""
-
-    tables: dict[str, Figures]
-    case: Transmission | None
-    """For the names of rows and gears; a foreign listing may have none."""
-    printed: bool
-    """Whether it was a listing."""
-    errors: bool = False
-    """Whether it stands for a case that failed."""
-    rows: Mapping[str, Sequence[str]] = MappingProxyType({})
-    """Names of the rows of its tables, where the result of a drawn case has them."""
-
-
-def read_results(data: bytes, file: str) -> list[Report]:
+def read_results(data: bytes, file: str) -> list[WrittenResult]:
     """Read a listing or a JSON result; several in one file come in their order.
 
     Raises
@@ -63,7 +36,7 @@ def _fail(message: str, file: str, line: int = 0, column: int = 1) -> ReadError:
     return ReadError([Problem(message, place=place)])
 
 
-def _read_json(text: str, file: str) -> list[Report]:
+def _read_json(text: str, file: str) -> list[WrittenResult]:
     try:
         found = json.loads(text)
     except json.JSONDecodeError as error:
@@ -76,26 +49,27 @@ def _read_json(text: str, file: str) -> list[Report]:
     return [_report(document, file, number) for number, document in enumerate(documents, 1)]
 
 
-def _report(document: Any, file: str, number: int) -> Report:
+def _report(document: Any, file: str, number: int) -> WrittenResult:
     if not isinstance(document, dict):
         raise _fail(f"result {number} is no JSON object; expected one of `vstatics run`", file)
     if "errors" in document:
-        return Report({}, None, printed=False, errors=True)
+        return WrittenResult({}, None, printed=False, errors=True)
     tables = {}
-    for shape in TABLES:
-        if shape.name in document:
-            rows = document[shape.name]
+    for quantity in QUANTITIES:
+        key = quantity.key
+        if key in document:
+            rows = document[key]
             try:
-                given = [rows] if shape.rows == "one" else rows
-                tables[shape.name] = [[_from_json(value) for value in row] for row in given]
+                given = [rows] if quantity.rows == "one" else rows
+                tables[key] = [[_from_json(value) for value in row] for row in given]
             except (TypeError, ValueError, OverflowError):
-                message = f"{shape.name} of result {number} is no table of numbers"
+                message = f"{key} of result {number} is no table of numbers"
                 raise _fail(message, file) from None
     if not tables:
-        known = ", ".join(shape.name for shape in TABLES[:3])
+        known = ", ".join(quantity.key for quantity in QUANTITIES[:3])
         raise _fail(f"result {number} has none of the tables {known}, ...", file)
     case = _case(json.dumps(document.get("case")), "json")
-    return Report(tables, case, printed=False, rows=_row_names(document.get("rows"), tables))
+    return WrittenResult(tables, case, printed=False, rows=_row_names(document.get("rows"), tables))
 
 
 def _row_names(given: Any, tables: Mapping[str, Figures]) -> dict[str, list[str]]:
@@ -122,9 +96,9 @@ def _case(text: str, kind: Format) -> Transmission | None:
         return None
 
 
-def _read_listing(text: str, file: str) -> list[Report]:
+def _read_listing(text: str, file: str) -> list[WrittenResult]:
     """A report begins at each KJG= that follows a table."""
-    reports: list[Report] = []
+    reports: list[WrittenResult] = []
     tables: dict[str, Figures] = {}
     names: dict[str, list[str]] = {}
     first, table = 0, ""
@@ -134,13 +108,13 @@ def _read_listing(text: str, file: str) -> list[Report]:
         if field == "KJG" and tables:
             part = "\n".join(lines[first:number])
             case, named = _case(part, "deck"), _row_names(names, tables)
-            reports.append(Report(tables, case, printed=True, rows=named))
+            reports.append(WrittenResult(tables, case, printed=True, rows=named))
             tables, names, first, table = {}, {}, number, ""
         elif field in PRINTED:
-            table = PRINTED[field]
+            table = PRINTED[field].key
             tables.setdefault(table, [])
         elif table and line.strip():
-            numbers, is_named, name = line.partition(NAME)
+            numbers, is_named, name = line.partition(BEFORE_NAME)
             figures = _figures(numbers.split())
             if figures is None:
                 table = ""

@@ -23,7 +23,7 @@ class GearArray(NamedTuple):
     """An array of `Results`."""
 
     rows: Rows
-    type: type = np.float64
+    dtype: type = np.float64
 
 
 ARRAYS: Mapping[str, GearArray] = {

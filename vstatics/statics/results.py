@@ -11,7 +11,6 @@ import numpy as np
 from vstatics.errors import Severity
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Booleans, Floats, Integers
-from vstatics.statics.arrays import Rows
 from vstatics.statics.freewheels import find_state
 from vstatics.statics.state import GearState
 from vstatics.statics.status import OK, Status, statuses
@@ -21,77 +20,6 @@ if TYPE_CHECKING:
 
 Language = Literal["en", "ru"]
 """Of the headings of a listing and of a deck."""
-
-
-class TableShape(NamedTuple):
-    """A table of the results as it is written and read back."""
-
-    name: str
-    """In JSON and CSV: the deck's name, or that of the library where the deck has none."""
-    printed: str
-    """In a listing."""
-    rows: Rows
-    """What a row stands for; `one` is a list over the gears."""
-    kind: type = float
-    """float, int or bool: how a number is written."""
-    published: bool = True
-    """Whether the report of the source has it."""
-    of: str = ""
-    """The table that this one has in `unit`, where the case has a load."""
-    unit: str = ""
-    always: bool = True
-    """Whether every result has it, or only one of a case that has what it speaks of."""
-
-
-def _with_unit(name: str, printed: str, rows: Rows, unit: str, of: str) -> TableShape:
-    """A table that only a case with a load has."""
-    return TableShape(name, printed, rows, published=False, always=False, of=of, unit=unit)
-
-
-WITH_UNITS: tuple[tuple[str, str, Rows, str, str], ...] = (
-    ("W_rpm", "WRPM", "links", "rpm", "W"),
-    ("WSAT_rpm", "WSATRPM", "planets", "rpm", "WSAT"),
-    ("WFRI_rpm", "WFRIRPM", "elements", "rpm", "WFRI"),
-    ("AMLG_Nm", "AMLGNM", "torques", "Nm", "AMLG"),
-    ("AMLGP_Nm", "AMLGPNM", "torques", "Nm", "AMLGP"),
-    ("mesh_torques_Nm", "MESHNM", "meshes", "Nm", "mesh_torques"),
-    ("lossy_mesh_torques_Nm", "MESHPNM", "meshes", "Nm", "lossy_mesh_torques"),
-    ("AMWZ_Nm", "AMWZNM", "links", "Nm", "AMWZ"),
-    ("AMWZP_Nm", "AMWZPNM", "links", "Nm", "AMWZP"),
-    ("losses_kW", "LOSSKW", "devices", "kW", "losses"),
-    ("drag_losses_kW", "DRAGKW", "one", "kW", "drag_losses"),
-    ("input_power_kW", "PINKW", "one", "kW", ""),
-    ("output_power_kW", "POUTKW", "one", "kW", ""),
-)
-"""Name, printed name, rows, unit, and the table that it repeats in this unit."""
-
-TABLES = (
-    TableShape("AJK", "AJK", "links"),
-    TableShape("W", "W", "links"),
-    TableShape("WSAT", "WSAT", "planets"),
-    TableShape("WFRI", "WFRI", "elements"),
-    TableShape("AMLG", "AMLG", "torques"),
-    TableShape("AMLGP", "AMLGP", "torques"),
-    TableShape("ETA", "ETA", "one"),
-    TableShape("IX", "IX", "mechanisms", int),
-    TableShape("ratio", "RATIO", "one", published=False),
-    TableShape("idle", "IDLING", "devices", bool, published=False),
-    TableShape("losses", "LOSS", "devices", published=False),
-    TableShape("power_balance", "BALANCE", "one", published=False),
-    TableShape("consistent", "CONSISTENT", "one", bool, published=False),
-    TableShape("locked", "LOCKED", "one", bool, published=False),
-    TableShape("AMWZ", "AMWZ", "links", published=False, always=False),
-    TableShape("AMWZP", "AMWZP", "links", published=False, always=False),
-    TableShape("drag_losses", "DRAG", "one", published=False, always=False),
-    TableShape("holds", "HOLDS", "elements", bool, published=False, always=False),
-    TableShape("mesh_torques", "MESH", "meshes", published=False, always=False),
-    TableShape("lossy_mesh_torques", "MESHP", "meshes", published=False, always=False),
-    *(_with_unit(*table) for table in WITH_UNITS),
-)
-"""All tables in the order in which they are written."""
-
-NAME = "|"
-"""Stands before the name of a row in a listing."""
 
 
 class Message(NamedTuple):

@@ -96,7 +96,7 @@ def _forms(case: Transmission, variants: int) -> dict[str, Form]:
     """
     held = any(gear.speeds for gear in case.gears)
     forms = {
-        name: Form((len(case.gears), 1 if width is None else width, variants), ARRAYS[name].type)
+        name: Form((len(case.gears), 1 if width is None else width, variants), ARRAYS[name].dtype)
         for name, width in widths(case).items()
         if held or name not in HOLDING
     }

@@ -85,7 +85,7 @@ def _gears(results: Results) -> list[str]:
 def _powers(results: Results) -> dict[str, float]:
     """Power that enters in each gear [kW]; NaN without a load."""
     for table in tables(results):
-        if table.shape.name == "input_power_kW":
+        if table.quantity.key == "input_power_kW":
             return dict(zip(table.columns, table.values[0].tolist(), strict=True))
     return dict.fromkeys(_gears(results), math.nan)
 

@@ -11,6 +11,7 @@ import numpy as np
 from vstatics.numerics.arrays import Booleans, Floats
 from vstatics.statics.results import Results
 from vstatics.summary.design import SAME
+from vstatics.tables.quantities import BY_NAME
 from vstatics.tables.table import Table
 from vstatics.tables.values import tables
 
@@ -52,15 +53,16 @@ def largest(results: Results) -> dict[str, list[Largest]]:
     """
     found = {}
     for table in tables(results):
-        kind = table.shape.of or table.shape.name
+        key = table.quantity.key
+        kind = BY_NAME[table.quantity.of or key].key
         if kind == PLANETS:
-            found[table.shape.name] = _of(table, table.values)
+            found[key] = _of(table, table.values)
         elif kind == SLIPS:
-            found[table.shape.name] = _of(table, np.where(results.holds.T, np.nan, table.values))
+            found[key] = _of(table, np.where(results.holds.T, np.nan, table.values))
         elif kind in (TORQUES, LOSSY_TORQUES):
             own = table.values[: len(results.case.shift_elements)]
             loaded = results.holds.T & results.calculable  # a gear that is tied up has no flow
-            found[table.shape.name] = _of(table, np.where(loaded, own, np.nan))
+            found[key] = _of(table, np.where(loaded, own, np.nan))
     return found
 
 

@@ -64,7 +64,7 @@ def view(results: Results, marks: Marks = DOTS) -> Group:
     from vstatics.tables import terminal
 
     case = results.case
-    found = {table.shape.name: table for table in tables(results)}
+    found = {table.quantity.key: table for table in tables(results)}
     title = [Text(case.name, style="bold")] * bool(case.name)
     legend = (Text(line, style="dim") for line in _legend(results, found, marks))
     return Group(*title, terminal.table(_grid(results, found, marks)), *legend)

@@ -1,1 +1,14 @@
-"""Tables."""
+"""From arrays to tables: what each quantity is called, its rows, its values in each unit.
+
+>>> from vstatics.model.transmission import Gear, Mechanism, Transmission
+>>> from vstatics.statics.solve import solve
+>>> from vstatics.tables.values import tables
+>>> results = solve(Transmission(2, [], [Mechanism(1, 2, 0, ratio=-2.5, name="pair")], [Gear()]))
+>>> speeds = next(table for table in tables(results) if table.quantity.name == "speeds")
+>>> speeds.quantity.title, list(speeds.rows), speeds.columns, speeds.values.tolist()
+('Speeds of the links', ['1', '2'], ['1'], [[1.0], [-0.4]])
+
+What is declared of a quantity stands in `quantities`; `values`, `units` and `drawn` fill its
+table, `rows` names the rows. `grid` holds tables of texts, that `text`, `markdown` and `latex`
+lay out. `figures` are results as they were written, which `compare` tells apart.
+"""

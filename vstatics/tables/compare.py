@@ -7,9 +7,10 @@ from collections.abc import Generator, Iterator, Sequence
 from typing import NamedTuple
 
 from vstatics.model.transmission import Transmission
-from vstatics.readers.results import Figure, Figures, Report
 from vstatics.statics.arrays import row_names
-from vstatics.statics.results import TABLES, TableShape
+from vstatics.tables.figures import Figure, Figures, WrittenResult
+from vstatics.tables.quantities import BY_NAME, QUANTITIES
+from vstatics.tables.quantity import Quantity
 
 
 class Difference(NamedTuple):
@@ -24,13 +25,14 @@ class Difference(NamedTuple):
 
     def __str__(self) -> str:
         """The difference in one line."""
-        column = "device" if self.table == "AJK" else "gear"
+        quantity = BY_NAME.get(self.table)
+        column = quantity.columns[:-1] if quantity else "gear"
         place = [self.table, self.row and f"row {self.row}", self.gear and f"{column} {self.gear}"]
         return f"{', '.join(filter(None, place))}: {self.actual}, expected {self.expected}"
 
 
 def differences(
-    actual: Report, expected: Report, *, atol: float = 1e-12, rtol: float = 1e-9
+    actual: WrittenResult, expected: WrittenResult, *, atol: float = 1e-12, rtol: float = 1e-9
 ) -> Iterator[Difference]:
     """Every place in which two results differ.
 
@@ -44,20 +46,20 @@ def differences(
             shown = {True: "a case in error", False: "a result"}
             yield Difference("case", "", "", shown[actual.errors], shown[expected.errors])
         return
-    for shape in TABLES:
-        here, there = actual.tables.get(shape.name), expected.tables.get(shape.name)
+    for quantity in QUANTITIES:
+        here, there = actual.tables.get(quantity.key), expected.tables.get(quantity.key)
         if here is None or there is None:
-            yield from _lacking(shape, actual, expected)
+            yield from _lacking(quantity, actual, expected)
         else:
-            names = _Names(shape, expected.case or actual.case)
-            rows = [report.rows.get(shape.name, ()) for report in (actual, expected)]
+            names = _Names(quantity, expected.case or actual.case)
+            rows = [result.rows.get(quantity.key, ()) for result in (actual, expected)]
             if all(rows):
-                names.rows, here, there = yield from _by_name(shape, rows, here, there)
+                names.rows, here, there = yield from _by_name(quantity, rows, here, there)
             yield from _table(names, here, there, atol, rtol)
 
 
 def _by_name(
-    shape: TableShape, rows: Sequence[Sequence[str]], here: Figures, there: Figures
+    quantity: Quantity, rows: Sequence[Sequence[str]], here: Figures, there: Figures
 ) -> Generator[Difference, None, tuple[Sequence[str], Figures, Figures]]:
     """The rows that both results have, in one order, after those that only one has."""
     found, wanted = (
@@ -65,37 +67,39 @@ def _by_name(
     )
     for name in [*found, *(name for name in wanted if name not in found)]:
         if name not in wanted:
-            yield Difference(shape.name, name, "", "has this row", "does not have it")
+            yield Difference(quantity.key, name, "", "has this row", "does not have it")
         elif name not in found:
-            yield Difference(shape.name, name, "", "does not have this row", "has it")
+            yield Difference(quantity.key, name, "", "does not have this row", "has it")
     both = [name for name in wanted if name in found]
     return both, [found[name] for name in both], [wanted[name] for name in both]
 
 
-def _lacking(shape: TableShape, actual: Report, expected: Report) -> Iterator[Difference]:
+def _lacking(
+    quantity: Quantity, actual: WrittenResult, expected: WrittenResult
+) -> Iterator[Difference]:
     """A table that only one of the results has.
 
     Empty tables are not printed; and a listing of the source has its own tables only.
     """
-    one = actual if shape.name in actual.tables else expected
+    one = actual if quantity.key in actual.tables else expected
     other = expected if one is actual else actual
-    if not any(one.tables.get(shape.name, ())):
+    if not any(one.tables.get(quantity.key, ())):
         return
     foreign = other.printed and "ratio" not in other.tables
-    if shape.published or not foreign:
+    if quantity.published or not foreign:
         has, lacks = "has this table", "does not have it"
-        yield Difference(shape.name, "", "", *((has, lacks) if one is actual else (lacks, has)))
+        yield Difference(quantity.key, "", "", *((has, lacks) if one is actual else (lacks, has)))
 
 
 class _Names:
     """Names of the rows and columns of a table, numbers where no case tells them."""
 
-    def __init__(self, shape: TableShape, case: Transmission | None) -> None:
-        self.table = shape.name
-        self.one = shape.rows == "one"
-        self.rows: Sequence[str] = row_names(case, shape.rows) if case else ()
+    def __init__(self, quantity: Quantity, case: Transmission | None) -> None:
+        self.table = quantity.key
+        self.one = quantity.rows == "one"
+        self.rows: Sequence[str] = row_names(case, quantity.rows) if case else ()
         self.columns: Sequence[str] = [gear.name for gear in case.gears] if case else ()
-        if case and shape.name == "AJK":
+        if case and quantity.columns == "devices":
             self.columns = case.devices
 
     def row(self, number: int) -> str:

@@ -10,6 +10,12 @@ from vstatics.statics.arrays import ARRAYS, row_names
 
 NAME = re.compile(r"[^\W\d]\w*")
 """What is written without quotes, as are digits."""
+OUTPUT = "Mx"
+"""The name of the row of the output torque."""
+
+BEFORE_NAME = "|"
+"""Stands before the name of a row in a listing."""
+
 _DIGITS = re.compile(r"[0-9]+")
 
 

@@ -6,16 +6,16 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from vstatics.numerics.arrays import Floats
-from vstatics.statics.results import TableShape
+from vstatics.tables.quantity import Quantity
 
 
 class Table(NamedTuple):
     """One table: rows are links, devices or mechanisms, columns are gears.
 
-    In AJK columns are devices. A list over gears is a table of one row.
+    Columns of the distribution matrix are devices. A list over gears is a table of one row.
     """
 
-    shape: TableShape
+    quantity: Quantity
     rows: Sequence[str]
     columns: Sequence[str]
     values: Floats

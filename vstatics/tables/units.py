@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -12,44 +12,37 @@ from vstatics.numerics.traced import plain
 from vstatics.statics.matrix import held_links
 from vstatics.statics.power import port_torques
 from vstatics.statics.power import power as own_power
-from vstatics.statics.results import TABLES, Results
+from vstatics.statics.results import Results
 from vstatics.statics.torques import Torques
+from vstatics.tables.quantities import WITH_UNITS
 from vstatics.tables.table import Table
 
 KW_OF_RPM_NM = math.pi / 30 / 1000
 """1 N*m at 1 rpm, in kW."""
 
 
-def physical(results: Results, relative: Mapping[str, Table]) -> dict[str, Table]:
-    """The tables with units, by their names.
+def physical(results: Results, relative: Sequence[Table]) -> list[Table]:
+    """The tables with units.
 
     Parameters
     ----------
-    relative : mapping of name to Table
+    relative : sequence of Table
         The tables without units.
     """
-    with np.errstate(over="ignore", invalid="ignore"):
-        return _physical(results, relative)
-
-
-def _physical(results: Results, relative: Mapping[str, Table]) -> dict[str, Table]:
-    by_unit = scales(results)
+    found = {table.quantity.name: table for table in relative}
     gears = [gear.name for gear in results.case.gears]
-    entering, leaving = _ports(results)
-    own = {"input_power_kW": entering, "output_power_kW": leaving}
-    made = {}
-    for shape in TABLES:
-        if not shape.unit or np.isnan(by_unit[shape.unit]).all():
-            continue
-        if shape.name in own:
-            values = own[shape.name][np.newaxis]
-        elif shape.of in relative:
-            values = relative[shape.of].values * by_unit[shape.unit]
-        else:
-            continue
-        rows = [shape.name] if shape.rows == "one" else relative[shape.of].rows
-        finite = np.where(np.isfinite(values), values + 0.0, np.nan)
-        made[shape.name] = Table(shape, rows, gears, finite)
+    made = []
+    with np.errstate(over="ignore", invalid="ignore"):
+        by_unit = scales(results)
+        powers = dict(zip(("input_power_kW", "output_power_kW"), _ports(results), strict=True))
+        for quantity in WITH_UNITS:
+            scale = by_unit[quantity.unit]
+            if np.isnan(scale).all() or (quantity.of and quantity.of not in found):
+                continue
+            values = found[quantity.of].values * scale if quantity.of else powers[quantity.name]
+            rows = [quantity.key] if quantity.rows == "one" else found[quantity.of].rows
+            finite = np.where(np.isfinite(values), values + 0.0, np.nan)
+            made.append(Table(quantity, rows, gears, finite.reshape(len(rows), len(gears))))
     return made
 
 

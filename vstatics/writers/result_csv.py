@@ -39,12 +39,12 @@ def rows(file: str | None, results: Results) -> str:
     front = [] if file is None else [file]
     made = []
     for table in tables(results):
-        name, kind = table.shape.name, table.shape.kind
+        quantity = table.quantity
         for row, values in zip(table.rows, table.values.tolist(), strict=True):
             for column, value in zip(table.columns, values, strict=True):
-                place = [f"{row}:{column}", ""] if name == "AJK" else [row, column]
-                shown = "" if math.isnan(value) else _number(value, kind)
-                made.append([*front, name, *place, shown])
+                place = [f"{row}:{column}", ""] if quantity.columns == "devices" else [row, column]
+                shown = "" if math.isnan(value) else _number(value, quantity.kind)
+                made.append([*front, quantity.key, *place, shown])
     return _lines(made)
 
 

@@ -43,10 +43,11 @@ def document(results: Results) -> dict[str, Any]:
     }
     found = tables(results)
     if case.drawing is not None:
-        made["rows"] = {t.shape.name: list(t.rows) for t in found if t.shape.rows != "one"}
+        made["rows"] = {t.quantity.key: list(t.rows) for t in found if t.quantity.rows != "one"}
     for table in found:
-        rows = [_row(row, table.shape.kind) for row in table.values.tolist()]
-        made[table.shape.name] = rows[0] if table.shape.rows == "one" else rows
+        quantity = table.quantity
+        rows = [_row(row, quantity.kind) for row in table.values.tolist()]
+        made[quantity.key] = rows[0] if quantity.rows == "one" else rows
     made["messages"] = [str(message) for message in results.messages]
     return made
 

@@ -9,7 +9,8 @@ import json
 import sys
 from typing import Any
 
-from vstatics.statics.results import TABLES, TableShape
+from vstatics.tables.quantities import QUANTITIES
+from vstatics.tables.quantity import Quantity
 from vstatics.writers.result_json import CONVENTIONS, VERSION
 
 ROWS = {
@@ -18,13 +19,13 @@ ROWS = {
     "mechanisms": "mechanisms",
     "torques": "shift elements, then mechanisms, then the output",
     "meshes": "meshes",
-    "one": "",
 }
 NUMBERS: dict[type, dict[str, Any]] = {
     float: {"type": ["number", "null"]},
-    int: {"enum": [-1, 0, 1, None]},
+    int: {"type": ["integer", "null"]},
     bool: {"type": ["boolean", "null"]},
 }
+SIGN = {"enum": [-1, 0, 1, None]}
 
 
 def json_schema() -> dict[str, Any]:
@@ -47,9 +48,9 @@ def json_schema() -> dict[str, Any]:
             "links and elements, planets, members, meshes.",
         },
     }
-    properties |= {shape.name: _table(shape) for shape in TABLES}
+    properties |= {quantity.key: _table(quantity) for quantity in QUANTITIES}
     properties["messages"] = {**texts, "description": "What was noticed, gear by gear."}
-    sometimes = {"rows", *(shape.name for shape in TABLES if not shape.always)}
+    sometimes = {"rows", *(quantity.key for quantity in QUANTITIES if not quantity.always)}
     required = [name for name in properties if name not in sometimes]
     return {
         "$schema": "https://json-schema.org/draft/2020-12/schema",
@@ -63,14 +64,13 @@ def json_schema() -> dict[str, Any]:
     }
 
 
-def _table(shape: TableShape) -> dict[str, Any]:
-    row = {"type": "array", "items": NUMBERS[shape.kind]}
-    unit = f" [{shape.unit}]" if shape.unit else ""
-    if shape.rows == "one":
+def _table(quantity: Quantity) -> dict[str, Any]:
+    row = {"type": "array", "items": SIGN if quantity.is_sign else NUMBERS[quantity.kind]}
+    unit = f" [{quantity.unit}]" if quantity.unit else ""
+    if quantity.rows == "one":
         return {"description": f"A list over the gears{unit}.", **row}
-    columns = "devices" if shape.name == "AJK" else "gears"
     return {
-        "description": f"Rows: {ROWS[shape.rows]}; columns: {columns}{unit}.",
+        "description": f"Rows: {ROWS[quantity.rows]}; columns: {quantity.columns}{unit}.",
         "type": "array",
         "items": row,
     }

@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 from vstatics.errors import Problem, ReadError
 from vstatics.readers.deck.encodings import texts
 from vstatics.readers.reading import Source
-from vstatics.statics.results import TABLES
+from vstatics.tables.quantities import PRINTED
 
 SCALARS = {"KJG", "KL", "KG", "KNM", "NP", "INP", "IOUT", "IDLE", "COAST"}
 """Fields of one value; they have no index list, and may share a line."""
@@ -27,9 +27,6 @@ GEAR_LISTS = {"INP": "INP(I)", "IOUT": "IOUT(I)"}
 
 PARTS = {"NZF": ("1", "2"), "NZD": ("1", "2", "3")}
 """Fields of which there are several, told apart by their second index."""
-
-RESULTS = {shape.printed for shape in TABLES}
-"""Names of printed results: a report starts with its input, which ends here."""
 
 LATIN = str.maketrans("АВЕКМНОРСТУХІЈЅԚԜ", "ABEKMHOPCTYXIJSQW")
 
@@ -196,7 +193,7 @@ def _opening(line: str) -> tuple[str, str, int]:
 
 def _kind(line: str, word: str, opened: str, start: int) -> str:
     """What a line starts with: a ``scalar``, a ``list``, a ``result``, or nothing of these."""
-    if opened == "(" and word in RESULTS and _is_index(line, start):
+    if opened == "(" and word in PRINTED and _is_index(line, start):
         return "result"
     if opened == "=" and word in SCALARS:
         return "scalar"

@@ -1,0 +1,163 @@
+"""All quantities of the results: the one place that says what they are called and when they exist.
+
+A new quantity is an array of `vstatics.statics.arrays.ARRAYS` and an entry here. Values of
+the tables, JSON, CSV, the listing, the schema of results, the report, the comparison of
+results and the names at which a deck ends are read off it.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from vstatics.statics.arrays import Rows
+from vstatics.statics.results import Results
+from vstatics.tables.quantity import UNITS, Phrase, Quantity, in_unit
+
+
+def _has_given_speeds(results: Results) -> bool:
+    return not np.isnan(results.holding_torques).all()
+
+
+def _has_meshes(results: Results) -> bool:
+    return bool(results.mesh_torques.shape[-1])
+
+
+# fmt: off
+RELATIVE = (
+    # name in the library, key in JSON and CSV, printed name
+    Quantity("distribution_matrix", "AJK", "AJK", Phrase(
+        "Structural-distribution matrix, KLG = KL + KG",
+        "Структурно-распределительная матрица, KLG = KL + KG"),
+        own_title="Structural-distribution matrix", published=True,
+        own_rows="links", columns="devices"),
+    Quantity("speeds", "W", "W", Phrase(
+        "A. Speeds of the links in each gear",
+        "А. Угловые скорости звеньев на передачах"),
+        own_title="Speeds of the links", published=True,
+        with_load="rpm", brief=Phrase("Speeds of the links", "Скорости звеньев")),
+    Quantity("planet_speeds", "WSAT", "WSAT", Phrase(
+        "Speeds of the planets against the carrier",
+        "Скорости сателлитов относительно водила"),
+        published=True, with_load="rpm"),
+    Quantity("slip_speeds", "WFRI", "WFRI", Phrase(
+        "Slip speeds of clutches and brakes",
+        "Скорости скольжения муфт и тормозов"),
+        published=True, with_load="rpm"),
+    Quantity("torques", "AMLG", "AMLG", Phrase(
+        "B. Torques of clutches and brakes, without losses",
+        "Б. Моменты муфт и тормозов без потерь"),
+        own_title="Torques of shift elements, mechanisms and the output (Mx), without losses",
+        members=(Phrase(
+            "Torques of mechanisms and output, KLG1 = KLG + 1, without losses",
+            "Моменты механизмов и выходного звена, KLG1 = KLG + 1, без потерь"), Phrase(
+            "Torques of the members of the elements and of the output, without losses",
+            "Моменты звеньев элементов и выходного звена без потерь")),
+        published=True, with_load="Nm",
+        brief=Phrase("Torques without losses", "Моменты без потерь")),
+    Quantity("lossy_torques", "AMLGP", "AMLGP", Phrase(
+        "C. Torques of clutches and brakes, with losses",
+        "В. Моменты муфт и тормозов с учетом потерь"),
+        own_title="Torques of shift elements, mechanisms and the output (Mx), with losses",
+        members=(Phrase(
+            "Torques of mechanisms and output, with losses",
+            "Моменты механизмов и выходного звена с учетом потерь"), Phrase(
+            "Torques of the members of the elements and of the output, with losses",
+            "Моменты звеньев элементов и выходного звена с учетом потерь")),
+        published=True, with_load="Nm",
+        brief=Phrase("Torques with losses", "Моменты с учетом потерь")),
+    Quantity("efficiency", "ETA", "ETA", Phrase(
+        "Efficiency of the gears",
+        "КПД на передачах"), published=True, decimals=4),
+    Quantity("power_sign", "IX", "IX", Phrase(
+        "Sign of the power flow, first link drives (+1) or is driven (-1)",
+        "Признак ведущего (+1) или ведомого (-1) первого звена механизма"),
+        is_sign=True, published=True),
+    Quantity("ratio", "ratio", "RATIO", Phrase(
+        "Ratio of the gears, input speed to output speed",
+        "Передаточные отношения на передачах")),
+    Quantity("idle", "idle", "IDLING", Phrase(
+        "Mechanisms that idle",
+        "Механизмы без потока мощности")),
+    Quantity("losses", "losses", "LOSS", Phrase(
+        "Power lost in the mechanisms",
+        "Потери мощности в механизмах"),
+        decimals=4, with_load="kW", brief=Phrase("Power lost", "Потери мощности")),
+    Quantity("power_balance", "power_balance", "BALANCE", Phrase(
+        "Balance of power, external power less losses",
+        "Баланс мощностей")),
+    Quantity("consistent", "consistent", "CONSISTENT", Phrase(
+        "Directions of power agree with the losses",
+        "Направления потоков согласованы с потерями")),
+    Quantity("locked", "locked", "LOCKED", Phrase(
+        "Locked by friction",
+        "Самоторможение")),
+    Quantity("holding_torques", "AMWZ", "AMWZ", Phrase(
+        "Torques that hold the given speeds, without losses",
+        "Моменты, удерживающие заданные скорости, без потерь"),
+        exists=_has_given_speeds, with_load="Nm"),
+    Quantity("lossy_holding_torques", "AMWZP", "AMWZP", Phrase(
+        "Torques that hold the given speeds, with losses",
+        "Моменты, удерживающие заданные скорости, с учетом потерь"),
+        exists=_has_given_speeds, with_load="Nm"),
+    Quantity("drag_losses", "drag_losses", "DRAG", Phrase(
+        "Power that drag of bearings, oil and open elements takes",
+        "Потери мощности от трения подшипников, масла и открытых муфт"),
+        exists=lambda results: results.case.has_drag, decimals=4, with_load="kW",
+        brief=Phrase("Power that drag takes", "Потери мощности от сопротивлений вращению")),
+    Quantity("holds", "holds", "HOLDS", Phrase(
+        "Elements that are engaged, and freewheels that hold",
+        "Включенные элементы и замкнутые муфты свободного хода"),
+        exists=lambda results: bool(results.case.freewheels)),
+    Quantity("mesh_torques", "mesh_torques", "MESH", Phrase(
+        "Torques of the meshes, on the first wheel or planet, without losses",
+        "Моменты зацеплений на первом колесе или сателлите без потерь"),
+        exists=_has_meshes, with_load="Nm",
+        brief=Phrase("Torques of the meshes without losses", "Моменты зацеплений без потерь")),
+    Quantity("lossy_mesh_torques", "lossy_mesh_torques", "MESHP", Phrase(
+        "Torques of the meshes, with losses",
+        "Моменты зацеплений с учетом потерь"),
+        exists=_has_meshes, with_load="Nm",
+        brief=Phrase("Torques of the meshes with losses", "Моменты зацеплений с учетом потерь")),
+)
+"""Those without a unit, in the order in which they are written."""
+
+_PORTS = (
+    Quantity("input_power_kW", "input_power_kW", "PINKW", Phrase(
+        "Input power, kW",
+        "Мощность на входе, кВт"), own_rows="one", unit="kW"),
+    Quantity("output_power_kW", "output_power_kW", "POUTKW", Phrase(
+        "Output power with losses, kW",
+        "Мощность на выходе с учетом потерь, кВт"), own_rows="one", unit="kW"),
+)
+# fmt: on
+
+_ORDER: tuple[Rows, ...] = ("torques", "meshes", "links", "planets", "devices", "elements", "one")
+
+WITH_UNITS = (
+    *sorted(
+        (in_unit(quantity) for quantity in RELATIVE if quantity.with_load),
+        key=lambda quantity: (list(UNITS).index(quantity.unit), _ORDER.index(quantity.rows)),
+    ),
+    *_PORTS,
+)
+"""Those that a case with a load has, too: by unit, then by their rows."""
+
+QUANTITIES = RELATIVE + WITH_UNITS
+"""All, in the order in which they are written."""
+
+PRINTED = {quantity.printed: quantity for quantity in QUANTITIES}
+"""By the name at the head of a table in a listing; there the deck before it ends, too."""
+
+BY_NAME = {name: one for one in QUANTITIES for name in (one.key, one.name)}
+"""By the name in the library, and by the key."""
+
+
+def quantity(name: str) -> Quantity | None:
+    """The quantity of a name that a person types: that of the library, or that of the deck.
+
+    Examples
+    --------
+    >>> quantity("W") == quantity("speeds"), quantity("AMLG_Nm").of, quantity("weight")
+    (True, 'torques', None)
+    """
+    return BY_NAME.get(name)
