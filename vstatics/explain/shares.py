@@ -70,7 +70,7 @@ def _row(
     row: Row = {}
     for link, factor in zip(mechanism.links, column(ratio), strict=True):
         if body[link] != HOUSING:
-            row[body[link]] = row.get(body[link], fractions.zero) + factor
+            row[body[link]] = row.get(body[link], fractions.zero) + fractions.one * factor
     return {one: factor for one, factor in row.items() if factor}
 
 

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 
 from vstatics.statics.results import Results
 from vstatics.tables.grid import Cell, Column, Grid, exact, sign
+from vstatics.tables.rows import ROWS
 from vstatics.tables.table import Table
 from vstatics.tables.values import tables
 
@@ -32,7 +33,11 @@ def _by_gear(lists: Sequence[Table]) -> Grid:
 
 
 def _of_table(one: Table) -> Grid:
-    columns = [Column(_ROWS[one.quantity.rows], is_number=False), *map(Column, one.columns)]
+    rows_of = one.quantity.rows
+    columns = [
+        Column(_HEADS.get(rows_of, ROWS[rows_of].one), is_number=False),
+        *map(Column, one.columns),
+    ]
     rows = [
         [Cell(name), *(_number(one, value) for value in values)]
         for name, values in zip(one.rows, one.values.tolist(), strict=True)
@@ -40,13 +45,8 @@ def _of_table(one: Table) -> Grid:
     return Grid(f"{one.quantity.title} [{one.quantity.key}]", columns, rows)
 
 
-_ROWS = {
-    "links": "link",
-    "elements": "element",
-    "mechanisms": "mechanism",
-    "torques": "torque of",
-    "meshes": "mesh",
-}
+_HEADS = {"elements": "element", "torques": "torque of"}
+"""Over the names of rows, where it is not their word."""
 
 
 def _number(one: Table, value: float) -> Cell:

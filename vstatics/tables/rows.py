@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from typing import NamedTuple
 
 from vstatics.model.transmission import Transmission
-from vstatics.statics.arrays import ARRAYS, row_names
+from vstatics.statics.arrays import ARRAYS, Rows, row_names
 
 NAME = re.compile(r"[^\W\d]\w*")
 """What is written without quotes, as are digits."""
@@ -15,6 +16,28 @@ OUTPUT = "Mx"
 
 BEFORE_NAME = "|"
 """Stands before the name of a row in a listing."""
+
+
+class RowWords(NamedTuple):
+    """How rows of a kind are called."""
+
+    one: str
+    all: str
+    size: str
+    """Their number, as the deck calls it."""
+
+
+ROWS: Mapping[Rows, RowWords] = {
+    "links": RowWords("link", "links", "KJG"),
+    "planets": RowWords("planet", "mechanisms", "KG"),
+    "elements": RowWords("shift element", "shift elements", "KL"),
+    "devices": RowWords("mechanism", "mechanisms", "KG"),
+    "mechanisms": RowWords("mechanism", "mechanisms", "KG"),
+    "torques": RowWords("device", "shift elements, then mechanisms, then the output", "KLG1"),
+    "meshes": RowWords("mesh", "meshes", "KM"),
+    "one": RowWords("gear", "gears", "NP"),
+}
+"""By what the rows of a table stand for."""
 
 _DIGITS = re.compile(r"[0-9]+")
 

@@ -13,7 +13,7 @@ from vstatics.model.transmission import Transmission
 from vstatics.statics.results import Language, Results
 from vstatics.tables.numbers import fixed
 from vstatics.tables.quantity import Phrase, Quantity
-from vstatics.tables.rows import BEFORE_NAME
+from vstatics.tables.rows import BEFORE_NAME, ROWS
 from vstatics.tables.table import Table
 from vstatics.tables.values import tables
 from vstatics.writers import deck
@@ -32,17 +32,6 @@ COASTING = Phrase(
     "Торможение двигателем: мощность входит с выхода, потери при этом меньше 0.",
 )
 MESSAGES = Phrase("Messages:", "Сообщения:")
-
-LAST = {
-    "links": "KJG",
-    "elements": "KL",
-    "mechanisms": "KG",
-    "torques": "KLG1",
-    "meshes": "KM",
-    "devices": "KLG",
-    "gears": "NP",
-}
-"""The deck's name of the last row or column."""
 
 
 def write(results: Results, lang: Language = "en") -> str:
@@ -90,10 +79,10 @@ def _parts(table: Table, case: Transmission) -> Iterator[tuple[Phrase, str, Tabl
 def _indices(quantity: Quantity, rows: str = "") -> str:
     """The name with its index list, as in ``(W(I,J),J=1,NP),I=1,KJG:``."""
     column = "K" if quantity.columns == "devices" else "J"
-    columns = f"{column}=1,{LAST[quantity.columns]}"
+    columns = f"{column}=1,{'KLG' if quantity.columns == 'devices' else 'NP'}"
     if quantity.rows == "one":
         return f"{quantity.printed}({column}),{columns}:"
-    rows = rows or f"I=1,{LAST[quantity.rows]}"
+    rows = rows or f"I=1,{ROWS[quantity.rows].size}"
     return f"({quantity.printed}(I,{column}),{columns}),{rows}:"
 
 

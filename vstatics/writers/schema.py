@@ -11,15 +11,9 @@ from typing import Any
 
 from vstatics.tables.quantities import QUANTITIES
 from vstatics.tables.quantity import Quantity
+from vstatics.tables.rows import ROWS
 from vstatics.writers.result_json import CONVENTIONS, VERSION
 
-ROWS = {
-    "links": "links",
-    "elements": "shift elements",
-    "mechanisms": "mechanisms",
-    "torques": "shift elements, then mechanisms, then the output",
-    "meshes": "meshes",
-}
 NUMBERS: dict[type, dict[str, Any]] = {
     float: {"type": ["number", "null"]},
     int: {"type": ["integer", "null"]},
@@ -70,7 +64,7 @@ def _table(quantity: Quantity) -> dict[str, Any]:
     if quantity.rows == "one":
         return {"description": f"A list over the gears{unit}.", **row}
     return {
-        "description": f"Rows: {ROWS[quantity.rows]}; columns: {quantity.columns}{unit}.",
+        "description": f"Rows: {ROWS[quantity.rows].all}; columns: {quantity.columns}{unit}.",
         "type": "array",
         "items": row,
     }

@@ -28,10 +28,10 @@ from vstatics.statics.results import Results
 from vstatics.sweep.expressions.evaluation import FUNCTIONS, REDUCTIONS, evaluate
 from vstatics.sweep.expressions.excerpt import Excerpt
 from vstatics.sweep.expressions.grammar import Applied, Tree, parse
-from vstatics.sweep.expressions.names import OPERANDS, ROW, Name, SweepNames, value_of
+from vstatics.sweep.expressions.names import OPERANDS, Name, SweepNames, value_of
 from vstatics.sweep.expressions.operands import Constant, DottedName, TableName
 from vstatics.sweep.targets import Target
-from vstatics.tables.rows import table_rows
+from vstatics.tables.rows import ROWS, table_rows
 
 Node: TypeAlias = Name | Constant | Applied
 
@@ -137,7 +137,7 @@ def read_expression(
         node,
         tuple(names.gears) if per_gear else None,
         tuple(table_rows(table, case)) if table else None,
-        ROW[ARRAYS[table].rows] if table else "",
+        ROWS[ARRAYS[table].rows].one if table else "",
         tree.name if isinstance(tree, TableName) else "",
     )
 
@@ -173,7 +173,7 @@ def _resolve(tree: Tree, names: SweepNames) -> _Resolved:
         one, two = ARRAYS[tables[0]].rows, ARRAYS[other].rows
         if one != two:
             message = (
-                f"`{tables[0]}` has one value per {ROW[one]} and `{other}` one per {ROW[two]}, "
+                f"`{tables[0]}` has one value per {ROWS[one].one} and `{other}` one per {ROWS[two].one}, "
                 f"so `{name}` can't pair them: pick a row, or use min, max or sum"
             )
             raise names.source.error(message, tree.at)

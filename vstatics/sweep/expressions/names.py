@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from typing import Any, NamedTuple, TypeAlias
 
 from vstatics.errors import nearest
@@ -14,35 +14,12 @@ from vstatics.sweep.expressions.evaluation import FUNCTIONS
 from vstatics.sweep.expressions.excerpt import Excerpt, quoted
 from vstatics.sweep.expressions.operands import Constant, DottedName, Subscript, TableName
 from vstatics.sweep.targets import Target, target
-from vstatics.tables.rows import table_rows
+from vstatics.tables.quantities import quantity
+from vstatics.tables.rows import ROWS, table_rows
 
 OPERANDS = "a number, a table such as ratio[1], a varied number such as D1.ratio, or a function"
 """What an operand can be, for messages."""
 
-DECK_NAMES: Mapping[str, str] = {
-    "W": "speeds",
-    "WSAT": "planet_speeds",
-    "WFRI": "slip_speeds",
-    "AMLG": "torques",
-    "AMLGP": "lossy_torques",
-    "AMWZ": "holding_torques",
-    "AMWZP": "lossy_holding_torques",
-    "ETA": "efficiency",
-    "IX": "power_sign",
-}
-"""The deck's names of tables, and those of the library."""
-
-ROW: Mapping[Rows, str] = {
-    "links": "link",
-    "planets": "planet",
-    "elements": "shift element",
-    "devices": "mechanism",
-    "mechanisms": "mechanism",
-    "torques": "device",
-    "meshes": "mesh",
-    "one": "gear",
-}
-"""What one row is called."""
 
 _MOST_LISTED = 8
 
@@ -112,19 +89,20 @@ class SweepNames:
 
     def table(self, read: TableName) -> Selection:
         """A table, or a part of it."""
-        name = DECK_NAMES.get(read.name, read.name)
+        known = quantity(read.name)
+        name = known.name if known else read.name
         if name not in ARRAYS:
             raise self.source.error(self._no_table(name), read.at)
         kind, subscripts, row = ARRAYS[name].rows, list(read.subscripts), None
         if kind != "one":
             rows = table_rows(name, self.case)
             if not rows:
-                message = f"the case has no {ROW[kind]}s, so `{read.name}` is empty"
+                message = f"the case has no {ROWS[kind].one}s, so `{read.name}` is empty"
                 raise self.source.error(message, read.at)
             row = self._index(subscripts.pop(0), rows, kind) if subscripts else None
         gear = self._index(subscripts.pop(0), self.gears, "one") if subscripts else None
         if subscripts:
-            parts = "[gear]" if kind == "one" else f"[{ROW[kind]}, gear]"
+            parts = "[gear]" if kind == "one" else f"[{ROWS[kind].one}, gear]"
             message = f"read one part too many, expected {read.name}{parts}"
             raise self.source.error(message, subscripts[0].at)
         return Selection(name, gear, row, kind != "one")
@@ -149,7 +127,7 @@ class SweepNames:
 
     def _no_row(self, written: str, name: str, names: Sequence[str], kind: Rows) -> str:
         """What to say of a row or a gear that there is not."""
-        what = ROW[kind]
+        what = ROWS[kind].one
         if written[0] == "#":
             return f"read `{written}`, expected the number of a {what}, #1 to #{len(names)}"
         hint = nearest(name, names)
