@@ -11,8 +11,9 @@ import click
 from vstatics import readers
 from vstatics.cli import cases as arguments
 from vstatics.cli import files
-from vstatics.cli.sweep_run import in_good_order, is_stream, run
+from vstatics.cli.sweep_run import estimate, in_good_order, run
 from vstatics.errors import CaseError, ReadError
+from vstatics.jobs.files import is_stream
 from vstatics.model.transmission import IdleConvention, Transmission
 from vstatics.sweep import build
 from vstatics.sweep.file import METHODS, Settings, Text, read_sweep_file
@@ -124,8 +125,6 @@ def sweep(
         build.check_packages(given, form, scheduler)
         plan = build.plan(_case(given.case or "", input_format), given)
         if dry_run:
-            from vstatics.cli.sweep_estimate import estimate
-
             files.write_output(estimate(plan, form, jobs), None)
             return 0
         return run(plan, form, given.output, jobs=jobs, scheduler=scheduler, resume=resume)
