@@ -1,55 +1,15 @@
-"""Finished pieces on disk: whole or absent, taken up again, held by one process."""
+"""A finished piece as a file: whole or absent, and copied to its place."""
 
 from __future__ import annotations
 
 import errno
 import os
-import resource
-import signal
-import subprocess
-import sys
 from pathlib import Path
-from typing import Any
 
 import pytest
 
-from tests.commands import environment
-from tests.sweep.sweeps import names, plan
-from vstatics.errors import ReadError
 from vstatics.jobs import pieces
-from vstatics.jobs.alone import Alone
 from vstatics.jobs.pieces import Account, Copy, copy, piece_bytes, read_account, write_piece
-from vstatics.jobs.store import Store
-from vstatics.sweep.output import Output, description
-
-VARY = ("D.ratio=-4:-2:30",)
-
-
-def store(path: Path, *, resume: bool = False, **more: Any) -> Output:
-    """The output of 30 variants in pieces of 8, opened."""
-    made = plan(*VARY, piece=8, **more)
-    opened = Store(str(path))
-    opened.open(description(made, "csv"), made.pieces, resume=resume)
-    return Output(made, "csv", opened)
-
-
-def calculate(written: Output) -> list[int]:
-    """Calculate what is not there; how many variants, as they came."""
-    told: list[int] = []
-    written.calculate(Alone(written.task, written.task.describe), told.append)
-    return told
-
-
-def assemble(written: Output) -> None:
-    written.assemble(Alone(written.task, written.task.describe))
-
-
-def whole(folder: Path) -> bytes:
-    """The output of an undisturbed sweep."""
-    written = store(folder / "whole.csv")
-    calculate(written)
-    assemble(written)
-    return (folder / "whole.csv").read_bytes()
 
 
 def test_a_piece_is_read_back_as_it_was_written(tmp_path: Path) -> None:
@@ -91,125 +51,6 @@ def test_stretches_are_copied_to_their_places(
         monkeypatch.setattr(os, "copy_file_range", refused, raising=False)
     assert copy(str(tmp_path), [Copy(0, 2, 1, 3), Copy(1, 8, 6, 2)]) == 5
     assert (tmp_path / pieces.ASSEMBLED).read_bytes() == b".234..89."
-
-
-def test_a_stopped_sweep_goes_on_and_gives_the_same(tmp_path: Path) -> None:
-    path = tmp_path / "out.csv"
-    written = store(path)
-    calculate(written)
-    for gone in (1, 3):
-        Path(pieces.piece_path(written.store.directory, gone)).unlink()
-    written.store.unlock()
-    again = store(path, resume=True)
-    assert (again.finished, again.pending) == (16, [1, 3])
-    assert calculate(again) == [8, 6]
-    assemble(again)
-    assert path.read_bytes() == whole(tmp_path)
-    assert names(tmp_path) == ["out.csv", "whole.csv"]
-
-
-def test_what_a_killed_process_left_unfinished_is_removed(tmp_path: Path) -> None:
-    path = tmp_path / "out.csv"
-    written = store(path)
-    calculate(written)
-    folder = Path(written.store.directory)
-    (folder / "00000001.999.tmp").write_bytes(b"half")
-    (folder / pieces.ASSEMBLED).write_bytes(b"half")
-    (folder / "00000002").write_bytes(b"half")
-    written.store.unlock()
-    again = store(path, resume=True)
-    assert again.pending == [2]
-    assert names(folder) == [f"0000000{n}" for n in (0, 1, 3)] + ["lock", "plan.json"]
-
-
-@pytest.mark.parametrize(
-    ("more", "words"),
-    [
-        ({"resume": False}, "holds 4 of 4 finished pieces of this sweep.*--resume"),
-        ({"out": "ratio"}, "of another sweep: columns changed; .*remove the directory"),
-        ({"where": "ratio[low] > 3"}, "of another sweep: where changed"),
-        ({"coast": True}, "of another sweep; "),
-    ],
-)
-def test_pieces_that_are_not_asked_for_are_not_lost(
-    more: dict[str, Any], words: str, tmp_path: Path
-) -> None:
-    written = store(tmp_path / "out.csv")
-    calculate(written)
-    written.store.unlock()
-    before = names(Path(written.store.directory))
-    wanted = {name: value for name, value in more.items() if name != "resume"}
-    other = plan(*VARY, piece=8, **wanted)
-    with pytest.raises(ReadError, match=words), Store(str(tmp_path / "out.csv")) as opened:
-        opened.open(description(other, "csv"), other.pieces, resume=more.get("resume", True))
-    assert names(Path(written.store.directory)) == before
-
-
-def test_a_directory_of_others_is_left_alone(tmp_path: Path) -> None:
-    folder = tmp_path / "out.csv.parts"
-    folder.mkdir()
-    (folder / "letter.txt").write_text("dear", encoding="utf-8")
-    with pytest.raises(ReadError, match="holds no sweep"):
-        store(tmp_path / "out.csv", resume=True)
-    assert (folder / "letter.txt").read_text(encoding="utf-8") == "dear"
-
-
-def test_where_nothing_is_finished_nothing_stays(tmp_path: Path) -> None:
-    with store(tmp_path / "out.csv").store:
-        assert names(tmp_path) == ["out.csv.parts"]
-    assert names(tmp_path) == []
-
-
-def test_two_sweeps_do_not_write_one_output(tmp_path: Path) -> None:
-    """A process has the directory until it ends, however it ends."""
-    held = store(tmp_path / "out.csv")
-    calculate(held)
-    held.store.unlock()
-    code = f"""
-import time
-from vstatics.jobs.store import Store
-Store({str(tmp_path / "out.csv")!r}).lock()
-print("held", flush=True)
-time.sleep(60)
-"""
-    with subprocess.Popen(
-        [sys.executable, "-c", code], stdout=subprocess.PIPE, env=environment()
-    ) as other:
-        assert other.stdout is not None
-        assert other.stdout.readline() == b"held\n"
-        with pytest.raises(ReadError, match=rf"another sweep \(process {other.pid}\)"):
-            store(tmp_path / "out.csv", resume=True)
-        other.send_signal(signal.SIGKILL)
-    assert store(tmp_path / "out.csv", resume=True).finished == 30
-
-
-def test_an_output_that_is_a_directory_is_told_at_once(tmp_path: Path) -> None:
-    with pytest.raises(IsADirectoryError):
-        store(tmp_path)
-
-
-def test_a_piece_that_does_not_fit_on_the_disk_leaves_nothing(tmp_path: Path) -> None:
-    """A limit on the size of files is a small disk for this process."""
-    written = store(tmp_path / "out.csv", out="ratio,efficiency,speeds,torques,lossy_torques")
-    before = names(Path(written.store.directory))
-    soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
-    resource.setrlimit(resource.RLIMIT_FSIZE, (500, hard))
-    try:
-        with pytest.raises(OSError, match="File too large"):
-            calculate(written)
-    finally:
-        resource.setrlimit(resource.RLIMIT_FSIZE, (soft, hard))
-    assert names(Path(written.store.directory)) == before
-    calculate(written)
-    resource.setrlimit(resource.RLIMIT_FSIZE, (5000, hard))
-    try:
-        with pytest.raises(OSError, match="File too large"):
-            assemble(written)
-    finally:
-        resource.setrlimit(resource.RLIMIT_FSIZE, (soft, hard))
-    assert pieces.ASSEMBLED not in names(Path(written.store.directory))
-    assemble(written)
-    assert len((tmp_path / "out.csv").read_text(encoding="utf-8").splitlines()) == 31
 
 
 def test_an_account_is_made_of_plain_things() -> None:

@@ -160,3 +160,10 @@ def test_a_caller_with_threads_does_not_fork() -> None:
     finally:
         done.set()
         other.join()
+
+
+@pytest.mark.parametrize("jobs", [1, 2])
+def test_results_that_nobody_took_do_not_come_later(jobs: int) -> None:
+    with called(jobs) as made:
+        assert len(list(itertools.islice(made.each(doubled, range(10)), 1))) == 1
+        assert sorted(item for item, _ in made.each(doubled, range(20, 25))) == [*range(20, 25)]

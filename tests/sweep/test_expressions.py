@@ -22,7 +22,7 @@ from tests.strategies import transmissions
 from vstatics import Gear, Mechanism, ReadError, Results, ShiftElement, Transmission, load, solve
 from vstatics.errors import Problem
 from vstatics.numerics.arrays import Floats
-from vstatics.statics.results import ARRAYS
+from vstatics.statics.arrays import ARRAYS
 from vstatics.sweep.expressions import Expression, read_expression
 from vstatics.sweep.expressions.columns import read_columns
 from vstatics.sweep.selection import read_where

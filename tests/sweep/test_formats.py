@@ -18,8 +18,8 @@ from hypothesis import strategies as st
 
 from tests.sweep.sweeps import plan
 from vstatics.jobs.alone import Alone
+from vstatics.jobs.finished import FinishedPieces
 from vstatics.jobs.pieces import Account, Segment
-from vstatics.jobs.store import Store
 from vstatics.sweep.chunk import STATUS, Chunk
 from vstatics.sweep.formats import format_of_name, npz, text
 from vstatics.sweep.formats.npz import combined_crc
@@ -87,7 +87,7 @@ def output(path: Path, *vary: str, **more: Any) -> Path:
     form = format_of_name(path.name)
     assert form is not None
     made = plan(*vary, piece=8, **more)
-    with Store(str(path)) as store:
+    with FinishedPieces(str(path)) as store:
         store.open(description(made, form), made.pieces, resume=False)
         written = Output(made, form, store)
         workers = Alone(written.task, written.task.describe)

@@ -6,7 +6,7 @@ import re
 
 import pytest
 
-from vstatics.statics.results import ARRAYS
+from vstatics.statics.arrays import ARRAYS
 from vstatics.tables.quantities import BY_NAME, PRINTED, QUANTITIES, RELATIVE, WITH_UNITS, quantity
 from vstatics.tables.quantity import Quantity
 

@@ -66,7 +66,7 @@ def language(of: str) -> Callable[[Command], Command]:
     )
 
 
-class Outcome(NamedTuple):
+class CalculatedCase(NamedTuple):
     """What became of a case: results, or only problems."""
 
     file: str
@@ -79,7 +79,7 @@ class Outcome(NamedTuple):
         return self.results is None or self.results.failed
 
 
-class Settings(NamedTuple):
+class CaseOptions(NamedTuple):
     """How cases are read and calculated; what is None is as the case says."""
 
     input_format: readers.Format | None = None
@@ -100,7 +100,7 @@ def settings(command: Command) -> Command:
         idle: IdleConvention | None,
         **others: Any,
     ) -> Any:
-        return command(*values, settings=Settings(input_format, coast, idle), **others)
+        return command(*values, settings=CaseOptions(input_format, coast, idle), **others)
 
     made: Any = input_format(coast(idle(told)))
     return made  # type: ignore[no-any-return]
@@ -123,7 +123,7 @@ def gear_number(case: Transmission, asked: str) -> int:
     raise click.BadParameter(f"no gear {asked!r}{hint}", param_hint="--gear")
 
 
-def calculate(cases: Sequence[str], settings: Settings) -> Iterator[Outcome]:
+def calculate(cases: Sequence[str], settings: CaseOptions) -> Iterator[CalculatedCase]:
     """Read and calculate each case, print its problems, and go on after a bad one."""
     check_streams(cases)
     for file in cases:
@@ -138,7 +138,7 @@ def check_streams(cases: Sequence[str]) -> None:
         raise click.UsageError("standard input (-) can be read once")
 
 
-def calculate_one(file: str, settings: Settings) -> Outcome:
+def calculate_one(file: str, settings: CaseOptions) -> CalculatedCase:
     """Read and calculate a case; whatever goes wrong with it is a problem of this case."""
     name = files.STDIN_NAME if file == files.STDIN else file
     try:
@@ -148,10 +148,10 @@ def calculate_one(file: str, settings: Settings) -> Outcome:
         problems = [*found, *_located(reading, results)]
     except ReadError as error:
         found = error.problems if settings.notes else serious(error.problems)
-        return Outcome(name, None, found)
+        return CalculatedCase(name, None, found)
     except Exception as error:  # noqa: BLE001 - the other cases are to go on
-        return Outcome(name, None, [unexpected(name, error)])
-    return Outcome(name, results, problems)
+        return CalculatedCase(name, None, [unexpected(name, error)])
+    return CalculatedCase(name, results, problems)
 
 
 def _noted(reading: Reading) -> list[Problem]:

@@ -7,7 +7,7 @@ import click
 from vstatics import readers
 from vstatics.cli import cases as arguments
 from vstatics.cli import files
-from vstatics.cli.cases import Settings, calculate
+from vstatics.cli.cases import CaseOptions, calculate
 from vstatics.elements.drawing import drawing_of
 from vstatics.statics.diagnosis import freedom, given_conditions
 from vstatics.statics.results import Results
@@ -78,7 +78,7 @@ def check(
     Exit status: 0 no errors; 1 a case is in error or a gear is tied up; 2 wrong use.
     """
     failed = False
-    for outcome in calculate(cases, Settings(input_format, notes=True)):
+    for outcome in calculate(cases, CaseOptions(input_format, notes=True)):
         failed |= outcome.failed
         if outcome.results is not None:
             shown = lines(conditions(outcome.file, outcome.results), indent="  ")

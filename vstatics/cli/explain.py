@@ -8,7 +8,7 @@ import click
 
 from vstatics.cli import cases as arguments
 from vstatics.cli import files
-from vstatics.cli.cases import Settings, calculate
+from vstatics.cli.cases import CaseOptions, calculate
 from vstatics.model.transmission import Transmission
 
 
@@ -36,7 +36,7 @@ def explain(
     gears: tuple[str, ...],
     output_format: Literal["text", "json"],
     output: str | None,
-    settings: Settings,
+    settings: CaseOptions,
 ) -> None:
     """Explain the gears of CASE: a deck, YAML or JSON; - is standard input.
 

@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import contextlib
 import os
-import stat
 import sys
 from collections.abc import Callable, Iterable, Iterator
 
 import click
 
 from vstatics.errors import Place, Problem, ReadError
-from vstatics.jobs.files import opened, replace, replacing
+from vstatics.jobs.files import STDOUT, Write, is_stream, opened, replacing, unwritable
 
 STDIN = "-"
 STDIN_NAME = "<stdin>"
@@ -113,23 +112,12 @@ def write_output(text: str, output: str | None) -> None:
     ReadError
         If it cannot be written.
     """
-    data = encoded(text)
-    try:
-        if output is None or output == STDIN:
-            print_bytes(data)
-        elif is_stream(output):
-            with opened(output) as write:
-                write(data)
-        else:
-            replace(output, data)
-    except BrokenPipeError:
-        raise  # the reader has seen enough; click ends quietly
-    except OSError as error:
-        raise ReadError([unwritable(output, error)]) from None
+    with stream(output) as write:
+        write(encoded(text))
 
 
 @contextlib.contextmanager
-def stream(output: str | None) -> Iterator[Callable[[bytes], object]]:
+def stream(output: str | None) -> Iterator[Write]:
     """Write bit by bit: to stdout or a device at once, to a file that is there at the end.
 
     Raises
@@ -138,8 +126,8 @@ def stream(output: str | None) -> Iterator[Callable[[bytes], object]]:
         If it cannot be written.
     """
     try:
-        if output is None or output == STDIN:
-            yield print_bytes
+        if output is None or output == STDOUT:
+            yield _print
         elif is_stream(output):
             with opened(output) as write:
                 yield write
@@ -150,19 +138,6 @@ def stream(output: str | None) -> Iterator[Callable[[bytes], object]]:
         raise  # the reader has seen enough; click ends quietly
     except OSError as error:
         raise ReadError([unwritable(output, error)]) from None
-
-
-def is_stream(output: str | None) -> bool:
-    """Whether an output is stdout, or is there and no file that could be replaced."""
-    if output is None or output == STDIN:
-        return True
-    if output.startswith("/dev/") and not output.startswith("/dev/shm/"):  # noqa: S108
-        return True  # /dev/stdout is not to be replaced, whatever it is
-    try:
-        mode = os.stat(output).st_mode  # noqa: PTH116
-    except OSError:
-        return False
-    return not (stat.S_ISREG(mode) or stat.S_ISDIR(mode))
 
 
 def encoded(text: str) -> bytes:
@@ -188,21 +163,9 @@ def read_names(file: str) -> list[str]:
     return names
 
 
-def unwritable(output: str | None, error: OSError) -> Problem:
-    """The problem that an output, or stdout, cannot be written."""
-    name = "<stdout>" if output is None or output == STDIN else output
-    return Problem(f"can't be written: {error.strerror or error}", place=Place(name, 0, 0))
-
-
-def print_bytes(data: bytes) -> None:
-    """Write to stdout at once.
-
-    Raises
-    ------
-    OSError
-        If that is not possible.
-    """
+def _print(data: bytes | memoryview) -> None:
+    """Write to stdout at once."""
     if sys.stdout is None:
         raise OSError(CLOSED)
-    click.echo(data, nl=False)
+    click.echo(bytes(data), nl=False)
     sys.stdout.flush()

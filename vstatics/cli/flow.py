@@ -8,7 +8,7 @@ import click
 
 from vstatics.cli import cases as arguments
 from vstatics.cli import files
-from vstatics.cli.cases import Settings, calculate
+from vstatics.cli.cases import CaseOptions, calculate
 from vstatics.model.transmission import Transmission
 
 if TYPE_CHECKING:
@@ -28,7 +28,7 @@ def flow(
     gear: str | None,
     output_format: Literal["text", "json"],
     output: str | None,
-    settings: Settings,
+    settings: CaseOptions,
 ) -> None:
     """Show where the power goes in every gear of CASE; - is standard input.
 

@@ -10,14 +10,15 @@ from functools import partial
 import click
 
 from vstatics.cli import files, texts
+from vstatics.cli.case_job import RULES, Done, Job, calculate_and_write
 from vstatics.cli.progress import progress
-from vstatics.cli.targets import Task, tasks
-from vstatics.cli.work import Done, Job, lost, work
+from vstatics.cli.targets import CaseTask, tasks
 from vstatics.errors import ReadError
 from vstatics.extras import __version__
-from vstatics.jobs.files import forget
-from vstatics.jobs.record import Options, Record
+from vstatics.jobs.files import forget, is_stream, unwritable
+from vstatics.jobs.finished import FinishedCases
 from vstatics.jobs.stopping import Stop, StoppedError, stoppable
+from vstatics.jobs.workers import workers
 
 
 class _HaltedError(Exception):
@@ -91,23 +92,23 @@ def to_directory(
         If the directory cannot be written to.
     """
     suffix = texts.SUFFIXES[job.output_format]
-    record = Record(folder, suffix)
-    todo = tasks(cases, folder, suffix, [*others, record.path])
+    finished = FinishedCases(folder, suffix)
+    todo = tasks(cases, folder, suffix, [*others, finished.path])
     try:
         os.makedirs(folder, exist_ok=True)  # noqa: PTH103
-        if resume and record.resume(_options(job)):
-            todo = [task for task in todo if not record.is_done(task.file, str(task.target))]
+        if resume and _resumed(finished, job):
+            todo = [task for task in todo if not finished.is_done(task.file, str(task.target))]
         else:
             if resume:
                 files.say(f"{folder}: there is no run to go on with; every case is calculated")
-            record.begin(_options(job))
+            finished.begin(_depends(job))
     except FileExistsError:
         raise click.UsageError(f"{folder} is a file: expected a directory") from None
     except OSError as error:
-        raise ReadError([files.unwritable(folder, error)]) from None
+        raise ReadError([unwritable(folder, error)]) from None
     count = _Count(len(cases), len(cases) - len(todo))
     kept = f"results are in {folder}; the same command with --resume goes on"
-    job = job._replace(record=record)
+    job = job._replace(finished=finished)
     with _telling(count, kept) as stop, _results(job, todo, jobs, folder) as results:
         for _ in _follow(count, results, stop):
             pass
@@ -125,10 +126,10 @@ def to_stream(cases: Sequence[str], output: str | None, job: Job, *, jobs: int) 
         If it cannot be written.
     """
     count = _Count(len(cases))
-    whole = not files.is_stream(output)
+    whole = not is_stream(output)
     kept = f"{output} was not written" if whole else "what was written ends there"
     framed = texts.frame(job.output_format)
-    todo = [Task(file) for file in cases]
+    todo = [CaseTask(file) for file in cases]
     with (
         _telling(count, kept) as stop,
         files.stream(output) as write,
@@ -148,25 +149,16 @@ def to_stream(cases: Sequence[str], output: str | None, job: Job, *, jobs: int) 
 
 @contextmanager
 def _results(
-    job: Job, todo: Sequence[Task], jobs: int, folder: str = ""
+    job: Job, todo: Sequence[CaseTask], jobs: int, folder: str = ""
 ) -> Iterator[Iterator[Done]]:
     """What becomes of each case, in their order, by so many processes."""
+    rules = RULES._replace(ended=partial(forget, folder))
     try:
-        if min(jobs, len(todo)) < 2:
-            yield map(partial(work, job), todo)
-            return
-        from vstatics.jobs.crew import Crew
-
-        with Crew(partial(work, job), lost, min(jobs, len(todo)), partial(forget, folder)) as crew:
-            yield crew.each(todo, here=_is_only_here)
+        with workers(job, str, jobs=min(jobs, len(todo)), rules=rules) as called:
+            yield (done for _, done in called.each(calculate_and_write, todo, ordered=True))
     finally:
         if folder:
             forget(folder, os.getpid())
-
-
-def _is_only_here(task: Task) -> bool:
-    """Whether only this process can read a case: another one has other streams."""
-    return task.file == files.STDIN or task.file.startswith(("/dev/", "/proc/"))
 
 
 def _follow(
@@ -201,13 +193,21 @@ def _telling(count: _Count, kept: str) -> Iterator[Stop]:
     raise click.exceptions.Exit(status)
 
 
-def _options(job: Job) -> Options:
+def _resumed(finished: FinishedCases, job: Job) -> bool:
+    """Take up an earlier run, if there is one; with other options that is wrong use."""
+    try:
+        return finished.resume(_depends(job))
+    except ReadError as error:
+        raise click.UsageError(error.problems[0].message) from None
+
+
+def _depends(job: Job) -> dict[str, object]:
     """What the results depend on, besides the cases."""
     listing = job.output_format == "listing"
     return {
         "version": __version__,
-        "--from": job.settings.input_format,
-        "--coast": job.settings.coast,
-        "--idle": job.settings.idle,
+        "--from": job.options.input_format,
+        "--coast": job.options.coast,
+        "--idle": job.options.idle,
         "--lang": job.lang if listing else None,
     }

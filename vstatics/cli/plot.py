@@ -8,7 +8,7 @@ import click
 
 from vstatics.cli import cases as arguments
 from vstatics.cli import files
-from vstatics.cli.cases import Settings, calculate
+from vstatics.cli.cases import CaseOptions, calculate
 from vstatics.errors import CaseError, Place, Problem, ReadError
 from vstatics.pictures import FORMATS, PICTURES, Format, render
 from vstatics.pictures.style import Style
@@ -44,7 +44,7 @@ def plot(
     output: str,
     gear: str | None,
     dark: bool,
-    settings: Settings,
+    settings: CaseOptions,
     lang: Language,
 ) -> None:
     """Draw a picture of CASE: a deck, YAML or JSON; - is standard input.

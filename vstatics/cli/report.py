@@ -8,7 +8,8 @@ import click
 
 from vstatics.cli import cases as arguments
 from vstatics.cli import files
-from vstatics.cli.cases import Settings, calculate
+from vstatics.cli.cases import CaseOptions, calculate
+from vstatics.jobs.files import is_stream
 
 
 @click.command()
@@ -27,7 +28,7 @@ def report(
     context: click.Context,
     case: str,
     output: str,
-    settings: Settings,
+    settings: CaseOptions,
 ) -> None:
     """Write CASE and its results as one page of HTML; - is standard input.
 
@@ -47,7 +48,7 @@ def report(
     """
     files.spare([case], output)
     suffix = os.path.splitext(output)[1].lower()  # noqa: PTH122
-    if suffix not in ("", ".html", ".htm") and not files.is_stream(output):
+    if suffix not in ("", ".html", ".htm") and not is_stream(output):
         raise click.UsageError(
             f"the page is HTML: expected a file that ends in .html, not {suffix}"
         )

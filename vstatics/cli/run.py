@@ -8,7 +8,7 @@ import click
 
 from vstatics.cli import cases as arguments
 from vstatics.cli import files, texts
-from vstatics.cli.cases import Settings, calculate
+from vstatics.cli.cases import CaseOptions, calculate
 from vstatics.statics.results import Language
 
 
@@ -59,7 +59,7 @@ def run(
     jobs: int,
     resume: bool,
     pretty: bool,
-    settings: Settings,
+    settings: CaseOptions,
     lang: Language,
 ) -> None:
     """Calculate every gear of each CASE: a deck, YAML or JSON; - is standard input.
@@ -95,7 +95,7 @@ def run(
         files.spare([*names, *filter(None, [files_from])], output)
     if several or folder is not None or output_format == "jsonl":
         from vstatics.cli import many
-        from vstatics.cli.work import Job
+        from vstatics.cli.case_job import Job
 
         job = Job(settings, output_format, lang)
         if folder is None:
@@ -108,7 +108,7 @@ def run(
     context.exit(1 if outcome.failed else 0)
 
 
-def _pretty(names: list[str], settings: Settings) -> int:
+def _pretty(names: list[str], settings: CaseOptions) -> int:
     """Show the gears of each case to a person; the exit status."""
     from rich.console import Console
 

@@ -9,7 +9,7 @@ import click
 
 from vstatics.cli import cases as arguments
 from vstatics.cli import files
-from vstatics.cli.cases import Outcome, Settings, calculate
+from vstatics.cli.cases import CalculatedCase, CaseOptions, calculate
 from vstatics.errors import CaseError, Place, ReadError
 from vstatics.statics.results import Results
 
@@ -69,7 +69,7 @@ def summary(
     combinations: bool,
     at_most: int,
     duty: str | None,
-    settings: Settings,
+    settings: CaseOptions,
 ) -> None:
     """Ratios, steps, spread, transitions and largest values of CASE; - is standard input.
 
@@ -105,7 +105,7 @@ def summary(
     context.exit(1 if any(outcome.failed for outcome in outcomes) else 0)
 
 
-def _text(outcomes: Sequence[Outcome], output_format: SummaryFormat, asked: _Asked) -> str:
+def _text(outcomes: Sequence[CalculatedCase], output_format: SummaryFormat, asked: _Asked) -> str:
     """The summary of one case, or of two beside one another."""
     made = [
         _summarized(outcome.results, outcome.file, asked)

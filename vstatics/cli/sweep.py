@@ -12,8 +12,9 @@ from vstatics import readers
 from vstatics.cli import cases as arguments
 from vstatics.cli import files
 from vstatics.cli.cases import Command
-from vstatics.cli.sweep_run import in_good_order, is_stream, run
+from vstatics.cli.sweep_run import estimate, in_good_order, run
 from vstatics.errors import CaseError, ReadError
+from vstatics.jobs.files import is_stream
 from vstatics.model.transmission import Transmission
 from vstatics.sweep import build
 from vstatics.sweep.file import read_sweep_file
@@ -105,8 +106,6 @@ def sweep(
         build.check_packages(options, form, scheduler)
         plan = build.plan(_case(options.case or "", input_format), options)
         if dry_run:
-            from vstatics.cli.sweep_estimate import estimate
-
             files.write_output(estimate(plan, form, jobs), None)
             return 0
         return run(plan, form, options.output, jobs=jobs, scheduler=scheduler, resume=resume)

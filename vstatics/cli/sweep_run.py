@@ -1,41 +1,28 @@
-"""Carrying out a sweep: to a file or a stream, with what is said when it ends."""
+"""Carrying out a sweep: to a file or a stream, with what is said when it ends, or before it."""
 
 from __future__ import annotations
 
+import math
 import os
-import stat
-import sys
 import time
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager, suppress
-from typing import Any
+from collections.abc import Callable
 
 from vstatics.cli import files
-from vstatics.errors import CaseError, Place, Problem
-from vstatics.jobs.files import opened
+from vstatics.errors import CaseError
+from vstatics.jobs.files import STDOUT, is_stream, unwritable
+from vstatics.jobs.finished import SUFFIX, FinishedPieces
 from vstatics.jobs.stopping import StoppedError, stoppable
-from vstatics.jobs.store import SUFFIX, Store
-from vstatics.sweep.chunk import STATUS
-from vstatics.sweep.formats import Format
+from vstatics.jobs.workers import workers
+from vstatics.sweep import chunk
+from vstatics.sweep.best import BEST
+from vstatics.sweep.formats import TEXTS, Format
 from vstatics.sweep.output import Output, SweepReport, description, stream
 from vstatics.sweep.plan import SweepPlan
-from vstatics.sweep.tasks import SweepTask
+from vstatics.sweep.tasks import SweepTask, columns_of, text_of
 from vstatics.sweep.variants import VariantTable
 
 UNSOLVED = ("tied up", "conflict", "invalid")
 """A variant of this status has no solution at all."""
-
-
-def is_stream(output: str | None) -> bool:
-    """Whether the output is no file that could be replaced."""
-    if output is None or output == files.STDIN:
-        return True
-    if output.startswith(("/dev/std", "/dev/fd/")):  # whatever they lead to, they stay
-        return True
-    with suppress(OSError):
-        mode = os.stat(output).st_mode  # noqa: PTH116
-        return not (stat.S_ISREG(mode) or stat.S_ISDIR(mode))
-    return False
 
 
 def in_good_order(act: Callable[[], int]) -> int:
@@ -72,15 +59,14 @@ def to_file(
 ) -> int:
     """Write the output file, whole or not at all; the exit status."""
     from vstatics.cli.progress import progress
-    from vstatics.jobs.workers import workers
 
     began = time.perf_counter()
-    with Store(output) as store:
-        if resume and not store.exists() and os.path.exists(output):  # noqa: PTH110
+    with FinishedPieces(output) as pieces:
+        if resume and not pieces.exists() and os.path.exists(output):  # noqa: PTH110
             files.say(f"{output} may be of another sweep: every variant is calculated again")
-        written = Output(plan, form, store)
+        written = Output(plan, form, pieces)
         try:
-            store.open(description(plan, form), plan.pieces, resume=resume)
+            pieces.open(description(plan, form), plan.pieces, resume=resume)
             kept = written.finished
             called = workers(
                 written.task,
@@ -96,19 +82,15 @@ def to_file(
             files.say(f"stopped; {_kept(written, output)}")
             return stopped.status
         except OSError as error:
-            files.show([_unwritable(output, error)])
+            files.show([unwritable(output, error)])
             files.say(_kept(written, output))
             return 1
         except CaseError as error:
             files.show(error.problems)
-            if store.finished():
+            if pieces.finished():
                 files.say(_kept(written, output))
             return 1
     return _summary(output, report, kept, time.perf_counter() - began)
-
-
-def _unwritable(output: str, error: OSError) -> Problem:
-    return Problem(f"can't be written: {error.strerror or error}", place=Place(output, 0, 0))
 
 
 def _kept(written: Output, output: str) -> str:
@@ -127,16 +109,14 @@ def to_stream(
 ) -> int:
     """Write rows to stdout, or to what is no file, as they come; the exit status."""
     from vstatics.cli.progress import progress
-    from vstatics.jobs.workers import workers
 
     began = time.perf_counter()
     task = SweepTask(plan, form)
-    name = "<stdout>" if output in (None, files.STDIN) else str(output)
     done = 0
     try:
         called = workers(task, task.describe, jobs=min(jobs, plan.pieces), scheduler=scheduler)
         with (
-            _opened(output) as write,
+            files.stream(output) as write,
             called,
             progress(plan.variants.count, "variants", beside_stdout=True) as advance,
         ):
@@ -150,37 +130,16 @@ def to_stream(
     except StoppedError as stopped:
         files.say(f"stopped after {done} of {plan.variants.count} variants")
         return stopped.status
-    except BrokenPipeError:
-        raise  # the reader has seen enough
-    except OSError as error:
-        files.show([_unwritable(name, error)])
-        return 1
+    name = "<stdout>" if output in (None, STDOUT) else str(output)
     return _summary(name, report, 0, time.perf_counter() - began)
-
-
-@contextmanager
-def _opened(output: str | None) -> Iterator[Callable[[bytes], Any]]:
-    """What writes to a stream, at once."""
-    if output is None or output == files.STDIN:
-        if sys.stdout is None:
-            raise OSError(files.CLOSED)
-        sys.stdout.flush()
-        buffer = sys.stdout.buffer
-
-        def write(data: bytes) -> None:
-            buffer.write(data)
-            buffer.flush()
-
-        yield write
-    else:
-        with opened(output) as write_there:
-            yield write_there
 
 
 def _summary(output: str, report: SweepReport, kept: int, seconds: float) -> int:
     """Say what became of the variants; the exit status."""
     reasons = [
-        f"{report.counts[status]} {status}" for status in STATUS[1:] if status in report.counts
+        f"{report.counts[status]} {status}"
+        for status in chunk.STATUS[1:]
+        if status in report.counts
     ]
     told = f" ({', '.join(reasons)})" if reasons else ""
     before = f", {kept} of them before" if kept else ""
@@ -193,3 +152,69 @@ def _summary(output: str, report: SweepReport, kept: int, seconds: float) -> int
     if not solved:
         files.say("no variant has a solution")
     return 0 if solved else 1
+
+
+def estimate(plan: SweepPlan, form: Format, jobs: int) -> str:
+    """How many variants, how large, about how long, by a block of the sweep."""
+    variants, columns = plan.variants.count, len(plan.names) + len(plan.headings) + 2
+    start, stop = _middle_block(plan)
+    chunk.calculate(plan, start, min(start + 100, stop))  # the first time costs more
+    began = time.perf_counter()
+    made = chunk.calculate(plan, start, stop)
+    data = [text_of(SweepTask(plan, form), made)] if form in TEXTS else columns_of(made)
+    seconds = (time.perf_counter() - began) / max(stop - start, 1) * variants
+    part = len(made.variants) / max(stop - start, 1)
+    rows = round(part * variants)
+    if plan.objectives:
+        most = plan.best or (BEST if len(plan.objectives) == 1 else rows)
+        told = f"the best, at most {min(rows, most)}"
+    else:
+        told = str(rows) if plan.where is None else f"about {rows}"
+    length = sum(memoryview(one).nbytes for one in data) / max(len(made.variants), 1)
+    size = "small" if plan.objectives else f"about {_size(length * rows)}"
+    processes = f" with {jobs} jobs" if jobs > 1 else ""
+    lines = {
+        "variants": str(variants),
+        "rows": told,
+        "columns": f"{columns}: {_listed(['variant', *plan.names, 'status', *plan.headings])}",
+        "size": size,
+        "time": f"about {_duration(seconds / min(jobs, max(plan.pieces, 1)))}{processes}",
+    }
+    return "".join(f"{name:9} {value}\n" for name, value in lines.items())
+
+
+def _middle_block(plan: SweepPlan) -> tuple[int, int]:
+    """A block in the middle of the sweep."""
+    start, stop = plan.span(plan.pieces // 2)
+    blocks = list(chunk.blocks(plan.case, start, stop))
+    return blocks[len(blocks) // 2]
+
+
+def _listed(names: list[str], most: int = 8) -> str:
+    return ", ".join(names if len(names) <= most else [*names[: most - 1], "...", names[-1]])
+
+
+def _size(length: float) -> str:
+    """Bytes as one says them.
+
+    >>> _size(999), _size(1.3e9)
+    ('999 bytes', '1.3 GB')
+    """
+    units = ("bytes", "kB", "MB", "GB", "TB")
+    power = min(int(math.log10(max(length, 1)) / 3), len(units) - 1)
+    return f"{length / 1000**power:.3g} {units[power]}"
+
+
+def _duration(seconds: float) -> str:
+    """A duration as one says it.
+
+    >>> _duration(0.2), _duration(90), _duration(9000)
+    ('a second', '1.5 minutes', '2.5 hours')
+    """
+    if seconds < 1:
+        return "a second"
+    if seconds < 60:
+        return f"{seconds:.0f} s"
+    if seconds < 3600:
+        return f"{seconds / 60:.2g} minutes"
+    return f"{seconds / 3600:.3g} hours"

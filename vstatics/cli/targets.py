@@ -11,11 +11,12 @@ import click
 from vstatics import readers
 from vstatics.cli import files
 from vstatics.cli.texts import SUFFIXES, OutputFormat
+from vstatics.jobs.files import is_stream
 
 STDIN_STEM = "stdin"
 
 
-class Task(NamedTuple):
+class CaseTask(NamedTuple):
     """A case, and the file for its result; None where it goes to a stream."""
 
     file: str
@@ -34,7 +35,7 @@ def is_directory(output: str, output_format: OutputFormat, *, several: bool) -> 
         if output_format == "jsonl":
             raise click.UsageError(f"jsonl is one stream: expected -o FILE, not {output}")
         return True
-    if not several or output_format == "jsonl" or files.is_stream(output):
+    if not several or output_format == "jsonl" or is_stream(output):
         return False
     suffix = os.path.splitext(output)[1].lower()  # noqa: PTH122
     if suffix in (*SUFFIXES.values(), ".txt") or suffix in readers.SUFFIXES:
@@ -50,7 +51,9 @@ def is_directory(output: str, output_format: OutputFormat, *, several: bool) -> 
     return True
 
 
-def tasks(cases: Sequence[str], folder: str, suffix: str, others: Sequence[str] = ()) -> list[Task]:
+def tasks(
+    cases: Sequence[str], folder: str, suffix: str, others: Sequence[str] = ()
+) -> list[CaseTask]:
     """The file for the result of each case: its stem with the suffix, in the folder.
 
     Parameters
@@ -69,10 +72,10 @@ def tasks(cases: Sequence[str], folder: str, suffix: str, others: Sequence[str] 
     >>> [task.target for task in tasks(["a/x.dat", "y.v2.yaml"], "results", ".json")]
     ['results/x.json', 'results/y.v2.json']
     """
-    made = [Task(file, os.path.join(folder, _stem(file) + suffix)) for file in cases]  # noqa: PTH118
+    made = [CaseTask(file, os.path.join(folder, _stem(file) + suffix)) for file in cases]  # noqa: PTH118
     real = _RealPaths()
     refused = []
-    inputs: dict[str, Task] = {}
+    inputs: dict[str, CaseTask] = {}
     for task in made:
         before = inputs.setdefault(real(task.file), task)
         if before is not task:

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import Literal, NamedTuple
 
-from vstatics.cli.cases import Outcome
+from vstatics.cli.cases import CalculatedCase
 from vstatics.statics.results import Language
 
 OutputFormat = Literal["listing", "json", "csv", "jsonl"]
@@ -38,7 +38,7 @@ class Frame(NamedTuple):
     last: str
 
 
-def alone(outcome: Outcome, output_format: OutputFormat, lang: Language) -> str:
+def alone(outcome: CalculatedCase, output_format: OutputFormat, lang: Language) -> str:
     """The text of a case by itself; one that failed has none."""
     if output_format == "jsonl":
         return part(outcome, output_format, lang)
@@ -57,7 +57,7 @@ def alone(outcome: Outcome, output_format: OutputFormat, lang: Language) -> str:
     return listing.write(outcome.results, lang)
 
 
-def part(outcome: Outcome, output_format: OutputFormat, lang: Language) -> str:
+def part(outcome: CalculatedCase, output_format: OutputFormat, lang: Language) -> str:
     """The text of a case among several; one that failed has one in JSON only."""
     if output_format in ("json", "jsonl"):
         from vstatics.writers import result_json

@@ -1,4 +1,4 @@
-"""What those who do the work give, and the simplest of them: this process itself.
+"""What workers of every kind give, and the simplest of them: this process itself.
 
 All of them give `each(function, items)`: `function(state, item)` for every item, with a
 state that every worker got once. However many items there are, only a few are under way.
@@ -7,7 +7,7 @@ state that every worker got once. However many items there are, only a few are u
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
-from typing import Any, Protocol, Self, TypeVar
+from typing import Any, NamedTuple, Protocol, Self, TypeVar
 
 from vstatics.errors import CaseError, Problem
 
@@ -17,16 +17,16 @@ Describe = Callable[[Any], str]
 
 
 class Workers(Protocol):
-    """Those who do the work, as long as the context lasts."""
+    """They take the items, as long as the context lasts."""
 
     remote: bool
     """Whether they may be on other machines, so that they see no files of this one."""
 
     def __enter__(self) -> Self:
-        """Call them together."""
+        """Begin."""
 
     def __exit__(self, *error: object) -> None:
-        """Send them home."""
+        """End; at once if there was an error."""
 
     def each(
         self,
@@ -46,6 +46,41 @@ class Workers(Protocol):
         """
 
 
+class Rules(NamedTuple):
+    """What processes do with items that are not all alike, and where one of them dies."""
+
+    ahead: int = 2
+    """So many results for each process may wait for one that takes long."""
+    tries: int = 3
+    """An item at which so many processes died is given up."""
+    lost: Callable[[Any], Any] | None = None
+    """The result of an item that is given up; without it that is an error."""
+    here: Callable[[Any], bool] = lambda item: False  # noqa: ARG005
+    """Whether only this process can do an item."""
+    ended: Callable[[int], None] = lambda process: None  # noqa: ARG005
+    """Gets the id of a process that ended while it may have been at an item."""
+
+
+def call(
+    function: Callable[[Any, Item], Result], state: object, item: Item, describe: Describe
+) -> Result:
+    """The result of an item.
+
+    Raises
+    ------
+    CaseError
+        Of the function, or in place of any other exception; then it names the item.
+    OSError
+        As the function raised it.
+    """
+    try:
+        return function(state, item)
+    except (OSError, CaseError):
+        raise
+    except Exception as error:
+        raise failure(describe, item, error) from error
+
+
 def failure(describe: Describe, item: object, error: BaseException) -> CaseError:
     """The error that an item could not be done."""
     return CaseError([Problem(f"{describe(item)}: {type(error).__name__}: {error}")])
@@ -62,11 +97,11 @@ class Alone:
         self.describe = describe
 
     def __enter__(self) -> Self:
-        """Nobody is to be called."""
+        """There is nobody else to start."""
         return self
 
     def __exit__(self, *error: object) -> None:
-        """Nobody is to be sent home."""
+        """There is nobody else to end."""
 
     def each(
         self,
@@ -77,10 +112,4 @@ class Alone:
     ) -> Iterator[tuple[Item, Result]]:
         """See `Workers`."""
         for item in items:
-            try:
-                result = function(self.state, item)
-            except (OSError, CaseError):
-                raise
-            except Exception as error:
-                raise failure(self.describe, item, error) from error
-            yield item, result
+            yield item, call(function, self.state, item, self.describe)

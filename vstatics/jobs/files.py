@@ -11,9 +11,41 @@ import stat
 from collections.abc import Callable, Iterator
 from functools import partial
 
+from vstatics.errors import Place, Problem
+
+STDOUT = "-"
+OLD = ".old"
+PREFIX = ".vstatics-"
+OWN_FAULTS = {errno.EISDIR, errno.ENAMETOOLONG, errno.ELOOP, errno.EILSEQ}
+"""Errors of writing that one name has; any other would meet every file."""
+Write = Callable[[bytes | memoryview], None]
+
+
+def is_stream(output: str | None) -> bool:
+    """Whether an output is stdout, or is there and no file that could be replaced.
+
+    >>> is_stream("-"), is_stream("/dev/stdout"), is_stream("gears.csv")
+    (True, True, False)
+    """
+    if output is None or output == STDOUT:
+        return True
+    if output.startswith("/dev/") and not output.startswith("/dev/shm/"):  # noqa: S108
+        return True  # /dev/stdout is not to be replaced, whatever it is
+    try:
+        mode = os.stat(output).st_mode  # noqa: PTH116
+    except OSError:
+        return False
+    return not (stat.S_ISREG(mode) or stat.S_ISDIR(mode))
+
+
+def unwritable(output: str | None, error: OSError) -> Problem:
+    """The problem that an output, or stdout, cannot be written."""
+    name = "<stdout>" if output is None or output == STDOUT else output
+    return Problem(f"can't be written: {error.strerror or error}", place=Place(name, 0, 0))
+
 
 @contextlib.contextmanager
-def opened(output: str) -> Iterator[Callable[[bytes], None]]:
+def opened(output: str) -> Iterator[Write]:
     """Write to a stream that is there, where it stands: not at the end of a file behind it."""
     own = re.fullmatch(r"/dev/std(?:(out)|err)|(?:/dev|/proc/self)/fd/(\d{1,9})", output)
     if own is None:
@@ -39,7 +71,7 @@ def replace(path: str, data: bytes) -> None:
 
 
 @contextlib.contextmanager
-def replacing(path: str) -> Iterator[Callable[[bytes], None]]:
+def replacing(path: str) -> Iterator[Write]:
     """Write beside a file, and move it into place when the block ends well.
 
     An old file keeps its permissions; a link stays, and its file is written.
@@ -62,15 +94,29 @@ def replacing(path: str) -> Iterator[Callable[[bytes], None]]:
         raise
 
 
+def set_aside(path: str) -> str:
+    """Rename an earlier file, so that nobody takes it for a new one; its name now, if there was."""
+    with contextlib.suppress(FileNotFoundError):
+        if stat.S_ISREG(os.lstat(path).st_mode):
+            os.replace(path, path + OLD)  # noqa: PTH105
+            return path + OLD
+    return ""
+
+
 def forget(folder: str, process: int) -> None:
     """Remove the file that a process was writing in a folder when it was ended."""
     with contextlib.suppress(OSError):
         os.unlink(_temporary_name(folder, process))  # noqa: PTH108
 
 
+def is_temporary(name: str) -> bool:
+    """Whether a file was not finished, by its name."""
+    return name.startswith(PREFIX) or name.endswith(".tmp")  # the earlier names
+
+
 def _temporary_name(folder: str, process: int, number: int = 0) -> str:
     """The name under which a process writes a file before it moves it into place."""
-    return os.path.join(folder, f".vstatics-{process}-{number}")  # noqa: PTH118
+    return os.path.join(folder, f"{PREFIX}{process}-{number}")  # noqa: PTH118
 
 
 def _beside(path: str) -> tuple[str, int]:
@@ -83,10 +129,11 @@ def _beside(path: str) -> tuple[str, int]:
     raise AssertionError
 
 
-def _write(handle: int, data: bytes) -> None:
-    """Write all of it; a file system that is nearly full may take a part at a time."""
-    while data:
-        data = data[os.write(handle, data) :]
+def _write(handle: int, data: bytes | memoryview) -> None:
+    """Write all of it: one call takes 2 GB at most, and less where a disk gets full."""
+    left = memoryview(data)
+    while left:
+        left = left[os.write(handle, left) :]
 
 
 def _mode(path: str) -> int | None:

@@ -7,7 +7,6 @@ JSON, with check sums.
 
 from __future__ import annotations
 
-import contextlib
 import errno
 import json
 import os
@@ -15,6 +14,8 @@ import struct
 import zlib
 from collections.abc import Iterator, Sequence
 from typing import Any, NamedTuple
+
+from vstatics.jobs.files import replacing
 
 ASSEMBLED = "output"
 """The file that becomes the output."""
@@ -85,23 +86,9 @@ def write_piece(directory: str, piece: int, buffers: Sequence[Any]) -> None:
     ------
     OSError
     """
-    path = piece_path(directory, piece)
-    temporary = f"{path}.{os.getpid()}.tmp"
-    try:
-        with open(temporary, "wb", buffering=0) as file:  # noqa: PTH123
-            for buffer in buffers:
-                write_all(file.fileno(), memoryview(buffer).cast("B"))
-        os.replace(temporary, path)  # noqa: PTH105
-    except BaseException:
-        with contextlib.suppress(OSError):
-            os.unlink(temporary)  # noqa: PTH108
-        raise
-
-
-def write_all(file: int, data: memoryview) -> None:
-    """Write everything: one call writes 2 GB at most, and less where a disk gets full."""
-    while data:
-        data = data[os.write(file, data) :]
+    with replacing(piece_path(directory, piece)) as write:
+        for buffer in buffers:
+            write(memoryview(buffer).cast("B"))
 
 
 def read_account(directory: str, piece: int) -> Account | None:

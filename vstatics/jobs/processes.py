@@ -1,79 +1,53 @@
-"""Several processes of this machine do the work; one that dies is replaced."""
+"""Several processes of this machine; one that dies is replaced.
+
+Each has a line of its own, so that it is known at which item one died: that item is tried
+again by a new process, and given up in the end. The others lose nothing.
+"""
 
 from __future__ import annotations
 
-import contextlib
 import os
 import signal
 import sys
 import threading
+import warnings
 from collections import Counter, deque
 from collections.abc import Callable, Iterable, Iterator
-from concurrent.futures import FIRST_COMPLETED, Future, wait
-from concurrent.futures.process import BrokenProcessPool, ProcessPoolExecutor
-from typing import Any, Self, TypeVar
+from contextlib import contextmanager, suppress
+from typing import TYPE_CHECKING, Any, Self, TypeVar
 
-from vstatics.errors import CaseError, Problem
-from vstatics.jobs.alone import Describe, failure
+from vstatics.errors import CaseError, Problem, ReadError
+from vstatics.jobs.alone import Describe, Rules, call
+
+if TYPE_CHECKING:
+    from multiprocessing.connection import Connection
 
 Item = TypeVar("Item")
 Result = TypeVar("Result")
 
-MOST_DEATHS = 3
-"""An item at which so many workers died is given up."""
+QUEUED = 2
+"""So many items a process has, so that it need not wait for the next."""
+PATIENCE = 5
+"""So long a process may take to end when its line is closed. [s]"""
 
 
 class Processes:
-    """Several processes on this machine."""
+    """Several processes on this machine; see `vstatics.jobs.alone.Workers`."""
 
     remote = False
 
-    def __init__(self, state: object, describe: Describe, jobs: int) -> None:
-        """Nothing is started before the context is entered."""
-        self.state = state
-        self.describe = describe
-        self.jobs = jobs
-        self._pool: ProcessPoolExecutor | None = None
+    def __init__(self, state: object, describe: Describe, jobs: int, rules: Rules) -> None:
+        """Nothing is started before there is something to do."""
+        self.state, self.describe, self.jobs, self.rules = state, describe, jobs, rules
+        self._processes: list[_Process] = []
 
     def __enter__(self) -> Self:
-        """Start them, before this process has threads."""
-        self._start()
+        """Nothing is to be done yet."""
         return self
 
     def __exit__(self, *error: object) -> None:
-        """End them; at once if there was an error."""
-        if error[0] is not None:
-            self._kill()
-        elif self._pool is not None:
-            self._pool.shutdown()
-
-    def _start(self) -> None:
-        import warnings
-        from multiprocessing import get_context
-
-        # A fork costs nothing, but is not safe where another thread holds a lock.
-        fork = sys.platform == "linux" and threading.active_count() == 1
-        self._pool = ProcessPoolExecutor(
-            self.jobs,
-            mp_context=get_context("fork") if fork else get_context("spawn"),
-            initializer=_begin,
-            initargs=(self.state,),
-        )
-        with warnings.catch_warnings():  # Python counts the threads of BLAS, which can stand it
-            warnings.simplefilter("ignore", DeprecationWarning)
-            self._pool.submit(_ready)
-
-    def _kill(self) -> None:
-        """End all processes without waiting for what they are at."""
-        pool, self._pool = self._pool, None
-        if pool is None:
-            return
-        running = list((getattr(pool, "_processes", None) or {}).values())
-        pool.shutdown(wait=False, cancel_futures=True)
-        for process in running:
-            process.terminate()
-        for process in running:
-            process.join()
+        """End the processes; at once if there was an error."""
+        self._end(list(self._processes), at_once=error[0] is not None)
 
     def each(
         self,
@@ -82,126 +56,197 @@ class Processes:
         *,
         ordered: bool = False,
     ) -> Iterator[tuple[Item, Result]]:
-        """See `Workers`."""
-        return _Errand(self, function, items, ordered=ordered).results()
+        """See `vstatics.jobs.alone.Workers`.
 
-    def submit(self, function: Callable[[Any, Item], Result], item: Item) -> Future[Result]:
-        """Give an item to whoever is free."""
-        if self._pool is None:
-            self._start()
-        assert self._pool is not None  # noqa: S101
-        return self._pool.submit(_call, function, item)
+        Raises
+        ------
+        ReadError
+            If no process can be started.
+        """
+        coming = _Coming(items)
+        done: dict[int, tuple[Item, Result]] = {}
+        turn = 0
+        try:
+            while True:
+                self._give(function, coming, done)
+                if done and (not ordered or turn in done):
+                    yield done.pop(turn if ordered else next(iter(done)))
+                    turn += 1
+                elif self._under_way():
+                    self._gather(coming, done)
+                else:
+                    return
+        finally:
+            self._end([one for one in self._processes if one.items], at_once=True)
+
+    def _under_way(self) -> int:
+        """How many items the processes have."""
+        return sum(len(process.items) for process in self._processes)
+
+    def _give(
+        self, function: Callable[[Any, Any], Any], coming: _Coming, done: dict[int, Any]
+    ) -> None:
+        """Give items to the processes, as many as may be under way."""
+        under_way = self._under_way()
+        while under_way + len(done) < self.rules.ahead * self.jobs:
+            if under_way >= QUEUED * self.jobs:
+                return
+            entry = coming.next()
+            if entry is None:
+                return
+            number, item = entry
+            if self.rules.here(item):
+                done[number] = item, call(function, self.state, item, self.describe)
+            else:
+                self._free().give(number, item, function)
+                under_way += 1
+
+    def _free(self) -> _Process:
+        """A new process, or the one with the least to do."""
+        if len(self._processes) < self.jobs:
+            try:
+                process = _Process(self.state, self.describe, self._processes)
+            except OSError as error:
+                message = f"processes (--jobs) can't be started: {error.strerror or error}"
+                raise ReadError([Problem(message)]) from None
+            self._processes.append(process)
+            return process
+        return min(self._processes, key=lambda process: len(process.items))
+
+    def _gather(self, coming: _Coming, done: dict[int, Any]) -> None:
+        """Wait for results; what a process that died was at is tried again."""
+        from multiprocessing.connection import wait
+
+        ready = set(wait([process.connection for process in self._processes]))
+        for process in [one for one in self._processes if one.connection in ready]:
+            try:
+                number, result, error = process.connection.recv()
+            except (EOFError, OSError):
+                self._end([process], at_once=True)
+                self._again(list(process.items.items()), coming, done)
+                continue
+            if error is not None:
+                raise error
+            done[number] = process.items.pop(number), result
+
+    def _again(self, entries: list[tuple[int, Any]], coming: _Coming, done: dict[int, Any]) -> None:
+        """Take back what a process that died had; the first of it is what it was at."""
+        if entries and coming.dies(entries[0][0]) >= self.rules.tries:
+            number, item = entries.pop(0)
+            if self.rules.lost is None:
+                died = f"the process died {self.rules.tries} times (out of memory, or killed)"
+                raise CaseError([Problem(f"{self.describe(item)}: {died}")])
+            done[number] = item, self.rules.lost(item)
+        coming.back(entries)
+
+    def _end(self, processes: list[_Process], *, at_once: bool) -> None:
+        for process in processes:
+            self._processes.remove(process)
+            process.dismiss(at_once=at_once)
+        for process in processes:
+            process.join()
+            if at_once:
+                self.rules.ended(process.number)
 
 
-_state: Any = None
-"""What a worker process got when it began."""
+class _Coming:
+    """The items to come with their numbers, those first that are to be tried again."""
+
+    def __init__(self, items: Iterable[Any]) -> None:
+        self.items = enumerate(items)
+        self.again: deque[tuple[int, Any]] = deque()
+        self.deaths: Counter[int] = Counter()
+
+    def next(self) -> tuple[int, Any] | None:
+        return self.again.popleft() if self.again else next(self.items, None)
+
+    def dies(self, number: int) -> int:
+        """Count a death at an item; how many there were."""
+        self.deaths[number] += 1
+        return self.deaths[number]
+
+    def back(self, entries: Iterable[tuple[int, Any]]) -> None:
+        self.again = deque(sorted([*self.again, *entries], key=lambda entry: entry[0]))
 
 
-def _begin(state: object) -> None:
-    """Begin as a worker: keep the state, leave Ctrl-C to the parent, and end with it."""
-    global _state  # noqa: PLW0603
-    _state = state
+class _Process:
+    """A process, the line to it, and what it has still to do."""
+
+    def __init__(self, state: object, describe: Describe, others: Iterable[_Process]) -> None:
+        import multiprocessing
+
+        # A fork costs nothing, but is not safe where another thread holds a lock.
+        fork = sys.platform == "linux" and threading.active_count() == 1
+        context: Any = multiprocessing.get_context("fork" if fork else "spawn")
+        self.items: dict[int, Any] = {}
+        self.connection, far = context.Pipe()
+        inherited = [other.connection for other in others] + [self.connection] if fork else []
+        arguments = (state, describe, far, inherited)
+        self.process = context.Process(target=_serve, args=arguments, daemon=True)
+        with _later(signal.SIGINT, signal.SIGTERM), warnings.catch_warnings():
+            # Python counts the threads of BLAS, which can stand it.
+            warnings.simplefilter("ignore", DeprecationWarning)
+            self.process.start()
+        far.close()
+
+    @property
+    def number(self) -> int:
+        """The id of the process."""
+        return int(self.process.pid)
+
+    def give(self, number: int, item: Any, function: Callable[[Any, Any], Any]) -> None:
+        self.items[number] = item
+        with suppress(OSError):  # it died: that is seen when its results are read
+            self.connection.send((number, item, function))
+
+    def dismiss(self, *, at_once: bool) -> None:
+        self.connection.close()
+        if at_once:
+            self.process.terminate()
+
+    def join(self) -> None:
+        self.process.join(PATIENCE)
+        if self.process.is_alive():
+            self.process.kill()
+            self.process.join()
+
+
+@contextmanager
+def _later(*signals: signal.Signals) -> Iterator[None]:
+    """Let signals wait; a process that is started meanwhile begins so, too."""
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, signals)
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
+
+
+def _serve(
+    state: object, describe: Describe, connection: Connection, inherited: Iterable[Connection]
+) -> None:
+    """Do items until the line ends, or the parent; Ctrl-C is left to the parent."""
+    for other in inherited:
+        other.close()
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     signal.signal(signal.SIGTERM, signal.SIG_DFL)
+    signal.pthread_sigmask(signal.SIG_UNBLOCK, [signal.SIGINT, signal.SIGTERM])
     threading.Thread(target=_end_with_parent, daemon=True).start()
+    with suppress(EOFError, OSError):  # the line has ended
+        while True:
+            number, item, function = connection.recv()
+            try:
+                answer: Any = number, call(function, state, item, describe), None
+            except (OSError, CaseError) as error:
+                answer = number, None, error
+            connection.send(answer)
+    os._exit(0)
 
 
 def _end_with_parent() -> None:
+    """End this process with its parent, also in the middle of an item that takes long."""
     from multiprocessing import connection, parent_process
 
     parent = parent_process()
     if parent is not None:
         connection.wait([parent.sentinel])
         os.kill(os.getpid(), signal.SIGTERM)
-
-
-def _ready() -> None:
-    pass
-
-
-def _call(function: Callable[[Any, Item], Result], item: Item) -> Result:
-    return function(_state, item)
-
-
-class _Errand:
-    """One run of `each` over several processes."""
-
-    def __init__(
-        self,
-        workers: Processes,
-        function: Callable[[Any, Any], Any],
-        items: Iterable[Any],
-        *,
-        ordered: bool,
-    ) -> None:
-        self.workers = workers
-        self.function = function
-        self.ordered = ordered
-        self.items = enumerate(items)
-        self.again: deque[tuple[int, Any]] = deque()  # were under way when a worker died
-        self.deaths: Counter[int] = Counter()
-        self.under_way: dict[Future[Any], tuple[int, Any]] = {}
-        self.done: dict[int, tuple[Any, Any]] = {}  # waits for its turn
-        self.turn = 0
-
-    def results(self) -> Iterator[tuple[Any, Any]]:
-        self._fill()
-        while self.under_way:
-            finished, _ = wait(self.under_way, return_when=FIRST_COMPLETED)
-            try:
-                for future in finished:
-                    number, item = self.under_way[future]
-                    self.done[number] = item, future.result()
-                    del self.under_way[future]
-            except BrokenProcessPool:
-                self._replace()
-            except (OSError, CaseError):
-                raise
-            except Exception as error:
-                raise failure(self.workers.describe, item, error) from error
-            yield from self._in_turn()
-            self._fill()
-
-    def _in_turn(self) -> Iterator[tuple[Any, Any]]:
-        while self.done:
-            number = self.turn if self.ordered else next(iter(self.done))
-            if number not in self.done:
-                return
-            self.turn += 1
-            yield self.done.pop(number)
-
-    def _fill(self) -> None:
-        """Put so many items under way that nobody waits; one that killed workers goes alone."""
-        most = 2 * self.workers.jobs
-        while len(self.under_way) + len(self.done) < most or (self.again and not self.under_way):
-            suspect = self.again and self.deaths[self.again[0][0]] > 1
-            if suspect and self.under_way:
-                return
-            entry = self.again.popleft() if self.again else next(self.items, None)
-            if entry is None:
-                return
-            try:
-                future = self.workers.submit(self.function, entry[1])
-            except BrokenProcessPool:
-                self.again.appendleft(entry)
-                self._replace()
-                continue
-            self.under_way[future] = entry
-            if suspect:
-                return
-
-    def _replace(self) -> None:
-        """New processes for those that died, and what they were at once more."""
-        for future, (number, item) in list(self.under_way.items()):
-            with contextlib.suppress(BrokenProcessPool):
-                if future.done() and not future.cancelled() and future.exception() is None:
-                    self.done[number] = item, future.result()
-                    continue
-            self.deaths[number] += 1
-            if self.deaths[number] >= MOST_DEATHS:
-                message = f"the process died {MOST_DEATHS} times (out of memory, or killed)"
-                raise CaseError([Problem(f"{self.workers.describe(item)}: {message}")])
-            self.again.append((number, item))
-        self.again = deque(sorted(self.again, key=lambda entry: entry[0]))
-        self.under_way.clear()
-        self.workers._kill()  # noqa: SLF001

@@ -1,14 +1,19 @@
-"""Who does the work: this process, several processes, or a Dask cluster."""
+"""Who does the items: this process, several processes, or a Dask cluster."""
 
 from __future__ import annotations
 
-from vstatics.jobs.alone import Alone, Describe, Workers
+from vstatics.jobs.alone import Alone, Describe, Rules, Workers
 
 
 def workers(
-    state: object, describe: Describe, *, jobs: int = 1, scheduler: str | None = None
+    state: object,
+    describe: Describe,
+    *,
+    jobs: int = 1,
+    scheduler: str | None = None,
+    rules: Rules = Rules(),  # noqa: B008 (it cannot be changed)
 ) -> Workers:
-    """Those who do the work: a cluster if there is a scheduler, else so many processes.
+    """The workers: a cluster if there is a scheduler, else so many processes.
 
     Parameters
     ----------
@@ -20,6 +25,8 @@ def workers(
         Processes; with 1 this process does everything itself.
     scheduler : str, optional
         Address of a Dask scheduler.
+    rules : Rules
+        For several processes of this machine.
     """
     if scheduler is not None:
         from vstatics.jobs.cluster import Cluster
@@ -28,5 +35,5 @@ def workers(
     if jobs > 1:
         from vstatics.jobs.processes import Processes
 
-        return Processes(state, describe, jobs)
+        return Processes(state, describe, jobs, rules)
     return Alone(state, describe)

@@ -33,11 +33,9 @@ def _by_gear(lists: Sequence[Table]) -> Grid:
 
 
 def _of_table(one: Table) -> Grid:
-    rows_of = one.quantity.rows
-    columns = [
-        Column(_HEADS.get(rows_of, ROWS[rows_of].one), is_number=False),
-        *map(Column, one.columns),
-    ]
+    kind = one.quantity.rows
+    head = Column(_HEADS.get(kind, ROWS[kind].one), is_number=False)
+    columns = [head, *map(Column, one.columns)]
     rows = [
         [Cell(name), *(_number(one, value) for value in values)]
         for name, values in zip(one.rows, one.values.tolist(), strict=True)

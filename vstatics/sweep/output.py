@@ -10,8 +10,8 @@ import numpy as np
 
 from vstatics.jobs import pieces
 from vstatics.jobs.alone import Alone, Workers
+from vstatics.jobs.finished import FinishedPieces
 from vstatics.jobs.pieces import Account, Copy
-from vstatics.jobs.store import Store
 from vstatics.sweep import best, chunk, tasks
 from vstatics.sweep.chunk import Chunk
 from vstatics.sweep.formats import TEXTS, Format, text
@@ -68,7 +68,7 @@ def column_types(plan: SweepPlan) -> list[ColumnType]:
 class Output:
     """The way of a sweep to its file; `store` is to be opened before."""
 
-    def __init__(self, plan: SweepPlan, form: Format, store: Store) -> None:
+    def __init__(self, plan: SweepPlan, form: Format, store: FinishedPieces) -> None:
         """Take the pieces that the store has."""
         self.task = SweepTask(plan, form, store.directory)
         self.store = store

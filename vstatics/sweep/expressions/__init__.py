@@ -173,8 +173,8 @@ def _resolve(tree: Tree, names: SweepNames) -> _Resolved:
         one, two = ARRAYS[tables[0]].rows, ARRAYS[other].rows
         if one != two:
             message = (
-                f"`{tables[0]}` has one value per {ROWS[one].one} and `{other}` one per {ROWS[two].one}, "
-                f"so `{name}` can't pair them: pick a row, or use min, max or sum"
+                f"`{tables[0]}` has one value per {ROWS[one].one} and `{other}` one per "
+                f"{ROWS[two].one}, so `{name}` can't pair them: pick a row, or use min, max or sum"
             )
             raise names.source.error(message, tree.at)
     per_gear = any(operand.per_gear for operand in operands)

@@ -1,0 +1,77 @@
+"""One case among several: from its file to the file of its result, or to a part of a stream."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from vstatics.cli import files, texts
+from vstatics.cli.cases import CaseOptions, calculate_one, unexpected
+from vstatics.cli.targets import CaseTask
+from vstatics.errors import Place, Problem
+from vstatics.jobs.alone import Rules
+from vstatics.jobs.files import OWN_FAULTS, replace, set_aside, unwritable
+from vstatics.jobs.finished import FinishedCases, case_state
+from vstatics.statics.results import Language
+
+
+class Job(NamedTuple):
+    """How each case is done."""
+
+    options: CaseOptions
+    output_format: texts.OutputFormat
+    lang: Language
+    finished: FinishedCases | None = None
+    """Of the directory that results go to, if they do."""
+
+
+class Done(NamedTuple):
+    """What became of a case, without its results."""
+
+    file: str
+    problems: list[Problem]
+    failed: bool = True
+    text: bytes = b""
+    """Its part of a stream."""
+    stop: bool = False
+    """Whether the others can't be written either."""
+    left: str = ""
+    """Where an earlier result of a case that failed is now."""
+
+
+def calculate_and_write(job: Job, task: CaseTask) -> Done:
+    """Read, calculate and write a case; nothing that is wrong with it is raised."""
+    state = None if job.finished is None else case_state(task.file)
+    case = calculate_one(task.file, job.options)
+    file, problems = case.file, case.problems
+    try:
+        if task.target is None:
+            text = files.encoded(texts.part(case, job.output_format, job.lang))
+            return Done(file, problems, case.failed, text)
+        if case.results is None:
+            return Done(file, problems, left=set_aside(task.target))
+        replace(task.target, files.encoded(texts.alone(case, job.output_format, job.lang)))
+        if job.finished is not None:
+            job.finished.note(task.target, state, failed=case.failed)
+    except OSError as error:
+        return Done(
+            file,
+            [*problems, unwritable(task.target, error)],
+            stop=error.errno not in OWN_FAULTS,
+        )
+    except Exception as error:  # noqa: BLE001 - the other cases are to go on
+        return Done(file, [*problems, unexpected(file, error)])
+    return Done(file, problems, case.failed)
+
+
+def _lost(task: CaseTask) -> Done:
+    """What is said of a case that is given up."""
+    message = "the process that calculated it died, twice (out of memory, or killed)"
+    return Done(task.file, [Problem(message, place=Place(task.file, 0, 0))])
+
+
+def _is_only_here(task: CaseTask) -> bool:
+    """Whether only this process can read a case: another one has other streams."""
+    return task.file == files.STDIN or task.file.startswith(("/dev/", "/proc/"))
+
+
+RULES = Rules(ahead=64, tries=2, lost=_lost, here=_is_only_here)

@@ -1,0 +1,65 @@
+"""A directory that one process has for as long as it lives, however it ends."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import time
+
+from vstatics.errors import Place, Problem, ReadError
+
+LOCK = "lock"
+"""The file in the directory; it names the process."""
+PATIENCE = 10
+"""Tenths of a second to wait for it."""
+
+
+def lock(directory: str) -> int | None:
+    """Make a directory, if need be, and lock it; the file to close in the end.
+
+    None where a system has no such locks.
+
+    Raises
+    ------
+    ReadError
+        If another process has it.
+    OSError
+    """
+    _make(directory)
+    try:
+        import fcntl
+    except ImportError:
+        return None
+    holder = ""
+    for attempt in range(PATIENCE):
+        if attempt:
+            time.sleep(0.1)  # workers of a killed process leave soon
+            _make(directory)
+        path = os.path.join(directory, LOCK)  # noqa: PTH118
+        file = os.open(path, os.O_RDWR | os.O_CREAT, 0o666)
+        try:
+            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            holder = os.read(file, 100).decode(errors="replace").strip()
+        else:
+            if _is_same(file, path):  # else it was removed, by one that has finished
+                os.truncate(file, 0)
+                os.write(file, f"{os.getpid()}\n".encode())
+                return file
+        os.close(file)
+    process = f" (process {holder})" if holder else ""
+    message = f"another sweep{process} is writing this output"
+    raise ReadError([Problem(message, place=Place(directory, 0, 0))])
+
+
+def _make(directory: str) -> None:
+    with contextlib.suppress(FileExistsError):
+        os.mkdir(directory)  # noqa: PTH102
+
+
+def _is_same(file: int, path: str) -> bool:
+    """Whether an open file still has this name."""
+    try:
+        return os.path.samestat(os.fstat(file), os.stat(path))  # noqa: PTH116
+    except OSError:
+        return False
