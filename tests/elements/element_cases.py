@@ -18,6 +18,7 @@ from hypothesis import strategies as st
 
 import vstatics
 from tests.oracle.single_meshes import Document, speeds
+from vstatics.numerics.traced import plain
 from vstatics.readers import read
 from vstatics.readers.reading import Reading
 from vstatics.statics.results import Results
@@ -122,14 +123,14 @@ def efficiencies(results: Results) -> dict[str, float]:
 
 def link_speeds(results: Results, gear: str) -> dict[str, float]:
     """The speeds of a gear by link."""
-    row = results.speeds[gear_names(results).index(gear)]
-    return dict(zip(results.case.link_names, row.tolist(), strict=True))
+    state = results.gear(gear_names(results).index(gear) + 1)
+    return dict(zip(results.case.link_names, map(plain, state.speeds), strict=True))
 
 
 def torque(results: Results, gear: str, device: str) -> float:
     """The torque without losses that a shift element or a mechanism takes from its first link."""
-    row = results.torques[gear_names(results).index(gear)]
-    return float(row[list(results.case.devices).index(device)])
+    state = results.gear(gear_names(results).index(gear) + 1)
+    return plain(state.torques.on_first_link[list(results.case.devices).index(device)])
 
 
 def has_the_speeds_of_single_meshes(

@@ -9,7 +9,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from vstatics.tables.drawn import shown
 
 from tests.commands import LOCKED, NEUTRAL, TIED_UP, vstatics
 from vstatics import Gear, Mechanism, Results, ShiftElement, Transmission, load, solve
@@ -18,6 +17,7 @@ from vstatics.flow.power import GearFlow, PowerFlow, flows
 from vstatics.flow.text import text
 from vstatics.model.parts import Load
 from vstatics.readers.named.reader import read_yaml
+from vstatics.tables.values import tables
 
 CASES = sorted(path for path in (Path(__file__).parents[2] / "cases").iterdir())
 
@@ -279,9 +279,9 @@ def test_the_power_of_every_shipped_case_closes(path: Path, coast: bool) -> None
 def test_members_of_drawn_elements_have_the_powers_of_the_printed_tables() -> None:
     """Planets are no links of the user: torques of AMLGP times speeds of W, by hand."""
     results = solved(next(path for path in CASES if path.stem == "umdm"), coast=False)
-    tables = shown(results)
+    found = {table.quantity.name: table for table in tables(results)}
     speeds, torques = (
-        dict(zip(tables[name].rows, tables[name].values.T, strict=True))
+        dict(zip(found[name].rows, found[name].values, strict=True))
         for name in ("speeds", "lossy_torques")
     )
     speeds["housing"] = np.zeros(len(results.case.gears))

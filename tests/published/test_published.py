@@ -17,6 +17,7 @@ from typing import Any
 import pytest
 
 import vstatics
+from vstatics.statics.arrays import ARRAYS, row_names
 from vstatics.statics.results import Results
 
 HERE = Path(__file__).parent
@@ -82,18 +83,18 @@ def solved() -> Callable[[str], Results]:
 
 def quantity(results: Results, fact: dict[str, Any]) -> float:
     """The calculated value that a fact speaks of."""
-    case, of = results.case, fact.get("of", "")
+    case, of, name = results.case, fact.get("of", ""), fact["quantity"]
     gear = [gear.name for gear in case.gears].index(fact["gear"])
-    kind = {
-        "planet_speed": [mechanism.name for mechanism in case.mechanisms],
-        "slip_speed": [element.name for element in case.shift_elements],
-        "torque": [*case.devices, "output"],
-        "lossy_torque": [*case.devices, "output"],
-        "speed": case.link_names,
-        "holding_torque": case.link_names,
-    }.get(fact["quantity"])
-    array = getattr(results, fact["quantity"] + ("s" if kind else ""))
-    return float(array[gear, list(kind).index(of)] if kind else array[gear])
+    if name in ("torque", "lossy_torque"):  # of a mesh too, on its first wheel
+        torques = getattr(results.gear(gear + 1), f"{name}s").on_first_link
+        return float(torques[[*case.devices, "output"].index(of)])
+    if name == "planet_speed":  # of a mesh: that of its planet
+        element, _, mesh = of.partition(".")
+        of = f"{element}.{mesh.split('-')[-1]}" if mesh else of
+    many = f"{name}s" if f"{name}s" in ARRAYS else name
+    rows = row_names(case, ARRAYS[many].rows)
+    array = getattr(results, many)
+    return float(array[gear, rows.index(of)] if rows else array[gear])
 
 
 @pytest.mark.parametrize(("name", "gear", "printed"), RATIOS)

@@ -25,6 +25,7 @@ from tests.elements.element_cases import (
     ratios,
     reading,
     solved,
+    torque,
 )
 from tests.oracle.single_meshes import ContradictionError, speeds
 from vstatics.statics.results import Results
@@ -193,11 +194,7 @@ def test_clutch_1_with_brake_1_blocks_the_input(results: Results) -> None:
 def test_torques_balance_and_less_than_everything_comes_out(results: Results, gear: str) -> None:
     """Both brakes and the output together take the torque of the input."""
     at = gear_names(results).index(gear)
-    brakes = [
-        float(results.torques[at, list(results.case.devices).index(name)])
-        for name in gear.split()
-        if name.startswith("T")
-    ]
+    brakes = [torque(results, gear, name) for name in gear.split() if name.startswith("T")]
     assert sum(brakes) + results.output_torque[at] == pytest.approx(1, rel=1e-11)
     efficiency = float(results.efficiency[at])
     assert efficiency == pytest.approx(1) if gear == "F1 F2" else 0.9 < efficiency < 1

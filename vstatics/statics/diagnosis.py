@@ -17,6 +17,7 @@ from vstatics.model.transmission import Gear, Transmission
 from vstatics.numerics import elimination
 from vstatics.numerics.arrays import Booleans
 from vstatics.numerics.tolerances import UNCERTAIN
+from vstatics.numerics.traced import Number, plain
 from vstatics.statics import drag, freewheels, matrix
 from vstatics.statics.efficiency import sign
 from vstatics.statics.idling import coincidences
@@ -123,6 +124,10 @@ def _chosen(names: Sequence[str], marks: Booleans) -> list[str]:
     return [name for name, mark in zip(names, marks, strict=True) if mark]
 
 
+def _without_value(names: Sequence[str], values: Sequence[Number]) -> list[str]:
+    return [name for name, value in zip(names, values, strict=True) if math.isnan(plain(value))]
+
+
 def _conflict(case: Transmission, gear: Gear) -> Iterator[Said]:
     """Freewheels that the engaged elements drive backward."""
     speeds = solve_speeds(case, gear, _ratios(case))
@@ -160,7 +165,7 @@ def _speed_messages(results: Results, number: int, gear: Gear) -> Iterator[Said]
     if results.tied_up[number] or excess:
         yield from _excess(case, gear)
     if missing:
-        free = _chosen(case.link_names, np.isnan(results.speeds[number]))
+        free = _without_value(case.link_names, results.gear(number + 1).speeds)
         named = f"; free: link{_s(len(free))} {_list(free)}" if free else ""
         links = "" if results.tied_up[number] else named
         neutral = np.isnan(results.ratio[number]) and not results.tied_up[number]
@@ -229,10 +234,11 @@ def _torque_messages(results: Results, number: int, gear: Gear) -> Iterator[Said
             "the ratios are so close to a singular train that rounding shows: output torque "
             "times output speed is not 1; few digits are certain"
         )
-    elif np.isnan(results.torques[number]).any():
-        names = [*case.devices, "the output"]
-        unknown = _chosen(names, np.isnan(results.torques[number]))
-        yield _warning(f"statics does not determine the torque of {_list(unknown)}")
+    elif case.drawing is not None or np.isnan(results.torques[number]).any():
+        torques = results.gear(number + 1).torques
+        unknown = _without_value([*case.devices, "the output"], torques.on_first_link)
+        if unknown:
+            yield _warning(f"statics does not determine the torque of {_list(unknown)}")
 
 
 def _uncertain(results: Results, number: int, gear: Gear) -> bool:
