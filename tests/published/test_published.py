@@ -17,6 +17,7 @@ from typing import Any
 import pytest
 
 import vstatics
+from vstatics.numerics.traced import plain
 from vstatics.statics.arrays import ARRAYS, row_names
 from vstatics.statics.results import Results
 
@@ -87,7 +88,9 @@ def quantity(results: Results, fact: dict[str, Any]) -> float:
     gear = [gear.name for gear in case.gears].index(fact["gear"])
     if name in ("torque", "lossy_torque"):  # of a mesh too, on its first wheel
         torques = getattr(results.gear(gear + 1), f"{name}s").on_first_link
-        return float(torques[[*case.devices, "output"].index(of)])
+        return plain(torques[[*case.devices, "output"].index(of)])
+    if name == "speed":  # of a planet that is a link, too
+        return plain(results.gear(gear + 1).speeds[case.link_names.index(of)])
     if name == "planet_speed":  # of a mesh: that of its planet
         element, _, mesh = of.partition(".")
         of = f"{element}.{mesh.split('-')[-1]}" if mesh else of

@@ -94,7 +94,8 @@ def test_every_table_of_the_results_can_be_asked_for() -> None:
         names = table_rows(name, SET)
         shape = (3, 3) if rows == "one" else (3, 3, len(names))
         assert getattr(RESULTS, name).shape == shape
-        assert expression(name)(RESULTS, VALUES).shape == shape
+        if 0 not in shape:  # a set without teeth has no meshes
+            assert expression(name)(RESULTS, VALUES).shape == shape
 
 
 def test_a_row_and_a_gear_give_one_number_per_variant() -> None:

@@ -171,7 +171,7 @@ def _resolve(tree: Tree, names: SweepNames) -> _Resolved:
     tables = [operand.table for operand in operands if operand.table]
     for other in tables[1:]:
         one, two = ARRAYS[tables[0]].rows, ARRAYS[other].rows
-        if one != two:
+        if table_rows(tables[0], names.case) != table_rows(other, names.case):
             message = (
                 f"`{tables[0]}` has one value per {ROWS[one].one} and `{other}` one per "
                 f"{ROWS[two].one}, so `{name}` can't pair them: pick a row, or use min, max or sum"

@@ -97,7 +97,7 @@ class SweepNames:
         if kind != "one":
             rows = table_rows(name, self.case)
             if not rows:
-                message = f"the case has no {ROWS[kind].one}s, so `{read.name}` is empty"
+                message = f"the case has no {ROWS[kind].all}, so `{read.name}` is empty"
                 raise self.source.error(message, read.at)
             row = self._index(subscripts.pop(0), rows, kind) if subscripts else None
         gear = self._index(subscripts.pop(0), self.gears, "one") if subscripts else None
