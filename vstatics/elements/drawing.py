@@ -93,7 +93,11 @@ def _planets(part: DrawnPart, numbers: Sequence[int]) -> Iterator[Planet]:
         follows_ratio = len(numbers) == len(group.planets) == 1 and mechanism.planet_ratio is None
         for train in group.trains:
             wheels = tuple(
-                WheelOfPlanet(wheel.link, float(group.relative(wheel, train)))
+                WheelOfPlanet(
+                    wheel.link,
+                    next(_places(part, wheel.member, numbers))[0],
+                    float(group.relative(wheel, train)),
+                )
                 for wheel in group.wheels_of(train)
             )
             for planet, speed in train.items():

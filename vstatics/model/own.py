@@ -22,6 +22,8 @@ class WheelOfPlanet(NamedTuple):
     """A wheel that turns a train of planets."""
 
     link: int
+    mechanism: int
+    """Index of one that it belongs to: there it is seen whether wheel and carrier are one piece."""
     ratio: float
     """Speed of the wheel by that of the train, both against the carrier. [-]"""
 

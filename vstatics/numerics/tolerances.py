@@ -23,8 +23,6 @@ PIVOT = 0.1
 # a gear
 TIE = 1e-9
 """Speeds, or torques on a link, that differ by less than this part are the same."""
-ROUNDING = 2.0**-48
-"""Speeds of a wheel and its carrier that agree to this part are the same."""
 UNCERTAIN = 1e-6
 """Speeds and torques that disagree by this part are told of."""
 CLOSED = 1e-9

@@ -108,7 +108,7 @@ def absolute(number: Number) -> Number:
     return abs(number)  # type: ignore[return-value]
 
 
-def plain(number: Number) -> float:
+def plain(number: Number | Rest) -> float:
     """A number of a single variant, which is not traced.
 
     Raises
@@ -116,7 +116,7 @@ def plain(number: Number) -> float:
     TypeError
         If it is.
     """
-    if isinstance(number, Traced):
+    if isinstance(number, Traced | Rest):
         raise TypeError("a traced number stands for many variants")
     return number
 

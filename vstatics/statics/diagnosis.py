@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from itertools import islice
 
 import numpy as np
 
@@ -19,6 +20,7 @@ from vstatics.numerics.arrays import Booleans
 from vstatics.numerics.tolerances import UNCERTAIN
 from vstatics.numerics.traced import Number, plain
 from vstatics.statics import drag, freewheels, matrix
+from vstatics.statics.bodies import held_as_one
 from vstatics.statics.efficiency import sign
 from vstatics.statics.idling import coincidences
 from vstatics.statics.results import Message, Results
@@ -68,7 +70,7 @@ def messages(results: Results) -> Iterator[Message]:
             *(_conflict(case, gear) if results.conflict[number] else ()),
             *_speed_messages(results, number, gear),
             *_torque_messages(results, number, gear),
-            *_loss_messages(results, number),
+            *_loss_messages(results, number, gear),
             *(_shared(case, given, held) if held else ()),
             *(_drag_messages(results, number, gear) if has_drag else ()),
         )
@@ -234,7 +236,7 @@ def _torque_messages(results: Results, number: int, gear: Gear) -> Iterator[Said
             "the ratios are so close to a singular train that rounding shows: output torque "
             "times output speed is not 1; few digits are certain"
         )
-    elif case.drawing is not None or np.isnan(results.torques[number]).any():
+    elif np.isnan(results.torques[number]).any() or np.isnan(results.mesh_torques[number]).any():
         torques = results.gear(number + 1).torques
         unknown = _without_value([*case.devices, "the output"], torques.on_first_link)
         if unknown:
@@ -249,7 +251,7 @@ def _uncertain(results: Results, number: int, gear: Gear) -> bool:
     return abs(float(results.torques[number, -1]) * float(speed) - 1) > UNCERTAIN
 
 
-def _loss_messages(results: Results, number: int) -> Iterator[Said]:
+def _loss_messages(results: Results, number: int, gear: Gear) -> Iterator[Said]:
     """Friction locks, flows that losses turn round, idle mechanisms that matter."""
     case = results.case
     names = [mechanism.name for mechanism in case.mechanisms]
@@ -274,7 +276,7 @@ def _loss_messages(results: Results, number: int) -> Iterator[Said]:
             f"{results.choices[number]} sets of directions of power agree with the losses; "
             "the one of the largest efficiency is taken"
         )
-    idle = _coincidences(results, number)
+    idle = _coincidences(results, number, gear)
     if idle:
         what = "torques with losses and efficiency depend"
         if not any(idle.values()):
@@ -284,8 +286,30 @@ def _loss_messages(results: Results, number: int) -> Iterator[Said]:
         )
 
 
-def _coincidences(results: Results, number: int) -> dict[str, bool]:
+def _coincidences(results: Results, number: int, gear: Gear) -> dict[str, bool]:
     """Idle mechanisms that matter, where there can be any; see `coincidences`."""
-    if results.case.drawing is None and not results.idle[number].any():
+    idle = set(_idle_with_torque(results, number)) if results.consistent[number] else set()
+    if not idle or idle <= held_as_one(results.case, gear):
         return {}
     return coincidences(results.gear(number + 1))
+
+
+def _idle_with_torque(results: Results, number: int) -> Iterator[int]:
+    """Indices of mechanisms that may be idle and carry torque, as far as the arrays tell."""
+    case, is_idle = results.case, results.idle[number].tolist()
+    torques = iter(results.lossy_torques[number, len(case.shift_elements) : -1].tolist())
+    meshes = zip(
+        results.mesh_losses[number].tolist(),
+        results.lossy_mesh_torques[number].tolist(),
+        strict=True,
+    )
+    for device, idle in zip(case.own_devices, is_idle, strict=True):
+        rows = 1 if case.drawing is None else len(device.members)
+        loaded = sum(torque != 0 for torque in islice(torques, rows)) > 0
+        if device.meshes:
+            for index in device.mechanisms:
+                loss, torque = next(meshes)
+                if loss == 0 and torque != 0:
+                    yield index
+        elif loaded and (idle or len(device.mechanisms) > 1):
+            yield from device.mechanisms

@@ -1,4 +1,4 @@
-"""One gear: its state, and what `Results` have of it."""
+"""What the arrays of `Results` have of the state of one gear."""
 
 from __future__ import annotations
 
@@ -7,27 +7,22 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from vstatics.model.own import Planet
 from vstatics.model.parts import HOUSING
-from vstatics.model.transmission import Gear, Transmission
-from vstatics.numerics.tolerances import CLOSED, ROUNDING
-from vstatics.numerics.traced import Number, Rest, Traced, absolute, guard_within
+from vstatics.model.transmission import Transmission
+from vstatics.numerics.tolerances import CLOSED
+from vstatics.numerics.traced import Number, Rest, Traced, guard_within
 from vstatics.statics.arrays import ARRAYS, row_counts
-from vstatics.statics.freewheels import find_state
 from vstatics.statics.state import GearState
 
 Numbers = Sequence[Number]
-Values = Mapping[str, Number | Rest | list[Number] | list[bool] | tuple[float, ...]]
+Values = Mapping[
+    str, Number | Rest | list[Number] | list[Number | Rest] | list[bool] | tuple[float, ...]
+]
 """Name of an array of `Results` -> its values in one gear and one variant, or traced for many."""
 
 
-def solve_gear(case: Transmission, gear: Gear, ratios: Numbers, efficiencies: Numbers) -> Values:
-    """Everything that is calculated for one gear.
-
-    Parameters
-    ----------
-    ratios, efficiencies : sequence of Number
-        Of each mechanism: floats, or traced numbers. [-]
-    """
-    state = find_state(case, gear, ratios, efficiencies)
+def values_of(state: GearState) -> Values:
+    """What the arrays of `Results` have of a gear."""
+    case = state.case
     speeds, search, lossy = state.ideal.speeds, state.search, state.search.lossy
     devices = case.own_devices
     return {
@@ -101,15 +96,15 @@ def _by_wheels(state: GearState, planet: Planet) -> Number:
 
     carrier = speed(planet.carrier)
     for wheel in planet.wheels:
-        motion = speed(wheel.link) - carrier
-        if absolute(motion) <= ROUNDING * (absolute(speed(wheel.link)) + absolute(carrier)):
-            return 0.0
-        if motion == motion:  # noqa: PLR0124 - else NaN
-            return motion / wheel.ratio * planet.speed
+        own = speed(wheel.link)
+        if own == own and carrier == carrier:  # noqa: PLR0124 - else NaN
+            if state.relative_speeds[wheel.mechanism] == 0:
+                return 0.0
+            return (own - carrier) / wheel.ratio * planet.speed
     return math.nan
 
 
-def _torques(state: GearState, *, lossy: bool) -> list[Number]:
+def _torques(state: GearState, *, lossy: bool) -> list[Number] | list[Number | Rest]:
     """On shift elements, mechanisms or members of drawn elements, and the output."""
     torques = (state.lossy_torques if lossy else state.torques).on_first_link
     if state.case.drawing is None:
@@ -135,16 +130,14 @@ def _by_link(case: Transmission, holding: Mapping[int, Number]) -> list[Number]:
     return [holding.get(link, math.nan) for link in range(1, case.own_links + 1)]
 
 
-def guard_power(case: Transmission, gear: Gear, values: Values) -> None:
+def guard_power(state: GearState) -> None:
     """Guard, for traced numbers, that power is conserved: without losses and with them.
 
     Without losses output torque times output speed is 1, equation (1) of docs/method.md.
     A variant of which this is not true is left to be calculated by itself.
     """
-    speeds, torques, balance = values["speeds"], values["torques"], values["power_balance"]
-    assert isinstance(speeds, list)  # noqa: S101
-    assert isinstance(torques, list)  # noqa: S101
-    power = torques[-1] * speeds[case.gear_output(gear) - 1]
+    gear, balance = state.gear, state.search.lossy.balance
+    power = state.torques.on_first_link[-1] * state.output_speed
     if not gear.speeds and not gear.torques and isinstance(power, Traced):
         guard_within(power, 1 - CLOSED, 1 + CLOSED)
     if isinstance(balance, Rest):

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from vstatics.model.own import Member
 from vstatics.model.transmission import Gear, Transmission
-from vstatics.numerics.traced import Number, plain
+from vstatics.numerics.traced import Number, Rest, plain, rest
 from vstatics.statics.bodies import Bodies, turning_as_one
 from vstatics.statics.drag import NO_DRAG, Drag
 from vstatics.statics.efficiency import lossy_ratios
@@ -166,7 +166,10 @@ class GearState(NamedTuple):
         """
         torques = self.lossy_torques if lossy else self.torques
         drag = self.drag if lossy else NO_DRAG
-        members = self.member_torques(lossy=lossy)
+        members = [
+            {name: plain(torque) for name, torque in members.items()}
+            for members in self.member_torques(lossy=lossy)
+        ]
         given = (self.case, self.gear, self.speeds, torques)
         return [
             one._replace(power=self.ideal.direction * plain(one.power))
@@ -177,26 +180,27 @@ class GearState(NamedTuple):
             )
         ]
 
-    def member_torques(self, *, lossy: bool) -> list[dict[str, Number]]:
+    def member_torques(self, *, lossy: bool) -> list[dict[str, Number | Rest]]:
         """Torques that links give to the members of each mechanism or drawn element [-].
 
         A sum may be determined where its parts are not.
         """
-        ratios = self.lossy_ratios if lossy else self.ideal.ratios
+        ratios = self.ideal.ratios
+        if lossy:
+            factors = lossy_ratios([1.0] * len(ratios), self.ideal.efficiencies, self.signs)
+            ratios = [u * factor for u, factor in zip(ratios, factors, strict=True)]
         torques = self.lossy_torques if lossy else self.torques
         columns = list(map(column, ratios))
         elements = len(self.case.shift_elements)
-        found: list[dict[str, Number]] = []
+        found: list[dict[str, Number | Rest]] = []
         unknown: list[tuple[int, str, dict[int, Number]]] = []
         for place, device in enumerate(self.case.own_devices):
             found.append({})
             for member in device.members:
                 shares = _shares(member, columns, elements)
-                torque: Number = 0.0
-                for index, share in shares:
-                    torque = torque + share * torques.on_first_link[index]
+                torque = rest([share * torques.on_first_link[index] for index, share in shares])
                 found[place][member.name] = torque
-                if torque != torque:  # noqa: PLR0124 - NaN
+                if isinstance(torque, float) and math.isnan(torque):
                     unknown.append((place, member.name, dict(shares)))
         exists = self.consistent if lossy else self.calculable
         if unknown and exists and all(ratio == ratio for ratio in ratios):  # noqa: PLR0124

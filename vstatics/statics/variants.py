@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-import dataclasses
 import threading
-from collections.abc import Callable, Hashable, Mapping, Sequence
+from collections.abc import Callable, Hashable, Iterable, Sequence
+from dataclasses import fields
 from functools import partial
+from operator import attrgetter
 from typing import Any
 
 import numpy as np
@@ -17,7 +18,8 @@ from vstatics.numerics.memory import Form
 from vstatics.numerics.plans import Function, Inputs, Plans, prepared
 from vstatics.numerics.traced import Number, Rest
 from vstatics.statics.arrays import ARRAYS
-from vstatics.statics.gear import flat, guard_power, solve_gear, widths
+from vstatics.statics.freewheels import find_state
+from vstatics.statics.gear import flat, guard_power, values_of, widths
 
 REMEMBERED = 256
 """Gears whose plans are kept for calls to come."""
@@ -41,12 +43,12 @@ def solve_variants(
     """
     fixed, inputs = _inputs(case, ratios, efficiencies, variants)
     block = memory.block(_forms(case, variants))
-    fields = tuple(block.forms)
-    structure = (*_structure(case), tuple(fixed), fields)
+    names = tuple(block.forms)
+    structure = (*_structure(case), tuple(fixed), names)
     for gear, rows in zip(case.gears, block.gears, strict=True):
         if variants:
             key = (*structure, *_conditions(case, gear))
-            _remembered(key, partial(_function, case, gear, fixed, fields)).run(inputs, rows)
+            _remembered(key, partial(_function, case, gear, fixed, names)).run(inputs, rows)
     found = {name: table.transpose(2, 0, 1) for name, table in memory.shown(block).items()}
     none = np.broadcast_to(np.nan, (variants, len(case.gears), case.own_links))
     return {
@@ -103,12 +105,23 @@ def _forms(case: Transmission, variants: int) -> dict[str, Form]:
     return dict(sorted(forms.items(), key=lambda item: -np.dtype(item[1].kind).itemsize))
 
 
-VARIED = frozenset({"ratio", "efficiency"})
-"""Of mechanisms: numbers that a plan takes as its inputs."""
 WITHOUT_EFFECT = frozenset(
     {"name", "description", "source", "link_names", "capacity", "load", "drawing"}
 )
 """Fields that no result depends on; a drawing acts through its devices."""
+
+
+def _kept(fields: Iterable[str], *left_out: str) -> Callable[[Any], tuple[Any, ...]]:
+    return attrgetter(*(name for name in fields if name not in WITHOUT_EFFECT.union(left_out)))
+
+
+_OF_CASE = _kept(
+    (field.name for field in fields(Transmission)), "shift_elements", "mechanisms", "gears"
+)
+_OF_ELEMENT = _kept(ShiftElement._fields)
+_OF_MECHANISM = _kept(Mechanism._fields, "ratio", "efficiency")
+"""The numbers that are left out may vary: a plan takes them as its inputs."""
+_OF_GEAR = _kept(Gear._fields)
 
 
 def _structure(case: Transmission) -> tuple[Hashable, ...]:
@@ -117,35 +130,16 @@ def _structure(case: Transmission) -> tuple[Hashable, ...]:
     Made from all fields but a few, so that a new one is never forgotten: plans of another
     case would give its numbers without a sound.
     """
-    own = [
-        _hashable(getattr(case, one.name))
-        for one in dataclasses.fields(case)
-        if one.name not in WITHOUT_EFFECT | {"shift_elements", "mechanisms", "gears"}
-    ]
-    parts = [*map(_key, case.shift_elements), *map(_key, case.mechanisms)]
+    elements = tuple(map(_OF_ELEMENT, case.shift_elements))
+    mechanisms = tuple(map(_OF_MECHANISM, case.mechanisms))
     drawn = () if case.drawing is None else tuple(case.drawing.devices)
-    return (*own, len(case.mechanisms), *parts, drawn, case.own_links)
+    return (*_OF_CASE(case), case.own_links, elements, mechanisms, drawn)
 
 
 def _conditions(case: Transmission, gear: Gear) -> tuple[Hashable, ...]:
     """What a gear has of its own."""
-    return (*_key(gear), case.gear_input(gear), case.gear_output(gear))
-
-
-def _key(part: ShiftElement | Mechanism | Gear) -> tuple[Hashable, ...]:
-    """All fields of a part that results depend on, but the numbers that vary."""
-    left_out = WITHOUT_EFFECT | (VARIED if isinstance(part, Mechanism) else frozenset())
-    return tuple(
-        _hashable(value)
-        for name, value in zip(part._fields, part, strict=True)
-        if name not in left_out
-    )
-
-
-def _hashable(value: Any) -> Hashable:
-    if isinstance(value, Mapping):
-        return tuple(value.items())
-    return tuple(value) if isinstance(value, list) else value
+    own = (tuple(v.items()) if isinstance(v, dict) else v for v in _OF_GEAR(gear))
+    return (*own, case.gear_input(gear), case.gear_output(gear))
 
 
 def _remembered(key: Hashable, function: Callable[[], Function]) -> Plans:
@@ -159,7 +153,7 @@ def _remembered(key: Hashable, function: Callable[[], Function]) -> Plans:
 
 
 def _function(
-    case: Transmission, gear: Gear, fixed: Sequence[float | None], fields: Sequence[str]
+    case: Transmission, gear: Gear, fixed: Sequence[float | None], names: Sequence[str]
 ) -> Function:
     """The calculation of a gear from the numbers that vary."""
     count = len(case.mechanisms)
@@ -167,8 +161,9 @@ def _function(
     def calculate(numbers: Sequence[Number]) -> list[Number | Rest]:
         varied = iter(numbers)
         given = [next(varied) if number is None else number for number in fixed]
-        solved = solve_gear(case, gear, given[:count], given[count:])
-        guard_power(case, gear, solved)
-        return flat(solved, fields)
+        state = find_state(case, gear, given[:count], given[count:])
+        values = values_of(state)
+        guard_power(state)
+        return flat(values, names)
 
     return calculate
