@@ -147,7 +147,7 @@ def guard_power(state: GearState) -> None:
 def widths(case: Transmission) -> dict[str, int | None]:
     """Array of `Results` -> how many values a gear has; None for a value of the gear itself."""
     counts = row_counts(case)
-    return {name: None if one.rows == "one" else counts[one.rows] for name, one in ARRAYS.items()}
+    return {name: counts.get(one.rows) for name, one in ARRAYS.items()}
 
 
 def flat(values: Values, names: Sequence[str]) -> list[Number | Rest]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Callable, Hashable, Iterable, Sequence
+from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
 from dataclasses import fields
 from functools import partial
 from operator import attrgetter
@@ -42,7 +42,8 @@ def solve_variants(
         Their number.
     """
     fixed, inputs = _inputs(case, ratios, efficiencies, variants)
-    block = memory.block(_forms(case, variants))
+    counts = widths(case)
+    block = memory.block(_forms(case, counts, variants))
     names = tuple(block.forms)
     structure = (*_structure(case), tuple(fixed), names)
     for gear, rows in zip(case.gears, block.gears, strict=True):
@@ -53,7 +54,7 @@ def solve_variants(
     none = np.broadcast_to(np.nan, (variants, len(case.gears), case.own_links))
     return {
         name: found[name][..., 0] if width is None else found.get(name, none)
-        for name, width in widths(case).items()
+        for name, width in counts.items()
     }
 
 
@@ -91,7 +92,7 @@ def _is_all(column: Floats, number: float) -> bool:
     return bool((column[:9] == number).all() and (column == number).all())
 
 
-def _forms(case: Transmission, variants: int) -> dict[str, Form]:
+def _forms(case: Transmission, counts: Mapping[str, int | None], variants: int) -> dict[str, Form]:
     """The tables for the arrays of `Results`, those of the largest type first.
 
     Where no speed is given nothing is held, and holding torques need no memory.
@@ -99,7 +100,7 @@ def _forms(case: Transmission, variants: int) -> dict[str, Form]:
     held = any(gear.speeds for gear in case.gears)
     forms = {
         name: Form((len(case.gears), 1 if width is None else width, variants), ARRAYS[name].dtype)
-        for name, width in widths(case).items()
+        for name, width in counts.items()
         if held or name not in HOLDING
     }
     return dict(sorted(forms.items(), key=lambda item: -np.dtype(item[1].kind).itemsize))
