@@ -17,19 +17,33 @@ array([1. , 3.5])
 array([1.    , 0.9714])
 """
 
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
 from vstatics.errors import CaseError, Place, Problem, ReadError, VstaticsError
 from vstatics.extras import __version__
-from vstatics.model.transmission import Gear, Mechanism, ShiftElement, Transmission
+from vstatics.model.transmission import Gear, Load, Mechanism, ShiftElement, Transmission
 from vstatics.readers import load
 from vstatics.statics.matrix import distribution_matrix
 from vstatics.statics.results import Message, Results
 from vstatics.statics.solve import solve
+from vstatics.statics.state import GearState
 from vstatics.sweep import sweep
 from vstatics.tables.dataframe import to_dataframe
 
+if TYPE_CHECKING:
+    from vstatics.elements.drawing import Drawing
+    from vstatics.elements.element import Element
+    from vstatics.flow.power import flows
+    from vstatics.summary import summarize
+
 __all__ = [
     "CaseError",
+    "Drawing",
+    "Element",
     "Gear",
+    "GearState",
+    "Load",
     "Mechanism",
     "Message",
     "Place",
@@ -41,10 +55,26 @@ __all__ = [
     "VstaticsError",
     "__version__",
     "distribution_matrix",
+    "flows",
     "load",
     "solve",
+    "summarize",
     "sweep",
 ]
 
+_LATER = {
+    "Drawing": "vstatics.elements.drawing",
+    "Element": "vstatics.elements.element",
+    "flows": "vstatics.flow.power",
+    "summarize": "vstatics.summary",
+}
+"""Names that are imported when somebody asks for them, as they cost start-up time."""
+
 # the room of results knows nothing of how they are shown
 Results.to_dataframe = to_dataframe  # type: ignore[method-assign, assignment]
+
+
+def __getattr__(name: str) -> Any:
+    if name in _LATER:
+        return getattr(import_module(_LATER[name]), name)
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
