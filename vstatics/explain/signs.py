@@ -41,7 +41,7 @@ def signs_of(state: GearState) -> list[PowerSign]:
     for place, (mechanism, torque) in enumerate(zip(case.mechanisms, torques, strict=True)):
         first, third = speeds[mechanism.first], speeds[mechanism.third]
         motion = 0.0 if is_tie(abs(first - third), abs(first), abs(third)) else first - third
-        sign, efficiency = state.signs[place], state.ideal.efficiencies[place]
+        sign, efficiency = state.signs[place], state.ideal.variant.efficiencies[place]
         power = torque * motion
         found.append(
             PowerSign(

@@ -229,7 +229,7 @@ def _losses(state: GearState, given: Sequence[Exchange]) -> dict[Node, float]:
     found: dict[Node, float] = {}
     for number, device in enumerate(state.case.own_devices, 1):
         lost = sum(plain(state.losses[index]) for index in device.mechanisms)
-        found[Node("mechanism", number, device.name)] = lost * state.ideal.direction + 0.0
+        found[Node("mechanism", number, device.name)] = lost * state.ideal.variant.direction + 0.0
     for one in given:
         drags = one.node.kind == "element" and one.node.number - 1 in state.drag.elements
         if drags or one.node.kind == "drag":

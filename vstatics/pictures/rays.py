@@ -19,6 +19,7 @@ from vstatics.errors import CaseError, Problem
 from vstatics.model.transmission import HOUSING, Gear, Transmission
 from vstatics.numerics.traced import plain
 from vstatics.pictures.state import state_of
+from vstatics.statics.matrix import columns
 from vstatics.statics.results import Results
 from vstatics.statics.speeds import solve_speeds
 
@@ -176,7 +177,9 @@ def _speeds(
     last = last or case.output
     if output is not None:
         speeds[last] = output
-    found = solve_speeds(case, Gear(engaged, speeds, input=first, output=last), ratios)
+    found = solve_speeds(
+        case, Gear(engaged, speeds, input=first, output=last), columns(case, ratios)
+    )
     values = [plain(value) for value in found.links]
     return [*values, values[last - 1]]
 

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from itertools import islice
 
 import numpy as np
 
@@ -20,7 +19,6 @@ from vstatics.numerics.arrays import Booleans
 from vstatics.numerics.tolerances import UNCERTAIN
 from vstatics.numerics.traced import Number, plain
 from vstatics.statics import drag, freewheels, matrix
-from vstatics.statics.bodies import held_as_one
 from vstatics.statics.efficiency import sign
 from vstatics.statics.idling import coincidences
 from vstatics.statics.results import Message, Results
@@ -48,7 +46,7 @@ def freedom(case: Transmission) -> int:
     >>> freedom(Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)], [Gear([1])]))
     2
     """
-    rows = matrix.speed_rows(case, Gear(), matrix.columns(case, _ratios(case)))[:-1]
+    rows = matrix.speed_rows(case, Gear(), _columns(case))[:-1]
     return elimination.solve(rows, case.links).missing
 
 
@@ -80,7 +78,7 @@ def messages(results: Results) -> Iterator[Message]:
 
 def _shared(case: Transmission, gear: Gear, held: Sequence[int]) -> Iterator[Said]:
     """Freewheels that could hold as well as those that do."""
-    others = freewheels.alternatives(case, gear, held, _ratios(case))
+    others = freewheels.alternatives(case, gear, held)
     if others:
         ones, twos = (
             [case.shift_elements[number - 1].name for number in numbers]
@@ -108,9 +106,9 @@ def _named(case: Transmission, path: str, text: str) -> str:
     return f"{path}: {text}"
 
 
-def _ratios(case: Transmission) -> list[float]:
-    """The internal ratios."""
-    return [mechanism.ratio for mechanism in case.mechanisms]
+def _columns(case: Transmission) -> list[matrix.Column]:
+    """Of the structural-distribution matrix."""
+    return matrix.columns(case, [mechanism.ratio for mechanism in case.mechanisms])
 
 
 def _list(names: Sequence[str]) -> str:
@@ -132,7 +130,7 @@ def _without_value(names: Sequence[str], values: Sequence[Number]) -> list[str]:
 
 def _conflict(case: Transmission, gear: Gear) -> Iterator[Said]:
     """Freewheels that the engaged elements drive backward."""
-    speeds = solve_speeds(case, gear, _ratios(case))
+    speeds = solve_speeds(case, gear, _columns(case))
     for number in freewheels.driven_backward(case, gear, speeds):
         yield _error(
             f"conflict: freewheel {case.shift_elements[number - 1].name} can neither overrun (its "
@@ -149,7 +147,7 @@ def _overrunning(results: Results, number: int, gear: Gear) -> list[str]:
     free = [n for n in case.freewheels if n not in gear.engaged]
 
     def drives(*held: int) -> bool:
-        speeds = solve_speeds(case, freewheels.with_engaged(gear, held), _ratios(case))
+        speeds = solve_speeds(case, freewheels.with_engaged(gear, held), _columns(case))
         return speeds.consistent and not math.isnan(sign(speeds.links[output]))
 
     chosen = [n for n in free if math.isnan(results.slip_speeds[number, n - 1]) and drives(n)]
@@ -187,7 +185,7 @@ def _speed_messages(results: Results, number: int, gear: Gear) -> Iterator[Said]
 
 def _excess(case: Transmission, gear: Gear) -> Iterator[Said]:
     """One message for each set of conditions that repeat or contradict each other."""
-    rows = matrix.speed_rows(case, gear, matrix.columns(case, _ratios(case)))
+    rows = matrix.speed_rows(case, gear, _columns(case))
     names = matrix.speed_row_names(case, gear)
     mechanisms = len(case.mechanisms)
     for involved, agrees in elimination.dependencies(rows):
@@ -276,7 +274,7 @@ def _loss_messages(results: Results, number: int, gear: Gear) -> Iterator[Said]:
             f"{results.choices[number]} sets of directions of power agree with the losses; "
             "the one of the largest efficiency is taken"
         )
-    idle = _coincidences(results, number, gear)
+    idle = coincidences(results, number, gear)
     if idle:
         what = "torques with losses and efficiency depend"
         if not any(idle.values()):
@@ -284,32 +282,3 @@ def _loss_messages(results: Results, number: int, gear: Gear) -> Iterator[Said]:
         yield _warning(
             f"{_list([*idle])}: idle by coincidence; {what} on the direction of power assumed there"
         )
-
-
-def _coincidences(results: Results, number: int, gear: Gear) -> dict[str, bool]:
-    """Idle mechanisms that matter, where there can be any; see `coincidences`."""
-    idle = set(_idle_with_torque(results, number)) if results.consistent[number] else set()
-    if not idle or idle <= held_as_one(results.case, gear):
-        return {}
-    return coincidences(results.gear(number + 1))
-
-
-def _idle_with_torque(results: Results, number: int) -> Iterator[int]:
-    """Indices of mechanisms that may be idle and carry torque, as far as the arrays tell."""
-    case, is_idle = results.case, results.idle[number].tolist()
-    torques = iter(results.lossy_torques[number, len(case.shift_elements) : -1].tolist())
-    meshes = zip(
-        results.mesh_losses[number].tolist(),
-        results.lossy_mesh_torques[number].tolist(),
-        strict=True,
-    )
-    for device, idle in zip(case.own_devices, is_idle, strict=True):
-        rows = 1 if case.drawing is None else len(device.members)
-        loaded = sum(torque != 0 for torque in islice(torques, rows)) > 0
-        if device.meshes:
-            for index in device.mechanisms:
-                loss, torque = next(meshes)
-                if loss == 0 and torque != 0:
-                    yield index
-        elif loaded and (idle or len(device.mechanisms) > 1):
-            yield from device.mechanisms

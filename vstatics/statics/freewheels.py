@@ -16,17 +16,13 @@ from vstatics.model.transmission import Gear, Transmission
 from vstatics.numerics.traced import Number, absolute
 from vstatics.statics import matrix
 from vstatics.statics.drag import NO_DRAG
-from vstatics.statics.efficiency import (
-    Efficiency,
-    efficiencies_by_direction,
-    lossy_ratios,
-    sign,
-)
+from vstatics.statics.efficiency import sign
 from vstatics.statics.ideal import IdealGear, ideal_gear, is_nothing
 from vstatics.statics.sign_search import find_signs
 from vstatics.statics.speeds import Speeds, is_tie, solve_speeds
 from vstatics.statics.state import GearState
 from vstatics.statics.torques import Torques
+from vstatics.statics.variant import Variant, variant_of
 
 
 def find_state(
@@ -44,42 +40,33 @@ def find_state(
     ratios, efficiencies : sequence of Number
         Of each mechanism: floats, or traced numbers. [-]
     """
-    both = efficiencies_by_direction(case, efficiencies)
-    if not case.freewheels:
-        return _state(case, gear, ratios, both, solve_speeds(case, gear, ratios))
-    nobody = solve_speeds(case, gear, ratios)
-    if not nobody.consistent:  # tied up, whatever the freewheels do
-        return _state(case, gear, ratios, both, nobody)
+    variant = variant_of(case, ratios, efficiencies)
+    nobody = solve_speeds(case, gear, variant.columns)
+    if not case.freewheels or not nobody.consistent:  # tied up, whatever the freewheels do
+        return _state(variant, gear, nobody)
     if driven_backward(case, gear, nobody):
-        return _conflict(case, gear, ratios, both, nobody)
+        return _conflict(variant, gear, nobody)
     for held in _sets(case):
         chosen = with_engaged(gear, held)
-        speeds = solve_speeds(case, chosen, ratios) if held else nobody
-        state = _possible(case, chosen, ratios, both, speeds)
+        speeds = solve_speeds(case, chosen, variant.columns) if held else nobody
+        state = _possible(variant, chosen, speeds)
         if state is not None:
             return state
-    return _state(case, gear, ratios, both, nobody)
+    return _state(variant, gear, nobody)
 
 
-def _possible(
-    case: Transmission,
-    gear: Gear,
-    ratios: Sequence[Number],
-    efficiencies: Sequence[Efficiency],
-    speeds: Speeds,
-) -> GearState | None:
+def _possible(variant: Variant, gear: Gear, speeds: Speeds) -> GearState | None:
     """A gear with some freewheels engaged, if they can hold and the others can overrun."""
+    case = variant.case
     held = [number for number in case.freewheels if number in gear.engaged]
     drives = speeds.consistent and not math.isnan(sign(speeds.links[case.gear_output(gear) - 1]))
     if not drives or driven_backward(case, gear, speeds):
         return None
-    state = _state(case, gear, ratios, efficiencies, speeds)
+    state = _state(variant, gear, speeds)
     return state if all(_can_hold(state, number) for number in held) else None
 
 
-def alternatives(
-    case: Transmission, gear: Gear, held: Sequence[int], ratios: Sequence[float]
-) -> list[int]:
+def alternatives(case: Transmission, gear: Gear, held: Sequence[int]) -> list[int]:
     """Numbers of the freewheels that could hold in place of some of those that do.
 
     Then statics does not determine the torques that they share.
@@ -89,13 +76,13 @@ def alternatives(
     held : sequence of int
         The freewheels that hold.
     """
-    both = efficiencies_by_direction(case)
+    variant = variant_of(case)
     others: set[int] = set()
     for chosen in combinations(case.freewheels, len(held)):
         other = with_engaged(gear, chosen)
         if chosen != tuple(held):
-            speeds = solve_speeds(case, other, ratios)
-            if _possible(case, other, ratios, both, speeds) is not None:
+            speeds = solve_speeds(case, other, variant.columns)
+            if _possible(variant, other, speeds) is not None:
                 others.update(chosen)
     return sorted(others.difference(held))
 
@@ -123,15 +110,9 @@ def _sets(case: Transmission) -> Iterator[tuple[int, ...]]:
         yield from combinations(case.freewheels, size)
 
 
-def _state(
-    case: Transmission,
-    gear: Gear,
-    ratios: Sequence[Number],
-    efficiencies: Sequence[Efficiency],
-    speeds: Speeds,
-) -> GearState:
+def _state(variant: Variant, gear: Gear, speeds: Speeds) -> GearState:
     """The gear with torques, for the elements that are engaged."""
-    ideal = ideal_gear(case, gear, ratios, efficiencies, speeds)
+    ideal = ideal_gear(variant, gear, speeds)
     moving = ideal.torques.consistent and speeds.consistent
     return GearState(ideal, find_signs(ideal, moving=moving))
 
@@ -139,22 +120,16 @@ def _state(
 def _can_hold(state: GearState, number: int) -> bool:
     """Whether a freewheel that holds has a torque of the right sign, with losses if they exist."""
     ideal, lossy = state.ideal, state.search.lossy
-    torques, ratios = ideal.torques_with_drag, ideal.ratios
+    torques, columns = ideal.torques_with_drag, ideal.variant.columns
     if not math.isnan(sign(lossy.torques.on_first_link[number - 1])):
-        torques = lossy.torques
-        ratios = lossy_ratios(ratios, ideal.efficiencies, lossy.signs)
-    pull = sign(torques.on_first_link[number - 1]) * ideal.direction
-    return pull <= 0 or (pull > 0 and is_nothing(ideal, ratios, torques, number))
+        torques, columns = lossy.torques, matrix.columns(state.case, state.lossy_ratios)
+    pull = sign(torques.on_first_link[number - 1]) * ideal.variant.direction
+    return pull <= 0 or (pull > 0 and is_nothing(ideal, columns, torques, number))
 
 
-def _conflict(
-    case: Transmission,
-    gear: Gear,
-    ratios: Sequence[Number],
-    efficiencies: Sequence[Efficiency],
-    nobody: Speeds,
-) -> GearState:
+def _conflict(variant: Variant, gear: Gear, nobody: Speeds) -> GearState:
     """A gear without a state, and so without values."""
+    case = variant.case
     nan = math.nan
     speeds = nobody._replace(
         links=[nan] * len(nobody.links),
@@ -166,5 +141,5 @@ def _conflict(
         dict.fromkeys(matrix.held_links(case, gear), nan),
         consistent=False,
     )
-    ideal = IdealGear(case, gear, ratios, efficiencies, speeds, torques, NO_DRAG, torques)
+    ideal = IdealGear(variant, gear, speeds, torques, NO_DRAG, torques)
     return GearState(ideal, find_signs(ideal, moving=False), conflict=True)

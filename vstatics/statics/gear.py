@@ -67,7 +67,7 @@ def _total(numbers: Numbers) -> Number:
 
 def _planet_speeds(state: GearState) -> Iterator[Number]:
     """Speeds of all planets against their carriers."""
-    case, ratios = state.case, state.ideal.ratios
+    case, ratios = state.case, state.ideal.variant.ratios
     for device in case.own_devices:
         for planet in device.planets:
             index = planet.mechanism
@@ -82,7 +82,7 @@ def _by_ratio(state: GearState, index: int) -> Number:
     mechanism, motion = state.case.mechanisms[index], state.relative_speeds[index]
     if mechanism.planet_ratio is not None:
         return motion / mechanism.planet_ratio
-    ratio = state.ideal.ratios[index]
+    ratio = state.ideal.variant.ratios[index]
     return motion / ((ratio + 1) / 2) if mechanism.is_plain(ratio) else math.nan
 
 

@@ -10,9 +10,10 @@ from vstatics.numerics.tolerances import TIE
 from vstatics.numerics.traced import Number, absolute
 from vstatics.statics import matrix
 from vstatics.statics.drag import NO_DRAG, Drag, drag_torques
-from vstatics.statics.efficiency import Efficiency
+from vstatics.statics.matrix import Column
 from vstatics.statics.speeds import Speeds
 from vstatics.statics.torques import Torques, solve_torques
+from vstatics.statics.variant import Variant
 
 OUTSIDE = -1
 """Stands for an external torque, where a device has its index."""
@@ -21,11 +22,9 @@ OUTSIDE = -1
 class IdealGear(NamedTuple):
     """Speeds and torques of a gear without losses."""
 
-    case: Transmission
+    variant: Variant
     gear: Gear
     """With the freewheels that hold among the engaged elements."""
-    ratios: Sequence[Number]
-    efficiencies: Sequence[Efficiency]
     speeds: Speeds
     torques: Torques
     """Without drag."""
@@ -34,26 +33,23 @@ class IdealGear(NamedTuple):
     """Drag alone loads some mechanisms; the same where nothing drags."""
 
     @property
-    def direction(self) -> int:
-        """+1, or -1 when coasting: all flows turn."""
-        return -1 if self.case.coast else 1
+    def case(self) -> Transmission:
+        """The transmission."""
+        return self.variant.case
 
 
-def ideal_gear(
-    case: Transmission,
-    gear: Gear,
-    ratios: Sequence[Number],
-    efficiencies: Sequence[Efficiency],
-    speeds: Speeds,
-) -> IdealGear:
+def ideal_gear(variant: Variant, gear: Gear, speeds: Speeds) -> IdealGear:
     """Torques without losses, for the elements that are engaged and their speeds."""
-    torques = solve_torques(case, gear, ratios)
+    case, columns = variant.case, variant.columns
+    torques = solve_torques(case, gear, columns)
     drag = drag_torques(case, gear, speeds.links, speeds.slips)
-    with_drag = torques if drag is NO_DRAG else solve_torques(case, gear, ratios, drag)
-    return IdealGear(case, gear, ratios, efficiencies, speeds, torques, drag, with_drag)
+    with_drag = torques if drag is NO_DRAG else solve_torques(case, gear, columns, drag)
+    return IdealGear(variant, gear, speeds, torques, drag, with_drag)
 
 
-def mechanism_torques(ideal: IdealGear, ratios: Sequence[Number], torques: Torques) -> list[Number]:
+def mechanism_torques(
+    ideal: IdealGear, columns: Sequence[Column], torques: Torques
+) -> list[Number]:
     """Torque on the first link of each mechanism, 0 where it is a tie.
 
     It is a tie when on each of its links the mechanism's torque is nothing beside the
@@ -61,17 +57,17 @@ def mechanism_torques(ideal: IdealGear, ratios: Sequence[Number], torques: Torqu
     """
     case = ideal.case
     elements = len(case.shift_elements)
-    by_link = _torques_by_link(ideal, ratios, torques)
+    by_link = _torques_by_link(ideal, columns, torques)
     return [
         0.0 if _is_nothing(by_link, device, mechanism.links) else torques.on_first_link[device]
         for device, mechanism in enumerate(case.mechanisms, elements)
     ]
 
 
-def is_nothing(ideal: IdealGear, ratios: Sequence[Number], torques: Torques, number: int) -> bool:
+def is_nothing(ideal: IdealGear, columns: Sequence[Column], torques: Torques, number: int) -> bool:
     """Whether the torque of a shift element, by its number, is a tie: see `mechanism_torques`."""
     element = ideal.case.shift_elements[number - 1]
-    by_link = _torques_by_link(ideal, ratios, torques)
+    by_link = _torques_by_link(ideal, columns, torques)
     return _is_nothing(by_link, number - 1, (element.first, element.second))
 
 
@@ -91,21 +87,15 @@ def _is_nothing(by_link: Sequence[Sequence[_OnLink]], device: int, links: Sequen
 
 
 def _torques_by_link(
-    ideal: IdealGear, ratios: Sequence[Number], torques: Torques
+    ideal: IdealGear, columns: Sequence[Column], torques: Torques
 ) -> list[list[_OnLink]]:
     """All torques on each link, the housing first."""
     case, gear = ideal.case, ideal.gear
     by_link: list[list[_OnLink]] = [[] for _ in range(case.links + 1)]
-    columns: list[tuple[Sequence[int], Sequence[Number]]] = [
-        ((element.first, element.second), matrix.ON_ELEMENT) for element in case.shift_elements
-    ]
-    columns += [
-        (mechanism.links, matrix.column(ratio))
-        for mechanism, ratio in zip(case.mechanisms, ratios, strict=True)
-    ]
-    for device, (links, shares) in enumerate(columns):
-        for link, share in zip(links, shares, strict=True):
-            by_link[link].append((device, absolute(share * torques.on_first_link[device])))
+    for device, column in enumerate(columns):
+        for link, share in column.items():
+            torque = absolute(matrix.value(share) * torques.on_first_link[device])
+            by_link[link].append((device, torque))
     by_link[case.gear_output(gear)].append((OUTSIDE, absolute(torques.on_first_link[-1])))
     external = matrix.external_torques(case, gear)
     for link, torque in (*external.items(), *torques.holding.items(), *ideal.drag.links.items()):

@@ -2,26 +2,66 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from itertools import islice
+
+from vstatics.model.transmission import Gear
 from vstatics.numerics.tolerances import TIE
 from vstatics.numerics.traced import Number, absolute
 from vstatics.statics.bodies import held_as_one
 from vstatics.statics.efficiency import lossy_ratios
+from vstatics.statics.matrix import columns
 from vstatics.statics.power import power
+from vstatics.statics.results import Results
 from vstatics.statics.speeds import solve_speeds
 from vstatics.statics.state import GearState
 from vstatics.statics.torques import solve_torques
 
 
-def coincidences(state: GearState) -> dict[str, bool]:
+def coincidences(results: Results, number: int, gear: Gear) -> dict[str, bool]:
     """Names of the idle mechanisms whose direction of power, which is assumed, matters.
 
     And whether it matters for the efficiency too.
 
     Where engaged elements hold a mechanism as one piece only the split of torque depends
     on it. Otherwise a torque at the ports does, and so the efficiency.
+
+    Parameters
+    ----------
+    number : int
+        Index of the gear in `results`.
+    gear : Gear
+        With the freewheels that hold among the engaged elements.
     """
-    if not state.consistent:
+    idle = set(_idle_with_torque(results, number)) if results.consistent[number] else set()
+    if not idle or idle <= held_as_one(results.case, gear):
         return {}
+    return _that_matter(results.gear(number + 1))
+
+
+def _idle_with_torque(results: Results, number: int) -> Iterator[int]:
+    """Indices of mechanisms that may be idle and carry torque, as far as the arrays tell."""
+    case, is_idle = results.case, results.idle[number].tolist()
+    torques = iter(results.lossy_torques[number, len(case.shift_elements) : -1].tolist())
+    meshes = zip(
+        results.mesh_losses[number].tolist(),
+        results.lossy_mesh_torques[number].tolist(),
+        strict=True,
+    )
+    for device, idle in zip(case.own_devices, is_idle, strict=True):
+        rows = 1 if case.drawing is None else len(device.members)
+        loaded = sum(torque != 0 for torque in islice(torques, rows)) > 0
+        if device.meshes:
+            for index in device.mechanisms:
+                loss, torque = next(meshes)
+                if loss == 0 and torque != 0:
+                    yield index
+        elif loaded and (idle or len(device.mechanisms) > 1):
+            yield from device.mechanisms
+
+
+def _that_matter(state: GearState) -> dict[str, bool]:
+    """The same, from the state of the gear."""
     case, gear, ideal = state.case, state.gear, state.ideal
     elements = len(case.shift_elements)
     idle = [
@@ -29,7 +69,7 @@ def coincidences(state: GearState) -> dict[str, bool]:
         for place, is_idle in enumerate(state.search.idle)
         if is_idle
         and state.lossy_torques.on_first_link[elements + place] != 0
-        and ideal.efficiencies[place].lossy
+        and ideal.variant.efficiencies[place].lossy
     ]
     held = held_as_one(case, gear) if idle else set()
     idle = [place for place in idle if place not in held]
@@ -39,8 +79,8 @@ def coincidences(state: GearState) -> dict[str, bool]:
     def at_ports(place: int, sign: float) -> tuple[list[Number], Number]:
         """Torques that the ports have, and the power that enters by these."""
         turned = [*state.signs[:place], sign, *state.signs[place + 1 :]]
-        ratios = lossy_ratios(ideal.ratios, ideal.efficiencies, turned)
-        torques = solve_torques(case, gear, ratios, state.drag)
+        ratios = lossy_ratios(ideal.variant.ratios, ideal.variant.efficiencies, turned)
+        torques = solve_torques(case, gear, columns(case, ratios), state.drag)
         output = torques.on_first_link[-1]
         entering = -power(output, state.output_speed)
         for link, torque in torques.holding.items():
@@ -50,12 +90,14 @@ def coincidences(state: GearState) -> dict[str, bool]:
     if not gear.speeds and not gear.torques:
         # by virtual work the output torque depends on a ratio only where its mechanism
         # moves in the train that has the ratios with losses
-        relative_speeds = solve_speeds(case, gear, state.lossy_ratios).relative_speeds
+        relative_speeds = solve_speeds(
+            case, gear, columns(case, state.lossy_ratios)
+        ).relative_speeds
         idle = [place for place in idle if relative_speeds[place] != 0]
     found = {}
     for place in idle:
         one, lost = at_ports(place, 1.0)
-        other, otherwise = at_ports(place, -1.0 if ideal.efficiencies[place].back else 0.0)
+        other, otherwise = at_ports(place, -1.0 if ideal.variant.efficiencies[place].back else 0.0)
         if _differ(one, other):
             found[case.mechanisms[place].name] = not absolute(lost - otherwise) <= TIE
     return found

@@ -13,6 +13,7 @@ from typing import NamedTuple
 from vstatics.numerics.traced import Number, Rest, absolute, rest
 from vstatics.statics.efficiency import Signs, is_possible, lossy_ratio, lossy_ratios, sign
 from vstatics.statics.ideal import IdealGear, mechanism_torques
+from vstatics.statics.matrix import Column, columns
 from vstatics.statics.power import port_torques, power
 from vstatics.statics.torques import Torques, solve_torques
 
@@ -41,16 +42,16 @@ def torques_for_signs(ideal: IdealGear, signs: Signs) -> LossyTorques:
 
     Power that flows back through a self-locking mechanism is never admissible.
     """
-    if not is_possible(ideal.efficiencies, signs):
+    if not is_possible(ideal.variant.efficiencies, signs):
         return no_solution(ideal, signs)
-    ratios = lossy_ratios(ideal.ratios, ideal.efficiencies, signs)
-    return check_signs(
-        ideal, signs, ratios, solve_torques(ideal.case, ideal.gear, ratios, ideal.drag)
-    )
+    ratios = lossy_ratios(ideal.variant.ratios, ideal.variant.efficiencies, signs)
+    lossy_columns = columns(ideal.case, ratios)
+    torques = solve_torques(ideal.case, ideal.gear, lossy_columns, ideal.drag)
+    return check_signs(ideal, signs, lossy_columns, torques)
 
 
 def check_signs(
-    ideal: IdealGear, signs: Signs, ratios: Sequence[Number], torques: Torques
+    ideal: IdealGear, signs: Signs, lossy_columns: Sequence[Column], torques: Torques
 ) -> LossyTorques:
     """What torques with losses mean: losses, efficiency, and whether the signs agree.
 
@@ -58,15 +59,15 @@ def check_signs(
     is the same as: its sign is that of its flow, or its flow is 0; and when the
     efficiency is above 0 (where there is one without losses).
     """
-    on_first_link = mechanism_torques(ideal, ratios, torques)
+    on_first_link = mechanism_torques(ideal, lossy_columns, torques)
     by_first_link = list(map(power, on_first_link, ideal.speeds.relative_speeds))
     losses = list(_losses(by_first_link, ideal, signs))
     entering = _port_powers(ideal, torques)
     efficiency = _efficiency(ideal, torques, entering)
-    directions = tuple(sign(entered) * ideal.direction for entered in by_first_link)
+    directions = tuple(sign(entered) * ideal.variant.direction for entered in by_first_link)
     agrees = all(
         x * direction >= 0 or own.lossless
-        for x, direction, own in zip(signs, directions, ideal.efficiencies, strict=True)
+        for x, direction, own in zip(signs, directions, ideal.variant.efficiencies, strict=True)
     )
     passes = 0 < efficiency < math.inf or not _passes_power(ideal)
     return LossyTorques(
@@ -102,7 +103,7 @@ def no_solution(ideal: IdealGear, signs: Signs) -> LossyTorques:
 
 def _losses(by_first_link: Sequence[Number], ideal: IdealGear, signs: Signs) -> Iterator[Number]:
     """Power lost in each mechanism, from the power by its first link: equation (2)."""
-    for entering, own, x in zip(by_first_link, ideal.efficiencies, signs, strict=True):
+    for entering, own, x in zip(by_first_link, ideal.variant.efficiencies, signs, strict=True):
         yield power(entering, 1 - lossy_ratio(1.0, own, x))
 
 
@@ -121,12 +122,12 @@ def _efficiency(ideal: IdealGear, torques: Torques, entering: Sequence[Number]) 
     """
     if not ideal.gear.speeds and not ideal.gear.torques:
         lossy, lossless = torques.on_first_link[-1], ideal.torques.on_first_link[-1]
-        one, other = (lossy, lossless) if ideal.direction > 0 else (lossless, lossy)
+        one, other = (lossy, lossless) if ideal.variant.direction > 0 else (lossless, lossy)
         return math.nan if other == 0 else one / other
     received: Number = 0.0
     given: Number = 0.0
     for flow, actual in zip(_port_powers(ideal, ideal.torques), entering, strict=True):
-        side = sign(flow) * ideal.direction
+        side = sign(flow) * ideal.variant.direction
         if math.isnan(side):
             return math.nan
         if side > 0:

@@ -47,8 +47,13 @@ def column(ratio: Any) -> tuple[Any, Any, Any]:
     >>> column(-2.5)
     (1, 2.5, -3.5)
     """
-    first, second, (term, other) = on_mechanism(ratio)
-    return first, second, term + other
+    first, second, third = on_mechanism(ratio)
+    return first, second, value(third)
+
+
+def value(coefficient: Any) -> Any:
+    """A coefficient as one number."""
+    return coefficient[0] + coefficient[1] if isinstance(coefficient, tuple) else coefficient
 
 
 def columns(case: Transmission, ratios: Sequence[Number]) -> list[Column]:

@@ -66,7 +66,7 @@ def find_signs(ideal: IdealGear, *, moving: bool) -> SignSearch:
     turned = [
         lossy.admissible and not is_idle and x != before and efficiency.lossy
         for is_idle, x, before, efficiency in zip(
-            idle, lossy.signs, start.signs, ideal.efficiencies, strict=True
+            idle, lossy.signs, start.signs, ideal.variant.efficiencies, strict=True
         )
     ]
     locked = found.lossy is None and not found.cut_short
@@ -78,7 +78,7 @@ def _open(ideal: IdealGear, start: IdealSigns) -> list[int]:
     return [
         place
         for place, x in enumerate(start.signs)
-        if math.isnan(x) and ideal.efficiencies[place].lossy
+        if math.isnan(x) and ideal.variant.efficiencies[place].lossy
     ]
 
 
@@ -107,7 +107,7 @@ def _search(ideal: IdealGear, start: IdealSigns) -> Admissible:
     """Try all sets of signs of the mechanisms that move, or follow the flow if there are many."""
     moving = [
         not still and efficiency.lossy
-        for still, efficiency in zip(start.still, ideal.efficiencies, strict=True)
+        for still, efficiency in zip(start.still, ideal.variant.efficiencies, strict=True)
     ]
     free = [place for place, moves in enumerate(moving) if moves]
     if len(free) > SEARCHED:
@@ -151,7 +151,7 @@ def _every_set(ideal: IdealGear, start: IdealSigns, free: Sequence[int]) -> Iter
         signs = list(start.signs)
         for place, x in zip(free, chosen, strict=True):
             signs[place] = x
-        if is_possible(ideal.efficiencies, tuple(signs)):
+        if is_possible(ideal.variant.efficiencies, tuple(signs)):
             yield torques_for_signs(ideal, tuple(signs))
 
 
@@ -228,14 +228,14 @@ def _possible(ideal: IdealGear, signs: Signs) -> Signs:
     """The signs, but that no self-locking mechanism is driven back."""
     return tuple(
         1.0 if x < 0 and efficiency.back == 0 else x
-        for x, efficiency in zip(signs, ideal.efficiencies, strict=True)
+        for x, efficiency in zip(signs, ideal.variant.efficiencies, strict=True)
     )
 
 
 def _worst_turned(ideal: IdealGear, signs: Signs, turned: Signs, lossy: LossyTorques) -> Signs:
     """Of the signs that should turn, only the one whose mechanism gains most."""
     gains = [
-        -loss * ideal.direction if x != y else -math.inf
+        -loss * ideal.variant.direction if x != y else -math.inf
         for x, y, loss in zip(signs, turned, lossy.losses, strict=True)
     ]
     worst = max(range(len(gains)), key=gains.__getitem__)

@@ -39,16 +39,16 @@ def ideal_signs(ideal: IdealGear, *, moving: bool) -> IdealSigns:
         Whether speeds, and torques without losses, exist.
     """
     if not moving:
-        none = [False] * len(ideal.ratios)
+        none = [False] * len(ideal.variant.ratios)
         return IdealSigns((math.nan,) * len(none), none, none)
-    torques = mechanism_torques(ideal, ideal.ratios, ideal.torques_with_drag)
+    torques = mechanism_torques(ideal, ideal.variant.columns, ideal.torques_with_drag)
     relative_speeds = ideal.speeds.relative_speeds
     unloaded = [bool(torque == 0) for torque in torques]
     still = [bool(speed == 0) for speed in relative_speeds]
     signs = [
         _of_idle(ideal, place, is_unloaded=unloaded[place])
         if unloaded[place] or still[place]
-        else sign(power(torques[place], relative_speeds[place])) * ideal.direction
+        else sign(power(torques[place], relative_speeds[place])) * ideal.variant.direction
         for place in range(len(torques))
     ]
     return IdealSigns(tuple(signs), unloaded, still)
@@ -58,5 +58,5 @@ def _of_idle(ideal: IdealGear, place: int, *, is_unloaded: bool) -> float:
     """The sign of an idle mechanism by the convention of the case."""
     if ideal.case.idle == "exact":
         return 0.0
-    published = 1.0 if is_unloaded else sign(ideal.ratios[place])
-    return 0.0 if published < 0 and ideal.efficiencies[place].back == 0 else published
+    published = 1.0 if is_unloaded else sign(ideal.variant.ratios[place])
+    return 0.0 if published < 0 and ideal.variant.efficiencies[place].back == 0 else published

@@ -9,7 +9,7 @@ from vstatics.model.transmission import HOUSING, Gear, Transmission
 from vstatics.numerics import elimination
 from vstatics.numerics.tolerances import TIE
 from vstatics.numerics.traced import Number, absolute
-from vstatics.statics import matrix
+from vstatics.statics.matrix import Column, speed_rows
 
 
 class Speeds(NamedTuple):
@@ -26,18 +26,18 @@ class Speeds(NamedTuple):
     excess: int
 
 
-def solve_speeds(case: Transmission, gear: Gear, ratios: Sequence[Number]) -> Speeds:
+def solve_speeds(case: Transmission, gear: Gear, columns: Sequence[Column]) -> Speeds:
     """Solve the speed system of a gear.
 
     Parameters
     ----------
-    ratios : sequence of Number
-        Internal ratio of each mechanism. [-]
+    columns : sequence of Column
+        Of the structural-distribution matrix, without losses.
     """
     differences = [(mechanism.first, mechanism.third) for mechanism in case.mechanisms]
     slips = [(element.first, element.second) for element in case.shift_elements]
     sums = [_difference(*pair) for pair in (*differences, *slips)]
-    rows = matrix.speed_rows(case, gear, matrix.columns(case, ratios))
+    rows = speed_rows(case, gear, columns)
     solution = elimination.solve(rows, case.links, sums)
     links = solution.values[: case.links]
     relative = solution.values[case.links : case.links + len(differences)]

@@ -13,7 +13,7 @@ from vstatics.statics.bodies import Bodies, turning_as_one
 from vstatics.statics.drag import NO_DRAG, Drag
 from vstatics.statics.efficiency import lossy_ratios
 from vstatics.statics.ideal import IdealGear
-from vstatics.statics.matrix import column
+from vstatics.statics.matrix import column, columns
 from vstatics.statics.power import LinkPower, device_powers, drag_powers, port_powers
 from vstatics.statics.sign_search import SignSearch
 from vstatics.statics.status import OK, Status, statuses
@@ -110,7 +110,7 @@ class GearState(NamedTuple):
     @property
     def lossy_ratios(self) -> list[Number]:
         """Of each mechanism: ``u * efficiency**x`` [-]."""
-        return lossy_ratios(self.ideal.ratios, self.ideal.efficiencies, self.signs)
+        return lossy_ratios(self.ideal.variant.ratios, self.ideal.variant.efficiencies, self.signs)
 
     @property
     def losses(self) -> Sequence[Number]:
@@ -172,7 +172,7 @@ class GearState(NamedTuple):
         ]
         given = (self.case, self.gear, self.speeds, torques)
         return [
-            one._replace(power=self.ideal.direction * plain(one.power))
+            one._replace(power=self.ideal.variant.direction * plain(one.power))
             for one in (
                 *device_powers(*given, members=members, drag=drag),
                 *port_powers(*given),
@@ -185,19 +185,19 @@ class GearState(NamedTuple):
 
         A sum may be determined where its parts are not.
         """
-        ratios = self.ideal.ratios
+        ratios = self.ideal.variant.ratios
         if lossy:
-            factors = lossy_ratios([1.0] * len(ratios), self.ideal.efficiencies, self.signs)
+            factors = lossy_ratios([1.0] * len(ratios), self.ideal.variant.efficiencies, self.signs)
             ratios = [u * factor for u, factor in zip(ratios, factors, strict=True)]
         torques = self.lossy_torques if lossy else self.torques
-        columns = list(map(column, ratios))
+        shares_of = list(map(column, ratios))
         elements = len(self.case.shift_elements)
         found: list[dict[str, Number | Rest]] = []
         unknown: list[tuple[int, str, dict[int, Number]]] = []
         for place, device in enumerate(self.case.own_devices):
             found.append({})
             for member in device.members:
-                shares = _shares(member, columns, elements)
+                shares = _shares(member, shares_of, elements)
                 torque = rest([share * torques.on_first_link[index] for index, share in shares])
                 found[place][member.name] = torque
                 if isinstance(torque, float) and math.isnan(torque):
@@ -206,7 +206,7 @@ class GearState(NamedTuple):
         if unknown and exists and all(ratio == ratio for ratio in ratios):  # noqa: PLR0124
             sums = [shares for _, _, shares in unknown]
             drag = self.drag if lossy else NO_DRAG
-            values = solve_sums(self.case, self.gear, ratios, sums, drag)
+            values = solve_sums(self.case, self.gear, columns(self.case, ratios), sums, drag)
             for (place, name, _), value in zip(unknown, values, strict=True):
                 found[place][name] = value
         return found

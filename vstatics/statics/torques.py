@@ -11,6 +11,7 @@ from vstatics.numerics import elimination
 from vstatics.numerics.traced import Number
 from vstatics.statics import matrix
 from vstatics.statics.drag import NO_DRAG, Drag
+from vstatics.statics.matrix import Column
 
 Shares = Mapping[int, Number]
 """Index of a device -> its share in a sum."""
@@ -29,18 +30,17 @@ class Torques(NamedTuple):
 
 
 def solve_torques(
-    case: Transmission, gear: Gear, ratios: Sequence[Number], drag: Drag = NO_DRAG
+    case: Transmission, gear: Gear, columns: Sequence[Column], drag: Drag = NO_DRAG
 ) -> Torques:
     """Solve the torque system of a gear.
 
     Parameters
     ----------
-    ratios : sequence of Number
-        Ratio of each mechanism, with or without losses. [-]
+    columns : sequence of Column
+        Of the structural-distribution matrix, with or without losses.
     drag : Drag
         What drags, and with which torques.
     """
-    columns = matrix.columns(case, ratios)
     devices = matrix.loaded_devices(case, gear)
     held = matrix.held_links(case, gear)
     rows = matrix.torque_rows(case, gear, columns, drag.external)
@@ -56,13 +56,13 @@ def solve_torques(
 
 
 def solve_sums(
-    case: Transmission, gear: Gear, ratios: Sequence[Number], sums: Sequence[Shares], drag: Drag
+    case: Transmission, gear: Gear, columns: Sequence[Column], sums: Sequence[Shares], drag: Drag
 ) -> list[Number]:
     """Sums of torques of devices, which may be determined where the torques are not.
 
     Parameters
     ----------
-    ratios, drag
+    columns, drag
         See `solve_torques`.
     sums : sequence of mapping
         For each sum, the share of the torques on the first links of some devices. [-]
@@ -78,11 +78,12 @@ def solve_sums(
 
     >>> from vstatics.model.transmission import Mechanism, ShiftElement
     >>> case = Transmission(2, [ShiftElement(1, 2), ShiftElement(1, 2)], [], [Gear([1, 2])])
-    >>> solve_sums(case, case.gears[0], [], [{0: 1.0}, {0: 1.0, 1: 1.0}], NO_DRAG)
+    >>> columns = matrix.columns(case, [])
+    >>> solve_sums(case, case.gears[0], columns, [{0: 1.0}, {0: 1.0, 1: 1.0}], NO_DRAG)
     [nan, 1.0]
     """
     unknowns = {device: n for n, device in enumerate(matrix.loaded_devices(case, gear))}
-    rows = matrix.torque_rows(case, gear, matrix.columns(case, ratios), drag=drag.external)
+    rows = matrix.torque_rows(case, gear, columns, drag.external)
     size = len(unknowns) + 1 + len(matrix.held_links(case, gear))
     asked = [
         {unknowns[device]: share for device, share in one.items() if device in unknowns}
