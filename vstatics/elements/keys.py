@@ -11,7 +11,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, get_args
 
 from vstatics.elements.element import CentralWheel, Element, Losses, MeshEfficiency
-from vstatics.elements.kinds import GROUP, KINDS, Kind, Planetary, Simple
+from vstatics.elements.kinds import GROUP, KINDS, Kind, Simple
 from vstatics.model.parts import HOUSING
 from vstatics.model.shape import (
     COUNT,
@@ -56,9 +56,10 @@ def _record(name: str, kind: Kind) -> ByKey:
     """The keys of a kind."""
     if name == GROUP:
         return _GROUP
-    optional = kind.optional if isinstance(kind, Planetary) else frozenset()
     members = tuple(
-        KeyShape(member, LINK, f"Link of the member {member}.", required=member not in optional)
+        KeyShape(
+            member, LINK, f"Link of the member {member}.", required=member not in kind.optional
+        )
         for member in kind.members
     )
     if not kind.toothed:

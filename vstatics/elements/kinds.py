@@ -83,6 +83,7 @@ class Simple(NamedTuple):
     meshes: tuple[str, ...] = ()
     size: str = "teeth"
     optional_teeth: bool = False
+    optional: frozenset[str] = frozenset()
 
 
 Kind = Planetary | Simple

@@ -78,7 +78,7 @@ def at_meshes(element: Element, group: PlanetGroup, drawing: DrawingFields) -> b
 
 
 def _part(element: Element, drawing: DrawingFields, last: int) -> DrawnPart:
-    given = drawing.efficiency_of(element)
+    given = MeshEfficiency(**{**drawing.mesh_efficiency, **element.mesh_efficiency})
     if isinstance(element.shape, Simple):
         return DrawnPart(element.name, element, (_simple(element, element.shape, given),), {})
     group = group_of(element)
@@ -143,24 +143,19 @@ def _reduced(element: Element, group: PlanetGroup, given: MeshEfficiency) -> Ite
                 single = len(wheels) == 2 and len(group.trains) == 1
                 name = "" if single else f".{wheel.member}-{reference.member}"
                 ratio = group.ratio(wheel, reference)
+                between = group.path(group.planet_of[wheel.rim], group.planet_of[reference.rim])
+                efficiency = _of_wheel(wheel, given) * given.external ** len(between)
+                efficiency *= _of_wheel(reference, given)
                 mechanism = Mechanism(
                     wheel.link,
                     reference.link,
                     group.carrier,
                     ratio=float(ratio),
-                    efficiency=element.efficiency or _of_path(group, wheel, reference, given),
+                    efficiency=element.efficiency or efficiency,
                     planet_ratio=_to_planet(group, wheel, ratio),
                     name=element.name + name,
                 )
                 yield Lowered(mechanism, (wheel.member, reference.member, "carrier"))
-
-
-def _of_path(
-    group: PlanetGroup, first: CentralWheel, second: CentralWheel, given: MeshEfficiency
-) -> float:
-    """Efficiency of the meshes between two wheels, the carrier held."""
-    between = group.path(group.planet_of[first.rim], group.planet_of[second.rim])
-    return _of_wheel(first, given) * given.external ** len(between) * _of_wheel(second, given)
 
 
 def _to_planet(group: PlanetGroup, wheel: CentralWheel, ratio: Fraction) -> float | None:
@@ -180,32 +175,27 @@ def _meshes(
     element: Element, group: PlanetGroup, links: Mapping[str, int], given: MeshEfficiency
 ) -> Iterator[Lowered]:
     """A mechanism for each mesh; the planets are links."""
-    for wheel in group.wheels:
-        planet = group.planet_of[wheel.rim]
-        ratio = float(group.mesh_ratio(wheel))
+
+    def mesh(first: str, link: int, planet: str, ratio: Fraction, efficiency: float) -> Lowered:
+        is_known = all(group.is_known(member) for member in (first, planet) if member in links)
         mechanism = Mechanism(
-            wheel.link,
+            link,
             links[planet],
             group.carrier,
-            ratio=ratio,
-            efficiency=_of_wheel(wheel, given),
-            planet_ratio=ratio if group.is_known(planet) else None,
-            name=f"{element.name}.{wheel.member}-{planet}",
+            ratio=float(ratio),
+            efficiency=efficiency,
+            planet_ratio=float(ratio) if is_known else None,
+            name=f"{element.name}.{first}-{planet}",
         )
-        yield Lowered(mechanism, (wheel.member, planet, "carrier"))
+        return Lowered(mechanism, (first, planet, "carrier"))
+
+    for wheel in group.wheels:
+        planet, ratio = group.planet_of[wheel.rim], group.mesh_ratio(wheel)
+        yield mesh(wheel.member, wheel.link, planet, ratio, _of_wheel(wheel, given))
     for one, other in group.meshes:
-        a, b = group.planet_of[one], group.planet_of[other]
-        ratio = float(-group.teeth(other) / group.teeth(one))
-        mechanism = Mechanism(
-            links[a],
-            links[b],
-            group.carrier,
-            ratio=ratio,
-            efficiency=given.external,
-            planet_ratio=ratio if group.is_known(a) and group.is_known(b) else None,
-            name=f"{element.name}.{a}-{b}",
-        )
-        yield Lowered(mechanism, (a, b, "carrier"))
+        first, second = group.planet_of[one], group.planet_of[other]
+        ratio = -group.teeth(other) / group.teeth(one)
+        yield mesh(first, links[first], second, ratio, given.external)
 
 
 def _of_wheel(wheel: CentralWheel, given: MeshEfficiency) -> float:

@@ -10,7 +10,6 @@ from vstatics.model.fields import IdleConvention, TransmissionFields
 from vstatics.model.parts import (
     HOUSING,
     Gear,
-    Load,
     Mechanism,
     ShiftElement,
     element_name,
@@ -21,12 +20,9 @@ __all__ = [
     "HOUSING",
     "Gear",
     "IdleConvention",
-    "Load",
     "Mechanism",
     "ShiftElement",
     "Transmission",
-    "element_name",
-    "mechanism_name",
 ]
 
 

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
-from vstatics.model.transmission import Transmission, element_name, mechanism_name
+from vstatics.model.parts import element_name, mechanism_name
+from vstatics.model.transmission import Transmission
 from vstatics.statics.results import Language
 from vstatics.tables.numbers import exponent
 

@@ -33,7 +33,10 @@ def of_planets(layout: AxisLayout) -> Iterator[Doubt]:
         yield from _modules(layout)
         yield from _triangles(layout)
         yield from _clear_wheels(layout)
-        yield from _planets(layout)
+        count = layout.element.planets or 1
+        if count > 1:
+            yield from assembled(layout)
+            yield from _touching(layout, count)
 
 
 def _without_room(layout: AxisLayout) -> Iterator[Doubt]:
@@ -149,22 +152,23 @@ def _clear_wheels(layout: AxisLayout) -> Iterator[Doubt]:
             yield Doubt(f"tips of {names} touch, which are not to mesh", rim)
 
 
-def _planets(layout: AxisLayout) -> Iterator[Doubt]:
-    """Whether so many planets go in."""
-    count = layout.element.planets or 1
-    if count > 1:
-        yield from assembled(layout)
-        yield from _touching(layout, count)
-
-
 def _touching(layout: AxisLayout, count: int) -> Iterator[Doubt]:
     """Tips of neighbouring planets must not meet."""
     sine = math.sin(math.pi / count)
     for rims in layout.group.planets.values():
-        found = [_gap(layout, rim, sine) for rim in rims]
-        gap, rim = min(filter(None, found), default=(1.0, ""))
-        if gap < NO_GAP:
-            yield _touched(layout, rim, count)
+        gaps = [_gap(layout, rim, sine) for rim in rims]
+        gap, rim = min(filter(None, gaps), default=(1.0, ""))
+        axis = layout.axis(rim) if gap < NO_GAP else None
+        if axis is not None:
+            span, wheel = axis
+            message = (
+                f"tips of neighbouring planets touch: ({layout.label(wheel)} "
+                f"{'-' if wheel.internal else '+'} {layout.label(wheel.rim)}) "
+                f"sin(180°/{count}) = {float(span) * sine:.4g}, "
+                f"expected more than {layout.label(rim)} + 2 = "
+                f"{float(layout.group.teeth(rim)) + 2:g}"
+            )
+            yield Doubt(message, None)
     for one, other in layout.group.meshes:
         yield from _crossing(layout, one, other, count)
 
@@ -175,22 +179,6 @@ def _gap(layout: AxisLayout, rim: str, sine: float) -> tuple[float, str] | None:
     if axis is None or teeth is None:
         return None
     return float(axis[0]) * sine - float(teeth) - 2, rim
-
-
-def _touched(layout: AxisLayout, rim: str, count: int) -> Doubt:
-    axis, teeth = layout.axis(rim), layout.teeth(rim)
-    if axis is None or teeth is None:
-        raise TypeError(rim)
-    span, wheel = axis
-    name = layout.label(rim)
-    sign = "-" if wheel.internal else "+"
-    apart = float(span) * math.sin(math.pi / count)
-    message = (
-        f"tips of neighbouring planets touch: ({layout.label(wheel)} {sign} "
-        f"{layout.label(wheel.rim)}) sin(180°/{count}) = {apart:.4g}, "
-        f"expected more than {name} + 2 = {float(teeth) + 2:g}"
-    )
-    return Doubt(message, None)
 
 
 def _crossing(layout: AxisLayout, one: str, other: str, count: int) -> Iterator[Doubt]:

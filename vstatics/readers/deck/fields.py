@@ -7,7 +7,7 @@ from itertools import accumulate, pairwise
 from typing import Generic, NamedTuple
 
 from vstatics.errors import Path, Problem, nearest
-from vstatics.readers.deck.numbers import Number, integer, loose_count, real
+from vstatics.readers.deck.numbers import Number, integer, loose_count
 from vstatics.readers.deck.places import PARTS, Places, label_in
 from vstatics.readers.deck.text import Scan
 from vstatics.readers.deck.values import (
@@ -40,14 +40,11 @@ class Fields:
         self.hidden: list[Path] = []
         """Parts of the model that hold stand-ins."""
         self.unreadable: set[str] = set()
+        """Values that are stand-ins."""
 
     def error(self, label: str, message: str) -> None:
         """Note an error at a value that was read."""
         self.found.error(f"{label}: {message}", *self.places.spots[label])
-
-    def is_unreadable(self, label: str) -> bool:
-        """Whether a value is a stand-in."""
-        return label in self.unreadable
 
     def size(self, key: str, what: str, lowest: int) -> int | None:
         """A size that must be there; None if it cannot be used."""
@@ -79,13 +76,11 @@ class Fields:
             return None
         return value
 
-    def whole(self, key: str, need: int, why: str) -> list[int]:
-        """A list of whole numbers."""
-        return self._list(key, need, why, integer).numbers
-
-    def real(self, key: str, need: int, why: str) -> list[float]:
+    def numbers(
+        self, key: str, need: int, why: str, parse: Callable[[str], Number]
+    ) -> list[Number]:
         """A list of numbers."""
-        return self._list(key, need, why, real).numbers
+        return self._list(key, need, why, parse).numbers
 
     def counts(self, key: str, gears: int, *, required: bool) -> list[int]:
         """How many values each gear has in another field; -1 where it cannot be told."""

@@ -213,7 +213,6 @@ class _Taker(Generic[Number]):
         parse: Callable[[str], Number],
         ending: Callable[[int], str],
     ) -> None:
-        """Start before the first value."""
         self.found, self.wanted, self.ending = found, wanted, ending
         self.parse: Callable[[str], Number] = parse
         self.need = wanted.need

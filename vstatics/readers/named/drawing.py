@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any
 
 from vstatics.elements import teeth
@@ -14,7 +14,7 @@ from vstatics.elements.keys import DRAWN, drawn, element_of, with_elements
 from vstatics.elements.lower import parts as parts_of
 from vstatics.errors import Path, Problem
 from vstatics.model.keys import CASE
-from vstatics.model.parts import Gear, Mechanism
+from vstatics.model.parts import Gear
 from vstatics.model.shape import ByKey, ByKind, ByName, Either, Ends, Leaf, ListOf, Shape
 from vstatics.readers.named import nodes
 from vstatics.readers.named.arguments import arguments, untold
@@ -88,7 +88,14 @@ def read_drawing(root: nodes.Mapping, walk: Walk) -> Reading:
         spots.unreadable += [("links",), ("mechanisms",)]
     else:
         names = parts["link_names"] or list(map(str, range(1, values["links"] + 1)))
-        made = drawing(values, names, parts["mechanisms"])
+        records = values["elements"]
+        made = Drawing(
+            len(names),
+            tuple(element_of(name, record, names) for name, record in records.items()),
+            tuple(parts["mechanisms"]),
+            values.get("losses"),
+            values.get("mesh_efficiency", {}),
+        )
         faults = list(problems(made)) or list(_planets_called_like_links(made, names))
         if faults:
             spots.unreadable += [("links",), ("mechanisms",)]
@@ -153,26 +160,3 @@ def loose_links(
             message = f"link `{shown(name)}` is joined to nothing else{hint}"
             place = spots.found.source.place(node.line, node.column)
             yield Problem(message, (), place, "warning")
-
-
-def drawing(
-    values: Mapping[str, Any], link_names: Sequence[str], mechanisms: Iterable[Mechanism]
-) -> Drawing:
-    """The drawing that the values of a case tell of.
-
-    Parameters
-    ----------
-    values : mapping
-        Of the keys `elements`, `losses` and `mesh_efficiency`.
-    link_names : sequence of str
-        Of the case's own links.
-    mechanisms : iterable of Mechanism
-        That stand beside the elements.
-    """
-    return Drawing(
-        len(link_names),
-        tuple(element_of(name, one, link_names) for name, one in values["elements"].items()),
-        tuple(mechanisms),
-        values.get("losses"),
-        values.get("mesh_efficiency", {}),
-    )

@@ -60,7 +60,6 @@ class Found:
     """The problems found in a text, up to as many as a person would read."""
 
     def __init__(self, source: Source) -> None:
-        """Start without problems."""
         self.source = source
         self.text = "\n".join(source.lines)
         self.problems: list[Problem] = []
@@ -178,7 +177,6 @@ class Spots:
     """
 
     def __init__(self, found: Found) -> None:
-        """Start without any."""
         self.found = found
         self.unreadable: list[Path] = []
         self._spots: dict[Path, Spot] = {}

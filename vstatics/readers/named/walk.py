@@ -49,7 +49,6 @@ class Walk:
     """Reads nodes by their shapes."""
 
     def __init__(self, spots: Spots) -> None:
-        """Start with nothing read."""
         self.spots = spots
         self.references = References(spots.found)
         self._readers: dict[type[Shape], Callable[[Spot, Any], Any]] = {
