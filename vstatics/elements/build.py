@@ -63,7 +63,7 @@ def transmission(
     from vstatics.elements.checks import problems
     from vstatics.errors import CaseError
 
-    errors = [problem for problem in problems(drawing) if problem.severity == "error"]
+    errors = list(problems(drawing))
     if errors:
         raise CaseError(errors)
     output = others.pop("output", 0) or drawing.links

@@ -141,20 +141,13 @@ DRAWN = (
 )
 
 
-def drawn(case: ByKey) -> ByKey:
-    """The shape of a case that does list elements."""
-    keys = [key._replace(required=key.required or key.name == "elements") for key in case.keys]
-    return case._replace(keys=tuple(keys))
-
-
-def with_elements(case: ByKey) -> ByKey:
-    """The shape of a case that may list elements in place of links and mechanisms."""
-    keys = [
-        key._replace(required=False) if key.name in ("links", "mechanisms") else key
-        for key in case.keys
-    ]
-    at = [key.name for key in keys].index("mechanisms")
-    return case._replace(keys=(*keys[:at], *DRAWN, *keys[at:]))
+def with_elements(case: ByKey, *, required: bool = False) -> ByKey:
+    """The shape of a case that may, or must, list elements in place of links and mechanisms."""
+    needed = {key.name for key in case.keys if key.required} - {"links", "mechanisms"}
+    needed |= {"elements"} if required else set()
+    at = [key.name for key in case.keys].index("mechanisms")
+    keys = (*case.keys[:at], *DRAWN, *case.keys[at:])
+    return case._replace(keys=tuple(key._replace(required=key.name in needed) for key in keys))
 
 
 def record_of(element: Element) -> dict[str, Any]:

@@ -68,7 +68,7 @@ class Transmission(TransmissionFields):
 
     def __post_init__(self) -> None:
         """Check everything, then fill in the defaults."""
-        errors = [problem for problem in problems(self) if problem.severity == "error"]
+        errors = list(problems(self))
         if errors:
             raise CaseError(errors)
         for attribute, value in _completed(self).items():

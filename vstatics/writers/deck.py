@@ -198,24 +198,18 @@ def _conditions(case: Transmission) -> Iterator[str]:
 
 def _names(case: Transmission) -> Iterator[str]:
     """The names that differ from those that everything gets by itself."""
-    links = [("J", name, str(number)) for number, name in enumerate(case.link_names, 1)]
-    elements = [
-        ("F", element.name, element_name(number, element._replace(kind="")))
-        for number, element in enumerate(case.shift_elements, 1)
+    elements = [element._replace(kind="") for element in case.shift_elements]
+    names = [
+        ("T", case.name, ""),
+        *((f"J{n}", name, str(n)) for n, name in enumerate(case.link_names, 1)),
+        *(
+            (f"F{n}", element.name, element_name(n, element))
+            for n, element in enumerate(elements, 1)
+        ),
+        *((f"D{n}", part.name, mechanism_name(n)) for n, part in enumerate(case.mechanisms, 1)),
+        *((f"P{n}", gear.name, str(n)) for n, gear in enumerate(case.gears, 1)),
     ]
-    mechanisms = [
-        ("D", mechanism.name, mechanism_name(number))
-        for number, mechanism in enumerate(case.mechanisms, 1)
-    ]
-    gears = [("P", gear.name, str(number)) for number, gear in enumerate(case.gears, 1)]
-    named = [
-        f"NAME {kind}{number}: {name}"
-        for part in (links, elements, mechanisms, gears)
-        for number, (kind, name, default) in enumerate(part, 1)
-        if name != default
-    ]
-    if case.name:
-        named.insert(0, f"NAME T: {case.name}")
+    named = [f"NAME {part}: {name}" for part, name, default in names if name != default]
     if named:
         yield "Given names:"
         yield from named

@@ -55,8 +55,9 @@ def _coaxial(layout: AxisLayout) -> Iterator[Doubt]:
             continue
         first, *others = wheels
         if teeth.denominator > 1:
+            sun, ring = map(layout.label, sorted(wheels, key=lambda wheel: wheel.internal))
             message = (
-                f"no standard {layout.label(rim)} fits between: ({_difference(layout, rim)})/2 = "
+                f"no standard {layout.label(rim)} fits between: ({ring} - {sun})/2 = "
                 f"{float(teeth):g} is not whole; speeds of planets take it as it is"
             )
             yield Doubt(message, layout.key(wheels[-1]), "note")
@@ -64,11 +65,6 @@ def _coaxial(layout: AxisLayout) -> Iterator[Doubt]:
             change = int((layout.span(other) or 0) - (layout.span(first) or 0))
             if change and teeth.denominator == 1:
                 yield _off_axis(layout, first, other, change)
-
-
-def _difference(layout: AxisLayout, rim: str) -> str:
-    sun, ring = sorted(layout.around(rim), key=lambda wheel: wheel.internal)
-    return f"{layout.label(ring)} - {layout.label(sun)}"
 
 
 def _off_axis(layout: AxisLayout, first: CentralWheel, other: CentralWheel, change: int) -> Doubt:
@@ -156,11 +152,14 @@ def _touching(layout: AxisLayout, count: int) -> Iterator[Doubt]:
     """Tips of neighbouring planets must not meet."""
     sine = math.sin(math.pi / count)
     for rims in layout.group.planets.values():
-        gaps = [_gap(layout, rim, sine) for rim in rims]
-        gap, rim = min(filter(None, gaps), default=(1.0, ""))
-        axis = layout.axis(rim) if gap < NO_GAP else None
-        if axis is not None:
-            span, wheel = axis
+        gaps = [  # between the tips of neighbours, in modules
+            (float(axis[0]) * sine - float(teeth) - 2, rim, axis)
+            for rim, teeth in rims.items()
+            if teeth is not None and (axis := layout.axis(rim))
+        ]
+        least = min(gaps, default=None)
+        if least and least[0] < NO_GAP:
+            _, rim, (span, wheel) = least
             message = (
                 f"tips of neighbouring planets touch: ({layout.label(wheel)} "
                 f"{'-' if wheel.internal else '+'} {layout.label(wheel.rim)}) "
@@ -171,14 +170,6 @@ def _touching(layout: AxisLayout, count: int) -> Iterator[Doubt]:
             yield Doubt(message, None)
     for one, other in layout.group.meshes:
         yield from _crossing(layout, one, other, count)
-
-
-def _gap(layout: AxisLayout, rim: str, sine: float) -> tuple[float, str] | None:
-    """How far the tips of neighbours are apart, in modules; which rim it is."""
-    axis, teeth = layout.axis(rim), layout.teeth(rim)
-    if axis is None or teeth is None:
-        return None
-    return float(axis[0]) * sine - float(teeth) - 2, rim
 
 
 def _crossing(layout: AxisLayout, one: str, other: str, count: int) -> Iterator[Doubt]:
