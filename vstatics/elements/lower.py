@@ -94,6 +94,7 @@ def _simple(element: Element, kind: Simple, given: MeshEfficiency) -> Lowered:
     efficiency = element.efficiency
     if efficiency is None:
         efficiency = math.prod(getattr(given, mesh) for mesh in kind.meshes)
+    between = [element.teeth[name] for name in kind.toothed[1:-1] if name in element.teeth]
     mechanism = Mechanism(
         element.link(first),
         element.link(second),
@@ -101,7 +102,7 @@ def _simple(element: Element, kind: Simple, given: MeshEfficiency) -> Lowered:
         ratio=float(simple_ratio(element, kind)),
         efficiency=efficiency,
         back_efficiency=element.back_efficiency,
-        planet_ratio=_between(element, kind),
+        planet_ratio=-between[0] / element.teeth[kind.toothed[0]] if between else None,
         name=element.name,
     )
     return Lowered(mechanism, (first, second, third))
@@ -119,14 +120,6 @@ def simple_ratio(element: Element, kind: Simple) -> Fraction:
         return Fraction(kind.sign)
     first, last = kind.toothed[0], kind.toothed[-1]
     return kind.sign * Fraction(element.teeth[last]) / Fraction(element.teeth[first])
-
-
-def _between(element: Element, kind: Simple) -> float | None:
-    """Ratio of the first wheel to what meshes between the two: an idler, a bevel planet."""
-    for middle in kind.toothed[1:-1]:
-        if middle in element.teeth:
-            return -element.teeth[middle] / element.teeth[kind.toothed[0]]
-    return None
 
 
 def _reduced(element: Element, group: PlanetGroup, given: MeshEfficiency) -> Iterator[Lowered]:

@@ -176,18 +176,15 @@ def _given(
 
 def _conditions(case: Transmission) -> Iterator[str]:
     """Input, output and conventions, each only if it is not the default."""
-    conditions = []
-    if case.input != 1:
-        conditions.append(f"INP= {case.input}")
-    if case.output != case.links:
-        conditions.append(f"IOUT= {case.output}")
-    if case.idle == "exact":
-        conditions.append("IDLE= 1")
-    if case.coast:
-        conditions.append("COAST= 1")
-    if conditions:
+    conditions = {
+        f"INP= {case.input}": case.input != 1,
+        f"IOUT= {case.output}": case.output != case.links,
+        "IDLE= 1": case.idle == "exact",
+        "COAST= 1": case.coast,
+    }
+    if any(conditions.values()):
         yield "Further conditions:"
-        yield from conditions
+        yield from (line for line, holds in conditions.items() if holds)
     if any(gear.input for gear in case.gears):
         yield "Input link in each gear (0: that of the case):"
         yield _row("INP(I),I=1,NP:", (gear.input or 0 for gear in case.gears))
@@ -202,10 +199,7 @@ def _names(case: Transmission) -> Iterator[str]:
     names = [
         ("T", case.name, ""),
         *((f"J{n}", name, str(n)) for n, name in enumerate(case.link_names, 1)),
-        *(
-            (f"F{n}", element.name, element_name(n, element))
-            for n, element in enumerate(elements, 1)
-        ),
+        *((f"F{n}", part.name, element_name(n, part)) for n, part in enumerate(elements, 1)),
         *((f"D{n}", part.name, mechanism_name(n)) for n, part in enumerate(case.mechanisms, 1)),
         *((f"P{n}", gear.name, str(n)) for n, gear in enumerate(case.gears, 1)),
     ]

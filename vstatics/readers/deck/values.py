@@ -65,10 +65,7 @@ def _take_with_care(
     found: Scan, field: Field, wanted: Wanted, parse: Callable[[str], Number]
 ) -> Values[Number]:
     """The values of a field that holds more than plain numbers, or has a fault."""
-
-    def ending(line: int) -> str:
-        return _ending(found, field, line)
-
+    ending = partial(_ending, found, field)
     taker = _Taker(found, (field.line, field.value + 1), wanted, parse, ending)
     return taker.take(token_lines(found, field))
 
