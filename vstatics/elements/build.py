@@ -19,13 +19,13 @@ def lowered(drawing: Drawing, link_names: Sequence[str]) -> dict[str, Any]:
     link_names : sequence of str
         Of the case's own links; their numbers when empty.
     """
-    made = parts(drawing)
+    drawn = parts(drawing)
     names = list(link_names) or [str(number) for number in range(1, drawing.links + 1)]
-    names += [f"{part.name}.{planet}" for part in made for planet in part.planet_links]
+    names += [f"{part.name}.{planet}" for part in drawn for planet in part.planet_links]
     return {
         "links": len(names),
         "link_names": names,
-        "mechanisms": [lowered.mechanism for part in made for lowered in part.lowered],
+        "mechanisms": [lowered.mechanism for part in drawn for lowered in part.lowered],
         "drawing": drawing,
     }
 

@@ -48,15 +48,13 @@ def drawing_of(case: Transmission) -> Drawing | None:
 
 def parts_of(case: Transmission) -> Sequence[DrawnPart]:
     """The parts of any case: of its drawing, or its mechanisms as they are."""
-    drawing = drawing_of(case)
-    return (
-        parts(DrawingFields(case.links, (), case.mechanisms)) if drawing is None else drawing.parts
-    )
+    drawing = drawing_of(case) or Drawing(case.links, (), case.mechanisms)
+    return drawing.parts
 
 
-def _devices(made: Sequence[DrawnPart]) -> Iterator[OwnDevice]:
+def _devices(drawn: Sequence[DrawnPart]) -> Iterator[OwnDevice]:
     number = 0
-    for part in made:
+    for part in drawn:
         numbers = tuple(range(number, number + len(part.lowered)))
         number += len(part.lowered)
         places: dict[str, list[tuple[int, int]]] = {}

@@ -92,9 +92,9 @@ def of_mechanism(mechanism: Mechanism, path: Path, links: int) -> Iterator[Probl
         yield Problem(f"{message}; expected another ratio with three links", (*path, "ratio"))
     yield from of_efficiency(mechanism.efficiency, (*path, "efficiency"))
     yield from of_back_efficiency(mechanism.back_efficiency, (*path, "back_efficiency"))
-    given = mechanism.planet_ratio
-    if given is not None and (given == 0 or not math.isfinite(given)):
-        message = f"read {given:g}, expected a finite ratio other than 0"
+    planet_ratio = mechanism.planet_ratio
+    if planet_ratio is not None and (planet_ratio == 0 or not math.isfinite(planet_ratio)):
+        message = f"read {planet_ratio:g}, expected a finite ratio other than 0"
         yield Problem(message, (*path, "planet_ratio"))
 
 

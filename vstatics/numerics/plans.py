@@ -184,8 +184,8 @@ class Plans:
             suited = chosen[passed]
             own = Rows([np.empty(count, dtype=row.dtype) for row in rows.arrays])
             stands = plan.run(prepared(part.values[:, passed]), own)
-            for row, found in enumerate(own.arrays):
-                rows.vary(row)[suited[stands]] = found[stands]
+            for row, values in enumerate(own.arrays):
+                rows.vary(row)[suited[stands]] = values[stands]
             passed[passed] = stands
         return chosen[~passed]
 

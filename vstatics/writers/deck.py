@@ -162,16 +162,16 @@ def _gears(case: Transmission) -> Iterator[str]:
 
 
 def _given(
-    given: Sequence[Mapping[int, float]], count: str, links: str, values: str
+    gears: Sequence[Mapping[int, float]], count: str, links: str, values: str
 ) -> Iterator[str]:
     """Links and values of given speeds or torques, a line for each gear that has any."""
-    if any(given):
+    if any(gears):
         yield "Their links:"
         yield f"({links}(K,I),K=1,{count}(I)),I=1,NP:"
-        yield from (_row("", row) for row in given if row)
+        yield from (_row("", row) for row in gears if row)
         yield "Their values:"
         yield f"({values}(K,I),K=1,{count}(I)),I=1,NP:"
-        yield from (_row("", map(exponent, row.values())) for row in given if row)
+        yield from (_row("", map(exponent, row.values())) for row in gears if row)
 
 
 def _conditions(case: Transmission) -> Iterator[str]:

@@ -179,8 +179,7 @@ def _gears(fields: Fields, count: int, names: dict[str, str]) -> list[Gear]:
 def _engaged(fields: Fields, gears: int) -> list[list[int]]:
     counts = fields.counts("KFRI", gears, required=True)
     engaged = fields.rows("NFRI", counts, "KFRI", integer)
-    for gear in engaged.unreadable:
-        fields.hidden.append(("gears", gear, "engaged"))
+    fields.hidden += [("gears", gear, "engaged") for gear in engaged.unreadable]
     return engaged.numbers
 
 
@@ -192,8 +191,7 @@ def _given(
     counts = fields.counts(counted, gears, required=False)
     links = fields.rows(name, counts, counted, integer)
     values = fields.rows(amount, counts, counted, real)
-    for gear in links.unreadable | values.unreadable:
-        fields.hidden.append(("gears", gear, part))
+    fields.hidden += [("gears", gear, part) for gear in links.unreadable | values.unreadable]
     given: list[dict[int, float]] = []
     for gear, (row, numbers) in enumerate(zip(links.numbers, values.numbers, strict=True), 1):
         given.append({})
