@@ -38,6 +38,6 @@ def require(package: str, purpose: str) -> None:
     CaseError
         With the way to install it.
     """
-    told = missing(package, purpose)
-    if told:
-        raise CaseError([Problem(told)])
+    message = missing(package, purpose)
+    if message:
+        raise CaseError([Problem(message)])

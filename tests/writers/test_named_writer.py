@@ -9,7 +9,8 @@ import yaml
 from hypothesis import example, given, settings
 
 from tests.strategies import ANY_NUMBER, ODD_NAMES, transmissions
-from vstatics.model.transmission import Gear, Load, Mechanism, ShiftElement, Transmission
+from vstatics.model.parts import Load
+from vstatics.model.transmission import Gear, Mechanism, ShiftElement, Transmission
 from vstatics.readers.named.reader import read_json, read_yaml
 from vstatics.writers.named import mapping, write_json, write_yaml
 

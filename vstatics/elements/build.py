@@ -19,13 +19,13 @@ def lowered(drawing: Drawing, link_names: Sequence[str]) -> dict[str, Any]:
     link_names : sequence of str
         Of the case's own links; their numbers when empty.
     """
-    made = parts(drawing)
+    drawn = parts(drawing)
     names = list(link_names) or [str(number) for number in range(1, drawing.links + 1)]
-    names += [f"{part.name}.{planet}" for part in made for planet in part.planet_links]
+    names += [f"{part.name}.{planet}" for part in drawn for planet in part.planet_links]
     return {
         "links": len(names),
         "link_names": names,
-        "mechanisms": [lowered.mechanism for part in made for lowered in part.lowered],
+        "mechanisms": [lowered.mechanism for part in drawn for lowered in part.lowered],
         "drawing": drawing,
     }
 
@@ -63,7 +63,7 @@ def transmission(
     from vstatics.elements.checks import problems
     from vstatics.errors import CaseError
 
-    errors = [problem for problem in problems(drawing) if problem.severity == "error"]
+    errors = list(problems(drawing))
     if errors:
         raise CaseError(errors)
     output = others.pop("output", 0) or drawing.links

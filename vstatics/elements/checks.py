@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
+from itertools import product
 
 from vstatics.elements import group_checks
 from vstatics.elements.drawing import Drawing
@@ -17,6 +18,7 @@ from vstatics.elements.group_checks import MOST
 from vstatics.elements.kinds import GROUP, KINDS, Kind, Planetary, Simple
 from vstatics.elements.lower import at_meshes
 from vstatics.errors import Path, Problem, nearest
+from vstatics.model.part_checks import of_back_efficiency, of_efficiency
 from vstatics.model.parts import HOUSING
 
 
@@ -85,11 +87,8 @@ def _problems(element: Element, path: Path) -> Iterator[Problem]:
     if element.efficiency is not None:
         place = (*path, "efficiency")
         worm = element.back_efficiency is not None
-        yield from _efficiency(element.efficiency, (*place, "worm") if worm else place)
-    back = element.back_efficiency
-    if back is not None and not 0 <= back <= 1:
-        message = f"read {back:g}, expected an efficiency from 0 (self-locking) to 1"
-        yield Problem(message, (*path, "efficiency", "wheel"))
+        yield from of_efficiency(element.efficiency, (*place, "worm") if worm else place)
+    yield from of_back_efficiency(element.back_efficiency, (*path, "efficiency", "wheel"))
     yield from _mesh_efficiency(element.mesh_efficiency, path)
     if element.efficiency is not None and element.mesh_efficiency:
         message = "`efficiency` is that of the whole element; give one of the two"
@@ -99,21 +98,15 @@ def _problems(element: Element, path: Path) -> Iterator[Problem]:
         yield Problem(message, (*path, "planets"))
 
 
-def _efficiency(value: float, path: Path) -> Iterator[Problem]:
-    if not 0 < value <= 1:
-        yield Problem(f"read {value:g}, expected an efficiency above 0 and up to 1", path)
-
-
-def _mesh_efficiency(given: Mapping[str, float], path: Path) -> Iterator[Problem]:
-    for mesh, value in given.items():
-        yield from _efficiency(value, (*path, "mesh_efficiency", mesh))
+def _mesh_efficiency(efficiencies: Mapping[str, float], path: Path) -> Iterator[Problem]:
+    for mesh, value in efficiencies.items():
+        yield from of_efficiency(value, (*path, "mesh_efficiency", mesh))
 
 
 def _planetary(element: Element, kind: Planetary, path: Path) -> Iterator[Problem]:
     """A kind with a fixed layout: members, and the teeth that its ratios need."""
-    missing = [m for m in kind.members if m not in element.members and m not in kind.optional]
-    for member in missing:
-        yield Problem(f"`{member}` is missing: the link that it belongs to", path)
+    missing = [*_missing(element, kind, path)]
+    yield from missing
     wheels = [member for member in kind.wheels if member in element.members]
     if not missing and len(wheels) < 2:
         names = ", ".join(kind.wheels)
@@ -126,20 +119,19 @@ def _planetary(element: Element, kind: Planetary, path: Path) -> Iterator[Proble
     }
     needed = [*wheels, *(rim for rim in kind.toothed if rim in used & several)]
     yield from _teeth(element, needed, kind.toothed, path)
-    for ring, sun in _around_one_rim(kind, wheels):
+    for ring, sun in product(wheels, wheels):
+        around, within = kind.wheels[ring], kind.wheels[sun]
         inner, outer = element.teeth.get(sun, 0), element.teeth.get(ring, math.inf)
-        if outer <= inner:
+        is_around = around.rim == within.rim and around.internal and not within.internal
+        if is_around and outer <= inner:
             message = f"read {outer:g}, expected more teeth than the {inner:g} of {sun}"
             yield Problem(message, (*path, "teeth", ring))
 
 
-def _around_one_rim(kind: Planetary, wheels: Sequence[str]) -> Iterator[tuple[str, str]]:
-    """Rings and the suns that mesh with the same rim."""
-    for ring in wheels:
-        for sun in wheels:
-            one, other = kind.wheels[ring], kind.wheels[sun]
-            if one.internal and not other.internal and one.rim == other.rim:
-                yield ring, sun
+def _missing(element: Element, kind: Kind, path: Path) -> Iterator[Problem]:
+    for member in kind.members:
+        if member not in element.members and member not in kind.optional:
+            yield Problem(f"`{member}` is missing: the link that it belongs to", path)
 
 
 def _apart(element: Element, kind: Kind, path: Path) -> Iterator[Problem]:
@@ -158,9 +150,7 @@ def _apart(element: Element, kind: Kind, path: Path) -> Iterator[Problem]:
 
 
 def _simple(element: Element, kind: Simple, path: Path) -> Iterator[Problem]:
-    for member in kind.members:
-        if member not in element.members:
-            yield Problem(f"`{member}` is missing: the link that it belongs to", path)
+    yield from _missing(element, kind, path)
     if element.kind == "shaft" and element.efficiency is None:
         yield Problem("`efficiency` is missing: a shaft is here for its loss", path)
     needed = [kind.toothed[0], kind.toothed[-1]] if kind.toothed else []

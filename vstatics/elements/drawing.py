@@ -48,32 +48,23 @@ def drawing_of(case: Transmission) -> Drawing | None:
 
 def parts_of(case: Transmission) -> Sequence[DrawnPart]:
     """The parts of any case: of its drawing, or its mechanisms as they are."""
-    drawing = drawing_of(case)
-    return (
-        parts(DrawingFields(case.links, (), case.mechanisms)) if drawing is None else drawing.parts
-    )
+    drawing = drawing_of(case) or Drawing(case.links, (), case.mechanisms)
+    return drawing.parts
 
 
-def _devices(made: Sequence[DrawnPart]) -> Iterator[OwnDevice]:
+def _devices(drawn: Sequence[DrawnPart]) -> Iterator[OwnDevice]:
     number = 0
-    for part in made:
+    for part in drawn:
         numbers = tuple(range(number, number + len(part.lowered)))
         number += len(part.lowered)
-        members = [
-            Member(name, link, tuple(_places(part, name, numbers)))
-            for name, link in part.members.items()
-        ]
+        places: dict[str, list[tuple[int, int]]] = {}
+        for index, lowered in zip(numbers, part.lowered, strict=True):
+            for place, member in enumerate(lowered.members):
+                places.setdefault(member, []).append((index, place))
+        members = [Member(name, link, tuple(places[name])) for name, link in part.members.items()]
         yield OwnDevice(
             part.name, numbers, tuple(members), tuple(_planets(part, numbers)), _meshes(part)
         )
-
-
-def _places(part: DrawnPart, member: str, numbers: Sequence[int]) -> Iterator[tuple[int, int]]:
-    """Where a member stands in the mechanisms of its element."""
-    for number, lowered in zip(numbers, part.lowered, strict=True):
-        for place, name in enumerate(lowered.members):
-            if name == member:
-                yield number, place
 
 
 def _meshes(part: DrawnPart) -> tuple[bool, ...]:

@@ -121,7 +121,3 @@ class DrawingFields:
     mechanisms: Sequence[Mechanism] = ()
     losses: Losses | None = None
     mesh_efficiency: Mapping[str, float] = field(default_factory=dict)
-
-    def efficiency_of(self, element: Element) -> MeshEfficiency:
-        """The efficiencies of an element's meshes."""
-        return MeshEfficiency(**{**self.mesh_efficiency, **element.mesh_efficiency})

@@ -66,7 +66,7 @@ class PlanetGroup:
             ratio = -self.teeth(one) / self.teeth(other)
             neighbours[a].append((b, ratio))
             neighbours[b].append((a, 1 / ratio))
-        found: list[dict[str, Fraction]] = []
+        trains: list[dict[str, Fraction]] = []
         known: dict[str, Fraction] = {}
         for start in self.planets:
             if start in known:
@@ -82,9 +82,9 @@ class PlanetGroup:
                         waiting.append(other)
                     elif train[other] != speed:
                         raise ValueError(f"planets {planet} and {other} block one another")
-            found.append(train)
+            trains.append(train)
             known |= train
-        return found
+        return trains
 
     def wheels_of(self, train: Mapping[str, Fraction]) -> list[CentralWheel]:
         """The central wheels that mesh with the planets of a train."""

@@ -39,11 +39,11 @@ def rims(element: Element, path: Path) -> Iterator[Problem]:
 def _wheels(element: Element, rims: Collection[str], path: Path) -> Iterator[Problem]:
     """Central wheels and meshes: sizes, names, and rims that there are."""
     named: list[tuple[Path, str]]
-    named = [((*_wheel_path(element, wheel), "rim"), wheel.rim) for wheel in element.wheels]
+    named = [((*wheel_path(element, wheel), "rim"), wheel.rim) for wheel in element.wheels]
     for number, pair in enumerate(element.meshes, 1):
         named += [(("meshes", number, side), pair[side - 1]) for side in (1, 2)]
     for wheel in element.wheels:
-        yield from _count(wheel.teeth, (*path, *_wheel_path(element, wheel), "teeth"))
+        yield from _count(wheel.teeth, (*path, *wheel_path(element, wheel), "teeth"))
         if wheel.member in {"carrier", *element.rims}:
             yield Problem(f"wheel `{wheel.member}` has the name of another member", path)
     for place, rim in named:
@@ -58,7 +58,7 @@ def _count(teeth: int, path: Path) -> Iterator[Problem]:
         yield Problem(f"read {teeth}, expected fewer than {MOST} teeth", path)
 
 
-def _wheel_path(element: Element, wheel: CentralWheel) -> Path:
+def wheel_path(element: Element, wheel: CentralWheel) -> Path:
     """Where a sun or a ring stands in its element: in a list for each."""
     alike = [other for other in element.wheels if other.internal == wheel.internal]
     return ("rings" if wheel.internal else "suns", alike.index(wheel) + 1)
@@ -96,7 +96,7 @@ def whole(element: Element, path: Path) -> Iterator[Problem]:
 def _group_wheels(element: Element, group: PlanetGroup, path: Path) -> Iterator[Problem]:
     """Wheels of a group that belong to its carrier, have no room, or lock one another."""
     for wheel in group.wheels:
-        place = (*path, *_wheel_path(element, wheel))
+        place = (*path, *wheel_path(element, wheel))
         if wheel.link == group.carrier != HOUSING:
             yield Problem("is on the link of the carrier, expected another one", (*place, "link"))
         for other in group.wheels:
@@ -110,4 +110,4 @@ def _group_wheels(element: Element, group: PlanetGroup, path: Path) -> Iterator[
             speed = group.relative(wheel, train)
             if speeds.setdefault(wheel.link, speed) != speed:
                 message = "has another wheel on these planets, of another speed: they would lock"
-                yield Problem(message, (*path, *_wheel_path(element, wheel), "link"))
+                yield Problem(message, (*path, *wheel_path(element, wheel), "link"))

@@ -11,7 +11,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, get_args
 
 from vstatics.elements.element import CentralWheel, Element, Losses, MeshEfficiency
-from vstatics.elements.kinds import GROUP, KINDS, Kind, Planetary, Simple
+from vstatics.elements.kinds import GROUP, KINDS, Kind, Simple
 from vstatics.model.parts import HOUSING
 from vstatics.model.shape import (
     COUNT,
@@ -56,9 +56,10 @@ def _record(name: str, kind: Kind) -> ByKey:
     """The keys of a kind."""
     if name == GROUP:
         return _GROUP
-    optional = kind.optional if isinstance(kind, Planetary) else frozenset()
     members = tuple(
-        KeyShape(member, LINK, f"Link of the member {member}.", required=member not in optional)
+        KeyShape(
+            member, LINK, f"Link of the member {member}.", required=member not in kind.optional
+        )
         for member in kind.members
     )
     if not kind.toothed:
@@ -140,20 +141,13 @@ DRAWN = (
 )
 
 
-def drawn(case: ByKey) -> ByKey:
-    """The shape of a case that does list elements."""
-    keys = [key._replace(required=key.required or key.name == "elements") for key in case.keys]
-    return case._replace(keys=tuple(keys))
-
-
-def with_elements(case: ByKey) -> ByKey:
-    """The shape of a case that may list elements in place of links and mechanisms."""
-    keys = [
-        key._replace(required=False) if key.name in ("links", "mechanisms") else key
-        for key in case.keys
-    ]
-    at = [key.name for key in keys].index("mechanisms")
-    return case._replace(keys=(*keys[:at], *DRAWN, *keys[at:]))
+def with_elements(case: ByKey, *, required: bool = False) -> ByKey:
+    """The shape of a case that may, or must, list elements in place of links and mechanisms."""
+    needed = {key.name for key in case.keys if key.required} - {"links", "mechanisms"}
+    needed |= {"elements"} if required else set()
+    at = [key.name for key in case.keys].index("mechanisms")
+    keys = (*case.keys[:at], *DRAWN, *case.keys[at:])
+    return case._replace(keys=tuple(key._replace(required=key.name in needed) for key in keys))
 
 
 def record_of(element: Element) -> dict[str, Any]:

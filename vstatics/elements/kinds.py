@@ -83,11 +83,12 @@ class Simple(NamedTuple):
     meshes: tuple[str, ...] = ()
     size: str = "teeth"
     optional_teeth: bool = False
+    optional: frozenset[str] = frozenset()
 
 
 Kind = Planetary | Simple
 
-EXTERNAL, INTERNAL = "external", "internal"
+PAIR = ("first", "second")
 
 KINDS: Mapping[str, Kind] = {
     "planetary": Planetary(
@@ -138,41 +139,34 @@ KINDS: Mapping[str, Kind] = {
     "bevel_pair": Simple(
         "Bevel or hypoid pair, such as a final drive: a positive ratio, as axes that cross have "
         "no common direction.",
-        ("first", "second"),
-        ("first", "second"),
+        PAIR,
+        PAIR,
         meshes=("bevel",),
     ),
     "gear_pair": Simple(
         "External gear pair: the wheels turn in opposite directions.",
-        ("first", "second"),
-        ("first", "second"),
+        PAIR,
+        PAIR,
         sign=-1,
-        meshes=(EXTERNAL,),
+        meshes=("external",),
     ),
     "internal_pair": Simple(
         "Internal gear pair: the wheels turn in the same direction.",
-        ("first", "second"),
-        ("first", "second"),
-        meshes=(INTERNAL,),
+        PAIR,
+        PAIR,
+        meshes=("internal",),
     ),
     "idler": Simple(
         "Two wheels with an idler between them: they turn in the same direction.",
-        ("first", "second"),
+        PAIR,
         ("first", "idler", "second"),
-        meshes=(EXTERNAL, EXTERNAL),
+        meshes=("external", "external"),
     ),
-    "chain": Simple(
-        "Chain drive; without `efficiency` it has no loss.",
-        ("first", "second"),
-        ("first", "second"),
-    ),
+    "chain": Simple("Chain drive; without `efficiency` it has no loss.", PAIR, PAIR),
     "belt": Simple(
-        "Belt drive; without `efficiency` it has no loss.",
-        ("first", "second"),
-        ("first", "second"),
-        size="diameters",
+        "Belt drive; without `efficiency` it has no loss.", PAIR, PAIR, size="diameters"
     ),
-    "shaft": Simple("Shaft or bearing with a loss: the ratio is 1.", ("first", "second")),
+    "shaft": Simple("Shaft or bearing with a loss: the ratio is 1.", PAIR),
     "worm": Simple(
         "Worm pair: `teeth` of the worm are its starts.",
         ("worm", "wheel"),

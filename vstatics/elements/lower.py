@@ -40,26 +40,26 @@ class DrawnPart(NamedTuple):
     @property
     def members(self) -> dict[str, int]:
         """The members of the element itself, with their links, planets apart."""
-        found: dict[str, int] = {}
+        links: dict[str, int] = {}
         for mechanism, members in self.lowered:
             for member, link in zip(members, mechanism.links, strict=True):
                 if member and member not in self.planet_links:
-                    found.setdefault(member, link)
+                    links.setdefault(member, link)
         if self.element is None or not isinstance(self.element.shape, Planetary):
-            return found
+            return links
         wheels = (wheel.member for wheel in group_of(self.element).wheels)
-        return {member: found[member] for member in (*wheels, "carrier") if member in found}
+        return {member: links[member] for member in (*wheels, "carrier") if member in links}
 
 
 def parts(drawing: DrawingFields) -> list[DrawnPart]:
     """What each element of a drawing becomes; planets that are links count on from its links."""
-    made: list[DrawnPart] = []
+    drawn: list[DrawnPart] = []
     last = drawing.links
     for element in drawing.elements:
         part = _part(element, drawing, last)
         last += len(part.planet_links)
-        made.append(part)
-    return [*made, *map(_given, drawing.mechanisms)]
+        drawn.append(part)
+    return [*drawn, *map(_given, drawing.mechanisms)]
 
 
 def _given(mechanism: Mechanism) -> DrawnPart:
@@ -78,22 +78,23 @@ def at_meshes(element: Element, group: PlanetGroup, drawing: DrawingFields) -> b
 
 
 def _part(element: Element, drawing: DrawingFields, last: int) -> DrawnPart:
-    given = drawing.efficiency_of(element)
+    per_mesh = MeshEfficiency(**{**drawing.mesh_efficiency, **element.mesh_efficiency})
     if isinstance(element.shape, Simple):
-        return DrawnPart(element.name, element, (_simple(element, element.shape, given),), {})
+        return DrawnPart(element.name, element, (_simple(element, element.shape, per_mesh),), {})
     group = group_of(element)
     if not at_meshes(element, group, drawing):
-        return DrawnPart(element.name, element, tuple(_reduced(element, group, given)), {})
+        return DrawnPart(element.name, element, tuple(_reduced(element, group, per_mesh)), {})
     links = {planet: last + number for number, planet in enumerate(group.planets, 1)}
-    return DrawnPart(element.name, element, tuple(_meshes(element, group, links, given)), links)
+    return DrawnPart(element.name, element, tuple(_meshes(element, group, links, per_mesh)), links)
 
 
-def _simple(element: Element, kind: Simple, given: MeshEfficiency) -> Lowered:
+def _simple(element: Element, kind: Simple, per_mesh: MeshEfficiency) -> Lowered:
     """A gear pair, a chain, a shaft, a support: one mechanism."""
     first, second, third = (*kind.members, "", "")[:3]
     efficiency = element.efficiency
     if efficiency is None:
-        efficiency = math.prod(getattr(given, mesh) for mesh in kind.meshes)
+        efficiency = math.prod(getattr(per_mesh, mesh) for mesh in kind.meshes)
+    between = [element.teeth[name] for name in kind.toothed[1:-1] if name in element.teeth]
     mechanism = Mechanism(
         element.link(first),
         element.link(second),
@@ -101,7 +102,7 @@ def _simple(element: Element, kind: Simple, given: MeshEfficiency) -> Lowered:
         ratio=float(simple_ratio(element, kind)),
         efficiency=efficiency,
         back_efficiency=element.back_efficiency,
-        planet_ratio=_between(element, kind),
+        planet_ratio=-between[0] / element.teeth[kind.toothed[0]] if between else None,
         name=element.name,
     )
     return Lowered(mechanism, (first, second, third))
@@ -121,15 +122,7 @@ def simple_ratio(element: Element, kind: Simple) -> Fraction:
     return kind.sign * Fraction(element.teeth[last]) / Fraction(element.teeth[first])
 
 
-def _between(element: Element, kind: Simple) -> float | None:
-    """Ratio of the first wheel to what meshes between the two: an idler, a bevel planet."""
-    for middle in kind.toothed[1:-1]:
-        if middle in element.teeth:
-            return -element.teeth[middle] / element.teeth[kind.toothed[0]]
-    return None
-
-
-def _reduced(element: Element, group: PlanetGroup, given: MeshEfficiency) -> Iterator[Lowered]:
+def _reduced(element: Element, group: PlanetGroup, per_mesh: MeshEfficiency) -> Iterator[Lowered]:
     """Mechanisms from each wheel of a train of planets to one of them."""
     for train in group.trains:
         wheels = group.wheels_of(train)
@@ -143,24 +136,19 @@ def _reduced(element: Element, group: PlanetGroup, given: MeshEfficiency) -> Ite
                 single = len(wheels) == 2 and len(group.trains) == 1
                 name = "" if single else f".{wheel.member}-{reference.member}"
                 ratio = group.ratio(wheel, reference)
+                between = group.path(group.planet_of[wheel.rim], group.planet_of[reference.rim])
+                efficiency = _of_wheel(wheel, per_mesh) * per_mesh.external ** len(between)
+                efficiency *= _of_wheel(reference, per_mesh)
                 mechanism = Mechanism(
                     wheel.link,
                     reference.link,
                     group.carrier,
                     ratio=float(ratio),
-                    efficiency=element.efficiency or _of_path(group, wheel, reference, given),
+                    efficiency=element.efficiency or efficiency,
                     planet_ratio=_to_planet(group, wheel, ratio),
                     name=element.name + name,
                 )
                 yield Lowered(mechanism, (wheel.member, reference.member, "carrier"))
-
-
-def _of_path(
-    group: PlanetGroup, first: CentralWheel, second: CentralWheel, given: MeshEfficiency
-) -> float:
-    """Efficiency of the meshes between two wheels, the carrier held."""
-    between = group.path(group.planet_of[first.rim], group.planet_of[second.rim])
-    return _of_wheel(first, given) * given.external ** len(between) * _of_wheel(second, given)
 
 
 def _to_planet(group: PlanetGroup, wheel: CentralWheel, ratio: Fraction) -> float | None:
@@ -171,43 +159,38 @@ def _to_planet(group: PlanetGroup, wheel: CentralWheel, ratio: Fraction) -> floa
     """
     if not group.is_known(group.planet_of[wheel.rim]):
         return None
-    given = group.mesh_ratio(wheel)
-    is_plain = len(group.planet_of) == 1 and given == (1 + ratio) / 2
-    return None if is_plain else float(given)
+    mesh_ratio = group.mesh_ratio(wheel)
+    is_plain = len(group.planet_of) == 1 and mesh_ratio == (1 + ratio) / 2
+    return None if is_plain else float(mesh_ratio)
 
 
 def _meshes(
-    element: Element, group: PlanetGroup, links: Mapping[str, int], given: MeshEfficiency
+    element: Element, group: PlanetGroup, links: Mapping[str, int], per_mesh: MeshEfficiency
 ) -> Iterator[Lowered]:
     """A mechanism for each mesh; the planets are links."""
-    for wheel in group.wheels:
-        planet = group.planet_of[wheel.rim]
-        ratio = float(group.mesh_ratio(wheel))
+
+    def mesh(first: str, link: int, planet: str, ratio: Fraction, efficiency: float) -> Lowered:
+        is_known = all(group.is_known(member) for member in (first, planet) if member in links)
         mechanism = Mechanism(
-            wheel.link,
+            link,
             links[planet],
             group.carrier,
-            ratio=ratio,
-            efficiency=_of_wheel(wheel, given),
-            planet_ratio=ratio if group.is_known(planet) else None,
-            name=f"{element.name}.{wheel.member}-{planet}",
+            ratio=float(ratio),
+            efficiency=efficiency,
+            planet_ratio=float(ratio) if is_known else None,
+            name=f"{element.name}.{first}-{planet}",
         )
-        yield Lowered(mechanism, (wheel.member, planet, "carrier"))
+        return Lowered(mechanism, (first, planet, "carrier"))
+
+    for wheel in group.wheels:
+        planet, ratio = group.planet_of[wheel.rim], group.mesh_ratio(wheel)
+        yield mesh(wheel.member, wheel.link, planet, ratio, _of_wheel(wheel, per_mesh))
     for one, other in group.meshes:
-        a, b = group.planet_of[one], group.planet_of[other]
-        ratio = float(-group.teeth(other) / group.teeth(one))
-        mechanism = Mechanism(
-            links[a],
-            links[b],
-            group.carrier,
-            ratio=ratio,
-            efficiency=given.external,
-            planet_ratio=ratio if group.is_known(a) and group.is_known(b) else None,
-            name=f"{element.name}.{a}-{b}",
-        )
-        yield Lowered(mechanism, (a, b, "carrier"))
+        first, second = group.planet_of[one], group.planet_of[other]
+        ratio = -group.teeth(other) / group.teeth(one)
+        yield mesh(first, links[first], second, ratio, per_mesh.external)
 
 
-def _of_wheel(wheel: CentralWheel, given: MeshEfficiency) -> float:
+def _of_wheel(wheel: CentralWheel, per_mesh: MeshEfficiency) -> float:
     """Efficiency of the mesh of a central wheel."""
-    return given.internal if wheel.internal else given.external
+    return per_mesh.internal if wheel.internal else per_mesh.external

@@ -8,39 +8,36 @@ from vstatics.errors import Problem
 from vstatics.model.fields import TransmissionFields
 from vstatics.model.gear_checks import of_gear, of_load
 from vstatics.model.part_checks import called, doubtful, of_element, of_link, of_mechanism
-from vstatics.model.parts import HOUSING, element_name, mechanism_name
+from vstatics.model.parts import HOUSING, Mechanism, element_name, mechanism_name
 
 MOST_FREEWHEELS = 8
 """All sets of them are tried in every gear."""
 
 
 def problems(case: TransmissionFields) -> Iterator[Problem]:
-    """Every error and warning of a case, in the order of its parts."""
+    """Every error of a case, in the order of its parts."""
     yield from _sizes(case)
     yield from _names(case)
     yield from _ports(case)
     for number, element in enumerate(case.shift_elements, 1):
         yield from of_element(case, element, ("shift_elements", number))
     yield from _freewheels(case)
-    drawn = _drawn(case)
     for number, mechanism in enumerate(case.mechanisms, 1):
         yield from of_mechanism(mechanism, ("mechanisms", number), case.links)
-        if number > drawn:
-            yield from doubtful(mechanism, ("mechanisms", number))
-    yield from of_load(case.load, (), has_freewheels=bool(case.freewheels))
+    has_freewheels = bool(case.freewheels)
+    yield from of_load(case.load, (), has_freewheels=has_freewheels)
     for number, gear in enumerate(case.gears, 1):
-        yield from of_gear(case, gear, ("gears", number))
+        path = ("gears", number)
+        yield from of_gear(case, gear, path)
         if gear.load:
-            freewheels = bool(case.freewheels)
-            yield from of_load(case.gear_load(gear), ("gears", number), has_freewheels=freewheels)
+            yield from of_load(case.gear_load(gear), path, has_freewheels=has_freewheels)
     if case.idle not in ("exact", "published"):
         yield Problem(f"read {case.idle!r}, expected `exact` or `published`", ("idle",))
 
 
 def doubts(case: TransmissionFields) -> Iterator[Problem]:
     """The warnings alone, of a case that has no error."""
-    drawn = _drawn(case)
-    for number, mechanism in enumerate(case.mechanisms[drawn:], drawn + 1):
+    for number, mechanism in _not_drawn(case):
         yield from doubtful(mechanism, ("mechanisms", number))
 
 
@@ -50,8 +47,7 @@ def hints(case: TransmissionFields) -> Iterator[Problem]:
     Such mechanisms have the third link and one wheel in common, and losses.
     """
     seen: dict[tuple[int, int], str] = {}
-    drawn = _drawn(case)
-    for number, mechanism in enumerate(case.mechanisms[drawn:], drawn + 1):
+    for number, mechanism in _not_drawn(case):
         if mechanism.third == HOUSING or mechanism.efficiency == 1:
             continue
         wheels = [link for link in mechanism.links[:2] if link != HOUSING]
@@ -67,9 +63,10 @@ def hints(case: TransmissionFields) -> Iterator[Problem]:
             seen.setdefault((mechanism.third, link), mechanism.name or mechanism_name(number))
 
 
-def _drawn(case: TransmissionFields) -> int:
-    """How many mechanisms, the first ones, were made from elements that are checked as such."""
-    return len(case.mechanisms) - len(case.drawing.mechanisms) if case.drawing else 0
+def _not_drawn(case: TransmissionFields) -> list[tuple[int, Mechanism]]:
+    """Mechanisms, the last ones, that were not made from elements, which are checked as such."""
+    drawn = len(case.mechanisms) - len(case.drawing.mechanisms) if case.drawing else 0
+    return list(enumerate(case.mechanisms, 1))[drawn:]
 
 
 def _sizes(case: TransmissionFields) -> Iterator[Problem]:
@@ -135,7 +132,7 @@ def _ports(case: TransmissionFields) -> Iterator[Problem]:
 
 def _freewheels(case: TransmissionFields) -> Iterator[Problem]:
     """No more of them than can be tried."""
-    numbers = [n for n, element in enumerate(case.shift_elements, 1) if element.is_freewheel]
+    numbers = case.freewheels
     if len(numbers) > MOST_FREEWHEELS:
         message = f"{len(numbers)} freewheels, expected {MOST_FREEWHEELS} at most"
         yield Problem(message, ("shift_elements", numbers[MOST_FREEWHEELS]))

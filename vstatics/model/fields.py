@@ -85,10 +85,10 @@ class TransmissionFields:
     @property
     def has_drag(self) -> bool:
         """Whether anything drags, in one gear at least."""
-        given = [element.drag for element in self.shift_elements]
+        torques = [element.drag for element in self.shift_elements]
         for gear in self.gears:
-            given += [*gear.drag.values(), *gear.open_drag.values()]
-        return any(given)
+            torques += [*gear.drag.values(), *gear.open_drag.values()]
+        return any(torques)
 
     @property
     def devices(self) -> list[str]:

@@ -24,8 +24,8 @@ def of_gear(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[Proble
     yield from _dragging(case, gear, path)
     if not gear.speeds and not gear.torques:
         return
-    yield from _given(gear.speeds, (*path, "speeds"), case.links)
-    yield from _given(gear.torques, (*path, "torques"), case.links)
+    yield from _finite(gear.speeds, (*path, "speeds"), case.links)
+    yield from _finite(gear.torques, (*path, "torques"), case.links)
     if ends[0] in gear.speeds:
         message = f"link {called(case, ends[0])} is the input, whose speed is 1; expected another"
         yield Problem(message, (*path, "speeds", ends[0]))
@@ -83,18 +83,18 @@ def _engaged(
         if not is_number(element, len(elements), 1):
             expected = f"the number of a shift element, from 1 to {len(elements)}"
             yield Problem(f"read {element!r}, expected {expected}", (*path, position))
-        elif element in seen:
-            name = elements[element - 1].name or str(element)
-            message = f"element {name} is engaged twice, expected each once"
+            continue
+        message = f"element {elements[element - 1].name or element} is"
+        if element in seen:
+            message += " engaged twice, expected each once"
             yield Problem(message, (*path, position))
         elif elements[element - 1].is_freewheel:
-            name = elements[element - 1].name or str(element)
-            message = f"element {name} is a freewheel, which finds by itself whether it holds"
-            yield Problem(f"{message}; leave it out", (*path, position))
+            message += " a freewheel, which finds by itself whether it holds; leave it out"
+            yield Problem(message, (*path, position))
         seen.add(element)
 
 
-def _given(values: Mapping[int, float], path: Path, links: int) -> Iterator[Problem]:
+def _finite(values: Mapping[int, float], path: Path, links: int) -> Iterator[Problem]:
     for link, value in values.items():
         yield from of_link(link, (*path, link), links, lowest=1)
         if not math.isfinite(value):

@@ -6,8 +6,6 @@ others refer to comes first.
 
 from __future__ import annotations
 
-from typing import Any
-
 from vstatics.model.parts import ELEMENT_KINDS, Gear, Load, Mechanism, ShiftElement
 from vstatics.model.shape import (
     FLAG,
@@ -26,11 +24,6 @@ from vstatics.model.shape import (
     ListOf,
     Numbers,
 )
-
-
-def _shift_element(links: tuple[int, int], **others: Any) -> ShiftElement:
-    return ShiftElement(*links, **others)
-
 
 ELEMENT = ByKey(
     "Shift element",
@@ -67,7 +60,7 @@ ELEMENT = ByKey(
             examples=("600 N*m",),
         ),
     ),
-    _shift_element,
+    lambda links, **others: ShiftElement(*links, **others),
 )
 
 MECHANISM = ByKey(

@@ -90,21 +90,25 @@ def of_mechanism(mechanism: Mechanism, path: Path, links: int) -> Iterator[Probl
     elif ratio == 1 and len(members) == 3:
         message = "read 1, which joins the first link to the second and leaves the third loose"
         yield Problem(f"{message}; expected another ratio with three links", (*path, "ratio"))
-    yield from _efficiencies(mechanism, path)
-    given = mechanism.planet_ratio
-    if given is not None and (given == 0 or not math.isfinite(given)):
-        message = f"read {given:g}, expected a finite ratio other than 0"
+    yield from of_efficiency(mechanism.efficiency, (*path, "efficiency"))
+    yield from of_back_efficiency(mechanism.back_efficiency, (*path, "back_efficiency"))
+    planet_ratio = mechanism.planet_ratio
+    if planet_ratio is not None and (planet_ratio == 0 or not math.isfinite(planet_ratio)):
+        message = f"read {planet_ratio:g}, expected a finite ratio other than 0"
         yield Problem(message, (*path, "planet_ratio"))
 
 
-def _efficiencies(mechanism: Mechanism, path: Path) -> Iterator[Problem]:
-    efficiency, back = mechanism.efficiency, mechanism.back_efficiency
-    if not 0 < efficiency <= 1:
-        message = f"read {efficiency:g}, expected an efficiency above 0 and up to 1"
-        yield Problem(message, (*path, "efficiency"))
-    if back is not None and not 0 <= back <= 1:
-        message = f"read {back:g}, expected an efficiency from 0 (self-locking) to 1"
-        yield Problem(message, (*path, "back_efficiency"))
+def of_efficiency(value: float, path: Path) -> Iterator[Problem]:
+    """The efficiency of a mechanism, an element or a mesh."""
+    if not 0 < value <= 1:
+        yield Problem(f"read {value:g}, expected an efficiency above 0 and up to 1", path)
+
+
+def of_back_efficiency(value: float | None, path: Path) -> Iterator[Problem]:
+    """The efficiency of power that flows back, if it is another one."""
+    if value is not None and not 0 <= value <= 1:
+        message = f"read {value:g}, expected an efficiency from 0 (self-locking) to 1"
+        yield Problem(message, path)
 
 
 def doubtful(mechanism: Mechanism, path: Path) -> Iterator[Problem]:

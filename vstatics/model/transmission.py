@@ -10,7 +10,6 @@ from vstatics.model.fields import IdleConvention, TransmissionFields
 from vstatics.model.parts import (
     HOUSING,
     Gear,
-    Load,
     Mechanism,
     ShiftElement,
     element_name,
@@ -21,12 +20,9 @@ __all__ = [
     "HOUSING",
     "Gear",
     "IdleConvention",
-    "Load",
     "Mechanism",
     "ShiftElement",
     "Transmission",
-    "element_name",
-    "mechanism_name",
 ]
 
 
@@ -72,7 +68,7 @@ class Transmission(TransmissionFields):
 
     def __post_init__(self) -> None:
         """Check everything, then fill in the defaults."""
-        errors = [problem for problem in problems(self) if problem.severity == "error"]
+        errors = list(problems(self))
         if errors:
             raise CaseError(errors)
         for attribute, value in _completed(self).items():

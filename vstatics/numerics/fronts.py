@@ -99,19 +99,13 @@ def _sieved(rows: Integers, objectives: Floats) -> Integers:
     sums = scaled(objectives[rows]).sum(axis=1)
     for _ in range(PIVOTS):
         pivot = int(np.argmin(sums))
-        by = objectives[rows[pivot]]
+        by = objectives[rows[pivot : pivot + 1]]
         sums[pivot] = np.inf
-        left = ~_dominated_by_one(objectives[rows], by)
+        left = ~_hit(by, objectives[rows], strictly=True)
         rows, sums = rows[left], sums[left]
         if np.isinf(sums).all():
             break
     return rows
-
-
-def _dominated_by_one(points: Floats, by: Floats) -> Booleans:
-    as_good, better = points >= by, points > by
-    made: Booleans = np.logical_and.reduce(as_good, axis=1) & np.logical_or.reduce(better, axis=1)
-    return made
 
 
 def _front(points: Floats) -> Integers:

@@ -79,12 +79,12 @@ class Block:
 
     def tables(self, memory: Any) -> dict[str, Any]:
         """The tables in memory of this form."""
-        made, start = {}, 0
+        tables, start = {}, 0
         for name, form in self.forms.items():
             part = memory[start : start + _size(form)]
-            made[name] = part.view(form.kind).reshape(form.shape)
+            tables[name] = part.view(form.kind).reshape(form.shape)
             start += part.size
-        return made
+        return tables
 
 
 def _size(form: Form) -> int:

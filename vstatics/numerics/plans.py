@@ -52,10 +52,6 @@ class Inputs(NamedTuple):
     magnitudes: Floats
     ranges: Sequence[Range]
 
-    def part(self, chosen: Integers) -> Inputs:
-        """The inputs of some variants."""
-        return prepared(self.values[:, chosen])
-
 
 def prepared(values: Floats) -> Inputs:
     """Inputs of shape (inputs, variants) for plans."""
@@ -159,7 +155,7 @@ class Plans:
             widening = WIDENING[min(len(useful) + len(useless), len(WIDENING) - 1)]
             before, variant = left, left[place]
             with contextlib.suppress(Untraceable):
-                plan = _plan(self.function, inputs.part(left), place, widening)
+                plan = _plan(self.function, prepared(inputs.values[:, left]), place, widening)
                 left = self._run(plan, inputs, rows, left)
             served = before.size - left.size
             if variant in left:  # it does not even stand for itself
@@ -179,7 +175,7 @@ class Plans:
     def _run(self, plan: Plan, inputs: Inputs, rows: Rows, chosen: Integers) -> Integers:
         """Run a plan on those of the chosen variants that suit; give back the others."""
         everybody = chosen.size == inputs.values.shape[1]
-        part = inputs if everybody else inputs.part(chosen)
+        part = inputs if everybody else prepared(inputs.values[:, chosen])
         passed = plan.suits(part)
         count = np.count_nonzero(passed)
         if everybody and 2 * count > chosen.size:  # most of them, straight to their place
@@ -187,9 +183,9 @@ class Plans:
         elif count:
             suited = chosen[passed]
             own = Rows([np.empty(count, dtype=row.dtype) for row in rows.arrays])
-            stands = plan.run(part.part(np.flatnonzero(passed)), own)
-            for row, found in enumerate(own.arrays):
-                rows.vary(row)[suited[stands]] = found[stands]
+            stands = plan.run(prepared(part.values[:, passed]), own)
+            for row, values in enumerate(own.arrays):
+                rows.vary(row)[suited[stands]] = values[stands]
             passed[passed] = stands
         return chosen[~passed]
 

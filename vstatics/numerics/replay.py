@@ -93,10 +93,10 @@ class Replay(NamedTuple):
         none = [0.0] * (len(self.layout.varied) + self.working)
         cells = [*magnitudes, *none, *self.plain[::-1]]
         for _, function, one, other, result in self.steps:
-            found = function(cells[one], cells[other])
+            number = function(cells[one], cells[other])
             if result is not None:
-                cells[result] = found
-            elif not found:
+                cells[result] = number
+            elif not number:
                 return False
         for array, value in zip(rows.lay_out(self.layout), cells[self.inputs :], strict=False):
             array[0] = value

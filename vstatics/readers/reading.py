@@ -61,7 +61,7 @@ def finish(
     hidden = set(unreadable)
     above_hidden = {path[:length] for path in hidden for length in range(len(path))}
 
-    def told(problem: Problem) -> bool:
+    def is_certain(problem: Problem) -> bool:
         """Whether no stand-in is above or below the part that the problem is about."""
         path = problem.path
         below_hidden = any(path[:length] in hidden for length in range(len(path) + 1))
@@ -70,9 +70,9 @@ def finish(
     try:
         case = Transmission(**parts)
     except CaseError as error:
-        found += [locate(problem) for problem in error.problems if told(problem)]
+        found += [locate(problem) for problem in error.problems if is_certain(problem)]
     else:
-        found += [locate(problem) for problem in doubts(case) if told(problem)]
+        found += [locate(problem) for problem in doubts(case) if is_certain(problem)]
     found.sort(key=lambda problem: problem.place[1:3] if problem.place else (0, 0))
     if any(problem.severity == "error" for problem in found):
         raise ReadError(found)

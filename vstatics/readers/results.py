@@ -32,18 +32,17 @@ def read_results(data: bytes, file: str) -> list[WrittenResult]:
 
 
 def _fail(message: str, file: str, line: int = 0, column: int = 1) -> ReadError:
-    place = Source(file, "").place(line, column)
-    return ReadError([Problem(message, place=place)])
+    return ReadError([Problem(message, place=Source(file, "").place(line, column))])
 
 
 def _read_json(text: str, file: str) -> list[WrittenResult]:
     try:
-        found = json.loads(text)
+        content = json.loads(text)
     except json.JSONDecodeError as error:
         raise _fail(f"no JSON: {error.msg}", file, error.lineno, error.colno) from None
     except (RecursionError, ValueError) as error:
         raise _fail(f"no JSON that can be read: {error}", file) from None
-    documents = found if isinstance(found, list) else [found]
+    documents = content if isinstance(content, list) else [content]
     if not documents:
         raise _fail("an empty array; expected at least one result", file)
     return [_report(document, file, number) for number, document in enumerate(documents, 1)]
@@ -60,8 +59,8 @@ def _report(document: Any, file: str, number: int) -> WrittenResult:
         if key in document:
             rows = document[key]
             try:
-                given = [rows] if quantity.rows == "one" else rows
-                tables[key] = [[_from_json(value) for value in row] for row in given]
+                rows_of_table = [rows] if quantity.rows == "one" else rows
+                tables[key] = [[_from_json(value) for value in row] for row in rows_of_table]
             except (TypeError, ValueError, OverflowError):
                 message = f"{key} of result {number} is no table of numbers"
                 raise _fail(message, file) from None
@@ -128,10 +127,10 @@ def _read_listing(text: str, file: str) -> list[WrittenResult]:
 
 def _figures(words: Sequence[str]) -> list[Figure] | None:
     """The numbers of a printed row, or None if it is something else."""
-    made = []
+    figures = []
     for word in words:
         if set(word) == {"*"}:
-            made.append(Figure(math.nan))
+            figures.append(Figure(math.nan))
             continue
         mantissa, _, exponent = word.upper().replace("D", "E").partition("E")
         _, point, decimals = mantissa.partition(".")
@@ -141,5 +140,5 @@ def _figures(words: Sequence[str]) -> list[Figure] | None:
             slack = 0.5 * 10.0**scale if point else 0.0
         except (ValueError, OverflowError):
             return None
-        made.append(Figure(value, slack))
-    return made
+        figures.append(Figure(value, slack))
+    return figures

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
-from vstatics.model.transmission import Transmission, element_name, mechanism_name
+from vstatics.model.parts import element_name, mechanism_name
+from vstatics.model.transmission import Transmission
 from vstatics.statics.results import Language
 from vstatics.tables.numbers import exponent
 
@@ -161,32 +162,29 @@ def _gears(case: Transmission) -> Iterator[str]:
 
 
 def _given(
-    given: Sequence[Mapping[int, float]], count: str, links: str, values: str
+    gears: Sequence[Mapping[int, float]], count: str, links: str, values: str
 ) -> Iterator[str]:
     """Links and values of given speeds or torques, a line for each gear that has any."""
-    if any(given):
+    if any(gears):
         yield "Their links:"
         yield f"({links}(K,I),K=1,{count}(I)),I=1,NP:"
-        yield from (_row("", row) for row in given if row)
+        yield from (_row("", row) for row in gears if row)
         yield "Their values:"
         yield f"({values}(K,I),K=1,{count}(I)),I=1,NP:"
-        yield from (_row("", map(exponent, row.values())) for row in given if row)
+        yield from (_row("", map(exponent, row.values())) for row in gears if row)
 
 
 def _conditions(case: Transmission) -> Iterator[str]:
     """Input, output and conventions, each only if it is not the default."""
-    conditions = []
-    if case.input != 1:
-        conditions.append(f"INP= {case.input}")
-    if case.output != case.links:
-        conditions.append(f"IOUT= {case.output}")
-    if case.idle == "exact":
-        conditions.append("IDLE= 1")
-    if case.coast:
-        conditions.append("COAST= 1")
-    if conditions:
+    conditions = {
+        f"INP= {case.input}": case.input != 1,
+        f"IOUT= {case.output}": case.output != case.links,
+        "IDLE= 1": case.idle == "exact",
+        "COAST= 1": case.coast,
+    }
+    if any(conditions.values()):
         yield "Further conditions:"
-        yield from conditions
+        yield from (line for line, holds in conditions.items() if holds)
     if any(gear.input for gear in case.gears):
         yield "Input link in each gear (0: that of the case):"
         yield _row("INP(I),I=1,NP:", (gear.input or 0 for gear in case.gears))
@@ -197,24 +195,15 @@ def _conditions(case: Transmission) -> Iterator[str]:
 
 def _names(case: Transmission) -> Iterator[str]:
     """The names that differ from those that everything gets by itself."""
-    links = [("J", name, str(number)) for number, name in enumerate(case.link_names, 1)]
-    elements = [
-        ("F", element.name, element_name(number, element._replace(kind="")))
-        for number, element in enumerate(case.shift_elements, 1)
+    elements = [element._replace(kind="") for element in case.shift_elements]
+    names = [
+        ("T", case.name, ""),
+        *((f"J{n}", name, str(n)) for n, name in enumerate(case.link_names, 1)),
+        *((f"F{n}", part.name, element_name(n, part)) for n, part in enumerate(elements, 1)),
+        *((f"D{n}", part.name, mechanism_name(n)) for n, part in enumerate(case.mechanisms, 1)),
+        *((f"P{n}", gear.name, str(n)) for n, gear in enumerate(case.gears, 1)),
     ]
-    mechanisms = [
-        ("D", mechanism.name, mechanism_name(number))
-        for number, mechanism in enumerate(case.mechanisms, 1)
-    ]
-    gears = [("P", gear.name, str(number)) for number, gear in enumerate(case.gears, 1)]
-    named = [
-        f"NAME {kind}{number}: {name}"
-        for part in (links, elements, mechanisms, gears)
-        for number, (kind, name, default) in enumerate(part, 1)
-        if name != default
-    ]
-    if case.name:
-        named.insert(0, f"NAME T: {case.name}")
+    named = [f"NAME {part}: {name}" for part, name, default in names if name != default]
     if named:
         yield "Given names:"
         yield from named

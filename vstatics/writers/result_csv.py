@@ -37,15 +37,15 @@ def head(*, several: bool) -> str:
 def rows(file: str | None, results: Results) -> str:
     """The rows of one result; `file` is the first column among several."""
     front = [] if file is None else [file]
-    made = []
+    cells = []
     for table in tables(results):
         quantity = table.quantity
         for row, values in zip(table.rows, table.values.tolist(), strict=True):
             for column, value in zip(table.columns, values, strict=True):
                 place = [f"{row}:{column}", ""] if quantity.columns == "devices" else [row, column]
                 shown = "" if math.isnan(value) else _number(value, quantity.kind)
-                made.append([*front, quantity.key, *place, shown])
-    return _lines(made)
+                cells.append([*front, quantity.key, *place, shown])
+    return _lines(cells)
 
 
 def tail(*, several: bool) -> str:

@@ -34,22 +34,22 @@ def document(results: Results) -> dict[str, Any]:
     gears; NaN becomes None. The case tells its conventions, defaults too.
     """
     case = results.case
-    made: dict[str, Any] = {
+    result: dict[str, Any] = {
         "format": "vstatics-result",
         "version": VERSION,
         "conventions": CONVENTIONS,
         "case": mapping(case) | {"idle": case.idle, "coast": case.coast},
         "gears": [gear.name for gear in case.gears],
     }
-    found = tables(results)
+    shown = tables(results)
     if case.drawing is not None:
-        made["rows"] = {t.quantity.key: list(t.rows) for t in found if t.quantity.rows != "one"}
-    for table in found:
+        result["rows"] = {t.quantity.key: list(t.rows) for t in shown if t.quantity.rows != "one"}
+    for table in shown:
         quantity = table.quantity
         rows = [_row(row, quantity.kind) for row in table.values.tolist()]
-        made[quantity.key] = rows[0] if quantity.rows == "one" else rows
-    made["messages"] = [str(message) for message in results.messages]
-    return made
+        result[quantity.key] = rows[0] if quantity.rows == "one" else rows
+    result["messages"] = [str(message) for message in results.messages]
+    return result
 
 
 def failure(file: str, problems: Sequence[Problem]) -> dict[str, Any]:

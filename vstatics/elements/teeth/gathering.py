@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from vstatics.elements.drawing import Drawing
 from vstatics.elements.element import Element
 from vstatics.elements.group import group_of
+from vstatics.elements.group_checks import wheel_path
 from vstatics.elements.kinds import Planetary
 from vstatics.elements.teeth.assembly import bevel_assembled, goes_in
 from vstatics.elements.teeth.layout import Doubt, Key, Teeth
@@ -71,9 +72,7 @@ def _place(element: Element, about: Key | None) -> Path:
     if about is None:
         return ("planets",)
     if isinstance(about, int) and element.rims:
-        wheel = element.wheels[about]
-        alike = [one for one in element.wheels if one.internal == wheel.internal]
-        return ("rings" if wheel.internal else "suns", alike.index(wheel) + 1, "teeth")
+        return (*wheel_path(element, element.wheels[about]), "teeth")
     if isinstance(about, int):
         return ("teeth", group_of(element).wheels[about].member)
     for planet, rims in element.rims.items():

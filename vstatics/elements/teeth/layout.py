@@ -44,10 +44,6 @@ class AxisLayout:
         """Teeth of a rim, None where nothing tells them."""
         return self.group.planets[self.group.planet_of[rim]][rim]
 
-    def is_given(self, rim: str) -> bool:
-        """Whether the case gives the teeth of a rim; else wheels around it may."""
-        return rim in self.element.teeth or bool(self.element.rims)
-
     def around(self, rim: str) -> list[CentralWheel]:
         """The central wheels that mesh with a rim."""
         return [wheel for wheel in self.group.wheels if wheel.rim == rim]

@@ -33,7 +33,10 @@ def of_planets(layout: AxisLayout) -> Iterator[Doubt]:
         yield from _modules(layout)
         yield from _triangles(layout)
         yield from _clear_wheels(layout)
-        yield from _planets(layout)
+        count = layout.element.planets or 1
+        if count > 1:
+            yield from assembled(layout)
+            yield from _touching(layout, count)
 
 
 def _without_room(layout: AxisLayout) -> Iterator[Doubt]:
@@ -52,8 +55,9 @@ def _coaxial(layout: AxisLayout) -> Iterator[Doubt]:
             continue
         first, *others = wheels
         if teeth.denominator > 1:
+            sun, ring = map(layout.label, sorted(wheels, key=lambda wheel: wheel.internal))
             message = (
-                f"no standard {layout.label(rim)} fits between: ({_difference(layout, rim)})/2 = "
+                f"no standard {layout.label(rim)} fits between: ({ring} - {sun})/2 = "
                 f"{float(teeth):g} is not whole; speeds of planets take it as it is"
             )
             yield Doubt(message, layout.key(wheels[-1]), "note")
@@ -61,11 +65,6 @@ def _coaxial(layout: AxisLayout) -> Iterator[Doubt]:
             change = int((layout.span(other) or 0) - (layout.span(first) or 0))
             if change and teeth.denominator == 1:
                 yield _off_axis(layout, first, other, change)
-
-
-def _difference(layout: AxisLayout, rim: str) -> str:
-    sun, ring = sorted(layout.around(rim), key=lambda wheel: wheel.internal)
-    return f"{layout.label(ring)} - {layout.label(sun)}"
 
 
 def _off_axis(layout: AxisLayout, first: CentralWheel, other: CentralWheel, change: int) -> Doubt:
@@ -149,48 +148,28 @@ def _clear_wheels(layout: AxisLayout) -> Iterator[Doubt]:
             yield Doubt(f"tips of {names} touch, which are not to mesh", rim)
 
 
-def _planets(layout: AxisLayout) -> Iterator[Doubt]:
-    """Whether so many planets go in."""
-    count = layout.element.planets or 1
-    if count > 1:
-        yield from assembled(layout)
-        yield from _touching(layout, count)
-
-
 def _touching(layout: AxisLayout, count: int) -> Iterator[Doubt]:
     """Tips of neighbouring planets must not meet."""
     sine = math.sin(math.pi / count)
     for rims in layout.group.planets.values():
-        found = [_gap(layout, rim, sine) for rim in rims]
-        gap, rim = min(filter(None, found), default=(1.0, ""))
-        if gap < NO_GAP:
-            yield _touched(layout, rim, count)
+        gaps = [  # between the tips of neighbours, in modules
+            (float(axis[0]) * sine - float(teeth) - 2, rim, axis)
+            for rim, teeth in rims.items()
+            if teeth is not None and (axis := layout.axis(rim))
+        ]
+        least = min(gaps, default=None)
+        if least and least[0] < NO_GAP:
+            _, rim, (span, wheel) = least
+            message = (
+                f"tips of neighbouring planets touch: ({layout.label(wheel)} "
+                f"{'-' if wheel.internal else '+'} {layout.label(wheel.rim)}) "
+                f"sin(180°/{count}) = {float(span) * sine:.4g}, "
+                f"expected more than {layout.label(rim)} + 2 = "
+                f"{float(layout.group.teeth(rim)) + 2:g}"
+            )
+            yield Doubt(message, None)
     for one, other in layout.group.meshes:
         yield from _crossing(layout, one, other, count)
-
-
-def _gap(layout: AxisLayout, rim: str, sine: float) -> tuple[float, str] | None:
-    """How far the tips of neighbours are apart, in modules; which rim it is."""
-    axis, teeth = layout.axis(rim), layout.teeth(rim)
-    if axis is None or teeth is None:
-        return None
-    return float(axis[0]) * sine - float(teeth) - 2, rim
-
-
-def _touched(layout: AxisLayout, rim: str, count: int) -> Doubt:
-    axis, teeth = layout.axis(rim), layout.teeth(rim)
-    if axis is None or teeth is None:
-        raise TypeError(rim)
-    span, wheel = axis
-    name = layout.label(rim)
-    sign = "-" if wheel.internal else "+"
-    apart = float(span) * math.sin(math.pi / count)
-    message = (
-        f"tips of neighbouring planets touch: ({layout.label(wheel)} {sign} "
-        f"{layout.label(wheel.rim)}) sin(180°/{count}) = {apart:.4g}, "
-        f"expected more than {name} + 2 = {float(teeth) + 2:g}"
-    )
-    return Doubt(message, None)
 
 
 def _crossing(layout: AxisLayout, one: str, other: str, count: int) -> Iterator[Doubt]:

@@ -89,8 +89,8 @@ class OfPlanets(Subject):
     @cached_property
     def space(self) -> Space:
         """Coaxial teeth."""
-        rims = filter(self.given.is_given, self.given.group.planet_of)
-        return space_of(self.given.group, [*rims])
+        group, element = self.given.group, self.element
+        return space_of(group, [r for r in group.planet_of if element.rims or r in element.teeth])
 
     @cached_property
     def pairs(self) -> Sequence[tuple[Key, Key]]:

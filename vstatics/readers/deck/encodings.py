@@ -39,8 +39,9 @@ def _unreadable(file: str, message: str) -> ReadError:
 
 def _damaged(data: bytes, start: int, file: str) -> tuple[str, list[Problem]]:
     """The text as UTF-8 with a fault, so that a cut file does not read as gibberish."""
-    before = data[:start].decode("utf-8-sig").replace("\r\n", "\n").replace("\r", "\n")
-    line, column = before.count("\n") + 1, len(before) - before.rfind("\n")
+    before = Source(file, data[:start].decode("utf-8-sig")).lines
     text = data.decode("utf-8-sig", errors="replace")
     message = f"byte 0x{data[start]:02X} is no UTF-8 here: the file is damaged or cut"
-    return text, [Problem(message, place=Source(file, text).place(line, column))]
+    return text, [
+        Problem(message, place=Source(file, text).place(len(before), len(before[-1]) + 1))
+    ]

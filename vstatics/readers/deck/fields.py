@@ -2,28 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from itertools import accumulate, pairwise
 from typing import Generic, NamedTuple
 
 from vstatics.errors import Path, Problem, nearest
-from vstatics.readers.deck.numbers import Number, integer, loose_count, real
-from vstatics.readers.deck.places import Places
+from vstatics.readers.deck.numbers import Number, integer, loose_count
+from vstatics.readers.deck.places import PARTS, Places, label_in
 from vstatics.readers.deck.text import Scan
-from vstatics.readers.deck.values import Values, Wanted, stand_ins, take, take_rows
-
-PARTS = {
-    "NZF(I,1)": ("shift_elements", "first"),
-    "NZF(I,2)": ("shift_elements", "second"),
-    "NZD(I,1)": ("mechanisms", "first"),
-    "NZD(I,2)": ("mechanisms", "second"),
-    "NZD(I,3)": ("mechanisms", "third"),
-    "IAB": ("mechanisms", "ratio"),
-    "ETAI": ("mechanisms", "efficiency"),
-    "INP(I)": ("gears", "input"),
-    "IOUT(I)": ("gears", "output"),
-}
-"""What the values of a list are in the model, where each is a part of its own."""
+from vstatics.readers.deck.values import (
+    Values,
+    Wanted,
+    row_labels,
+    stand_ins,
+    take,
+    take_rows,
+    values_in_words,
+)
 
 
 class GearRows(NamedTuple, Generic[Number]):
@@ -45,14 +40,11 @@ class Fields:
         self.hidden: list[Path] = []
         """Parts of the model that hold stand-ins."""
         self.unreadable: set[str] = set()
+        """Values that are stand-ins."""
 
     def error(self, label: str, message: str) -> None:
         """Note an error at a value that was read."""
         self.found.error(f"{label}: {message}", *self.places.spots[label])
-
-    def is_unreadable(self, label: str) -> bool:
-        """Whether a value is a stand-in."""
-        return label in self.unreadable
 
     def size(self, key: str, what: str, lowest: int) -> int | None:
         """A size that must be there; None if it cannot be used."""
@@ -84,13 +76,11 @@ class Fields:
             return None
         return value
 
-    def whole(self, key: str, need: int, why: str) -> list[int]:
-        """A list of whole numbers."""
-        return self._list(key, need, why, integer).numbers
-
-    def real(self, key: str, need: int, why: str) -> list[float]:
+    def numbers(
+        self, key: str, need: int, why: str, parse: Callable[[str], Number]
+    ) -> list[Number]:
         """A list of numbers."""
-        return self._list(key, need, why, real).numbers
+        return self._list(key, need, why, parse).numbers
 
     def counts(self, key: str, gears: int, *, required: bool) -> list[int]:
         """How many values each gear has in another field; -1 where it cannot be told."""
@@ -128,9 +118,9 @@ class Fields:
         else:
             values = stand_ins(None, need, parse)
             if need:
-                self._missing(key, f"{_values(need)} ({counted})")
+                self._missing(key, f"{values_in_words(need)} ({counted})")
         if field is not None:
-            self.places.named.append((_row_labels(key, counts), values.spots))
+            self.places.named.append((row_labels(key, counts), values.spots))
         ends = [0, *accumulate(counts)]
         unreadable = {
             gear
@@ -144,10 +134,9 @@ class Fields:
     ) -> Values[Number]:
         """The values of a list; what could not be read is hidden from the model's checks."""
         field = self.found.fields.get(key)
-        base, _, second = key.rstrip(")").partition("(I")
 
         def label(position: int) -> str:
-            return f"{base}({position + 1}{second})"
+            return label_in(key, position + 1)
 
         if field is not None:
             values = take(self.found, field, Wanted(key, label, need, why), parse)
@@ -155,7 +144,7 @@ class Fields:
         else:
             values = stand_ins(None, need, parse)
             if need:
-                self._missing(key, f"{_values(need)} ({why})")
+                self._missing(key, f"{values_in_words(need)} ({why})")
         self.unreadable.update(map(label, values.unreadable))
         if key in PARTS:
             part, name = PARTS[key]
@@ -190,14 +179,3 @@ class Fields:
         """The end of the input."""
         line = self.found.last
         return line, len(self.found.source.lines[line - 1]) + 1
-
-
-def _row_labels(key: str, counts: Sequence[int]) -> Iterator[str]:
-    """The names of the values of each gear."""
-    for gear, count in enumerate(counts, 1):
-        for position in range(1, count + 1):
-            yield f"{key}({position},{gear})"
-
-
-def _values(need: int) -> str:
-    return f"{need} value{'s' * (need != 1)}"

@@ -2,15 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 
 from vstatics.errors import Path, Problem
 from vstatics.readers.deck.values import Spot
 from vstatics.readers.reading import Source
 
-MEMBERS = {"first": "1", "second": "2", "third": "3"}
-MECHANISM = {"ratio": "IAB", "efficiency": "ETAI"}
+PARTS = {
+    "NZF(I,1)": ("shift_elements", "first"),
+    "NZF(I,2)": ("shift_elements", "second"),
+    "NZD(I,1)": ("mechanisms", "first"),
+    "NZD(I,2)": ("mechanisms", "second"),
+    "NZD(I,3)": ("mechanisms", "third"),
+    "IAB": ("mechanisms", "ratio"),
+    "ETAI": ("mechanisms", "efficiency"),
+    "INP(I)": ("gears", "input"),
+    "IOUT(I)": ("gears", "output"),
+}
+"""What the values of a list are in the model, where each is a part of its own."""
+LISTS = {part: key for key, part in PARTS.items()}
 WHOLE = {
     "links": "KJG",
     "link_names": "KJG",
@@ -63,7 +74,7 @@ class Places:
         part, *rest = problem.path
         number = rest[0] if rest and isinstance(rest[0], int) else 0
         inner = tuple(rest[1:])
-        labels = LABELS[str(part)](self, number, inner) if part in LABELS and number else []
+        labels = self._labels_of_part(str(part), number, inner) if number else []
         if len(problem.path) == 2 and "name" in problem.message:
             labels.insert(0, f"NAME {KINDS.get(str(part), '')}{number}")
         if problem.severity == "warning" and part == "mechanisms" and not inner:
@@ -72,36 +83,31 @@ class Places:
             return ["IOUT", "INP"]
         return [*labels, WHOLE.get(str(part), "KJG")]
 
-    def element(self, number: int, inner: Path) -> list[str]:
-        """Fields of a shift element."""
-        member = MEMBERS.get(str(inner[0]), "1") if inner else "1"
-        return [f"NZF({number},{member})"]
-
-    def mechanism(self, number: int, inner: Path) -> list[str]:
-        """Fields of a mechanism."""
-        part = str(inner[0]) if inner else "first"
-        if part in MECHANISM:
-            return [f"{MECHANISM[part]}({number})"]
-        if part == "planet_ratio":
+    def _labels_of_part(self, part: str, number: int, inner: Path) -> list[str]:
+        """The fields of a shift element, a mechanism or a gear."""
+        member, item = str(inner[0]) if inner else "", inner[1] if len(inner) > 1 else 1
+        if part == "mechanisms" and member == "planet_ratio":
             return [f"UAQ({self.planet.get(number, 0)})", f"IAB({number})"]
-        return [f"NZD({number},{MEMBERS.get(part, '1')})"]
-
-    def gear(self, number: int, inner: Path) -> list[str]:
-        """Fields of a gear."""
-        part, item = str(inner[0]) if inner else "", inner[1] if len(inner) > 1 else 1
-        own = [f"IOUT({number})", f"INP({number})"]
-        engaged = [f"NFRI({item},{number})", f"KFRI({number})"]
-        if part in ("speeds", "torques"):
-            name, count = ("NWZ", "KWZ") if part == "speeds" else ("NMZ", "KMZ")
-            position = self.given.get((part, number, int(item)), 0)
+        if part in ("shift_elements", "mechanisms"):
+            return [label_in(LISTS.get((part, member), LISTS[part, "first"]), number)]
+        if part != "gears":
+            return []
+        if member in ("speeds", "torques"):
+            name, count = ("NWZ", "KWZ") if member == "speeds" else ("NMZ", "KMZ")
+            position = self.given.get((member, number, int(item)), 0)
             return [f"{name}({position},{number})", f"{count}({number})"]
-        if part in ("input", "output"):
-            return own[::-1] if part == "input" else own
-        return engaged if part else [*own, *engaged]
+        own = [f"IOUT({number})", f"INP({number})"]
+        if member in ("input", "output"):
+            return own[::-1] if member == "input" else own
+        engaged = [f"NFRI({item},{number})", f"KFRI({number})"]
+        return engaged if member else [*own, *engaged]
 
 
-LABELS: Mapping[str, Callable[[Places, int, Path], list[str]]] = {
-    "shift_elements": Places.element,
-    "mechanisms": Places.mechanism,
-    "gears": Places.gear,
-}
+def label_in(key: str, number: int) -> str:
+    """The name of a value of a list.
+
+    >>> label_in("NZF(I,1)", 3), label_in("IAB", 3)
+    ('NZF(3,1)', 'IAB(3)')
+    """
+    name, _, second = key.rstrip(")").partition("(I")
+    return f"{name}({number}{second})"

@@ -104,7 +104,7 @@ def _parts(fields: Fields) -> dict[str, Any]:
 
 
 def _elements(fields: Fields, count: int, names: dict[str, str]) -> list[ShiftElement]:
-    first, second = (fields.whole(f"NZF(I,{part})", count, "KL") for part in (1, 2))
+    first, second = (fields.numbers(f"NZF(I,{part})", count, "KL", integer) for part in (1, 2))
     return [
         ShiftElement(*links, name=names.get(f"F{number}", ""))
         for number, links in enumerate(zip(first, second, strict=True), 1)
@@ -112,8 +112,10 @@ def _elements(fields: Fields, count: int, names: dict[str, str]) -> list[ShiftEl
 
 
 def _mechanisms(fields: Fields, count: int, names: dict[str, str]) -> list[Mechanism]:
-    first, second, third = (fields.whole(f"NZD(I,{part})", count, "KG") for part in (1, 2, 3))
-    ratios, efficiencies = (fields.real(key, count, "KG") for key in ("IAB", "ETAI"))
+    first, second, third = (
+        fields.numbers(f"NZD(I,{part})", count, "KG", integer) for part in (1, 2, 3)
+    )
+    ratios, efficiencies = (fields.numbers(key, count, "KG", real) for key in ("IAB", "ETAI"))
     planets = _planets(fields, count)
     return [
         Mechanism(
@@ -133,11 +135,11 @@ def _planets(fields: Fields, mechanisms: int) -> dict[int, float]:
     if count is None:
         fields.hidden += [("mechanisms", number) for number in range(1, mechanisms + 1)]
         return {}
-    numbers = fields.whole("NNM", count, "KNM")
-    ratios = fields.real("UAQ", count, "KNM")
+    numbers = fields.numbers("NNM", count, "KNM", integer)
+    ratios = fields.numbers("UAQ", count, "KNM", real)
     planets: dict[int, float] = {}
     for position, (number, ratio) in enumerate(zip(numbers, ratios, strict=True), 1):
-        if fields.is_unreadable(f"NNM({position})"):
+        if f"NNM({position})" in fields.unreadable:
             fields.hidden += [("mechanisms", each) for each in range(1, mechanisms + 1)]
             continue
         if not 1 <= number <= mechanisms:
@@ -148,7 +150,7 @@ def _planets(fields: Fields, mechanisms: int) -> dict[int, float]:
         else:
             planets[number] = ratio
             fields.places.planet[number] = position
-            if fields.is_unreadable(f"UAQ({position})"):
+            if f"UAQ({position})" in fields.unreadable:
                 fields.hidden.append(("mechanisms", number, "planet_ratio"))
     return planets
 
@@ -157,14 +159,17 @@ def _gears(fields: Fields, count: int, names: dict[str, str]) -> list[Gear]:
     engaged = _engaged(fields, count)
     speeds = _given(fields, count, "speeds", ("KWZ", "NWZ", "WZ"))
     torques = _given(fields, count, "torques", ("KMZ", "NMZ", "AMZ"))
-    ends = [_ports(fields, key, count) for key in ("INP(I)", "IOUT(I)")]
+    inputs, outputs = (
+        fields.numbers(key, count, "NP", integer) if key in fields.found.fields else [0] * count
+        for key in ("INP(I)", "IOUT(I)")
+    )
     return [
         Gear(
             engaged[gear],
             speeds=speeds[gear],
             torques=torques[gear],
-            input=ends[0][gear] or None,
-            output=ends[1][gear] or None,
+            input=inputs[gear] or None,
+            output=outputs[gear] or None,
             name=names.get(f"P{gear + 1}", ""),
         )
         for gear in range(count)
@@ -174,8 +179,7 @@ def _gears(fields: Fields, count: int, names: dict[str, str]) -> list[Gear]:
 def _engaged(fields: Fields, gears: int) -> list[list[int]]:
     counts = fields.counts("KFRI", gears, required=True)
     engaged = fields.rows("NFRI", counts, "KFRI", integer)
-    for gear in engaged.unreadable:
-        fields.hidden.append(("gears", gear, "engaged"))
+    fields.hidden += [("gears", gear, "engaged") for gear in engaged.unreadable]
     return engaged.numbers
 
 
@@ -187,8 +191,7 @@ def _given(
     counts = fields.counts(counted, gears, required=False)
     links = fields.rows(name, counts, counted, integer)
     values = fields.rows(amount, counts, counted, real)
-    for gear in links.unreadable | values.unreadable:
-        fields.hidden.append(("gears", gear, part))
+    fields.hidden += [("gears", gear, part) for gear in links.unreadable | values.unreadable]
     given: list[dict[int, float]] = []
     for gear, (row, numbers) in enumerate(zip(links.numbers, values.numbers, strict=True), 1):
         given.append({})
@@ -200,13 +203,6 @@ def _given(
                 given[-1][link] = value
                 fields.places.given[part, gear, link] = position
     return given
-
-
-def _ports(fields: Fields, key: str, gears: int) -> list[int]:
-    """The input or output link of each gear; 0 where it is the case's own."""
-    if key not in fields.found.fields:
-        return [0] * gears
-    return fields.whole(key, gears, "NP")
 
 
 def _port(fields: Fields, key: str, default: int) -> int:

@@ -134,7 +134,10 @@ def scan(source: Source) -> Scan:
             for key, column, value, end in what:
                 _add(found, Field(key, number, column, value, end))
         elif kind == "broken":
-            _add_broken(found, number, *what)
+            name, column, message = what
+            found.error(message, number, column)
+            found.stops.append(number)
+            found.broken.add(name)
         elif kind == "name":
             found.stops.append(number)
             kind, counted, name, column = what
@@ -219,13 +222,6 @@ def _add(found: Scan, new: Field) -> None:
         before = f"line {first.line}, column {first.column}"
         message = f"{new.key}: given again, first given in {before}; expected once"
         found.error(message, new.line, new.column)
-
-
-def _add_broken(found: Scan, number: int, name: str, column: int, message: str) -> None:
-    """Note a field with an index that says nothing."""
-    found.error(message, number, column)
-    found.stops.append(number)
-    found.broken.add(name)
 
 
 def _scalars(line: str) -> tuple[tuple[str, int, int, int | None], ...]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import lru_cache, partial
 from typing import Generic, NamedTuple
 
@@ -65,10 +65,7 @@ def _take_with_care(
     found: Scan, field: Field, wanted: Wanted, parse: Callable[[str], Number]
 ) -> Values[Number]:
     """The values of a field that holds more than plain numbers, or has a fault."""
-
-    def ending(line: int) -> str:
-        return _ending(found, field, line)
-
+    ending = partial(_ending, found, field)
     taker = _Taker(found, (field.line, field.value + 1), wanted, parse, ending)
     return taker.take(token_lines(found, field))
 
@@ -87,9 +84,7 @@ def take_rows(
     gears = [gear for gear, count in enumerate(counts, 1) if count]
     rows = _rows(found, field, len(gears))
     if len(rows) < 2:
-        names = [
-            f"{field.key}({k},{gear})" for gear in gears for k in range(1, counts[gear - 1] + 1)
-        ]
+        names = list(row_labels(field.key, counts))
         wanted = Wanted(
             field.key, lambda n: names[n] if n < len(names) else field.key, len(names), counted
         )
@@ -112,6 +107,18 @@ def take_rows(
         numbers.extend(row.numbers)
         spots.extend(row.spots())
     return Values(numbers, lambda: spots, unreadable)
+
+
+def row_labels(key: str, counts: Sequence[int]) -> Iterator[str]:
+    """The names of the values of each gear: ``NFRI(1,2)``."""
+    for gear, count in enumerate(counts, 1):
+        for position in range(1, count + 1):
+            yield f"{key}({position},{gear})"
+
+
+def values_in_words(count: int) -> str:
+    """How many values there are."""
+    return f"{count} value{'s' * (count != 1)}"
 
 
 def stand_ins(field: Field | None, need: int, parse: Callable[[str], Number]) -> Values[Number]:
@@ -203,7 +210,6 @@ class _Taker(Generic[Number]):
         parse: Callable[[str], Number],
         ending: Callable[[int], str],
     ) -> None:
-        """Start before the first value."""
         self.found, self.wanted, self.ending = found, wanted, ending
         self.parse: Callable[[str], Number] = parse
         self.need = wanted.need
@@ -296,7 +302,7 @@ class _Taker(Generic[Number]):
         expected = (
             f"expected {self.need} ({self.wanted.why})" if self.wanted.why else "expected one"
         )
-        read = f"read {self.total} value{'s' * (self.total != 1)}"
+        read = f"read {values_in_words(self.total)}"
         if self.surplus is None:
             label = self.wanted.label(self.total)
             end = self.ending(self.end[0] + 1)

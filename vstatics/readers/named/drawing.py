@@ -3,18 +3,17 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any
 
 from vstatics.elements import teeth
 from vstatics.elements.build import lowered
 from vstatics.elements.checks import hints, problems
 from vstatics.elements.drawing import Drawing
-from vstatics.elements.keys import DRAWN, drawn, element_of, with_elements
-from vstatics.elements.lower import parts as parts_of
+from vstatics.elements.keys import DRAWN, element_of, with_elements
 from vstatics.errors import Path, Problem
 from vstatics.model.keys import CASE
-from vstatics.model.parts import Gear, Mechanism
+from vstatics.model.parts import Gear
 from vstatics.model.shape import ByKey, ByKind, ByName, Either, Ends, Leaf, ListOf, Shape
 from vstatics.readers.named import nodes
 from vstatics.readers.named.arguments import arguments, untold
@@ -75,7 +74,7 @@ def read_drawing(root: nodes.Mapping, walk: Walk) -> Reading:
     listed = "links" in given
     if not listed:
         walk.references.set_link_names(list(dict.fromkeys(n.text for n in joined_links(root))))
-    values = walk.read(Spot((), "", root), drawn(with_elements(CASE)))
+    values = walk.read(Spot((), "", root), with_elements(CASE, required=True))
     if not listed:
         values = {**values, "links": len(walk.references.link_names)}
         for end in ("input", "output"):
@@ -88,33 +87,40 @@ def read_drawing(root: nodes.Mapping, walk: Walk) -> Reading:
         spots.unreadable += [("links",), ("mechanisms",)]
     else:
         names = parts["link_names"] or list(map(str, range(1, values["links"] + 1)))
-        made = drawing(values, names, parts["mechanisms"])
-        faults = list(problems(made)) or list(_planets_called_like_links(made, names))
+        records = values["elements"]
+        drawing = Drawing(
+            len(names),
+            tuple(element_of(name, record, names) for name, record in records.items()),
+            tuple(parts["mechanisms"]),
+            values.get("losses"),
+            values.get("mesh_efficiency", {}),
+        )
+        faults = list(problems(drawing)) or list(_planets_called_like_links(drawing, names))
         if faults:
             spots.unreadable += [("links",), ("mechanisms",)]
         else:
-            parts |= lowered(made, names)
-            parts["output"] = parts.get("output", made.links)
-            locate = _locator(spots, made)
-            faults = [*hints(made), *teeth.doubts(made)]
+            parts |= lowered(drawing, names)
+            parts["output"] = parts.get("output", drawing.links)
+            locate = _locator(spots, drawing)
+            faults = [*hints(drawing), *teeth.doubts(drawing)]
             faults += [] if listed else loose_links(root, values, names, parts["gears"], spots)
         found += map(spots.locate, faults)
     return finish(parts, found, untold(spots.unreadable), locate)
 
 
-def _planets_called_like_links(made: Drawing, names: Sequence[str]) -> Iterator[Problem]:
-    for number, part in enumerate(parts_of(made), 1):
+def _planets_called_like_links(drawing: Drawing, names: Sequence[str]) -> Iterator[Problem]:
+    for number, part in enumerate(drawing.parts, 1):
         for planet in part.planet_links:
             if f"{part.name}.{planet}" in names:
                 message = f"planet {planet} is called `{part.name}.{planet}`, as a link is"
                 yield Problem(f"{message}; expected another name", ("elements", number))
 
 
-def _locator(spots: Spots, drawn: Drawing) -> Callable[[Problem], Problem]:
+def _locator(spots: Spots, drawing: Drawing) -> Callable[[Problem], Problem]:
     """Gives a problem with a mechanism the place of the element that it was made from."""
     paths: list[Path] = []
-    for number, part in enumerate(parts_of(drawn), 1):
-        count = number - len(drawn.elements)
+    for number, part in enumerate(drawing.parts, 1):
+        count = number - len(drawing.elements)
         path: Path = ("elements", number) if part.element else ("mechanisms", count)
         paths += [path] * len(part.lowered)
 
@@ -153,26 +159,3 @@ def loose_links(
             message = f"link `{shown(name)}` is joined to nothing else{hint}"
             place = spots.found.source.place(node.line, node.column)
             yield Problem(message, (), place, "warning")
-
-
-def drawing(
-    values: Mapping[str, Any], link_names: Sequence[str], mechanisms: Iterable[Mechanism]
-) -> Drawing:
-    """The drawing that the values of a case tell of.
-
-    Parameters
-    ----------
-    values : mapping
-        Of the keys `elements`, `losses` and `mesh_efficiency`.
-    link_names : sequence of str
-        Of the case's own links.
-    mechanisms : iterable of Mechanism
-        That stand beside the elements.
-    """
-    return Drawing(
-        len(link_names),
-        tuple(element_of(name, one, link_names) for name, one in values["elements"].items()),
-        tuple(mechanisms),
-        values.get("losses"),
-        values.get("mesh_efficiency", {}),
-    )

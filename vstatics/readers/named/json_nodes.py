@@ -3,20 +3,12 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 from json import JSONDecodeError
 from json.decoder import scanstring  # type: ignore[attr-defined]
 from typing import NoReturn
 
-from vstatics.readers.named.nodes import (
-    MOST_DEEP,
-    Found,
-    Listing,
-    Mapping,
-    Node,
-    Scalar,
-    shown,
-    well_formed,
-)
+from vstatics.readers.named.nodes import Found, Listing, Mapping, Node, Scalar, shown
 
 _BLANKS = re.compile(r"[ \t\n\r]*")
 _WORD = re.compile(r"[^\s,:{}\[\]\"]+|.?", re.DOTALL)
@@ -32,88 +24,86 @@ def json_tree(found: Found) -> Node:
         If the text is not JSON, or nested without end.
     """
     scanner = _Scanner(found)
-    node, at = scanner.value(scanner.skip(0), 1)
-    end = scanner.skip(at)
-    if end < len(scanner.text):
-        scanner.refuse(end, "the end of the file")
+    scanner.skip()
+    node = scanner.value(1)
+    scanner.skip()
+    if scanner.sign:
+        scanner.refuse("the end of the file")
     return node
 
 
 class _Scanner:
-    """Reads values of a text from an offset on; each gives the offset after it."""
+    """Reads the values of a text, one behind the other."""
 
     def __init__(self, found: Found) -> None:
         self.found = found
         self.text = found.text
-        self.place = found.place
+        self.at = 0
 
-    def skip(self, at: int) -> int:
-        blanks = _BLANKS.match(self.text, at)
-        return blanks.end() if blanks else at
+    @property
+    def sign(self) -> str:
+        """The next character; none at the end."""
+        return self.text[self.at : self.at + 1]
 
-    def refuse(self, at: int, expected: str) -> NoReturn:
-        word = _WORD.match(self.text, at)
+    @property
+    def place(self) -> tuple[int, int]:
+        return self.found.place(self.at)
+
+    def skip(self, signs: int = 0) -> None:
+        """Go on behind so many characters, and the blanks that follow."""
+        blanks = _BLANKS.match(self.text, self.at + signs)
+        self.at = blanks.end() if blanks else self.at + signs
+
+    def refuse(self, expected: str) -> NoReturn:
+        word = _WORD.match(self.text, self.at)
         read = f"'{shown(word[0])}'" if word and word[0] else "the end of the file"
-        self.found.stop(f"not JSON: read {read}, expected {expected}", *self.place(at))
+        self.found.stop(f"not JSON: read {read}, expected {expected}", *self.place)
 
-    def value(self, at: int, depth: int) -> tuple[Node, int]:
-        if depth > MOST_DEEP:
-            message = f"nested deeper than {MOST_DEEP} levels, expected at most that"
-            self.found.stop(message, *self.place(at))
-        match self.text[at : at + 1]:
+    def value(self, depth: int) -> Node:
+        place = self.place
+        self.found.check_depth(depth, *place)
+        match self.sign:
             case "{":
-                return self.mapping(at, depth)
+                return Mapping([self.entry(depth) for _ in self.inside("}")], *place)
             case "[":
-                return self.listing(at, depth)
+                return Listing([self.value(depth + 1) for _ in self.inside("]")], *place)
             case '"':
-                return self.string(at)
-        word = _WORD.match(self.text, at)
+                return self.string()
+        word = _WORD.match(self.text, self.at)
         if not word or not _LITERAL.fullmatch(word[0]):
-            self.refuse(at, "a value")
-        return Scalar(word[0], *self.place(at)), word.end()
+            self.refuse("a value")
+        self.at = word.end()
+        return Scalar(word[0], *place)
 
-    def string(self, at: int) -> tuple[Scalar, int]:
+    def string(self) -> Scalar:
+        place = self.place
         try:
-            text, end = scanstring(self.text, at + 1)
+            text, self.at = scanstring(self.text, self.at + 1)
         except JSONDecodeError as error:
-            self.found.stop(f"not JSON: {error.msg}", *self.place(error.pos))
-        if not well_formed(text):
-            self.found.stop("half a character (a lone surrogate)", *self.place(at))
-        return Scalar(text, *self.place(at), plain=False), end
+            self.found.stop(f"not JSON: {error.msg}", *self.found.place(error.pos))
+        self.found.check_characters(text, *place)
+        return Scalar(text, *place, plain=False)
 
-    def listing(self, start: int, depth: int) -> tuple[Node, int]:
-        items: list[Node] = []
-        at = self.skip(start + 1)
-        while self.text[at : at + 1] != "]" or items:
-            item, at = self.value(at, depth + 1)
-            items.append(item)
-            at, more = self.comma(at, "]")
-            if not more:
-                break
-        return Listing(items, *self.place(start)), at + 1
+    def entry(self, depth: int) -> tuple[Scalar, Node]:
+        if self.sign != '"':
+            self.refuse("a key in double quotes")
+        key = self.string()
+        self.skip()
+        if self.sign != ":":
+            self.refuse("`:` after a key")
+        self.skip(1)
+        return key, self.value(depth + 1)
 
-    def mapping(self, start: int, depth: int) -> tuple[Node, int]:
-        entries: list[tuple[Scalar, Node]] = []
-        at = self.skip(start + 1)
-        while self.text[at : at + 1] != "}" or entries:
-            if self.text[at : at + 1] != '"':
-                self.refuse(at, "a key in double quotes")
-            key, at = self.string(at)
-            at = self.skip(at)
-            if self.text[at : at + 1] != ":":
-                self.refuse(at, "`:` after a key")
-            value, at = self.value(self.skip(at + 1), depth + 1)
-            entries.append((key, value))
-            at, more = self.comma(at, "}")
-            if not more:
-                break
-        return Mapping(entries, *self.place(start)), at + 1
-
-    def comma(self, at: int, closing: str) -> tuple[int, bool]:
-        """The offset of the next item, or of the closing bracket, and which it is."""
-        at = self.skip(at)
-        if self.text[at : at + 1] == ",":
-            return self.skip(at + 1), True
-        if self.text[at : at + 1] != closing:
-            self.refuse(at, f"`,` or `{closing}`")
-        return at, False
+    def inside(self, closing: str) -> Iterator[None]:
+        """Stop before each item between brackets, then go on behind these."""
+        self.skip(1)
+        more = self.sign != closing
+        while more:
+            yield
+            self.skip()
+            more = self.sign == ","
+            if more:
+                self.skip(1)
+            elif self.sign != closing:
+                self.refuse(f"`,` or `{closing}`")
+        self.at += 1

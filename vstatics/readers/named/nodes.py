@@ -60,7 +60,6 @@ class Found:
     """The problems found in a text, up to as many as a person would read."""
 
     def __init__(self, source: Source) -> None:
-        """Start without problems."""
         self.source = source
         self.text = "\n".join(source.lines)
         self.problems: list[Problem] = []
@@ -75,9 +74,7 @@ class Found:
         """Keep an error; give up when there are too many."""
         self.problems.append(Problem(message, path, self.source.place(line, column)))
         if len(self.problems) >= MOST_PROBLEMS:
-            raise ReadError(
-                [*self.problems, Problem("too many errors, the rest is not read", (), self._file())]
-            )
+            self.stop("too many errors, the rest is not read", 0, 1)
 
     def stop(self, message: str, line: int, column: int) -> NoReturn:
         """End with an error after which nothing can be read, and those before it."""
@@ -89,8 +86,16 @@ class Found:
             return ""
         return nearest(word, islice(known, 1000))
 
-    def _file(self) -> Place:
-        return self.source.place(0)
+    def check_depth(self, depth: int, line: int, column: int) -> None:
+        """End where values are nested deeper than in any case."""
+        if depth > MOST_DEEP:
+            message = f"nested deeper than {MOST_DEEP} levels, expected at most that"
+            self.stop(message, line, column)
+
+    def check_characters(self, text: str, line: int, column: int) -> None:
+        """End at a text without whole characters only; an escape can make half of one."""
+        if any("\ud800" <= character <= "\udfff" for character in text):
+            self.stop("half a character (a lone surrogate)", line, column)
 
 
 def is_null(node: Node) -> bool:
@@ -118,11 +123,6 @@ def what(node: Node) -> str:
         case _ if is_null(node):
             return "nothing"
     return f"'{shown(node.text)}'"
-
-
-def well_formed(text: str) -> bool:
-    """Whether a text holds whole characters only; an escape can make half of one."""
-    return not any("\ud800" <= character <= "\udfff" for character in text)
 
 
 def decode(data: bytes, file: str, expected: str = "a case") -> Found:
@@ -177,7 +177,6 @@ class Spots:
     """
 
     def __init__(self, found: Found) -> None:
-        """Start without any."""
         self.found = found
         self.unreadable: list[Path] = []
         self._spots: dict[Path, Spot] = {}

@@ -46,20 +46,7 @@ def read_yaml(data: bytes, file: str) -> Reading:
 
 
 def read_json(data: bytes, file: str) -> Reading:
-    """Read a case in JSON, of the same shape as in YAML.
-
-    Parameters
-    ----------
-    data : bytes
-        UTF-8, or another Unicode encoding with its byte order mark.
-    file : str
-        The name that problems give.
-
-    Raises
-    ------
-    ReadError
-        With every problem that can be told from the others.
-    """
+    """Read a case in JSON, of the same shape as in YAML; see `read_yaml`."""
     from vstatics.readers.named.json_nodes import json_tree  # json likewise
 
     found = decode(data, file)

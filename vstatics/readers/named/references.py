@@ -28,7 +28,6 @@ class References:
     """
 
     def __init__(self, found: Found) -> None:
-        """Start with nothing to refer to."""
         self.link_names: list[str] = []
         self.links_known = False
         self.elements_known = True

@@ -9,12 +9,11 @@ from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
 from vstatics.errors import Path
+from vstatics.model.part_checks import of_drag
 from vstatics.model.parts import HOUSING, Gear, Load, ShiftElement
 from vstatics.model.shape import UNITS
 from vstatics.readers.named.nodes import Spots
 from vstatics.readers.named.scalars import WithUnit
-
-_NO_LESS = "a torque of 0 or more: drag opposes any motion"
 
 
 class _Located(NamedTuple):
@@ -69,10 +68,7 @@ def _of_links(drag: _ByPart, spots: Spots) -> Iterator[tuple[int, _Located]]:
     for link, (torque, path) in drag.items():
         if link == HOUSING:
             spots.tell(path, "the housing does not turn, expected a link")
-        elif torque < 0:
-            read = torque if isinstance(torque, WithUnit) else f"{torque:g}"
-            spots.tell(path, f"read {read}, expected {_NO_LESS}")
-        else:
+        elif _is_drag(torque, None, path, spots):
             yield link, _Located(torque, path)
 
 
@@ -80,14 +76,16 @@ def _of_elements(elements: list[ShiftElement], spots: Spots) -> Iterator[tuple[i
     """Drag of shift elements that has a unit."""
     for number, element in enumerate(elements, 1):
         drag, path = element.drag, ("shift_elements", number, "drag")
-        if not isinstance(drag, WithUnit):
-            continue
-        if drag < 0:
-            spots.tell(path, f"read {drag}, expected {_NO_LESS}")
-        elif drag and element.kind == "dog_clutch":
-            spots.tell(path, f"read {drag}, but a dog clutch does not drag when it is open")
-        else:
+        if isinstance(drag, WithUnit) and _is_drag(drag, element, path, spots):
             yield number, _Located(drag, path)
+
+
+def _is_drag(torque: float, element: ShiftElement | None, path: Path, spots: Spots) -> bool:
+    """Whether a torque is one of drag; else it is told."""
+    problems = list(of_drag(torque, element, path))
+    for problem in problems:
+        spots.tell(path, problem.message)
+    return not problems
 
 
 def _element(element: ShiftElement, number: int, load: Load, spots: Spots) -> ShiftElement:
@@ -99,7 +97,7 @@ def _element(element: ShiftElement, number: int, load: Load, spots: Spots) -> Sh
             given = {number: _Located(capacity, path)}
             capacity = _related(given, abs(load.torque or 0.0), spots).get(number)
         else:
-            spots.tell(path, f"read {capacity}, expected a torque above 0")
+            spots.tell(path, f"read {capacity:g}, expected a torque above 0")
             capacity = None
     return element._replace(drag=drag, capacity=capacity)
 
@@ -133,15 +131,15 @@ def _related(numbers: _ByPart, whole: float, spots: Spots) -> dict[int, float]:
     for part, (number, path) in numbers.items():
         if not isinstance(number, WithUnit):
             made[part] = number
-        elif number < 0 and path[-2] in ("drag", "open_drag"):
-            spots.tell(path, f"read {number}, expected {_NO_LESS}")
+        elif path[-2] in ("drag", "open_drag") and not _is_drag(number, None, path, spots):
+            continue
         elif whole:
             made[part] = number / whole
         elif path not in spots.unreadable:
             quantity, unit = number.quantity, UNITS[number.quantity]
             spots.tell(
                 path,
-                f"read {number}, but there is no input {quantity} to relate it to; "
+                f"read {number:g}, but there is no input {quantity} to relate it to; "
                 f"expected a number relative to the input {quantity}, or "
                 f"`load: {{{quantity}: ... {unit}}}` in the case",
             )

@@ -180,8 +180,8 @@ class WithUnit(float):
         made.quantity = quantity
         return made
 
-    def __str__(self) -> str:
-        return f"{self:g} {UNITS[self.quantity]}"
+    def __format__(self, spec: str) -> str:
+        return f"{super().__format__(spec)} {UNITS[self.quantity]}"
 
 
 def relative(text: str, kind: Quantity) -> float:

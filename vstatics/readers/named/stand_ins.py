@@ -1,8 +1,10 @@
-"""What stands in for a value that cannot be read, so that reading goes on behind it."""
+"""How single values are read, and what stands in for those that cannot be, to read on."""
 
 from __future__ import annotations
 
-from typing import Any
+from collections.abc import Callable
+from functools import partial
+from typing import Any, NamedTuple
 
 from vstatics.model.shape import (
     ByKey,
@@ -15,23 +17,35 @@ from vstatics.model.shape import (
     Pair,
     Shape,
 )
+from vstatics.readers.named import scalars
 from vstatics.readers.named.references import NO_ELEMENT, NO_LINK
 
 _MANY_LINKS = 10**9  # takes every link number in; the model refuses it, and this is not told
 _NO_LINKS = (NO_LINK, NO_LINK)
-EXPECTED: dict[LeafKind, tuple[str, Any]] = {  # what is expected, what stands in for it
-    "text": ("text", ""),
-    "number": ("a number", 1.0),
-    "count": ("a whole number", 1),
-    "share": ("a share of 0 or more", 0.0),
-    "speed": ("a speed with its unit", 1.0),
-    "torque": ("a torque with its unit", 1.0),
-    "relative_speed": ("a speed", 0.0),
-    "relative_torque": ("a torque", 0.0),
-    "link": ("a link", NO_LINK),
-    "element": ("the name of a shift element", NO_ELEMENT),
-    "flag": ("`true` or `false`", False),
-    "choice": ("text", None),
+
+
+class LeafReading(NamedTuple):
+    """How a single value is read."""
+
+    expected: str
+    stand_in: Any
+    parse: Callable[[str], Any] = str
+    """Text -> value, where the text alone tells it."""
+
+
+LEAVES: dict[LeafKind, LeafReading] = {
+    "text": LeafReading("text", ""),
+    "number": LeafReading("a number", 1.0, scalars.number),
+    "count": LeafReading("a whole number", 1, scalars.count),
+    "share": LeafReading("a share of 0 or more", 0.0, scalars.share),
+    "speed": LeafReading("a speed with its unit", 1.0, partial(scalars.quantity, kind="speed")),
+    "torque": LeafReading("a torque with its unit", 1.0, partial(scalars.quantity, kind="torque")),
+    "relative_speed": LeafReading("a speed", 0.0, partial(scalars.relative, kind="speed")),
+    "relative_torque": LeafReading("a torque", 0.0, partial(scalars.relative, kind="torque")),
+    "link": LeafReading("a link", NO_LINK),
+    "element": LeafReading("the name of a shift element", NO_ELEMENT),
+    "flag": LeafReading("`true` or `false`", stand_in=False),
+    "choice": LeafReading("text", None),
 }
 
 
@@ -39,7 +53,7 @@ def stand_in(shape: Shape) -> Any:  # noqa: PLR0911 - a table
     """What stands in for a value that cannot be read."""
     match shape:
         case Leaf():
-            return shape.choices[0] if shape.choices else EXPECTED[shape.kind][1]
+            return shape.choices[0] if shape.choices else LEAVES[shape.kind].stand_in
         case ByKey():
             return shape.make(**values_before(shape))
         case Either():

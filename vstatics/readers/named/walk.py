@@ -7,7 +7,6 @@ stands in the document, and leaves a stand-in where nothing can be read.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
-from functools import partial
 from typing import Any
 
 from vstatics.model.parts import HOUSING
@@ -20,7 +19,6 @@ from vstatics.model.shape import (
     Ends,
     KeyShape,
     Leaf,
-    LeafKind,
     Links,
     ListOf,
     Numbers,
@@ -41,18 +39,9 @@ from vstatics.readers.named.nodes import (
     what,
 )
 from vstatics.readers.named.references import NO_ELEMENT, NO_LINK, References
-from vstatics.readers.named.stand_ins import EXPECTED, stand_in, values_before
+from vstatics.readers.named.stand_ins import LEAVES, stand_in, values_before
 
 _ENDS = ("first", "second")
-_NUMBERS: dict[LeafKind, Callable[[str], float]] = {
-    "number": scalars.number,
-    "count": scalars.count,
-    "share": scalars.share,
-    "speed": partial(scalars.quantity, kind="speed"),
-    "torque": partial(scalars.quantity, kind="torque"),
-    "relative_speed": partial(scalars.relative, kind="speed"),
-    "relative_torque": partial(scalars.relative, kind="torque"),
-}
 NO_MERGE = "merge key `<<` is not taken, write its keys out"
 
 
@@ -60,7 +49,6 @@ class Walk:
     """Reads nodes by their shapes."""
 
     def __init__(self, spots: Spots) -> None:
-        """Start with nothing read."""
         self.spots = spots
         self.references = References(spots.found)
         self._readers: dict[type[Shape], Callable[[Spot, Any], Any]] = {
@@ -270,7 +258,7 @@ class Walk:
     def _leaf(self, spot: Spot, shape: Leaf) -> Any:
         node = spot.node
         if not isinstance(node, Scalar) or is_null(node):
-            return self._refuse(spot, shape, f"expected {EXPECTED[shape.kind][0]}")
+            return self._refuse(spot, shape, f"expected {LEAVES[shape.kind].expected}")
         try:
             value = self._scalar(node, shape)
         except ValueError as error:
@@ -281,8 +269,6 @@ class Walk:
 
     def _scalar(self, node: Scalar, shape: Leaf) -> Any:
         match shape.kind:
-            case "text":
-                return node.text
             case "link":
                 return self.references.link(node.text)
             case "element":
@@ -294,7 +280,7 @@ class Walk:
                     hint = self.spots.found.hint(node.text, shape.choices)
                     raise ValueError(f"expected {_listed(shape.choices, 'or')}{hint}")
                 return node.text
-        return _NUMBERS[shape.kind](node.text)
+        return LEAVES[shape.kind].parse(node.text)
 
 
 def _is_merge(key: Scalar) -> bool:

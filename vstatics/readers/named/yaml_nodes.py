@@ -13,16 +13,7 @@ from typing import Any, NamedTuple
 
 import yaml
 
-from vstatics.readers.named.nodes import (
-    MOST_DEEP,
-    Found,
-    Listing,
-    Mapping,
-    Node,
-    Scalar,
-    shown,
-    well_formed,
-)
+from vstatics.readers.named.nodes import Found, Listing, Mapping, Node, Scalar, shown
 
 MOST_VALUES = 200_000
 """Values that aliases may expand a document to."""
@@ -94,9 +85,7 @@ class _Builder:
 
     def node(self, event: yaml.Event, depth: int) -> Node:
         line, column = self.last
-        if depth > MOST_DEEP:
-            message = f"nested deeper than {MOST_DEEP} levels, expected at most that"
-            self.found.stop(message, line, column)
+        self.found.check_depth(depth, line, column)
         if isinstance(event, yaml.AliasEvent):
             return self.alias(event)
         anchor = getattr(event, "anchor", None)
@@ -130,8 +119,7 @@ class _Builder:
             yield key, self.node(self.next(), depth + 1)
 
     def scalar(self, event: Any, line: int, column: int) -> Scalar:
-        if not well_formed(event.value):
-            self.found.stop("half a character (a lone surrogate)", line, column)
+        self.found.check_characters(event.value, line, column)
         plain = not event.style and event.tag not in ("!", _STANDARD + "str")
         return Scalar(event.value, line, column, plain)
 
