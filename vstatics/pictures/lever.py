@@ -11,7 +11,9 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from itertools import accumulate
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
+
+from matplotlib.figure import Figure
 
 from vstatics.elements.drawing import parts_of
 from vstatics.elements.group import group_of
@@ -25,11 +27,7 @@ from vstatics.pictures.lever_marks import MARGIN, mark_of
 from vstatics.pictures.state import PictureState, state_of
 from vstatics.pictures.style import TITLE, Style, number
 from vstatics.pictures.words import fault, gear_title, title
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
-
-    from vstatics.statics.results import Results
+from vstatics.statics.results import Results
 from vstatics.statics.status import CONFLICT, TIED_UP
 
 WIDE = 110.0

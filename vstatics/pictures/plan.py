@@ -4,20 +4,18 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
+
+from matplotlib.figure import Figure
 
 from vstatics.errors import CaseError, Problem
+from vstatics.model.transmission import Transmission
 from vstatics.pictures import labels
 from vstatics.pictures.labels import LEADER, Label, Panel
 from vstatics.pictures.rays import SAME, KinematicPlan, Ray, plans
 from vstatics.pictures.style import TITLE, Style, number
 from vstatics.pictures.words import title
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
-
-    from vstatics.model.transmission import Transmission
-    from vstatics.statics.results import Results
+from vstatics.statics.results import Results
 
 WIDE, HIGH = 300.0, 230.0
 """Of a plan without its labels. [pt]"""
@@ -56,13 +54,7 @@ def draw(results: Results, style: Style, gear: int | None) -> Figure:
 
 
 def sheets(results: Results, style: Style) -> list[Figure]:
-    """All plans of a case in figures that fit a printed page each.
-
-    Raises
-    ------
-    CaseError
-        If there is no plan.
-    """
+    """All plans of a case in figures that fit a printed page each; errors as of `plans`."""
     found = plans(results)
     starts = range(0, len(found), ON_SHEET)
     return [_figure(results.case, found[n : n + ON_SHEET], style) for n in starts]

@@ -9,6 +9,7 @@ from typing import NamedTuple
 
 from vstatics.elements.drawing import parts_of
 from vstatics.elements.element import Element
+from vstatics.model.parts import ELEMENT_KINDS
 from vstatics.model.transmission import HOUSING, Gear, Mechanism, ShiftElement, Transmission
 from vstatics.pictures.state import PictureState
 
@@ -31,7 +32,7 @@ class Device(NamedTuple):
     @property
     def is_shift_element(self) -> bool:
         """Whether it is engaged and released."""
-        return self.kind in {"clutch", "brake", "dog_clutch", "freewheel"}
+        return self.kind in ELEMENT_KINDS
 
     @property
     def links(self) -> set[int]:
@@ -166,7 +167,7 @@ def scheme_state(scheme: Scheme, state: PictureState) -> SchemeState:
     ends = [port.link for port in ports]
     for place, device in enumerate(scheme.devices):
         if device.is_shift_element:
-            carries = state.holds[device.numbers[0]]
+            carries = device.numbers[0] + 1 in state.gear.engaged
             (engaged if carries else idle).add(place)
         else:
             carries = any(state.is_loaded[number] for number in device.numbers)

@@ -9,7 +9,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 from functools import partial
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
+
+from matplotlib.figure import Figure
 
 from vstatics.elements.drawing import drawing_of
 from vstatics.elements.group import group_of
@@ -36,9 +38,6 @@ from vstatics.pictures.schemes.structure import box_item, draw_box, named_on_tra
 from vstatics.pictures.style import Style
 from vstatics.pictures.words import word
 from vstatics.statics.results import Results
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
 
 LEAST_HALF = 36.0
 """Half the height of the row, at least. [pt]"""
