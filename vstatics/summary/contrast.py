@@ -50,13 +50,9 @@ def _gears(pair: Sequence[Summary]) -> Grid:
     headings = (f"{what} {letter}" for what in ("ratio", "step", "efficiency") for letter in "AB")
     rows = []
     for name in names:
-        found = [by_name.get(name, _MISSING) for by_name in lines]
-        values = [
-            *(line.ratio for line in found),
-            *(line.step for line in found),
-            *(line.efficiency for line in found),
-        ]
-        rows.append([name, *map(number, values)])
+        both = [by_name.get(name, _MISSING) for by_name in lines]
+        values = zip(*((line.ratio, line.step, line.efficiency) for line in both), strict=True)
+        rows.append([name, *(number(value) for of_both in values for value in of_both)])
     return Grid("Gears", [text("gear"), *map(Column, headings)], rows)
 
 

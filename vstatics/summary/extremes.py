@@ -29,16 +29,11 @@ class Largest(NamedTuple):
 
 
 def largest(results: Results) -> dict[str, list[Largest]]:
-    """The largest values over all gears, by the name of the table.
+    """The largest values over all gears of one case, by the name of the table.
 
     Speeds of planets, slip speeds of open shift elements, torques of engaged ones without
     and with losses where the gear can run; with a load all of them in rpm and N*m, too.
     Rows are those of the tables, so what the case draws has its own.
-
-    Parameters
-    ----------
-    results : Results
-        Of one case.
 
     Examples
     --------
@@ -102,15 +97,10 @@ class Margin(NamedTuple):
 
 
 def margins(results: Results) -> list[Margin]:
-    """Capacity by torque, ``capacity/|M|``, in the gears where an element is engaged.
+    """Capacity by torque, ``capacity/|M|``, in the gears of one case where an element is engaged.
 
     M is the larger of the torques without and with losses, to be on the safe side. In
     a gear with a load of its own, M is that of this load.
-
-    Parameters
-    ----------
-    results : Results
-        Of one case.
 
     Examples
     --------

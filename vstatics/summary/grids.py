@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
 from vstatics.statics.results import Results
@@ -25,19 +25,18 @@ def grids(summary: Summary) -> Iterator[Grid]:
 
     What was asked for and gave nothing stays, without rows and columns.
     """
-    yield from (grid for grid in _all(summary) if grid.rows)
+    tables = (
+        _design(summary),
+        _spread(summary),
+        _transitions(summary),
+        *_largest(summary),
+        *_margins(summary),
+        _duty(summary),
+        _sensitivities(summary),
+    )
+    yield from (grid for grid in tables if grid.rows)
     if summary.combinations is not None:
         yield other_combinations(summary)
-
-
-def _all(summary: Summary) -> Iterator[Grid]:
-    yield _design(summary)
-    yield _spread(summary)
-    yield _transitions(summary)
-    yield from _largest(summary)
-    yield from _margins(summary)
-    yield _duty(summary)
-    yield _sensitivities(summary)
 
 
 def _design(summary: Summary) -> Grid:
@@ -54,13 +53,7 @@ def _design(summary: Summary) -> Grid:
 
 
 def element_signs(results: Results, index: int, marks: Marks) -> Iterator[Cell]:
-    """Of each shift element: whether it is engaged in a gear, or a freewheel that holds.
-
-    Parameters
-    ----------
-    index : int
-        Of the gear.
-    """
+    """Of each shift element: whether it is engaged in the gear of an index, or holds."""
     engaged = results.case.gears[index].engaged
     for element, holds in enumerate(results.holds[index].tolist(), 1):
         if element in engaged:
@@ -126,14 +119,18 @@ def _cells(line: Largest, decimals: int) -> list[str]:
 
 
 def _sensitivities(summary: Summary) -> Grid:
-    case = summary.results.case
-    columns = [text("mechanism"), *(Column(gear.name) for gear in case.gears)]
-    rows = [
-        [mechanism.name, *map(number, row)]
-        for mechanism, row in zip(case.mechanisms, summary.sensitivities.T.tolist(), strict=True)
-    ]
+    names = [mechanism.name for mechanism in summary.results.case.mechanisms]
+    by_name = zip(names, summary.sensitivities.T.tolist(), strict=True)
     title = "Sensitivity (u/i) di/du of the ratio i of each gear to each internal ratio u"
-    return Grid(title, columns, rows)
+    return _by_gear(summary, title, "mechanism", by_name)
+
+
+def _by_gear(
+    summary: Summary, title: str, heading: str, rows: Iterable[tuple[str, Sequence[float]]]
+) -> Grid:
+    """A row for each name with a number for each gear."""
+    columns = [text(heading), *(Column(gear.name) for gear in summary.results.case.gears)]
+    return Grid(title, columns, [[name, *map(number, values)] for name, values in rows])
 
 
 def other_combinations(summary: Summary) -> Grid:
@@ -155,8 +152,8 @@ def other_combinations(summary: Summary) -> Grid:
 
 def _margins(summary: Summary) -> Iterator[Grid]:
     """The least margins, then those of all gears."""
-    case = summary.results.case
-    torque = None if case.load is None else case.load.torque
+    load = summary.results.case.load
+    torque = None if load is None else load.torque
     unit, size, decimals = (" [N*m]", abs(torque), 1) if torque else ("", 1.0, 3)
     columns = [text("element"), Column(f"capacity{unit}"), Column("least"), text("gear")]
     rows = [
@@ -164,9 +161,8 @@ def _margins(summary: Summary) -> Iterator[Grid]:
         for one in summary.margins
     ]
     yield Grid("Least margin, capacity by torque", columns, rows)
-    columns = [text("element"), *(Column(gear.name) for gear in case.gears)]
-    rows = [[one.element, *map(number, one.by_gear)] for one in summary.margins]
-    yield Grid("Margins by gear", columns, rows)
+    by_element = [(one.element, one.by_gear) for one in summary.margins]
+    yield _by_gear(summary, "Margins by gear", "element", by_element)
 
 
 def _duty(summary: Summary) -> Grid:

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator
-from typing import TYPE_CHECKING
+
+from rich.console import Group
+from rich.text import Text
 
 from vstatics.model.transmission import Transmission
 from vstatics.statics.arrays import OUTPUT
@@ -12,12 +14,10 @@ from vstatics.statics.results import Results
 from vstatics.statics.status import STATUSES, Status
 from vstatics.summary.design import GearLine, design
 from vstatics.summary.grids import Marks, element_signs
+from vstatics.tables import terminal
 from vstatics.tables.grid import Cell, Column, Grid, text
 from vstatics.tables.table import Table
 from vstatics.tables.values import tables
-
-if TYPE_CHECKING:
-    from rich.console import Group
 
 POOR, BAD = 0.95, 0.9
 """An efficiency below is yellow, or red."""
@@ -34,12 +34,10 @@ ASCII = Marks("x", "f", ".")
 
 
 def view(results: Results, marks: Marks = DOTS) -> Group:
-    """One table of the gears, and what its marks mean.
+    """One table of the gears of one case, and what its marks mean.
 
     Parameters
     ----------
-    results : Results
-        Of one case.
     marks : Marks, optional
         `ASCII` for a terminal that knows no others.
 
@@ -58,11 +56,6 @@ def view(results: Results, marks: Marks = DOTS) -> Group:
     >>> len(view(solve(case), ASCII).renderables)
     4
     """
-    from rich.console import Group
-    from rich.text import Text
-
-    from vstatics.tables import terminal
-
     case = results.case
     found = {table.quantity.key: table for table in tables(results)}
     title = [Text(case.name, style="bold")] * bool(case.name)

@@ -37,14 +37,9 @@ class Transition(NamedTuple):
 
 
 def transitions(results: Results) -> list[Transition]:
-    """The shifts between neighbours, then those that jump one gear.
+    """The shifts between neighbours of one case, then those that jump one gear.
 
     A freewheel counts as engaged where it holds, so what it does by itself is told, too.
-
-    Parameters
-    ----------
-    results : Results
-        Of one case.
 
     Examples
     --------
