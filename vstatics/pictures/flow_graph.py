@@ -29,8 +29,7 @@ class Band(NamedTuple):
     @property
     def pairs(self) -> tuple[tuple[Node, Node], ...]:
         """Neighbours along the band."""
-        way = (self.source, *self.between, self.target)
-        return tuple(pairwise(way))
+        return tuple(pairwise((self.source, *self.between, self.target)))
 
 
 class Graph(NamedTuple):

@@ -6,8 +6,8 @@ from collections.abc import Iterator, Sequence
 
 from vstatics.statics.results import Results
 from vstatics.tables.grid import Cell, Column, Grid, exact, sign
+from vstatics.tables.quantity import Table
 from vstatics.tables.rows import ROWS
-from vstatics.tables.table import Table
 from vstatics.tables.values import tables
 
 

@@ -12,7 +12,7 @@ from vstatics.numerics.arrays import Booleans, Floats
 from vstatics.statics.results import Results
 from vstatics.summary.design import SAME
 from vstatics.tables.quantities import BY_NAME
-from vstatics.tables.table import Table
+from vstatics.tables.quantity import Table
 from vstatics.tables.values import tables
 
 PLANETS, SLIPS, TORQUES, LOSSY_TORQUES = "WSAT", "WFRI", "AMLG", "AMLGP"

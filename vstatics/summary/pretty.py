@@ -16,7 +16,7 @@ from vstatics.summary.design import GearLine, design
 from vstatics.summary.grids import Marks, element_signs
 from vstatics.tables import terminal
 from vstatics.tables.grid import Cell, Column, Grid, text
-from vstatics.tables.table import Table
+from vstatics.tables.quantity import Table
 from vstatics.tables.values import tables
 
 POOR, BAD = 0.95, 0.9

@@ -17,12 +17,8 @@ def sensitivities(results: Results) -> Floats:
     They need no further solution. The torques of a gear, without losses and without
     further external torques, give ``(u/i) di/du = M (w_first - w_third)/(Mx w_output)``,
     which is the power that the first link brings in, seen from the third link, by that
-    at the output. Given speeds, relative to the input speed, stay as they are.
-
-    Parameters
-    ----------
-    results : Results
-        Of one case.
+    at the output. Given speeds, relative to the input speed, stay as they are. The results
+    are of one case.
 
     Returns
     -------

@@ -8,7 +8,7 @@ from vstatics.statics.arrays import row_names
 from vstatics.statics.matrix import distribution_matrix
 from vstatics.statics.results import Results
 from vstatics.tables.quantities import RELATIVE
-from vstatics.tables.table import Table
+from vstatics.tables.quantity import Table
 
 
 def tables(results: Results) -> list[Table]:

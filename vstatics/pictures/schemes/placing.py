@@ -89,16 +89,9 @@ class Placement:
 def placed(
     board: Board, arrangement: Arrangement, half: float, names: Mapping[int, float]
 ) -> Placement:
-    """Everything at its place.
+    """Everything at its place, in a row of twice the height `half` [pt].
 
-    Parameters
-    ----------
-    board : Board
-    arrangement : Arrangement
-    half : float
-        Half the height of the row. [pt]
-    names : mapping of wire to float
-        Widths of the names that stand on tracks. [pt]
+    `names` has the widths of the names that stand on the tracks of wires [pt].
     """
     extra: dict[int, float] = {}
     for _ in range(3 * len(names) + 3):
