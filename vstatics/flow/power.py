@@ -225,14 +225,14 @@ def _throughput(
     return entering
 
 
-def _losses(state: GearState, given: Sequence[Exchange]) -> dict[Node, float]:
+def _losses(state: GearState, exchanged: Sequence[Exchange]) -> dict[Node, float]:
     """Of each mechanism or drawn element, open shift element and link."""
-    found: dict[Node, float] = {}
+    losses: dict[Node, float] = {}
     for number, device in enumerate(state.case.own_devices, 1):
         lost = sum(plain(state.losses[index]) for index in device.mechanisms)
-        found[Node("mechanism", number, device.name)] = lost * state.ideal.direction + 0.0
-    for one in given:
+        losses[Node("mechanism", number, device.name)] = lost * state.ideal.direction + 0.0
+    for one in exchanged:
         drags = one.node.kind == "element" and one.node.number - 1 in state.drag.elements
         if drags or one.node.kind == "drag":
-            found[one.node] = found.get(one.node, 0.0) + one.power
-    return found
+            losses[one.node] = losses.get(one.node, 0.0) + one.power
+    return losses

@@ -81,10 +81,10 @@ def _ordered(
 ) -> list[dict[Key, FlowCell]]:
     """The columns in an order with few crossings; neighbours are exchanged as long as it helps."""
     looped = {node for band in graph.bands if band.loop is not None for node in band.pairs[0]}
-    given = [list(column) for column in columns]
-    lower = [sorted(column, key=lambda own: own[1] in looped) for column in given]
-    best, least = given, math.inf
-    for turn, start in enumerate([given, lower] * ROUNDS):
+    orders = [list(column) for column in columns]
+    lower = [sorted(column, key=lambda own: own[1] in looped) for column in orders]
+    best, least = orders, math.inf
+    for turn, start in enumerate([orders, lower] * ROUNDS):
         found, crossings = _exchanged(start, near[1], graph)
         if crossings < least * BETTER:
             best, least = found, crossings
@@ -124,7 +124,7 @@ def _exchanged(
 def _crossings(columns: Sequence[Sequence[Key]], after: _Near, graph: Graph) -> float:
     """Of each two bands that cross the product of powers; what goes back crosses all below."""
     ranks = {own: rank for column in columns for rank, own in enumerate(column)}
-    found = 0.0
+    total = 0.0
     for column in columns:
         bands = [
             (ranks[own], ranks[other], power)
@@ -133,9 +133,9 @@ def _crossings(columns: Sequence[Sequence[Key]], after: _Near, graph: Graph) -> 
         ]
         for (start, end, power), (first, last, another) in combinations(bands, 2):
             if (start - first) * (end - last) < 0:
-                found += power * another
+                total += power * another
         for band in graph.bands:
             ends = (band.source, band.target) if band.back else ()
             for rank in (ranks[own] for own in column if own[1] in ends):
-                found += band.power * sum(power for start, _, power in bands if start > rank)
-    return found
+                total += band.power * sum(power for start, _, power in bands if start > rank)
+    return total

@@ -68,10 +68,10 @@ def spread(
             count += others
         pools.append((mean, count))
     means = [mean for mean, count in pools for _ in range(count)]
-    found = [0.0] * len(order)
+    places = [0.0] * len(order)
     for place, start, mean in zip(order, starts, means, strict=True):
-        found[place] = max(min(mean, high - taken), low) + start
-    return found
+        places[place] = max(min(mean, high - taken), low) + start
+    return places
 
 
 @cache

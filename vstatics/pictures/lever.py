@@ -77,8 +77,8 @@ def levers(case: Transmission) -> list[Lever]:
     >>> [(node.link, node.position) for node in lever.nodes]
     [(1, -2.5), (3, 0.0), (2, 1.0)]
     """
-    found = [lever for part in parts_of(case) for lever in _of_part(part)]
-    return [lever for lever in found if sum(node.link != HOUSING for node in lever.nodes) > 1]
+    drawn = [lever for part in parts_of(case) for lever in _of_part(part)]
+    return [lever for lever in drawn if sum(node.link != HOUSING for node in lever.nodes) > 1]
 
 
 def _of_part(part: DrawnPart) -> Iterator[Lever]:

@@ -55,9 +55,9 @@ def draw(results: Results, style: Style, gear: int | None) -> Figure:
 
 def sheets(results: Results, style: Style) -> list[Figure]:
     """All plans of a case in figures that fit a printed page each; errors as of `plans`."""
-    found = plans(results)
-    starts = range(0, len(found), ON_SHEET)
-    return [_figure(results.case, found[n : n + ON_SHEET], style) for n in starts]
+    drawn = plans(results)
+    starts = range(0, len(drawn), ON_SHEET)
+    return [_figure(results.case, drawn[n : n + ON_SHEET], style) for n in starts]
 
 
 def _figure(case: Transmission, chosen: Sequence[KinematicPlan], style: Style) -> Figure:
@@ -75,7 +75,7 @@ def _figure(case: Transmission, chosen: Sequence[KinematicPlan], style: Style) -
     return figure
 
 
-class _Layout(NamedTuple):
+class _PlanLayout(NamedTuple):
     """Where the plans of a figure stand; lengths in points."""
 
     columns: int
@@ -88,7 +88,7 @@ class _Layout(NamedTuple):
     size: tuple[float, float]
 
 
-def _layout(case: Transmission, chosen: Sequence[KinematicPlan], style: Style) -> _Layout:
+def _layout(case: Transmission, chosen: Sequence[KinematicPlan], style: Style) -> _PlanLayout:
     columns = min(math.ceil(math.sqrt(len(chosen))), SIDE_BY_SIDE)
     names = [name for plan in chosen for name in _ray_names(case, plan)]
     left = MARGIN + LEADER + max(map(labels.width, names))
@@ -101,7 +101,7 @@ def _layout(case: Transmission, chosen: Sequence[KinematicPlan], style: Style) -
     head = labels.wrapped(title(case, subject), wide - 2 * MARGIN, TITLE)
     title_high = labels.height(head, TITLE) + 2 * MARGIN
     high = math.ceil(len(chosen) / columns) * up + title_high
-    return _Layout(columns, left, up, head, title_high, (wide, high))
+    return _PlanLayout(columns, left, up, head, title_high, (wide, high))
 
 
 def _draw_plan(panel: Panel, case: Transmission, plan: KinematicPlan, style: Style) -> None:
@@ -218,10 +218,10 @@ def _stops(
 def _draw_scales(panel: Panel, plan: KinematicPlan, style: Style) -> None:
     """1/i of the gears at the abscissa, ordinates at the right."""
     outputs = sorted({round(mark.output, 9) + 0.0 for mark in plan.marks})
-    found = [Label(panel.across(x), number(x), style.ink) for x in outputs]
+    scale = [Label(panel.across(x), number(x), style.ink) for x in outputs]
     common = [x for x in (0.0, 1.0) if x not in outputs]
-    found += [Label(panel.across(x), f"{x:.0f}", style.soft) for x in common]
-    panel.along("bottom", found, upright=True)
+    scale += [Label(panel.across(x), f"{x:.0f}", style.soft) for x in common]
+    panel.along("bottom", scale, upright=True)
     axes = panel.axes
     axes.set_xticks([])
     axes.yaxis.tick_right()

@@ -121,9 +121,9 @@ def _comparable(results: Results) -> dict[str, float]:
     return {gear.name: ratio for gear, ratio in pairs if _is_plain(case, gear)}
 
 
-def _shared(given: Sequence[Mapping[Key, float]]) -> dict[Key, float]:
+def _shared(by_gear: Sequence[Mapping[Key, float]]) -> dict[Key, float]:
     """What all gears give alike."""
-    first, *others = given
+    first, *others = by_gear
     return {
         key: value
         for key, value in first.items()

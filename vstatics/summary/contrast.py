@@ -87,9 +87,9 @@ def _in_all(pair: Sequence[Summary]) -> Iterator[list[str]]:
     if any(one.margins for one in pair):
         yield _row("least margin", [_least_margin(one) for one in pair])
     for table, name, decimals in QUANTITIES:
-        found = [overall(one.largest.get(table, ())) for one in pair]
-        if any(found):
-            yield _row(name, [_largest(line, decimals) for line in found])
+        lines = [overall(one.largest.get(table, ())) for one in pair]
+        if any(lines):
+            yield _row(name, [_largest(line, decimals) for line in lines])
 
 
 Cells = tuple[str, str]

@@ -46,19 +46,19 @@ def largest(results: Results) -> dict[str, list[Largest]]:
     >>> list(found)
     ['WSAT', 'WFRI', 'AMLG', 'AMLGP']
     """
-    found = {}
+    by_key = {}
     for table in tables(results):
         key = table.quantity.key
         kind = BY_NAME[table.quantity.of or key].key
         if kind == PLANETS:
-            found[key] = _of(table, table.values)
+            by_key[key] = _of(table, table.values)
         elif kind == SLIPS:
-            found[key] = _of(table, np.where(results.holds.T, np.nan, table.values))
+            by_key[key] = _of(table, np.where(results.holds.T, np.nan, table.values))
         elif kind in (TORQUES, LOSSY_TORQUES):
             own = table.values[: len(results.case.shift_elements)]
             loaded = results.holds.T & results.calculable  # a gear that is tied up has no flow
-            found[key] = _of(table, np.where(loaded, own, np.nan))
-    return found
+            by_key[key] = _of(table, np.where(loaded, own, np.nan))
+    return by_key
 
 
 def overall(lines: Sequence[Largest]) -> Largest | None:
@@ -126,13 +126,13 @@ def _margin(
     results: Results, name: str, capacity: float, torques: Floats, carrying: Booleans
 ) -> Margin:
     with np.errstate(all="ignore"):
-        found = np.where(carrying, capacity / torques, np.nan).tolist()
-    known = [number for number, margin in enumerate(found) if math.isfinite(margin)]
+        margins = np.where(carrying, capacity / torques, np.nan).tolist()
+    known = [number for number, margin in enumerate(margins) if math.isfinite(margin)]
     if not known:
-        return Margin(name, capacity, found, math.nan, "")
-    least = min(found[number] for number in known)
-    first = next(number for number in known if found[number] <= least * (1 + SAME))
-    return Margin(name, capacity, found, found[first], results.case.gears[first].name)
+        return Margin(name, capacity, margins, math.nan, "")
+    least = min(margins[number] for number in known)
+    first = next(number for number in known if margins[number] <= least * (1 + SAME))
+    return Margin(name, capacity, margins, margins[first], results.case.gears[first].name)
 
 
 def _loads(results: Results) -> Floats:

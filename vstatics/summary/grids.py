@@ -86,18 +86,18 @@ _UNITS = ((("", "", ""), 3), (("_rpm", "_rpm", "_Nm"), 1))
 
 
 def _largest(summary: Summary) -> Iterator[Grid]:
-    found = summary.largest
+    largest = summary.largest
     for (planets, slips, torques), decimals in _UNITS:
         rpm, nm = (" [rpm]", " [N*m]") if planets else ("", "")
         columns = [text("planet"), Column(f"speed{rpm}"), text("gear")]
-        if f"{PLANETS}{planets}" in found:
-            lines = found[f"{PLANETS}{planets}"]  # those of gear pairs, say, are none
+        if f"{PLANETS}{planets}" in largest:
+            lines = largest[f"{PLANETS}{planets}"]  # those of gear pairs, say, are none
             rows = [[one.row, *_cells(one, decimals)] for one in lines if not math.isnan(one.value)]
             yield Grid("Largest speeds of planets against their carriers", columns, rows)
         named = {
-            f"slip{rpm}": found.get(f"{SLIPS}{slips}"),
-            f"torque{nm}": found.get(f"{TORQUES}{torques}"),
-            f"with losses{nm}": found.get(f"{LOSSY_TORQUES}{torques}"),
+            f"slip{rpm}": largest.get(f"{SLIPS}{slips}"),
+            f"torque{nm}": largest.get(f"{TORQUES}{torques}"),
+            f"with losses{nm}": largest.get(f"{LOSSY_TORQUES}{torques}"),
         }
         yield _elements({heading: lines for heading, lines in named.items() if lines}, decimals)
 
@@ -136,16 +136,16 @@ def _by_gear(
 def other_combinations(summary: Summary) -> Grid:
     """Combinations of shift elements that are no gear yet."""
     columns = [Column("ratio"), Column("efficiency"), text("same as"), text("engaged")]
-    found = summary.combinations or ()
+    others = summary.combinations or ()
     title = "Other combinations of shift elements"
-    if not found:
+    if not others:
         return Grid(f"{title}: none", (), ())
     rows = [
-        [number(one.ratio), number(one.efficiency), one.gear, words(one.engaged)] for one in found
+        [number(one.ratio), number(one.efficiency), one.gear, words(one.engaged)] for one in others
     ]
-    if any(one.holding for one in found):
+    if any(one.holding for one in others):
         columns.append(text("holding"))
-        for row, one in zip(rows, found, strict=True):
+        for row, one in zip(rows, others, strict=True):
             row.append(words(one.holding))
     return Grid(title, columns, rows)
 

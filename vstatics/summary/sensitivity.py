@@ -50,12 +50,12 @@ def sensitivities(results: Results) -> Floats:
     third = np.array([mechanism.third for mechanism in case.mechanisms], dtype=int)
     with np.errstate(all="ignore"):
         motion = speeds[:, first] - speeds[:, third]
-        found = torques[:, elements:-1] * motion / output_power[:, np.newaxis]
+        relative = torques[:, elements:-1] * motion / output_power[:, np.newaxis]
     # an idle one turns as one piece or carries nothing, which no internal ratio changes
     idle = np.array([state.search.idle for state in states])
     idle &= np.isfinite(alone.ratio)[:, np.newaxis]
-    found = np.where(idle, 0.0, found)
-    return np.where(np.isfinite(found), found + 0.0, np.nan)
+    relative = np.where(idle, 0.0, relative)
+    return np.where(np.isfinite(relative), relative + 0.0, np.nan)
 
 
 def _without_torques(results: Results) -> Results:

@@ -50,11 +50,11 @@ def transitions(results: Results) -> list[Transition]:
     >>> transition.released, transition.engaged, transition.word
     (['B'], ['C'], 'single')
     """
-    found = ranges(results)
+    comparable = ranges(results)
     return [
         transition
         for distance in (1, 2)
-        for indices in found
+        for indices in comparable
         for transition in _over(results, indices, distance)
     ]
 

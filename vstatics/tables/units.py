@@ -25,7 +25,7 @@ def physical(results: Results, relative: Sequence[Table]) -> list[Table]:
     """The tables with units, made of those without."""
     by_name = {table.quantity.name: table for table in relative}
     gears = [gear.name for gear in results.case.gears]
-    made = []
+    filled = []
     with np.errstate(over="ignore", invalid="ignore"):
         by_unit = scales(results)
         powers = dict(zip(("input_power_kW", "output_power_kW"), _ports(results), strict=True))
@@ -36,8 +36,8 @@ def physical(results: Results, relative: Sequence[Table]) -> list[Table]:
             values = by_name[quantity.of].values * scale if quantity.of else powers[quantity.name]
             rows = [quantity.key] if quantity.rows == "one" else by_name[quantity.of].rows
             finite = np.where(np.isfinite(values), values + 0.0, np.nan)
-            made.append(Table(quantity, rows, gears, finite.reshape(len(rows), len(gears))))
-    return made
+            filled.append(Table(quantity, rows, gears, finite.reshape(len(rows), len(gears))))
+    return filled
 
 
 def scales(results: Results) -> dict[str, Floats]:

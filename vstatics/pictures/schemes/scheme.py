@@ -119,7 +119,7 @@ def scheme_of(case: Transmission) -> Scheme:
 
 
 def _mechanisms(case: Transmission) -> list[Device]:
-    found: list[Device] = []
+    devices: list[Device] = []
     number = 0
     for part in parts_of(case):
         numbers = tuple(range(number, number + len(part.lowered)))
@@ -127,11 +127,11 @@ def _mechanisms(case: Transmission) -> list[Device]:
         if part.element is None:
             mechanism = part.lowered[0].mechanism
             shape = _shape_of(mechanism)
-            found.append(Device(part.name, *shape, numbers, ratio=mechanism.ratio))
+            devices.append(Device(part.name, *shape, numbers, ratio=mechanism.ratio))
         else:
             kind = part.element.kind
-            found.append(Device(part.name, kind, part.members, numbers, part.element))
-    return found
+            devices.append(Device(part.name, kind, part.members, numbers, part.element))
+    return devices
 
 
 def _shape_of(mechanism: Mechanism) -> tuple[str, dict[str, int]]:
@@ -155,8 +155,8 @@ def _shift_elements(elements: Sequence[ShiftElement]) -> list[Device]:
 
 
 def _ports(first: int, last: int, gear: Gear) -> list[Port]:
-    given = dict.fromkeys([*gear.speeds, *gear.torques])
-    return [Port(first, "input"), Port(last, "output"), *(Port(link, "given") for link in given)]
+    further = dict.fromkeys([*gear.speeds, *gear.torques])
+    return [Port(first, "input"), Port(last, "output"), *(Port(link, "given") for link in further)]
 
 
 def scheme_state(scheme: Scheme, state: PictureState) -> SchemeState:

@@ -138,13 +138,9 @@ def _names(device: Device, style: Style) -> tuple[str, str]:
     return wrapped(device.name), "" if is_set else word(device.kind, style)
 
 
-def _label_width(device: Device, style: Style) -> float:
-    name, kind = _names(device, style)
-    return max(width_of(name, bold=True), width_of(kind, SMALL)) + BESIDE
-
-
 def _element_item(index: int, device: Device, glyphs: list[Glyph], style: Style) -> Item:
-    label = _label_width(device, style)
+    name, kind = _names(device, style)
+    label = max(width_of(name, bold=True), width_of(kind, SMALL)) + BESIDE
     variants = [[tap._replace(x=tap.x + label) for tap in glyph.taps] for glyph in glyphs]
     return Item(index, [glyph.width + label for glyph in glyphs], variants, rank=index)
 
