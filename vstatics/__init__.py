@@ -22,7 +22,8 @@ from typing import TYPE_CHECKING, Any
 
 from vstatics.errors import CaseError, Place, Problem, ReadError, VstaticsError
 from vstatics.extras import __version__
-from vstatics.model.transmission import Gear, Load, Mechanism, ShiftElement, Transmission
+from vstatics.model.parts import Load
+from vstatics.model.transmission import Gear, Mechanism, ShiftElement, Transmission
 from vstatics.readers import load
 from vstatics.statics.matrix import distribution_matrix
 from vstatics.statics.results import Message, Results

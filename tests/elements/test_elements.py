@@ -16,7 +16,7 @@ from vstatics.elements.kinds import KINDS
 from vstatics.errors import CaseError, ReadError
 from vstatics.model.transmission import Gear, ShiftElement
 from vstatics.readers import read
-from vstatics.tables.table import Table
+from vstatics.tables.quantity import Table
 from vstatics.tables.values import tables
 from vstatics.templates import TEMPLATES, template
 

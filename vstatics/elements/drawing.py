@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -63,7 +63,11 @@ def _devices(drawn: Sequence[DrawnPart]) -> Iterator[OwnDevice]:
                 places.setdefault(member, []).append((index, place))
         members = [Member(name, link, tuple(places[name])) for name, link in part.members.items()]
         yield OwnDevice(
-            part.name, numbers, tuple(members), tuple(_planets(part, numbers)), _meshes(part)
+            part.name,
+            numbers,
+            tuple(members),
+            tuple(_planets(part, numbers, places)),
+            _meshes(part),
         )
 
 
@@ -76,7 +80,9 @@ def _meshes(part: DrawnPart) -> tuple[bool, ...]:
     return tuple(first not in group.planets or group.is_known(first) for first in firsts)
 
 
-def _planets(part: DrawnPart, numbers: Sequence[int]) -> Iterator[Planet]:
+def _planets(
+    part: DrawnPart, numbers: Sequence[int], places: Mapping[str, Sequence[tuple[int, int]]]
+) -> Iterator[Planet]:
     """All planets and idlers of a part that turn against a carrier."""
     element, mechanism = part.element, part.lowered[0].mechanism
     if element is not None and isinstance(element.shape, Planetary):
@@ -86,7 +92,7 @@ def _planets(part: DrawnPart, numbers: Sequence[int]) -> Iterator[Planet]:
             wheels = tuple(
                 WheelOfPlanet(
                     wheel.link,
-                    next(_places(part, wheel.member, numbers))[0],
+                    places[wheel.member][0][0],
                     float(group.relative(wheel, train)),
                 )
                 for wheel in group.wheels_of(train)

@@ -17,13 +17,14 @@ VERSION = 1
 
 def write(case: Transmission, explained: Sequence[Explanation]) -> str:
     """Explanations of gears as one JSON object."""
-    made = {
-        "format": "vstatics-explanation",
-        "version": VERSION,
-        "case": case.name,
-        "gears": [document(one) for one in explained],
-    }
-    return json_text(made)
+    return json_text(
+        {
+            "format": "vstatics-explanation",
+            "version": VERSION,
+            "case": case.name,
+            "gears": [document(one) for one in explained],
+        }
+    )
 
 
 def document(one: Explanation) -> dict[str, Any]:

@@ -88,18 +88,10 @@ def torque_system(  # noqa: PLR0913 - all of them make the equations
     *,
     drag: Mapping[int, float],
 ) -> System:
-    """The equilibrium of each link of a gear (figure 4).
+    """The equilibrium of each link of a gear (figure 4); parameters as of `speed_system`.
 
-    Parameters
-    ----------
-    gear : Gear
-        With the freewheels that hold among the engaged elements.
-    matrix : ndarray, shape (links, devices)
-        Structural-distribution matrix, with losses or without. [-]
-    torques : Torques
-        Without losses or with them.
-    drag : mapping of int to float
-        Link -> external torque of drag. [-]
+    Matrix and torques are both without losses or both with them; `drag` is link -> external
+    torque of drag [-].
     """
     rows: list[list[Term]] = [[] for _ in range(case.links + 1)]
     values: dict[str, float] = {}

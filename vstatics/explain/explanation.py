@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -97,7 +97,7 @@ def explain(results: Results, number: int) -> Explanation:
     fault = FAULTS.get(state.status, "")
     own = on_own_links(case)
     bodies = None if fault else structure(own, gear)
-    together = _together(own, gear, bodies) if bodies else []
+    together = list(_together(own, gear, bodies)) if bodies else []
     one_piece, standing = _pieces(own, bodies) if bodies else ([], [])
     ratio, reason = _formula(state, names, own, bodies) if bodies else (None, fault)
     return Explanation(
@@ -163,33 +163,26 @@ def _formula(
     return ratio, ""
 
 
-def _together(own: OwnLinks, gear: Gear, found: Structure) -> list[Together]:
+def _together(own: OwnLinks, gear: Gear, bodies: Structure) -> Iterator[Together]:
     """Bodies of more than one link, what stands first."""
     case = own.case
-    bodies: dict[int, list[int]] = {}
-    for link, body in enumerate(found.body):
-        bodies.setdefault(body, []).append(link)
-    together = []
-    for body, links in bodies.items():
+    elements = [case.shift_elements[number - 1] for number in gear.engaged]
+    for body in dict.fromkeys(bodies.body):
+        links = [link for link, other in enumerate(bodies.body) if other == body]
         if len(links) > 1:
-            engaged = [
-                case.shift_elements[n - 1].name
-                for n in gear.engaged
-                if found.body[case.shift_elements[n - 1].first] == body
-            ]
-            named = [case.link_name(link) for link in links if link != HOUSING]
-            together.append(Together(named, body == HOUSING, engaged))
-    return together
+            names = [case.link_name(link) for link in links if link != HOUSING]
+            engaged = [one.name for one in elements if bodies.body[one.first] == body]
+            yield Together(names, body == HOUSING, engaged)
 
 
-def _pieces(own: OwnLinks, found: Structure) -> tuple[list[str], list[str]]:
+def _pieces(own: OwnLinks, structure: Structure) -> tuple[list[str], list[str]]:
     """Names of elements, or mechanisms, that turn as one piece, and of those that stand.
 
     What is joined to the housing for good turns as one piece only when it stands.
     """
     one_piece, standing = [], []
     for part in own.parts:
-        bodies = {found.body[link] for one in part.lowered for link in one.mechanism.links}
+        bodies = {structure.body[link] for one in part.lowered for link in one.mechanism.links}
         if bodies == {HOUSING}:
             standing.append(part.name)
         elif len(bodies) == 1:

@@ -26,7 +26,7 @@ def factored(polynomial: Polynomial) -> Factored:
         if factor.is_ground:
             number *= factor.LC**power
             continue
-        turned = _looks_better(-factor, factor)
+        turned = _looks(-factor) > _looks(factor)
         factors.append((-factor if turned else factor, power))
         number = -number if turned and power % 2 else number
     return Factored(int(number), factors)
@@ -58,11 +58,6 @@ def balance(polynomial: Polynomial) -> int:
     return sum(1 if factor > 0 else -1 for _, factor in polynomial.terms())
 
 
-def _looks_better(one: Polynomial, other: Polynomial) -> bool:
-    """More terms above 0; else the constant is above 0, else the first term."""
-
-    def rank(polynomial: Polynomial) -> tuple[int, bool, bool]:
-        constant = polynomial.coeff(1)
-        return balance(polynomial), constant > 0, polynomial.LC > 0
-
-    return rank(one) > rank(other)
+def _looks(polynomial: Polynomial) -> tuple[int, bool, bool]:
+    """How well it looks: more terms above 0; else the constant is above 0, else the first term."""
+    return balance(polynomial), polynomial.coeff(1) > 0, polynomial.LC > 0

@@ -25,11 +25,6 @@ class Notation(NamedTuple):
     """Between two brackets."""
 
 
-def neutral(count: int) -> Notation:
-    """Symbols of equal length, so that names do not decide on the form."""
-    return Notation(["u"] * count)
-
-
 def python(count: int) -> Notation:
     """An expression that Python and SymPy read; its symbols are u1, u2, ..."""
     return Notation([f"u{number}" for number in range(1, count + 1)], "*", "**", "*")
@@ -66,12 +61,14 @@ def fraction(value: Fraction, notation: Notation) -> str:
     >>> fraction((u - 1) / u * (1 - v), Notation("uv"))
     '(1 - 1/u)(1 - v)'
     """
-    forms = [form for form in (_in_factors, _by_terms, _one_and_rest) if form(value, notation)]
     if len(factored(value.numer).factors) > 1:
-        forms = forms[:1]  # a product is to be seen as one
-    measure = neutral(len(notation.symbols))
-    shortest = min(forms, key=lambda form: len(_text(form(value, measure))))
-    return _text(shortest(value, notation))
+        return _in_factors(value, notation).text  # a product is to be seen as one
+    measure = Notation(["u"] * len(notation.symbols))  # names do not decide on the form
+    measured, texts = (
+        [form.text for form in (write(value, how) for write in _FORMS) if form is not None]
+        for how in (measure, notation)
+    )
+    return min(zip(measured, texts, strict=True), key=lambda pair: len(pair[0]))[1]
 
 
 def weighted(values: Sequence[Fraction], unknowns: Sequence[str], notation: Notation) -> str:
@@ -103,10 +100,6 @@ def weighted(values: Sequence[Fraction], unknowns: Sequence[str], notation: Nota
     if over.text == "1":
         return written
     return f"({written})/{over.divisor}" if len(values) > 1 else f"{written}/{over.divisor}"
-
-
-def _text(written: _Written | None) -> str:
-    return "" if written is None else written.text
 
 
 def _signed(polynomial: Polynomial, notation: Notation) -> tuple[str, _Written]:
@@ -194,6 +187,9 @@ def _one_and_rest(value: Fraction, notation: Notation) -> _Written | None:
     return _Written(f"1 {sign} {_quotient(above, below, notation).factor}", is_sum=True)
 
 
+_FORMS = (_in_factors, _by_terms, _one_and_rest)
+
+
 def _ordered(polynomial: Polynomial) -> list[Polynomial]:
     """Its terms: those above 0 first, and of each kind the short ones first."""
     terms = sorted(polynomial.terms(), key=lambda term: (term[1] < 0, sum(term[0])))
@@ -206,10 +202,7 @@ def _product(
 ) -> _Written:
     """A product, single symbols before sums, in the order of the symbols.
 
-    Parameters
-    ----------
-    inverse : list
-        Symbols u of further factors ``1 - 1/u``, each with its power.
+    `inverse` has the symbols u of further factors ``1 - 1/u``, each with its power.
     """
     factors = [
         (len(factor) > 1, _position(factor), _sum(factor, notation), power)

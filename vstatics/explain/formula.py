@@ -119,9 +119,7 @@ def formula(
 
 
 def _of_ratio(ratio: Any, symbols: Sequence[Symbol]) -> Formula:
-    occurring = sorted(_occurring(ratio))
-    kept = [symbols[number] for number in occurring]
-    renamed = _in_symbols(ratio, {number: place for place, number in enumerate(occurring)})
+    kept, [renamed] = _in_occurring([ratio], symbols)
     text = forms.fraction(renamed, forms.Notation([one.name for one in kept]))
     shared, shorter = _shared(renamed, kept)
     return Formula(
@@ -139,10 +137,7 @@ def _of_ratio(ratio: Any, symbols: Sequence[Symbol]) -> Formula:
 def _of_speed(
     output: str, shares: Sequence[Any], speeds: Mapping[str, float], symbols: Sequence[Symbol]
 ) -> Formula:
-    occurring = sorted(set().union(*map(_occurring, shares)))
-    kept = [symbols[number] for number in occurring]
-    places = {number: place for place, number in enumerate(occurring)}
-    renamed = [_in_symbols(share, places) for share in shares]
+    kept, renamed = _in_occurring(shares, symbols)
     notation = forms.Notation([one.name for one in kept])
     unknowns = [f"w{number}" for number in range(1, len(speeds) + 1)]
     numbers = zip(renamed, speeds.values(), strict=True)
@@ -158,10 +153,15 @@ def _of_speed(
     )
 
 
-def _occurring(value: Any) -> set[int]:
-    """Numbers of the symbols in a fraction of polynomials."""
-    terms = [*value.numer.terms(), *value.denom.terms()]
-    return {place for powers, _ in terms for place, power in enumerate(powers) if power}
+def _in_occurring(
+    values: Sequence[Any], symbols: Sequence[Symbol]
+) -> tuple[list[Symbol], list[Any]]:
+    """The symbols that occur in fractions of polynomials, and the fractions in these alone."""
+    polynomials = [part for value in values for part in (value.numer, value.denom)]
+    terms = [powers for part in polynomials for powers in part.monoms()]
+    occurring = sorted({place for powers in terms for place, power in enumerate(powers) if power})
+    places = {number: place for place, number in enumerate(occurring)}
+    return [symbols[number] for number in occurring], [_in_symbols(one, places) for one in values]
 
 
 def _in_symbols(value: Any, places: Mapping[int, int]) -> Any:

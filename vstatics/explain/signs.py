@@ -37,13 +37,13 @@ def signs_of(state: GearState) -> list[PowerSign]:
     case, elements = state.case, len(state.case.shift_elements)
     speeds = [0.0, *map(plain, state.speeds)]
     torques = map(plain, state.ideal.torques_with_drag.on_first_link[elements:-1])
-    found = []
+    signs = []
     for place, (mechanism, torque) in enumerate(zip(case.mechanisms, torques, strict=True)):
         first, third = speeds[mechanism.first], speeds[mechanism.third]
         motion = 0.0 if is_tie(abs(first - third), abs(first), abs(third)) else first - third
         sign, efficiency = state.signs[place], state.ideal.variant.efficiencies[place]
         power = torque * motion
-        found.append(
+        signs.append(
             PowerSign(
                 mechanism=mechanism.name,
                 torque=torque,
@@ -56,7 +56,7 @@ def signs_of(state: GearState) -> list[PowerSign]:
                 why=_why(state, place, motion, power),
             )
         )
-    return found
+    return signs
 
 
 def _why(state: GearState, place: int, motion: float, power: float) -> str:

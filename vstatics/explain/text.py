@@ -84,8 +84,8 @@ def _system(system: System, *, with_symbols: bool) -> Iterator[str]:
 def _solution(system: System) -> Iterator[str]:
     """What the equations determine."""
     values = system.values
-    known = [f"{unknown} = {short(values[unknown])}" for unknown in values if _is(values[unknown])]
-    unknown = [name for name in values if not _is(values[name])]
+    unknown = [name for name, value in values.items() if math.isnan(value)]
+    known = [f"{name} = {short(values[name])}" for name in values if name not in unknown]
     if not known:
         yield f"{INDENT}solution: there is none"
         return
@@ -96,14 +96,9 @@ def _solution(system: System) -> Iterator[str]:
         yield from wrap(text, WIDTH, initial_indent=INDENT * 2, subsequent_indent=INDENT * 3)
 
 
-def _is(value: float) -> bool:
-    """Whether a value exists."""
-    return not math.isnan(value)
-
-
 def _losses(one: Explanation) -> Iterator[str]:
     """The signs, and the torque equations with ratios that have losses in them."""
-    if one.torques is None or not any(map(_is, one.torques.values.values())):
+    if one.torques is None or all(map(math.isnan, one.torques.values.values())):
         return
     yield from (
         "",
@@ -138,10 +133,10 @@ def _sign(sign: PowerSign) -> Iterator[str]:
         yield f"{label}{sign.why}, u = {short(sign.ratio)}"
         return
     product = f"{short(sign.torque)} x {_bracketed(sign.motion)} = {short(sign.power)}: "
-    known = _is(sign.torque) and _is(sign.motion)
+    known = not (math.isnan(sign.torque) or math.isnan(sign.motion))
     text = f"{label}{product * known}{sign.why}"
     yield from wrap(text, WIDTH, initial_indent="", subsequent_indent=INDENT * 3)
-    if not _is(sign.lossy_ratio):
+    if math.isnan(sign.lossy_ratio):
         return
     way = {1: f" x {short(sign.efficiency)} =", -1: f" / {short(sign.efficiency)} ="}
     with_loss = f"{short(sign.ratio)}{way[int(sign.sign)]} " if sign.sign else ""

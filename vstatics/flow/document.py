@@ -23,13 +23,7 @@ CONVENTIONS = {
 
 
 def write(name: str, gears: Sequence[GearFlow]) -> str:
-    """The power of gears as one JSON object.
-
-    Parameters
-    ----------
-    name : str
-        Of the case.
-    """
+    """The power of gears of a case, by its name, as one JSON object."""
     return json_text(
         {
             "format": "vstatics-flow",
@@ -70,8 +64,8 @@ def _side(side: PowerFlow | None) -> dict[str, Any] | None:
         ],
         "edges": _edges(side.edges),
         "forward": _edges(side.forward),
-        "loops": [_loop(loop) for loop in side.loops],
-        "locked_in": [_loop(loop) for loop in side.locked_in],
+        "loops": _loops(side.loops),
+        "locked_in": _loops(side.locked_in),
     }
 
 
@@ -79,5 +73,5 @@ def _edges(edges: Sequence[Edge]) -> list[dict[str, Any]]:
     return [{"from": one.source, "to": one.target, "power": one.power} for one in edges]
 
 
-def _loop(loop: Loop) -> dict[str, Any]:
-    return {"power": loop.power, "nodes": loop.nodes}
+def _loops(loops: Sequence[Loop]) -> list[dict[str, Any]]:
+    return [{"power": loop.power, "nodes": loop.nodes} for loop in loops]

@@ -8,7 +8,6 @@ from vstatics.flow.circulation import Node
 from vstatics.model.transmission import HOUSING
 from vstatics.numerics.traced import plain
 from vstatics.statics.bodies import is_one_piece
-from vstatics.statics.power import LinkPower
 from vstatics.statics.state import GearState
 
 
@@ -25,12 +24,10 @@ class Exchange(NamedTuple):
 
 def exchanges(state: GearState, *, lossy: bool) -> list[Exchange]:
     """Of devices, then of ports, then of drag."""
-    return [_exchange(one) for one in state.powers(lossy=lossy)]
-
-
-def _exchange(given: LinkPower) -> Exchange:
-    node = Node(given.kind, given.number, given.name)
-    return Exchange(node, given.member, given.link, plain(given.power))
+    return [
+        Exchange(Node(one.kind, one.number, one.name), one.member, one.link, plain(one.power))
+        for one in state.powers(lossy=lossy)
+    ]
 
 
 def links_of(state: GearState) -> dict[int, Node]:

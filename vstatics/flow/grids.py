@@ -66,9 +66,8 @@ def remarks(flow: GearFlow) -> Iterator[str]:
     if flow.note:
         yield f"with losses: {flow.note}"
     shown = flow.lossy or flow.ideal
-    given = (shown.entering, shown.leaving, shown.lost, shown.balance)
-    entering, leaving, lost, rest = map(fixed, given)
-    yield f"in {entering} - out {leaving} - lost {lost} = {rest}"
+    entering, leaving, lost = map(fixed, (shown.entering, shown.leaving, shown.lost))
+    yield f"in {entering} - out {leaving} - lost {lost} = {fixed(shown.balance)}"
     unknown = [str(node) for node in shown.unknown]
     if unknown:
         yield f"not determined: {', '.join(unknown)}"

@@ -8,7 +8,7 @@ and the drag of links; its edges are what they exchange. The housing has no powe
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -163,7 +163,12 @@ def _flow(state: GearState, *, lossy: bool) -> PowerFlow:
     """The power of a gear without or with losses."""
     everything = _without_noise(exchanges(state, lossy=lossy))
     links = links_of(state)
-    edges = tuple(_edges(everything, links))
+    powers = _by_link(everything, links)
+    edges = tuple(
+        Edge(link, node, power) if power > 0 else Edge(node, link, -power)
+        for (node, link), power in powers.items()
+        if abs(power) > 0
+    )
     order = [*links.values(), *dict.fromkeys(one.node for one in everything)]
     pieces = pieces_of(state)
     within = [e for e in edges if e.source in pieces and pieces[e.source] == pieces.get(e.target)]
@@ -179,59 +184,56 @@ def _flow(state: GearState, *, lossy: bool) -> PowerFlow:
             for one in everything
             if one.member
         ),
-        _throughput(everything, links),
+        _throughput(powers, order),
         _losses(state, exchanges(state, lossy=True)) if lossy else {},
-        -sum(given for given in at_ports if not given > 0) + 0.0,
-        sum(given for given in at_ports if not given < 0) + 0.0,
+        -sum(power for power in at_ports if not power > 0) + 0.0,
+        sum(power for power in at_ports if not power < 0) + 0.0,
         loops,
         at_rest.loops,
     )
 
 
-def _without_noise(given: Sequence[Exchange]) -> list[Exchange]:
+def _without_noise(exchanged: Sequence[Exchange]) -> list[Exchange]:
     """Powers that are nothing but rounding made 0."""
-    known = (abs(one.power) for one in given if not math.isnan(one.power))
+    known = (abs(one.power) for one in exchanged if not math.isnan(one.power))
     noise = NOISE * max(known, default=0.0)
-    return [one._replace(power=0.0) if abs(one.power) <= noise else one for one in given]
+    return [one._replace(power=0.0) if abs(one.power) <= noise else one for one in exchanged]
 
 
-def _edges(given: Sequence[Exchange], links: Mapping[int, Node]) -> Iterator[Edge]:
-    """What nodes and links exchange; of several members on one link only the rest."""
-    for (node, link), exchanged in _by_link(given).items():
-        if exchanged > 0:
-            yield Edge(links[link], node, exchanged)
-        elif exchanged < 0:
-            yield Edge(node, links[link], -exchanged)
-
-
-def _by_link(given: Sequence[Exchange]) -> dict[tuple[Node, int], float]:
-    """What each node gets from each link, the housing apart."""
-    found: dict[tuple[Node, int], float] = {}
-    for one in given:
+def _by_link(
+    exchanged: Sequence[Exchange], links: Mapping[int, Node]
+) -> dict[tuple[Node, Node], float]:
+    """What each node gets from each link, the housing apart, by node and link."""
+    powers: dict[tuple[Node, Node], float] = {}
+    for one in exchanged:
         if one.link != HOUSING:
-            found[one.node, one.link] = found.get((one.node, one.link), 0.0) + one.power
-    return found
+            pair = one.node, links[one.link]
+            powers[pair] = powers.get(pair, 0.0) + one.power
+    return powers
 
 
-def _throughput(given: Sequence[Exchange], links: Mapping[int, Node]) -> dict[Node, float]:
+def _throughput(
+    powers: Mapping[tuple[Node, Node], float], nodes: Sequence[Node]
+) -> dict[Node, float]:
     """What enters each node; a port passes what it exchanges."""
-    found = dict.fromkeys([*links.values(), *(one.node for one in given)], 0.0)
-    for (node, link), exchanged in _by_link(given).items():
-        if not exchanged < 0 or node.kind == "port":
-            found[node] += abs(exchanged)
-        if not exchanged > 0:
-            found[links[link]] -= exchanged
-    return found
+    entering = dict.fromkeys(nodes, 0.0)
+    for (node, link), power in powers.items():
+        if not power < 0 or node.kind == "port":
+            entering[node] += abs(power)
+        if not power > 0:
+            entering[link] -= power
+    return entering
 
 
-def _losses(state: GearState, given: Sequence[Exchange]) -> dict[Node, float]:
+def _losses(state: GearState, exchanged: Sequence[Exchange]) -> dict[Node, float]:
     """Of each mechanism or drawn element, open shift element and link."""
-    found: dict[Node, float] = {}
+    losses: dict[Node, float] = {}
     for number, device in enumerate(state.case.own_devices, 1):
         lost = sum(plain(state.losses[index]) for index in device.mechanisms)
-        found[Node("mechanism", number, device.name)] = lost * state.ideal.variant.direction + 0.0
-    for one in given:
+        loss = lost * state.ideal.variant.direction + 0.0
+        losses[Node("mechanism", number, device.name)] = loss
+    for one in exchanged:
         drags = one.node.kind == "element" and one.node.number - 1 in state.drag.elements
         if drags or one.node.kind == "drag":
-            found[one.node] = found.get(one.node, 0.0) + one.power
-    return found
+            losses[one.node] = losses.get(one.node, 0.0) + one.power
+    return losses

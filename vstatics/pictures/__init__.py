@@ -56,15 +56,12 @@ _METADATA: dict[Format, dict[str, Any]] = {
 
 
 def picture(results: Results, kind: str, style: Style, gear: int | None = None) -> Figure:
-    """A picture of a result, as a figure of matplotlib.
+    """A picture of the results of one case, as a figure of matplotlib.
 
     Parameters
     ----------
-    results : Results
-        Of one case.
     kind : str
         One of `PICTURES`.
-    style : Style
     gear : int, optional
         Number of the only gear that is to be shown, from 1.
 

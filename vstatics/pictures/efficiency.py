@@ -4,25 +4,22 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
+from matplotlib.figure import Figure
 
 from vstatics.errors import CaseError, Problem
+from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Floats
 from vstatics.pictures import labels
 from vstatics.pictures.labels import LEADER, Label, Panel
 from vstatics.pictures.state import state_of
 from vstatics.pictures.style import TITLE, Style, number
 from vstatics.pictures.words import fault, title
+from vstatics.statics.results import Results
 from vstatics.statics.status import LOCKED
 from vstatics.tables.values import tables
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
-
-    from vstatics.model.transmission import Transmission
-    from vstatics.statics.results import Results
 
 HIGH = 230.0
 """Of the axes. [pt]"""

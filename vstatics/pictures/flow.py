@@ -43,7 +43,7 @@ POWER, LOSS, LOOP = 0, 1, 3
 """Colours."""
 
 
-class _Gear(NamedTuple):
+class _GearPart(NamedTuple):
     """What is drawn of a gear."""
 
     title: str
@@ -76,8 +76,8 @@ def draw(results: Results, style: Style, gear: int | None) -> Figure:
     >>> [text.get_text() for text in figure.axes[0].texts if "circulates" in text.get_text()][-1]
     'circulates 1.000: 100.0% of the power in'
     """
-    found = flows(results)
-    return _figure(results, [found[gear - 1]] if gear else found, style)
+    every = flows(results)
+    return _figure(results, [every[gear - 1]] if gear else every, style)
 
 
 def sheets(results: Results, style: Style) -> list[Figure]:
@@ -89,7 +89,7 @@ def _figure(results: Results, chosen: Sequence[GearFlow], style: Style) -> Figur
     layouts = placed(chosen, style)
     wide = max([LEAST, *(one.width for one in layouts if one)])
     gears = [
-        _Gear(gear_title(flow.gear, style), heading(flow, wide, style), placing)
+        _GearPart(gear_title(flow.gear, style), heading(flow, wide, style), placing)
         for flow, placing in zip(chosen, layouts, strict=True)
     ]
     case = wrapped(results.case.name, wide, TITLE)
@@ -143,7 +143,7 @@ def _legend(panel: Panel, y: float, shown: Sequence[FlowLayout], style: Style) -
             x += 32 + labels.width(text)
 
 
-def _draw_gear(panel: Panel, top: float, one: _Gear, style: Style) -> None:
+def _draw_gear(panel: Panel, top: float, one: _GearPart, style: Style) -> None:
     """A gear below a height."""
     panel.write(MARGIN, top, one.title, va="top", size=TITLE, weight="bold", color=style.ink)
     panel.write(MARGIN, top - height("", TITLE), one.heading, va="top", color=style.soft)

@@ -141,9 +141,9 @@ def across(
         texts[at] = max(texts[at], width(words) + 2 * CLEAR)
     for number, room in needed.items():
         first, last = layers[bands[number].target], layers[bands[number].source]
-        given = sum(wide[first : last + 1]) + sum(texts[first:last])
+        taken = sum(wide[first : last + 1]) + sum(texts[first:last])
         for place in range(first, last + 1):
-            wide[place] += max(room - given, 0.0) / (last - first + 1)
+            wide[place] += max(room - taken, 0.0) / (last - first + 1)
     middles, behind, x = [], [], 0.0
     leaving: dict[int, float] = {}
     arriving: dict[int, float] = {}

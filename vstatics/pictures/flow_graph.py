@@ -29,8 +29,7 @@ class Band(NamedTuple):
     @property
     def pairs(self) -> tuple[tuple[Node, Node], ...]:
         """Neighbours along the band."""
-        way = (self.source, *self.between, self.target)
-        return tuple(pairwise(way))
+        return tuple(pairwise((self.source, *self.between, self.target)))
 
 
 class Graph(NamedTuple):
@@ -138,9 +137,9 @@ def _layers(nodes: Iterable[Node], pairs: Sequence[tuple[Node, Node]]) -> dict[N
 def _losses(side: PowerFlow) -> dict[Node, float]:
     """Losses above rounding; the drag of a link leaves at the link itself."""
     least = NOISE * max((edge.power for edge in side.edges), default=0.0)
-    given = side.losses.items()
-    found = {node: loss for node, loss in given if loss > least and node.kind != "drag"}
+    by_node = side.losses.items()
+    losses = {node: loss for node, loss in by_node if loss > least and node.kind != "drag"}
     for edge in side.forward:
         if edge.target.kind == "drag":
-            found[edge.source] = found.get(edge.source, 0.0) + edge.power
-    return found
+            losses[edge.source] = losses.get(edge.source, 0.0) + edge.power
+    return losses

@@ -115,14 +115,7 @@ class FlowLayout(NamedTuple):
 
 
 def layout(graph: Graph, scale: float, texts: FlowTexts) -> FlowLayout:
-    """Places of all that is drawn of a gear.
-
-    Parameters
-    ----------
-    graph : Graph
-    scale : float
-        Width of a band of power 1. [pt]
-    texts : FlowTexts
+    """Places of all that is drawn of a gear; a band of power 1 has the width `scale` [pt].
 
     Examples
     --------

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from itertools import combinations, pairwise
 
 from vstatics.pictures.flow_columns import SPACE, FlowCell, Key, NodeColumns, key
@@ -30,7 +30,8 @@ def tops(graph: Graph, cells: NodeColumns) -> dict[Key, float]:
         From the top of the picture to the top of the band or node. [pt]
     """
     near = _neighbours(graph, cells)
-    columns = _ordered([_keyed(*column) for column in enumerate(cells.cells)], near, graph)
+    keyed = [{key(layer, one): one for one in own} for layer, own in enumerate(cells.cells)]
+    columns = _ordered(keyed, near, graph)
     places = {own: 60.0 * row for column in columns for row, own in enumerate(column)}
     for sweep in range(SWEEPS):
         sides = near if sweep >= SWEEPS / 2 else near[sweep % 2 : sweep % 2 + 1]
@@ -47,10 +48,6 @@ def tops(graph: Graph, cells: NodeColumns) -> dict[Key, float]:
     deep = {own: places[own] - one.thick / 2 for column in columns for own, one in column.items()}
     highest = min(deep[own] - one.above for column in columns for own, one in column.items())
     return {own: top - highest for own, top in deep.items()}
-
-
-def _keyed(layer: int, column: Sequence[FlowCell]) -> dict[Key, FlowCell]:
-    return {key(layer, one): one for one in column}
 
 
 def _neighbours(graph: Graph, cells: NodeColumns) -> tuple[_Near, _Near]:
@@ -84,10 +81,10 @@ def _ordered(
 ) -> list[dict[Key, FlowCell]]:
     """The columns in an order with few crossings; neighbours are exchanged as long as it helps."""
     looped = {node for band in graph.bands if band.loop is not None for node in band.pairs[0]}
-    given = [list(column) for column in columns]
-    lower = [sorted(column, key=lambda own: own[1] in looped) for column in given]
-    best, least = given, math.inf
-    for turn, start in enumerate([given, lower] * ROUNDS):
+    orders = [list(column) for column in columns]
+    lower = [sorted(column, key=lambda own: own[1] in looped) for column in orders]
+    best, least = orders, math.inf
+    for turn, start in enumerate([orders, lower] * ROUNDS):
         found, crossings = _exchanged(start, near[1], graph)
         if crossings < least * BETTER:
             best, least = found, crossings
@@ -110,10 +107,11 @@ def _exchanged(
     columns: list[list[Key]], after: _Near, graph: Graph
 ) -> tuple[list[list[Key]], float]:
     """The same with neighbours exchanged wherever this saves crossings, and these."""
+    places = [(number, rank) for number, one in enumerate(columns) for rank in range(len(one) - 1)]
     least, before = _crossings(columns, after, graph), math.inf
     while least < before * BETTER:
         before = least
-        for number, rank in _pairs(columns):
+        for number, rank in places:
             column = columns[number]
             swapped = [*column[:rank], column[rank + 1], column[rank], *column[rank + 2 :]]
             tried = [*columns[:number], swapped, *columns[number + 1 :]]
@@ -123,17 +121,10 @@ def _exchanged(
     return [list(column) for column in columns], least
 
 
-def _pairs(columns: Sequence[Sequence[Key]]) -> Iterator[tuple[int, int]]:
-    """Column and place of the upper one of each two neighbours."""
-    return (
-        (number, rank) for number, column in enumerate(columns) for rank in range(len(column) - 1)
-    )
-
-
 def _crossings(columns: Sequence[Sequence[Key]], after: _Near, graph: Graph) -> float:
     """Of each two bands that cross the product of powers; what goes back crosses all below."""
     ranks = {own: rank for column in columns for rank, own in enumerate(column)}
-    found = 0.0
+    total = 0.0
     for column in columns:
         bands = [
             (ranks[own], ranks[other], power)
@@ -142,9 +133,9 @@ def _crossings(columns: Sequence[Sequence[Key]], after: _Near, graph: Graph) -> 
         ]
         for (start, end, power), (first, last, another) in combinations(bands, 2):
             if (start - first) * (end - last) < 0:
-                found += power * another
+                total += power * another
         for band in graph.bands:
             ends = (band.source, band.target) if band.back else ()
             for rank in (ranks[own] for own in column if own[1] in ends):
-                found += band.power * sum(power for start, _, power in bands if start > rank)
-    return found
+                total += band.power * sum(power for start, _, power in bands if start > rank)
+    return total

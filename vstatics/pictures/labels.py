@@ -4,17 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import cache
-from typing import TYPE_CHECKING, Any, Literal, NamedTuple
+from typing import Any, Literal, NamedTuple
 
+from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.font_manager import FontProperties
 from matplotlib.patches import Rectangle
 
 from vstatics.pictures.style import FONT, SIZE
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
 
 POINTS = 72.0
 """In an inch."""
@@ -70,10 +68,10 @@ def spread(
             count += others
         pools.append((mean, count))
     means = [mean for mean, count in pools for _ in range(count)]
-    found = [0.0] * len(order)
+    places = [0.0] * len(order)
     for place, start, mean in zip(order, starts, means, strict=True):
-        found[place] = max(min(mean, high - taken), low) + start
-    return found
+        places[place] = max(min(mean, high - taken), low) + start
+    return places
 
 
 @cache

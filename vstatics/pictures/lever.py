@@ -11,7 +11,9 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from itertools import accumulate
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
+
+from matplotlib.figure import Figure
 
 from vstatics.elements.drawing import parts_of
 from vstatics.elements.group import group_of
@@ -25,11 +27,7 @@ from vstatics.pictures.lever_marks import MARGIN, mark_of
 from vstatics.pictures.state import PictureState, state_of
 from vstatics.pictures.style import TITLE, Style, number
 from vstatics.pictures.words import fault, gear_title, title
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
-
-    from vstatics.statics.results import Results
+from vstatics.statics.results import Results
 from vstatics.statics.status import CONFLICT, TIED_UP
 
 WIDE = 110.0
@@ -79,8 +77,8 @@ def levers(case: Transmission) -> list[Lever]:
     >>> [(node.link, node.position) for node in lever.nodes]
     [(1, -2.5), (3, 0.0), (2, 1.0)]
     """
-    found = [lever for part in parts_of(case) for lever in _of_part(part)]
-    return [lever for lever in found if sum(node.link != HOUSING for node in lever.nodes) > 1]
+    drawn = [lever for part in parts_of(case) for lever in _of_part(part)]
+    return [lever for lever in drawn if sum(node.link != HOUSING for node in lever.nodes) > 1]
 
 
 def _of_part(part: DrawnPart) -> Iterator[Lever]:

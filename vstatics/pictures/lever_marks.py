@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
+from vstatics.model.transmission import HOUSING
 from vstatics.pictures import labels
 from vstatics.pictures.labels import Panel
 from vstatics.pictures.state import PictureState
@@ -50,13 +51,14 @@ def mark_of(link: int, state: PictureState, style: Style) -> LinkMark:
     ['input, and what is joined to it', 'held']
     """
     first, last, held, other = _marks(style)
-    if link in state.joined.housing or state.gear.speeds.get(link) == 0:
+    body = state.joined[link]
+    if body == HOUSING or state.gear.speeds.get(link) == 0:
         return held
     if link == state.output:
         return last  # also where the input is joined to it
-    if link in state.joined.input:
+    if body == state.joined[state.input]:
         return first
-    return last if link in state.joined.output else other
+    return last if body == state.joined[state.output] else other
 
 
 def legend_height(style: Style, wide: float) -> float:

@@ -4,20 +4,18 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
+
+from matplotlib.figure import Figure
 
 from vstatics.errors import CaseError, Problem
+from vstatics.model.transmission import HOUSING, Transmission
 from vstatics.pictures import labels
 from vstatics.pictures.labels import LEADER, Label, Panel
-from vstatics.pictures.rays import SAME, KinematicPlan, Ray, plans
+from vstatics.pictures.rays import SAME, KinematicPlan, plans
 from vstatics.pictures.style import TITLE, Style, number
 from vstatics.pictures.words import title
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
-
-    from vstatics.model.transmission import Transmission
-    from vstatics.statics.results import Results
+from vstatics.statics.results import Results
 
 WIDE, HIGH = 300.0, 230.0
 """Of a plan without its labels. [pt]"""
@@ -56,16 +54,10 @@ def draw(results: Results, style: Style, gear: int | None) -> Figure:
 
 
 def sheets(results: Results, style: Style) -> list[Figure]:
-    """All plans of a case in figures that fit a printed page each.
-
-    Raises
-    ------
-    CaseError
-        If there is no plan.
-    """
-    found = plans(results)
-    starts = range(0, len(found), ON_SHEET)
-    return [_figure(results.case, found[n : n + ON_SHEET], style) for n in starts]
+    """All plans of a case in figures that fit a printed page each; errors as of `plans`."""
+    drawn = plans(results)
+    starts = range(0, len(drawn), ON_SHEET)
+    return [_figure(results.case, drawn[n : n + ON_SHEET], style) for n in starts]
 
 
 def _figure(case: Transmission, chosen: Sequence[KinematicPlan], style: Style) -> Figure:
@@ -83,7 +75,7 @@ def _figure(case: Transmission, chosen: Sequence[KinematicPlan], style: Style) -
     return figure
 
 
-class _Layout(NamedTuple):
+class _PlanLayout(NamedTuple):
     """Where the plans of a figure stand; lengths in points."""
 
     columns: int
@@ -96,7 +88,7 @@ class _Layout(NamedTuple):
     size: tuple[float, float]
 
 
-def _layout(case: Transmission, chosen: Sequence[KinematicPlan], style: Style) -> _Layout:
+def _layout(case: Transmission, chosen: Sequence[KinematicPlan], style: Style) -> _PlanLayout:
     columns = min(math.ceil(math.sqrt(len(chosen))), SIDE_BY_SIDE)
     names = [name for plan in chosen for name in _ray_names(case, plan)]
     left = MARGIN + LEADER + max(map(labels.width, names))
@@ -109,7 +101,7 @@ def _layout(case: Transmission, chosen: Sequence[KinematicPlan], style: Style) -
     head = labels.wrapped(title(case, subject), wide - 2 * MARGIN, TITLE)
     title_high = labels.height(head, TITLE) + 2 * MARGIN
     high = math.ceil(len(chosen) / columns) * up + title_high
-    return _Layout(columns, left, up, head, title_high, (wide, high))
+    return _PlanLayout(columns, left, up, head, title_high, (wide, high))
 
 
 def _draw_plan(panel: Panel, case: Transmission, plan: KinematicPlan, style: Style) -> None:
@@ -160,7 +152,9 @@ def _top(case: Transmission, plan: KinematicPlan, style: Style) -> _Top:
     """The names of gears, across if each can stand near to its vertical, else upwards."""
     low, high = _frame(plan)[:2]
     at = [(mark.output - low) / (high - low) * WIDE for mark in plan.marks]
-    neutral = Label(-low / (high - low) * WIDE, _neutral(plan, style), style.soft)
+    taken = any(abs(mark.output) < SAME for mark in plan.marks)
+    at_origin = "" if taken else style.text("output stands", "выход стоит")
+    neutral = Label(-low / (high - low) * WIDE, at_origin, style.soft)
 
     def gears(between: str) -> list[Label]:
         texts = [_gear_text(case, plan, place, between) for place in range(len(at))]
@@ -174,12 +168,6 @@ def _top(case: Transmission, plan: KinematicPlan, style: Style) -> _Top:
             return _Top(across, upright=False, height=max(labels.height(a.text) for a in across))
     turned = [*gears(": "), neutral]
     return _Top(turned, upright=True, height=max(labels.width(a.text) for a in turned))
-
-
-def _neutral(plan: KinematicPlan, style: Style) -> str:
-    """What to call the vertical at the origin."""
-    taken = any(abs(mark.output) < SAME for mark in plan.marks)
-    return "" if taken else style.text("output stands", "выход стоит")
 
 
 def _frame(plan: KinematicPlan) -> tuple[float, float, float, float]:
@@ -200,13 +188,14 @@ def _draw_rays(panel: Panel, case: Transmission, plan: KinematicPlan, style: Sty
     axes.set_ylim(lowest, highest)
     axes.axhline(0, color=style.ink, linewidth=0.8)
     axes.axvline(0, color=style.ink, linewidth=0.8)
-    colours = [_colour(ray, plan, style, place) for place, ray in enumerate(plan.rays)]
-    for ray, colour in zip(plan.rays, colours, strict=True):
+    at_edge = []
+    for place, (ray, name) in enumerate(zip(plan.rays, _ray_names(case, plan), strict=True)):
+        is_port = plan.input in ray.links or plan.output in ray.links
+        colour, wide = (style.ink, 1.8) if is_port else (style.colour(place), 1.3)
         dashes = "dashdot" if plan.output in ray.links else "solid"
-        ends = (plan.input, plan.output)
-        wide = 1.8 if set(ends) & set(ray.links) else 1.3
-        drawn: dict[str, Any] = {"linestyle": dashes, "color": colour, "linewidth": wide}
-        axes.plot([low, high], [ray.at(low), ray.at(high)], **drawn)
+        ends = [ray.at(low), ray.at(high)]
+        axes.plot([low, high], ends, linestyle=dashes, color=colour, linewidth=wide)
+        at_edge.append(Label(panel.up(ray.at(low)), name, colour))
     for mark in plan.marks:
         axes.axvline(mark.output, color=style.faint, linewidth=0.9, linestyle=(0, (4, 3)))
         for x, y in _stops(case, plan, mark.elements, mark.output):
@@ -214,12 +203,7 @@ def _draw_rays(panel: Panel, case: Transmission, plan: KinematicPlan, style: Sty
     if plan.has_unit_point:
         how: dict[str, Any] = {"markerfacecolor": style.paper, "markeredgecolor": style.ink}
         axes.plot([1], [1], "o", markersize=8, zorder=3, **how)
-    at_edge = zip(plan.rays, _ray_names(case, plan), colours, strict=True)
-    panel.beside("left", [Label(panel.up(ray.at(low)), name, one) for ray, name, one in at_edge])
-
-
-def _colour(ray: Ray, plan: KinematicPlan, style: Style, place: int) -> str:
-    return style.ink if {plan.input, plan.output} & set(ray.links) else style.colour(place)
+    panel.beside("left", at_edge)
 
 
 def _stops(
@@ -227,21 +211,17 @@ def _stops(
 ) -> list[tuple[float, float]]:
     """Where the rays of two links that an element joins meet, or one crosses the abscissa."""
     speeds = {link: ray.at(output) for ray in plan.rays for link in ray.links}
-    places = []
-    for chosen in elements:
-        element = case.shift_elements[chosen - 1]
-        speed = 0.0 if 0 in (element.first, element.second) else speeds.get(element.first, 0.0)
-        places.append((output, speed))
-    return places
+    joined = (case.shift_elements[number - 1].links for number in elements)
+    return [(output, 0.0 if HOUSING in links else speeds.get(links[0], 0.0)) for links in joined]
 
 
 def _draw_scales(panel: Panel, plan: KinematicPlan, style: Style) -> None:
     """1/i of the gears at the abscissa, ordinates at the right."""
     outputs = sorted({round(mark.output, 9) + 0.0 for mark in plan.marks})
-    found = [Label(panel.across(x), number(x), style.ink) for x in outputs]
+    scale = [Label(panel.across(x), number(x), style.ink) for x in outputs]
     common = [x for x in (0.0, 1.0) if x not in outputs]
-    found += [Label(panel.across(x), f"{x:.0f}", style.soft) for x in common]
-    panel.along("bottom", found, upright=True)
+    scale += [Label(panel.across(x), f"{x:.0f}", style.soft) for x in common]
+    panel.along("bottom", scale, upright=True)
     axes = panel.axes
     axes.set_xticks([])
     axes.yaxis.tick_right()

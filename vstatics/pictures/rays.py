@@ -18,8 +18,7 @@ from typing import NamedTuple
 from vstatics.errors import CaseError, Problem
 from vstatics.model.transmission import HOUSING, Gear, Transmission
 from vstatics.numerics.traced import plain
-from vstatics.pictures.state import state_of
-from vstatics.statics.matrix import columns
+from vstatics.pictures.state import PictureState, state_of
 from vstatics.statics.results import Results
 from vstatics.statics.speeds import solve_speeds
 
@@ -78,16 +77,11 @@ class KinematicPlan(NamedTuple):
 
 
 def plans(results: Results) -> list[KinematicPlan]:
-    """The generalised kinematic plans of a case.
+    """The generalised kinematic plans of one case.
 
     A train of two degrees of freedom has one. Where there are more, there is one for
     each state of the other elements that at least two gears share; if no gears share
     any, one for each state.
-
-    Parameters
-    ----------
-    results : Results
-        Of one case.
 
     Raises
     ------
@@ -113,7 +107,7 @@ def plans(results: Results) -> list[KinematicPlan]:
         if math.isfinite(gear.speeds[gear.output])
     ]
     states = dict.fromkeys(
-        (gear.input, gear.output, state) for _, gear in known for state in _states(case, gear.gear)
+        (gear.input, gear.output, state) for _, gear in known for state in _states(case, gear)
     )
     drawn = []
     for first, last, state in sorted(states, key=lambda key: (key[:2], len(key[2]), key[2])):
@@ -135,53 +129,42 @@ def plans(results: Results) -> list[KinematicPlan]:
 
 def _conditions(case: Transmission, gear: Gear) -> set[Condition]:
     """What is engaged and given in a gear; two elements that do the same are one."""
-    found = set()
-    for number in gear.engaged:
-        element = case.shift_elements[number - 1]
-        other, link = sorted((element.first, element.second))
-        found.add(Condition(link, other))
-    return found | {Condition(link, HOUSING, speed) for link, speed in gear.speeds.items()}
+    engaged = (case.shift_elements[number - 1] for number in gear.engaged)
+    joined = {Condition(max(element.links), min(element.links)) for element in engaged}
+    return joined | {Condition(link, HOUSING, speed) for link, speed in gear.speeds.items()}
 
 
-def _states(case: Transmission, gear: Gear) -> Iterator[tuple[Condition, ...]]:
+def _states(case: Transmission, gear: PictureState) -> Iterator[tuple[Condition, ...]]:
     """The largest parts of a gear's conditions under which its output is free."""
-    conditions = sorted(_conditions(case, gear))
+    conditions = sorted(_conditions(case, gear.gear))
     found: list[set[Condition]] = []
     for count in range(len(conditions), -1, -1):
         for chosen in combinations(conditions, count):
             free = not any(larger.issuperset(chosen) for larger in found)
-            if free and math.isnan(_speeds(case, gear.input, gear.output, chosen, None)[-1]):
+            if free and math.isnan(_speeds(case, gear.input, gear.output, chosen)[gear.output - 1]):
                 found.append(set(chosen))
                 yield chosen
 
 
 def _speeds(
     case: Transmission,
-    first: int | None,
-    last: int | None,
+    first: int,
+    last: int,
     state: Sequence[Condition],
-    output: float | None,
+    output: float | None = None,
 ) -> list[float]:
-    """Speeds of all links, and that of the output once more, NaN for what is free."""
+    """Speeds of all links, NaN for what is free; that of the output may be given."""
     ratios = [mechanism.ratio for mechanism in case.mechanisms]
     speeds = {c.link: c.speed for c in state if c.other == HOUSING}
-    pairs = [(c.link, c.other) for c in state if c.other != HOUSING]
+    pairs = [{c.link, c.other} for c in state if c.other != HOUSING]
     engaged = [
-        next(
-            number
-            for number, element in enumerate(case.shift_elements, 1)
-            if set(pair) == {element.first, element.second}
-        )
+        next(n for n, element in enumerate(case.shift_elements, 1) if set(element.links) == pair)
         for pair in pairs
     ]
-    last = last or case.output
     if output is not None:
         speeds[last] = output
-    found = solve_speeds(
-        case, Gear(engaged, speeds, input=first, output=last), columns(case, ratios)
-    )
-    values = [plain(value) for value in found.links]
-    return [*values, values[last - 1]]
+    gear = Gear(engaged, speeds, input=first, output=last)
+    return [plain(speed) for speed in solve_speeds(case, gear, columns(case, ratios)).links]
 
 
 def _rays(case: Transmission, first: int, last: int, state: Sequence[Condition]) -> list[Ray]:

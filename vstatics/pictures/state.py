@@ -5,22 +5,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from vstatics.model.transmission import HOUSING, Gear, Transmission
+from vstatics.model.transmission import Gear
 from vstatics.numerics.traced import plain
-from vstatics.statics.bodies import joined_by_elements
+from vstatics.statics.bodies import Bodies, joined_by_elements
 from vstatics.statics.results import Results
 from vstatics.statics.status import Status
 
 NOT_DETERMINED = Status("missing", "not determined", "не определена", "")
 """Some speed is free."""
-
-
-class Joined(NamedTuple):
-    """The links that engaged elements join to the input, the output and the housing."""
-
-    input: frozenset[int]
-    output: frozenset[int]
-    housing: frozenset[int]
 
 
 class PictureState(NamedTuple):
@@ -37,9 +29,8 @@ class PictureState(NamedTuple):
     """[-]"""
     speeds: Sequence[float]
     """By link, the housing first; NaN where it is free. [-]"""
-    joined: Joined
-    holds: Sequence[bool]
-    """By shift element: whether it is engaged, or a freewheel that holds."""
+    joined: Bodies
+    """By link, the housing first: the least of the links that engaged elements join to it."""
     is_idle: Sequence[bool]
     """By mechanism: whether it transmits no power, as far as the gear exists."""
     is_loaded: Sequence[bool]
@@ -47,22 +38,15 @@ class PictureState(NamedTuple):
 
 
 def state_of(results: Results, number: int) -> PictureState:
-    """The state of a gear.
-
-    Parameters
-    ----------
-    results : Results
-        Of one case.
-    number : int
-        From 1.
+    """The state of a gear of one case; its number counts from 1.
 
     Examples
     --------
-    >>> from vstatics import Mechanism, ShiftElement, solve
+    >>> from vstatics import Mechanism, ShiftElement, Transmission, solve
     >>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)], [Gear([1])])
     >>> state = state_of(solve(case), 1)
-    >>> state.speeds[:3], state.joined.housing
-    ([0.0, 1.0, 0.0], frozenset({0, 2}))
+    >>> state.speeds[:3], state.joined
+    ([0.0, 1.0, 0.0], [0, 1, 0, 3])
     """
     state = results.gear(number)
     case, gear, first = state.case, state.gear, len(state.case.shift_elements)
@@ -76,17 +60,7 @@ def state_of(results: Results, number: int) -> PictureState:
         faults,
         plain(state.ratio),
         [0.0, *map(plain, state.speeds)],
-        _joined(case, gear),
-        [one in state.engaged for one in range(1, first + 1)],
+        joined_by_elements(case, gear),
         [one and state.calculable for one in state.search.idle],
         [torque != 0 for torque in state.torques.on_first_link[first:-1]],
     )
-
-
-def _joined(case: Transmission, gear: Gear) -> Joined:
-    bodies = joined_by_elements(case, gear)
-
-    def with_(link: int) -> frozenset[int]:
-        return frozenset(one for one, body in enumerate(bodies) if body == bodies[link])
-
-    return Joined(with_(case.gear_input(gear)), with_(case.gear_output(gear)), with_(HOUSING))

@@ -6,16 +6,16 @@ from collections.abc import Iterator, Sequence
 
 from vstatics.statics.results import Results
 from vstatics.tables.grid import Cell, Column, Grid, exact, sign
+from vstatics.tables.quantity import Table
 from vstatics.tables.rows import ROWS
-from vstatics.tables.table import Table
 from vstatics.tables.values import tables
 
 
 def of_results(results: Results) -> Iterator[Grid]:
     """All tables of the results: lists over gears together, then the others."""
-    found = tables(results)
-    yield _by_gear([one for one in found if one.quantity.rows == "one"])
-    matrix_last = sorted(found, key=lambda one: one.quantity.columns == "devices")
+    in_order = tables(results)
+    yield _by_gear([one for one in in_order if one.quantity.rows == "one"])
+    matrix_last = sorted(in_order, key=lambda one: one.quantity.columns == "devices")
     for one in matrix_last:
         if one.quantity.rows != "one" and one.values.size:
             yield _of_table(one)

@@ -15,26 +15,16 @@ from vstatics.statics.results import Results
 from vstatics.tables.html import Markup
 
 _LIGHT, _DARK = Style(), Style(dark=True)
-_PAIRS = {
-    "paper": (_LIGHT.paper, _DARK.paper),
-    "ink": (_LIGHT.ink, _DARK.ink),
-    "soft": (_LIGHT.soft, _DARK.soft),
-    "faint": (_LIGHT.faint, _DARK.faint),
-    "accent": (_LIGHT.accent, _DARK.accent),
-    **{
-        f"colour{number}": pair
-        for number, pair in enumerate(zip(_LIGHT.colours, _DARK.colours, strict=True))
-    },
+_NAMES = ("paper", "ink", "soft", "faint", "accent")
+_PAIRS = {name: (getattr(_LIGHT, name), getattr(_DARK, name)) for name in _NAMES} | {
+    f"colour{number}": pair
+    for number, pair in enumerate(zip(_LIGHT.colours, _DARK.colours, strict=True))
 }
 """Colours of pictures on paper and on a dark screen, by the name of their variable."""
 _VARIABLES = {light: f"var(--{name})" for name, (light, _) in _PAIRS.items()}
 _REFERENCE = re.compile(r"url\(#([^)]+)\)")
 _COLOUR = re.compile("#[0-9a-f]{6}")
 _COLOURED = ("style", "fill", "stroke")
-
-
-BY_GEAR = "flow"
-"""The picture that stands with the numbers of each gear."""
 
 
 class Drawn(NamedTuple):
@@ -47,7 +37,7 @@ class Drawn(NamedTuple):
 
 
 def pictures(results: Results) -> list[Drawn]:
-    """All pictures of all gears that suit a case.
+    """All pictures of a case, in the order of `PICTURES`.
 
     Raises
     ------
@@ -55,7 +45,7 @@ def pictures(results: Results) -> list[Drawn]:
         If matplotlib is not installed.
     """
     require("matplotlib", "a picture")
-    return [_drawn(results, kind) for kind in PICTURES if kind != BY_GEAR]
+    return [_drawn(results, kind) for kind in PICTURES]
 
 
 def _drawn(results: Results, kind: str) -> Drawn:
@@ -64,12 +54,6 @@ def _drawn(results: Results, kind: str) -> Drawn:
     except CaseError as error:
         return Drawn(kind, [], " ".join(str(error).split()))
     return Drawn(kind, [inline(svg, f"{kind}{n or ''}", kind) for n, svg in enumerate(made)])
-
-
-def flow_pictures(results: Results) -> Sequence[Markup]:
-    """The power flow of each gear, as `pictures`."""
-    require("matplotlib", "a picture")
-    return _drawn(results, BY_GEAR).sheets
 
 
 def palette(*, dark: bool) -> str:

@@ -7,10 +7,9 @@ from typing import Any, NamedTuple
 
 from vstatics.errors import CaseError, Problem
 from vstatics.flow.power import GearFlow, flows
-from vstatics.report.drawn import Drawn, flow_pictures, pictures
+from vstatics.report.drawn import Drawn, pictures
 from vstatics.statics.results import Message, Results
 from vstatics.summary import Summary, summarize
-from vstatics.tables.html import Markup
 from vstatics.writers import result_json
 
 
@@ -23,8 +22,6 @@ class Material(NamedTuple):
     summary: Summary
     flows: Sequence[GearFlow]
     pictures: Sequence[Drawn]
-    flow_pictures: Sequence[Markup]
-    """Of each gear, or none at all."""
     messages: Sequence[str]
     """Of the input, then of the results."""
     without: str
@@ -42,9 +39,9 @@ def gather(results: Results, problems: Iterable[Problem] = ()) -> Material:
         Warnings of the input; those that are among the messages of the results already
         do not come twice.
     """
-    without, drawn, drawn_flows = "", list[Drawn](), list[Markup]()
+    without, drawn = "", list[Drawn]()
     try:
-        drawn, drawn_flows = pictures(results), [*flow_pictures(results)]
+        drawn = pictures(results)
     except CaseError as error:
         without = str(error)
     others = (one for one in problems if not _is_among(one, results.messages))
@@ -54,7 +51,6 @@ def gather(results: Results, problems: Iterable[Problem] = ()) -> Material:
         summarize(results),
         flows(results),
         drawn,
-        drawn_flows,
         [*map(_told, others), *map(str, results.messages)],
         without,
     )

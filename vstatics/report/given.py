@@ -18,13 +18,7 @@ _LABELS = {"idle": "sign of idle mechanisms", "coast": "coasting"}
 
 
 def given(results: Results, mapping: Mapping[str, Any]) -> Iterator[Markup]:
-    """The input.
-
-    Parameters
-    ----------
-    mapping : mapping
-        The case as plain data: ``case`` of its result in JSON.
-    """
+    """The input; `mapping` is the case as plain data: ``case`` of its result in JSON."""
     case = results.case
     common = {key: value for key, value in mapping.items() if key not in _NAMED}
     common = {"input": case.link_name(case.input), "output": case.link_name(case.output), **common}
@@ -58,7 +52,7 @@ def _mechanisms(case: Transmission) -> Grid:
         "efficiency backward": [one.back_efficiency for one in mechanisms],
         "planet ratio": [one.planet_ratio for one in mechanisms],
     }
-    more = {heading: values for heading, values in more.items() if any(map(_is_told, values))}
+    more = {heading: values for heading, values in more.items() if {*values} != {None}}
     columns = [text("mechanism"), text("first"), text("second"), text("third")]
     columns += [Column(heading) for heading in ("ratio", "efficiency", *more)]
     rows = [
@@ -76,14 +70,11 @@ def _mechanisms(case: Transmission) -> Grid:
     return Grid("Mechanisms, as they are calculated" if drawn else "Mechanisms", columns, rows)
 
 
-def _is_told(value: float | None) -> bool:
-    return value is not None
-
-
 def _shift_elements(case: Transmission) -> Grid:
     elements = case.shift_elements
     columns = [text("shift element"), text("kind"), text("first"), text("second")]
-    drag, capacity = any(one.drag for one in elements), any(_is_told(e.capacity) for e in elements)
+    drag = any(one.drag for one in elements)
+    capacity = any(one.capacity is not None for one in elements)
     columns += [Column("drag, by the input torque")] * drag
     columns += [Column("capacity, by the input torque")] * capacity
     rows = [

@@ -69,7 +69,7 @@ def _sections(material: Material) -> Iterator[tuple[str, Sequence[Markup]]]:
     yield "Gears", [_gears(material.summary, gears), *_spread(others)]
     yield "Input", list(given(results, material.document["case"]))
     yield "Pictures", list(_pictures(material))
-    yield "Power flow", list(_power_flow(material.flows, material.flow_pictures))
+    yield "Power flow", list(_power_flow(material))
     yield "Shifts and largest values", [table(one) for one in others if one.title != SPREAD]
     yield "Results", [table(one) for one in of_results(results)]
     conventions = material.document["conventions"].items()
@@ -113,6 +113,8 @@ def _pictures(material: Material) -> Iterator[Markup]:
     if material.without:
         yield tag("p", f"There are no pictures: {material.without}")
     for drawn in material.pictures:
+        if drawn.kind == BY_GEAR:
+            continue
         name = drawn.kind.capitalize()
         if drawn.why:
             yield tag("p", f"{name}: not drawn. {drawn.why}")
@@ -121,23 +123,23 @@ def _pictures(material: Material) -> Iterator[Markup]:
             yield _figure(f"{name}{several}", sheet)
 
 
-def _power_flow(found: Sequence[GearFlow], drawn: Sequence[Markup]) -> Iterator[Markup]:
-    """Links to choose a gear by, then the gears; without a script all of them show.
-
-    Parameters
-    ----------
-    drawn : sequence of Markup
-        The picture of each gear, or none at all.
-    """
+def _power_flow(material: Material) -> Iterator[Markup]:
+    """Links to choose a gear by, then the gears; without a script all of them show."""
+    flows = material.flows
     links = (
-        tag("a", flow.gear, href=f"#{_gear_id(flow.gear)}", data_choose=flow.gear) for flow in found
+        tag("a", flow.gear, href=f"#{_gear_id(flow.gear)}", data_choose=flow.gear) for flow in flows
     )
     yield tag("nav", "Gear: ", *links, class_="chooser", aria_label="Gear")
-    for number, flow in enumerate(found):
+    drawn = [sheet for one in material.pictures if one.kind == BY_GEAR for sheet in one.sheets]
+    for number, flow in enumerate(flows):
         shown = [*_power(flow)]
         if drawn and flow.ideal is not None:
             shown.insert(0, _figure(f"Power flow in gear {flow.gear}", drawn[number]))
         yield tag("div", *shown, id=_gear_id(flow.gear), data_gear=flow.gear)
+
+
+BY_GEAR = "flow"
+"""The picture that stands with the numbers of each gear."""
 
 
 def _gear_id(gear: str) -> str:

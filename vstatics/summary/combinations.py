@@ -46,7 +46,7 @@ def needed(case: Transmission) -> int:
 
 
 def combinations(results: Results, at_most: int = MOST) -> list[Combination]:
-    """All other combinations of shift elements that give a gear, from the largest ratio down.
+    """All other combinations of shift elements that give one case a gear, largest ratio first.
 
     Tried are all sets of as many elements as the speeds need, with the input and the
     output of the case and no given speeds; freewheels find by themselves whether they
@@ -55,8 +55,6 @@ def combinations(results: Results, at_most: int = MOST) -> list[Combination]:
 
     Parameters
     ----------
-    results : Results
-        Of one case.
     at_most : int
         So many sets may be tried.
 
@@ -76,15 +74,13 @@ def combinations(results: Results, at_most: int = MOST) -> list[Combination]:
     """
     case = results.case
     _check(case, at_most)
-    tried = list(_tried(case))
-    if not tried:
-        return []
     common = _shared([gear.drag for gear in case.gears])
     open_drag = _shared([gear.open_drag for gear in case.gears])
-    gears = [Gear(engaged, drag=common, open_drag=open_drag) for engaged in tried]
-    made = solve(replace(case, gears=gears))
-    found = list(_usable(made, _comparable(results)))
-    return sorted(found, key=lambda one: -one.ratio)
+    gears = [Gear(engaged, drag=common, open_drag=open_drag) for engaged in _tried(case)]
+    if not gears:
+        return []
+    tried = solve(replace(case, gears=gears))
+    return sorted(_usable(tried, _comparable(results)), key=lambda one: -one.ratio)
 
 
 def _sizes(case: Transmission) -> range:
@@ -125,9 +121,9 @@ def _comparable(results: Results) -> dict[str, float]:
     return {gear.name: ratio for gear, ratio in pairs if _is_plain(case, gear)}
 
 
-def _shared(given: Sequence[Mapping[Key, float]]) -> dict[Key, float]:
+def _shared(by_gear: Sequence[Mapping[Key, float]]) -> dict[Key, float]:
     """What all gears give alike."""
-    first, *others = given
+    first, *others = by_gear
     return {
         key: value
         for key, value in first.items()
@@ -135,18 +131,15 @@ def _shared(given: Sequence[Mapping[Key, float]]) -> dict[Key, float]:
     }
 
 
-def _usable(made: Results, ratios: Mapping[str, float]) -> Iterator[Combination]:
-    names = [element.name for element in made.case.shift_elements]
-    numbers = zip(
-        made.case.gears, made.holds.tolist(), made.ratio.tolist(), made.calculable, strict=True
-    )
-    for index, (gear, holds, ratio, calculable) in enumerate(numbers):
-        if calculable and math.isfinite(ratio):
+def _usable(tried: Results, ratios: Mapping[str, float]) -> Iterator[Combination]:
+    names = [element.name for element in tried.case.shift_elements]
+    for index, (gear, ratio) in enumerate(zip(tried.case.gears, tried.ratio.tolist(), strict=True)):
+        if tried.calculable[index] and math.isfinite(ratio):
             yield Combination(
                 [names[number - 1] for number in gear.engaged],
-                [names[number - 1] for number in made.case.freewheels if holds[number - 1]],
+                [names[n - 1] for n in tried.case.freewheels if tried.holds[index, n - 1]],
                 ratio,
-                float(made.efficiency[index]),
+                float(tried.efficiency[index]),
                 next((name for name, other in ratios.items() if is_same(other, ratio)), ""),
-                made.status(index + 1).name,
+                tried.status(index + 1).name,
             )

@@ -50,13 +50,9 @@ def _gears(pair: Sequence[Summary]) -> Grid:
     headings = (f"{what} {letter}" for what in ("ratio", "step", "efficiency") for letter in "AB")
     rows = []
     for name in names:
-        found = [by_name.get(name, _MISSING) for by_name in lines]
-        values = [
-            *(line.ratio for line in found),
-            *(line.step for line in found),
-            *(line.efficiency for line in found),
-        ]
-        rows.append([name, *map(number, values)])
+        both = [by_name.get(name, _MISSING) for by_name in lines]
+        values = zip(*((line.ratio, line.step, line.efficiency) for line in both), strict=True)
+        rows.append([name, *(number(value) for of_both in values for value in of_both)])
     return Grid("Gears", [text("gear"), *map(Column, headings)], rows)
 
 
@@ -91,9 +87,9 @@ def _in_all(pair: Sequence[Summary]) -> Iterator[list[str]]:
     if any(one.margins for one in pair):
         yield _row("least margin", [_least_margin(one) for one in pair])
     for table, name, decimals in QUANTITIES:
-        found = [overall(one.largest.get(table, ())) for one in pair]
-        if any(found):
-            yield _row(name, [_largest(line, decimals) for line in found])
+        lines = [overall(one.largest.get(table, ())) for one in pair]
+        if any(lines):
+            yield _row(name, [_largest(line, decimals) for line in lines])
 
 
 Cells = tuple[str, str]

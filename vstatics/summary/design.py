@@ -39,12 +39,7 @@ class Design(NamedTuple):
 
 
 def design(results: Results) -> Design:
-    """Ratios, steps and efficiencies of all gears.
-
-    Parameters
-    ----------
-    results : Results
-        Of one case.
+    """Ratios, steps and efficiencies of all gears of one case.
 
     Examples
     --------
@@ -57,22 +52,20 @@ def design(results: Results) -> Design:
     """
     names = [gear.name for gear in results.case.gears]
     ratios = results.ratio.tolist()
-    found = ranges(results)
-    following = {one: other for indices in found for one, other in pairwise(indices)}
-    lines = []
-    for index, name in enumerate(names):
-        after = following.get(index)
-        lines.append(
-            GearLine(
-                name,
-                ratios[index],
-                "" if after is None else names[after],
-                math.nan if after is None else ratios[index] / ratios[after],
-                float(results.efficiency[index]),
-                results.status(index + 1).name,
-            )
+    comparable = ranges(results)
+    following = {one: other for indices in comparable for one, other in pairwise(indices)}
+    lines = [
+        GearLine(
+            name,
+            ratios[index],
+            names[following[index]] if index in following else "",
+            ratios[index] / ratios[following[index]] if index in following else math.nan,
+            float(results.efficiency[index]),
+            results.status(index + 1).name,
         )
-    forward = found[0] if found else []
+        for index, name in enumerate(names)
+    ]
+    forward = comparable[0] if comparable else []
     spread = ratios[forward[0]] / ratios[forward[-1]] if forward else math.nan
     return Design(lines, [names[index] for index in forward], spread)
 
@@ -87,17 +80,12 @@ def is_same(one: float, other: float) -> bool:
 
 
 def ranges(results: Results) -> list[list[int]]:
-    """The gears that can be compared, by their indices.
+    """The gears of one case that can be compared, by their indices.
 
     A range has gears of one input, one output and one direction, from the largest ratio
     to the smallest, both without sign. The first range is the longest, which is taken
     as forward: a final drive may turn the sign of all gears. Gears without a ratio are in
     none.
-
-    Parameters
-    ----------
-    results : Results
-        Of one case.
 
     Examples
     --------
@@ -108,12 +96,12 @@ def ranges(results: Results) -> list[list[int]]:
     [[2, 0]]
     """
     case = results.case
-    found: dict[tuple[int, int, bool], list[int]] = {}
+    alike: dict[tuple[int, int, bool], list[int]] = {}
     for index, (gear, ratio) in enumerate(zip(case.gears, results.ratio.tolist(), strict=True)):
         if math.isfinite(ratio):
             key = case.gear_input(gear), case.gear_output(gear), ratio > 0
-            found.setdefault(key, []).append(index)
-    ordered = [_descending(indices, results) for indices in found.values()]
+            alike.setdefault(key, []).append(index)
+    ordered = [_descending(indices, results) for indices in alike.values()]
     return sorted(ordered, key=len, reverse=True)
 
 

@@ -21,7 +21,7 @@ def _document(summary: Summary) -> dict[str, Any]:
     """A summary as a mapping."""
     case = summary.results.case
     mechanisms = [mechanism.name for mechanism in case.mechanisms]
-    made: dict[str, Any] = {
+    always: dict[str, Any] = {
         "format": "vstatics-summary",
         "version": VERSION,
         "name": case.name,
@@ -35,10 +35,6 @@ def _document(summary: Summary) -> dict[str, Any]:
         "largest": summary.largest,
         "sensitivity": dict(zip(mechanisms, summary.sensitivities.T.tolist(), strict=True)),
     }
-    if summary.margins:
-        made["margins"] = summary.margins
-    if summary.cycle is not None:
-        made["duty"] = summary.cycle
-    if summary.combinations is not None:
-        made["combinations"] = summary.combinations
-    return made
+    asked = {"duty": summary.cycle, "combinations": summary.combinations}
+    more = {"margins": summary.margins or None, **asked}
+    return always | {key: value for key, value in more.items() if value is not None}

@@ -40,15 +40,10 @@ class Cycle(NamedTuple):
 
 
 def cycle(results: Results, duty: Duty) -> Cycle:
-    """Mean efficiency: ``sum(E ETA)/sum(E)`` with the input energies E of the gears.
+    """Mean efficiency of one case: ``sum(E ETA)/sum(E)`` with the input energies E of its gears.
 
     Shares of energy are the E themselves; shares of time are multiplied by the input power
     of the gear, which needs a load.
-
-    Parameters
-    ----------
-    results : Results
-        Of one case.
 
     Raises
     ------
@@ -66,8 +61,11 @@ def cycle(results: Results, duty: Duty) -> Cycle:
     ([0.25, 0.75], 0.9964)
     """
     shares = {gear: share for gear, share in duty.shares.items() if share > 0}
-    efficiencies = dict(zip(_gears(results), results.efficiency.tolist(), strict=True))
-    powers = _powers(results) if duty.kind == "time" else dict.fromkeys(efficiencies, 1.0)
+    gears = [gear.name for gear in results.case.gears]
+    efficiencies = dict(zip(gears, results.efficiency.tolist(), strict=True))
+    powers = dict.fromkeys(gears, 1.0)
+    if duty.kind == "time":
+        powers = dict.fromkeys(gears, math.nan) | _powers(results)
     problems = list(_problems(shares, efficiencies, powers))
     if problems:
         raise CaseError(problems)
@@ -78,16 +76,12 @@ def cycle(results: Results, duty: Duty) -> Cycle:
     return Cycle(stages, math.fsum(stage.energy * stage.efficiency for stage in stages))
 
 
-def _gears(results: Results) -> list[str]:
-    return [gear.name for gear in results.case.gears]
-
-
 def _powers(results: Results) -> dict[str, float]:
-    """Power that enters in each gear [kW]; NaN without a load."""
+    """Power that enters in each gear [kW]; none without a load."""
     for table in tables(results):
         if table.quantity.key == "input_power_kW":
             return dict(zip(table.columns, table.values[0].tolist(), strict=True))
-    return dict.fromkeys(_gears(results), math.nan)
+    return {}
 
 
 def _problems(

@@ -39,8 +39,8 @@ class DutyFile(NamedTuple):
         try:
             return cycle(results, self.duty)
         except CaseError as error:
-            found = [one._replace(path=(self.duty.kind, *one.path)) for one in error.problems]
-            raise ReadError([self.spots.locate(problem) for problem in found]) from None
+            problems = [one._replace(path=(self.duty.kind, *one.path)) for one in error.problems]
+            raise ReadError([self.spots.locate(problem) for problem in problems]) from None
 
 
 def read_duty(data: bytes, file: str) -> DutyFile:

@@ -12,7 +12,7 @@ from vstatics.numerics.arrays import Booleans, Floats
 from vstatics.statics.results import Results
 from vstatics.summary.design import SAME
 from vstatics.tables.quantities import BY_NAME
-from vstatics.tables.table import Table
+from vstatics.tables.quantity import Table
 from vstatics.tables.values import tables
 
 PLANETS, SLIPS, TORQUES, LOSSY_TORQUES = "WSAT", "WFRI", "AMLG", "AMLGP"
@@ -29,16 +29,11 @@ class Largest(NamedTuple):
 
 
 def largest(results: Results) -> dict[str, list[Largest]]:
-    """The largest values over all gears, by the name of the table.
+    """The largest values over all gears of one case, by the name of the table.
 
     Speeds of planets, slip speeds of open shift elements, torques of engaged ones without
     and with losses where the gear can run; with a load all of them in rpm and N*m, too.
     Rows are those of the tables, so what the case draws has its own.
-
-    Parameters
-    ----------
-    results : Results
-        Of one case.
 
     Examples
     --------
@@ -51,19 +46,19 @@ def largest(results: Results) -> dict[str, list[Largest]]:
     >>> list(found)
     ['WSAT', 'WFRI', 'AMLG', 'AMLGP']
     """
-    found = {}
+    by_key = {}
     for table in tables(results):
         key = table.quantity.key
         kind = BY_NAME[table.quantity.of or key].key
         if kind == PLANETS:
-            found[key] = _of(table, table.values)
+            by_key[key] = _of(table, table.values)
         elif kind == SLIPS:
-            found[key] = _of(table, np.where(results.holds.T, np.nan, table.values))
+            by_key[key] = _of(table, np.where(results.holds.T, np.nan, table.values))
         elif kind in (TORQUES, LOSSY_TORQUES):
             own = table.values[: len(results.case.shift_elements)]
             loaded = results.holds.T & results.calculable  # a gear that is tied up has no flow
-            found[key] = _of(table, np.where(loaded, own, np.nan))
-    return found
+            by_key[key] = _of(table, np.where(loaded, own, np.nan))
+    return by_key
 
 
 def overall(lines: Sequence[Largest]) -> Largest | None:
@@ -102,15 +97,10 @@ class Margin(NamedTuple):
 
 
 def margins(results: Results) -> list[Margin]:
-    """Capacity by torque, ``capacity/|M|``, in the gears where an element is engaged.
+    """Capacity by torque, ``capacity/|M|``, in the gears of one case where an element is engaged.
 
     M is the larger of the torques without and with losses, to be on the safe side. In
     a gear with a load of its own, M is that of this load.
-
-    Parameters
-    ----------
-    results : Results
-        Of one case.
 
     Examples
     --------
@@ -136,13 +126,13 @@ def _margin(
     results: Results, name: str, capacity: float, torques: Floats, carrying: Booleans
 ) -> Margin:
     with np.errstate(all="ignore"):
-        found = np.where(carrying, capacity / torques, np.nan).tolist()
-    known = [number for number, margin in enumerate(found) if math.isfinite(margin)]
+        margins = np.where(carrying, capacity / torques, np.nan).tolist()
+    known = [number for number, margin in enumerate(margins) if math.isfinite(margin)]
     if not known:
-        return Margin(name, capacity, found, math.nan, "")
-    least = min(found[number] for number in known)
-    first = next(number for number in known if found[number] <= least * (1 + SAME))
-    return Margin(name, capacity, found, found[first], results.case.gears[first].name)
+        return Margin(name, capacity, margins, math.nan, "")
+    least = min(margins[number] for number in known)
+    first = next(number for number in known if margins[number] <= least * (1 + SAME))
+    return Margin(name, capacity, margins, margins[first], results.case.gears[first].name)
 
 
 def _loads(results: Results) -> Floats:

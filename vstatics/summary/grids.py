@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
 from vstatics.statics.results import Results
@@ -25,19 +25,18 @@ def grids(summary: Summary) -> Iterator[Grid]:
 
     What was asked for and gave nothing stays, without rows and columns.
     """
-    yield from (grid for grid in _all(summary) if grid.rows)
+    tables = (
+        _design(summary),
+        _spread(summary),
+        _transitions(summary),
+        *_largest(summary),
+        *_margins(summary),
+        _duty(summary),
+        _sensitivities(summary),
+    )
+    yield from (grid for grid in tables if grid.rows)
     if summary.combinations is not None:
         yield other_combinations(summary)
-
-
-def _all(summary: Summary) -> Iterator[Grid]:
-    yield _design(summary)
-    yield _spread(summary)
-    yield _transitions(summary)
-    yield from _largest(summary)
-    yield from _margins(summary)
-    yield _duty(summary)
-    yield _sensitivities(summary)
 
 
 def _design(summary: Summary) -> Grid:
@@ -54,13 +53,7 @@ def _design(summary: Summary) -> Grid:
 
 
 def element_signs(results: Results, index: int, marks: Marks) -> Iterator[Cell]:
-    """Of each shift element: whether it is engaged in a gear, or a freewheel that holds.
-
-    Parameters
-    ----------
-    index : int
-        Of the gear.
-    """
+    """Of each shift element: whether it is engaged in the gear of an index, or holds."""
     engaged = results.case.gears[index].engaged
     for element, holds in enumerate(results.holds[index].tolist(), 1):
         if element in engaged:
@@ -93,18 +86,18 @@ _UNITS = ((("", "", ""), 3), (("_rpm", "_rpm", "_Nm"), 1))
 
 
 def _largest(summary: Summary) -> Iterator[Grid]:
-    found = summary.largest
+    largest = summary.largest
     for (planets, slips, torques), decimals in _UNITS:
         rpm, nm = (" [rpm]", " [N*m]") if planets else ("", "")
         columns = [text("planet"), Column(f"speed{rpm}"), text("gear")]
-        if f"{PLANETS}{planets}" in found:
-            lines = found[f"{PLANETS}{planets}"]  # those of gear pairs, say, are none
+        if f"{PLANETS}{planets}" in largest:
+            lines = largest[f"{PLANETS}{planets}"]  # those of gear pairs, say, are none
             rows = [[one.row, *_cells(one, decimals)] for one in lines if not math.isnan(one.value)]
             yield Grid("Largest speeds of planets against their carriers", columns, rows)
         named = {
-            f"slip{rpm}": found.get(f"{SLIPS}{slips}"),
-            f"torque{nm}": found.get(f"{TORQUES}{torques}"),
-            f"with losses{nm}": found.get(f"{LOSSY_TORQUES}{torques}"),
+            f"slip{rpm}": largest.get(f"{SLIPS}{slips}"),
+            f"torque{nm}": largest.get(f"{TORQUES}{torques}"),
+            f"with losses{nm}": largest.get(f"{LOSSY_TORQUES}{torques}"),
         }
         yield _elements({heading: lines for heading, lines in named.items() if lines}, decimals)
 
@@ -126,37 +119,41 @@ def _cells(line: Largest, decimals: int) -> list[str]:
 
 
 def _sensitivities(summary: Summary) -> Grid:
-    case = summary.results.case
-    columns = [text("mechanism"), *(Column(gear.name) for gear in case.gears)]
-    rows = [
-        [mechanism.name, *map(number, row)]
-        for mechanism, row in zip(case.mechanisms, summary.sensitivities.T.tolist(), strict=True)
-    ]
+    names = [mechanism.name for mechanism in summary.results.case.mechanisms]
+    by_name = zip(names, summary.sensitivities.T.tolist(), strict=True)
     title = "Sensitivity (u/i) di/du of the ratio i of each gear to each internal ratio u"
-    return Grid(title, columns, rows)
+    return _by_gear(summary, title, "mechanism", by_name)
+
+
+def _by_gear(
+    summary: Summary, title: str, heading: str, rows: Iterable[tuple[str, Sequence[float]]]
+) -> Grid:
+    """A row for each name with a number for each gear."""
+    columns = [text(heading), *(Column(gear.name) for gear in summary.results.case.gears)]
+    return Grid(title, columns, [[name, *map(number, values)] for name, values in rows])
 
 
 def other_combinations(summary: Summary) -> Grid:
     """Combinations of shift elements that are no gear yet."""
     columns = [Column("ratio"), Column("efficiency"), text("same as"), text("engaged")]
-    found = summary.combinations or ()
+    others = summary.combinations or ()
     title = "Other combinations of shift elements"
-    if not found:
+    if not others:
         return Grid(f"{title}: none", (), ())
     rows = [
-        [number(one.ratio), number(one.efficiency), one.gear, words(one.engaged)] for one in found
+        [number(one.ratio), number(one.efficiency), one.gear, words(one.engaged)] for one in others
     ]
-    if any(one.holding for one in found):
+    if any(one.holding for one in others):
         columns.append(text("holding"))
-        for row, one in zip(rows, found, strict=True):
+        for row, one in zip(rows, others, strict=True):
             row.append(words(one.holding))
     return Grid(title, columns, rows)
 
 
 def _margins(summary: Summary) -> Iterator[Grid]:
     """The least margins, then those of all gears."""
-    case = summary.results.case
-    torque = None if case.load is None else case.load.torque
+    load = summary.results.case.load
+    torque = None if load is None else load.torque
     unit, size, decimals = (" [N*m]", abs(torque), 1) if torque else ("", 1.0, 3)
     columns = [text("element"), Column(f"capacity{unit}"), Column("least"), text("gear")]
     rows = [
@@ -164,9 +161,8 @@ def _margins(summary: Summary) -> Iterator[Grid]:
         for one in summary.margins
     ]
     yield Grid("Least margin, capacity by torque", columns, rows)
-    columns = [text("element"), *(Column(gear.name) for gear in case.gears)]
-    rows = [[one.element, *map(number, one.by_gear)] for one in summary.margins]
-    yield Grid("Margins by gear", columns, rows)
+    by_element = [(one.element, one.by_gear) for one in summary.margins]
+    yield _by_gear(summary, "Margins by gear", "element", by_element)
 
 
 def _duty(summary: Summary) -> Grid:

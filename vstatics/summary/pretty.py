@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator
-from typing import TYPE_CHECKING
+
+from rich.console import Group
+from rich.text import Text
 
 from vstatics.model.transmission import Transmission
 from vstatics.statics.arrays import OUTPUT
@@ -12,12 +14,10 @@ from vstatics.statics.results import Results
 from vstatics.statics.status import STATUSES, Status
 from vstatics.summary.design import GearLine, design
 from vstatics.summary.grids import Marks, element_signs
+from vstatics.tables import terminal
 from vstatics.tables.grid import Cell, Column, Grid, text
-from vstatics.tables.table import Table
+from vstatics.tables.quantity import Table
 from vstatics.tables.values import tables
-
-if TYPE_CHECKING:
-    from rich.console import Group
 
 POOR, BAD = 0.95, 0.9
 """An efficiency below is yellow, or red."""
@@ -34,12 +34,10 @@ ASCII = Marks("x", "f", ".")
 
 
 def view(results: Results, marks: Marks = DOTS) -> Group:
-    """One table of the gears, and what its marks mean.
+    """One table of the gears of one case, and what its marks mean.
 
     Parameters
     ----------
-    results : Results
-        Of one case.
     marks : Marks, optional
         `ASCII` for a terminal that knows no others.
 
@@ -58,21 +56,16 @@ def view(results: Results, marks: Marks = DOTS) -> Group:
     >>> len(view(solve(case), ASCII).renderables)
     4
     """
-    from rich.console import Group
-    from rich.text import Text
-
-    from vstatics.tables import terminal
-
     case = results.case
-    found = {table.quantity.key: table for table in tables(results)}
+    by_key = {table.quantity.key: table for table in tables(results)}
     title = [Text(case.name, style="bold")] * bool(case.name)
-    legend = (Text(line, style="dim") for line in _legend(results, found, marks))
-    return Group(*title, terminal.table(_grid(results, found, marks)), *legend)
+    legend = (Text(line, style="dim") for line in _legend(results, by_key, marks))
+    return Group(*title, terminal.table(_grid(results, by_key, marks)), *legend)
 
 
-def _grid(results: Results, found: dict[str, Table], marks: Marks) -> Grid:
+def _grid(results: Results, by_key: dict[str, Table], marks: Marks) -> Grid:
     """What each gear engages, its ratio and efficiency, its largest speed and torque."""
-    rpm, torque = "W_rpm" in found, "AMLGP_Nm" in found
+    rpm, torque = "W_rpm" in by_key, "AMLGP_Nm" in by_key
     columns = [
         text("gear"),
         *(Column(heading, is_sign=True) for heading in _headings(results.case)),
@@ -86,11 +79,11 @@ def _grid(results: Results, found: dict[str, Table], marks: Marks) -> Grid:
             Cell(line.gear),
             *element_signs(results, index, marks),
             *_figures(line),
-            _largest(_speeds(found, index, rpm=rpm), whole=rpm),
-            _largest(_torques(found, index), whole=torque)
+            _largest(_speeds(by_key, index, rpm=rpm), whole=rpm),
+            _largest(_torques(by_key, index), whole=torque)
             if results.calculable[index]
             else Cell(""),
-            _state(results.status(index + 1), found, index),
+            _state(results.status(index + 1), by_key, index),
         ]
         for index, line in enumerate(design(results).gears)
     ]
@@ -120,25 +113,25 @@ def _fixed(value: float) -> str:
     return f"{value:.3f}" if abs(value) < LARGE else f"{value:.3g}"
 
 
-def _speeds(found: dict[str, Table], number: int, *, rpm: bool) -> Iterator[tuple[str, float]]:
+def _speeds(by_key: dict[str, Table], number: int, *, rpm: bool) -> Iterator[tuple[str, float]]:
     """The speeds of links, planets and open elements."""
     unit = "_rpm" if rpm else ""
     for table, kind in (("W", ""), ("WSAT", "planet "), ("WFRI", "slip ")):
-        if table + unit in found:
-            for name, value in _column(found[table + unit], number):
+        if table + unit in by_key:
+            for name, value in _column(by_key[table + unit], number):
                 # P1.planet tells by itself what it is, 1 does not
                 front = "" if "." in name else kind or "link " * name.isdigit()
                 yield front + name, value
 
 
-def _torques(found: dict[str, Table], number: int) -> list[tuple[str, float]]:
+def _torques(by_key: dict[str, Table], number: int) -> list[tuple[str, float]]:
     """The torques of shift elements, mechanisms and members, with losses if they exist.
 
     None where one of them is not determined: it may be larger than all others.
     """
-    names = ("AMLGP_Nm", "AMLG_Nm") if "AMLGP_Nm" in found else ("AMLGP", "AMLG")
+    names = ("AMLGP_Nm", "AMLG_Nm") if "AMLGP_Nm" in by_key else ("AMLGP", "AMLG")
     for name in names:
-        column = [one for one in _column(found[name], number) if one[0] != OUTPUT]
+        column = [one for one in _column(by_key[name], number) if one[0] != OUTPUT]
         if not any(math.isnan(value) for _, value in column):
             return column
     return []
@@ -159,14 +152,14 @@ def _largest(values: Iterable[tuple[str, float]], *, whole: bool) -> Cell:
     return Cell(f"{value:.0f} {name}" if whole else f"{value:.2f} {name}", value)
 
 
-def _state(status: Status, found: dict[str, Table], number: int) -> Cell:
+def _state(status: Status, by_key: dict[str, Table], number: int) -> Cell:
     """What is idle; or why there are no numbers."""
     if status.name:
         return Cell(status.name, style="red" if status.is_fault else "yellow")
-    return Cell(" ".join(name for name, value in _column(found["idle"], number) if value == 1))
+    return Cell(" ".join(name for name, value in _column(by_key["idle"], number) if value == 1))
 
 
-def _legend(results: Results, found: dict[str, Table], marks: Marks) -> Iterator[str]:
+def _legend(results: Results, by_key: dict[str, Table], marks: Marks) -> Iterator[str]:
     """What the marks that occur mean."""
     case = results.case
     names = [element.name for element in case.shift_elements]
@@ -177,8 +170,8 @@ def _legend(results: Results, found: dict[str, Table], marks: Marks) -> Iterator
         signs.append(f"{marks.holds} freewheel that holds")
     signs.append("step: to the next smaller ratio")
     yield "; ".join(signs)
-    yield "speed, torque: the largest" + ("" if "W_rpm" in found else ", by the input's")
-    if (found["idle"].values == 1).any():
+    yield "speed, torque: the largest" + ("" if "W_rpm" in by_key else ", by the input's")
+    if (by_key["idle"].values == 1).any():
         yield "idle: carries no torque, or turns as one piece"
     states = {results.status(number + 1) for number in range(len(case.gears))}
     yield from (f"{one.name}: {one.meaning}" for one in STATUSES if one in states)

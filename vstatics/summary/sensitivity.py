@@ -17,12 +17,8 @@ def sensitivities(results: Results) -> Floats:
     They need no further solution. The torques of a gear, without losses and without
     further external torques, give ``(u/i) di/du = M (w_first - w_third)/(Mx w_output)``,
     which is the power that the first link brings in, seen from the third link, by that
-    at the output. Given speeds, relative to the input speed, stay as they are.
-
-    Parameters
-    ----------
-    results : Results
-        Of one case.
+    at the output. Given speeds, relative to the input speed, stay as they are. The results
+    are of one case.
 
     Returns
     -------
@@ -54,12 +50,12 @@ def sensitivities(results: Results) -> Floats:
     third = np.array([mechanism.third for mechanism in case.mechanisms], dtype=int)
     with np.errstate(all="ignore"):
         motion = speeds[:, first] - speeds[:, third]
-        found = torques[:, elements:-1] * motion / output_power[:, np.newaxis]
+        relative = torques[:, elements:-1] * motion / output_power[:, np.newaxis]
     # an idle one turns as one piece or carries nothing, which no internal ratio changes
     idle = np.array([state.search.idle for state in states])
     idle &= np.isfinite(alone.ratio)[:, np.newaxis]
-    found = np.where(idle, 0.0, found)
-    return np.where(np.isfinite(found), found + 0.0, np.nan)
+    relative = np.where(idle, 0.0, relative)
+    return np.where(np.isfinite(relative), relative + 0.0, np.nan)
 
 
 def _without_torques(results: Results) -> Results:

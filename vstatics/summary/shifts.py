@@ -37,14 +37,9 @@ class Transition(NamedTuple):
 
 
 def transitions(results: Results) -> list[Transition]:
-    """The shifts between neighbours, then those that jump one gear.
+    """The shifts between neighbours of one case, then those that jump one gear.
 
     A freewheel counts as engaged where it holds, so what it does by itself is told, too.
-
-    Parameters
-    ----------
-    results : Results
-        Of one case.
 
     Examples
     --------
@@ -55,11 +50,11 @@ def transitions(results: Results) -> list[Transition]:
     >>> transition.released, transition.engaged, transition.word
     (['B'], ['C'], 'single')
     """
-    found = ranges(results)
+    comparable = ranges(results)
     return [
         transition
         for distance in (1, 2)
-        for indices in found
+        for indices in comparable
         for transition in _over(results, indices, distance)
     ]
 

@@ -51,7 +51,7 @@ def differences(
         if here is None or there is None:
             yield from _lacking(quantity, actual, expected)
         else:
-            names = _Names(quantity, expected.case or actual.case)
+            names = _PlaceNames(quantity, expected.case or actual.case)
             rows = [result.rows.get(quantity.key, ()) for result in (actual, expected)]
             if all(rows):
                 names.rows, here, there = yield from _by_name(quantity, rows, here, there)
@@ -91,7 +91,7 @@ def _lacking(
         yield Difference(quantity.key, "", "", *((has, lacks) if one is actual else (lacks, has)))
 
 
-class _Names:
+class _PlaceNames:
     """Names of the rows and columns of a table, numbers where no case tells them."""
 
     def __init__(self, quantity: Quantity, case: Transmission | None) -> None:
@@ -112,7 +112,7 @@ class _Names:
 
 
 def _table(
-    names: _Names, here: Figures, there: Figures, atol: float, rtol: float
+    names: _PlaceNames, here: Figures, there: Figures, atol: float, rtol: float
 ) -> Iterator[Difference]:
     if len(here) != len(there):
         yield Difference(names.table, "", "", f"{len(here)} rows", f"{len(there)} rows")

@@ -35,8 +35,8 @@ def tag(name: str, /, *children: str, **attributes: object) -> Markup:
     >>> tag("p", tag("b", "&"))
     '<p><b>&amp;</b></p>'
     """
-    given = "".join(_attribute(key, value) for key, value in attributes.items())
-    start = f"<{name}{given}>"
+    written = "".join(_attribute(key, value) for key, value in attributes.items())
+    start = f"<{name}{written}>"
     return Markup(start) if name in VOID else Markup(f"{start}{joined(*children)}</{name}>")
 
 

@@ -149,15 +149,4 @@ PRINTED = {quantity.printed: quantity for quantity in QUANTITIES}
 """By the name at the head of a table in a listing; there the deck before it ends, too."""
 
 BY_NAME = {name: one for one in QUANTITIES for name in (one.key, one.name)}
-"""By the name in the library, and by the key."""
-
-
-def quantity(name: str) -> Quantity | None:
-    """The quantity of a name that a person types: that of the library, or that of the deck.
-
-    Examples
-    --------
-    >>> quantity("W") == quantity("speeds"), quantity("AMLG_Nm").of, quantity("weight")
-    (True, 'torques', None)
-    """
-    return BY_NAME.get(name)
+"""By each name that a person may type: that of the library, and the key, often of the deck."""

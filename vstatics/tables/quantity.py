@@ -1,12 +1,13 @@
-"""What is declared of a quantity of the results; `vstatics.tables.quantities` has them all."""
+"""What is declared of a quantity of the results, and its table; all are in `quantities`."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Literal, NamedTuple
 
 import numpy as np
 
+from vstatics.numerics.arrays import Floats
 from vstatics.statics.arrays import ARRAYS, Rows
 from vstatics.statics.results import Language, Results
 
@@ -84,6 +85,19 @@ class Quantity(NamedTuple):
         return self.exists is None and not self.unit
 
 
+class Table(NamedTuple):
+    """A quantity of a case: rows are links, devices or mechanisms, columns are gears.
+
+    Columns of the distribution matrix are devices. A list over gears is a table of one row.
+    """
+
+    quantity: Quantity
+    rows: Sequence[str]
+    columns: Sequence[str]
+    values: Floats
+    """(rows, columns), NaN for what does not exist."""
+
+
 class _Unit(NamedTuple):
     """A unit as headings write it, and the decimals of a report."""
 
@@ -105,9 +119,9 @@ def in_unit(quantity: Quantity) -> Quantity:
 
     Examples
     --------
-    >>> from vstatics.tables.quantities import quantity
-    >>> made = in_unit(quantity("slip_speeds"))
-    >>> made.name, made.key, made.printed, made.heading.en
+    >>> from vstatics.tables.quantities import BY_NAME
+    >>> slip = in_unit(BY_NAME["slip_speeds"])
+    >>> slip.name, slip.key, slip.printed, slip.heading.en
     ('slip_speeds_rpm', 'WFRI_rpm', 'WFRIRPM', 'Slip speeds of clutches and brakes, rpm')
     """
     unit = quantity.with_load

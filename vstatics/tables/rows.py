@@ -11,9 +11,6 @@ from vstatics.statics.arrays import ARRAYS, Rows, row_names
 
 NAME = re.compile(r"[^\W\d]\w*")
 """What is written without quotes, as are digits."""
-OUTPUT = "Mx"
-"""The name of the row of the output torque."""
-
 BEFORE_NAME = "|"
 """Stands before the name of a row in a listing."""
 

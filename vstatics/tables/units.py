@@ -15,35 +15,29 @@ from vstatics.statics.power import power as own_power
 from vstatics.statics.results import Results
 from vstatics.statics.torques import Torques
 from vstatics.tables.quantities import WITH_UNITS
-from vstatics.tables.table import Table
+from vstatics.tables.quantity import Table
 
 KW_OF_RPM_NM = math.pi / 30 / 1000
 """1 N*m at 1 rpm, in kW."""
 
 
 def physical(results: Results, relative: Sequence[Table]) -> list[Table]:
-    """The tables with units.
-
-    Parameters
-    ----------
-    relative : sequence of Table
-        The tables without units.
-    """
-    found = {table.quantity.name: table for table in relative}
+    """The tables with units, made of those without."""
+    by_name = {table.quantity.name: table for table in relative}
     gears = [gear.name for gear in results.case.gears]
-    made = []
+    filled = []
     with np.errstate(over="ignore", invalid="ignore"):
         by_unit = scales(results)
         powers = dict(zip(("input_power_kW", "output_power_kW"), _ports(results), strict=True))
         for quantity in WITH_UNITS:
             scale = by_unit[quantity.unit]
-            if np.isnan(scale).all() or (quantity.of and quantity.of not in found):
+            if np.isnan(scale).all() or (quantity.of and quantity.of not in by_name):
                 continue
-            values = found[quantity.of].values * scale if quantity.of else powers[quantity.name]
-            rows = [quantity.key] if quantity.rows == "one" else found[quantity.of].rows
+            values = by_name[quantity.of].values * scale if quantity.of else powers[quantity.name]
+            rows = [quantity.key] if quantity.rows == "one" else by_name[quantity.of].rows
             finite = np.where(np.isfinite(values), values + 0.0, np.nan)
-            made.append(Table(quantity, rows, gears, finite.reshape(len(rows), len(gears))))
-    return made
+            filled.append(Table(quantity, rows, gears, finite.reshape(len(rows), len(gears))))
+    return filled
 
 
 def scales(results: Results) -> dict[str, Floats]:

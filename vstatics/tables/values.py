@@ -8,7 +8,7 @@ from vstatics.statics.arrays import row_names
 from vstatics.statics.matrix import distribution_matrix
 from vstatics.statics.results import Results
 from vstatics.tables.quantities import RELATIVE
-from vstatics.tables.table import Table
+from vstatics.tables.quantity import Table
 
 
 def tables(results: Results) -> list[Table]:
@@ -25,20 +25,20 @@ def tables(results: Results) -> list[Table]:
     """
     case = results.case
     gears = [gear.name for gear in case.gears]
-    made = []
+    filled = []
     for quantity in RELATIVE:
         if quantity.exists is not None and not quantity.exists(results):
             continue
         if quantity.columns == "devices":
             matrix = distribution_matrix(case) + 0.0
-            made.append(Table(quantity, case.link_names, case.devices, matrix))
+            filled.append(Table(quantity, case.link_names, case.devices, matrix))
             continue
         single = quantity.rows == "one"
         rows = [quantity.key] if single else row_names(case, quantity.rows)
         array = np.asarray(results.existing(quantity.name), dtype=np.float64)
-        made.append(Table(quantity, rows, gears, array.reshape(len(gears), len(rows)).T))
+        filled.append(Table(quantity, rows, gears, array.reshape(len(gears), len(rows)).T))
     if case.load is None and not any(gear.load for gear in case.gears):
-        return made
+        return filled
     from vstatics.tables.units import physical
 
-    return made + physical(results, made)
+    return filled + physical(results, filled)

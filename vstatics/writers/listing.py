@@ -12,9 +12,8 @@ from collections.abc import Iterator
 from vstatics.model.transmission import Transmission
 from vstatics.statics.results import Language, Results
 from vstatics.tables.numbers import fixed
-from vstatics.tables.quantity import Phrase, Quantity
+from vstatics.tables.quantity import Phrase, Quantity, Table
 from vstatics.tables.rows import BEFORE_NAME, ROWS
-from vstatics.tables.table import Table
 from vstatics.tables.values import tables
 from vstatics.writers import deck
 

@@ -168,19 +168,19 @@ class Board:
 
     def _reaches(self, arrangement: Arrangement) -> dict[int, tuple[int, int]]:
         """The first and the last place in the row at which a wire meets an item."""
-        found: dict[int, tuple[int, int]] = dict.fromkeys(self.from_left, (-1, -1))
+        reaches: dict[int, tuple[int, int]] = dict.fromkeys(self.from_left, (-1, -1))
         for place, index in enumerate(arrangement.order):
             item = self.items[index]
             if item.bridge is None:
                 for tap in item.variants[arrangement.variants[index]]:
                     if tap.reach == "none":
                         continue
-                    first = found.get(tap.wire, (place, place))[0]
-                    found[tap.wire] = first, place
+                    first = reaches.get(tap.wire, (place, place))[0]
+                    reaches[tap.wire] = first, place
         for wire in self.to_right:
-            first = found.get(wire, (len(arrangement.order), 0))[0]
-            found[wire] = first, len(arrangement.order)
-        return found
+            first = reaches.get(wire, (len(arrangement.order), 0))[0]
+            reaches[wire] = first, len(arrangement.order)
+        return reaches
 
     def _spans(
         self, taps: Sequence[PlacedTap], arrangement: Arrangement, end: float

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from itertools import product
+from itertools import permutations, product
 
 from vstatics.elements.element import Element
 from vstatics.pictures.schemes.channels import ABOVE, BELOW
@@ -49,8 +49,8 @@ def _radii(element: Element) -> dict[str, float]:
     first, second = (element.teeth.get(member, 1) for member in ("first", "second"))
     if first == second:
         return {"first": MIDDLE, "second": MIDDLE}
-    small = "first" if first < second else "second"
-    return {member: SMALL if member == small else LARGE for member in ("first", "second")}
+    small, large = ("first", "second") if first < second else ("second", "first")
+    return {small: SMALL, large: LARGE}
 
 
 def _stacked(
@@ -58,7 +58,7 @@ def _stacked(
 ) -> Iterator[Glyph]:
     """A wheel above another, either of them below."""
     radii = _radii(element)
-    for low, high in (("first", "second"), ("second", "first")):
+    for low, high in permutations(("first", "second")):
         height = 2 * radii[low] + 2 * radii[high] + between
         low_y, high_y = radii[low] - height / 2, height / 2 - radii[high]
         strokes = [
@@ -97,7 +97,8 @@ def _flexible(element: Element) -> Iterator[Glyph]:
 
 def _internal(element: Element) -> Iterator[Glyph]:
     """The smaller wheel inside the larger one, which is drawn as a ring."""
-    inner, outer = sorted(_radii(element), key=lambda member: _radii(element)[member])
+    radii = _radii(element)
+    inner, outer = sorted(("first", "second"), key=radii.__getitem__)
     x, y, radius = WIDTH / 2, -4.0, SMALL
     top = y + radius + MESH
     fixed = [*wheel(x, y, radius), teeth(x, top)]
@@ -155,28 +156,26 @@ def _bevel(element: Element) -> Iterator[Glyph]:
         Stroke(((middle, 2), (middle, cage))),
     ]
     strokes = [*half, *_mirrored(half, width)]
-    sides = ("left", "right")
-    for one, other in (sides, sides[::-1]):
-        for one_side, other_side in product((ABOVE, BELOW), repeat=2):
-            taps = [
-                member_tap(one, element.link(one), one_side, 0.0, shaft),
-                member_tap(other, element.link(other), other_side, width, shaft),
-                member_tap("carrier", element.link("carrier"), ABOVE, middle, cage),
-            ]
-            yield Glyph(width, strokes, taps)
+    carrier = member_tap("carrier", element.link("carrier"), ABOVE, middle, cage)
+    return _in_line(element, Glyph(width, strokes, [carrier]), ("left", "right"), shaft)
 
 
 def _shaft(element: Element) -> Iterator[Glyph]:
     """A shaft in a bearing."""
     strokes = [Stroke(((0, 0), (WIDTH, 0)))]
     strokes += [teeth(WIDTH / 2, y, 7.0) for y in (-4.0, 4.0)]
-    for one, other in (("first", "second"), ("second", "first")):
-        for one_side, other_side in product((ABOVE, BELOW), repeat=2):
+    return _in_line(element, Glyph(WIDTH, strokes, []), ("first", "second"), 0.0)
+
+
+def _in_line(element: Element, bare: Glyph, members: tuple[str, str], y: float) -> Iterator[Glyph]:
+    """A glyph with two shafts on a level, each at either end; they leave up or down."""
+    for left, right in permutations(members):
+        for left_side, right_side in product((ABOVE, BELOW), repeat=2):
             taps = [
-                member_tap(one, element.link(one), one_side, 0.0, 0.0),
-                member_tap(other, element.link(other), other_side, WIDTH, 0.0),
+                member_tap(left, element.link(left), left_side, 0.0, y),
+                member_tap(right, element.link(right), right_side, bare.width, y),
             ]
-            yield Glyph(WIDTH, strokes, taps)
+            yield bare._replace(taps=[*taps, *bare.taps])
 
 
 DRAWN: Mapping[str, Callable[[Element], Iterator[Glyph]]] = {

@@ -4,14 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import cache
-from typing import TYPE_CHECKING, Any
+from typing import Any
+
+from matplotlib.font_manager import FontProperties
+from matplotlib.patches import Circle, Polygon, Rectangle
+from matplotlib.textpath import TextToPath
 
 from vstatics.pictures import labels
 from vstatics.pictures.labels import Point
 from vstatics.pictures.style import FONT, Style
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
 
 SIZE, SMALL = 9.0, 7.5
 """Of text. [pt]"""
@@ -24,9 +25,6 @@ WRAP = 14
 @cache
 def width_of(text: str, size: float = SIZE, *, bold: bool = False) -> float:
     """The width of text, of its longest line [pt]."""
-    from matplotlib.font_manager import FontProperties
-    from matplotlib.textpath import TextToPath
-
     font = FontProperties(family=FONT, size=size, weight="bold" if bold else "normal")
     return max(
         float(TextToPath().get_text_width_height_descent(line, font, ismath=False)[0])
@@ -63,7 +61,7 @@ class Pen:
         """Make the figure."""
         self.style = style
         self.figure = labels.figure(high[0] - low[0], high[1] - low[1])
-        self.axes: Axes = self.figure.add_axes((0.0, 0.0, 1.0, 1.0))
+        self.axes = self.figure.add_axes((0.0, 0.0, 1.0, 1.0))
         self.axes.set_axis_off()
         self.axes.set_xlim(low[0], high[0])
         self.axes.set_ylim(low[1], high[1])
@@ -76,14 +74,10 @@ class Pen:
 
     def dot(self, at: Point, color: str) -> None:
         """Where wires are joined."""
-        from matplotlib.patches import Circle
-
         self.axes.add_patch(Circle(at, 2.3, facecolor=color, edgecolor="none", zorder=6))
 
     def shape(self, points: Sequence[Point], *, fill: str, edge: str, width: float = LINE) -> None:
         """A filled polygon."""
-        from matplotlib.patches import Polygon
-
         self.axes.add_patch(
             Polygon(points, closed=True, facecolor=fill, edgecolor=edge, linewidth=width, zorder=4)
         )
@@ -116,8 +110,6 @@ class Pen:
 
     def blank(self, at: Point, width: float, height: float) -> None:
         """Paper over whatever was drawn there."""
-        from matplotlib.patches import Rectangle
-
         corner = at[0] - width / 2, at[1] - height / 2
         self.axes.add_patch(
             Rectangle(corner, width, height, facecolor=self.style.paper, edgecolor="none", zorder=7)

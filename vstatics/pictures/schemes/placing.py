@@ -64,41 +64,34 @@ class Placement:
 
     def joints(self) -> list[tuple[tuple[float, float], int]]:
         """Where a wire branches."""
-        found = []
+        places = []
         for track, (low, high) in self.row.spans.items():
             own = [tap for tap in self.row.taps if tap[1:3] == track and tap.reach != "none"]
             for x in dict.fromkeys(tap.x for tap in own):
                 passes = any(tap.reach == "pass" for tap in own if tap.x == x)
                 if low < x < high or passes:
-                    found.append(((x, self.y(track)), track[0]))
-        return found
+                    places.append(((x, self.y(track)), track[0]))
+        return places
 
     def verticals(self) -> list[tuple[float, float, float, int]]:
         """Of each tap: x, both y, its wire."""
-        found = []
+        lines = []
         for tap in self.row.taps:
             track = tap.wire, tap.side
             if tap.reach == "none":
                 continue
             end = self.y(track) if tap.reach != "pass" else tap.y
             start = tap.y if tap.reach == "row" else self.edge(tap.side)
-            found.append((tap.x, min(start, end), max(start, end), tap.wire))
-        return found
+            lines.append((tap.x, min(start, end), max(start, end), tap.wire))
+        return lines
 
 
 def placed(
     board: Board, arrangement: Arrangement, half: float, names: Mapping[int, float]
 ) -> Placement:
-    """Everything at its place.
+    """Everything at its place, in a row of twice the height `half` [pt].
 
-    Parameters
-    ----------
-    board : Board
-    arrangement : Arrangement
-    half : float
-        Half the height of the row. [pt]
-    names : mapping of wire to float
-        Widths of the names that stand on tracks. [pt]
+    `names` has the widths of the names that stand on the tracks of wires [pt].
     """
     extra: dict[int, float] = {}
     for _ in range(3 * len(names) + 3):
@@ -142,7 +135,7 @@ def _room(bare: Placement, wire: int, width: float, gap: float) -> tuple[float, 
     row = bare.row
     starts = sorted((left, item) for item, left in row.lefts.items())
     starts.append((row.width, -1))
-    found: list[tuple[float, float, float, float, int]] = []
+    rooms: list[tuple[float, float, float, float, int]] = []
     for track, (low, high) in row.spans.items():
         if track[0] != wire:
             continue
@@ -153,6 +146,6 @@ def _room(bare: Placement, wire: int, width: float, gap: float) -> tuple[float, 
             before = next((item for start, item in starts if left < start - gap / 2 < right), None)
             if before is not None or right - left >= width:
                 lack = max(width - (right - left), 0.0)
-                found.append((lack, -(right - left), (left + right) / 2, y, before or 0))
-    lack, _, middle, y, before = min(found)
+                rooms.append((lack, -(right - left), (left + right) / 2, y, before or 0))
+    lack, _, middle, y, before = min(rooms)
     return middle, y, lack, before

@@ -9,6 +9,7 @@ from typing import NamedTuple
 
 from vstatics.elements.drawing import parts_of
 from vstatics.elements.element import Element
+from vstatics.model.parts import ELEMENT_KINDS
 from vstatics.model.transmission import HOUSING, Gear, Mechanism, ShiftElement, Transmission
 from vstatics.pictures.state import PictureState
 
@@ -31,7 +32,7 @@ class Device(NamedTuple):
     @property
     def is_shift_element(self) -> bool:
         """Whether it is engaged and released."""
-        return self.kind in {"clutch", "brake", "dog_clutch", "freewheel"}
+        return self.kind in ELEMENT_KINDS
 
     @property
     def links(self) -> set[int]:
@@ -118,7 +119,7 @@ def scheme_of(case: Transmission) -> Scheme:
 
 
 def _mechanisms(case: Transmission) -> list[Device]:
-    found: list[Device] = []
+    devices: list[Device] = []
     number = 0
     for part in parts_of(case):
         numbers = tuple(range(number, number + len(part.lowered)))
@@ -126,11 +127,11 @@ def _mechanisms(case: Transmission) -> list[Device]:
         if part.element is None:
             mechanism = part.lowered[0].mechanism
             shape = _shape_of(mechanism)
-            found.append(Device(part.name, *shape, numbers, ratio=mechanism.ratio))
+            devices.append(Device(part.name, *shape, numbers, ratio=mechanism.ratio))
         else:
             kind = part.element.kind
-            found.append(Device(part.name, kind, part.members, numbers, part.element))
-    return found
+            devices.append(Device(part.name, kind, part.members, numbers, part.element))
+    return devices
 
 
 def _shape_of(mechanism: Mechanism) -> tuple[str, dict[str, int]]:
@@ -154,8 +155,8 @@ def _shift_elements(elements: Sequence[ShiftElement]) -> list[Device]:
 
 
 def _ports(first: int, last: int, gear: Gear) -> list[Port]:
-    given = dict.fromkeys([*gear.speeds, *gear.torques])
-    return [Port(first, "input"), Port(last, "output"), *(Port(link, "given") for link in given)]
+    further = dict.fromkeys([*gear.speeds, *gear.torques])
+    return [Port(first, "input"), Port(last, "output"), *(Port(link, "given") for link in further)]
 
 
 def scheme_state(scheme: Scheme, state: PictureState) -> SchemeState:
@@ -166,7 +167,7 @@ def scheme_state(scheme: Scheme, state: PictureState) -> SchemeState:
     ends = [port.link for port in ports]
     for place, device in enumerate(scheme.devices):
         if device.is_shift_element:
-            carries = state.holds[device.numbers[0]]
+            carries = device.numbers[0] + 1 in state.gear.engaged
             (engaged if carries else idle).add(place)
         else:
             carries = any(state.is_loaded[number] for number in device.numbers)

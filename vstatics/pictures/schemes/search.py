@@ -25,11 +25,7 @@ HOT, COLD = 600.0, 6.0
 def arranged(board: Board, *, is_free: bool) -> Arrangement:
     """An arrangement with few crossings and short wires.
 
-    Parameters
-    ----------
-    board : Board
-    is_free : bool
-        Whether wires may choose their side; else the variants of the items do.
+    Wires that are free choose their side; else the variants of the items do.
     """
     steps = min(STEPS * (len(board.items) + len(board.wires)), MOST_STEPS)
     first = _start(board)

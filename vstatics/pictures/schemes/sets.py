@@ -37,10 +37,9 @@ class WheelColumn:
 
     def bars(self, level: int) -> bool:
         """Whether something of this plane is in the way of an axle on a level."""
-        below, above = level < min(self.rims), level > max(self.rims)
-        return (
-            (self.sun is not None if below else self.ring is not None) if below or above else True
-        )
+        if level < min(self.rims):
+            return self.sun is not None
+        return level <= max(self.rims) or self.ring is not None
 
 
 @dataclass(frozen=True)

@@ -62,9 +62,9 @@ def sheet_of(
     """A figure with room for everything, its title and its wires; a gear by its number from 1."""
     state, title = SchemeState(), results.case.name
     if gear is not None:
-        found = state_of(results, gear)
-        state = scheme_state(scheme, found)
-        texts = [gear_title(found.gear.name, style), *(fault(one, style) for one in found.faults)]
+        shown = state_of(results, gear)
+        state = scheme_state(scheme, shown)
+        texts = [gear_title(shown.gear.name, style), *(fault(one, style) for one in shown.faults)]
         title = ", ".join([title, *texts] if title else texts)
     names = {
         "left": [width_of(scheme.name(wire)) for wire in placement.from_left],

@@ -9,7 +9,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 from functools import partial
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
+
+from matplotlib.figure import Figure
 
 from vstatics.elements.drawing import drawing_of
 from vstatics.elements.group import group_of
@@ -36,9 +38,6 @@ from vstatics.pictures.schemes.structure import box_item, draw_box, named_on_tra
 from vstatics.pictures.style import Style
 from vstatics.pictures.words import word
 from vstatics.statics.results import Results
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
 
 LEAST_HALF = 36.0
 """Half the height of the row, at least. [pt]"""
@@ -139,13 +138,9 @@ def _names(device: Device, style: Style) -> tuple[str, str]:
     return wrapped(device.name), "" if is_set else word(device.kind, style)
 
 
-def _label_width(device: Device, style: Style) -> float:
-    name, kind = _names(device, style)
-    return max(width_of(name, bold=True), width_of(kind, SMALL)) + BESIDE
-
-
 def _element_item(index: int, device: Device, glyphs: list[Glyph], style: Style) -> Item:
-    label = _label_width(device, style)
+    name, kind = _names(device, style)
+    label = max(width_of(name, bold=True), width_of(kind, SMALL)) + BESIDE
     variants = [[tap._replace(x=tap.x + label) for tap in glyph.taps] for glyph in glyphs]
     return Item(index, [glyph.width + label for glyph in glyphs], variants, rank=index)
 

@@ -5,7 +5,7 @@ This is the form of figure 5b of the source: it serves every case, drawn or not.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from matplotlib.figure import Figure
 
 from vstatics.model.transmission import HOUSING
 from vstatics.pictures.schemes.channels import ABOVE, BELOW, Board, Item, Reach, Tap
@@ -24,9 +24,6 @@ from vstatics.pictures.schemes.sheet import (
 from vstatics.pictures.style import Style
 from vstatics.pictures.words import word
 from vstatics.statics.results import Results
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
 
 HALF = 30.0
 """Half the height of a box. [pt]"""

@@ -14,7 +14,7 @@ from vstatics.sweep.expressions.evaluation import FUNCTIONS
 from vstatics.sweep.expressions.excerpt import Excerpt, quoted
 from vstatics.sweep.expressions.operands import Constant, DottedName, Subscript, TableName
 from vstatics.sweep.targets import Target, target
-from vstatics.tables.quantities import quantity
+from vstatics.tables.quantities import BY_NAME
 from vstatics.tables.rows import ROWS, table_rows
 
 OPERANDS = "a number, a table such as ratio[1], a varied number such as D1.ratio, or a function"
@@ -89,7 +89,7 @@ class SweepNames:
 
     def table(self, read: TableName) -> Selection:
         """A table, or a part of it."""
-        known = quantity(read.name)
+        known = BY_NAME.get(read.name)
         name = known.name if known else read.name
         if name not in ARRAYS:
             raise self.source.error(self._no_table(name), read.at)
