@@ -101,6 +101,7 @@ def _planets(
                 yield Planet(
                     f"{part.name}.{planet}",
                     numbers[0] if follows_ratio else -1,
+                    mechanism.ratio,
                     wheels,
                     group.carrier,
                     float(speed) if group.is_known(planet) else math.nan,

@@ -32,8 +32,10 @@ class Planet(NamedTuple):
     """A planet, and what its speed against its carrier follows from."""
 
     name: str
-    mechanism: int
-    """Index of the mechanism that it belongs to; -1: of several."""
+    mechanism: int = -1
+    """Index of the mechanism whose ratio it follows; -1: of none."""
+    ratio: float = 0.0
+    """That of the mechanism by the teeth; with another, as in a sweep, the wheels do not count."""
     wheels: tuple[WheelOfPlanet, ...] = ()
     """None: the mechanism has the planet's ratio."""
     carrier: int = 0

@@ -19,6 +19,7 @@ from vstatics.errors import CaseError, Problem
 from vstatics.model.transmission import HOUSING, Gear, Transmission
 from vstatics.numerics.traced import plain
 from vstatics.pictures.state import PictureState, state_of
+from vstatics.statics.matrix import columns
 from vstatics.statics.results import Results
 from vstatics.statics.speeds import solve_speeds
 

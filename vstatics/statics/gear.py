@@ -71,7 +71,7 @@ def _planet_speeds(state: GearState) -> Iterator[Number]:
     for device in case.own_devices:
         for planet in device.planets:
             index = planet.mechanism
-            if planet.wheels and (index < 0 or ratios[index] == case.mechanisms[index].ratio):
+            if planet.wheels and (index < 0 or ratios[index] == planet.ratio):
                 yield _by_wheels(state, planet)
             else:
                 yield _by_ratio(state, index)
