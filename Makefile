@@ -3,6 +3,8 @@ PYTHON ?= python3
 BIN = .venv/bin
 OLDEST = .venv-oldest/bin
 CASE ?= cases/mzkt7922.dat
+# A process of pytest for each core; make test TEST_JOBS=0 runs the tests in one.
+TEST_JOBS ?= logical
 SOURCES := $(shell find vstatics -name '*.py')
 
 help: ## list the targets
@@ -11,14 +13,15 @@ help: ## list the targets
 run: .venv/compiled.stamp ## calculate the published case (another: make run CASE=file)
 	@$(BIN)/vstatics run "$(CASE)"
 
-test: .venv/dev.stamp ## the fast tests (under two minutes)
-	$(BIN)/pytest -q -m "not slow"
+test: .venv/dev.stamp ## the fast tests, on all cores (under two minutes)
+	$(BIN)/pytest -q -n $(TEST_JOBS) -m "not slow"
 
-test-slow: .venv/dev.stamp ## the slow tests
-	$(BIN)/pytest -q -m slow
+test-slow: .venv/dev.stamp ## the slow tests; those that disturb or time processes one by one
+	$(BIN)/pytest -q -n $(TEST_JOBS) -m "slow and not alone"
+	$(BIN)/pytest -q -n 0 -m "slow and alone"
 
 test-oldest: .venv-oldest/stamp ## the fast tests with the oldest versions allowed (Python 3.11)
-	$(OLDEST)/pytest -q -m "not slow" -p no:cacheprovider
+	$(OLDEST)/pytest -q -n $(TEST_JOBS) -m "not slow" -p no:cacheprovider
 
 coverage: .venv/dev.stamp ## the fast tests, with the lines that they miss
 	$(BIN)/pytest -q -m "not slow" --cov=vstatics --cov-report=term-missing
@@ -31,7 +34,7 @@ types: .venv/dev.stamp ## mypy --strict
 	$(BIN)/mypy
 
 golden: .venv/dev.stamp ## rewrite tests/golden; fails where something changed
-	$(BIN)/pytest -q tests/test_golden.py --regenerate
+	$(BIN)/pytest -q -n 0 tests/test_golden.py --regenerate
 
 schema: .venv/run.stamp ## rewrite schemas/ from the declarations
 	$(BIN)/python -m vstatics.readers.named.schema > schemas/case.schema.json

@@ -111,3 +111,25 @@ def test_only_the_command_line_prints_and_leaves() -> None:
             }
             assert not called & {"print", "sys.exit", "exit"}, name
             assert room(name) == "jobs" or "os._exit" not in called, name  # worker processes end
+
+
+def test_a_class_name_is_used_once() -> None:
+    """A name stands for one thing, so that it can be searched for."""
+    homes: dict[str, list[str]] = {}
+    for module, path in modules().items():
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.ClassDef):
+                homes.setdefault(node.name, []).append(module)
+    assert {name: own for name, own in homes.items() if len(own) > 1} == {}
+
+
+def test_each_module_of_the_solver_has_its_tests() -> None:
+    own = {path.stem for path in (PACKAGE / "statics").glob("*.py")} - {"__init__"}
+    tests = {path.stem for path in (Path(__file__).parent / "statics").glob("test_*.py")}
+    assert {f"test_{name}" for name in own} <= tests
+
+
+def test_folders_of_tests_are_rooms() -> None:
+    others = {"published", "oracle", "golden", "bad", "__pycache__"}
+    folders = {path.name for path in Path(__file__).parent.iterdir() if path.is_dir()}
+    assert folders - others <= set(ROOMS)

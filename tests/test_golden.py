@@ -1,7 +1,7 @@
 """Golden files: the results of every shipped case, as this program wrote them.
 
 They are written by the program itself, so they show change and prove nothing; truth is
-in `published/` and in closed forms. ``pytest tests/golden/test_golden.py --regenerate`` (or
+in `published/` and in closed forms. ``pytest tests/test_golden.py --regenerate`` (or
 ``make golden``) rewrites them and fails where something changed, showing the
 difference; the next run is green.
 """

@@ -7,29 +7,12 @@ from pathlib import Path
 
 import pytest
 
-from tests.commands import BAD, CASES, LOCKED, MZKT, NEUTRAL, TIED_UP, Said, vstatics
+from tests.commands import CASES, MZKT, Said, vstatics
 
 COMMANDS = ["run", "check", "convert", "compare"]
 REFERENCE = json.loads(
     (Path(__file__).parents[1] / "published" / "mzkt7922.json").read_text(encoding="utf-8")
 )
-
-
-@pytest.fixture
-def files(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """A folder, the current one, with a case of each kind."""
-    for name, text in {
-        "neutral.yaml": NEUTRAL,
-        "tied.yaml": TIED_UP,
-        "locked.yaml": LOCKED,
-        "bad.yaml": BAD,
-        "open.yaml": NEUTRAL.replace("B: [2, housing]", "B: [2, housing], A: [2, housing]").replace(
-            "N: {}", "both: {engaged: [A, B]}"
-        ),
-    }.items():
-        (tmp_path / name).write_text(text, encoding="utf-8")
-    monkeypatch.chdir(tmp_path)
-    return tmp_path
 
 
 @pytest.mark.usefixtures("files")
@@ -105,88 +88,6 @@ def test_many_cases_go_on_after_a_bad_one() -> None:
     assert failed["case"] == "bad.yaml"
     assert "bad.yaml:3:" in failed["errors"][0]
     assert last["ratio"] == [None, pytest.approx(3.5)]
-
-
-@pytest.mark.usefixtures("files")
-def test_many_listings_follow_one_another_without_the_bad_one() -> None:
-    said = vstatics("run", "neutral.yaml", "bad.yaml", MZKT)
-    apart = [f"==> {name} <==\n{vstatics('run', name).out}" for name in ("neutral.yaml", MZKT)]
-    assert (said.status, said.out) == (1, "\n".join(apart))
-    assert said.err.count("bad.yaml:3:") == 1
-
-
-@pytest.mark.usefixtures("files")
-@pytest.mark.parametrize("form", ["listing", "json", "csv"])
-def test_a_bad_case_alone_prints_nothing_on_stdout(form: str) -> None:
-    said = vstatics("run", "bad.yaml", "-f", form)
-    assert (said.status, said.out) == (1, "")
-    said = vstatics("run", "bad.yaml", "nowhere.dat", "-f", form)
-    assert said.status == 1
-    assert bool(said.out) == (form == "json")
-
-
-@pytest.mark.usefixtures("files")
-def test_check_speaks_like_a_compiler() -> None:
-    said = vstatics("check", "bad.yaml")
-    place, _, rest = said.err.partition(": error: ")
-    message, line, caret = rest.splitlines()[:3]
-    assert place == f"bad.yaml:3:{BAD.splitlines()[2].index('ratoi') + 1}"
-    assert message.endswith("did you mean `ratio`?")
-    assert line == "  " + BAD.splitlines()[2]
-    assert caret.index("^") == line.index("ratoi")
-
-
-def test_check_shows_the_part_of_a_long_line_around_the_place() -> None:
-    deck = MZKT.read_text(encoding="utf-8").replace("1 1 4\n", "1 1" + " " * 500 + "9\n", 1)
-    said = vstatics("check", "-", stdin=deck.encode())
-    place, line, caret = said.err.splitlines()
-    assert place.startswith("<stdin>:10:")
-    assert line[caret.index("^")] == "9"
-    assert len(line) <= 80
-
-
-@pytest.mark.usefixtures("files")
-def test_check_counts_conditions_and_prints_no_tables() -> None:
-    """Two links turn freely in a differential of three: two degrees of freedom."""
-    assert vstatics("check", "neutral.yaml", "tied.yaml").out.splitlines() == [
-        "neutral.yaml: 3 links, 2 shift elements, 1 mechanism, 2 gears; degrees of freedom: 2",
-        "  gear N    1 of 2 conditions: 1 missing (engaged: nothing)",
-        "  gear low  2 of 2 conditions: ok (engaged: B)",
-        "tied.yaml: 3 links, 2 shift elements, 1 mechanism, 2 gears; degrees of freedom: 2",
-        "  gear both  3 of 2 conditions: 1 in excess, tied up (engaged: C B)",
-        "  gear low   2 of 2 conditions: ok (engaged: B)",
-    ]
-
-
-def test_check_reports_all_that_is_wrong_in_one_run() -> None:
-    text = NEUTRAL.replace("C: [1, 2]", "C: [2, 2]").replace("first: 1", "first: 9")
-    text = text.replace("[B]", "[X]")
-    lines = text.splitlines()
-    columns = [lines[n].index(what) + 1 for n, what in ((1, "2]"), (2, "9"), (3, "X"))]
-    said = vstatics("check", "-", stdin=text.encode()).err.splitlines()
-    assert [line.partition(": ")[0] for line in said[::3]] == [
-        f"<stdin>:{number}:{column}" for number, column in enumerate(columns, 2)
-    ]
-
-
-def test_coasting_turns_the_reverse_gears_of_the_published_train() -> None:
-    """.9014 and .9212, and locked where 1/6 of the power would have to pass: the method."""
-    driven = json.loads(vstatics("run", MZKT, "--coast", "-f", "json").out)
-    assert driven["ETA"][4:] == pytest.approx([0.9014, 0.9212], abs=5e-5)
-    assert driven["case"]["coast"] is True
-    said = vstatics("run", CASES / "self-locking.yaml", "--coast", "-f", "json")
-    assert json.loads(said.out)["locked"][0] is True
-    case = LOCKED.replace("links: 3", "links: 3\ncoast: true").encode()
-    assert json.loads(vstatics("run", "-", "-f", "json", stdin=case).out)["locked"] == [False]
-    said = vstatics("run", "-", "--drive", "-f", "json", stdin=case)
-    assert json.loads(said.out)["locked"] == [True]
-
-
-@pytest.mark.parametrize(("idle", "signs"), [("published", REFERENCE["IX"][2]), ("exact", None)])
-def test_idle_convention_is_overridden(idle: str, signs: list[int] | None) -> None:
-    """D3 turns as one piece in gears 3, 4 and 6; `exact` has 0 there."""
-    said = vstatics("run", MZKT, "--idle", idle, "-f", "json")
-    assert json.loads(said.out)["IX"][2] == (signs or [1, 1, 0, 0, 1, 0])
 
 
 def format_of(said: Said) -> str:

@@ -12,7 +12,7 @@ import pytest
 
 from tests.sweep.sweeps import CASE_TEXT, begin, children, end, finished, names, wait_for
 
-pytestmark = pytest.mark.slow
+pytestmark = [pytest.mark.slow, pytest.mark.alone]
 
 SWEEP = ("box.yaml", "--vary", "D.ratio=-4:-2:1000", "--vary", "D.efficiency=.9:1:1000")
 """A million variants in 16 pieces, the last of them small."""

@@ -2,57 +2,19 @@
 
 from __future__ import annotations
 
-import json
 from fractions import Fraction
-from pathlib import Path
 
-import numpy as np
 import pytest
 
 import vstatics as library
 from tests.commands import CASES, vstatics
+from tests.elements.element_texts import AOD, SET, changed, loaded, problems
 from vstatics.elements import Drawing, Element, transmission
 from vstatics.elements.kinds import KINDS
-from vstatics.errors import CaseError, ReadError
+from vstatics.errors import CaseError
 from vstatics.model.transmission import Gear, ShiftElement
 from vstatics.readers import read
-from vstatics.tables.quantity import Table
-from vstatics.tables.values import tables
 from vstatics.templates import TEMPLATES, template
-
-SET = """
-input: sun
-output: carrier
-elements:
-  P1: {kind: planetary, sun: sun, ring: ring, carrier: carrier, teeth: {sun: 30, ring: 75}}
-shift_elements:
-  B: [ring, housing]
-  C: [sun, carrier]
-gears:
-  low: {engaged: [B]}
-  direct: {engaged: [C]}
-"""
-AOD = (CASES / "ravigneaux-aod.yaml").read_text(encoding="utf-8")
-
-
-def changed(before: str, after: str, text: str = SET) -> str:
-    assert before in text
-    return text.replace(before, after)
-
-
-def loaded(text: str) -> library.Transmission:
-    return read(text.encode(), "case.yaml").case
-
-
-def shown(text: str) -> dict[str, Table]:
-    """The tables of a case by their names."""
-    return {table.quantity.key: table for table in tables(library.solve(loaded(text)))}
-
-
-def problems(text: str) -> list[str]:
-    with pytest.raises(ReadError) as refused:
-        read(text.encode(), "case.yaml")
-    return [str(problem) for problem in refused.value.problems]
 
 
 def test_links_are_the_names_that_elements_use() -> None:
@@ -92,93 +54,6 @@ gears: {all: {}}
     assert case.mechanisms[0].ratio == -1
 
 
-def test_torques_of_the_members_balance() -> None:
-    """Nothing but its members holds an element: with losses, too, their torques cancel."""
-    for name in ("AMLG", "AMLGP"):
-        table = shown(AOD)[name]
-        members = [row.startswith("set.") for row in table.rows]
-        assert sum(members) == 4
-        assert table.values[members].sum(axis=0) == pytest.approx(np.zeros(5), abs=1e-12)
-
-
-def test_member_torques_of_a_plain_set() -> None:
-    """Ring held: sun 1, ring 75/30, carrier what both leave; with losses the ring has less."""
-    ideal, lossy = shown(SET)["AMLG"], shown(SET)["AMLGP"]
-    assert list(ideal.rows) == ["B", "C", "P1.sun", "P1.ring", "P1.carrier", "Mx"]
-    assert ideal.values[2:, 0] == pytest.approx([1, 2.5, -3.5, 3.5])
-    held = 2.5 * 0.98 * 0.99
-    assert lossy.values[2:, 0] == pytest.approx([1, held, -1 - held, 1 + held])
-
-
-def test_results_show_own_links_elements_and_planets() -> None:
-    found = shown(AOD)
-    assert list(found["W"].rows) == ["input", "forward sun", "reverse sun", "carrier", "ring"]
-    assert list(found["WSAT"].rows) == ["set.short", "set.long"]
-    assert found["WSAT"].values[:, 0] == pytest.approx([-30 / 18, 30 / 18])  # carrier held
-    assert list(found["losses"].rows) == ["set"]
-    total = 1 - found["ETA"].values[0]
-    assert found["losses"].values[0] == pytest.approx(total)
-    assert "mesh_torques" not in shown(SET)
-
-
-@pytest.mark.parametrize("losses", ["meshes", "reduced"])
-def test_planets_have_the_same_speeds_in_both_forms(losses: str) -> None:
-    given = shown(AOD)["WSAT"].values
-    other = shown(changed("mesh_eff", f"losses: {losses}\nmesh_eff", AOD))["WSAT"].values
-    assert other == pytest.approx(given, abs=1e-12)
-
-
-def test_a_planet_without_teeth_has_no_speed() -> None:
-    found = shown(changed(", short: 18, long: 18", "", AOD))
-    assert list(found["WSAT"].rows) == ["set.short", "set.long"]
-    assert np.isnan(found["WSAT"].values[0]).all()
-    assert found["WSAT"].values[1] == pytest.approx(shown(AOD)["WSAT"].values[1])  # (72 - 36)/2
-
-
-def test_a_mesh_with_a_planet_without_teeth_has_no_torque_on_it() -> None:
-    found = shown(changed(", short: 18, long: 18", "", AOD))["lossy_mesh_torques"]
-    given = shown(AOD)["lossy_mesh_torques"]
-    assert list(found.rows) == list(given.rows)
-    for name, row, other in zip(found.rows, found.values, given.values, strict=True):
-        if name == "set.short-long":
-            assert np.isnan(row).all()
-        else:
-            assert row == pytest.approx(other)
-
-
-def test_wheels_of_a_group_keep_their_rows_whatever_their_links_are_called() -> None:
-    """Ring held: sun 1, ring 2, carrier -3, whoever has a link called carrier or A."""
-    for name in ("ring", "carrier", "A"):
-        text = f"""
-links: [in, {name}, H]
-output: H
-losses: meshes
-elements:
-  g: {{kind: planet_group, carrier: H, rims: {{A: {{A1: 18}}}},
-      suns: [{{link: in, teeth: 36, rim: A1}}], rings: [{{link: {name}, teeth: 72, rim: A1}}]}}
-shift_elements: {{B: [{name}, housing]}}
-gears: {{1: {{engaged: [B]}}}}
-"""
-        found = shown(text)["AMLG"]
-        row = "g.ring" if name == "ring" else f"g.{name}/A1"
-        assert list(found.rows) == ["B", "g.in", row, "g.carrier", "Mx"]
-        assert found.values[1:4, 0] == pytest.approx([1, 2, -3])
-
-
-def test_two_wheels_of_the_housing_on_one_rim_have_names_of_their_own() -> None:
-    text = """
-links: [C, out]
-input: C
-elements:
-  g: {kind: planet_group, carrier: C, rims: {A: {A1: 18, A2: 20}}, rings: [
-      {link: housing, teeth: 72, rim: A1}, {link: out, teeth: 74, rim: A2}]}
-gears: {1: {}}
-"""
-    assert "g.housing" in shown(text)["AMLG"].rows
-    both = changed("72, rim: A1}", "72, rim: A1}, {link: housing, teeth: 72, rim: A1}", text)
-    assert {"g.housing/A1", "g.housing/A1 (ring)"} < set(shown(both)["AMLG"].rows)
-
-
 def test_sets_that_seem_to_share_planets_get_a_hint() -> None:
     two = changed(
         "shift_elements:",
@@ -192,15 +67,6 @@ def test_sets_that_seem_to_share_planets_get_a_hint() -> None:
 def test_a_planet_and_a_link_of_one_name_are_told() -> None:
     text = AOD.replace("reverse sun", "set.long")
     assert any("planet long is called `set.long`, as a link is" in told for told in problems(text))
-
-
-def test_the_planets_of_a_plain_set_follow_its_ratio_in_a_sweep() -> None:
-    """Ring held: (w_sun - w_carrier)/(planet ratio) with the planet (ring - sun)/2."""
-    case = loaded(SET)
-    for ratio in (-2.0, -4.0):
-        results = library.solve(case, ratios=np.array([[ratio], [-3.0]]))
-        motion = 1 - 1 / (1 - ratio)
-        assert results.planet_speeds[0, 0] == pytest.approx([motion / ((1 + ratio) / 2)])
 
 
 def test_ratio_is_the_exact_fraction_rounded_once() -> None:
@@ -222,33 +88,11 @@ def test_mechanisms_may_stand_beside_elements() -> None:
     assert library.solve(case).ratio == pytest.approx([-14, -4])
 
 
-@pytest.mark.parametrize("name", [*TEMPLATES])
-def test_a_template_is_a_case_without_faults(name: str, tmp_path: Path) -> None:
-    file = tmp_path / "new.yaml"
-    assert vstatics("new", file, "--template", name) == (0, "", "")
-    assert file.read_text(encoding="utf-8") == template(name)
-    said = vstatics("run", file, "-f", "json")
-    assert (said.status, said.err) == (0, "")
-    document = json.loads(said.out)
-    assert not any(ratio is None for ratio in document["ratio"])
-    assert document["case"]["elements"]
-
-
 def test_every_kind_has_a_template_or_a_case() -> None:
     texts = [path.read_text(encoding="utf-8") for path in CASES.glob("*.yaml")]
     texts += map(template, TEMPLATES)
     unused = {kind for kind in KINDS if not any(f"kind: {kind}" in text for text in texts)}
     assert unused == {"internal_pair", "belt"}
-
-
-def test_new_does_not_overwrite(tmp_path: Path) -> None:
-    file = tmp_path / "mine.yaml"
-    file.write_text("mine", encoding="utf-8")
-    said = vstatics("new", file)
-    assert (said.status, file.read_text(encoding="utf-8")) == (1, "mine")
-    assert "is there already" in said.err
-    said = vstatics("new", "--template", "ravigneau")
-    assert (said.status, "did you mean `ravigneaux`?" in said.err) == (2, True)
 
 
 FAULTS = {
@@ -441,36 +285,6 @@ def test_drag_below_0_is_told_as_it_was_read() -> None:
     text = changed("{engaged: [B]}", '{engaged: [B], drag: {ring: "-100 N*m"}}')
     *_, told = problems(text + "load: {torque: -100 N*m}\n")
     assert "drag.ring: read -100 N*m, expected a torque of 0 or more" in told
-
-
-@pytest.mark.parametrize(
-    ("output", "clutches", "losses", "member"),
-    [
-        ("carrier", "C1: [a, ring], C2: [b, ring]", "meshes", "R.carrier"),
-        ("ring", "C1: [a, carrier], C2: [b, carrier]", "meshes", "R.ring"),
-        ("ring", "C1: [a, carrier], C2: [b, carrier]", "reduced", "R.ring"),
-    ],
-)
-def test_a_member_alone_with_the_load_carries_it(
-    output: str, clutches: str, losses: str, member: str
-) -> None:
-    """Two clutches make one piece: they share a torque, but the load is all on one member."""
-    found = shown(f"""
-links: [a, b, carrier, ring]
-output: {output}
-losses: {losses}
-elements:
-  R:
-    {{kind: ravigneaux, small_sun: a, large_sun: b, ring: ring, carrier: carrier,
-     teeth: {{small_sun: 30, large_sun: 36, ring: 84, short: 22, long: 24}}}}
-shift_elements: {{{clutches}}}
-gears: {{1: {{engaged: [C1, C2]}}}}
-""")
-    for name in ("AMLG", "AMLGP"):
-        torques = dict(zip(found[name].rows, found[name].values[:, 0].tolist(), strict=True))
-        assert torques[member] == pytest.approx(-1, abs=1e-14)
-        assert np.isnan(torques["C1"])
-        assert np.isnan(torques["R.small_sun"])
 
 
 def test_a_name_that_stands_alone_is_told_with_the_nearest() -> None:

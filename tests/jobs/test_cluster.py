@@ -16,7 +16,7 @@ from tests.commands import environment
 from tests.sweep.sweeps import CASE_TEXT, begin, end, finished, names, wait_for
 
 pytest.importorskip("distributed")
-pytestmark = pytest.mark.slow
+pytestmark = [pytest.mark.slow, pytest.mark.alone]
 
 SWEEP = ("box.yaml", "--vary", "D.ratio=-4:-2:1000", "--vary", "D.efficiency=.9:1:500")
 """Half a million variants in 8 pieces."""

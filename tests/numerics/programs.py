@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from vstatics.numerics.arrays import Booleans, Floats
 from vstatics.numerics.memory import Rows
 from vstatics.numerics.plans import _plan, prepared
-from vstatics.numerics.traced import Number
+from vstatics.numerics.traced import Number, absolute
 
 INPUTS = 3
 CONSTANTS = (0.0, 1.0, -1.0, 2.0, 3.0, 0.5, -0.25, 4.0, math.nan)
@@ -47,7 +47,7 @@ def _value(name: str, a: Number, b: Number, c: Number, d: Number) -> Number:
         "*": lambda: a * b,
         "/": lambda: 0.0 if b == 0 else a / b,
         "negative": lambda: -a,
-        "magnitude": lambda: abs(a),
+        "magnitude": lambda: absolute(a),
         "zero": lambda: a * 0.0,
         "less": lambda: c if a < b else d,
         "less or equal": lambda: c if a <= b else d,

@@ -12,7 +12,8 @@ from typing import Any
 import numpy as np
 
 from tests import trains
-from vstatics import Gear, Results, Transmission, solve
+from tests.trains import random_train, seeded
+from vstatics import Gear, Mechanism, Results, ShiftElement, Transmission, solve
 from vstatics.numerics.arrays import Floats
 from vstatics.statics import variants
 
@@ -172,3 +173,31 @@ def large_train(rng: Random, most: int = 12) -> Transmission:
         coast=rng.random() < 0.25,
     )
     return replace(case, gears=[trains.random_gear(rng, case, regular=False) for _ in range(3)])
+
+
+def chain(count: int, into: Transmission | None = None) -> Transmission:
+    """Gear pairs of ratio 2 and efficiency .97 one after another, then a train."""
+    last = into or Transmission(2, [ShiftElement(1, 2)], [], [Gear([1])])
+    ends = [last.links + number for number in range(1, count + 1)]
+    pairs = zip(ends, [*ends[1:], last.input], strict=True)
+    made = [Mechanism(first, second, 0, 2.0, 0.97) for first, second in pairs]
+    return replace(
+        last,
+        links=last.links + count,
+        link_names=(),
+        mechanisms=[*made, *(one._replace(name="") for one in last.mechanisms)],
+        input=ends[0],
+    )
+
+
+def generator(*seeds: int) -> np.random.Generator:
+    return np.random.default_rng(seeds)
+
+
+def random_case(seed: int, largest: int = 6) -> tuple[Transmission, Floats, Floats | None]:
+    """A random train with variants of a random kind."""
+    random, rng = seeded(seed), generator(seed)
+    case = random_train(random) if seed % 2 else large_train(random, largest)
+    count = random.choice((2, 5, 6, 20, 60))
+    u = ratios(rng, case, count, random.choice(KINDS))
+    return case, u, efficiencies(rng, case, count, random.choice(LOSSES))

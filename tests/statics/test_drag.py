@@ -21,9 +21,8 @@ from tests.statics.batches import (
     same,
 )
 from tests.trains import random_train, seeded
-from vstatics import CaseError, Gear, Mechanism, ReadError, Results, ShiftElement, Transmission
+from vstatics import Gear, Mechanism, ReadError, Results, ShiftElement, Transmission
 from vstatics import solve as solved
-from vstatics.model.parts import ElementKind
 from vstatics.readers.named.reader import read_json, read_yaml
 from vstatics.statics.matrix import distribution_matrix
 from vstatics.writers import deck, listing, named
@@ -357,19 +356,3 @@ def test_faults_are_located(before: str, after: str, line: int, words: str) -> N
     assert problem.place is not None
     assert problem.place[1] == line
     assert words in problem.message
-
-
-@pytest.mark.parametrize(
-    ("kind", "gear"),
-    [
-        ("", Gear(drag={3: 0.1})),
-        ("", Gear(drag={2: float("nan")})),
-        ("", Gear(open_drag={2: 0.1})),
-        ("dog_clutch", Gear(open_drag={1: 0.1})),
-    ],
-)
-def test_what_can_be_no_drag_is_refused(kind: ElementKind, gear: Gear) -> None:
-    with pytest.raises(CaseError) as caught:
-        Transmission(2, [ShiftElement(1, 2, kind=kind)], [Mechanism(1, 2, 0, 4)], [gear])
-    (problem,) = caught.value.problems
-    assert problem.path[:2] == ("gears", 1)

@@ -6,7 +6,6 @@ ratio u = -73/35. With carrier 2 held the ratio is 2 - 1/u; with the sun held 1 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -24,7 +23,7 @@ from tests.statics.batches import (
     same,
 )
 from tests.trains import random_train, seeded
-from vstatics import CaseError, Gear, Mechanism, ReadError, Results, ShiftElement, Transmission
+from vstatics import Gear, Mechanism, ReadError, Results, ShiftElement, Transmission
 from vstatics import solve as solved
 from vstatics.readers.named.reader import read_json, read_yaml
 from vstatics.sweep import sweep
@@ -395,27 +394,3 @@ def test_faults_are_located(before: str, after: str, line: int, words: str) -> N
     assert problem.place is not None
     assert problem.place[1] == line
     assert words in problem.message
-
-
-def test_there_may_be_no_more_than_eight() -> None:
-    def many(count: int) -> Transmission:
-        made = [ShiftElement(number, 0, kind="freewheel") for number in range(3, 3 + count)]
-        mechanisms = [Mechanism(1, link, 0, -1.0) for link in range(2, 3 + count)]
-        return Transmission(2 + count, made, mechanisms, [Gear()], output=2)
-
-    assert solved(many(8)).conflict
-    with pytest.raises(CaseError) as caught:
-        many(9)
-    (problem,) = caught.value.problems
-    assert problem.path == ("shift_elements", 9)
-
-
-@pytest.mark.parametrize("kind", ["ratchet", "brake"])
-def test_kinds_are_checked(kind: str) -> None:
-    def made(elements: Sequence[ShiftElement]) -> Transmission:
-        return Transmission(3, elements, [Mechanism(1, 2, 3, -2.0)], [Gear()])
-
-    with pytest.raises(CaseError) as caught:
-        made([ShiftElement(1, 2, "X", kind)])  # type: ignore[arg-type]
-    (problem,) = caught.value.problems
-    assert problem.path == ("shift_elements", 1, "kind")

@@ -9,10 +9,9 @@ from __future__ import annotations
 
 import copy
 import math
-import pickle
 import threading
 from collections.abc import Callable, Sequence
-from dataclasses import replace
+from dataclasses import fields, replace
 from fractions import Fraction
 from pathlib import Path
 
@@ -26,19 +25,20 @@ from tests.statics.batches import (
     ARRAYS,
     KINDS,
     LOSSES,
+    chain,
     disagreements,
     efficiencies,
-    large_train,
+    generator,
     no_plans,
     plainly,
+    random_case,
     ratios,
     same,
     with_numbers,
 )
-from tests.statics.test_long_trains import chain
 from tests.trains import is_regular, no_losses, random_train, seeded
 from vstatics import Gear, Mechanism, Results, ShiftElement, Transmission, solve
-from vstatics.model.transmission import IdleConvention
+from vstatics.model.transmission import IdleConvention, Load
 from vstatics.numerics.arrays import Floats
 from vstatics.statics import variants
 
@@ -49,10 +49,6 @@ CONVENTIONS: list[tuple[bool, IdleConvention]] = [
     (False, "published"),
     (True, "published"),
 ]
-
-
-def generator(*seeds: int) -> np.random.Generator:
-    return np.random.default_rng(seeds)
 
 
 # -- variants together are variants alone ------------------------------------------------
@@ -81,15 +77,6 @@ def test_trains_that_are_easily_wrong(name: str) -> None:
         assert not disagreements(case, u)
         assert not disagreements(case, u, efficiencies(rng, case, 8, "some 1"))
     assert not disagreements(case, None, efficiencies(rng, case, 12, "nearly 1"))
-
-
-def random_case(seed: int, largest: int = 6) -> tuple[Transmission, Floats, Floats | None]:
-    """A random train with variants of a random kind."""
-    random, rng = seeded(seed), generator(seed)
-    case = random_train(random) if seed % 2 else large_train(random, largest)
-    count = random.choice((2, 5, 6, 20, 60))
-    u = ratios(rng, case, count, random.choice(KINDS))
-    return case, u, efficiencies(rng, case, count, random.choice(LOSSES))
 
 
 def check_random(seed: int, most: int, largest: int = 6) -> None:
@@ -173,59 +160,6 @@ def test_few_variants(count: int) -> None:
     for _ in range(8):
         u = ratios(rng, case, count, "ordinary")
         assert not disagreements(case, u, efficiencies(rng, case, count, "any"), [0])
-
-
-# -- shapes --------------------------------------------------------------------------
-
-
-def test_ratios_and_efficiencies_have_axes_of_their_own() -> None:
-    case = vstatics.load(Path(__file__).parents[2] / "cases" / "mzkt7922.yaml")
-    rng = generator(5)
-    u = ratios(rng, case, 6, "ordinary").reshape(2, 1, 3, 3)
-    eta = np.tile(rng.uniform(0.9, 1, (4, 1, 3)), 1)
-    results = solve(case, ratios=u, efficiencies=eta)
-    assert results.ratio.shape == (2, 4, 3, 6)
-    assert results.torques.shape == (2, 4, 3, 6, 9)
-    assert results.idle.shape == (2, 4, 3, 6, 3)
-    for place in np.ndindex(2, 4, 3):
-        alone = plainly(with_numbers(case, u[place[0], 0, place[2]], eta[place[1], 0]))
-        for name in ARRAYS:
-            assert same(getattr(results, name)[place], getattr(alone, name)), name
-
-
-@pytest.mark.parametrize("shape", [(1,), (1, 1), (7,), (3, 1, 2), (0,), (2, 0, 3)])
-def test_leading_axes_are_those_of_what_is_given(shape: tuple[int, ...]) -> None:
-    case, _, _ = random_case(7)
-    own = [mechanism.ratio for mechanism in case.mechanisms]
-    u = np.broadcast_to(own, (*shape, len(own)))
-    for results in (solve(case, ratios=u), solve(case, efficiencies=np.full(u.shape, 0.95))):
-        for name in ARRAYS:
-            assert getattr(results, name).shape[: len(shape)] == shape
-        assert results.ratio.shape == (*shape, len(case.gears))
-    assert solve(case, ratios=own).ratio.shape == (len(case.gears),)
-
-
-def test_any_array_of_numbers_will_do() -> None:
-    case, u, _ = random_case(1)
-    expected = solve(case, ratios=u)
-    given = [u.tolist(), np.asfortranarray(u), u[::-1][::-1], np.repeat(u, 2, axis=0)[::2]]
-    for array in given:
-        results = solve(case, ratios=array)
-        assert all(same(getattr(results, name), getattr(expected, name)) for name in ARRAYS)
-
-
-def test_numbers_of_the_case_stand_where_nothing_is_given() -> None:
-    case, u, _ = random_case(3)
-    own = np.broadcast_to([m.efficiency for m in case.mechanisms], u.shape)
-    one, other = solve(case, ratios=u), solve(case, ratios=u, efficiencies=own)
-    assert all(same(getattr(one, name), getattr(other, name)) for name in ARRAYS)
-
-
-def test_results_are_for_the_case_given_and_speak_of_nothing() -> None:
-    case, u, _ = random_case(3)
-    results = solve(case, ratios=u, coast=not case.coast)
-    assert results.case == replace(case, coast=not case.coast)
-    assert results.messages == ()
 
 
 # -- whatever came before -------------------------------------------------------------
@@ -370,21 +304,6 @@ def test_threads_may_solve_at_the_same_time(monkeypatch: pytest.MonkeyPatch) -> 
     for thread in threads:
         thread.join()
     assert not wrong
-
-
-def test_results_that_are_kept_do_not_change() -> None:
-    kept = []
-    for seed in range(12):
-        case, u, eta = random_case(seed)
-        for turn in range(3):
-            results = solve(case, ratios=np.roll(u, turn, axis=0), efficiencies=eta)
-            if turn == 0:
-                kept.append((results, copy.deepcopy(results), pickle.loads(pickle.dumps(results))))  # noqa: S301
-    for results, copied, pickled in kept:
-        assert copied.case == pickled.case == results.case
-        for name in ARRAYS:
-            assert same(getattr(results, name), getattr(copied, name))
-            assert same(getattr(results, name), getattr(pickled, name))
 
 
 # -- numbers at the ends -----------------------------------------------------------------
@@ -623,3 +542,108 @@ def check_exact(results: Results, place: tuple[int, int], exact: oracle.OracleGe
         assert agree(results.lossy_torques[place], exact.lossy_torques.listed)
         assert agree([results.efficiency[place]], [exact.efficiency])
         assert agree(results.losses[place], exact.losses)
+
+
+# -- the key of plans ----------------------------------------------------------------------
+
+KEYED = Transmission(
+    4,
+    [ShiftElement(2, 0, "B", "brake"), ShiftElement(1, 2, "C", "clutch")],
+    [Mechanism(1, 2, 3, -2.0, 0.97, 0.5, "P", 0.9)],
+    [Gear([1], torques={2: 0.5}, drag={1: 0.1}, open_drag={2: 0.1})],
+    output=3,
+)
+OTHER: dict[type, dict[str, object]] = {
+    ShiftElement: {
+        "first": 3,
+        "second": 4,
+        "name": "X",
+        "kind": "freewheel",
+        "drag": 0.5,
+        "capacity": 2.0,
+    },
+    Mechanism: {
+        "first": 4,
+        "second": 4,
+        "third": 4,
+        "ratio": -3.0,
+        "efficiency": 0.5,
+        "name": "X",
+        "planet_ratio": 0.25,
+        "back_efficiency": 0.5,
+    },
+    Gear: {
+        "engaged": (),
+        "speeds": {4: 0.5},
+        "torques": {2: 0.25},
+        "input": 2,
+        "output": 4,
+        "name": "X",
+        "drag": {1: 0.2},
+        "open_drag": {2: 0.3},
+        "load": Load(100.0, 9.0),
+    },
+    Transmission: {
+        "links": 5,
+        "input": 2,
+        "output": 4,
+        "name": "X",
+        "description": "X",
+        "source": "X",
+        "idle": "published",
+        "coast": True,
+        "link_names": ("a", "b", "c", "d"),
+        "load": Load(100.0, 9.0),
+    },
+}
+"""Another value of each field; what is made of parts or of a drawing is tried elsewhere."""
+ELSEWHERE = {"shift_elements", "mechanisms", "gears", "drawing"}
+
+
+def with_field(part: type, name: str) -> Transmission:
+    """The case with another value of a field, unchecked."""
+    value = OTHER[part][name]
+    if part is Transmission:
+        made = copy.copy(KEYED)
+        object.__setattr__(made, name, value)
+        return made
+    where = {ShiftElement: "shift_elements", Mechanism: "mechanisms", Gear: "gears"}[part]
+    first, *others = getattr(KEYED, where)
+    made = copy.copy(KEYED)
+    object.__setattr__(made, where, (first._replace(**{name: value}), *others))
+    return made
+
+
+def key(case: Transmission) -> tuple[object, ...]:
+    return (*variants._structure(case), *variants._conditions(case, case.gears[0]))
+
+
+FIELDS = [(part, name) for part, names in OTHER.items() for name in names]
+
+
+@pytest.mark.parametrize(
+    ("part", "name"), FIELDS, ids=[f"{part.__name__}.{name}" for part, name in FIELDS]
+)
+def test_a_plan_serves_no_case_that_differs_in_a_field(part: type, name: str) -> None:
+    """The key of plans changes with each field, but those that are named as left out."""
+    left_out = variants.WITHOUT_EFFECT | (variants.VARIED if part is Mechanism else frozenset())
+    changed = with_field(part, name)
+    assert (key(changed) == key(KEYED)) == (name in left_out)
+
+
+def test_every_field_is_tried() -> None:
+    """A new field fails here until it has a line above."""
+    for part in (ShiftElement, Mechanism, Gear):
+        assert set(OTHER[part]) == set(part._fields)
+    own = {one.name for one in fields(Transmission)}
+    assert set(OTHER[Transmission]) == own - ELSEWHERE
+    known = {name for names in OTHER.values() for name in names} | ELSEWHERE
+    assert known >= variants.WITHOUT_EFFECT | variants.VARIED
+
+
+@pytest.mark.parametrize("part", OTHER)
+def test_fields_that_are_left_out_have_no_effect(part: type) -> None:
+    expected = plainly(KEYED)
+    for name in variants.WITHOUT_EFFECT & set(OTHER[part]):
+        found = plainly(with_field(part, name))
+        assert all(same(getattr(found, one), getattr(expected, one)) for one in ARRAYS), name

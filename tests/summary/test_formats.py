@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import re
 
 import pytest
@@ -52,30 +51,6 @@ def test_latex_has_no_sign_that_it_would_take_for_a_command() -> None:
         rows = [line for line in body.splitlines() if line != r"\hline"]
         assert all(line.endswith(r" \\") and not line.startswith("[") for line in rows)
         assert all(len(re.findall(r"(?<!\\)&", line)) == len(columns) - 1 for line in rows)
-
-
-def test_two_cases_stand_side_by_side() -> None:
-    """ZF 8HP70 and Ford 10R80; spreads as the makers round them, 7.0 and 7.4."""
-    said = vstatics("summary", CASES / "zf-8hp70.yaml", CASES / "ford-10r80.yaml")
-    assert said.status == 0
-    assert re.search(r"^spread +7\.04\d +7\.3\d\d$", said.out, re.MULTILINE)
-    assert re.search(r"^1 +4\.696 +4\.69\d ", said.out, re.MULTILINE)
-    assert re.search(r"^10 +- +\.6\d\d ", said.out, re.MULTILINE)
-    assert max(map(len, said.out.splitlines())) <= 80
-
-
-def test_two_cases_are_two_documents_of_json() -> None:
-    case = CASES / "simpson.yaml"
-    alone = json.loads(vstatics("summary", case, "-f", "json").out)
-    assert json.loads(vstatics("summary", case, case, "-f", "json").out) == [alone, alone]
-
-
-def test_json_has_the_digits_of_the_result() -> None:
-    case = CASES / "zf-9hp48.yaml"
-    made = json.loads(vstatics("summary", case, "-f", "json").out)
-    result = json.loads(vstatics("run", case, "-f", "json").out)
-    assert [line["ratio"] for line in made["gears"]] == result["ratio"]
-    assert [line["efficiency"] for line in made["gears"]] == result["ETA"]
 
 
 def test_standard_input_is_one_case_only() -> None:

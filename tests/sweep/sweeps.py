@@ -6,14 +6,22 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from tests.commands import environment
 from vstatics import Gear, Mechanism, ShiftElement, Transmission
+from vstatics.numerics.arrays import Floats
 from vstatics.sweep import build
 from vstatics.sweep.options import SweepOptions
 from vstatics.sweep.plan import SweepPlan
+from vstatics.sweep.steps import Steps
+from vstatics.sweep.targets import Target
+from vstatics.sweep.variants import Variants
+from vstatics.sweep.variation import Span, Variation
 
 DIFFERENTIAL = Transmission(
     3,
@@ -89,3 +97,33 @@ def children(process: int) -> list[int]:
             if int(text.rpartition(")")[2].split()[1]) == process:
                 found.append(int(folder.name))
     return sorted(found)
+
+
+CASE = Transmission(
+    7,
+    [],
+    [
+        Mechanism(1, 2, 3, -2.5),
+        Mechanism(3, 4, 5, -2.0, name="D.2=x"),
+        Mechanism(5, 6, 7, -3.0, name="1"),
+    ],
+    [Gear()],
+)
+
+
+def variations(*lists: list[float] | Steps | Span) -> list[Variation]:
+    """Variations of any numbers; targets may be any here."""
+    return [
+        Variation(
+            Target(f"D{number}.ratio", number - 1, "ratio"),
+            np.array(values, float) if isinstance(values, list) else values,
+        )
+        for number, values in enumerate(lists, 1)
+    ]
+
+
+def in_parts(variants: Variants, cuts: list[int]) -> Floats:
+    """All blocks between cuts, asked for from the last to the first."""
+    ends = sorted({0, variants.count, *(cut % (variants.count + 1) for cut in cuts)})
+    blocks = [variants.block(*two) for two in reversed(list(pairwise(ends)))]
+    return np.concatenate([np.empty((0, len(variants.targets))), *blocks[::-1]])

@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tests.sweep.test_variants import in_parts, variations
+from tests.sweep.sweeps import in_parts, variations
 from vstatics.errors import CaseError, ReadError
 from vstatics.sweep import samples
 from vstatics.sweep.samples import METHODS, Method, Sample

@@ -16,7 +16,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from tests.sweep.test_variants import CASE, in_parts
+from tests.sweep.sweeps import CASE, in_parts
 from vstatics.errors import Place, ReadError
 from vstatics.jobs.spool import PREFIX, Spool
 from vstatics.numerics.arrays import Floats

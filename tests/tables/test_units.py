@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import vstatics as library
-from tests.elements.test_elements import SET, changed, loaded, problems, shown
+from tests.elements.element_texts import SET, changed, loaded, problems, shown
 
 KW = math.pi / 30 / 1000
 """1 N*m at 1 rpm."""

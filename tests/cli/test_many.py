@@ -116,7 +116,7 @@ def test_an_error_of_the_program_in_one_case_harms_no_other(
     said = vstatics("run", *reversed(GOOD), "-o", "out", "--jobs", jobs)
     assert (said.status, names("out")) == (1, ["mzkt.lst"])
     message = "an error of vstatics, please report it with this case: ZeroDivisionError: by nothing"
-    assert said.err.startswith(f"in/neutral.yaml: error: {message} in test_many_cases.py:")
+    assert said.err.startswith(f"in/neutral.yaml: error: {message} in test_many.py:")
     assert "\n1 of 2 cases calculated, 1 failed:\n" in said.err
 
 

@@ -7,6 +7,7 @@ is the one that says `assembled`.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 
 import pytest
@@ -23,6 +24,20 @@ from tests.elements.element_cases import (
     set_case,
     simple_teeth,
     stepped_teeth,
+)
+from tests.elements.toothed import (
+    RANDOM,
+    UMDM,
+    double_planet,
+    element,
+    goes_in,
+    groups,
+    is_assembled,
+    planetary,
+    ravigneaux,
+    stepped,
+    told,
+    warnings,
 )
 from tests.oracle.phases import (
     Contact,
@@ -181,3 +196,68 @@ def test_nothing_is_said_where_the_number_of_planets_is_not_told() -> None:
         "teeth": {"sun": 17, "ring": 64, "planet": 23},
     }
     assert not warned(element, "SRC")
+
+
+def test_planets_go_in_where_sun_and_ring_add_up_to_a_multiple_of_them() -> None:
+    assert is_assembled(element("planetary", 3, sun=48, ring=96, planet=24))
+    (problem,) = told(element("planetary", 3, sun=48, ring=97, planet=24), "assembled")
+    assert "(sun + ring)/planets = 145/3 is not whole" in problem.message
+    assert problem.path == ("elements", 1, "planets")
+    assert problem.severity == "warning"
+
+
+def test_meshed_planets_go_in_where_the_difference_is_a_multiple_of_them() -> None:
+    assert is_assembled(element("double_planet", 3, sun=30, inner=20, outer=20, ring=90))
+    (problem,) = told(element("double_planet", 3, sun=30, ring=91), "assembled")
+    assert "(ring - sun)/planets = 61/3 is not whole" in problem.message
+
+
+@pytest.mark.parametrize(
+    ("planets", "formula"),
+    [
+        # (30 * 25 + 95 * 20)/gcd(20, 25) = 530
+        (2, ""),
+        (5, ""),
+        (3, "(sun * planet2 + ring2 * planet)/(planets * gcd(planet, planet2)) = 2650/15"),
+        (4, "(sun * planet2 + ring2 * planet)/(planets * gcd(planet, planet2)) = 2650/20"),
+    ],
+)
+def test_stepped_planets_go_in_by_the_rims_that_they_join(planets: int, formula: str) -> None:
+    doubtful = told(
+        element("stepped", planets, sun=30, planet=20, planet2=25, ring2=95), "assembled"
+    )
+    assert [formula in problem.message for problem in doubtful] == ([True] if formula else [])
+
+
+def test_ravigneaux_planets_go_in_by_both_suns() -> None:
+    teeth = {"small_sun": 30, "large_sun": 36, "ring": 72, "short": 20, "long": 18}
+    assert is_assembled(element("ravigneaux", 3, **teeth))
+    (problem,) = told(element("ravigneaux", 3, **teeth | {"small_sun": 31}), "assembled")
+    assert "(small_sun + large_sun)/planets = 67/3 is not whole" in problem.message
+    del teeth["small_sun"]
+    (problem,) = told(element("ravigneaux", 3, **teeth | {"large_sun": 35}), "assembled")
+    assert "(large_sun + ring)/planets = 107/3 is not whole" in problem.message
+
+
+def test_a_gearbox_that_is_built_can_be_assembled() -> None:
+    assert not warnings(UMDM)
+    assert goes_in(UMDM, 3)
+    assert not is_assembled(replace(UMDM, planets=4))
+    assert not goes_in(UMDM, 4)
+
+
+def test_bevel_planets_go_in_where_both_sides_add_up_to_a_multiple_of_them() -> None:
+    assert is_assembled(element("bevel", 4, left=16, right=16, planet=10))
+    (problem,) = told(element("bevel", 3, left=16, right=16, planet=10), "assembled")
+    assert "(left + right)/planets = 32/3 is not whole" in problem.message
+    assert "left 15, planet 10, right 15 (ratio -1)" in problem.message
+
+
+@RANDOM
+@given(st.data(), st.integers(2, 5))
+def test_planets_can_be_assembled_where_turning_them_tooth_by_tooth_finds_a_way(
+    data: st.DataObject, planets: int
+) -> None:
+    one = data.draw(st.one_of(planetary(), double_planet(), stepped(), ravigneaux(), groups()))
+    one = replace(one, planets=planets)
+    assert is_assembled(one) == goes_in(one, planets)

@@ -14,8 +14,10 @@ import pytest
 
 from tests.statics.batches import ARRAYS, disagreements, large_train, plainly, same
 from tests.trains import random_train, seeded
-from vstatics import CaseError, Gear, Mechanism, ReadError, ShiftElement, Transmission, solve
+from vstatics import Gear, Mechanism, ReadError, ShiftElement, Transmission, solve
+from vstatics.numerics.traced import plain
 from vstatics.readers.named.reader import read_json, read_yaml
+from vstatics.statics.efficiency import Efficiency, is_possible, lossy_ratio
 from vstatics.writers import deck, named
 
 
@@ -125,15 +127,6 @@ def test_random_trains(seed: int) -> None:
     assert not disagreements(case, u, eta, range(4))
 
 
-@pytest.mark.parametrize("wrong", [-0.1, 1.1, float("nan")])
-def test_an_efficiency_that_is_none(wrong: float) -> None:
-    with pytest.raises(CaseError) as caught:
-        worm(wrong)
-    (problem,) = caught.value.problems
-    assert problem.path == ("mechanisms", 1, "back_efficiency")
-    assert "expected an efficiency from 0 (self-locking) to 1" in problem.message
-
-
 TEXT = """\
 links: 2
 mechanisms:
@@ -153,3 +146,19 @@ def test_yaml_and_json_keep_it_and_a_deck_cannot() -> None:
     (problem,) = caught.value.problems
     assert problem.place is not None
     assert problem.place[1:3] == (3, TEXT.splitlines()[2].index("0.7") + 1)
+
+
+def test_a_ratio_with_losses_is_multiplied_or_divided() -> None:
+    """Forward u eta, u/back the other way, u where it is idle, nothing where it is open."""
+    both = Efficiency(0.9, 0.5)
+    assert lossy_ratio(-2.0, both, 1.0) == pytest.approx(-1.8)
+    assert lossy_ratio(-2.0, both, -1.0) == pytest.approx(-4)
+    assert lossy_ratio(-2.0, both, 0.0) == -2
+    assert np.isnan(plain(lossy_ratio(-2.0, both, float("nan"))))
+    assert np.isnan(plain(lossy_ratio(-2.0, Efficiency(0.9, 0.0), -1.0)))
+
+
+def test_no_power_flows_back_through_what_is_self_locking() -> None:
+    pair = [Efficiency(0.8, 0.0), Efficiency(0.9, 0.9)]
+    assert is_possible(pair, (1.0, -1.0))
+    assert not is_possible(pair, (-1.0, 1.0))

@@ -1,0 +1,33 @@
+"""`vstatics new`: templates of cases."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from tests.commands import vstatics
+from vstatics.templates import TEMPLATES, template
+
+
+@pytest.mark.parametrize("name", [*TEMPLATES])
+def test_a_template_is_a_case_without_faults(name: str, tmp_path: Path) -> None:
+    file = tmp_path / "new.yaml"
+    assert vstatics("new", file, "--template", name) == (0, "", "")
+    assert file.read_text(encoding="utf-8") == template(name)
+    said = vstatics("run", file, "-f", "json")
+    assert (said.status, said.err) == (0, "")
+    document = json.loads(said.out)
+    assert not any(ratio is None for ratio in document["ratio"])
+    assert document["case"]["elements"]
+
+
+def test_new_does_not_overwrite(tmp_path: Path) -> None:
+    file = tmp_path / "mine.yaml"
+    file.write_text("mine", encoding="utf-8")
+    said = vstatics("new", file)
+    assert (said.status, file.read_text(encoding="utf-8")) == (1, "mine")
+    assert "is there already" in said.err
+    said = vstatics("new", "--template", "ravigneau")
+    assert (said.status, "did you mean `ravigneaux`?" in said.err) == (2, True)

@@ -1,0 +1,45 @@
+"""Traced numbers on a tape, and what is noted there."""
+
+from __future__ import annotations
+
+from vstatics.numerics.tape import GUARDS, Tape
+from vstatics.numerics.traced import (
+    Magnitude,
+    Number,
+    Rest,
+    Traced,
+)
+
+Bounds = tuple[float, float]
+
+
+def traced(*values: float, bounds: Bounds | None = None) -> list[Traced]:
+    """Traced numbers on one tape, with the same bounds for their magnitudes, or wide ones."""
+    tape = Tape(len(values))
+    return [
+        Traced(
+            tape,
+            1 if value > 0 else -1,
+            Magnitude(slot, abs(value), *(bounds or (abs(value) / 50, abs(value) * 50))),
+        )
+        for slot, value in enumerate(values)
+    ]
+
+
+def noted(number: Traced | Rest) -> list[tuple[str, object, object]]:
+    """The operations on the tape of a number."""
+    return [tuple(operation) for operation in number.tape.operations]  # type: ignore[misc]
+
+
+def names(number: Traced | Rest) -> list[str]:
+    return [name for name, _, _ in noted(number)]
+
+
+def guards(number: Traced | Rest) -> list[str]:
+    return [name for name in names(number) if name in GUARDS]
+
+
+def on_tape(number: Number | Rest) -> Traced:
+    """A number that is a traced one."""
+    assert isinstance(number, Traced)
+    return number

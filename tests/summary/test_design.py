@@ -1,0 +1,41 @@
+"""The design table: ratios, steps and spread."""
+
+from __future__ import annotations
+
+import json
+import math
+from itertools import pairwise
+
+import pytest
+
+from tests.commands import LOCKED, NEUTRAL, ROOT, vstatics
+from vstatics.summary import Summary
+
+PUBLISHED = json.loads((ROOT / "tests" / "published" / "zf-8hp70.json").read_text())["ratio"]
+
+
+def test_steps_and_spread_are_those_of_the_published_ratios(zf: Summary) -> None:
+    """ZF 8HP70 as printed to four digits; see tests/published/zf-8hp70.json."""
+    forward = [PUBLISHED[str(gear)] for gear in range(1, 9)]
+    lines = {line.gear: line for line in zf.design.gears}
+    for gear, (one, other) in zip("1234567", pairwise(forward), strict=True):
+        assert lines[gear].next == str(int(gear) + 1)
+        assert lines[gear].step == pytest.approx(one / other, abs=2e-4)
+    assert zf.design.spread == pytest.approx(7.04, abs=0.01)  # the maker's figure
+    assert lines["8"].next == lines["R"].next == ""
+    assert math.isnan(lines["R"].step)
+
+
+def test_a_neutral_gear_has_no_step_and_is_no_neighbour() -> None:
+    made = json.loads(vstatics("summary", "-", "-f", "json", stdin=NEUTRAL.encode()).out)
+    neutral, low = made["gears"]
+    assert (neutral["ratio"], neutral["state"], low["state"]) == (None, "open", "")
+    assert made["transitions"] == []
+    assert made["sensitivity"]["D"] == [None, pytest.approx(2.5 / 3.5)]
+
+
+def test_a_locked_gear_has_a_ratio_and_no_efficiency() -> None:
+    made = json.loads(vstatics("summary", "-", "-f", "json", stdin=LOCKED.encode()).out)
+    [line] = made["gears"]
+    assert line["ratio"] == pytest.approx(0.004 / 1.004)  # (u - 1)/u, driven from its slow end
+    assert (line["efficiency"], line["state"]) == (None, "locked")

@@ -1,0 +1,47 @@
+"""How ratios answer to those of the mechanisms."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from tests.commands import CASES
+from tests.summary.gearboxes import differential
+from vstatics import Gear, Mechanism, Transmission, load, solve
+from vstatics.summary.sensitivity import sensitivities
+
+
+@pytest.mark.parametrize("u", [-4.0, -2.5, -0.3, 0.4, 3.0])
+def test_sensitivity_of_a_planetary_set_in_closed_form(u: float) -> None:
+    """Sun in, ring held, carrier out: i = 1 - u, so (u/i) di/du = -u/(1 - u)."""
+    low, direct = sensitivities(solve(differential(u)))
+    assert low == pytest.approx(-u / (1 - u))
+    assert direct == pytest.approx(0, abs=1e-12)
+
+
+def test_sensitivities_of_gear_pairs_in_a_row_are_one() -> None:
+    """The ratio is i = u1 u2."""
+    case = Transmission(3, [], [Mechanism(1, 2, 0, -2.0), Mechanism(2, 3, 0, -3.0)], [Gear()])
+    assert sensitivities(solve(case)) == pytest.approx(np.ones((1, 2)))
+
+
+@pytest.mark.parametrize(
+    "name", ["zf-8hp70", "ravigneaux-aod", "simpson-th400", "power-split", "wolfrom"]
+)
+def test_sensitivities_agree_with_finite_differences(name: str) -> None:
+    """Central differences of step 1e-5; power-split has given speeds and further torques."""
+    results = solve(load(CASES / f"{name}.yaml"))
+    own = np.array([mechanism.ratio for mechanism in results.case.mechanisms])
+    step = 1e-5
+    numbers = np.concatenate([own * (1 + step * sign * np.eye(len(own))) for sign in (1, -1)])
+    more, less = np.split(solve(results.with_freewheels_engaged, ratios=numbers).ratio, 2)
+    expected = ((more - less) / (2 * step * results.ratio)).T
+    assert sensitivities(results) == pytest.approx(expected, abs=1e-6, rel=1e-5, nan_ok=True)
+
+
+def test_a_further_torque_changes_no_sensitivity() -> None:
+    """The ratio does not know the torques."""
+    case = differential()
+    loaded = [gear._replace(torques={2: 0.7}) for gear in case.gears]
+    other = Transmission(3, case.shift_elements, case.mechanisms, loaded)
+    assert sensitivities(solve(other)) == pytest.approx(sensitivities(solve(case)))

@@ -1,0 +1,59 @@
+"""Shifts between neighbouring gears."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.summary.gearboxes import differential, summary_of
+from vstatics import Mechanism, Transmission, solve
+from vstatics.summary import Summary, summarize
+
+
+def test_each_shift_of_the_8hp_changes_one_element(zf: Summary) -> None:
+    """A property that the source names: one clutch opens and one closes, up to jumps of one."""
+    assert {transition.word for transition in zf.transitions} == {"single"}
+    assert [(one.start, one.end) for one in zf.transitions if one.jumped == "5"] == [("4", "6")]
+    first = zf.transitions[0]
+    assert (first.released, first.engaged) == (["C"], ["E"])  # ABC to ABE
+
+
+def test_a_freewheel_takes_part_in_a_shift_by_itself() -> None:
+    """TH400: in gear 1 the low roller clutch holds, in gear 2 it overruns."""
+    first, *_ = summary_of("simpson-th400.yaml").transitions
+    assert first.released == ["low roller clutch"]
+    assert first.engaged == ["intermediate clutch"]
+
+
+def test_two_elements_out_and_two_in_is_a_double_transition() -> None:
+    """MZKT 7922, from its deck: gear 2 is F2 and T4, gear 3 is T1 and F5."""
+    shifts = {(one.start, one.end): one for one in summary_of("mzkt7922.dat").transitions}
+    assert shifts["2", "3"].word == "double"
+    assert shifts["1", "2"].word == "single"
+
+
+def test_reverse_gears_are_neighbours_of_reverse_gears_only() -> None:
+    """MZKT 7922: four forward and two reverse gears."""
+    found = summary_of("mzkt7922.dat")
+    assert found.design.forward == ["1", "2", "3", "4"]
+    assert {line.gear: line.next for line in found.design.gears}["5"] == "6"
+
+
+def test_most_gears_are_forward_whatever_sign_the_final_drive_gives_them() -> None:
+    case = differential()
+    turned = Transmission(
+        links=4,
+        shift_elements=case.shift_elements,
+        mechanisms=[*case.mechanisms, Mechanism(3, 4, 0, -2.0)],
+        gears=case.gears,
+    )
+    made = summarize(solve(turned)).design
+    assert made.forward == ["low", "direct"]
+    assert made.spread == pytest.approx(3.5)
+
+
+def test_gears_are_neighbours_by_ratio_and_not_by_place() -> None:
+    case = differential()
+    turned = Transmission(3, case.shift_elements, case.mechanisms, case.gears[::-1])
+    made = summarize(solve(turned))
+    assert made.design.forward == ["low", "direct"]
+    assert [(one.start, one.end) for one in made.transitions] == [("low", "direct")]
