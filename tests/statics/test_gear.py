@@ -11,9 +11,9 @@ import pytest
 import vstatics as library
 from tests.elements.element_texts import AOD, SET, changed, loaded, shown
 from tests.statics.differential import train
-from vstatics import Gear
+from vstatics import Gear, solve
 from vstatics.statics.arrays import ARRAYS
-from vstatics.statics.gear import flat, solve_gear, widths
+from vstatics.statics.gear import flat, values_of, widths
 
 
 @pytest.mark.parametrize("losses", ["meshes", "reduced"])
@@ -64,7 +64,7 @@ def test_a_planet_ratio_that_is_given_is_taken() -> None:
 
 def test_every_array_of_results_has_its_values() -> None:
     case = train([(2, 0)], Gear([1]))
-    values = solve_gear(case, case.gears[0], [-2.0], [0.97])
+    values = values_of(solve(case).gear(1))
     assert list(values) == list(ARRAYS)
     for name, width in widths(case).items():
         assert len(flat(values, [name])) == (1 if width is None else width), name

@@ -8,6 +8,7 @@ import pytest
 from tests.statics.differential import SET, status, texts, train
 from vstatics import Gear, solve
 from vstatics.numerics.traced import plain
+from vstatics.statics import matrix
 from vstatics.statics.drag import NO_DRAG
 from vstatics.statics.torques import solve_sums, solve_torques
 
@@ -46,9 +47,9 @@ def test_the_housing_takes_what_input_and_output_leave() -> None:
 def test_a_sum_may_be_determined_where_its_parts_are_not() -> None:
     """Two brakes on the ring share its 2; what each carries is open."""
     case = train([(2, 0), (2, 0)], Gear([1, 2]))
-    gear, ratios = case.gears[0], [SET.ratio]
-    torques = solve_torques(case, gear, ratios)
+    gear, columns = case.gears[0], matrix.columns(case, [SET.ratio])
+    torques = solve_torques(case, gear, columns)
     assert np.isnan([plain(one) for one in torques.on_first_link[:2]]).all()
-    both, one = solve_sums(case, gear, ratios, [{0: 1.0, 1: 1.0}, {0: 1.0}], NO_DRAG)
+    both, one = solve_sums(case, gear, columns, [{0: 1.0, 1: 1.0}, {0: 1.0}], NO_DRAG)
     assert plain(both) == pytest.approx(-2)
     assert np.isnan(plain(one))
