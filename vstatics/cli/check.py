@@ -62,10 +62,7 @@ def conditions(file: str, results: Results) -> Grid:
 @click.command()
 @arguments.argument
 @arguments.input_format
-@click.pass_context
-def check(
-    context: click.Context, cases: tuple[str, ...], input_format: readers.Format | None
-) -> None:
+def check(cases: tuple[str, ...], input_format: readers.Format | None) -> int:
     """Report all problems, warnings and notes of each CASE, and its conditions per gear.
 
     Problems go to stderr as file:line:col: message, with the line and a caret;
@@ -83,4 +80,4 @@ def check(
         if outcome.results is not None:
             shown = lines(conditions(outcome.file, outcome.results), indent="  ")
             files.write_output("\n".join(shown) + "\n", None)
-    context.exit(1 if failed else 0)
+    return int(failed)

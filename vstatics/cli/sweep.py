@@ -57,10 +57,7 @@ def _click_option(name: str, option: Option) -> Callable[[Command], Command]:
 @arguments.input_format
 @arguments.coast
 @arguments.idle
-@click.pass_context
 def sweep(
-    context: click.Context,
-    /,
     sweep_file: str | None,
     jobs: int,
     scheduler: str | None,
@@ -68,7 +65,7 @@ def sweep(
     dry_run: bool,
     input_format: readers.Format | None,
     **said: Any,
-) -> None:
+) -> int:
     """Calculate variants of CASE and write a table: a row each, or the best ones.
 
     VALUES are low:high:count, low:high:step=STEP, a list a,b,c, or low:high with
@@ -111,8 +108,7 @@ def sweep(
         return run(plan, form, options.output, jobs=jobs, scheduler=scheduler, resume=resume)
 
     with _told():
-        status = in_good_order(carry_out)
-    context.exit(status)
+        return in_good_order(carry_out)
 
 
 def _checked(
