@@ -19,14 +19,8 @@ from hypothesis.extra import numpy as arrays
 from vstatics import Gear, Mechanism, ReadError, ShiftElement, Transmission, solve
 from vstatics.numerics import fronts
 from vstatics.numerics.arrays import Floats, Integers
-from vstatics.sweep.selection import (
-    best,
-    limited,
-    merged,
-    non_dominated,
-    read_objective,
-    read_where,
-)
+from vstatics.numerics.fronts import merged, non_dominated
+from vstatics.sweep.selection import best, limited, read_objective, read_where
 from vstatics.sweep.targets import target
 
 SET = Transmission(

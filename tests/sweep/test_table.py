@@ -175,7 +175,7 @@ def test_numbers_come_back_to_the_bit(
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(tables, "_IN_MEMORY", 8)
         patch.setattr(tables, "_PIECE", 100)
-        with read(end.join(lines)) as table:
+        with contextlib.closing(read(end.join(lines))) as table:
             assert in_parts(table, cuts).tolist() == [list(row) for row in numbers]
 
 
@@ -192,7 +192,7 @@ EXPECTED: Floats = np.array([[n + 0.5, -float(n)] for n in range(200)])
 
 
 def test_a_large_table_lies_in_a_temporary_file(spooled: Path) -> None:
-    with read(BIG, spooled) as table:
+    with contextlib.closing(read(BIG, spooled)) as table:
         (file,) = spooled.iterdir()
         assert file.name.startswith(PREFIX)
         assert file.stat().st_size == EXPECTED.nbytes
@@ -208,14 +208,14 @@ def test_a_large_table_lies_in_a_temporary_file(spooled: Path) -> None:
 
 
 def test_the_digest_is_that_of_the_numbers(spooled: Path) -> None:
-    with read(BIG, spooled) as large:
+    with contextlib.closing(read(BIG, spooled)) as large:
         assert large.digest == VariantTable(large.targets, EXPECTED).digest
         assert large.digest == read(BIG.replace(".5,", ".50,")).digest
         assert large.digest != read(BIG.replace(".5,", ".6,")).digest
 
 
 def test_copies_read_the_same_file_and_leave_it(spooled: Path) -> None:
-    with read(BIG, spooled) as table:
+    with contextlib.closing(read(BIG, spooled)) as table:
         pickled = pickle.dumps(table)
         assert len(pickled) < 1000
         copy = pickle.loads(pickled)  # noqa: S301
@@ -231,7 +231,7 @@ def test_copies_read_the_same_file_and_leave_it(spooled: Path) -> None:
 def test_other_processes_read_it(spooled: Path, method: str) -> None:
     if method not in multiprocessing.get_all_start_methods():
         pytest.skip(f"there is no {method} here")
-    with read(BIG, spooled) as table:
+    with contextlib.closing(read(BIG, spooled)) as table:
         with multiprocessing.get_context(method).Pool(1) as pool:
             assert np.array_equal(pool.apply(table.block, (3, 6)), EXPECTED[3:6])
             pool.close()
@@ -264,7 +264,7 @@ def test_the_file_goes_with_the_process(tmp_path: Path) -> None:
 
 
 def test_a_file_that_was_cut_off_is_noticed(spooled: Path) -> None:
-    with read(BIG, spooled) as table:
+    with contextlib.closing(read(BIG, spooled)) as table:
         (file,) = spooled.iterdir()
         os.truncate(file, EXPECTED.nbytes - 8)
         assert np.array_equal(table.block(0, 199), EXPECTED[:199])

@@ -52,9 +52,9 @@ def conditions(file: str, results: Results) -> Grid:
         verdict += [f"{excess} in excess"] * bool(excess)
         verdict += ["tied up"] * bool(tied_up)
         verdict += ["freewheels in conflict"] * bool(conflict)
-        given = given_conditions(gear) + len(held)
-        found = f"{given} of {free} conditions: {', '.join(verdict) or 'ok'} (engaged: {engaged})"
-        rows.append([f"gear {gear.name}", found])
+        count = given_conditions(gear) + len(held)
+        state = f"{count} of {free} conditions: {', '.join(verdict) or 'ok'} (engaged: {engaged})"
+        rows.append([f"gear {gear.name}", state])
     title = f"{file}: {', '.join(counts)}; degrees of freedom: {free}"
     return Grid(title, [text(""), text("")], rows)
 

@@ -13,21 +13,11 @@ import numpy as np
 
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Floats, Integers
-from vstatics.numerics.fronts import merged, non_dominated, scaled
+from vstatics.numerics.fronts import scaled
 from vstatics.sweep.expressions import Expression, read_expression
 from vstatics.sweep.expressions.excerpt import Excerpt
 from vstatics.sweep.expressions.grammar import Applied
 from vstatics.sweep.targets import Target
-
-__all__ = [
-    "Objective",
-    "best",
-    "limited",
-    "merged",
-    "non_dominated",
-    "read_objective",
-    "read_where",
-]
 
 
 class Objective(NamedTuple):

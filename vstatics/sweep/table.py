@@ -6,11 +6,12 @@ import hashlib
 import io
 import re
 from collections.abc import Iterator
+from itertools import chain
 from typing import IO, NamedTuple
 
 import numpy as np
 
-from vstatics.errors import Place, Problem, ReadError, nearest
+from vstatics.errors import Place, Problem, ReadError, nearest, of_file
 from vstatics.jobs.spool import Spool
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Floats
@@ -51,8 +52,7 @@ def load_table(path: str, case: Transmission, *, folder: str | None = None) -> V
         with open(path, "rb") as opened:  # noqa: PTH123
             return read_table(opened, path, case, folder=folder)
     except OSError as error:
-        message = f"can't be read: {error.strerror or error}"
-        raise ReadError([Problem(message, place=Place(path, 0, 0))]) from None
+        raise ReadError([of_file(path, f"can't be read: {error.strerror or error}")]) from None
 
 
 def read_table(
@@ -110,7 +110,7 @@ def read_table(
         raise
     if spool is None and not kept:
         message = "there is no variant, expected a line of numbers below the names"
-        raise ReadError([Problem(message, place=Place(file, 0, 0))])
+        raise ReadError([of_file(file, message)])
     return VariantTable(columns.targets, spool or np.concatenate(kept), digest.hexdigest())
 
 
@@ -171,8 +171,7 @@ def _header(head: bytes, file: str, case: Transmission) -> _Columns:
 def _rows(first: bytes, pieces: Iterator[bytes], columns: _Columns) -> Iterator[Floats]:
     """The numbers of each piece, (lines, targets)."""
     line = 2
-    piece: bytes | None = first
-    while piece is not None:
+    for piece in chain([first], pieces):
         if piece.strip():
             rows = _fast(piece, columns)
             if rows is None:
@@ -180,7 +179,6 @@ def _rows(first: bytes, pieces: Iterator[bytes], columns: _Columns) -> Iterator[
             if len(rows):
                 yield rows
         line += piece.count(b"\n")
-        piece = next(pieces, None)
 
 
 def _fast(piece: bytes, columns: _Columns) -> Floats | None:

@@ -64,14 +64,14 @@ class OutputColumns:
         ndarray, shape (variants, columns)
             Each column lies in one stretch of memory. NaN does not exist. [-]
         """
-        made = np.empty((len(self.headings), len(values))).T
+        columns = np.empty((len(self.headings), len(values))).T
         column = 0
         for expression, cells in self.parts:
             table = expression.spread(results, values)
             for gear, row in cells:
-                made[:, column] = table[:, gear, row]
+                columns[:, column] = table[:, gear, row]
                 column += 1
-        return made
+        return columns
 
 
 def read_columns(
