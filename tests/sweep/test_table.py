@@ -9,6 +9,7 @@ import os
 import pickle
 import subprocess
 import sys
+import tempfile
 from pathlib import Path
 
 import numpy as np
@@ -27,7 +28,10 @@ from vstatics.sweep.variants import VariantPart, VariantTable
 
 def read(data: bytes | str, folder: Path | None = None) -> VariantTable:
     encoded = data.encode() if isinstance(data, str) else data
-    return read_table(io.BytesIO(encoded), "own.csv", CASE, folder=str(folder) if folder else None)
+    with pytest.MonkeyPatch.context() as patch:
+        if folder is not None:
+            patch.setattr(tempfile, "tempdir", str(folder))
+        return read_table(io.BytesIO(encoded), "own.csv", CASE)
 
 
 def rows(data: bytes | str) -> list[list[float]]:
@@ -248,16 +252,13 @@ def test_the_file_goes_with_its_owner(spooled: Path) -> None:
 
 def test_the_file_goes_with_the_process(tmp_path: Path) -> None:
     program = (
-        "import numpy, sys; from vstatics.jobs.spool import Spool\n"
-        "spool = Spool(1, sys.argv[1]); spool.write(numpy.ones((5, 1)))\n"
+        "import numpy; from vstatics.jobs.spool import Spool\n"
+        "spool = Spool(1); spool.write(numpy.ones((5, 1)))\n"
         "print(spool.take(4, 5))"
     )
-    environment = {**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)}
+    own = {"PYTHONPATH": os.pathsep.join(sys.path), "TMPDIR": str(tmp_path)}
     said = subprocess.run(
-        [sys.executable, "-c", program, str(tmp_path)],
-        capture_output=True,
-        check=True,
-        env=environment,
+        [sys.executable, "-c", program], capture_output=True, check=True, env={**os.environ, **own}
     )
     assert said.stdout == b"[[1.]]\n"
     assert not list(tmp_path.iterdir())
@@ -276,13 +277,17 @@ def test_a_folder_that_cannot_be_written(spooled: Path) -> None:
     with pytest.raises(ReadError) as caught:
         read(BIG, spooled / "nowhere")
     message = str(caught.value)
-    assert "nowhere: error: the temporary copy of the table can't be written: No such" in message
+    assert (
+        "temporary files: error: the temporary copy of the table can't be written: No such"
+        in message
+    )
     assert "set TMPDIR to another folder" in message
 
 
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="there is no /dev/full here")
-def test_a_full_disk_leaves_no_file(spooled: Path) -> None:
-    spool = Spool(2, str(spooled))
+def test_a_full_disk_leaves_no_file(spooled: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(tempfile, "tempdir", str(spooled))
+    spool = Spool(2)
     spool.path = "/dev/full"
     with pytest.raises(ReadError, match="can't be written: No space left on device; make room"):
         spool.write(EXPECTED)

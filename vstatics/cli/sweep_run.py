@@ -12,7 +12,6 @@ from vstatics.errors import CaseError
 from vstatics.jobs.files import STDOUT, is_stream, unwritable
 from vstatics.jobs.finished import SUFFIX, FinishedPieces
 from vstatics.jobs.stopping import StoppedError, stoppable
-from vstatics.jobs.workers import workers
 from vstatics.sweep import chunk
 from vstatics.sweep.best import BEST
 from vstatics.sweep.formats import Format
@@ -68,12 +67,7 @@ def to_file(
         try:
             pieces.open(description(plan, form), plan.pieces, resume=resume)
             kept = written.finished
-            called = workers(
-                written.task,
-                written.task.describe,
-                jobs=min(jobs, plan.pieces),
-                scheduler=scheduler,
-            )
+            called = written.task.workers(jobs, scheduler)
             with called, progress(plan.variants.count, "variants") as advance:
                 advance(kept)
                 written.calculate(called, advance)
@@ -114,10 +108,9 @@ def to_stream(
     task = SweepTask(plan, form)
     done = 0
     try:
-        called = workers(task, task.describe, jobs=min(jobs, plan.pieces), scheduler=scheduler)
         with (
             files.stream(output) as write,
-            called,
+            task.workers(jobs, scheduler) as called,
             progress(plan.variants.count, "variants", beside_stdout=True) as advance,
         ):
 

@@ -27,8 +27,6 @@ class Spool:
     ----------
     columns : int
         Numbers of a row.
-    folder : str, optional
-        Where the file is made; the system's folder for temporary files when not given.
 
     Raises
     ------
@@ -43,13 +41,13 @@ class Spool:
     array([[3., 4.]])
     """
 
-    def __init__(self, columns: int, folder: str | None = None) -> None:
+    def __init__(self, columns: int) -> None:
         self.columns = columns
         self.rows = 0
         try:
-            handle, self.path = mkstemp(prefix=PREFIX, dir=folder)
+            handle, self.path = mkstemp(prefix=PREFIX)
         except OSError as error:
-            raise _unwritable(folder or "the folder for temporary files", error) from None
+            raise _unwritable("the folder for temporary files", error) from None
         os.close(handle)
         self._remove = weakref.finalize(self, _remove, self.path, os.getpid())
 

@@ -28,9 +28,7 @@ class Objective(NamedTuple):
     """By which values are multiplied, so that smaller is better."""
 
 
-def read_where(
-    text: str, case: Transmission, targets: Sequence[Target], option: str = "--where"
-) -> Expression:
+def read_where(text: str, case: Transmission, targets: Sequence[Target]) -> Expression:
     """Read a condition; its values are 1 where it is true, else 0.
 
     Raises
@@ -48,7 +46,7 @@ def read_where(
     vstatics.errors.ReadError: --where:1:1: error: `ratio < 3` has one value per gear: \
 pick a gear, or use min, max or sum
     """
-    condition = _of_one(read_expression(text, case, targets, option), text, option)
+    condition = _of_one(text, case, targets, "--where")
     return Expression(condition.text, Applied("true", (condition.node,), 0, 0))
 
 
@@ -62,12 +60,13 @@ def read_objective(
     ReadError
         With the place of what is wrong.
     """
-    expression = _of_one(read_expression(text, case, targets, option), text, option)
+    expression = _of_one(text, case, targets, option)
     return Objective(expression, -1 if option == "--max" else 1)
 
 
-def _of_one(expression: Expression, text: str, option: str) -> Expression:
-    """The expression, if it has one value for each variant."""
+def _of_one(text: str, case: Transmission, targets: Sequence[Target], option: str) -> Expression:
+    """An expression, if it has one value for each variant."""
+    expression = read_expression(text, case, targets, option)
     if not expression.per:
         return expression
     parts = [f"a {name}" for name in expression.per.split(" and ")]

@@ -9,7 +9,9 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from vstatics.jobs import pieces
+from vstatics.jobs.alone import Workers
 from vstatics.jobs.pieces import Account, Copy
+from vstatics.jobs.workers import workers
 from vstatics.sweep import best, chunk
 from vstatics.sweep.chunk import Chunk
 from vstatics.sweep.formats import TEXTS, Format, text
@@ -31,6 +33,11 @@ class SweepTask(NamedTuple):
             return "putting the output together"
         start, stop = self.plan.span(piece)
         return f"variants {start} to {stop - 1}"
+
+    def workers(self, jobs: int, scheduler: str | None = None) -> Workers:
+        """Who does the pieces: no more processes than there are of them."""
+        jobs = min(jobs, self.plan.pieces)
+        return workers(self, self.describe, jobs=jobs, scheduler=scheduler)
 
 
 class Portion(NamedTuple):
