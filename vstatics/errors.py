@@ -44,6 +44,11 @@ class Problem(NamedTuple):
         return f"{path_text(self.path)}: {self.message}" if self.path else self.message
 
 
+def of_file(file: str, message: str) -> Problem:
+    """A problem of a file as a whole."""
+    return Problem(message, place=Place(file, 0, 0))
+
+
 class VstaticsError(Exception):
     """Anything that this package raises on purpose."""
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -58,9 +59,9 @@ def number(text: str) -> float:
 
 def problem(text: str, option: str = "--where") -> Problem:
     """The one problem of a text."""
-    reader = read_columns if option == "--out" else read_expression
+    reader = read_columns if option == "--out" else partial(read_expression, option=option)
     with pytest.raises(ReadError) as caught:
-        reader(text, SET, VARIED, option)
+        reader(text, SET, VARIED)
     (told,) = caught.value.problems
     return told
 

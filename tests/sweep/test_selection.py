@@ -15,11 +15,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from vstatics import Gear, Mechanism, ReadError, ShiftElement, Transmission, solve
-from vstatics.sweep.selection import (
-    best,
-    read_objective,
-    read_where,
-)
+from vstatics.sweep.selection import best, read_objective, read_where
 from vstatics.sweep.targets import target
 
 SET = Transmission(

@@ -9,6 +9,7 @@ import os
 import pickle
 import subprocess
 import sys
+import tempfile
 from pathlib import Path
 
 import numpy as np
@@ -27,7 +28,10 @@ from vstatics.sweep.variants import VariantPart, VariantTable
 
 def read(data: bytes | str, folder: Path | None = None) -> VariantTable:
     encoded = data.encode() if isinstance(data, str) else data
-    return read_table(io.BytesIO(encoded), "own.csv", CASE, folder=str(folder) if folder else None)
+    with pytest.MonkeyPatch.context() as patch:
+        if folder is not None:
+            patch.setattr(tempfile, "tempdir", str(folder))
+        return read_table(io.BytesIO(encoded), "own.csv", CASE)
 
 
 def rows(data: bytes | str) -> list[list[float]]:
@@ -175,7 +179,7 @@ def test_numbers_come_back_to_the_bit(
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(tables, "_IN_MEMORY", 8)
         patch.setattr(tables, "_PIECE", 100)
-        with read(end.join(lines)) as table:
+        with contextlib.closing(read(end.join(lines))) as table:
             assert in_parts(table, cuts).tolist() == [list(row) for row in numbers]
 
 
@@ -192,7 +196,7 @@ EXPECTED: Floats = np.array([[n + 0.5, -float(n)] for n in range(200)])
 
 
 def test_a_large_table_lies_in_a_temporary_file(spooled: Path) -> None:
-    with read(BIG, spooled) as table:
+    with contextlib.closing(read(BIG, spooled)) as table:
         (file,) = spooled.iterdir()
         assert file.name.startswith(PREFIX)
         assert file.stat().st_size == EXPECTED.nbytes
@@ -208,14 +212,14 @@ def test_a_large_table_lies_in_a_temporary_file(spooled: Path) -> None:
 
 
 def test_the_digest_is_that_of_the_numbers(spooled: Path) -> None:
-    with read(BIG, spooled) as large:
+    with contextlib.closing(read(BIG, spooled)) as large:
         assert large.digest == VariantTable(large.targets, EXPECTED).digest
         assert large.digest == read(BIG.replace(".5,", ".50,")).digest
         assert large.digest != read(BIG.replace(".5,", ".6,")).digest
 
 
 def test_copies_read_the_same_file_and_leave_it(spooled: Path) -> None:
-    with read(BIG, spooled) as table:
+    with contextlib.closing(read(BIG, spooled)) as table:
         pickled = pickle.dumps(table)
         assert len(pickled) < 1000
         copy = pickle.loads(pickled)  # noqa: S301
@@ -231,7 +235,7 @@ def test_copies_read_the_same_file_and_leave_it(spooled: Path) -> None:
 def test_other_processes_read_it(spooled: Path, method: str) -> None:
     if method not in multiprocessing.get_all_start_methods():
         pytest.skip(f"there is no {method} here")
-    with read(BIG, spooled) as table:
+    with contextlib.closing(read(BIG, spooled)) as table:
         with multiprocessing.get_context(method).Pool(1) as pool:
             assert np.array_equal(pool.apply(table.block, (3, 6)), EXPECTED[3:6])
             pool.close()
@@ -248,23 +252,20 @@ def test_the_file_goes_with_its_owner(spooled: Path) -> None:
 
 def test_the_file_goes_with_the_process(tmp_path: Path) -> None:
     program = (
-        "import numpy, sys; from vstatics.jobs.spool import Spool\n"
-        "spool = Spool(1, sys.argv[1]); spool.write(numpy.ones((5, 1)))\n"
+        "import numpy; from vstatics.jobs.spool import Spool\n"
+        "spool = Spool(1); spool.write(numpy.ones((5, 1)))\n"
         "print(spool.take(4, 5))"
     )
-    environment = {**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)}
+    own = {"PYTHONPATH": os.pathsep.join(sys.path), "TMPDIR": str(tmp_path)}
     said = subprocess.run(
-        [sys.executable, "-c", program, str(tmp_path)],
-        capture_output=True,
-        check=True,
-        env=environment,
+        [sys.executable, "-c", program], capture_output=True, check=True, env={**os.environ, **own}
     )
     assert said.stdout == b"[[1.]]\n"
     assert not list(tmp_path.iterdir())
 
 
 def test_a_file_that_was_cut_off_is_noticed(spooled: Path) -> None:
-    with read(BIG, spooled) as table:
+    with contextlib.closing(read(BIG, spooled)) as table:
         (file,) = spooled.iterdir()
         os.truncate(file, EXPECTED.nbytes - 8)
         assert np.array_equal(table.block(0, 199), EXPECTED[:199])
@@ -276,13 +277,17 @@ def test_a_folder_that_cannot_be_written(spooled: Path) -> None:
     with pytest.raises(ReadError) as caught:
         read(BIG, spooled / "nowhere")
     message = str(caught.value)
-    assert "nowhere: error: the temporary copy of the table can't be written: No such" in message
+    assert (
+        "temporary files: error: the temporary copy of the table can't be written: No such"
+        in message
+    )
     assert "set TMPDIR to another folder" in message
 
 
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="there is no /dev/full here")
-def test_a_full_disk_leaves_no_file(spooled: Path) -> None:
-    spool = Spool(2, str(spooled))
+def test_a_full_disk_leaves_no_file(spooled: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(tempfile, "tempdir", str(spooled))
+    spool = Spool(2)
     spool.path = "/dev/full"
     with pytest.raises(ReadError, match="can't be written: No space left on device; make room"):
         spool.write(EXPECTED)

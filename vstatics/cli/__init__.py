@@ -45,9 +45,9 @@ class Commands(click.Group):
     """A group that imports a command when it is called."""
 
     def invoke(self, ctx: click.Context) -> Any:
-        """Run the command; what cannot be read or written ends it, and is told."""
+        """Exit with the status that the command returns; 1 if a file can't be read or written."""
         try:
-            return super().invoke(ctx)
+            ctx.exit(super().invoke(ctx) or 0)
         except ReadError as error:
             files.show(error.problems)
             ctx.exit(1)

@@ -7,7 +7,7 @@ from typing import NamedTuple
 from vstatics.cli import files, texts
 from vstatics.cli.cases import CaseOptions, calculate_one, unexpected
 from vstatics.cli.targets import CaseTask
-from vstatics.errors import Place, Problem
+from vstatics.errors import Problem, of_file
 from vstatics.jobs.alone import Rules
 from vstatics.jobs.files import OWN_FAULTS, replace, set_aside, unwritable
 from vstatics.jobs.finished import FinishedCases, case_state
@@ -66,7 +66,7 @@ def calculate_and_write(job: Job, task: CaseTask) -> Done:
 def _lost(task: CaseTask) -> Done:
     """What is said of a case that is given up."""
     message = "the process that calculated it died, twice (out of memory, or killed)"
-    return Done(task.file, [Problem(message, place=Place(task.file, 0, 0))])
+    return Done(task.file, [of_file(task.file, message)])
 
 
 def _is_only_here(task: CaseTask) -> bool:

@@ -11,7 +11,7 @@ import click
 
 from vstatics import readers
 from vstatics.cli import files
-from vstatics.errors import Place, Problem, ReadError, nearest
+from vstatics.errors import Problem, ReadError, nearest, of_file
 from vstatics.model.checks import hints
 from vstatics.model.transmission import IdleConvention, Transmission
 from vstatics.readers.reading import Reading
@@ -44,15 +44,26 @@ one_gear = click.option("--gear", metavar="G", help="This gear only, by its name
 output = click.option(
     "-o", "--output", type=click.Path(), help="Write to this file, whole or not at all."
 )
-text_or_json = click.option(
-    "-f",
-    "--format",
-    "output_format",
-    type=click.Choice(["text", "json"]),
-    default="text",
-    show_default=True,
-    help="Format of the output.",
-)
+
+
+def required_output(says: str) -> Callable[[Command], Command]:
+    """The option for a file that a command can't do without."""
+    return click.option(
+        "-o", "--output", type=click.Path(), required=True, metavar="FILE", help=says
+    )
+
+
+def format_option(
+    formats: Sequence[str], says: str, default: str | None = None
+) -> Callable[[Command], Command]:
+    """The option for the format of what is written."""
+    names, choice = ("-f", "--format", "output_format"), click.Choice(formats)
+    return click.option(
+        *names, type=choice, default=default, show_default=default is not None, help=says
+    )
+
+
+text_or_json = format_option(["text", "json"], "Format of the output.", default="text")
 
 
 def language(of: str) -> Callable[[Command], Command]:
@@ -93,7 +104,7 @@ def settings(command: Command) -> Command:
     """The options of how cases are read and calculated; the command gets `settings`."""
 
     @wraps(command)
-    def told(
+    def with_settings(
         *values: Any,
         input_format: readers.Format | None,
         coast: bool | None,
@@ -102,8 +113,8 @@ def settings(command: Command) -> Command:
     ) -> Any:
         return command(*values, settings=CaseOptions(input_format, coast, idle), **others)
 
-    made: Any = input_format(coast(idle(told)))
-    return made  # type: ignore[no-any-return]
+    decorated: Any = input_format(coast(idle(with_settings)))
+    return decorated  # type: ignore[no-any-return]
 
 
 def gear_number(case: Transmission, asked: str) -> int:
@@ -132,6 +143,13 @@ def calculate(cases: Sequence[str], settings: CaseOptions) -> Iterator[Calculate
         yield outcome
 
 
+def calculate_to(output: str | None, case: str, settings: CaseOptions) -> CalculatedCase:
+    """Calculate the one case of a command, after it is sure that `output` would not replace it."""
+    files.spare([case], output)
+    [outcome] = calculate([case], settings)
+    return outcome
+
+
 def check_streams(cases: Sequence[str]) -> None:
     """Standard input can be one case only."""
     if cases.count(files.STDIN) > 1:
@@ -144,19 +162,14 @@ def calculate_one(file: str, settings: CaseOptions) -> CalculatedCase:
     try:
         reading = readers.read(*files.read_input(file), settings.input_format)
         results = solve(reading.case, coast=settings.coast, idle=settings.idle)
-        found = _noted(reading) if settings.notes else serious(reading.warnings)
-        problems = [*found, *_located(reading, results)]
+        notes = map(reading.locate, hints(reading.case)) if settings.notes else ()
+        of_input, of_gears = [*reading.warnings, *notes], [*_located(reading, results)]
     except ReadError as error:
-        found = error.problems if settings.notes else serious(error.problems)
-        return CalculatedCase(name, None, found)
+        results, of_input, of_gears = None, error.problems, []
     except Exception as error:  # noqa: BLE001 - the other cases are to go on
-        return CalculatedCase(name, None, [unexpected(name, error)])
-    return CalculatedCase(name, results, problems)
-
-
-def _noted(reading: Reading) -> list[Problem]:
-    """Warnings and notes on the input."""
-    return [*reading.warnings, *map(reading.locate, hints(reading.case))]
+        results, of_input, of_gears = None, [unexpected(name, error)], []
+    problems = of_input if settings.notes else serious(of_input)
+    return CalculatedCase(name, results, [*problems, *of_gears])
 
 
 def serious(problems: Iterable[Problem]) -> list[Problem]:
@@ -174,7 +187,7 @@ def unexpected(name: str, error: Exception) -> Problem:
         where = f" in {os.path.basename(trace.tb_frame.f_code.co_filename)}:{trace.tb_lineno}"  # noqa: PTH119
     text = " ".join(f"{type(error).__name__}: {error}".split())
     message = f"an error of vstatics, please report it with this case: {text}{where}"
-    return Problem(message, place=Place(name, 0, 0))
+    return of_file(name, message)
 
 
 def _located(reading: Reading, results: Results) -> Iterator[Problem]:

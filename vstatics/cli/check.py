@@ -52,9 +52,9 @@ def conditions(file: str, results: Results) -> Grid:
         verdict += [f"{excess} in excess"] * bool(excess)
         verdict += ["tied up"] * bool(tied_up)
         verdict += ["freewheels in conflict"] * bool(conflict)
-        given = given_conditions(gear) + len(held)
-        found = f"{given} of {free} conditions: {', '.join(verdict) or 'ok'} (engaged: {engaged})"
-        rows.append([f"gear {gear.name}", found])
+        count = given_conditions(gear) + len(held)
+        state = f"{count} of {free} conditions: {', '.join(verdict) or 'ok'} (engaged: {engaged})"
+        rows.append([f"gear {gear.name}", state])
     title = f"{file}: {', '.join(counts)}; degrees of freedom: {free}"
     return Grid(title, [text(""), text("")], rows)
 
@@ -62,10 +62,7 @@ def conditions(file: str, results: Results) -> Grid:
 @click.command()
 @arguments.argument
 @arguments.input_format
-@click.pass_context
-def check(
-    context: click.Context, cases: tuple[str, ...], input_format: readers.Format | None
-) -> None:
+def check(cases: tuple[str, ...], input_format: readers.Format | None) -> int:
     """Report all problems, warnings and notes of each CASE, and its conditions per gear.
 
     Problems go to stderr as file:line:col: message, with the line and a caret;
@@ -83,4 +80,4 @@ def check(
         if outcome.results is not None:
             shown = lines(conditions(outcome.file, outcome.results), indent="  ")
             files.write_output("\n".join(shown) + "\n", None)
-    context.exit(1 if failed else 0)
+    return int(failed)

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import click
 
 from vstatics.cli import files
+from vstatics.cli.cases import Command
 from vstatics.readers.results import read_results
 from vstatics.tables.compare import Difference, differences
 from vstatics.tables.figures import WrittenResult
@@ -20,30 +23,22 @@ def _differ(
     lines = []
     for number, (one, other) in enumerate(zip(actual, expected, strict=True), 1):
         front = f"result {number}: " if len(actual) > 1 else ""
-        found = differences(one, other, atol=atol, rtol=rtol)
-        lines += [f"{front}{difference}" for difference in found]
+        pairs = differences(one, other, atol=atol, rtol=rtol)
+        lines += [f"{front}{difference}" for difference in pairs]
     return lines
+
+
+def _tolerance(name: str, default: float, says: str) -> Callable[[Command], Command]:
+    least = click.FloatRange(min=0)
+    return click.option(name, type=least, default=default, show_default=True, help=says)
 
 
 @click.command()
 @click.argument("actual", type=click.Path())
 @click.argument("expected", type=click.Path())
-@click.option(
-    "--atol",
-    type=click.FloatRange(min=0),
-    default=1e-12,
-    show_default=True,
-    help="Absolute tolerance.",
-)
-@click.option(
-    "--rtol",
-    type=click.FloatRange(min=0),
-    default=1e-9,
-    show_default=True,
-    help="Tolerance relative to the expected number.",
-)
-@click.pass_context
-def compare(context: click.Context, actual: str, expected: str, atol: float, rtol: float) -> None:
+@_tolerance("--atol", 1e-12, "Absolute tolerance.")
+@_tolerance("--rtol", 1e-9, "Tolerance relative to the expected number.")
+def compare(actual: str, expected: str, atol: float, rtol: float) -> int:
     """Compare two results, listing or JSON, number by number; - is standard input.
 
     A number from a listing matches anything within half of its last digit. What
@@ -60,4 +55,4 @@ def compare(context: click.Context, actual: str, expected: str, atol: float, rto
     if lines:
         files.write_output("\n".join(lines) + "\n", None)
         files.say(f"{actual} and {expected} differ in {len(lines)} place{'s' * (len(lines) > 1)}")
-    context.exit(1 if lines else 0)
+    return int(bool(lines))

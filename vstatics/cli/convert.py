@@ -42,14 +42,12 @@ def write(case: Transmission, output_format: readers.Format) -> tuple[str, list[
     type=click.Choice(list(readers.READERS)),
     help="Format of OUT; else told by the suffix.",
 )
-@click.pass_context
 def convert(
-    context: click.Context,
     source: str,
     target: str,
     input_format: readers.Format | None,
     output_format: readers.Format | None,
-) -> None:
+) -> int:
     """Convert the case IN to OUT: deck (.dat), YAML (.yaml) or JSON (.json); - is a stream.
 
     Numbers and names are kept to the last digit; torques and speeds with a unit are
@@ -75,4 +73,4 @@ def convert(
     files.write_output(text, target)
     for what in lost:
         files.say(f"{target}: not kept: {what}")
-    context.exit(1 if lost else 0)
+    return int(bool(lost))

@@ -8,13 +8,7 @@ import click
 
 from vstatics.cli import cases as arguments
 from vstatics.cli import files
-from vstatics.cli.cases import CaseOptions, calculate
-from vstatics.model.transmission import Transmission
-
-
-def _chosen(case: Transmission, gears: tuple[str, ...]) -> list[int]:
-    """Indices of the gears that are asked for, all of them if none is named."""
-    return [arguments.gear_number(case, gear) - 1 for gear in gears] or list(range(len(case.gears)))
+from vstatics.cli.cases import CaseOptions, calculate_to
 
 
 @click.command()
@@ -29,15 +23,13 @@ def _chosen(case: Transmission, gears: tuple[str, ...]) -> list[int]:
 @arguments.text_or_json
 @arguments.output
 @arguments.settings
-@click.pass_context
 def explain(
-    context: click.Context,
     case: str,
     gears: tuple[str, ...],
     output_format: Literal["text", "json"],
     output: str | None,
     settings: CaseOptions,
-) -> None:
+) -> int:
     """Explain the gears of CASE: a deck, YAML or JSON; - is standard input.
 
     For each gear: the structural-distribution matrix of what is engaged, the speed
@@ -54,16 +46,19 @@ def explain(
 
     Exit status: 0 done; 1 the case is in error or a gear is tied up; 2 wrong use.
     """
-    files.spare([case], output)
-    [outcome] = calculate([case], settings)
+    outcome = calculate_to(output, case, settings)
     results = outcome.results
     if results is not None:
         from vstatics.explain import document, text
         from vstatics.explain import explain as explained
 
-        made = [explained(results, number) for number in _chosen(results.case, gears)]
-        written = (
-            text.write(made) if output_format == "text" else document.write(results.case, made)
+        case_of_gears = results.case
+        numbers = [arguments.gear_number(case_of_gears, gear) for gear in gears]
+        indices = [number - 1 for number in numbers] or range(len(case_of_gears.gears))
+        explanations = [explained(results, index) for index in indices]
+        as_text = output_format == "text"
+        files.write_output(
+            text.write(explanations) if as_text else document.write(case_of_gears, explanations),
+            output,
         )
-        files.write_output(written, output)
-    context.exit(1 if outcome.failed else 0)
+    return int(outcome.failed)

@@ -6,15 +6,16 @@ import contextlib
 import os
 import sys
 from collections.abc import Callable, Iterable, Iterator
+from functools import partial
 
 import click
 
-from vstatics.errors import Place, Problem, ReadError
+from vstatics.errors import Place, Problem, ReadError, of_file
 from vstatics.jobs.files import STDOUT, Write, is_stream, opened, replacing, unwritable
 
 STDIN = "-"
 STDIN_NAME = "<stdin>"
-TOLD = 100
+MOST_SHOWN = 100
 """So many problems of a case are printed."""
 CLOSED = "it is closed"
 
@@ -37,21 +38,20 @@ def read_input(file: str) -> tuple[bytes, str]:
         reason = CLOSED
     except OSError as error:
         reason = error.strerror or str(error)
-    message = f"can't be read: {reason}"
-    raise ReadError([Problem(message, place=Place(name, 0, 0))])
+    raise ReadError([of_file(name, f"can't be read: {reason}")])
 
 
 def show(problems: Iterable[Problem]) -> None:
     """Print problems to stderr, in the wording of a compiler, with the line and a caret."""
-    told = list(problems)
-    for problem in told[:TOLD]:
+    all_of_them = list(problems)
+    for problem in all_of_them[:MOST_SHOWN]:
         say(str(problem))
         place = problem.place
         if place is not None and place.text.strip():
             shown, caret = _around(place)
             say(f"  {shown}\n  {caret}")
-    if len(told) > TOLD:
-        say(f"... and {len(told) - TOLD} more")
+    if len(all_of_them) > MOST_SHOWN:
+        say(f"... and {len(all_of_them) - MOST_SHOWN} more")
 
 
 def say(line: str) -> None:
@@ -60,11 +60,7 @@ def say(line: str) -> None:
         _speakers[-1](line)
 
 
-def _echo(line: str) -> None:
-    click.echo(line, err=True)
-
-
-_speakers: list[Callable[[str], None]] = [_echo]
+_speakers: list[Callable[[str], None]] = [partial(click.echo, err=True)]
 """The last one prints: a bar on the terminal puts itself here, so that lines go above it."""
 
 
@@ -128,11 +124,8 @@ def stream(output: str | None) -> Iterator[Write]:
     try:
         if output is None or output == STDOUT:
             yield _print
-        elif is_stream(output):
-            with opened(output) as write:
-                yield write
         else:
-            with replacing(output) as write:
+            with opened(output) if is_stream(output) else replacing(output) as write:
                 yield write
     except BrokenPipeError:
         raise  # the reader has seen enough; click ends quietly
@@ -158,8 +151,7 @@ def read_names(file: str) -> list[str]:
     ended = data.split(b"\0") if b"\0" in data else data.replace(b"\r\n", b"\n").split(b"\n")
     names = [os.fsdecode(one) for one in ended if one]
     if not names:
-        message = "names no file, expected one a line"
-        raise ReadError([Problem(message, place=Place(name, 0, 0))])
+        raise ReadError([of_file(name, "names no file, expected one a line")])
     return names
 
 

@@ -2,17 +2,13 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Literal
+from typing import Literal
 
 import click
 
 from vstatics.cli import cases as arguments
 from vstatics.cli import files
-from vstatics.cli.cases import CaseOptions, calculate
-from vstatics.model.transmission import Transmission
-
-if TYPE_CHECKING:
-    from vstatics.flow.power import GearFlow
+from vstatics.cli.cases import CaseOptions, calculate_to
 
 
 @click.command()
@@ -21,15 +17,13 @@ if TYPE_CHECKING:
 @arguments.text_or_json
 @arguments.output
 @arguments.settings
-@click.pass_context
 def flow(
-    context: click.Context,
     case: str,
     gear: str | None,
     output_format: Literal["text", "json"],
     output: str | None,
     settings: CaseOptions,
-) -> None:
+) -> int:
     """Show where the power goes in every gear of CASE; - is standard input.
 
     For each gear: the power through links, mechanisms and engaged shift elements,
@@ -45,24 +39,21 @@ def flow(
     \b
     Exit status: 0 done; 1 the case is in error or a gear is tied up; 2 wrong use.
     """
-    files.spare([case], output)
-    [outcome] = calculate([case], settings)
+    outcome = calculate_to(output, case, settings)
     if outcome.results is None:
-        context.exit(1)
+        return 1
     from vstatics.flow.power import flows
 
-    found = flows(outcome.results)
+    case_of_gears, powers = outcome.results.case, flows(outcome.results)
     if gear is not None:
-        found = [found[arguments.gear_number(outcome.results.case, gear) - 1]]
-    files.write_output(_text(outcome.results.case, found, output_format), output)
-    context.exit(1 if outcome.failed else 0)
-
-
-def _text(case: Transmission, found: list[GearFlow], output_format: str) -> str:
+        powers = [powers[arguments.gear_number(case_of_gears, gear) - 1]]
     if output_format == "text":
         from vstatics.flow.text import text
 
-        return "\n".join(map(text, found))
-    from vstatics.flow.document import write
+        written = "\n".join(map(text, powers))
+    else:
+        from vstatics.flow.document import write
 
-    return write(case.name, found)
+        written = write(case_of_gears.name, powers)
+    files.write_output(written, output)
+    return int(outcome.failed)

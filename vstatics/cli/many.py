@@ -53,8 +53,8 @@ class _Count:
             line += f" ({self.kept} of them before)"
         if self.failures:
             line += f", {len(self.failures)} failed:"
-        for told in (line, *self.failures):
-            files.say(told)
+        for sentence in (line, *self.failures):
+            files.say(sentence)
 
 
 def _failure(done: Done) -> str:
@@ -96,7 +96,7 @@ def to_directory(
     todo = tasks(cases, folder, suffix, [*others, finished.path])
     try:
         os.makedirs(folder, exist_ok=True)  # noqa: PTH103
-        if resume and _resumed(finished, job):
+        if resume and finished.resume(_depends(job)):
             todo = [task for task in todo if not finished.is_done(task.file, str(task.target))]
         else:
             if resume:
@@ -106,6 +106,8 @@ def to_directory(
         raise click.UsageError(f"{folder} is a file: expected a directory") from None
     except OSError as error:
         raise ReadError([unwritable(folder, error)]) from None
+    except ReadError as error:  # the earlier run had other options
+        raise click.UsageError(error.problems[0].message) from None
     count = _Count(len(cases), len(cases) - len(todo))
     kept = f"results are in {folder}; the same command with --resume goes on"
     job = job._replace(finished=finished)
@@ -191,14 +193,6 @@ def _telling(count: _Count, kept: str) -> Iterator[Stop]:
         return
     files.say(f"stopped after {count.done} of {count.total} cases; {kept}")
     raise click.exceptions.Exit(status)
-
-
-def _resumed(finished: FinishedCases, job: Job) -> bool:
-    """Take up an earlier run, if there is one; with other options that is wrong use."""
-    try:
-        return finished.resume(_depends(job))
-    except ReadError as error:
-        raise click.UsageError(error.problems[0].message) from None
 
 
 def _depends(job: Job) -> dict[str, object]:

@@ -7,7 +7,7 @@ import os
 import click
 
 from vstatics.cli import files
-from vstatics.errors import Place, Problem, ReadError, nearest
+from vstatics.errors import ReadError, nearest, of_file
 from vstatics.readers import format_of_name
 from vstatics.templates import TEMPLATES, template
 
@@ -46,8 +46,7 @@ def new(target: str, name: str) -> None:
     kind = format_of_name(target)
     if kind not in (None, "yaml"):
         message = f"is the name of a {kind} by its suffix, but a template is YAML; expected .yaml"
-        raise ReadError([Problem(message, place=Place(target, 0, 0))])
+        raise ReadError([of_file(target, message)])
     if target != files.STDIN and os.path.lexists(target):
-        message = "is there already; expected the name of a new file"
-        raise ReadError([Problem(message, place=Place(target, 0, 0))])
+        raise ReadError([of_file(target, "is there already; expected the name of a new file")])
     files.write_output(template(name), target)

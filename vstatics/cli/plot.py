@@ -8,8 +8,8 @@ import click
 
 from vstatics.cli import cases as arguments
 from vstatics.cli import files
-from vstatics.cli.cases import CaseOptions, calculate
-from vstatics.errors import CaseError, Place, Problem, ReadError
+from vstatics.cli.cases import CaseOptions, calculate_to
+from vstatics.errors import CaseError, ReadError, of_file
 from vstatics.pictures import FORMATS, PICTURES, Format, render
 from vstatics.pictures.style import Style
 from vstatics.statics.results import Language
@@ -18,27 +18,14 @@ from vstatics.statics.results import Language
 @click.command()
 @arguments.case_argument
 @click.option(
-    "-k",
-    "--kind",
-    type=click.Choice(list(PICTURES)),
-    required=True,
-    help="What is drawn.",
+    "-k", "--kind", type=click.Choice(list(PICTURES)), required=True, help="What is drawn."
 )
-@click.option(
-    "-o",
-    "--output",
-    type=click.Path(),
-    required=True,
-    metavar="FILE",
-    help="SVG, PNG or PDF by the suffix; - is standard output, for SVG.",
-)
+@arguments.required_output("SVG, PNG or PDF by the suffix; - is standard output, for SVG.")
 @arguments.one_gear
 @click.option("--dark", is_flag=True, help="Light on dark, for a screen.")
 @arguments.settings
 @arguments.language("axes and titles")
-@click.pass_context
 def plot(
-    context: click.Context,
     case: str,
     kind: str,
     output: str,
@@ -46,7 +33,7 @@ def plot(
     dark: bool,
     settings: CaseOptions,
     lang: Language,
-) -> None:
+) -> int:
     """Draw a picture of CASE: a deck, YAML or JSON; - is standard input.
 
     \b
@@ -71,18 +58,16 @@ def plot(
     nothing to draw; 2 wrong use.
     """
     form = _format(output)
-    files.spare([case], output)
-    [outcome] = calculate([case], settings)
+    outcome = calculate_to(output, case, settings)
     if outcome.results is not None:
         try:
             chosen = None if gear is None else arguments.gear_number(outcome.results.case, gear)
             drawn = render(outcome.results, kind, form, Style(lang, dark), chosen)
         except CaseError as error:
-            place = Place(outcome.file, 0, 0)
-            raise ReadError([Problem(one.message, place=place) for one in error.problems]) from None
+            raise ReadError(of_file(outcome.file, one.message) for one in error.problems) from None
         with files.stream(output) as write:
             write(drawn)
-    context.exit(1 if outcome.failed else 0)
+    return int(outcome.failed)
 
 
 def _format(output: str) -> Format:

@@ -14,22 +14,9 @@ from vstatics.jobs.files import is_stream
 
 @click.command()
 @arguments.case_argument
-@click.option(
-    "-o",
-    "--output",
-    type=click.Path(),
-    required=True,
-    metavar="FILE",
-    help="Write to this file, whole or not at all; - is standard output.",
-)
+@arguments.required_output("Write to this file, whole or not at all; - is standard output.")
 @arguments.settings
-@click.pass_context
-def report(
-    context: click.Context,
-    case: str,
-    output: str,
-    settings: CaseOptions,
-) -> None:
+def report(case: str, output: str, settings: CaseOptions) -> int:
     """Write CASE and its results as one page of HTML; - is standard input.
 
     The page has the input, ratios, pictures, the power flow of each gear, transitions,
@@ -60,4 +47,4 @@ def report(
         if material.without:
             files.say(f"vstatics report: no pictures: {material.without}")
         files.write_output(page(material), output)
-    context.exit(1 if outcome.failed else 0)
+    return int(outcome.failed)

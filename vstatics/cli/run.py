@@ -14,12 +14,9 @@ from vstatics.statics.results import Language
 
 @click.command()
 @click.argument("cases", nargs=-1, type=click.Path(), metavar="CASE...")
-@click.option(
-    "-f",
-    "--format",
-    "output_format",
-    type=click.Choice(get_args(texts.OutputFormat)),
-    help="Format of the results; else told by the suffix of -o, else listing.",
+@arguments.format_option(
+    get_args(texts.OutputFormat),
+    "Format of the results; else told by the suffix of -o, else listing.",
 )
 @click.option(
     "-o",
@@ -49,9 +46,7 @@ from vstatics.statics.results import Language
 )
 @arguments.settings
 @arguments.language("the headings of a listing")
-@click.pass_context
 def run(
-    context: click.Context,
     cases: tuple[str, ...],
     output_format: texts.OutputFormat | None,
     output: str | None,
@@ -61,7 +56,7 @@ def run(
     pretty: bool,
     settings: CaseOptions,
     lang: Language,
-) -> None:
+) -> int:
     """Calculate every gear of each CASE: a deck, YAML or JSON; - is standard input.
 
     \b
@@ -86,7 +81,7 @@ def run(
     if pretty:
         if output is not None or output_format is not None or jobs > 1 or resume:
             raise click.UsageError("--pretty is for a terminal: without -f, -o, --jobs, --resume")
-        context.exit(_pretty(names, settings))
+        return _pretty(names, settings)
     output_format = output_format or texts.format_of_name(output or "")
     folder = _folder(output, output_format, several=several)
     if resume and folder is None:
@@ -99,13 +94,13 @@ def run(
 
         job = Job(settings, output_format, lang)
         if folder is None:
-            context.exit(many.to_stream(names, output, job, jobs=jobs))
+            return many.to_stream(names, output, job, jobs=jobs)
         lists = [] if files_from in (None, files.STDIN) else [str(files_from)]
-        context.exit(many.to_directory(names, folder, job, jobs=jobs, resume=resume, others=lists))
+        return many.to_directory(names, folder, job, jobs=jobs, resume=resume, others=lists)
     [outcome] = calculate(names, settings)
     if outcome.results is not None:
         files.write_output(texts.alone(outcome, output_format, lang), output)
-    context.exit(1 if outcome.failed else 0)
+    return int(outcome.failed)
 
 
 def _pretty(names: list[str], settings: CaseOptions) -> int:

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Literal, NamedTuple, get_args
+from typing import TYPE_CHECKING, Literal, get_args
 
 import click
 
 from vstatics.cli import cases as arguments
 from vstatics.cli import files
 from vstatics.cli.cases import CalculatedCase, CaseOptions, calculate
-from vstatics.errors import CaseError, Place, ReadError
+from vstatics.errors import CaseError, ReadError, of_file
 from vstatics.statics.results import Results
 
 if TYPE_CHECKING:
@@ -20,26 +20,10 @@ if TYPE_CHECKING:
 SummaryFormat = Literal["text", "json", "markdown", "latex"]
 
 
-class _Asked(NamedTuple):
-    """What is wanted besides the tables that are always there."""
-
-    at_most: int | None
-    """Of further combinations."""
-    duty: DutyFile | None
-
-
 @click.command()
 @click.argument("case", type=click.Path())
 @click.argument("case2", type=click.Path(), required=False)
-@click.option(
-    "-f",
-    "--format",
-    "output_format",
-    type=click.Choice(get_args(SummaryFormat)),
-    default="text",
-    show_default=True,
-    help="Format of the tables.",
-)
+@arguments.format_option(get_args(SummaryFormat), "Format of the tables.", default="text")
 @arguments.output
 @click.option(
     "--combinations", is_flag=True, help="Also try all other combinations of shift elements."
@@ -59,9 +43,7 @@ class _Asked(NamedTuple):
     help="Mean efficiency of a duty cycle: YAML with `energy` or `time`, and a share by gear.",
 )
 @arguments.settings
-@click.pass_context
 def summary(
-    context: click.Context,
     case: str,
     case2: str | None,
     output_format: SummaryFormat,
@@ -70,7 +52,7 @@ def summary(
     at_most: int,
     duty: str | None,
     settings: CaseOptions,
-) -> None:
+) -> int:
     """Ratios, steps, spread, transitions and largest values of CASE; - is standard input.
 
     Steps and transitions go from a gear to the next one of the same direction. The largest
@@ -99,52 +81,48 @@ def summary(
 
         cycle = read_duty(*files.read_input(duty))
     outcomes = list(calculate(named, settings))
-    if all(outcome.results is not None for outcome in outcomes):
-        asked = _Asked(at_most if combinations else None, cycle)
-        files.write_output(_text(outcomes, output_format, asked), output)
-    context.exit(1 if any(outcome.failed for outcome in outcomes) else 0)
+    calculated = [(one.results, one.file) for one in outcomes if one.results is not None]
+    if len(calculated) == len(outcomes):
+        most = at_most if combinations else None
+        summaries = [_summarized(*results, most, cycle) for results in calculated]
+        files.write_output(_text(outcomes, summaries, output_format), output)
+    return int(any(outcome.failed for outcome in outcomes))
 
 
-def _text(outcomes: Sequence[CalculatedCase], output_format: SummaryFormat, asked: _Asked) -> str:
+def _text(
+    outcomes: Sequence[CalculatedCase], summaries: list[Summary], output_format: SummaryFormat
+) -> str:
     """The summary of one case, or of two beside one another."""
-    made = [
-        _summarized(outcome.results, outcome.file, asked)
-        for outcome in outcomes
-        if outcome.results is not None
-    ]
     if output_format == "json":
         from vstatics.summary.document import write
 
-        return write(made)
+        return write(summaries)
     from vstatics.summary import contrast, grids
     from vstatics.tables import latex, markdown
     from vstatics.tables import text as plain
 
     writer = {"text": plain, "markdown": markdown, "latex": latex}[output_format]
     names = [outcome.results.case.name for outcome in outcomes if outcome.results is not None]
-    if len(made) == 1:
-        titles, tables = [names[0] or outcomes[0].file], grids.grids(made[0])
+    if len(summaries) == 1:
+        titles, tables = [names[0] or outcomes[0].file], grids.grids(summaries[0])
     else:
         titles = [
             f"{letter}: {outcome.file}{f' ({name})' if name else ''}"
             for letter, outcome, name in zip("AB", outcomes, names, strict=True)
         ]
-        tables = contrast.contrasted(*made)
+        tables = contrast.contrasted(*summaries)
     text: str = writer.write(titles, tables)
     return text
 
 
-def _summarized(results: Results, file: str, asked: _Asked) -> Summary:
+def _summarized(results: Results, file: str, at_most: int | None, duty: DutyFile | None) -> Summary:
     """The summary of a case; too many combinations are a problem of its file."""
     from vstatics.summary import summarize
 
     try:
-        made = summarize(results, at_most=asked.at_most)
+        summary = summarize(results, at_most=at_most)
     except CaseError as error:
-        place = Place(file, 0, 0)
-        found = [
-            problem._replace(place=place, message=f"{problem.message}; see --at-most")
-            for problem in error.problems
-        ]
-        raise ReadError(found) from None
-    return made if asked.duty is None else made._replace(cycle=asked.duty.of(results))
+        raise ReadError(
+            of_file(file, f"{problem.message}; see --at-most") for problem in error.problems
+        ) from None
+    return summary if duty is None else summary._replace(cycle=duty.of(results))

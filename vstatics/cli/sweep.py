@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
 from typing import Any, cast
 
 import click
@@ -57,10 +56,7 @@ def _click_option(name: str, option: Option) -> Callable[[Command], Command]:
 @arguments.input_format
 @arguments.coast
 @arguments.idle
-@click.pass_context
 def sweep(
-    context: click.Context,
-    /,
     sweep_file: str | None,
     jobs: int,
     scheduler: str | None,
@@ -68,7 +64,7 @@ def sweep(
     dry_run: bool,
     input_format: readers.Format | None,
     **said: Any,
-) -> None:
+) -> int:
     """Calculate variants of CASE and write a table: a row each, or the best ones.
 
     VALUES are low:high:count, low:high:step=STEP, a list a,b,c, or low:high with
@@ -110,9 +106,10 @@ def sweep(
             return 0
         return run(plan, form, options.output, jobs=jobs, scheduler=scheduler, resume=resume)
 
-    with _told():
-        status = in_good_order(carry_out)
-    context.exit(status)
+    try:
+        return in_good_order(carry_out)
+    except CaseError as error:  # is shown as what ends a reading
+        raise ReadError(error.problems) from error
 
 
 def _checked(
@@ -150,14 +147,3 @@ def _case(file: str, input_format: readers.Format | None) -> Transmission:
     reading = readers.read(*files.read_input(file), input_format)
     files.show(arguments.serious(reading.warnings))
     return reading.case
-
-
-@contextmanager
-def _told() -> Iterator[None]:
-    """What ends a sweep is told like what ends a reading."""
-    try:
-        yield
-    except ReadError:
-        raise
-    except CaseError as error:
-        raise ReadError(error.problems) from error

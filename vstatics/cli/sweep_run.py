@@ -12,13 +12,12 @@ from vstatics.errors import CaseError
 from vstatics.jobs.files import STDOUT, is_stream, unwritable
 from vstatics.jobs.finished import SUFFIX, FinishedPieces
 from vstatics.jobs.stopping import StoppedError, stoppable
-from vstatics.jobs.workers import workers
 from vstatics.sweep import chunk
 from vstatics.sweep.best import BEST
-from vstatics.sweep.formats import TEXTS, Format
+from vstatics.sweep.formats import Format
 from vstatics.sweep.output import Output, SweepReport, description, stream
 from vstatics.sweep.plan import SweepPlan
-from vstatics.sweep.tasks import SweepTask, columns_of, text_of
+from vstatics.sweep.tasks import SweepTask, data_of
 from vstatics.sweep.variants import VariantTable
 
 UNSOLVED = ("tied up", "conflict", "invalid")
@@ -68,12 +67,7 @@ def to_file(
         try:
             pieces.open(description(plan, form), plan.pieces, resume=resume)
             kept = written.finished
-            called = workers(
-                written.task,
-                written.task.describe,
-                jobs=min(jobs, plan.pieces),
-                scheduler=scheduler,
-            )
+            called = written.task.workers(jobs, scheduler)
             with called, progress(plan.variants.count, "variants") as advance:
                 advance(kept)
                 written.calculate(called, advance)
@@ -114,10 +108,9 @@ def to_stream(
     task = SweepTask(plan, form)
     done = 0
     try:
-        called = workers(task, task.describe, jobs=min(jobs, plan.pieces), scheduler=scheduler)
         with (
             files.stream(output) as write,
-            called,
+            task.workers(jobs, scheduler) as called,
             progress(plan.variants.count, "variants", beside_stdout=True) as advance,
         ):
 
@@ -141,11 +134,11 @@ def _summary(output: str, report: SweepReport, kept: int, seconds: float) -> int
         for status in chunk.STATUS[1:]
         if status in report.counts
     ]
-    told = f" ({', '.join(reasons)})" if reasons else ""
+    unlike = f" ({', '.join(reasons)})" if reasons else ""
     before = f", {kept} of them before" if kept else ""
     rate = (report.variants - kept) / max(seconds, 1e-9)
     files.say(
-        f"{output}: {report.rows} rows of {report.variants} variants{told}{before}; "
+        f"{output}: {report.rows} rows of {report.variants} variants{unlike}{before}; "
         f"{seconds:.3g} s, {float(f'{rate:.3g}'):,.0f} variants a second"
     )
     solved = sum(count for status, count in report.counts.items() if status not in UNSOLVED)
@@ -160,22 +153,22 @@ def estimate(plan: SweepPlan, form: Format, jobs: int) -> str:
     start, stop = _middle_block(plan)
     chunk.calculate(plan, start, min(start + 100, stop))  # the first time costs more
     began = time.perf_counter()
-    made = chunk.calculate(plan, start, stop)
-    data = [text_of(SweepTask(plan, form), made)] if form in TEXTS else columns_of(made)
+    rows = chunk.calculate(plan, start, stop)
+    data = data_of(form, rows)
     seconds = (time.perf_counter() - began) / max(stop - start, 1) * variants
-    part = len(made.variants) / max(stop - start, 1)
-    rows = round(part * variants)
+    part = len(rows.variants) / max(stop - start, 1)
+    count = round(part * variants)
     if plan.objectives:
-        most = plan.best or (BEST if len(plan.objectives) == 1 else rows)
-        told = f"the best, at most {min(rows, most)}"
+        most = plan.best or (BEST if len(plan.objectives) == 1 else count)
+        expected = f"the best, at most {min(count, most)}"
     else:
-        told = str(rows) if plan.where is None else f"about {rows}"
-    length = sum(memoryview(one).nbytes for one in data) / max(len(made.variants), 1)
-    size = "small" if plan.objectives else f"about {_size(length * rows)}"
+        expected = str(count) if plan.where is None else f"about {count}"
+    length = sum(memoryview(one).nbytes for one in data) / max(len(rows.variants), 1)
+    size = "small" if plan.objectives else f"about {_size(length * count)}"
     processes = f" with {jobs} jobs" if jobs > 1 else ""
     lines = {
         "variants": str(variants),
-        "rows": told,
+        "rows": expected,
         "columns": f"{columns}: {_listed(['variant', *plan.names, 'status', *plan.headings])}",
         "size": size,
         "time": f"about {_duration(seconds / min(jobs, max(plan.pieces, 1)))}{processes}",

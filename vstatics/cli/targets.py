@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from functools import lru_cache, partial
 from typing import NamedTuple
 
 import click
@@ -72,11 +73,11 @@ def tasks(
     >>> [task.target for task in tasks(["a/x.dat", "y.v2.yaml"], "results", ".json")]
     ['results/x.json', 'results/y.v2.json']
     """
-    made = [CaseTask(file, os.path.join(folder, _stem(file) + suffix)) for file in cases]  # noqa: PTH118
-    real = _RealPaths()
+    planned = [CaseTask(file, os.path.join(folder, _stem(file) + suffix)) for file in cases]  # noqa: PTH118
+    real = partial(_real_path, lru_cache(maxsize=None)(os.path.realpath))
     refused = []
     inputs: dict[str, CaseTask] = {}
-    for task in made:
+    for task in planned:
         before = inputs.setdefault(real(task.file), task)
         if before is not task:
             same = f" (the same file as {before.file})" if before.file != task.file else ""
@@ -96,7 +97,7 @@ def tasks(
     ]
     if refused:
         raise click.UsageError("nothing was calculated:\n  " + "\n  ".join(refused))
-    return made
+    return planned
 
 
 def _stem(file: str) -> str:
@@ -106,21 +107,11 @@ def _stem(file: str) -> str:
     return os.path.splitext(os.path.basename(file))[0]  # noqa: PTH119, PTH122
 
 
-class _RealPaths:
-    """Real paths of many files; those of their folders are looked up once."""
-
-    def __init__(self) -> None:
-        self.folders: dict[str, str] = {}
-
-    def __call__(self, file: str) -> str:
-        """The path of a file without links; what is no file is itself."""
-        if file == files.STDIN:
-            return file
-        if os.path.islink(file):  # noqa: PTH114
-            return os.path.realpath(file)
-        folder, name = os.path.split(file)
-        if name in ("", ".", ".."):
-            return os.path.realpath(file)
-        if folder not in self.folders:
-            self.folders[folder] = os.path.realpath(folder)
-        return os.path.join(self.folders[folder], name)  # noqa: PTH118
+def _real_path(real_folder: Callable[[str], str], file: str) -> str:
+    """The path of a file without links; what is no file is itself."""
+    if file == files.STDIN:
+        return file
+    folder, name = os.path.split(file)
+    if os.path.islink(file) or name in ("", ".", ".."):  # noqa: PTH114
+        return os.path.realpath(file)
+    return os.path.join(real_folder(folder), name)  # noqa: PTH118

@@ -6,34 +6,46 @@ state that every worker got once. However many items there are, only a few are u
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable, Iterator
-from typing import Any, NamedTuple, Protocol, Self, TypeVar
+from typing import Any, NamedTuple, Self, TypeVar
 
 from vstatics.errors import CaseError, Problem
 
 Item = TypeVar("Item")
 Result = TypeVar("Result")
 Describe = Callable[[Any], str]
+Work = Callable[[Any, Item], Result]
+"""What is done with a state and an item."""
 
 
-class Workers(Protocol):
-    """They take the items, as long as the context lasts."""
+class Workers(ABC):
+    """They take the items, as long as the context lasts.
 
-    remote: bool
+    Parameters
+    ----------
+    state : object
+        What each of them gets once.
+    describe : callable
+        Names an item in words, for errors.
+    """
+
+    remote = False
     """Whether they may be on other machines, so that they see no files of this one."""
 
-    def __enter__(self) -> Self:
-        """Begin."""
+    def __init__(self, state: object, describe: Describe) -> None:
+        self.state = state
+        self.describe = describe
 
-    def __exit__(self, *error: object) -> None:
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *error: object) -> None:  # noqa: B027 (there may be nobody to end)
         """End; at once if there was an error."""
 
+    @abstractmethod
     def each(
-        self,
-        function: Callable[[Any, Item], Result],
-        items: Iterable[Item],
-        *,
-        ordered: bool = False,
+        self, function: Work[Item, Result], items: Iterable[Item], *, ordered: bool = False
     ) -> Iterator[tuple[Item, Result]]:
         """Give each item with its result, in order if that is asked for.
 
@@ -61,9 +73,7 @@ class Rules(NamedTuple):
     """Gets the id of a process that ended while it may have been at an item."""
 
 
-def call(
-    function: Callable[[Any, Item], Result], state: object, item: Item, describe: Describe
-) -> Result:
+def call(function: Work[Item, Result], state: object, item: Item, describe: Describe) -> Result:
     """The result of an item.
 
     Raises
@@ -86,26 +96,12 @@ def failure(describe: Describe, item: object, error: BaseException) -> CaseError
     return CaseError([Problem(f"{describe(item)}: {type(error).__name__}: {error}")])
 
 
-class Alone:
+class Alone(Workers):
     """The process itself does everything."""
-
-    remote = False
-
-    def __init__(self, state: object, describe: Describe) -> None:
-        """Keep the state."""
-        self.state = state
-        self.describe = describe
-
-    def __enter__(self) -> Self:
-        """There is nobody else to start."""
-        return self
-
-    def __exit__(self, *error: object) -> None:
-        """There is nobody else to end."""
 
     def each(
         self,
-        function: Callable[[Any, Item], Result],
+        function: Work[Item, Result],
         items: Iterable[Item],
         *,
         ordered: bool = False,  # noqa: ARG002

@@ -4,16 +4,13 @@ from __future__ import annotations
 
 import logging
 import warnings
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterable, Iterator
 from importlib import import_module
-from typing import Any, Self, TypeVar
+from typing import Any, Self
 
-from vstatics.errors import CaseError, Place, Problem, ReadError
+from vstatics.errors import CaseError, Problem, ReadError, of_file
 from vstatics.extras import __version__
-from vstatics.jobs.alone import Describe, failure
-
-Item = TypeVar("Item")
-Result = TypeVar("Result")
+from vstatics.jobs.alone import Describe, Item, Result, Work, Workers, failure
 
 PATIENCE = 10
 """Seconds to wait for a scheduler, and then for a first worker."""
@@ -22,15 +19,14 @@ LOST = ("CommClosedError", "CancelledError", "FutureCancelledError")
 """How Dask tells that the scheduler went away: while a result was fetched, or before."""
 
 
-class Cluster:
-    """The workers of a scheduler; see `vstatics.jobs.workers.Workers`."""
+class Cluster(Workers):
+    """The workers of a scheduler; see `vstatics.jobs.alone.Workers`."""
 
     remote = True
 
     def __init__(self, state: object, describe: Describe, address: str) -> None:
         """Nothing is connected before the context is entered."""
-        self.state = state
-        self.describe = describe
+        super().__init__(state, describe)
         self.address = address
         self._client: Any = None
         self._sent: Any = None
@@ -73,12 +69,12 @@ class Cluster:
             client.close(timeout=PATIENCE)
 
     def _problem(self, message: str) -> ReadError:
-        return ReadError([Problem(message, place=Place(self.address, 0, 0))])
+        return ReadError([of_file(self.address, message)])
 
     def _check_versions(self) -> None:
         """Refuse workers without this package, or with another version of it."""
-        told = self._client.run(_version, on_error="return")
-        for worker, version in told.items():
+        versions = self._client.run(_version, on_error="return")
+        for worker, version in versions.items():
             if isinstance(version, Exception):
                 raise self._problem(
                     f"worker {worker} can't do it: {version}; install vstatics {__version__} there"
@@ -88,13 +84,9 @@ class Cluster:
                 raise self._problem(message)
 
     def each(
-        self,
-        function: Callable[[Any, Item], Result],
-        items: Iterable[Item],
-        *,
-        ordered: bool = False,
+        self, function: Work[Item, Result], items: Iterable[Item], *, ordered: bool = False
     ) -> Iterator[tuple[Item, Result]]:
-        """See `vstatics.jobs.workers.Workers`; pieces of a worker that dies go to the others."""
+        """See `vstatics.jobs.alone.Workers`; pieces of a worker that dies go to the others."""
         entries = enumerate(items)
         under_way: dict[str, tuple[int, Item]] = {}
         done: dict[int, tuple[Item, Result]] = {}
@@ -157,11 +149,10 @@ class _Held:
 
 
 def _version() -> str:
-
     return __version__
 
 
-def _call(function: Callable[[Any, Item], Result], held: _Held, item: Item) -> Result:
+def _call(function: Work[Item, Result], held: _Held, item: Item) -> Result:
     return function(held.state, item)
 
 

@@ -11,7 +11,7 @@ import stat
 from collections.abc import Callable, Iterator
 from functools import partial
 
-from vstatics.errors import Place, Problem
+from vstatics.errors import Problem, of_file
 
 STDOUT = "-"
 OLD = ".old"
@@ -41,7 +41,7 @@ def is_stream(output: str | None) -> bool:
 def unwritable(output: str | None, error: OSError) -> Problem:
     """The problem that an output, or stdout, cannot be written."""
     name = "<stdout>" if output is None or output == STDOUT else output
-    return Problem(f"can't be written: {error.strerror or error}", place=Place(name, 0, 0))
+    return of_file(name, f"can't be written: {error.strerror or error}")
 
 
 @contextlib.contextmanager

@@ -19,7 +19,7 @@ import stat
 from collections.abc import Mapping
 from typing import Any, Self
 
-from vstatics.errors import Place, Problem, ReadError
+from vstatics.errors import ReadError, of_file
 from vstatics.jobs.files import is_temporary, replace
 from vstatics.jobs.lock import LOCK, lock
 from vstatics.jobs.pieces import ASSEMBLED, Account, read_account
@@ -39,10 +39,6 @@ def differing(known: Mapping[str, Any], wanted: Mapping[str, Any]) -> list[str]:
     ['--coast']
     """
     return [key for key in wanted if key in known and known[key] != wanted[key]]
-
-
-def _problem(path: str, message: str) -> ReadError:
-    return ReadError([Problem(message, place=Place(path, 0, 0))])
 
 
 def case_state(file: str) -> CaseState | None:
@@ -97,11 +93,11 @@ class FinishedCases:
             for key in differing(known, options)
         )
         if changed:
-            raise _problem(
-                self.path,
+            message = (
                 f"the run to go on with was another one ({changed}): use the same options, "
-                "or calculate all cases again without --resume",
+                "or calculate all cases again without --resume"
             )
+            raise ReadError([of_file(self.path, message)])
         for line in lines:
             self._take(line)
         return True
@@ -219,7 +215,8 @@ class FinishedPieces:
             return known
         if all(name == LOCK or is_temporary(name) for name in self._names()):
             return None
-        raise _problem(self.directory, "holds no sweep that can be taken up; move it away")
+        message = "holds no sweep that can be taken up; move it away"
+        raise ReadError([of_file(self.directory, message)])
 
     def _names(self) -> list[str]:
         """What is in the directory."""
@@ -244,16 +241,10 @@ class FinishedPieces:
             return
         held = f"holds {finished} of {known.get('pieces')} finished pieces"
         message = f"{held} {sweep}, or remove the directory to begin anew"
-        raise _problem(self.directory, message)
+        raise ReadError([of_file(self.directory, message)])
 
     def lock(self) -> None:
-        """Take the directory for this process.
-
-        Raises
-        ------
-        ReadError
-            If another process has it.
-        """
+        """Take the directory for this process; see `vstatics.jobs.lock.lock`."""
         self._lock = lock(self.directory)
 
     def unlock(self) -> None:

@@ -6,7 +6,7 @@ import contextlib
 import os
 import time
 
-from vstatics.errors import Place, Problem, ReadError
+from vstatics.errors import ReadError, of_file
 
 LOCK = "lock"
 """The file in the directory; it names the process."""
@@ -48,8 +48,7 @@ def lock(directory: str) -> int | None:
                 return file
         os.close(file)
     process = f" (process {holder})" if holder else ""
-    message = f"another sweep{process} is writing this output"
-    raise ReadError([Problem(message, place=Place(directory, 0, 0))])
+    raise ReadError([of_file(directory, f"another sweep{process} is writing this output")])
 
 
 def _make(directory: str) -> None:

@@ -12,7 +12,8 @@ import json
 import os
 import struct
 import zlib
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
+from itertools import groupby
 from typing import Any, NamedTuple
 
 from vstatics.jobs.files import replacing
@@ -101,17 +102,14 @@ def read_account(directory: str, piece: int) -> Account | None:
             if magic != _MAGIC:
                 return None
             file.seek(size - _END.size - length)
-            account = _account(json.loads(file.read(length)))
+            fields = json.loads(file.read(length))
+            segments = tuple(Segment(*segment) for segment in fields["segments"])
+            account = Account(fields["piece"], fields["rows"], fields["counts"], segments)
             file.seek(0)
             whole = all(_crc(file, segment.length) == segment.crc for segment in account.segments)
     except (OSError, ValueError, KeyError, TypeError, struct.error):
         return None
     return account if whole and account.piece == piece else None
-
-
-def _account(read: dict[str, Any]) -> Account:
-    segments = tuple(Segment(*segment) for segment in read["segments"])
-    return Account(read["piece"], read["rows"], read["counts"], segments)
 
 
 def _crc(file: Any, length: int) -> int:
@@ -141,7 +139,7 @@ def copy(directory: str, copies: Sequence[Copy]) -> int:
     """
     target = os.open(os.path.join(directory, ASSEMBLED), os.O_WRONLY)  # noqa: PTH118
     try:
-        for piece, group in _grouped(copies):
+        for piece, group in groupby(copies, key=lambda one: one.piece):
             source = os.open(piece_path(directory, piece), os.O_RDONLY)
             try:
                 for one in group:
@@ -151,13 +149,6 @@ def copy(directory: str, copies: Sequence[Copy]) -> int:
     finally:
         os.close(target)
     return sum(one.length for one in copies)
-
-
-def _grouped(copies: Sequence[Copy]) -> Iterator[tuple[int, list[Copy]]]:
-    from itertools import groupby
-
-    for piece, group in groupby(copies, key=lambda one: one.piece):
-        yield piece, list(group)
 
 
 def _copy(source: int, target: int, one: Copy) -> None:

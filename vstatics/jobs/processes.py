@@ -12,18 +12,15 @@ import sys
 import threading
 import warnings
 from collections import Counter, deque
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager, suppress
-from typing import TYPE_CHECKING, Any, Self, TypeVar
+from typing import TYPE_CHECKING, Any
 
 from vstatics.errors import CaseError, Problem, ReadError
-from vstatics.jobs.alone import Describe, Rules, call
+from vstatics.jobs.alone import Describe, Item, Result, Rules, Work, Workers, call
 
 if TYPE_CHECKING:
     from multiprocessing.connection import Connection
-
-Item = TypeVar("Item")
-Result = TypeVar("Result")
 
 QUEUED = 2
 """So many items a process has, so that it need not wait for the next."""
@@ -31,30 +28,21 @@ PATIENCE = 5
 """So long a process may take to end when its line is closed. [s]"""
 
 
-class Processes:
+class Processes(Workers):
     """Several processes on this machine; see `vstatics.jobs.alone.Workers`."""
-
-    remote = False
 
     def __init__(self, state: object, describe: Describe, jobs: int, rules: Rules) -> None:
         """Nothing is started before there is something to do."""
-        self.state, self.describe, self.jobs, self.rules = state, describe, jobs, rules
+        super().__init__(state, describe)
+        self.jobs, self.rules = jobs, rules
         self._processes: list[_Process] = []
-
-    def __enter__(self) -> Self:
-        """Nothing is to be done yet."""
-        return self
 
     def __exit__(self, *error: object) -> None:
         """End the processes; at once if there was an error."""
         self._end(list(self._processes), at_once=error[0] is not None)
 
     def each(
-        self,
-        function: Callable[[Any, Item], Result],
-        items: Iterable[Item],
-        *,
-        ordered: bool = False,
+        self, function: Work[Item, Result], items: Iterable[Item], *, ordered: bool = False
     ) -> Iterator[tuple[Item, Result]]:
         """See `vstatics.jobs.alone.Workers`.
 
@@ -83,9 +71,7 @@ class Processes:
         """How many items the processes have."""
         return sum(len(process.items) for process in self._processes)
 
-    def _give(
-        self, function: Callable[[Any, Any], Any], coming: _Coming, done: dict[int, Any]
-    ) -> None:
+    def _give(self, function: Work[Any, Any], coming: _Coming, done: dict[int, Any]) -> None:
         """Give items to the processes, as many as may be under way."""
         under_way = self._under_way()
         while under_way + len(done) < self.rules.ahead * self.jobs:
@@ -194,7 +180,7 @@ class _Process:
         """The id of the process."""
         return int(self.process.pid)
 
-    def give(self, number: int, item: Any, function: Callable[[Any, Any], Any]) -> None:
+    def give(self, number: int, item: Any, function: Work[Any, Any]) -> None:
         self.items[number] = item
         with suppress(OSError):  # it died: that is seen when its results are read
             self.connection.send((number, item, function))

@@ -6,31 +6,17 @@ import contextlib
 import os
 import weakref
 from tempfile import mkstemp
-from typing import Any, Self
+from typing import Any
 
 import numpy as np
 
-from vstatics.errors import Place, Problem, ReadError
+from vstatics.errors import ReadError, of_file
 from vstatics.numerics.arrays import Floats
 
 PREFIX = "vstatics-table-"
 
 
-class Closing:
-    """What is closed at the end of a block."""
-
-    def close(self) -> None:
-        """Give back what it holds."""
-        raise NotImplementedError
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(self, *error: object) -> None:
-        self.close()
-
-
-class Spool(Closing):
+class Spool:
     """Rows of doubles in a temporary file; one writes, then all may read.
 
     The object that was made here owns the file: it goes with `close`, when the object
@@ -41,8 +27,6 @@ class Spool(Closing):
     ----------
     columns : int
         Numbers of a row.
-    folder : str, optional
-        Where the file is made; the system's folder for temporary files when not given.
 
     Raises
     ------
@@ -51,19 +35,19 @@ class Spool(Closing):
 
     Examples
     --------
-    >>> with Spool(2) as spool:
+    >>> with contextlib.closing(Spool(2)) as spool:
     ...     spool.write(np.array([[1.0, 2.0], [3.0, 4.0]]))
     ...     spool.take(1, 2)
     array([[3., 4.]])
     """
 
-    def __init__(self, columns: int, folder: str | None = None) -> None:
+    def __init__(self, columns: int) -> None:
         self.columns = columns
         self.rows = 0
         try:
-            handle, self.path = mkstemp(prefix=PREFIX, dir=folder)
+            handle, self.path = mkstemp(prefix=PREFIX)
         except OSError as error:
-            raise _unwritable(folder or "the folder for temporary files", error) from None
+            raise _unwritable("the folder for temporary files", error) from None
         os.close(handle)
         self._remove = weakref.finalize(self, _remove, self.path, os.getpid())
 
@@ -120,13 +104,11 @@ def _remove(path: str, owner: int) -> None:
 
 
 def _unwritable(path: str, error: OSError) -> ReadError:
-    message = (
-        f"the temporary copy of the table can't be written: {error.strerror or error}; "
-        "make room there, or set TMPDIR to another folder"
-    )
-    return ReadError([Problem(message, place=Place(path, 0, 0))])
+    reason, advice = error.strerror or error, "make room there, or set TMPDIR to another folder"
+    message = f"the temporary copy of the table can't be written: {reason}; {advice}"
+    return ReadError([of_file(path, message)])
 
 
 def _gone(path: str, reason: str) -> ReadError:
     message = f"the temporary copy of the table can't be read: {reason}; start the sweep again"
-    return ReadError([Problem(message, place=Place(path, 0, 0))])
+    return ReadError([of_file(path, message)])

@@ -17,10 +17,8 @@ def workers(
 
     Parameters
     ----------
-    state : object
-        What each of them gets once; it can be pickled.
-    describe : callable
-        Names an item in words, for errors.
+    state, describe
+        See `Workers`; both can be pickled.
     jobs : int
         Processes; with 1 this process does everything itself.
     scheduler : str, optional

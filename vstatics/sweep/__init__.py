@@ -124,10 +124,9 @@ def sweep(  # noqa: PLR0913 (as on the command line)
 
 
 def _chunks(plan: Any, jobs: int) -> Iterator[Chunk]:
-    from vstatics.jobs.workers import workers
     from vstatics.sweep.tasks import SweepTask, calculate
 
     task = SweepTask(plan, "csv")
-    with workers(task, task.describe, jobs=min(jobs, plan.pieces)) as called:
+    with task.workers(jobs) as called:
         for _, chunk in called.each(calculate, range(plan.pieces), ordered=True):
             yield chunk

@@ -9,7 +9,8 @@ from collections.abc import Callable, Iterable, Iterator
 
 import numpy as np
 
-from vstatics.numerics.arrays import Floats, Integers
+from vstatics.numerics import fronts
+from vstatics.numerics.arrays import Integers
 from vstatics.sweep import selection
 from vstatics.sweep.chunk import Chunk, joined
 from vstatics.sweep.plan import SweepPlan
@@ -20,7 +21,9 @@ BEST = 20
 
 def within(plan: SweepPlan, chunk: Chunk) -> Chunk:
     """The rows of a chunk that may be among the best of all."""
-    return chunk.rows(_chosen(plan, chunk.objectives))
+    if len(plan.objectives) == 1:
+        return chunk.rows(selection.best(chunk.objectives[:, 0], plan.best or BEST))
+    return chunk.rows(fronts.non_dominated(chunk.objectives))
 
 
 def among(plan: SweepPlan, chunks: Callable[[], Iterable[Chunk]]) -> Iterator[Chunk]:
@@ -52,16 +55,9 @@ def _front(plan: SweepPlan, chunks: Iterable[Chunk]) -> Integers:
     objectives = np.zeros((0, len(plan.objectives)))
     variants = np.zeros(0, dtype=np.int64)
     for chunk in chunks:
-        old, new = selection.merged(objectives, chunk.objectives)
+        old, new = fronts.merged(objectives, chunk.objectives)
         objectives = np.concatenate([objectives[old], chunk.objectives[new]])
         variants = np.concatenate([variants[old], chunk.variants[new]])
     if plan.best is not None:
-        chosen = selection.limited(objectives, plan.best)
-        variants = variants[chosen]
+        variants = variants[selection.limited(objectives, plan.best)]
     return variants
-
-
-def _chosen(plan: SweepPlan, objectives: Floats) -> Integers:
-    if len(plan.objectives) == 1:
-        return selection.best(objectives[:, 0], plan.best or BEST)
-    return selection.non_dominated(objectives)

@@ -94,7 +94,10 @@ def _variants(
 ) -> Variants:
     if options.variants is not None:
         return load_table(options.variants, case)
-    read = _all(options.vary, lambda text: read_variation(text, case))
+    problems: list[Problem] = []
+    read = _all(options.vary, lambda text: read_variation(text, case), problems)
+    if problems:
+        raise ReadError(problems)
     variations = [
         *(
             variation._replace(place=text.place(1) or variation.place)
@@ -129,40 +132,28 @@ def _with_expressions(case: Transmission, options: SweepOptions, variants: Varia
     targets = variants.targets
     problems: list[Problem] = []
 
-    def read(text: Text, reader: Callable[[str], Read]) -> list[Read]:
-        try:
-            return _all([text], reader)
-        except ReadError as error:
-            problems.extend(error.problems)
-            return []
+    def read(texts: Iterable[Text], reader: Callable[..., Read], *more: str) -> list[Read]:
+        return _all(texts, lambda text: reader(text, case, targets, *more), problems)
 
-    columns = read(options.out or Text(OUT), lambda text: read_columns(text, case, targets))
-    where = [
-        made
-        for text in filter(None, [options.where])
-        for made in read(text, lambda text: read_where(text, case, targets))
-    ]
-    objectives = [
-        made
-        for option, texts in (("--min", options.min), ("--max", options.max))
-        for text in texts
-        for made in read(text, lambda text: read_objective(text, case, targets, option))  # noqa: B023
-    ]
+    columns = read([options.out or Text(OUT)], read_columns)
+    where = read(filter(None, [options.where]), read_where)
+    least = read(options.min, read_objective, "--min")
+    most = read(options.max, read_objective, "--max")
     if problems:
         raise ReadError(problems)
     condition = where[0] if where else None
-    return SweepPlan(case, variants, columns[0], condition, tuple(objectives), options.best)
+    return SweepPlan(case, variants, columns[0], condition, (*least, *most), options.best)
 
 
-def _all(texts: Iterable[Text], reader: Callable[[str], Read]) -> list[Read]:
-    """Read several texts, and report the problems of all."""
-    read, problems = [], []
+def _all(
+    texts: Iterable[Text], reader: Callable[[str], Read], problems: list[Problem]
+) -> list[Read]:
+    """Read several texts, and add the problems of all."""
+    read = []
     for text in texts:
         try:
             with located(text):
                 read.append(reader(text.text))
         except ReadError as error:
             problems += error.problems
-    if problems:
-        raise ReadError(problems)
     return read

@@ -7,9 +7,10 @@ calculates it: the same build gives the same numbers for any number of jobs.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections import Counter
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import pairwise
-from typing import TYPE_CHECKING, Any, Literal, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -20,9 +21,10 @@ from vstatics.statics.solve import impossible, solve
 if TYPE_CHECKING:
     import pandas as pd
 
+    from vstatics.jobs.pieces import Account
     from vstatics.model.transmission import Transmission
     from vstatics.sweep.plan import SweepPlan
-    from vstatics.sweep.targets import Target
+    from vstatics.sweep.targets import Quantity, Target
 
 Codes = np.ndarray[Any, np.dtype[np.uint8]]
 
@@ -89,14 +91,6 @@ class Chunk(NamedTuple):
         )
 
 
-class _Numbers(NamedTuple):
-    """What `vstatics.solve` takes, and which variants cannot be given to it."""
-
-    ratios: Floats | None
-    efficiencies: Floats | None
-    invalid: Booleans
-
-
 def calculate(plan: SweepPlan, start: int, stop: int) -> Chunk:
     """Calculate the variants from `start` up to `stop`.
 
@@ -120,15 +114,19 @@ def joined(parts: Sequence[Chunk]) -> Chunk:
     """The rows of several chunks, and all that was counted, as one."""
     if len(parts) == 1:
         return parts[0]
-    counts: dict[str, int] = {}
-    for part in parts:
-        for status, count in part.counts.items():
-            counts[status] = counts.get(status, 0) + count
     fields = ("variants", "values", "status", "columns", "objectives")
     rows: dict[str, Any] = {
         name: np.concatenate([getattr(part, name) for part in parts]) for name in fields
     }
-    return parts[0]._replace(**rows, counts=counts)
+    return parts[0]._replace(**rows, counts=counted(parts))
+
+
+def counted(parts: Iterable[Chunk | Account]) -> dict[str, int]:
+    """How many variants of several parts have a status."""
+    counts: Counter[str] = Counter()
+    for part in parts:
+        counts.update(part.counts)
+    return dict(counts)
 
 
 def blocks(case: Transmission, start: int, stop: int) -> Iterator[tuple[int, int]]:
@@ -150,63 +148,58 @@ def _block(plan: SweepPlan, own: Results, start: int, stop: int) -> Chunk:
     """The rows of a block; the plan's condition is asked before columns are made."""
     case, targets = plan.case, plan.variants.targets
     values = plan.variants.block(start, stop)
-    numbers = _numbers(case, targets, values)
-    variants = np.arange(start, stop)
-    if numbers.ratios is None and numbers.efficiencies is None:  # nothing is varied
-        numbers = numbers._replace(ratios=_own(case, "ratio", len(variants)).T)
-    results = solve(case, ratios=numbers.ratios, efficiencies=numbers.efficiencies)
+    numbers, invalid = _numbers(case, targets, values)
+    results = solve(case, ratios=numbers.get("ratio"), efficiencies=numbers.get("efficiency"))
     status = _status(results, own)
-    status[numbers.invalid] = INVALID
+    status[invalid] = INVALID
     with np.errstate(all="ignore"):
-        columns = _existing(plan.columns(results, values), numbers.invalid)
-        objectives = _existing(plan.objective_values(results, values), numbers.invalid)
+        columns = _existing(plan.columns(results, values), invalid)
+        objectives = _existing(plan.objective_values(results, values), invalid)
         passed = None if plan.where is None else plan.where(results, values).astype(np.bool_)
-    counted = np.bincount(status, minlength=len(STATUS)).tolist()
+    counts = np.bincount(status, minlength=len(STATUS)).tolist()
     chunk = Chunk(
         start,
-        variants,
+        np.arange(start, stop),
         values,
         status,
         columns,
         objectives,
-        {name: count for name, count in zip(STATUS, counted, strict=True) if count},
-        tuple(target.name for target in targets),
-        tuple(plan.columns.headings),
+        {name: count for name, count in zip(STATUS, counts, strict=True) if count},
+        plan.names,
+        plan.headings,
     )
     if passed is None:
         return chunk
-    passed &= ~numbers.invalid
+    passed &= ~invalid
     return chunk if passed.all() else chunk.rows(passed)
 
 
-def _own(case: Transmission, quantity: Literal["ratio", "efficiency"], count: int) -> Floats:
+def _own(case: Transmission, quantity: Quantity, count: int) -> Floats:
     """The case's own numbers, (mechanisms, variants): each mechanism's lie together."""
-    made = np.empty((len(case.mechanisms), count))
-    made.T[:] = [getattr(mechanism, quantity) for mechanism in case.mechanisms]
-    return made
+    numbers = np.empty((len(case.mechanisms), count))
+    numbers.T[:] = [getattr(mechanism, quantity) for mechanism in case.mechanisms]
+    return numbers
 
 
-def _numbers(case: Transmission, targets: tuple[Target, ...], values: Floats) -> _Numbers:
-    """Ratios and efficiencies of a block; the case's own where a number can be none."""
-    made: dict[str, Floats] = {}
+def _numbers(
+    case: Transmission, targets: tuple[Target, ...], values: Floats
+) -> tuple[dict[Quantity, Floats], Booleans]:
+    """What `vstatics.solve` takes of a block, (variants, mechanisms), and who is invalid.
+
+    An invalid variant has the case's own number where its own can be none.
+    """
+    quantities = {target.quantity for target in targets} or {"ratio"}
+    numbers = {quantity: _own(case, quantity, len(values)) for quantity in quantities}
     invalid = np.zeros(len(values), dtype=np.bool_)
     for column, target in enumerate(targets):
-        quantity = target.quantity
-        if quantity not in made:
-            made[quantity] = _own(case, quantity, len(values))
-        given = values[:, column]
-        mechanism = case.mechanisms[target.mechanism]
-        wrong = impossible(mechanism, quantity, given)
-        made[quantity][target.mechanism] = given
+        mechanism, varied = case.mechanisms[target.mechanism], values[:, column]
+        wrong = impossible(mechanism, target.quantity, varied)
+        numbers[target.quantity][target.mechanism] = varied
         if wrong.any():
-            made[quantity][target.mechanism][wrong] = getattr(mechanism, quantity)
+            own = getattr(mechanism, target.quantity)
+            numbers[target.quantity][target.mechanism][wrong] = own
             invalid |= wrong
-    ratios, efficiencies = made.get("ratio"), made.get("efficiency")
-    return _Numbers(
-        None if ratios is None else ratios.T,
-        None if efficiencies is None else efficiencies.T,
-        invalid,
-    )
+    return {quantity: table.T for quantity, table in numbers.items()}, invalid
 
 
 def _status(results: Results, own: Results) -> Codes:

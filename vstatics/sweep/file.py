@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from typing import Any
 
 from vstatics.errors import Place, Problem, ReadError
@@ -19,7 +19,7 @@ from vstatics.readers.named.nodes import (
     shown,
     what,
 )
-from vstatics.sweep.options import OPTIONS, Kind, Option, SweepOptions
+from vstatics.sweep.options import OPTIONS, Option, SweepOptions
 from vstatics.sweep.texts import Stretch, Text, joined
 
 
@@ -86,8 +86,8 @@ class _Reader:
             elif not is_null(node):
                 said[key.text] = None
                 option = OPTIONS[key.text]
-                try:
-                    said[key.text] = _READERS[option.kind](self, node, option)
+                try:  # the method of the name of its kind
+                    said[key.text] = getattr(self, option.kind)(node, option)
                 except _WrongError as error:
                     wrong = error.node or node
                     self.add(f"read {what(wrong)}, expected {error}", wrong)
@@ -149,18 +149,6 @@ class _Reader:
         place = self.found.source.place(node.line, node.column)
         quoted = place.text[place.column - 1 : place.column] in ("'", '"')
         return place._replace(column=place.column + quoted)
-
-
-_READERS: dict[Kind, Callable[[_Reader, Node, Option], Any]] = {
-    "path": _Reader.path,
-    "count": _Reader.count,
-    "flag": _Reader.flag,
-    "choice": _Reader.choice,
-    "text": _Reader.text,
-    "texts": _Reader.texts,
-    "list": _Reader.list,
-    "vary": _Reader.vary,
-}
 
 
 def _listed(words: Iterable[str], last: str = "and") -> str:

@@ -14,11 +14,11 @@ from vstatics.jobs.finished import FinishedPieces
 from vstatics.jobs.pieces import Account, Copy
 from vstatics.sweep import best, chunk, tasks
 from vstatics.sweep.chunk import Chunk
-from vstatics.sweep.formats import TEXTS, Format, text
+from vstatics.sweep.formats import Format, text
 from vstatics.sweep.formats.npz import ArchiveLayout, ColumnType
 from vstatics.sweep.formats.npz import layout as npz_layout
 from vstatics.sweep.plan import SweepPlan
-from vstatics.sweep.tasks import SweepTask, text_format, text_of
+from vstatics.sweep.tasks import SweepTask
 
 Advance = Callable[[int], None]
 
@@ -119,32 +119,28 @@ class Output:
         """
         plan = self.task.plan
         accounts = [self.store.accounts[piece] for piece in range(plan.pieces)]
-        counts = _counted(accounts)
+        counts = chunk.counted(accounts)
         if plan.objectives:
             accounts = list(self._select(accounts))
         try:
-            self._write(workers, accounts)
+            if self.task.form == "parquet":
+                from vstatics.sweep.formats import parquet
+
+                path = self.store.path(pieces.ASSEMBLED)
+                parquet.write(path, plan.names, plan.headings, self._chunks(accounts))
+            else:
+                self._copy(workers, self._layout(accounts))
         except BaseException:
             self.store.discard(pieces.ASSEMBLED)  # what is there of it may fill a disk
             raise
         self.store.finish()
         return SweepReport(sum(account.rows for account in accounts), counts)
 
-    def _write(self, workers: Workers, accounts: Sequence[Account]) -> None:
-        plan = self.task.plan
-        if self.task.form == "parquet":
-            from vstatics.sweep.formats import parquet
-
-            path = self.store.path(pieces.ASSEMBLED)
-            parquet.write(path, plan.names, plan.headings, self._chunks(accounts))
-        else:
-            self._copy(workers, self._layout(accounts))
-
     def _layout(self, accounts: Sequence[Account]) -> ArchiveLayout:
         plan, form = self.task.plan, self.task.form
         if form == "npz":
             return npz_layout(column_types(plan), accounts)
-        head = text.head(text_format(form), plan.names, plan.headings)
+        head = text.head(form, plan.names, plan.headings)
         copies, place = [], len(head)
         for account in accounts:
             copies.append(Copy(account.piece, 0, place, account.length))
@@ -173,11 +169,7 @@ class Output:
         """The best rows of all pieces, as pieces of their own behind the others."""
         number = self.task.plan.pieces
         for selected in best.among(self.task.plan, lambda: self._chunks(accounts)):
-            data: list[Any]
-            if self.task.form in TEXTS:
-                data = [text_of(self.task, selected)]
-            else:
-                data = tasks.columns_of(selected)
+            data = tasks.data_of(self.task.form, selected)
             account, buffers = pieces.piece_bytes(number, len(selected.variants), {}, data)
             pieces.write_piece(self.task.directory, number, buffers)
             yield account
@@ -196,20 +188,20 @@ def stream(
     OSError
         As `write` raises it.
     """
-    plan, form = task.plan, text_format(task.form)
+    plan, form = task.plan, task.form
     counts: Counter[str] = Counter()
     rows = 0
     items = tasks.items(task, range(plan.pieces), remote=workers.remote)
     write(text.head(form, plan.names, plan.headings))
     if plan.objectives:
         kept: list[Chunk] = []
-        for _, made in workers.each(tasks.calculate, items, ordered=True):
-            counts.update(made.counts)
-            advance(sum(made.counts.values()))
-            kept = [best.within(plan, chunk.joined([*kept, made]))]
-        for made in best.among(plan, lambda: kept):
-            rows += len(made.variants)
-            write(text.rows(form, made))
+        for _, calculated in workers.each(tasks.calculate, items, ordered=True):
+            counts.update(calculated.counts)
+            advance(sum(calculated.counts.values()))
+            kept = [best.within(plan, chunk.joined([*kept, calculated]))]
+        for selected in best.among(plan, lambda: kept):
+            rows += len(selected.variants)
+            write(text.rows(form, selected))
         return SweepReport(rows, dict(counts))
     for _, (account, data) in workers.each(tasks.lines, items, ordered=True):
         counts.update(account.counts)
@@ -217,10 +209,3 @@ def stream(
         write(data)
         advance(account.variants)
     return SweepReport(rows, dict(counts))
-
-
-def _counted(accounts: Sequence[Account]) -> dict[str, int]:
-    counts: Counter[str] = Counter()
-    for account in accounts:
-        counts.update(account.counts)
-    return dict(counts)

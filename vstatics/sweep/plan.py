@@ -61,7 +61,7 @@ class SweepPlan:
     @property
     def headings(self) -> tuple[str, ...]:
         """Of the columns."""
-        return tuple(self.columns.headings)
+        return self.columns.headings
 
     @property
     def pieces(self) -> int:
@@ -77,10 +77,10 @@ class SweepPlan:
 
         To as many digits as are written, so that rounding prefers nobody.
         """
-        made = np.empty((len(values), len(self.objectives)))
+        objectives = np.empty((len(values), len(self.objectives)))
         for column, objective in enumerate(self.objectives):
-            made[:, column] = objective.sign * rounded(objective.expression(results, values))
-        return made
+            objectives[:, column] = objective.sign * rounded(objective.expression(results, values))
+        return objectives
 
     def fingerprint(self, *more: str) -> str:
         """A number for everything that decides the result, and for more texts.
@@ -103,8 +103,8 @@ def rounded(numbers: Floats) -> Floats:
     with np.errstate(all="ignore"):
         places = 11 - np.floor(np.log10(np.abs(numbers)))
         factors = 10.0 ** np.clip(places, -300, 300)
-        made: Floats = np.where(np.isfinite(places), np.rint(numbers * factors) / factors, numbers)
-    return np.where(np.isfinite(made), made, numbers)
+        short: Floats = np.where(np.isfinite(places), np.rint(numbers * factors) / factors, numbers)
+    return np.where(np.isfinite(short), short, numbers)
 
 
 def _canonical(part: Any) -> Iterator[bytes]:

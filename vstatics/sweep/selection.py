@@ -13,21 +13,11 @@ import numpy as np
 
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Floats, Integers
-from vstatics.numerics.fronts import merged, non_dominated, scaled
+from vstatics.numerics.fronts import scaled
 from vstatics.sweep.expressions import Expression, read_expression
 from vstatics.sweep.expressions.excerpt import Excerpt
 from vstatics.sweep.expressions.grammar import Applied
 from vstatics.sweep.targets import Target
-
-__all__ = [
-    "Objective",
-    "best",
-    "limited",
-    "merged",
-    "non_dominated",
-    "read_objective",
-    "read_where",
-]
 
 
 class Objective(NamedTuple):
@@ -38,9 +28,7 @@ class Objective(NamedTuple):
     """By which values are multiplied, so that smaller is better."""
 
 
-def read_where(
-    text: str, case: Transmission, targets: Sequence[Target], option: str = "--where"
-) -> Expression:
+def read_where(text: str, case: Transmission, targets: Sequence[Target]) -> Expression:
     """Read a condition; its values are 1 where it is true, else 0.
 
     Raises
@@ -58,7 +46,7 @@ def read_where(
     vstatics.errors.ReadError: --where:1:1: error: `ratio < 3` has one value per gear: \
 pick a gear, or use min, max or sum
     """
-    condition = _of_one(read_expression(text, case, targets, option), text, option)
+    condition = _of_one(text, case, targets, "--where")
     return Expression(condition.text, Applied("true", (condition.node,), 0, 0))
 
 
@@ -72,12 +60,13 @@ def read_objective(
     ReadError
         With the place of what is wrong.
     """
-    expression = _of_one(read_expression(text, case, targets, option), text, option)
+    expression = _of_one(text, case, targets, option)
     return Objective(expression, -1 if option == "--max" else 1)
 
 
-def _of_one(expression: Expression, text: str, option: str) -> Expression:
-    """The expression, if it has one value for each variant."""
+def _of_one(text: str, case: Transmission, targets: Sequence[Target], option: str) -> Expression:
+    """An expression, if it has one value for each variant."""
+    expression = read_expression(text, case, targets, option)
     if not expression.per:
         return expression
     parts = [f"a {name}" for name in expression.per.split(" and ")]

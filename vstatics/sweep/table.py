@@ -6,15 +6,16 @@ import hashlib
 import io
 import re
 from collections.abc import Iterator
+from itertools import chain
 from typing import IO, NamedTuple
 
 import numpy as np
 
-from vstatics.errors import Place, Problem, ReadError, nearest
+from vstatics.errors import Place, Problem, ReadError, nearest, of_file
 from vstatics.jobs.spool import Spool
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Floats
-from vstatics.sweep.targets import Target, shown, target
+from vstatics.sweep.targets import Target, refusal, shown, target
 from vstatics.sweep.variants import VariantTable
 from vstatics.sweep.variation import read_value
 
@@ -39,7 +40,7 @@ class _Columns(NamedTuple):
     """Which column holds each target."""
 
 
-def load_table(path: str, case: Transmission, *, folder: str | None = None) -> VariantTable:
+def load_table(path: str, case: Transmission) -> VariantTable:
     """Read a table of variants from a file; see `read_table`.
 
     Raises
@@ -49,15 +50,12 @@ def load_table(path: str, case: Transmission, *, folder: str | None = None) -> V
     """
     try:
         with open(path, "rb") as opened:  # noqa: PTH123
-            return read_table(opened, path, case, folder=folder)
+            return read_table(opened, path, case)
     except OSError as error:
-        message = f"can't be read: {error.strerror or error}"
-        raise ReadError([Problem(message, place=Place(path, 0, 0))]) from None
+        raise ReadError([of_file(path, f"can't be read: {error.strerror or error}")]) from None
 
 
-def read_table(
-    opened: IO[bytes], file: str, case: Transmission, *, folder: str | None = None
-) -> VariantTable:
+def read_table(opened: IO[bytes], file: str, case: Transmission) -> VariantTable:
     """Read a table of variants: CSV with names such as `D1.ratio` in its first line.
 
     Columns stand in any order; one of the name `variant` is passed over. Commas or
@@ -70,9 +68,11 @@ def read_table(
     file : str
         Its name, for messages.
     case : Transmission
-    folder : str, optional
-        Where a large table is kept in a temporary file; the system's folder for these
-        when not given. `VariantTable.close` removes it.
+
+    Returns
+    -------
+    VariantTable
+        A large one is kept in a temporary file, which `VariantTable.close` removes.
 
     Raises
     ------
@@ -99,7 +99,7 @@ def read_table(
             digest.update(rows.data)
             kept.append(rows)
             if spool is None and sum(part.size for part in kept) > _IN_MEMORY:
-                spool = Spool(len(columns.targets), folder)
+                spool = Spool(len(columns.targets))
             if spool is not None:
                 for part in kept:
                     spool.write(part)
@@ -110,7 +110,7 @@ def read_table(
         raise
     if spool is None and not kept:
         message = "there is no variant, expected a line of numbers below the names"
-        raise ReadError([Problem(message, place=Place(file, 0, 0))])
+        raise ReadError([of_file(file, message)])
     return VariantTable(columns.targets, spool or np.concatenate(kept), digest.hexdigest())
 
 
@@ -128,7 +128,7 @@ def _pieces(opened: IO[bytes], file: str) -> Iterator[bytes]:
             rest += data
         if len(rest) > _LONGEST:
             message = f"the line is longer than {_LONGEST} bytes; is the file a table of numbers?"
-            raise ReadError([Problem(message, place=Place(file, line, 1))])
+            raise refusal(message, Place(file, line, 1))
     if rest:
         yield rest
 
@@ -137,8 +137,7 @@ def _header(head: bytes, file: str, case: Transmission) -> _Columns:
     """The columns that the first line names."""
     line = _text(head, file, 1)
     if not line.strip():
-        message = "read an empty line, expected names such as D1.ratio"
-        raise ReadError([Problem(message, place=Place(file, 1, 1))])
+        raise refusal("read an empty line, expected names such as D1.ratio", Place(file, 1, 1))
     separator = ";" if line.count(";") > line.count(",") else ","
     names, targets, chosen = [], [], []
     problems: list[Problem] = []
@@ -148,17 +147,17 @@ def _header(head: bytes, file: str, case: Transmission) -> _Columns:
             continue
         place = Place(file, 1, column, line)
         try:
-            found = target(name, case, place)
+            varied = target(name, case, place)
         except ReadError as error:
             hint = nearest(name, [NUMBER_COLUMN])
             problems += [
                 problem._replace(message=problem.message + hint) for problem in error.problems
             ]
             continue
-        if found in targets:
-            message = f"{found.name} has a column already, expected each number once"
+        if varied in targets:
+            message = f"{varied.name} has a column already, expected each number once"
             problems.append(Problem(message, place=place))
-        targets.append(found)
+        targets.append(varied)
         chosen.append(index)
     if not (targets or problems):
         message = "no column is a number of a mechanism, expected names such as D1.ratio"
@@ -171,8 +170,7 @@ def _header(head: bytes, file: str, case: Transmission) -> _Columns:
 def _rows(first: bytes, pieces: Iterator[bytes], columns: _Columns) -> Iterator[Floats]:
     """The numbers of each piece, (lines, targets)."""
     line = 2
-    piece: bytes | None = first
-    while piece is not None:
+    for piece in chain([first], pieces):
         if piece.strip():
             rows = _fast(piece, columns)
             if rows is None:
@@ -180,7 +178,6 @@ def _rows(first: bytes, pieces: Iterator[bytes], columns: _Columns) -> Iterator[
             if len(rows):
                 yield rows
         line += piece.count(b"\n")
-        piece = next(pieces, None)
 
 
 def _fast(piece: bytes, columns: _Columns) -> Floats | None:
@@ -221,10 +218,11 @@ def _row(text: str, place: Place, columns: _Columns) -> list[float]:
     expected = len(columns.names)
     if len(cells) != expected:
         column = cells[expected][1] if len(cells) > expected else len(text) + 1
-        message = f"read {_counted(len(cells))}, expected {expected} as in the first line"
+        count = "1 number" if len(cells) == 1 else f"{len(cells)} numbers"
+        message = f"read {count}, expected {expected} as in the first line"
         if columns.separator == "," and len(cells) > expected:
             message += "; with decimal commas, semicolons have to separate the numbers"
-        raise ReadError([Problem(message, place=place._replace(column=column))])
+        raise refusal(message, place._replace(column=column))
     row = []
     problems = []
     for index in columns.chosen:
@@ -240,10 +238,6 @@ def _row(text: str, place: Place, columns: _Columns) -> list[float]:
     return row
 
 
-def _counted(count: int) -> str:
-    return "1 number" if count == 1 else f"{count} numbers"
-
-
 def _text(data: bytes, file: str, line: int) -> str:
     """A line without its end."""
     data = data.removesuffix(b"\r")
@@ -252,8 +246,7 @@ def _text(data: bytes, file: str, line: int) -> str:
     except UnicodeDecodeError as error:
         column = len(data[: error.start].decode()) + 1
         place = Place(file, line, column, data.decode(errors="replace"))
-        message = "the file is not UTF-8; save the table as CSV in UTF-8"
-        raise ReadError([Problem(message, place=place)]) from None
+        raise refusal("the file is not UTF-8; save the table as CSV in UTF-8", place) from None
 
 
 def _cells(line: str, separator: str) -> list[tuple[str, int]]:

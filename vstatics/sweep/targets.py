@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Literal, NamedTuple, get_args
 
 from vstatics.errors import Place, Problem, ReadError, nearest
@@ -10,7 +11,6 @@ from vstatics.model.transmission import Transmission
 Quantity = Literal["ratio", "efficiency"]
 QUANTITIES: tuple[Quantity, ...] = get_args(Quantity)
 
-_TOLD = 8
 _SHOWN = 40
 
 
@@ -86,8 +86,13 @@ def _unknown(name: str, case: Transmission) -> str:
     names = [mechanism.name for mechanism in case.mechanisms]
     if name.startswith("#"):
         return f"read {shown(name)}, expected the number of a mechanism, #1 to #{len(names)}"
-    known = ", ".join(names[:_TOLD]) + (", ..." if len(names) > _TOLD else "")
-    return f"there is no mechanism {shown(name)}, expected one of {known}{nearest(name, names)}"
+    hint = nearest(name, names)
+    return f"there is no mechanism {shown(name)}, expected one of {listed(names)}{hint}"
+
+
+def listed(names: Sequence[str], most: int = 8) -> str:
+    """The first of some names."""
+    return ", ".join(names[:most]) + (", ..." if len(names) > most else "")
 
 
 def refusal(message: str, place: Place | None, offset: int = 0) -> ReadError:

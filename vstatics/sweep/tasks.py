@@ -4,20 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from vstatics.jobs import pieces
+from vstatics.jobs.alone import Workers
 from vstatics.jobs.pieces import Account, Copy
+from vstatics.jobs.workers import workers
 from vstatics.sweep import best, chunk
 from vstatics.sweep.chunk import Chunk
 from vstatics.sweep.formats import TEXTS, Format, text
 from vstatics.sweep.plan import SweepPlan
 from vstatics.sweep.variants import VariantPart, VariantTable
-
-if TYPE_CHECKING:
-    from vstatics.sweep.formats.text import TextFormat
 
 
 class SweepTask(NamedTuple):
@@ -34,6 +33,11 @@ class SweepTask(NamedTuple):
             return "putting the output together"
         start, stop = self.plan.span(piece)
         return f"variants {start} to {stop - 1}"
+
+    def workers(self, jobs: int, scheduler: str | None = None) -> Workers:
+        """Who does the pieces: no more processes than there are of them."""
+        jobs = min(jobs, self.plan.pieces)
+        return workers(self, self.describe, jobs=jobs, scheduler=scheduler)
 
 
 class Portion(NamedTuple):
@@ -61,34 +65,26 @@ def calculate(task: SweepTask, item: Item) -> Chunk:
     plan, piece = task.plan, _number(item)
     if isinstance(item, Portion):
         plan = replace(plan, variants=item.variants)
-    made = chunk.calculate(plan, *plan.span(piece))
-    return best.within(plan, made) if plan.objectives else made
+    rows = chunk.calculate(plan, *plan.span(piece))
+    return best.within(plan, rows) if plan.objectives else rows
 
 
 def _number(item: Item) -> int:
     return item.piece if isinstance(item, Portion) else item
 
 
-def text_of(task: SweepTask, made: Chunk) -> bytes:
-    """The rows of a chunk as text."""
-    return text.rows(text_format(task.form), made)
-
-
 def lines(task: SweepTask, item: Item) -> tuple[Account, bytes]:
     """An account of a piece, and its rows as text."""
-    made = calculate(task, item)
-    account = Account(_number(item), len(made.variants), dict(made.counts), ())
-    return account, text_of(task, made)
+    rows = calculate(task, item)
+    account = Account(_number(item), len(rows.variants), dict(rows.counts), ())
+    return account, text.rows(task.form, rows)
 
 
 def piece_data(task: SweepTask, item: Item) -> tuple[Account, list[Any]]:
     """A piece as it lies on disk: text if that can be the output, else columns."""
-    made = calculate(task, item)
-    if task.form in TEXTS and not task.plan.objectives:
-        data: list[Any] = [text_of(task, made)]
-    else:
-        data = columns_of(made)
-    return pieces.piece_bytes(_number(item), len(made.variants), dict(made.counts), data)
+    rows = calculate(task, item)
+    data = columns_of(rows) if task.plan.objectives else data_of(task.form, rows)
+    return pieces.piece_bytes(_number(item), len(rows.variants), dict(rows.counts), data)
 
 
 def piece_sent(task: SweepTask, item: Item) -> tuple[Account, bytes]:
@@ -109,15 +105,19 @@ def copy(task: SweepTask, copies: Sequence[Copy]) -> int:
     return pieces.copy(task.directory, copies)
 
 
-def columns_of(made: Chunk) -> list[Any]:
+def data_of(form: Format, rows: Chunk) -> list[Any]:
+    """The rows of a chunk as they are in the output: as text, or as columns."""
+    return [text.rows(form, rows)] if form in TEXTS else columns_of(rows)
+
+
+def columns_of(rows: Chunk) -> list[Any]:
     """The columns of a chunk, each in one stretch."""
-    return [
-        np.ascontiguousarray(made.variants, dtype="<i8"),
-        *(np.ascontiguousarray(column, dtype="<f8") for column in made.values.T),
-        made.status,
-        *(np.ascontiguousarray(column, dtype="<f8") for column in made.columns.T),
-        *(np.ascontiguousarray(column, dtype="<f8") for column in made.objectives.T),
-    ]
+    values, columns, objectives = (
+        [np.ascontiguousarray(column, dtype="<f8") for column in table.T]
+        for table in (rows.values, rows.columns, rows.objectives)
+    )
+    variants = np.ascontiguousarray(rows.variants, dtype="<i8")
+    return [variants, *values, rows.status, *columns, *objectives]
 
 
 def read_chunk(task: SweepTask, account: Account) -> Chunk:
@@ -142,10 +142,3 @@ def read_chunk(task: SweepTask, account: Account) -> Chunk:
         names,
         headings,
     )
-
-
-def text_format(form: Format) -> TextFormat:
-    """A format that is text."""
-    if form == "csv" or form == "jsonl":  # noqa: PLR1714 (mypy follows this)
-        return form
-    raise ValueError(f"{form} is no text")

@@ -10,7 +10,7 @@ from typing import Protocol
 import numpy as np
 
 from vstatics.errors import CaseError, Problem, ReadError
-from vstatics.jobs.spool import Closing, Spool
+from vstatics.jobs.spool import Spool
 from vstatics.numerics.arrays import Floats
 from vstatics.sweep.steps import Steps
 from vstatics.sweep.targets import Target
@@ -121,11 +121,11 @@ class Zip:
         return block
 
 
-class VariantTable(Closing):
+class VariantTable:
     """Variants of the user's own, a row each.
 
-    A table in a spool has a temporary file: use it in a `with` statement or `close` it.
-    Pickled copies are small then, and read the same file.
+    A table in a spool has a temporary file: `close` it in the end. Pickled copies are small
+    then, and read the same file.
 
     Parameters
     ----------
@@ -148,26 +148,27 @@ class VariantTable(Closing):
         self, targets: Iterable[Target], rows: Floats | Spool, digest: str | None = None
     ) -> None:
         self.targets = tuple(targets)
+        self._rows: Floats | Spool
         shape: tuple[int, ...]
         if isinstance(rows, Spool):
-            self._rows: Floats | Spool = rows
-            shape = rows.rows, rows.columns
+            if digest is None:
+                raise TypeError("a table in a spool needs the digest of its rows")
+            self._rows, shape = rows, (rows.rows, rows.columns)
         else:
             self._rows = np.array(rows, np.float64, order="F")
             shape = self._rows.shape
+            digest = digest or hashlib.sha256(np.ascontiguousarray(self._rows).data).hexdigest()
         if len(shape) != 2 or shape[1] != len(self.targets):
             expected = f"(variants, {len(self.targets)})"
             raise ValueError(f"read a table of shape {shape}, expected {expected}")
         self.count = int(shape[0])
-        self.digest = digest or _digest(self._rows)
+        self.digest = digest
 
     def block(self, start: int, stop: int) -> Floats:
         """The numbers of a block of variants, as `Variants` says."""
         block = empty_block(self, start, stop)
-        if isinstance(self._rows, Spool):
-            block[:] = self._rows.take(start, stop)
-        else:
-            block[:] = self._rows[start:stop]
+        rows = self._rows
+        block[:] = rows.take(start, stop) if isinstance(rows, Spool) else rows[start:stop]
         return block
 
     def close(self) -> None:
@@ -239,23 +240,15 @@ def checked_targets(variations: Iterable[Variation]) -> tuple[Target, ...]:
 def _listed(variations: list[Variation]) -> tuple[tuple[Target, ...], tuple[Floats | Steps, ...]]:
     """What is varied, and over which values; a span has none."""
     targets = checked_targets(variations)
-    spans = [variation for variation in variations if isinstance(variation.values, Span)]
-    if spans:
-        raise ReadError(
-            Problem(
-                f"{target.name}={span.low:g}:{span.high:g} has no count, expected one such as "
-                f"{span.low:g}:{span.high:g}:201, or a sample",
-                place=place,
-            )
-            for target, span, place in spans
-            if isinstance(span, Span)
-        )
-    return targets, tuple(
-        variation.values for variation in variations if not isinstance(variation.values, Span)
-    )
-
-
-def _digest(rows: Floats | Spool) -> str:
-    if isinstance(rows, Spool):
-        raise TypeError("a table in a spool needs the digest of its rows")
-    return hashlib.sha256(np.ascontiguousarray(rows).data).hexdigest()
+    listed: list[Floats | Steps] = []
+    problems: list[Problem] = []
+    for target, values, place in variations:
+        if isinstance(values, Span):
+            span = f"{values.low:g}:{values.high:g}"
+            message = f"{target.name}={span} has no count, expected one such as {span}:201"
+            problems.append(Problem(f"{message}, or a sample", place=place))
+        else:
+            listed.append(values)
+    if problems:
+        raise ReadError(problems)
+    return targets, tuple(listed)

@@ -155,14 +155,14 @@ def _counted(start: float, stop: float, text: str, place: Place | None) -> Steps
 
 def _steps(start: float, stop: float, text: str, place: Place | None) -> Steps:
     step = _end(text.strip(), place)
-    made = stepped(start, stop, step)
-    if made is None:
+    steps = stepped(start, stop, step)
+    if steps is None:
         expected = "a step other than 0" if step == 0 else f"step={-step:g}"
         message = f"a step of {step:g} does not lead from {start:g} to {stop:g}"
         raise refusal(f"{message}, expected {expected}", place)
-    if made.number > MOST:
+    if steps.number > MOST:
         raise refusal(f"read {shown(text)}, expected a larger step: below 2**63 values", place)
-    return made
+    return steps
 
 
 def _cells(text: str, separator: str) -> Iterator[tuple[int, str]]:

@@ -64,19 +64,17 @@ class OutputColumns:
         ndarray, shape (variants, columns)
             Each column lies in one stretch of memory. NaN does not exist. [-]
         """
-        made = np.empty((len(self.headings), len(values))).T
+        columns = np.empty((len(self.headings), len(values))).T
         column = 0
         for expression, cells in self.parts:
             table = expression.spread(results, values)
             for gear, row in cells:
-                made[:, column] = table[:, gear, row]
+                columns[:, column] = table[:, gear, row]
                 column += 1
-        return made
+        return columns
 
 
-def read_columns(
-    text: str, case: Transmission, targets: Sequence[Target], option: str = OPTION
-) -> OutputColumns:
+def read_columns(text: str, case: Transmission, targets: Sequence[Target]) -> OutputColumns:
     """Read a list of expressions, separated by commas outside brackets.
 
     Each gives a column, or one for each gear and row that it has: all gears of the first
@@ -90,8 +88,6 @@ def read_columns(
         Whose names the text uses.
     targets : sequence of Target
         What is varied.
-    option : str
-        Where the text was given, for messages.
 
     Raises
     ------
@@ -116,7 +112,7 @@ def read_columns(
     problems: list[Problem] = []
     for start, stop in _items(text):
         try:
-            expression = read_expression(Excerpt(text, option, start, stop), case, targets)
+            expression = read_expression(Excerpt(text, OPTION, start, stop), case, targets)
         except ReadError as error:
             problems += error.problems
             continue

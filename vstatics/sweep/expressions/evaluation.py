@@ -65,8 +65,8 @@ def truth(values: Values) -> Booleans:
     >>> truth(np.array([2.0, 0.0, np.nan, np.inf]))
     array([ True, False, False, False])
     """
-    made: Any = values if values.dtype == np.bool_ else (values != 0) & np.isfinite(values)
-    return made  # type: ignore[no-any-return]
+    true: Any = values if values.dtype == np.bool_ else (values != 0) & np.isfinite(values)
+    return true  # type: ignore[no-any-return]
 
 
 def _numbers(values: Values) -> Floats:
@@ -75,8 +75,8 @@ def _numbers(values: Values) -> Floats:
 
 def _unequal(first: Floats, second: Floats) -> Booleans:
     """Unlike NumPy's: false if a number does not exist, as all comparisons are."""
-    made: Booleans = (first < second) | (first > second)
-    return made
+    unequal: Booleans = (first < second) | (first > second)
+    return unequal
 
 
 def _of_numbers(function: Callable[[Any, Any], Any]) -> Function:
@@ -103,19 +103,19 @@ def _extreme(among: np.ufunc, existing: np.ufunc) -> Function:
 
 def _over_all(values: Floats, among: Any, existing: Any) -> Floats:
     """Reduce gears and rows to one number; again without NaN for the variants that have any."""
-    made: Floats = among(values, axis=(-2, -1), keepdims=True)
-    lacking = np.isnan(made[..., 0, 0])
+    reduced: Floats = among(values, axis=(-2, -1), keepdims=True)
+    lacking = np.isnan(reduced[..., 0, 0])
     if lacking.any():
-        made[lacking] = existing(values[lacking], axis=(-2, -1), keepdims=True)
-    return made
+        reduced[lacking] = existing(values[lacking], axis=(-2, -1), keepdims=True)
+    return reduced
 
 
 def _sum_of_existing(values: Floats, **axes: Any) -> Floats:
     """The sum of what exists; NaN if nothing does."""
     lacking = np.isnan(values)
-    made: Floats = np.where(lacking, 0.0, values).sum(**axes)
-    made[lacking.all(**axes)] = np.nan
-    return made
+    total: Floats = np.where(lacking, 0.0, values).sum(**axes)
+    total[lacking.all(**axes)] = np.nan
+    return total
 
 
 _OPERATIONS: Mapping[str, Function] = {

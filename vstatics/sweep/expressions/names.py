@@ -13,15 +13,12 @@ from vstatics.statics.results import Results
 from vstatics.sweep.expressions.evaluation import FUNCTIONS
 from vstatics.sweep.expressions.excerpt import Excerpt, quoted
 from vstatics.sweep.expressions.operands import Constant, DottedName, Subscript, TableName
-from vstatics.sweep.targets import Target, target
+from vstatics.sweep.targets import Target, listed, target
 from vstatics.tables.quantities import BY_NAME
 from vstatics.tables.rows import ROWS, table_rows
 
 OPERANDS = "a number, a table such as ratio[1], a varied number such as D1.ratio, or a function"
 """What an operand can be, for messages."""
-
-
-_MOST_LISTED = 8
 
 
 class Selection(NamedTuple):
@@ -133,8 +130,7 @@ class SweepNames:
         hint = nearest(name, names)
         if kind != "one" and name in self.gears:
             hint = f"; a gear goes in the second place: [:,{written}]"
-        known = ", ".join(names[:_MOST_LISTED]) + (", ..." if len(names) > _MOST_LISTED else "")
-        return f"there is no {what} {quoted(name)}, expected one of {known}{hint}"
+        return f"there is no {what} {quoted(name)}, expected one of {listed(names)}{hint}"
 
     def _no_table(self, name: str) -> str:
         """What to say of a name that is no table."""

@@ -87,7 +87,6 @@ def layout(columns: Sequence[ColumnType], accounts: Sequence[Account]) -> Archiv
     place += len(local) + len(codes)
     end = _end([*central, entry], place)
     texts.append((place, end))
-    copies.sort(key=lambda copy: copy.piece)  # stable: a piece is opened once
     return ArchiveLayout(texts, copies, place + len(end))
 
 

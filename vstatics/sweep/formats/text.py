@@ -10,20 +10,19 @@ import csv
 import io
 import json
 from collections.abc import Sequence
-from typing import Literal
 
 import numpy as np
 
 from vstatics.numerics.arrays import Floats
 from vstatics.sweep.chunk import STATUS, Chunk
+from vstatics.sweep.formats import Format
 
-TextFormat = Literal["csv", "jsonl"]
 ROWS = 512
 """Rows to format at once: few, so that many columns are the same throughout in a grid."""
 NUMBER = "%.12g"
 
 
-def head(form: TextFormat, names: Sequence[str], headings: Sequence[str]) -> bytes:
+def head(form: Format, names: Sequence[str], headings: Sequence[str]) -> bytes:
     r"""The line of headings of a CSV file; JSON lines have none.
 
     >>> head("csv", ["D1.ratio"], ["ratio[1]", "speeds[C1,1]"])
@@ -36,7 +35,7 @@ def head(form: TextFormat, names: Sequence[str], headings: Sequence[str]) -> byt
     return line.getvalue().encode()
 
 
-def rows(form: TextFormat, chunk: Chunk) -> bytes:
+def rows(form: Format, chunk: Chunk) -> bytes:
     """The rows of a chunk as text.
 
     Parameters
@@ -85,7 +84,7 @@ def _numbers(chunk: Chunk, part: slice) -> Floats:
 class _Row:
     """The format of a row, with what is known of the rows that are formatted together."""
 
-    def __init__(self, form: TextFormat, names: Sequence[str], headings: Sequence[str]) -> None:
+    def __init__(self, form: Format, names: Sequence[str], headings: Sequence[str]) -> None:
         if form == "csv":
             self.keys = ["", *"," * (len(names) + 1 + len(headings))]
             self.end, self.null, self.quote = "\n", "", ""
@@ -97,7 +96,7 @@ class _Row:
         self.place = 1 + len(names)  # of the status
         self.cells: list[str] = []
         self.varied: list[int] = []
-        self.made: dict[tuple[int, bytes], str] = {}
+        self.patterns: dict[tuple[int, bytes], str] = {}
 
     def begin(self, first: Floats, alike: Sequence[bool]) -> None:
         """Begin with rows of which some columns are those of the first row throughout."""
@@ -107,11 +106,11 @@ class _Row:
             if same:
                 known = bool(np.isfinite(first[column]))
                 self.cells[column] = self.cells[column] % first[column] if known else self.null
-        self.made.clear()
+        self.patterns.clear()
 
     def pattern(self, status: int, exists: bytes = b"") -> str:
         """The format of a row of a status; `exists` tells which of the varied numbers there are."""
-        pattern = self.made.get((status, exists))
+        pattern = self.patterns.get((status, exists))
         if pattern is None:
             cells = self.cells.copy()
             for column, mark in zip(self.varied, exists, strict=False):
@@ -120,5 +119,5 @@ class _Row:
             cells.insert(self.place, f"{self.quote}{STATUS[status]}{self.quote}")
             pairs = zip(self.keys, cells, strict=True)
             pattern = "".join(key + cell for key, cell in pairs) + self.end
-            self.made[status, exists] = pattern
+            self.patterns[status, exists] = pattern
         return pattern
