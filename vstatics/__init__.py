@@ -17,6 +17,8 @@ array([1. , 3.5])
 array([1.    , 0.9714])
 """
 
+from __future__ import annotations
+
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
@@ -30,9 +32,10 @@ from vstatics.statics.results import Message, Results
 from vstatics.statics.solve import solve
 from vstatics.statics.state import GearState
 from vstatics.sweep import sweep
-from vstatics.tables.dataframe import to_dataframe
 
 if TYPE_CHECKING:
+    import pandas as pd
+
     from vstatics.elements.drawing import Drawing
     from vstatics.elements.element import Element
     from vstatics.flow.power import flows
@@ -71,8 +74,16 @@ _LATER = {
 }
 """Names that are imported when somebody asks for them, as they cost start-up time."""
 
+
+def _to_dataframe(results: Results) -> pd.DataFrame:
+    """One row per variant and gear: see `vstatics.tables.dataframe.to_dataframe`."""
+    from vstatics.tables.dataframe import to_dataframe
+
+    return to_dataframe(results)
+
+
 # the room of results knows nothing of how they are shown
-Results.to_dataframe = to_dataframe  # type: ignore[method-assign, assignment]
+Results.to_dataframe = _to_dataframe  # type: ignore[method-assign, assignment]
 
 
 def __getattr__(name: str) -> Any:

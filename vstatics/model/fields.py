@@ -49,6 +49,9 @@ class TransmissionFields:
     load: Load | None = None
     drawing: AnyDrawing | None = None
 
+    def __post_init__(self) -> None:
+        """Nothing is checked here, but by `Transmission`."""
+
     @property
     def own_links(self) -> int:
         """How many links the case itself has, without those of planets."""

@@ -83,8 +83,7 @@ class KeyShape(NamedTuple):
         >>> KeyShape("drag", NUMBER, "Drag.", default=0).leaves_out(0.0)
         True
         """
-        is_empty = not value and not isinstance(value, float | int)
-        return is_empty or value == self.default
+        return bool(value == self.default or not (value or isinstance(value, (float, int))))
 
 
 class ByKey(NamedTuple):

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from vstatics.errors import CaseError
 from vstatics.model.checks import problems
 from vstatics.model.fields import IdleConvention, TransmissionFields
@@ -26,7 +24,6 @@ __all__ = [
 ]
 
 
-@dataclass(frozen=True)
 class Transmission(TransmissionFields):
     """A whole transmission, checked when it is made.
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Literal, NamedTuple
+from typing import Literal, NamedTuple, get_args
 
 import numpy as np
 
@@ -70,33 +70,32 @@ def row_names(case: Transmission, rows: Rows) -> list[str]:
     >>> row_names(case, "torques"), row_names(case, "one")
     (['D1', 'Mx'], [])
     """
-    elements = [element.name for element in case.shift_elements]
-    mechanisms = [mechanism.name for mechanism in case.mechanisms]
-    devices = case.own_devices
     if rows == "links":
         return list(case.link_names[: case.own_links])
-    if rows == "planets":
-        return [planet.name for device in devices for planet in device.planets]
-    if rows == "devices":
-        return [device.name for device in devices]
-    if rows == "torques":
+    if rows == "one":
+        return []
+    elements = [element.name for element in case.shift_elements]
+    mechanisms = [mechanism.name for mechanism in case.mechanisms]
+    if case.drawing is None:  # as it most often is
+        own = planets = members = mechanisms
+        meshes: list[str] = []
+    else:
+        devices = case.own_devices
+        own = [device.name for device in devices]
+        planets = [planet.name for device in devices for planet in device.planets]
         members = [f"{one.name}.{member.name}" for one in devices for member in one.members]
-        return [*elements, *(mechanisms if case.drawing is None else members), OUTPUT]
-    if rows == "meshes":
-        return [mechanisms[index] for one in devices for index, _ in one.meshes_by_index]
-    return {"elements": elements, "mechanisms": mechanisms, "one": []}[rows]
+        meshes = [mechanisms[index] for one in devices for index, _ in one.meshes_by_index]
+    if rows == "torques":
+        return [*elements, *members, OUTPUT]
+    return {
+        "planets": planets,
+        "elements": elements,
+        "devices": own,
+        "mechanisms": mechanisms,
+        "meshes": meshes,
+    }[rows]
 
 
 def row_counts(case: Transmission) -> dict[Rows, int]:
     """How many rows of each kind a case has; none of `one`."""
-    devices, elements = case.own_devices, len(case.shift_elements)
-    members = len(devices) if case.drawing is None else sum(len(one.members) for one in devices)
-    return {
-        "links": case.own_links,
-        "planets": sum(len(one.planets) for one in devices),
-        "elements": elements,
-        "devices": len(devices),
-        "mechanisms": len(case.mechanisms),
-        "torques": elements + members + 1,
-        "meshes": sum(len(one.meshes) for one in devices),
-    }
+    return {rows: len(row_names(case, rows)) for rows in get_args(Rows) if rows != "one"}

@@ -42,15 +42,19 @@ def coincidences(results: Results, number: int, gear: Gear) -> dict[str, bool]:
 def _idle_with_torque(results: Results, number: int) -> Iterator[int]:
     """Indices of mechanisms that may be idle and carry torque, as far as the arrays tell."""
     case, is_idle = results.case, results.idle[number].tolist()
-    torques = iter(results.lossy_torques[number, len(case.shift_elements) : -1].tolist())
+    on_own = results.lossy_torques[number, len(case.shift_elements) : -1].tolist()
+    if case.drawing is None:
+        marks = enumerate(zip(is_idle, on_own, strict=True))
+        yield from (index for index, (idle, torque) in marks if idle and torque != 0)
+        return
+    torques = iter(on_own)
     meshes = zip(
         results.mesh_losses[number].tolist(),
         results.lossy_mesh_torques[number].tolist(),
         strict=True,
     )
     for device, idle in zip(case.own_devices, is_idle, strict=True):
-        rows = 1 if case.drawing is None else len(device.members)
-        loaded = sum(torque != 0 for torque in islice(torques, rows)) > 0
+        loaded = sum(torque != 0 for torque in islice(torques, len(device.members))) > 0
         if device.meshes:
             for index in device.mechanisms:
                 loss, torque = next(meshes)

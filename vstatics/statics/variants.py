@@ -51,9 +51,11 @@ def solve_variants(
             key = (*structure, *_conditions(case, gear))
             _remembered(key, partial(_function, case, gear, fixed, names)).run(inputs, rows)
     found = {name: table.transpose(2, 0, 1) for name, table in memory.shown(block).items()}
-    none = np.broadcast_to(np.nan, (variants, len(case.gears), case.own_links))
+    for name in counts.keys() - found.keys():
+        shape = variants, len(case.gears), counts[name] or 0
+        found[name] = np.broadcast_to(ARRAYS[name].dtype(np.nan), shape)
     return {
-        name: found[name][..., 0] if width is None else found.get(name, none)
+        name: found[name][..., 0] if width is None else found[name]
         for name, width in counts.items()
     }
 
@@ -95,13 +97,13 @@ def _is_all(column: Floats, number: float) -> bool:
 def _forms(case: Transmission, counts: Mapping[str, int | None], variants: int) -> dict[str, Form]:
     """The tables for the arrays of `Results`, those of the largest type first.
 
-    Where no speed is given nothing is held, and holding torques need no memory.
+    Arrays without rows need no memory, nor do holding torques where no speed is given.
     """
     held = any(gear.speeds for gear in case.gears)
     forms = {
         name: Form((len(case.gears), 1 if width is None else width, variants), ARRAYS[name].dtype)
         for name, width in counts.items()
-        if held or name not in HOLDING
+        if width != 0 and (held or name not in HOLDING)
     }
     return dict(sorted(forms.items(), key=lambda item: -np.dtype(item[1].kind).itemsize))
 

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from typing import get_args
+
 import numpy as np
 
-from vstatics.statics.arrays import row_names
+from vstatics.statics.arrays import Rows, row_names
 from vstatics.statics.matrix import distribution_matrix
 from vstatics.statics.results import Results
 from vstatics.tables.quantities import RELATIVE
@@ -25,6 +27,7 @@ def tables(results: Results) -> list[Table]:
     """
     case = results.case
     gears = [gear.name for gear in case.gears]
+    names = {rows: row_names(case, rows) for rows in get_args(Rows)}
     filled = []
     for quantity in RELATIVE:
         if quantity.exists is not None and not quantity.exists(results):
@@ -33,8 +36,7 @@ def tables(results: Results) -> list[Table]:
             matrix = distribution_matrix(case) + 0.0
             filled.append(Table(quantity, case.link_names, case.devices, matrix))
             continue
-        single = quantity.rows == "one"
-        rows = [quantity.key] if single else row_names(case, quantity.rows)
+        rows = [quantity.key] if quantity.rows == "one" else names[quantity.rows]
         array = np.asarray(results.existing(quantity.name), dtype=np.float64)
         filled.append(Table(quantity, rows, gears, array.reshape(len(gears), len(rows)).T))
     if case.load is None and not any(gear.load for gear in case.gears):

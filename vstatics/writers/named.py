@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
@@ -60,7 +60,8 @@ def mapping(case: Transmission) -> dict[str, Any]:
     values["output"] = None if case.output == own else case.output
     for part in ("shift_elements", "mechanisms", "gears"):
         values[part] = {item.name: item for item in values[part]}
-    return _Writer(links, ["", *values["shift_elements"]]).by_key(values, _as_written(shape))
+    order = _CASE if shape is CASE else _as_written(shape)
+    return _Writer(links, ["", *values["shift_elements"]]).by_key(values, order)
 
 
 def write_yaml(case: Transmission) -> str:
@@ -108,6 +109,9 @@ def _as_written(case: ByKey) -> ByKey:
     return case._replace(keys=(*ordered[:at], load, *ordered[at:]))
 
 
+_CASE = _as_written(CASE)
+
+
 class _Writer:
     """Gives parts of the model as plain data, by their shapes."""
 
@@ -118,7 +122,7 @@ class _Writer:
 
     def by_key(self, part: Any, shape: ByKey) -> dict[str, Any]:
         """The keys of a part of the model, or of a mapping, without those that say nothing."""
-        of = part.get if isinstance(part, Mapping) else partial(getattr, part)
+        of = part.get if isinstance(part, dict) else partial(getattr, part)
         data: dict[str, Any] = {}
         for key in shape.keys:
             value = of(key.name)
@@ -126,47 +130,63 @@ class _Writer:
                 data[key.name] = self.value(value, key.shape)
         return data
 
-    def value(self, value: Any, shape: Shape) -> Any:  # noqa: PLR0911 - a table
-        match shape:
-            case Leaf():
-                return self.leaf(value, shape)
-            case ByKey():
-                return self.by_key(value, shape)
-            case ByKind():
-                return self.by_key(value, shape.records[value["kind"]])
-            case ByName():
-                return {str(name): self.value(item, shape.item) for name, item in value.items()}
-            case Either():
-                data = self.by_key(value, shape.record)
-                return data if len(data) > 1 else data["links"]
-            case Numbers():
-                words = self.links if shape.by == "link" else self.elements
-                return {
-                    words[part]: self.leaf(number, shape.item) for part, number in value.items()
-                }
-            case ListOf():
-                return [self.value(item, shape.item) for item in value]
-            case Ends():
-                return [self.links[link] for link in value]
-            case Pair():
-                return [str(name) for name in value]
-        return value
+    def value(self, value: Any, shape: Shape) -> Any:
+        write = _WRITERS.get(shape.__class__)
+        return value if write is None else write(self, value, shape)
 
-    def leaf(self, value: Any, shape: Leaf) -> Any:  # noqa: PLR0911 - a table
-        match shape.kind:
-            case "number" | "relative_speed" | "relative_torque":
-                return float(value)
-            case "speed" | "torque":
-                return f"{float(value)!r} {UNITS[shape.kind]}"
-            case "link":
-                return self.links[value]
-            case "element":
-                return self.elements[value]
-            case "text" | "choice":
-                return str(value)
-            case "flag":
-                return bool(value)
-        return value
+    def leaf(self, value: Any, shape: Leaf) -> Any:
+        plain = _PLAIN.get(shape.kind)
+        if plain is not None:
+            return plain(value)
+        if shape.kind == "link":
+            return self.links[value]
+        if shape.kind == "element":
+            return self.elements[value]
+        return f"{float(value)!r} {UNITS[shape.kind]}" if shape.kind in UNITS else value
+
+    def by_kind(self, value: Any, shape: ByKind) -> dict[str, Any]:
+        return self.by_key(value, shape.records[value["kind"]])
+
+    def by_name(self, value: Any, shape: ByName) -> dict[str, Any]:
+        return {str(name): self.value(item, shape.item) for name, item in value.items()}
+
+    def either(self, value: Any, shape: Either) -> Any:
+        data = self.by_key(value, shape.record)
+        return data if len(data) > 1 else data["links"]
+
+    def numbers(self, value: Any, shape: Numbers) -> dict[int | str, Any]:
+        words = self.links if shape.by == "link" else self.elements
+        return {words[part]: self.leaf(number, shape.item) for part, number in value.items()}
+
+    def list_of(self, value: Any, shape: ListOf) -> list[Any]:
+        return [self.value(item, shape.item) for item in value]
+
+    def ends(self, value: Any, _: Ends) -> list[int | str]:
+        return [self.links[link] for link in value]
+
+    def pair(self, value: Any, _: Pair) -> list[str]:
+        return [str(name) for name in value]
+
+
+_WRITERS: Mapping[type, Callable[[_Writer, Any, Any], Any]] = {
+    Leaf: _Writer.leaf,
+    ByKey: _Writer.by_key,
+    ByKind: _Writer.by_kind,
+    ByName: _Writer.by_name,
+    Either: _Writer.either,
+    Numbers: _Writer.numbers,
+    ListOf: _Writer.list_of,
+    Ends: _Writer.ends,
+    Pair: _Writer.pair,
+}
+"""How what a shape describes is written."""
+
+_PLAIN: Mapping[str, Callable[[Any], Any]] = {
+    **dict.fromkeys(("number", "relative_speed", "relative_torque"), float),
+    **dict.fromkeys(("text", "choice"), str),
+    "flag": bool,
+}
+"""How a value is written that has no unit and is no name."""
 
 
 def _dumper() -> type[yaml.SafeDumper]:
