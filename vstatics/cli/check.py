@@ -8,9 +8,11 @@ from vstatics import readers
 from vstatics.cli import cases as arguments
 from vstatics.cli import files
 from vstatics.cli.cases import CaseOptions, calculate
+from vstatics.cli.exit_status import DONE, FAILED
 from vstatics.elements.drawing import drawing_of
 from vstatics.statics.diagnosis import freedom, given_conditions
 from vstatics.statics.results import Results
+from vstatics.statics.status import CONFLICT, TIED_UP
 from vstatics.tables.grid import Grid, text
 from vstatics.tables.text import lines
 
@@ -50,8 +52,8 @@ def conditions(file: str, results: Results) -> Grid:
         engaged = " ".join(names[number - 1] for number in (*gear.engaged, *held)) or "nothing"
         verdict = [f"{missing} missing"] * bool(missing)
         verdict += [f"{excess} in excess"] * bool(excess)
-        verdict += ["tied up"] * bool(tied_up)
-        verdict += ["freewheels in conflict"] * bool(conflict)
+        verdict += [TIED_UP.english] * bool(tied_up)
+        verdict += [CONFLICT.english] * bool(conflict)
         count = given_conditions(gear) + len(held)
         state = f"{count} of {free} conditions: {', '.join(verdict) or 'ok'} (engaged: {engaged})"
         rows.append([f"gear {gear.name}", state])
@@ -80,4 +82,4 @@ def check(cases: tuple[str, ...], input_format: readers.Format | None) -> int:
         if outcome.results is not None:
             shown = lines(conditions(outcome.file, outcome.results), indent="  ")
             files.write_output("\n".join(shown) + "\n", None)
-    return int(failed)
+    return FAILED if failed else DONE

@@ -8,6 +8,7 @@ import click
 
 from vstatics.cli import files
 from vstatics.cli.cases import Command
+from vstatics.cli.exit_status import DONE, FAILED
 from vstatics.readers.results import read_results
 from vstatics.tables.compare import Difference, differences
 from vstatics.tables.figures import WrittenResult
@@ -55,4 +56,4 @@ def compare(actual: str, expected: str, atol: float, rtol: float) -> int:
     if lines:
         files.write_output("\n".join(lines) + "\n", None)
         files.say(f"{actual} and {expected} differ in {len(lines)} place{'s' * (len(lines) > 1)}")
-    return int(bool(lines))
+    return FAILED if lines else DONE

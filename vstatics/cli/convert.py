@@ -7,6 +7,7 @@ import click
 from vstatics import readers
 from vstatics.cli import cases as arguments
 from vstatics.cli import files
+from vstatics.cli.exit_status import DONE, FAILED
 from vstatics.model.transmission import Transmission
 from vstatics.statics.solve import solve
 
@@ -73,4 +74,4 @@ def convert(
     files.write_output(text, target)
     for what in lost:
         files.say(f"{target}: not kept: {what}")
-    return int(bool(lost))
+    return FAILED if lost else DONE

@@ -9,6 +9,7 @@ import click
 from vstatics.cli import cases as arguments
 from vstatics.cli import files
 from vstatics.cli.cases import CaseOptions, calculate_to
+from vstatics.cli.exit_status import DONE, FAILED
 
 
 @click.command()
@@ -61,4 +62,4 @@ def explain(
             text.write(explanations) if as_text else document.write(case_of_gears, explanations),
             output,
         )
-    return int(outcome.failed)
+    return FAILED if outcome.failed else DONE

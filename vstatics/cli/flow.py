@@ -9,6 +9,7 @@ import click
 from vstatics.cli import cases as arguments
 from vstatics.cli import files
 from vstatics.cli.cases import CaseOptions, calculate_to
+from vstatics.cli.exit_status import DONE, FAILED
 
 
 @click.command()
@@ -41,7 +42,7 @@ def flow(
     """
     outcome = calculate_to(output, case, settings)
     if outcome.results is None:
-        return 1
+        return FAILED
     from vstatics.flow.power import flows
 
     case_of_gears, powers = outcome.results.case, flows(outcome.results)
@@ -56,4 +57,4 @@ def flow(
 
         written = write(case_of_gears.name, powers)
     files.write_output(written, output)
-    return int(outcome.failed)
+    return FAILED if outcome.failed else DONE

@@ -11,6 +11,7 @@ import click
 
 from vstatics.cli import files, texts
 from vstatics.cli.case_job import RULES, Done, Job, calculate_and_write
+from vstatics.cli.exit_status import DONE, FAILED, stopped_by
 from vstatics.cli.progress import progress
 from vstatics.cli.targets import CaseTask, tasks
 from vstatics.errors import ReadError
@@ -44,7 +45,7 @@ class _Count:
     @property
     def status(self) -> int:
         """The exit status."""
-        return 1 if self.failures else 0
+        return FAILED if self.failures else DONE
 
     def summary(self) -> None:
         """Say what became of the cases."""
@@ -186,7 +187,7 @@ def _telling(count: _Count, kept: str) -> Iterator[Stop]:
         with stoppable() as stop:
             yield stop
     except StoppedError as stopped:
-        status = stopped.status
+        status = stopped_by(stopped.signal)
     except _HaltedError:
         status = 1
     else:

@@ -9,6 +9,7 @@ import click
 from vstatics.cli import cases as arguments
 from vstatics.cli import files
 from vstatics.cli.cases import CaseOptions, calculate_to
+from vstatics.cli.exit_status import DONE, FAILED
 from vstatics.errors import CaseError, ReadError, of_file
 from vstatics.pictures import FORMATS, PICTURES, Format, render
 from vstatics.pictures.style import Style
@@ -67,7 +68,7 @@ def plot(
             raise ReadError(of_file(outcome.file, one.message) for one in error.problems) from None
         with files.stream(output) as write:
             write(drawn)
-    return int(outcome.failed)
+    return FAILED if outcome.failed else DONE
 
 
 def _format(output: str) -> Format:

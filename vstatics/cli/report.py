@@ -9,6 +9,7 @@ import click
 from vstatics.cli import cases as arguments
 from vstatics.cli import files
 from vstatics.cli.cases import CaseOptions, calculate
+from vstatics.cli.exit_status import DONE, FAILED
 from vstatics.jobs.files import is_stream
 
 
@@ -47,4 +48,4 @@ def report(case: str, output: str, settings: CaseOptions) -> int:
         if material.without:
             files.say(f"vstatics report: no pictures: {material.without}")
         files.write_output(page(material), output)
-    return int(outcome.failed)
+    return FAILED if outcome.failed else DONE

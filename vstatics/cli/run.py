@@ -9,6 +9,7 @@ import click
 from vstatics.cli import cases as arguments
 from vstatics.cli import files, texts
 from vstatics.cli.cases import CaseOptions, calculate
+from vstatics.cli.exit_status import DONE, FAILED
 from vstatics.statics.results import Language
 
 
@@ -100,7 +101,7 @@ def run(
     [outcome] = calculate(names, settings)
     if outcome.results is not None:
         files.write_output(texts.alone(outcome, output_format, lang), output)
-    return int(outcome.failed)
+    return FAILED if outcome.failed else DONE
 
 
 def _pretty(names: list[str], settings: CaseOptions) -> int:
@@ -116,7 +117,7 @@ def _pretty(names: list[str], settings: CaseOptions) -> int:
         if outcome.results is not None:
             marks = ASCII if console.options.ascii_only else DOTS
             console.print(view(outcome.results, marks))
-    return int(failed)
+    return FAILED if failed else DONE
 
 
 def _folder(output: str | None, output_format: texts.OutputFormat, *, several: bool) -> str | None:

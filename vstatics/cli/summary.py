@@ -10,6 +10,7 @@ import click
 from vstatics.cli import cases as arguments
 from vstatics.cli import files
 from vstatics.cli.cases import CalculatedCase, CaseOptions, calculate
+from vstatics.cli.exit_status import DONE, FAILED
 from vstatics.errors import CaseError, ReadError, of_file
 from vstatics.statics.results import Results
 
@@ -86,7 +87,7 @@ def summary(
         most = at_most if combinations else None
         summaries = [_summarized(*results, most, cycle) for results in calculated]
         files.write_output(_text(outcomes, summaries, output_format), output)
-    return int(any(outcome.failed for outcome in outcomes))
+    return FAILED if any(outcome.failed for outcome in outcomes) else DONE
 
 
 def _text(

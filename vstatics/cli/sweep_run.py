@@ -8,6 +8,7 @@ import time
 from collections.abc import Callable
 
 from vstatics.cli import files
+from vstatics.cli.exit_status import FAILED, stopped_by
 from vstatics.errors import CaseError
 from vstatics.jobs.files import STDOUT, is_stream, unwritable
 from vstatics.jobs.finished import SUFFIX, FinishedPieces
@@ -20,7 +21,7 @@ from vstatics.sweep.plan import SweepPlan
 from vstatics.sweep.tasks import SweepTask, data_of
 from vstatics.sweep.variants import VariantTable
 
-UNSOLVED = ("tied up", "conflict", "invalid")
+UNSOLVED = chunk.STATUS[-3:]
 """A variant of this status has no solution at all."""
 
 
@@ -31,7 +32,7 @@ def in_good_order(act: Callable[[], int]) -> int:
             return act()
     except StoppedError as stopped:  # before there was anything to keep
         files.say("stopped; nothing was finished")
-        return stopped.status
+        return stopped_by(stopped.signal)
 
 
 def run(
@@ -74,16 +75,16 @@ def to_file(
                 report = written.assemble(called)
         except StoppedError as stopped:
             files.say(f"stopped; {_kept(written, output)}")
-            return stopped.status
+            return stopped_by(stopped.signal)
         except OSError as error:
             files.show([unwritable(output, error)])
             files.say(_kept(written, output))
-            return 1
+            return FAILED
         except CaseError as error:
             files.show(error.problems)
             if pieces.finished():
                 files.say(_kept(written, output))
-            return 1
+            return FAILED
     return _summary(output, report, kept, time.perf_counter() - began)
 
 
@@ -122,7 +123,7 @@ def to_stream(
             report = stream(task, called, advanced, write)
     except StoppedError as stopped:
         files.say(f"stopped after {done} of {plan.variants.count} variants")
-        return stopped.status
+        return stopped_by(stopped.signal)
     name = "<stdout>" if output in (None, STDOUT) else str(output)
     return _summary(name, report, 0, time.perf_counter() - began)
 

@@ -15,6 +15,7 @@ transmission; `checks` and `teeth` say what cannot be.
 
 from vstatics.elements.build import transmission
 from vstatics.elements.drawing import Drawing
-from vstatics.elements.element import CentralWheel, Element, MeshEfficiency
+from vstatics.elements.element import CentralWheel, Element
+from vstatics.elements.mesh_efficiency import MeshEfficiency
 
 __all__ = ["CentralWheel", "Drawing", "Element", "MeshEfficiency", "transmission"]

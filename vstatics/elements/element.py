@@ -13,18 +13,6 @@ Losses = Literal["meshes", "reduced"]
 """Whether losses are calculated at each mesh, or in as few mechanisms as the speeds need."""
 
 
-class MeshEfficiency(NamedTuple):
-    """Efficiency of a single mesh, both axes held [-].
-
-    The defaults of gear meshes are those of the published comparison of loss models;
-    see docs/elements.md for all sources.
-    """
-
-    external: float = 0.98
-    internal: float = 0.99
-    bevel: float = 0.97
-
-
 class CentralWheel(NamedTuple):
     """A sun or ring of a group of planets.
 

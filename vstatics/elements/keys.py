@@ -10,8 +10,9 @@ from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, get_args
 
-from vstatics.elements.element import CentralWheel, Element, Losses, MeshEfficiency
+from vstatics.elements.element import CentralWheel, Element, Losses
 from vstatics.elements.kinds import GROUP, KINDS, Kind, Simple
+from vstatics.elements.mesh_efficiency import MeshEfficiency
 from vstatics.model.parts import HOUSING
 from vstatics.model.shape import (
     COUNT,

@@ -21,7 +21,7 @@ from vstatics.numerics.traced import plain
 from vstatics.statics.results import Results
 from vstatics.statics.state import GearState
 from vstatics.statics.status import OK, Status
-from vstatics.tables.units import scales
+from vstatics.tables.with_units import scales
 
 
 class MemberPower(NamedTuple):

@@ -15,8 +15,7 @@ class StoppedError(BaseException):
 
     def __init__(self, number: int) -> None:
         """Keep the number of the signal."""
-        self.status = 128 + number
-        """The exit status that says so."""
+        self.signal = number
 
 
 class Stop:
@@ -46,8 +45,8 @@ def stoppable() -> Iterator[Stop]:
     ...     with stoppable() as stop:
     ...         signal.raise_signal(signal.SIGTERM)
     ... except StoppedError as stopped:
-    ...     stopped.status
-    143
+    ...     stopped.signal == signal.SIGTERM
+    True
     """
     stop = Stop()
     if threading.current_thread() is not threading.main_thread():

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Literal, NamedTuple, get_args
+from typing import Literal, NamedTuple
 
 import numpy as np
 
@@ -70,32 +70,37 @@ def row_names(case: Transmission, rows: Rows) -> list[str]:
     >>> row_names(case, "torques"), row_names(case, "one")
     (['D1', 'Mx'], [])
     """
-    if rows == "links":
-        return list(case.link_names[: case.own_links])
-    if rows == "one":
-        return []
+    return all_row_names(case)[rows]
+
+
+def all_row_names(case: Transmission) -> dict[Rows, list[str]]:
+    """The names of the rows of each kind."""
     elements = [element.name for element in case.shift_elements]
     mechanisms = [mechanism.name for mechanism in case.mechanisms]
-    if case.drawing is None:  # as it most often is
-        own = planets = members = mechanisms
-        meshes: list[str] = []
-    else:
-        devices = case.own_devices
-        own = [device.name for device in devices]
-        planets = [planet.name for device in devices for planet in device.planets]
-        members = [f"{one.name}.{member.name}" for one in devices for member in one.members]
-        meshes = [mechanisms[index] for one in devices for index, _ in one.meshes_by_index]
-    if rows == "torques":
-        return [*elements, *members, OUTPUT]
+    devices = planets = members = mechanisms
+    meshes: list[str] = []
+    if case.drawing is not None:
+        own = case.own_devices
+        devices = [device.name for device in own]
+        planets = [planet.name for device in own for planet in device.planets]
+        members = [f"{one.name}.{member.name}" for one in own for member in one.members]
+        meshes = [mechanisms[index] for one in own for index, _ in one.meshes_by_index]
     return {
+        "links": list(case.link_names[: case.own_links]),
         "planets": planets,
         "elements": elements,
-        "devices": own,
+        "devices": devices,
         "mechanisms": mechanisms,
+        "torques": [*elements, *members, OUTPUT],
         "meshes": meshes,
-    }[rows]
+        "one": [],
+    }
 
 
-def row_counts(case: Transmission) -> dict[Rows, int]:
-    """How many rows of each kind a case has; none of `one`."""
-    return {rows: len(row_names(case, rows)) for rows in get_args(Rows) if rows != "one"}
+def row_counts(case: Transmission) -> dict[str, int | None]:
+    """How many values a gear has in each array of `Results`; None for one of the gear itself."""
+    names = all_row_names(case)
+    return {
+        name: None if array.rows == "one" else len(names[array.rows])
+        for name, array in ARRAYS.items()
+    }

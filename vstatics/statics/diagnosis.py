@@ -23,6 +23,7 @@ from vstatics.statics.efficiency import sign
 from vstatics.statics.idling import coincidences
 from vstatics.statics.results import Message, Results
 from vstatics.statics.speeds import solve_speeds
+from vstatics.statics.status import CONFLICT, LOCKED, TIED_UP
 
 Said = tuple[Severity, str]
 
@@ -61,14 +62,17 @@ def messages(results: Results) -> Iterator[Message]:
     for problem in doubts(case):
         yield Message(problem.severity, _named(case, path_text(problem.path), problem.message))
     wheels, has_drag = case.freewheels, case.has_drag
+    torques = np.hstack([results.torques, results.mesh_torques])
+    is_open = np.any(np.isnan(torques), axis=1)
+    is_turned = np.any(results.turned, axis=1)
     for number, given in enumerate(case.gears):
         held = [element for element in wheels if results.holds[number, element - 1]]
         gear = freewheels.with_engaged(given, held)
         said = (
             *(_conflict(case, gear) if results.conflict[number] else ()),
             *_speed_messages(results, number, gear),
-            *_torque_messages(results, number, gear),
-            *_loss_messages(results, number, gear),
+            *_torque_messages(results, number, gear, is_open=bool(is_open[number])),
+            *_loss_messages(results, number, gear, is_turned=bool(is_turned[number])),
             *(_shared(case, given, held) if held else ()),
             *(_drag_messages(results, number, gear) if has_drag else ()),
         )
@@ -132,11 +136,12 @@ def _conflict(case: Transmission, gear: Gear) -> Iterator[Said]:
     """Freewheels that the engaged elements drive backward."""
     speeds = solve_speeds(case, gear, _columns(case))
     for number in freewheels.driven_backward(case, gear, speeds):
+        name, slip = case.shift_elements[number - 1].name, speeds.slips[number - 1]
         yield _error(
-            f"conflict: freewheel {case.shift_elements[number - 1].name} can neither overrun (its "
-            f"slip would be {speeds.slips[number - 1]:.4g}, below 0) nor hold (the gear would be "
-            "tied up); release one of the engaged elements, or exchange the links of the "
-            "freewheel if it stands the wrong way round"
+            f"{CONFLICT.name}: freewheel {name} can neither overrun (its slip would be "
+            f"{slip:.4g}, below 0) nor hold (the gear would be {TIED_UP.english}); release one of "
+            "the engaged elements, or exchange the links of the freewheel if it stands the wrong "
+            "way round"
         )
 
 
@@ -203,8 +208,8 @@ def _excess(case: Transmission, gear: Gear) -> Iterator[Said]:
             if not cure:
                 conditions, cure = _list(every), "check which links these join and their ratios"
             yield _error(
-                f"tied up: {conditions} contradict each other, so the input can't turn as "
-                f"given; {cure}"
+                f"{TIED_UP.english}: {conditions} contradict each other, so the input can't "
+                f"turn as given; {cure}"
             )
         elif engaged:
             yield _warning(
@@ -215,8 +220,8 @@ def _excess(case: Transmission, gear: Gear) -> Iterator[Said]:
             yield _warning(f"{conditions} say the same of the speeds: 1 condition in excess")
 
 
-def _torque_messages(results: Results, number: int, gear: Gear) -> Iterator[Said]:
-    """Torques that do not exist, or are not determined by statics."""
+def _torque_messages(results: Results, number: int, gear: Gear, *, is_open: bool) -> Iterator[Said]:
+    """Torques that do not exist, or are not determined by statics (`is_open`: some of them)."""
     case = results.case
     if results.tied_up[number] or results.conflict[number]:
         return  # said as an error already
@@ -234,7 +239,7 @@ def _torque_messages(results: Results, number: int, gear: Gear) -> Iterator[Said
             "the ratios are so close to a singular train that rounding shows: output torque "
             "times output speed is not 1; few digits are certain"
         )
-    elif np.isnan(results.torques[number]).any() or np.isnan(results.mesh_torques[number]).any():
+    elif is_open:
         torques = results.gear(number + 1).torques
         unknown = _without_value([*case.devices, "the output"], torques.on_first_link)
         if unknown:
@@ -249,24 +254,24 @@ def _uncertain(results: Results, number: int, gear: Gear) -> bool:
     return abs(float(results.torques[number, -1]) * float(speed) - 1) > UNCERTAIN
 
 
-def _loss_messages(results: Results, number: int, gear: Gear) -> Iterator[Said]:
-    """Friction locks, flows that losses turn round, idle mechanisms that matter."""
+def _loss_messages(results: Results, number: int, gear: Gear, *, is_turned: bool) -> Iterator[Said]:
+    """Friction locks, flows that losses turn round (`is_turned`), idle mechanisms that matter."""
     case = results.case
-    names = [mechanism.name for mechanism in case.mechanisms]
     if results.locked[number]:
         way = " when coasting" if case.coast else ""
-        yield _warning(f"locked by friction{way}: no directions of power agree with the losses")
+        yield _warning(f"{LOCKED.english}{way}: no directions of power agree with the losses")
     elif results.undecided[number]:
         yield _warning(
             "the search for directions of power that agree with the losses was cut short: "
             "torques with losses and efficiency are unknown"
         )
-    elif results.calculable[number] and not results.consistent[number]:
+    elif not results.consistent[number] and results.calculable[number]:
         yield _warning(
             "statics leaves directions of power open: with losses only what does not depend on "
             "them is given"
         )
-    if results.turned[number].any():
+    if is_turned:
+        names = [mechanism.name for mechanism in case.mechanisms]
         turned = _chosen(names, results.turned[number])
         yield _note(f"losses turn the flow of power through {_list(turned)} round")
     if results.choices[number] > 1:

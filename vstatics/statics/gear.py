@@ -10,7 +10,6 @@ from vstatics.model.parts import HOUSING
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.tolerances import CLOSED
 from vstatics.numerics.traced import Number, Rest, Traced, guard_within
-from vstatics.statics.arrays import ARRAYS, row_counts
 from vstatics.statics.state import GearState
 
 Numbers = Sequence[Number]
@@ -142,12 +141,6 @@ def guard_power(state: GearState) -> None:
         guard_within(power, 1 - CLOSED, 1 + CLOSED)
     if isinstance(balance, Rest):
         guard_within(balance, -CLOSED, CLOSED)
-
-
-def widths(case: Transmission) -> dict[str, int | None]:
-    """Array of `Results` -> how many values a gear has; None for a value of the gear itself."""
-    counts = row_counts(case)
-    return {name: counts.get(one.rows) for name, one in ARRAYS.items()}
 
 
 def flat(values: Values, names: Sequence[str]) -> list[Number | Rest]:

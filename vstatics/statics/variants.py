@@ -17,9 +17,9 @@ from vstatics.numerics.arrays import Floats
 from vstatics.numerics.memory import Form
 from vstatics.numerics.plans import Function, Inputs, Plans, prepared
 from vstatics.numerics.traced import Number, Rest
-from vstatics.statics.arrays import ARRAYS
+from vstatics.statics.arrays import ARRAYS, row_counts
 from vstatics.statics.freewheels import find_state
-from vstatics.statics.gear import flat, guard_power, values_of, widths
+from vstatics.statics.gear import flat, guard_power, values_of
 
 REMEMBERED = 256
 """Gears whose plans are kept for calls to come."""
@@ -42,7 +42,7 @@ def solve_variants(
         Their number.
     """
     fixed, inputs = _inputs(case, ratios, efficiencies, variants)
-    counts = widths(case)
+    counts = row_counts(case)
     block = memory.block(_forms(case, counts, variants))
     names = tuple(block.forms)
     structure = (*_structure(case), tuple(fixed), names)

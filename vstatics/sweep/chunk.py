@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from vstatics.numerics.arrays import Booleans, Floats, Integers
+from vstatics.statics import status
 from vstatics.statics.results import Results
 from vstatics.statics.solve import impossible, solve
 
@@ -28,7 +29,8 @@ if TYPE_CHECKING:
 
 Codes = np.ndarray[Any, np.dtype[np.uint8]]
 
-STATUS = ("ok", "open", "undecided", "locked", "tied up", "conflict", "invalid")
+_OF_GEARS = (status.NEUTRAL, status.UNDECIDED, status.LOCKED, status.TIED_UP, status.CONFLICT)
+STATUS = ("ok", *(one.name for one in _OF_GEARS), "invalid")
 """What can be said of a variant, the worse the later; a variant has the worst of its gears."""
 OPEN, UNDECIDED, LOCKED, TIED_UP, CONFLICT, INVALID = range(1, len(STATUS))
 

@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-from typing import get_args
-
 import numpy as np
 
-from vstatics.statics.arrays import Rows, row_names
+from vstatics.statics.arrays import all_row_names
 from vstatics.statics.matrix import distribution_matrix
 from vstatics.statics.results import Results
 from vstatics.tables.quantities import RELATIVE
@@ -27,7 +25,7 @@ def tables(results: Results) -> list[Table]:
     """
     case = results.case
     gears = [gear.name for gear in case.gears]
-    names = {rows: row_names(case, rows) for rows in get_args(Rows)}
+    names = all_row_names(case)
     filled = []
     for quantity in RELATIVE:
         if quantity.exists is not None and not quantity.exists(results):
@@ -41,6 +39,6 @@ def tables(results: Results) -> list[Table]:
         filled.append(Table(quantity, rows, gears, array.reshape(len(gears), len(rows)).T))
     if case.load is None and not any(gear.load for gear in case.gears):
         return filled
-    from vstatics.tables.units import physical
+    from vstatics.tables.with_units import physical
 
     return filled + physical(results, filled)

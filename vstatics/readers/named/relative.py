@@ -13,7 +13,7 @@ from vstatics.model.part_checks import of_drag
 from vstatics.model.parts import HOUSING, Gear, Load, ShiftElement
 from vstatics.model.shape import UNITS
 from vstatics.readers.named.nodes import Spots
-from vstatics.readers.named.scalars import WithUnit
+from vstatics.readers.named.units import WithUnit
 
 
 class _Located(NamedTuple):
