@@ -49,14 +49,16 @@ def evaluate(formula: Any, value_of: Callable[[Any], Floats]) -> Floats:
     array([[3.],
            [6.]])
     """
-
-    def values(part: Any) -> Values:
-        if isinstance(part, Applied):
-            return _OPERATIONS[part.name]([values(operand) for operand in part.operands])
-        return np.array([[part.value]]) if isinstance(part, Constant) else value_of(part)
-
     with np.errstate(all="ignore"):
-        return _numbers(values(formula))
+        return _numbers(_values(formula, value_of))
+
+
+def _values(part: Any, value_of: Callable[[Any], Floats]) -> Values:
+    # no function in a function: it would hold itself, and with it the memory of the results
+    if isinstance(part, Applied):
+        operands = [_values(operand, value_of) for operand in part.operands]
+        return _OPERATIONS[part.name](operands)
+    return np.array([[part.value]]) if isinstance(part, Constant) else value_of(part)
 
 
 def truth(values: Values) -> Booleans:
