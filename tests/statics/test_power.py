@@ -42,7 +42,7 @@ def test_powers_of_ports_sum_to_nothing_without_losses(path: Path) -> None:
 def test_what_ports_lack_with_losses_is_the_losses(path: Path) -> None:
     for state in states(path):
         entering = -total(state.powers(), "port")
-        lost = sum(plain(one) for one in state.losses)
+        lost = sum(plain(one) for one in state.mechanism_losses)
         assert entering == pytest.approx(lost, abs=1e-9)
 
 

@@ -85,7 +85,7 @@ def test_the_state_of_a_gear_is_what_the_arrays_say(path: Path, coast: bool) -> 
         if case.drawing is None:
             found["torques"] = state.torques.on_first_link
             found["lossy_torques"] = state.lossy_torques.on_first_link
-            found["losses"] = state.losses
+            found["losses"] = state.mechanism_losses
         for name, values in found.items():
             expected = np.ravel(getattr(results, name)[index]).astype(float)
             assert np.array([plain(one) for one in values], float) == pytest.approx(

@@ -229,7 +229,7 @@ def _losses(state: GearState, exchanged: Sequence[Exchange]) -> dict[Node, float
     """Of each mechanism or drawn element, open shift element and link."""
     losses: dict[Node, float] = {}
     for number, device in enumerate(state.case.own_devices, 1):
-        lost = sum(plain(state.losses[index]) for index in device.mechanisms)
+        lost = sum(plain(state.mechanism_losses[index]) for index in device.mechanisms)
         loss = lost * state.ideal.variant.direction + 0.0
         losses[Node("mechanism", number, device.name)] = loss
     for one in exchanged:

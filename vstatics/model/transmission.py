@@ -44,7 +44,8 @@ class Transmission(TransmissionFields):
     load : Load, optional
         Speed and torque of the input, for results in rpm, N*m and kW.
     drawing : Drawing, optional
-        The elements that links and mechanisms were made from; nothing is calculated of it.
+        The elements that links and mechanisms were made from. Mechanisms are taken as they
+        are; the drawing says of which elements results are given.
 
     Raises
     ------
@@ -95,16 +96,13 @@ def _completed(case: Transmission) -> dict[str, object]:
             for number, mechanism in enumerate(case.mechanisms, 1)
         ),
         "gears": tuple(
-            Gear(
-                tuple(gear.engaged),
-                {link: float(speed) for link, speed in gear.speeds.items()},
-                {link: float(torque) for link, torque in gear.torques.items()},
-                gear.input,
-                gear.output,
-                gear.name or str(number),
-                {link: float(torque) for link, torque in gear.drag.items()},
-                {element: float(torque) for element, torque in gear.open_drag.items()},
-                gear.load,
+            gear._replace(
+                engaged=tuple(gear.engaged),
+                speeds={link: float(speed) for link, speed in gear.speeds.items()},
+                torques={link: float(torque) for link, torque in gear.torques.items()},
+                name=gear.name or str(number),
+                drag={link: float(torque) for link, torque in gear.drag.items()},
+                open_drag={element: float(torque) for element, torque in gear.open_drag.items()},
             )
             for number, gear in enumerate(case.gears, 1)
         ),

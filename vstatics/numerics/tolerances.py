@@ -1,4 +1,4 @@
-"""All tolerances: when a difference is nothing, and when rounding has grown too large.
+"""Tolerances of the calculation: when a difference is nothing, when rounding is too large.
 
 Those of the arithmetic are in units of the last place; those of a gear are parts of what
 they are compared with, so that a train of any ratios is measured by its own numbers.

@@ -113,7 +113,7 @@ class GearState(NamedTuple):
         return lossy_ratios(self.ideal.variant.ratios, self.ideal.variant.efficiencies, self.signs)
 
     @property
-    def losses(self) -> Sequence[Number]:
+    def mechanism_losses(self) -> Sequence[Number]:
         """Power lost in each mechanism [-]."""
         return self.search.lossy.losses
 

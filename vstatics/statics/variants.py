@@ -108,23 +108,29 @@ def _forms(case: Transmission, counts: Mapping[str, int | None], variants: int) 
     return dict(sorted(forms.items(), key=lambda item: -np.dtype(item[1].kind).itemsize))
 
 
-WITHOUT_EFFECT = frozenset(
-    {"name", "description", "source", "link_names", "capacity", "load", "drawing"}
-)
+WITHOUT_EFFECT: dict[type, frozenset[str]] = {
+    Transmission: frozenset({"name", "description", "source", "link_names", "load", "drawing"}),
+    ShiftElement: frozenset({"name", "capacity"}),
+    Mechanism: frozenset({"name"}),
+    Gear: frozenset({"name", "load"}),
+}
 """Fields that no result depends on; a drawing acts through its devices."""
 
 
-def _kept(fields: Iterable[str], *left_out: str) -> Callable[[Any], tuple[Any, ...]]:
-    return attrgetter(*(name for name in fields if name not in WITHOUT_EFFECT.union(left_out)))
+def _kept(part: type, fields: Iterable[str], *left_out: str) -> Callable[[Any], tuple[Any, ...]]:
+    without = WITHOUT_EFFECT[part].union(left_out)
+    return attrgetter(*(name for name in fields if name not in without))
 
 
 _OF_CASE = _kept(
-    (field.name for field in fields(Transmission)), "shift_elements", "mechanisms", "gears"
+    Transmission,
+    (field.name for field in fields(Transmission)),
+    *("shift_elements", "mechanisms", "gears"),
 )
-_OF_ELEMENT = _kept(ShiftElement._fields)
-_OF_MECHANISM = _kept(Mechanism._fields, "ratio", "efficiency")
+_OF_ELEMENT = _kept(ShiftElement, ShiftElement._fields)
+_OF_MECHANISM = _kept(Mechanism, Mechanism._fields, "ratio", "efficiency")
 """The numbers that are left out may vary: a plan takes them as its inputs."""
-_OF_GEAR = _kept(Gear._fields)
+_OF_GEAR = _kept(Gear, Gear._fields)
 
 
 def _structure(case: Transmission) -> tuple[Hashable, ...]:

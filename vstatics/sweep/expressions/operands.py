@@ -1,6 +1,6 @@
 """What a formula speaks of, as it is written: numbers, and names with subscripts or a point.
 
-SweepNames are taken letter by letter, so they may be Cyrillic, or words that mean something
+Names are taken letter by letter, so they may be Cyrillic, or words that mean something
 elsewhere. What they mean is not asked here.
 """
 
