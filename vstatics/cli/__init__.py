@@ -22,9 +22,11 @@ from typing import Any
 import click
 
 from vstatics.cli import files
-from vstatics.cli.exit_status import DONE, FAILED
+from vstatics.cli.exit_status import DONE, FAILED, WRONG_USE
 from vstatics.errors import ReadError
 from vstatics.extras import __version__
+
+click.UsageError.exit_code = WRONG_USE
 
 COMMANDS = {
     "new": ("vstatics.cli.new", "Write a commented case to start from."),
@@ -107,7 +109,7 @@ def entry() -> None:
     Tearing the interpreter down takes longer than a calculation, and all files are
     closed by then; `main` alone is for calls from Python.
     """
-    code: int | str | None = 0
+    code: int | str | None = DONE
     try:
         try:
             main(prog_name="vstatics")
@@ -116,10 +118,10 @@ def entry() -> None:
         if not code and sys.stdout is not None:  # whoever called may have closed it
             sys.stdout.flush()
     except BrokenPipeError:  # the reader has seen enough
-        code = 1
+        code = FAILED
     except OSError as error:
         files.say(f"vstatics: can't write to stdout: {error.strerror}")
-        code = 1
+        code = FAILED
     with contextlib.suppress(OSError, AttributeError):
         sys.stderr.flush()
     os._exit(code if isinstance(code, int) else FAILED)

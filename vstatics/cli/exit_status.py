@@ -6,7 +6,7 @@ DONE = 0
 FAILED = 1
 """A case is in error, or a gear of it can't be; an output could not be written."""
 WRONG_USE = 2
-"""Of the command line; click leaves with it."""
+"""Of the command line; `cli` tells click to leave with it."""
 
 
 def stopped_by(signal: int) -> int:
