@@ -10,7 +10,7 @@ from vstatics.cli import files
 from vstatics.cli.cases import Command
 from vstatics.cli.exit_status import DONE, FAILED
 from vstatics.readers.results import read_results
-from vstatics.tables.compare import Difference, differences
+from vstatics.tables.compare import ATOL, RTOL, Difference, differences
 from vstatics.tables.figures import WrittenResult
 
 
@@ -37,8 +37,8 @@ def _tolerance(name: str, default: float, says: str) -> Callable[[Command], Comm
 @click.command()
 @click.argument("actual", type=click.Path())
 @click.argument("expected", type=click.Path())
-@_tolerance("--atol", 1e-12, "Absolute tolerance.")
-@_tolerance("--rtol", 1e-9, "Tolerance relative to the expected number.")
+@_tolerance("--atol", ATOL, "Absolute tolerance.")
+@_tolerance("--rtol", RTOL, "Tolerance relative to the expected number.")
 def compare(actual: str, expected: str, atol: float, rtol: float) -> int:
     """Compare two results, listing or JSON, number by number; - is standard input.
 

@@ -131,7 +131,7 @@ def explain(results: Results, number: int) -> Explanation:
 
 FAULTS = {
     CONFLICT: "the freewheels are in conflict",
-    TIED_UP: "the gear is tied up",
+    TIED_UP: f"the gear is {TIED_UP.english}",
 }
 """Why a gear has no solution at all."""
 

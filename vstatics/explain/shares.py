@@ -13,6 +13,7 @@ from typing import Any
 from vstatics.explain.bodies import OwnLinks, Structure
 from vstatics.model.transmission import HOUSING
 from vstatics.statics.matrix import column
+from vstatics.statics.status import NEUTRAL
 
 LARGEST = 400
 """A formula of more terms helps nobody, and takes long."""
@@ -54,7 +55,7 @@ def shares(
             raise NoFormula("the formula would be too long")
     last = next((row for row in rows if output in row), None)
     if last is None:
-        raise NoFormula("neutral: the output speed is not determined")
+        raise NoFormula(f"{NEUTRAL.english}: the output speed is not determined")
     factor = last.pop(output)
     return {body: -last[body] / factor for body in given if body in last}
 

@@ -12,11 +12,10 @@ import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Literal, NamedTuple
 
+from vstatics.numerics.tolerances import CYCLE
+
 NodeKind = Literal["port", "link", "element", "mechanism", "drag"]
 """An element is a shift element; a mechanism may be a drawn element."""
-
-ROUNDING = 1e-9
-"""A cycle with less than this part of the largest power is rounding."""
 
 
 class Node(NamedTuple):
@@ -80,7 +79,7 @@ def cancel(edges: Sequence[Edge], order: Sequence[Node] = ()) -> Cancelled:
     [('a', 'b', 1.0), ('b', 'c', 1.0), ('c', 'd', 1.0)]
     """
     powers = {(edge.source, edge.target): edge.power for edge in edges}
-    least = ROUNDING * max(powers.values(), default=0.0)
+    least = CYCLE * max(powers.values(), default=0.0)
     ends = (node for edge in edges for node in edge[:2])
     nodes = list(dict.fromkeys([*order, *ends]))
     loops = []
@@ -129,7 +128,7 @@ def _is_before(one: Loop, other: Loop) -> bool:
     """Whether a cycle is to be cancelled before another that was found earlier."""
     if len(one.nodes) != len(other.nodes):
         return len(one.nodes) < len(other.nodes)
-    return one.power > other.power * (1 + ROUNDING)
+    return one.power > other.power * (1 + CYCLE)
 
 
 def _through(start: Node, following: Mapping[Node, Iterable[tuple[Node, float]]]) -> Loop | None:

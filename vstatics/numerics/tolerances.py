@@ -29,3 +29,11 @@ CLOSED = 1e-9
 """Powers agree to this part of the input power, or rounding is too large for a plan."""
 NOISE = 1e-12
 """Power below this part of the largest one of the gear is rounding."""
+CYCLE = 1e-9
+"""A cycle of power with less than this part of the largest power of the gear is rounding."""
+
+# results side by side
+SAME = 1e-9
+"""Numbers of gears, or rays of a plan, that differ by no more than this part are the same."""
+GAP = 1e-9
+"""Room between wheels, in modules, that is lost in rounding."""

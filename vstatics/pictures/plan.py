@@ -10,12 +10,14 @@ from matplotlib.figure import Figure
 
 from vstatics.errors import CaseError, Problem
 from vstatics.model.transmission import HOUSING, Transmission
+from vstatics.numerics.tolerances import SAME
 from vstatics.pictures import labels
 from vstatics.pictures.labels import LEADER, Label, Panel
-from vstatics.pictures.rays import SAME, KinematicPlan, plans
+from vstatics.pictures.rays import KinematicPlan, plans
 from vstatics.pictures.style import TITLE, Style, number
 from vstatics.pictures.words import title
 from vstatics.statics.results import Results
+from vstatics.statics.status import OUTPUT_STANDS
 
 WIDE, HIGH = 300.0, 230.0
 """Of a plan without its labels. [pt]"""
@@ -153,7 +155,7 @@ def _top(case: Transmission, plan: KinematicPlan, style: Style) -> _Top:
     low, high = _frame(plan)[:2]
     at = [(mark.output - low) / (high - low) * WIDE for mark in plan.marks]
     taken = any(abs(mark.output) < SAME for mark in plan.marks)
-    at_origin = "" if taken else style.text("output stands", "выход стоит")
+    at_origin = "" if taken else style.text(OUTPUT_STANDS.name, OUTPUT_STANDS.russian)
     neutral = Label(-low / (high - low) * WIDE, at_origin, style.soft)
 
     def gears(between: str) -> list[Label]:

@@ -17,14 +17,12 @@ from typing import NamedTuple
 
 from vstatics.errors import CaseError, Problem
 from vstatics.model.transmission import HOUSING, Gear, Transmission
+from vstatics.numerics.tolerances import SAME
 from vstatics.numerics.traced import plain
 from vstatics.pictures.state import PictureState, state_of
 from vstatics.statics.matrix import columns
 from vstatics.statics.results import Results
 from vstatics.statics.speeds import solve_speeds
-
-SAME = 1e-9
-"""Rays that differ by less than this are the same. [-]"""
 
 
 class Condition(NamedTuple):

@@ -23,7 +23,7 @@ from vstatics.statics.efficiency import sign
 from vstatics.statics.idling import coincidences
 from vstatics.statics.results import Message, Results
 from vstatics.statics.speeds import solve_speeds
-from vstatics.statics.status import CONFLICT, LOCKED, TIED_UP
+from vstatics.statics.status import CONFLICT, LOCKED, NEUTRAL, TIED_UP
 
 Said = tuple[Severity, str]
 
@@ -180,7 +180,7 @@ def _speed_messages(results: Results, number: int, gear: Gear) -> Iterator[Said]
         why = f", as freewheel{_s(len(over))} {_list(over)} {verb}" if over else ""
         yield _warning(
             f"{missing} condition{_s(missing)} missing for the speeds"
-            f"{f' (neutral{why})' * bool(neutral)}{links}{advice}"
+            f"{f' ({NEUTRAL.english}{why})' * bool(neutral)}{links}{advice}"
         )
     output = case.gear_output(gear)
     if results.speeds[number, output - 1] == 0:

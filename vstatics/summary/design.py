@@ -7,10 +7,8 @@ from collections.abc import Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
+from vstatics.numerics.tolerances import SAME
 from vstatics.statics.results import Results
-
-SAME = 1e-9
-"""Two numbers that agree to this part are the same but for rounding."""
 
 
 class GearLine(NamedTuple):

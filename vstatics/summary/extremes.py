@@ -9,8 +9,8 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.numerics.arrays import Booleans, Floats
+from vstatics.numerics.tolerances import SAME
 from vstatics.statics.results import Results
-from vstatics.summary.design import SAME
 from vstatics.tables.quantities import BY_NAME
 from vstatics.tables.quantity import Table
 from vstatics.tables.values import tables

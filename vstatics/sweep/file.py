@@ -6,7 +6,7 @@ import os
 from collections.abc import Iterable
 from typing import Any
 
-from vstatics.errors import Place, Problem, ReadError
+from vstatics.errors import Place, ReadError
 from vstatics.readers.named import scalars
 from vstatics.readers.named.nodes import (
     Found,
@@ -45,10 +45,7 @@ def read_sweep_file(data: bytes, file: str) -> SweepOptions:
     """
     from vstatics.readers.named.yaml_nodes import yaml_tree  # yaml costs start-up time
 
-    if not data.strip():
-        message = "the file is empty, expected a sweep"
-        raise ReadError([Problem(message, place=Place(file, 1, 1))])
-    found = decode(data, file)
+    found = decode(data, file, "a sweep")
     root = yaml_tree(found)
     if not isinstance(root, Mapping):
         expected = f"expected a sweep: a mapping with keys such as {_listed(list(OPTIONS)[:3])}"

@@ -12,6 +12,9 @@ from vstatics.tables.figures import Figure, Figures, WrittenResult
 from vstatics.tables.quantities import BY_NAME, QUANTITIES
 from vstatics.tables.quantity import Quantity
 
+ATOL, RTOL = 1e-12, 1e-9
+"""What two numbers may differ by, and by which part, where nothing else is asked for."""
+
 
 class Difference(NamedTuple):
     """A number, or the shape of a table, that is not as expected."""
@@ -32,7 +35,7 @@ class Difference(NamedTuple):
 
 
 def differences(
-    actual: WrittenResult, expected: WrittenResult, *, atol: float = 1e-12, rtol: float = 1e-9
+    actual: WrittenResult, expected: WrittenResult, *, atol: float = ATOL, rtol: float = RTOL
 ) -> Iterator[Difference]:
     """Every place in which two results differ.
 

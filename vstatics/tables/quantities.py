@@ -11,6 +11,7 @@ import numpy as np
 
 from vstatics.statics.arrays import Rows
 from vstatics.statics.results import Results
+from vstatics.statics.status import LOCKED
 from vstatics.tables.quantity import UNITS, Phrase, Quantity, in_unit
 
 
@@ -89,7 +90,7 @@ RELATIVE = (
         "Directions of power agree with the losses",
         "Направления потоков согласованы с потерями")),
     Quantity("locked", "locked", "LOCKED", Phrase(
-        "Locked by friction",
+        LOCKED.english.capitalize(),
         "Самоторможение")),
     Quantity("holding_torques", "AMWZ", "AMWZ", Phrase(
         "Torques that hold the given speeds, without losses",

@@ -10,9 +10,7 @@ from vstatics.elements.element import CentralWheel
 from vstatics.elements.teeth.assembly import assembled, placements
 from vstatics.elements.teeth.layout import SHIFT, AxisLayout, Doubt
 from vstatics.elements.teeth.subjects import OfPlanets, Subject
-
-NO_GAP = 1e-9
-"""Modules that are lost in rounding."""
+from vstatics.numerics.tolerances import GAP
 
 CLEAR = 4
 """Of two tips on either side: teeth by which wheels differ whose tips just touch."""
@@ -158,7 +156,7 @@ def _touching(layout: AxisLayout, count: int) -> Iterator[Doubt]:
             if teeth is not None and (axis := layout.axis(rim))
         ]
         least = min(gaps, default=None)
-        if least and least[0] < NO_GAP:
+        if least and least[0] < GAP:
             _, rim, (span, wheel) = least
             message = (
                 f"tips of neighbouring planets touch: ({layout.label(wheel)} "
@@ -182,7 +180,7 @@ def _crossing(layout: AxisLayout, one: str, other: str, count: int) -> Iterator[
     turn = 2 * math.pi / count
     beyond = first**2 + second**2 - 2 * first * second * math.cos(turn - angle)
     distance = math.sqrt(max(beyond, 0.0))
-    if distance - apart - 2 < NO_GAP:
+    if distance - apart - 2 < GAP:
         message = (
             f"{layout.label(one)} and {layout.label(other)} of neighbouring planets touch with "
             f"their tips: axes are {distance:.4g} modules apart, expected more than {apart + 2:g}"

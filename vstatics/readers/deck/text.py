@@ -171,7 +171,7 @@ def _read_line(line: str) -> tuple[str, Any]:
 
 
 KEPT = 200
-"""Lines of so many characters are kept by `_meaning`, which many decks share."""
+"""What texts of so many characters mean is kept, which many decks share."""
 _meaning = lru_cache(maxsize=2000)(_read_line)
 
 

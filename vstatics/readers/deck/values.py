@@ -23,7 +23,7 @@ from vstatics.readers.deck.numbers import (
     token_lines,
     value_lines,
 )
-from vstatics.readers.deck.text import Field, Scan
+from vstatics.readers.deck.text import KEPT, Field, Scan
 
 Spot = tuple[int, int]
 """Line and column, from 1."""
@@ -127,8 +127,6 @@ def stand_ins(field: Field | None, need: int, parse: Callable[[str], Number]) ->
     return Values([parse(STAND_IN)] * need, lambda: [spot] * need, set(range(need)))
 
 
-KEPT = 200
-"""The numbers of texts of so many characters are kept, which many decks share."""
 _kept_numbers = lru_cache(maxsize=2000)(plain_numbers)
 
 
