@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from vstatics.readers.deck.numbers import real
-from vstatics.tables.numbers import exponent, fixed
+from vstatics.tables.numbers import exponent, fixed, fixed_rows
 
 FINITE = st.floats(allow_nan=False, allow_infinity=False)
 
@@ -75,3 +75,19 @@ def test_fixed_is_the_number_rounded(value: float, decimals: int) -> None:
     assert float(text) == float(f"{value:.{decimals}f}")
     assert not text.startswith(("0.", "-0"))
     assert text.strip("-.0") or not text.startswith("-")
+
+
+@given(st.lists(st.lists(st.floats(), min_size=3, max_size=3), min_size=1), st.integers(0, 6))
+def test_a_table_has_each_number_as_it_is_alone(rows: list[list[float]], decimals: int) -> None:
+    least = decimals + 4
+    written = [fixed(value, decimals=decimals) for row in rows for value in row]
+    width = max(least, *map(len, written))
+    assert fixed_rows(rows, least, decimals) == [
+        " ".join(fixed(value, width, decimals) for value in row) for row in rows
+    ]
+
+
+@pytest.mark.parametrize("value", [0.9995, -0.0005, -0.9996, 10.0, -100.01, 999.9996, -99.9996])
+def test_a_table_has_numbers_at_the_ends_of_a_field_as_they_are_alone(value: float) -> None:
+    text = fixed(value)
+    assert fixed_rows([[value, 0.0]], 7) == [f"{text:>7} {'.000':>{max(7, len(text))}}"]

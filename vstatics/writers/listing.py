@@ -11,7 +11,7 @@ from collections.abc import Iterator
 
 from vstatics.model.transmission import Transmission
 from vstatics.statics.results import Language, Results
-from vstatics.tables.numbers import fixed
+from vstatics.tables.numbers import fixed_rows
 from vstatics.tables.quantity import Phrase, Quantity, Table
 from vstatics.tables.rows import BEFORE_NAME, ROWS
 from vstatics.tables.values import tables
@@ -86,17 +86,12 @@ def _indices(quantity: Quantity, rows: str = "") -> str:
 
 
 def _rows(table: Table, *, named: bool) -> list[str]:
-    """Rows of equal fields: 7 wide with three decimals, 3 wide for whole numbers.
+    """Rows of equal fields: 7 wide with three decimals, 3 wide for whole numbers, or wider.
 
     Where the case is drawn each row ends with its name.
     """
     decimals, width = (3, 7) if table.quantity.kind is float else (0, 3)
-    longest = max(len(fixed(value, decimals=decimals)) for value in table.values.flat)
-    width = max(width, longest)
-    rows = [
-        " ".join(fixed(value, width=width, decimals=decimals) for value in row)
-        for row in table.values
-    ]
+    rows = fixed_rows(table.values.tolist(), width, decimals)
     if not named:
         return rows
     return [f"{row}  {BEFORE_NAME} {name}" for row, name in zip(rows, table.rows, strict=True)]
