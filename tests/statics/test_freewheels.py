@@ -23,8 +23,10 @@ from tests.statics.batches import (
     same,
 )
 from tests.trains import random_train, seeded
-from vstatics import Gear, Mechanism, ReadError, Results, ShiftElement, Transmission
+from vstatics import CaseError, Gear, Mechanism, ReadError, Results, ShiftElement, Transmission
 from vstatics import solve as solved
+from vstatics.model.checks import hints
+from vstatics.model.parts import Load
 from vstatics.readers.named.reader import read_json, read_yaml
 from vstatics.sweep import sweep
 from vstatics.sweep.chunk import STATUS
@@ -191,10 +193,152 @@ def test_freewheels_that_could_hold_in_place_of_each_other_are_told() -> None:
     assert texts(solved(simpson()), "1") == []
 
 
-def test_an_input_that_turns_backward_is_refused() -> None:
+TWO_MOTORS = """\
+links: [m1, m2, carrier, out]
+shift_elements: {F: {kind: freewheel, links: [carrier, housing]}}
+mechanisms:
+  pair: {first: m1, second: out, ratio: -3, efficiency: .98}
+  set: {first: m2, second: out, third: carrier, ratio: -2, efficiency: .97}
+gears:
+  both: {torques: {m2: -1}}
+"""
+
+
+def test_the_set_that_holds_is_one_whose_torques_balance() -> None:
+    """The pair alone turns the output, but the carrier has to take three times the torque of m2.
+
+    Carrier held: m1 turns by 1 with the torque 1, m2 by 2/3 with -1, the output by -1/3. The
+    pair gives the output 3 x .98, the set takes 2/.97 of it, as power leaves by m2.
+    """
+    results = solved(simpson(TWO_MOTORS))
+    out = 3 * 0.98 - 2 / 0.97
+    assert results.ratio == pytest.approx([-3])
+    assert results.lossy_torques[0, -1] == pytest.approx(-out)
+    assert results.lossy_torques[0, -1] == pytest.approx(-0.878, abs=5e-4)
+    assert results.efficiency == pytest.approx([2 / 3 + out / 3])
+    assert results.efficiency == pytest.approx([0.959], abs=5e-4)
+    assert results.torques[0, 0] == pytest.approx(-3)
+    assert texts(results, "both") == []
+    braked = simpson(TWO_MOTORS.replace("freewheel", "brake").replace("{tor", "{engaged: [F], tor"))
+    assert all(same(getattr(solved(braked), name), getattr(results, name)) for name in ARRAYS)
+
+
+def test_a_gear_that_no_freewheel_holds_says_so() -> None:
+    """m2 pushes the carrier the other way, in which it is free."""
+    results = solved(simpson(TWO_MOTORS.replace("{m2: -1}", "{m2: 1}")))
+    assert not results.holds.any()
+    assert "nothing holds the torque of the input" in texts(results, "both")[-1]
+    assert results.ratio == pytest.approx([-3])
+
+
+# -- the input turns backward --------------------------------------------------------------
+
+
+def backward(case: Transmission) -> Transmission:
+    return replace(case, gears=[gear._replace(input_turns="backward") for gear in case.gears])
+
+
+@pytest.mark.parametrize("coast", [False, True])
+@pytest.mark.parametrize("text", [SIMPSON, TWO, TWO_MOTORS])
+def test_an_input_that_turns_backward_is_a_train_with_its_freewheels_the_other_way(
+    text: str, coast: bool
+) -> None:
+    """The image in a mirror: what turns forward there turns backward here."""
+    case = replace(simpson(text), coast=coast)
+    turned = [
+        one._replace(first=one.second, second=one.first) if one.is_freewheel else one
+        for one in case.shift_elements
+    ]
+    expected, found = solved(replace(case, shift_elements=turned)), solved(backward(case))
+    assert same(found.speeds, expected.speeds)
+    assert same(found.lossy_torques[:, -1], expected.lossy_torques[:, -1])
+    assert same(found.efficiency, expected.efficiency)
+    assert same(found.holds, expected.holds)
+    assert same(found.conflict, expected.conflict)
+    assert not same(found.holds, solved(case).holds)
+
+
+def test_a_motor_that_drives_backward_needs_the_freewheel() -> None:
+    """m2 alone against the carrier, which reacts with 1 - u = 3."""
+    case = simpson(TWO_MOTORS.replace("torques: {m2: -1}", "input: m2"))
+    assert np.isnan(solved(case).ratio).all()
+    results = solved(backward(case))
+    assert results.ratio == pytest.approx([-2])
+    assert results.torques[0, 0] == pytest.approx(3)
+
+
+def test_a_load_says_which_way_the_input_turns() -> None:
+    case = simpson(TWO_MOTORS.replace("torques: {m2: -1}", "input: m2"))
+    expected = solved(backward(case)).holds
+    for load in ("{speed: -900 rpm, torque: -30 N*m}", "{speed: -900 rpm}", "{torque: -30 N*m}"):
+        own = TWO_MOTORS.replace("torques: {m2: -1}", f"input: m2, load: {load}")
+        common = TWO_MOTORS.replace("torques: {m2: -1}", "input: m2") + f"load: {load}\n"
+        assert same(solved(simpson(own)).holds, expected)
+        assert same(solved(simpson(common)).holds, expected)
+
+
+def test_a_load_that_contradicts_the_gear_is_refused() -> None:
+    text = TWO_MOTORS.replace("torques: {m2: -1}", "input_turns: backward")
     with pytest.raises(ReadError) as refused:
-        simpson("load: {speed: -900 rpm, torque: -30 N*m}\n" + SIMPSON)
-    assert "freewheels are settled for an input that turns forward" in str(refused.value)
+        simpson(text + "load: {speed: 900 rpm}\n")
+    (problem,) = refused.value.problems
+    assert problem.message == (
+        "gears.both.input_turns: read `backward`, but by the load of this gear the input turns "
+        "forward; expected a load of its own whose signs agree, or this left out"
+    )
+    assert problem.place is not None
+    assert problem.place[1] == 7
+    simpson(text + "load: {speed: -900 rpm}\n")
+
+
+def test_a_way_that_is_none_is_refused() -> None:
+    with pytest.raises(ReadError, match="did you mean `backward`"):
+        simpson(TWO_MOTORS.replace("torques: {m2: -1}", "input_turns: backwards"))
+    with pytest.raises(CaseError, match="expected `forward` or `backward`"):
+        replace(simpson(), gears=[Gear(input_turns="up")])  # type: ignore[arg-type]
+
+
+def test_an_input_of_a_gears_own_that_says_neither_gets_a_note() -> None:
+    def notes(given: str, text: str = TWO_MOTORS) -> list[str]:
+        return [one.message for one in hints(simpson(text.replace("torques: {m2: -1}", given)))]
+
+    assert notes("input: m2") == [
+        "the input, link m2, is taken to turn forward, on which freewheels depend; say "
+        "`input_turns: forward` or `backward`"
+    ]
+    for given in (
+        *("input: m1", "torques: {m2: 1}", "input: m2, load: {torque: 3 N*m}"),
+        *("input: m2, input_turns: forward", "input: m2, input_turns: backward"),
+    ):
+        assert notes(given) == []
+    assert notes("input: m2", TWO_MOTORS.replace("freewheel", "brake")) == []
+    checked = vstatics(
+        "check", "-", stdin=TWO_MOTORS.replace("torques: {m2: -1}", "input: m2").encode()
+    )
+    assert "7:3: note: gears.both: the input, link m2, is taken to turn forward" in checked.err
+
+
+def test_a_conflict_of_a_backward_input_says_so() -> None:
+    (text,) = texts(solved(backward(pair(2.0))), "1")
+    assert "(its slip would be 0.5, above 0, with an input that turns backward)" in text
+
+
+def test_the_way_of_the_input_is_written_and_told_as_lost() -> None:
+    case = backward(simpson())
+    assert read_yaml(named.write_yaml(case).encode(), "").case == case
+    assert read_json(named.write_json(case).encode(), "").case == case
+    assert "input_turns of gear R" in deck.lost(case)
+
+
+def test_plans_know_which_way_the_input_turns() -> None:
+    """The same numbers, again and again, for gears that differ in this only."""
+    case = simpson(TWO_MOTORS.replace("torques: {m2: -1}", "input: m2"))
+    u = np.array([[-3.0, -2.0 - 0.01 * n] for n in range(20)])
+    for _ in range(2):
+        assert np.isnan(solved(case, ratios=u).ratio).all()
+        assert solved(backward(case), ratios=u).ratio[:, 0] == pytest.approx(u[:, 1])
+        load = Load(-900.0)
+        assert solved(replace(case, load=load), ratios=u).ratio[:, 0] == pytest.approx(u[:, 1])
 
 
 def test_a_gear_that_is_tied_up_is_none_of_the_freewheels_fault() -> None:
@@ -263,7 +407,7 @@ def test_variants_of_the_simpson_train(text: str, coast: bool) -> None:
 
 
 def with_freewheels(seed: int) -> Transmission:
-    """A random train, some of whose elements are freewheels."""
+    """A random train, some of whose elements are freewheels; some inputs turn backward."""
     rng = seeded(seed)
     case = random_train(rng) if seed % 2 else large_train(rng, 6)
     made = [
@@ -272,7 +416,11 @@ def with_freewheels(seed: int) -> Transmission:
     ]
     free = {number for number, element in enumerate(made, 1) if element.is_freewheel}
     gears = [
-        gear._replace(engaged=[n for n in gear.engaged if n not in free]) for gear in case.gears
+        gear._replace(
+            engaged=[n for n in gear.engaged if n not in free],
+            input_turns=rng.choice(("", "", "forward", "backward")),
+        )
+        for gear in case.gears
     ]
     return replace(case, shift_elements=made, gears=gears)
 
@@ -285,7 +433,8 @@ def states(case: Transmission, number: int) -> list[Results]:
     found = []
     wheels = [element.is_freewheel for element in case.shift_elements]
     plain = [element._replace(kind="") for element in case.shift_elements]
-    turn = -1 if case.coast else 1
+    way = -1 if case.gears[number].input_turns == "backward" else 1
+    turn = -way if case.coast else way
     for mask in range(2 ** sum(wheels)):
         bits = iter(range(sum(wheels)))
         held = [n for n, is_one in enumerate(wheels) if is_one and mask >> next(bits) & 1]
@@ -298,10 +447,41 @@ def states(case: Transmission, number: int) -> list[Results]:
         if (
             not one.failed
             and (torques <= 1e-9).all()
-            and not (one.slip_speeds[0, others] < -1e-9).any()
+            and not (one.slip_speeds[0, others] * way < -1e-9).any()
         ):
             found.append(one)
     return found
+
+
+def drives(one: Results) -> bool:
+    """Whether the torques of a train of one gear balance, and it has an output speed."""
+    output = one.case.gear_output(one.case.gears[0]) - 1
+    return bool(one.balanced[0] and not np.isnan(one.speeds[0, output]))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("coast", [False, True])
+def test_random_trains_with_given_torques_do_without_a_balance_only_if_they_must(
+    coast: bool,
+) -> None:
+    """About one of 300 has a set of freewheels that turns the output, but can't balance it."""
+    seen = 0
+    for seed in range(1500):
+        case = replace(with_freewheels(seed), coast=coast)
+        loaded = [gear for gear in case.gears if gear.torques and gear.output not in gear.speeds]
+        for gear in loaded if case.freewheels else ():
+            one = replace(case, gears=[gear])
+            results, possible = plainly(one), states(one, 0)
+            driving = [state for state in possible if drives(state)]
+            if not driving:
+                continue
+            assert results.balanced[0], seed
+            held = min(state.holds.sum() for state in driving)
+            assert results.holds.sum() == held, seed
+            assert any(same(state.torques, results.torques) for state in driving), seed
+            assert abs(results.power_balance[0]) < 1e-9 or not results.consistent[0], seed
+            seen += any(not drives(state) and state.holds.sum() < held for state in possible)
+    assert seen > 2
 
 
 @pytest.mark.parametrize("seed", range(15))
@@ -315,6 +495,11 @@ def test_random_trains(seed: int) -> None:
             assert not possible
             continue
         speeds = results.speeds[number]
+        driving = [one for one in possible if drives(one)]
+        if driving:
+            assert results.balanced[number]
+            held = results.holds[number].sum() - len(gear.engaged)
+            assert held == min(one.holds.sum() for one in driving) - len(gear.engaged)
         same_state = [one for one in possible if same(one.speeds[0], speeds)]
         assert same_state
         output = case.gear_output(gear) - 1

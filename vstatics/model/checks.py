@@ -24,13 +24,12 @@ def problems(case: TransmissionFields) -> Iterator[Problem]:
     yield from _freewheels(case)
     for number, mechanism in enumerate(case.mechanisms, 1):
         yield from of_mechanism(mechanism, ("mechanisms", number), case.links)
-    has_freewheels = bool(case.freewheels)
-    yield from of_load(case.load, (), has_freewheels=has_freewheels)
+    yield from of_load(case.load, ())
     for number, gear in enumerate(case.gears, 1):
         path = ("gears", number)
         yield from of_gear(case, gear, path)
         if gear.load:
-            yield from of_load(case.gear_load(gear), path, has_freewheels=has_freewheels)
+            yield from of_load(case.gear_load(gear), path)
     if case.idle not in ("exact", "published"):
         yield Problem(f"read {case.idle!r}, expected `exact` or `published`", ("idle",))
 
@@ -42,7 +41,24 @@ def doubts(case: TransmissionFields) -> Iterator[Problem]:
 
 
 def hints(case: TransmissionFields) -> Iterator[Problem]:
-    """Notes on mechanisms that look as if planets were shared, whose losses are then doubtful.
+    """Notes on what a case leaves to be guessed."""
+    yield from _sharing(case)
+    yield from _turning(case)
+
+
+def _turning(case: TransmissionFields) -> Iterator[Problem]:
+    """Gears with an input of their own, and freewheels that ask which way it turns."""
+    for number, gear in enumerate(case.gears if case.freewheels else (), 1):
+        if gear.input not in (None, case.input) and not case.input_turns(gear):
+            message = (
+                f"the input, link {case.link_name(case.gear_input(gear))}, is taken to turn "
+                "forward, on which freewheels depend; say `input_turns: forward` or `backward`"
+            )
+            yield Problem(message, ("gears", number), severity="note")
+
+
+def _sharing(case: TransmissionFields) -> Iterator[Problem]:
+    """Mechanisms that look as if planets were shared, whose losses are then doubtful.
 
     Such mechanisms have the third link and one wheel in common, and losses.
     """

@@ -8,7 +8,7 @@ from functools import cached_property
 from typing import Literal, Protocol
 
 from vstatics.model.own import Member, OwnDevice, Planet
-from vstatics.model.parts import Gear, Load, Mechanism, ShiftElement
+from vstatics.model.parts import Direction, Gear, Load, Mechanism, ShiftElement
 
 IdleConvention = Literal["published", "exact"]
 """Which sign an idle mechanism gets; see docs/method.md."""
@@ -75,6 +75,12 @@ class TransmissionFields:
     def gear_load(self, gear: Gear) -> Load:
         """The load of a gear: its own, filled up with that of the case."""
         return (gear.load or Load()).or_else(self.load or Load())
+
+    def input_turns(self, gear: Gear) -> Direction | Literal[""]:
+        """The way in which the input of a gear turns, as it says itself or its load does."""
+        load = self.gear_load(gear)
+        said = load.speed or load.torque
+        return gear.input_turns or ("" if not said else "forward" if said > 0 else "backward")
 
     def link_name(self, link: int) -> str:
         """The name of a link; the housing is ``housing``."""

@@ -8,7 +8,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from vstatics.errors import Path, Problem
 from vstatics.model.fields import TransmissionFields
 from vstatics.model.part_checks import called, is_number, of_drag, of_link
-from vstatics.model.parts import Gear, Load, ShiftElement
+from vstatics.model.parts import DIRECTIONS, Gear, Load, ShiftElement
 
 
 def of_gear(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[Problem]:
@@ -21,6 +21,7 @@ def of_gear(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[Proble
             yield from of_link(link, (*path, end), case.links, lowest=1)
     if ends[0] == ends[1] and (gear.input is not None or gear.output is not None):
         yield Problem(f"input and output are both link {called(case, ends[0])}", path)
+    yield from _turning(case, gear, (*path, "input_turns"))
     yield from _dragging(case, gear, path)
     if not gear.speeds and not gear.torques:
         return
@@ -38,7 +39,22 @@ def of_gear(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[Proble
             yield Problem(f"{message}; give one of the two", (*path, "torques", link))
 
 
-def of_load(load: Load | None, path: Path, *, has_freewheels: bool) -> Iterator[Problem]:
+def _turning(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[Problem]:
+    """The way in which the input turns, which is also that of the load."""
+    said = gear.input_turns
+    by_load = case.input_turns(gear._replace(input_turns=""))
+    if said and said not in DIRECTIONS:
+        expected = " or ".join(f"`{direction}`" for direction in DIRECTIONS)
+        yield Problem(f"read {said!r}, expected {expected}", path)
+    elif said and by_load and said != by_load:
+        message = (
+            f"read `{said}`, but by the load of this gear the input turns {by_load}; expected "
+            "a load of its own whose signs agree, or this left out"
+        )
+        yield Problem(message, path)
+
+
+def of_load(load: Load | None, path: Path) -> Iterator[Problem]:
     """A load that is one, and of which power enters."""
     load = load or Load()
     for quantity, value in load._asdict().items():
@@ -49,13 +65,6 @@ def of_load(load: Load | None, path: Path, *, has_freewheels: bool) -> Iterator[
         message = (
             f"read {load.torque:g} N*m at {load.speed:g} rpm, so power would leave at the input; "
             "expected equal signs (`coast: true` turns the torque by itself)"
-        )
-        yield Problem(message, (*path, "load"))
-    elif has_freewheels and min(load.speed or 1, load.torque or 1) < 0:
-        message = (
-            "the input turns backward, but freewheels are settled for an input that turns "
-            "forward; expected a speed and a torque above 0, with the links of the freewheels "
-            "exchanged if the input does turn backward"
         )
         yield Problem(message, (*path, "load"))
 

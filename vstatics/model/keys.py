@@ -6,7 +6,7 @@ others refer to comes first.
 
 from __future__ import annotations
 
-from vstatics.model.parts import ELEMENT_KINDS, Gear, Load, Mechanism, ShiftElement
+from vstatics.model.parts import DIRECTIONS, ELEMENT_KINDS, Gear, Load, Mechanism, ShiftElement
 from vstatics.model.shape import (
     FLAG,
     LINK,
@@ -146,6 +146,11 @@ GEAR = ByKey(
             "Drag of shift elements in this gear when they are open, in place of their own.",
         ),
         KeyShape("input", LINK, "This gear's own input link."),
+        KeyShape(
+            "input_turns",
+            Leaf("choice", DIRECTIONS),
+            "The way in which the input turns, if no load says it: freewheels depend on it.",
+        ),
         KeyShape("output", LINK, "This gear's own output link."),
         KeyShape("load", LOAD, "This gear's own load."),
     ),

@@ -14,6 +14,9 @@ HOUSING = 0
 
 ElementKind = Literal["clutch", "brake", "dog_clutch", "freewheel"]
 """What a shift element is, where it says so."""
+Direction = Literal["forward", "backward"]
+"""The way in which an input turns."""
+DIRECTIONS: tuple[Direction, ...] = get_args(Direction)
 ELEMENT_KINDS: tuple[ElementKind, ...] = get_args(ElementKind)
 
 
@@ -144,6 +147,9 @@ class Gear(NamedTuple):
         open, in place of its own `drag`. [-]
     load : Load, optional
         This gear's own; what it leaves open is as in the case.
+    input_turns : {"forward", "backward"}, optional
+        The way in which the input turns, for freewheels: all speeds are relative to it. As
+        the load says when not given, and forward if that says nothing either.
     """
 
     engaged: Sequence[int] = ()
@@ -155,6 +161,7 @@ class Gear(NamedTuple):
     drag: Mapping[int, float] = MappingProxyType({})
     open_drag: Mapping[int, float] = MappingProxyType({})
     load: Load | None = None
+    input_turns: Direction | Literal[""] = ""
 
 
 def element_name(number: int, element: ShiftElement) -> str:

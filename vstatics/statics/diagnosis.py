@@ -137,9 +137,10 @@ def _conflict(case: Transmission, gear: Gear) -> Iterator[Said]:
     speeds = solve_speeds(case, gear, _columns(case))
     for number in freewheels.driven_backward(case, gear, speeds):
         name, slip = case.shift_elements[number - 1].name, speeds.slips[number - 1]
+        side = "below 0" if slip < 0 else "above 0, with an input that turns backward"
         yield _error(
             f"{CONFLICT.name}: freewheel {name} can neither overrun (its slip would be "
-            f"{slip:.4g}, below 0) nor hold (the gear would be {TIED_UP.english}); release one of "
+            f"{slip:.4g}, {side}) nor hold (the gear would be {TIED_UP.english}); release one of "
             "the engaged elements, or exchange the links of the freewheel if it stands the wrong "
             "way round"
         )

@@ -1,9 +1,10 @@
 """Freewheels: which of them hold in a gear, found by trying.
 
 A freewheel keeps its first link from turning backward against the second. It holds,
-like an engaged element, with a torque on its first link that is not above 0 (in units
-of an input torque that is below 0 when coasting: not below 0); or it overruns, with a
-slip that is not below 0.
+like an engaged element, with a torque on its first link that is not above 0, or it
+overruns, with a slip that is not below 0. Both are turned where the unit of speed or of
+torque is below 0: that of speed with an input that turns backward; that of torque too,
+and also when coasting.
 """
 
 from __future__ import annotations
@@ -31,8 +32,8 @@ def find_state(
     """The gear with its freewheels where they belong.
 
     All sets of freewheels that may hold are tried, the smallest first. The first is
-    taken that is possible and determines the output speed; if there is none they all
-    overrun, and the gear is neutral. Where one of them is driven backward while none
+    taken that is possible, determines the output speed and has torques in balance; if
+    there is none they all overrun, and the gear is neutral, or nothing holds. Where one of them is driven backward while none
     holds, holding it would tie the gear up: a conflict, without values.
 
     Parameters
@@ -56,14 +57,15 @@ def find_state(
 
 
 def _possible(variant: Variant, gear: Gear, speeds: Speeds) -> GearState | None:
-    """A gear with some freewheels engaged, if they can hold and the others can overrun."""
+    """A gear with some freewheels engaged, if they can hold it and the others can overrun."""
     case = variant.case
     held = [number for number in case.freewheels if number in gear.engaged]
     drives = speeds.consistent and not math.isnan(sign(speeds.links[case.gear_output(gear) - 1]))
     if not drives or driven_backward(case, gear, speeds):
         return None
     state = _state(variant, gear, speeds)
-    return state if all(_can_hold(state, number) for number in held) else None
+    holds = state.balanced and all(_can_hold(state, number) for number in held)
+    return state if holds else None
 
 
 def alternatives(case: Transmission, gear: Gear, held: Sequence[int]) -> list[int]:
@@ -95,13 +97,19 @@ def with_engaged(gear: Gear, held: Sequence[int]) -> Gear:
 def driven_backward(case: Transmission, gear: Gear, speeds: Speeds) -> list[int]:
     """Numbers of the freewheels that do not hold and would have to overrun backward."""
     by_link = [0.0, *map(absolute, speeds.links)]
+    turns = input_direction(case, gear)
     found = []
     for number in case.freewheels:
         element, slip = case.shift_elements[number - 1], speeds.slips[number - 1]
-        if number not in gear.engaged and slip < 0:
+        if number not in gear.engaged and slip * turns < 0:
             ends = by_link[element.first], by_link[element.second]
             found += [number] * (not is_tie(absolute(slip), *ends))
     return found
+
+
+def input_direction(case: Transmission, gear: Gear) -> int:
+    """+1, or -1 where the input turns backward: the sign of the unit of speed."""
+    return -1 if case.input_turns(gear) == "backward" else 1
 
 
 def _sets(case: Transmission) -> Iterator[tuple[int, ...]]:
@@ -123,7 +131,8 @@ def _can_hold(state: GearState, number: int) -> bool:
     torques, columns = ideal.torques_with_drag, ideal.variant.columns
     if not math.isnan(sign(lossy.torques.on_first_link[number - 1])):
         torques, columns = lossy.torques, matrix.columns(state.case, state.lossy_ratios)
-    pull = sign(torques.on_first_link[number - 1]) * ideal.variant.direction
+    turns = ideal.variant.direction * input_direction(state.case, state.gear)
+    pull = sign(torques.on_first_link[number - 1]) * turns
     return pull <= 0 or (pull > 0 and is_nothing(ideal, columns, torques, number))
 
 

@@ -114,7 +114,7 @@ WITHOUT_EFFECT: dict[type, frozenset[str]] = {
     Mechanism: frozenset({"name"}),
     Gear: frozenset({"name", "load"}),
 }
-"""Fields that no result depends on; a drawing acts through its devices."""
+"""Fields that no result depends on; a drawing acts through its devices, a load by its sign."""
 
 
 def _kept(part: type, fields: Iterable[str], *left_out: str) -> Callable[[Any], tuple[Any, ...]]:
@@ -148,7 +148,7 @@ def _structure(case: Transmission) -> tuple[Hashable, ...]:
 def _conditions(case: Transmission, gear: Gear) -> tuple[Hashable, ...]:
     """What a gear has of its own."""
     own = (tuple(v.items()) if isinstance(v, dict) else v for v in _OF_GEAR(gear))
-    return (*own, case.gear_input(gear), case.gear_output(gear))
+    return (*own, case.gear_input(gear), case.gear_output(gear), case.input_turns(gear))
 
 
 def _remembered(key: Hashable, function: Callable[[], Function]) -> Plans:
