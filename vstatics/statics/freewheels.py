@@ -33,8 +33,9 @@ def find_state(
 
     All sets of freewheels that may hold are tried, the smallest first. The first is
     taken that is possible, determines the output speed and has torques in balance; if
-    there is none they all overrun, and the gear is neutral, or nothing holds. Where one of them is driven backward while none
-    holds, holding it would tie the gear up: a conflict, without values.
+    there is none they all overrun, and the gear is neutral, or nothing holds. Where one of
+    them is driven backward while none holds, holding it would tie the gear up: a conflict,
+    without values.
 
     Parameters
     ----------
