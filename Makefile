@@ -43,8 +43,13 @@ schema: .venv/run.stamp ## rewrite schemas/ from the declarations
 bench: .venv/dev.stamp ## all figures of docs/performance.md (needs a C compiler, 5 minutes)
 	$(BIN)/python benchmarks
 
+dist: .venv/dev.stamp ## build wheel and sdist in dist/, and try the wheel without extras
+	rm -rf dist
+	$(BIN)/python -m build --outdir dist
+	$(BIN)/pytest -q -n 0 tests/test_wheel.py --wheel dist/*.whl
+
 clean: ## remove what make has made
-	rm -rf .venv .venv-oldest .coverage .hypothesis .mypy_cache .pytest_cache .ruff_cache
+	rm -rf .venv .venv-oldest dist .coverage .hypothesis .mypy_cache .pytest_cache .ruff_cache
 
 .venv/run.stamp: pyproject.toml
 	$(PYTHON) -m venv .venv
@@ -66,4 +71,4 @@ clean: ## remove what make has made
 	touch $@
 
 .DEFAULT_GOAL := help
-.PHONY: help run test test-slow test-oldest coverage lint types golden schema bench clean
+.PHONY: help run test test-slow test-oldest coverage lint types golden schema bench dist clean

@@ -17,6 +17,7 @@ def pytest_addoption(parser: pytest.Parser) -> None:
         action="store_true",
         help="rewrite tests/golden; a test fails where something changed, and shows it",
     )
+    parser.addoption("--wheel", help="the wheel that tests/test_wheel.py tries, not a new one")
 
 
 @pytest.fixture(scope="module", autouse=True)

@@ -1,0 +1,186 @@
+"""The wheel in a fresh environment: what works without extras, and what asks for one.
+
+`make dist` gives the wheel that it has built; without it one is built here.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import subprocess
+import sys
+import tomllib
+import zipfile
+from pathlib import Path
+from typing import NamedTuple
+
+import pytest
+
+from vstatics.extras import EXTRAS, __version__
+from vstatics.pictures import PICTURES
+from vstatics.templates import TEMPLATES
+
+ROOT = Path(__file__).parents[1]
+PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+
+WORKS = (
+    "vstatics --version",
+    "vstatics new case.yaml",
+    "vstatics run case.yaml",
+    "vstatics run case.yaml --pretty",
+    "vstatics run case.yaml -f csv",
+    "vstatics run case.yaml -f jsonl",
+    "vstatics run case.yaml -f json -o result.json",
+    "vstatics compare result.json result.json",
+    "vstatics check case.yaml",
+    "vstatics summary case.yaml",
+    "vstatics flow case.yaml",
+    "vstatics convert case.yaml case.json",
+    "vstatics sweep case.yaml --vary P1.ratio=-3:-2:3",
+    "vstatics sweep case.yaml --vary P1.ratio=-3:-2 --sample 4 --method random",
+    "vstatics sweep case.yaml --vary P1.ratio=-3:-2:3 -o out.npz",
+    "python -m vstatics run result.json",
+    *(f"vstatics new --template {name} | vstatics run -" for name in TEMPLATES),
+)
+"""What everybody does, in a folder of its own and in this order."""
+
+REFUSED = {
+    "sample": (
+        "vstatics sweep case.yaml --vary P1.ratio=-3:-2 --sample 4",
+        "vstatics sweep case.yaml --vary P1.ratio=-3:-2 --sample 4 --method lhs",
+        "@ vstatics.sweep(case, {'P1.ratio': '-3:-2'}, sample=4)",
+    ),
+    "parquet": ("vstatics sweep case.yaml --vary P1.ratio=-3,-2 -o out.parquet",),
+    "dask": ("vstatics sweep case.yaml --vary P1.ratio=-3,-2 --scheduler tcp://127.0.0.1:9",),
+    "pandas": (
+        "@ vstatics.solve(case).to_dataframe()",
+        "@ next(iter(vstatics.sweep(case, {'P1.ratio': [-3]}))).to_dataframe()",
+    ),
+    "plot": tuple(f"vstatics plot case.yaml --kind {kind} -o out.svg" for kind in PICTURES),
+}
+"""What an extra brings and nothing is left of without it; `@` starts a Python expression."""
+LESS = {
+    "formula": ("vstatics explain case.yaml --gear low", "vstatics explain case.yaml -f json"),
+    "plot": ("vstatics report case.yaml -o report.html",),
+}
+"""What does the rest and says what it leaves out."""
+
+
+class Done(NamedTuple):
+    """What a command did."""
+
+    status: int
+    printed: str
+    """On both streams."""
+
+    def __str__(self) -> str:
+        return f"exit status {self.status}\n{self.printed}"
+
+
+@pytest.fixture(scope="module")
+def wheel(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    given = request.config.getoption("--wheel")
+    if given:
+        return Path(given).resolve()
+    folder = tmp_path_factory.mktemp("dist")
+    subprocess.run(
+        [sys.executable, "-m", "build", "--outdir", folder, ROOT], check=True, capture_output=True
+    )
+    [built] = folder.glob("*.whl")
+    return built
+
+
+class Fresh:
+    """A virtual environment with the wheel and what it depends on, and a folder for files."""
+
+    def __init__(self, folder: Path, wheel: Path) -> None:
+        self.folder = folder
+        self.programs = folder / "environment" / "bin"
+        subprocess.run([sys.executable, "-m", "venv", self.programs.parent], check=True)
+        pip = self.programs / "pip"
+        subprocess.run([pip, "install", "-q", "--disable-pip-version-check", wheel], check=True)
+
+    def run(self, command: str) -> Done:
+        """What a command of the shell does, or a Python expression behind `@`."""
+        if command.startswith("@ "):
+            (self.folder / "expression.py").write_text(
+                "import vstatics\ncase = vstatics.load('case.yaml')\n"
+                f"try:\n    {command[2:]}\n"
+                "except vstatics.CaseError as error:\n    raise SystemExit(error)\n",
+                encoding="utf-8",
+            )
+            command = "python expression.py"
+        environment = {name: text for name, text in os.environ.items() if "PYTHON" not in name}
+        done = subprocess.run(
+            ["sh", "-c", command],
+            cwd=self.folder,
+            env={**environment, "PATH": f"{self.programs}{os.pathsep}{os.environ['PATH']}"},
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+            check=False,
+            timeout=60,
+        )
+        return Done(done.returncode, done.stdout.decode())
+
+
+@pytest.fixture(scope="module")
+def fresh(tmp_path_factory: pytest.TempPathFactory, wheel: Path) -> Fresh:
+    made = Fresh(tmp_path_factory.mktemp("fresh"), wheel)
+    assert made.run("vstatics new case.yaml").status == 0
+    return made
+
+
+def asks_for(extra: str) -> str:
+    """The words that name a missing package and how it is installed."""
+    [package] = [package for package, name in EXTRAS.items() if name == extra]
+    return f'needs the package {package}: pip install "vstatics[{extra}]"'
+
+
+def test_extras_are_those_of_the_project_and_are_tried() -> None:
+    """Who adds an extra says in REFUSED or LESS what needs it, and in the docs what it brings."""
+    extras = set(EXTRAS.values())
+    assert extras == PROJECT["optional-dependencies"].keys() - {"dev"}
+    assert extras == REFUSED.keys() | LESS.keys()
+    text = (ROOT / "docs" / "commands.md").read_text(encoding="utf-8")
+    section = text.partition("\n## Extras\n")[2].partition("\n## ")[0]
+    assert extras == set(re.findall(r"^\| `(\w+)` \|", section, re.MULTILINE))
+
+
+@pytest.mark.slow
+def test_wheel_has_every_file_of_the_package(wheel: Path) -> None:
+    package = ROOT / "vstatics"
+    files = {str(path.relative_to(ROOT)) for path in package.rglob("*") if path.is_file()}
+    with zipfile.ZipFile(wheel) as archive:
+        packed = {name for name in archive.namelist() if name.startswith("vstatics/")}
+    assert packed == {name for name in files if "__pycache__" not in name}
+
+
+@pytest.mark.slow
+def test_wheel_does_the_daily_work_without_extras(fresh: Fresh) -> None:
+    (fresh.folder / "case.yaml").unlink(missing_ok=True)
+    for command in WORKS:
+        done = fresh.run(command)
+        assert done.status == 0, f"{command}: {done}"
+        assert "Traceback" not in done.printed
+    assert f"version {__version__}" in fresh.run("vstatics --version").printed
+
+
+@pytest.mark.slow
+def test_what_an_extra_brings_is_refused_in_one_line(fresh: Fresh) -> None:
+    for extra, commands in REFUSED.items():
+        for command in commands:
+            done = fresh.run(command)
+            assert done.status == 1, f"{command}: {done}"
+            [line] = done.printed.splitlines()
+            assert line.endswith(asks_for(extra)), f"{command}: {done}"
+
+
+@pytest.mark.slow
+def test_what_is_left_out_without_an_extra_is_said(fresh: Fresh) -> None:
+    for extra, commands in LESS.items():
+        for command in commands:
+            done = fresh.run(command)
+            assert done.status == 0, f"{command}: {done}"
+            assert asks_for(extra) in done.printed.replace('\\"', '"'), f"{command}: {done}"
+            assert "Traceback" not in done.printed
