@@ -91,7 +91,7 @@ def main() -> None:
     \b
     Examples:
       vstatics new gearbox.yaml --template ravigneaux
-      vstatics run gearbox.dat                 the printed report
+      vstatics run gearbox.dat                 the printed listing
       vstatics run gearbox.yaml -f json        the same for programs
       vstatics check gearbox.yaml              what is wrong or doubtful
       vstatics convert gearbox.dat gearbox.yaml
