@@ -6,7 +6,14 @@ from typing import Any
 
 from hypothesis import strategies as st
 
-from vstatics.model.transmission import HOUSING, Gear, Mechanism, ShiftElement, Transmission
+from vstatics.model.transmission import (
+    HOUSING,
+    Gear,
+    Mechanism,
+    ShiftElement,
+    SpeedOf,
+    Transmission,
+)
 
 ODD_NAMES = (
     *("on", "no", "true", "null", "~", "1", "2", "01", "6R", "1e3", "0x10", "1:30", ".inf", "<<"),
@@ -97,6 +104,12 @@ def _mechanisms(
     return Mechanism(first, second, third, ratio, efficiency, planet_ratio, name)
 
 
+def _by_link(
+    links: list[int], numbers: st.SearchStrategy[float]
+) -> st.SearchStrategy[dict[int, float]]:
+    return st.dictionaries(st.sampled_from(links), numbers, max_size=2)
+
+
 @st.composite
 def _gears(
     draw: st.DrawFn,
@@ -112,7 +125,10 @@ def _gears(
         ends = draw(_ends(links))
         own = {"input": ends[0], "output": ends[1]}
     free = [link for link in range(1, links + 1) if link != ends[0]]
-    speeds = draw(st.dictionaries(st.sampled_from(free), numbers, max_size=2))
+    speeds: dict[int, float | SpeedOf] = {**draw(_by_link(free, numbers))}
+    for link, factor in draw(_by_link(free, numbers.filter(bool))).items():
+        other = draw(st.sampled_from([one for one in range(1, links + 1) if one != link]))
+        speeds[link] = SpeedOf(other, factor)
     loads = [link for link in range(1, links + 1) if link != ends[1] and link not in speeds]
     torques = st.dictionaries(st.sampled_from(loads), numbers, max_size=2)
     engaged = (

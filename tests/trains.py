@@ -14,7 +14,7 @@ from random import Random
 from hypothesis import strategies as st
 
 from tests.oracle.systems import Speeds
-from vstatics.model.transmission import Gear, Mechanism, ShiftElement, Transmission
+from vstatics.model.transmission import Gear, Mechanism, ShiftElement, SpeedOf, Transmission
 
 Links = tuple[int, int, int]
 EASY = (-1.0, -2.0, -3.0, -0.5, -1.5, 2.0, 0.5, 3.0, 1.5)
@@ -128,7 +128,7 @@ def _gear_of_kind(rng: Random, case: Transmission, kind: str) -> Gear:
     free = [link for link in range(1, case.links + 1) if link not in ends]
     if kind in ("speeds", "both") and free and count > 0:
         held = rng.sample(free, rng.randint(1, min(2, len(free), count)))
-        gear = gear._replace(speeds={link: random_value(rng) for link in held})
+        gear = gear._replace(speeds={link: _speed(rng, link, case.links) for link in held})
         count -= len(held)
         free = [link for link in free if link not in held]
     if kind in ("torques", "both"):
@@ -136,6 +136,14 @@ def _gear_of_kind(rng: Random, case: Transmission, kind: str) -> Gear:
         gear = gear._replace(torques={link: random_value(rng) for link in loads})
     count += {"fewer": -1, "more": rng.choice((1, 1, 2))}.get(kind, 0)
     return gear._replace(engaged=_choice(rng, case, count, clutches=kind == "direct"))
+
+
+def _speed(rng: Random, link: int, links: int) -> float | SpeedOf:
+    """Of a link: a number, or that of another link."""
+    value = random_value(rng)
+    if rng.random() < 0.7:
+        return value
+    return SpeedOf(rng.choice([one for one in range(1, links + 1) if one != link]), value or 0.5)
 
 
 def _choice(rng: Random, case: Transmission, count: int, *, clutches: bool) -> list[int]:

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from fractions import Fraction
 
 from tests.oracle.linear import ONE, ZERO, Linear, Row, exact, times
-from vstatics.model.transmission import Gear, Mechanism, Transmission
+from vstatics.model.transmission import Gear, Mechanism, SpeedOf, Transmission
 
 Values = tuple[Fraction | None, ...]
 
@@ -52,8 +52,13 @@ class Speeds:
         right = [ZERO] * len(rows)
         given = {case.gear_input(gear): 1.0, **gear.speeds}
         for link, speed in given.items():
-            rows.append(_column(case.links, [(link, ONE)]))
-            right.append(exact(speed))
+            if isinstance(speed, SpeedOf):
+                follows = [(link, ONE), (speed.link, -exact(speed.factor))]
+                rows.append(_column(case.links, follows))
+                right.append(ZERO)
+            else:
+                rows.append(_column(case.links, [(link, ONE)]))
+                right.append(exact(speed))
         self.system = Linear(rows, right, case.links)
 
     def link(self, link: int) -> Fraction | None:

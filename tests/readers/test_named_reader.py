@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 
 from vstatics.errors import Problem, ReadError
 from vstatics.model.shape import COUNT, TEXT, ByKey, KeyShape, ListOf
-from vstatics.model.transmission import Gear, Mechanism, ShiftElement, Transmission
+from vstatics.model.transmission import Gear, Mechanism, ShiftElement, SpeedOf, Transmission
 from vstatics.readers.named.reader import read_document, read_json, read_yaml
 from vstatics.readers.reading import Reading
 
@@ -607,3 +607,45 @@ def test_a_document_of_another_shape_is_read_the_same_way() -> None:
         "it.yaml:1:8: error: names: read 'a', expected a list",
         "it.yaml:2:8: error: count: read '0', expected a whole number from 1",
     ]
+
+
+def _speeds(given: str, links: str = "[engine, FL, FR]") -> Reading:
+    text = f"""
+links: {links}
+mechanisms: {{axle: {{first: 2, second: 3, third: 1, ratio: -1}}}}
+gears: {{curve: {{output: 2, speeds: {{3: {given}}}}}}}
+"""
+    if links != "3":
+        text = text.replace("first: 2, second: 3, third: 1", "first: FL, second: FR, third: engine")
+        text = text.replace("output: 2", "output: FL").replace("{3:", "{FR:")
+    return read_yaml(text.encode(), "curve.yaml")
+
+
+@pytest.mark.parametrize(
+    ("given", "factor"),
+    [("FL", 1), ("1.05*FL", 1.05), ("-FL", -1), ("21/20 * FL", 1.05), ("-1.05*link FL", -1.05)],
+)
+def test_a_speed_may_be_given_by_that_of_another_link(given: str, factor: float) -> None:
+    assert _speeds(given).case.gears[0].speeds == {3: SpeedOf(2, factor)}
+
+
+def test_a_link_that_has_a_number_is_told_from_a_speed_by_the_word_link() -> None:
+    assert _speeds("1.05*link 2", "3").case.gears[0].speeds == {3: SpeedOf(2, 1.05)}
+    assert _speeds("2", "3").case.gears[0].speeds == {3: 2.0}
+
+
+@pytest.mark.parametrize(
+    ("given", "said"),
+    [
+        ("1.05*FI", "expected the name of a link behind the `*`: engine, FL, FR"),
+        ("0*FL", "read a factor of 0"),
+        ("2*FR", "given by itself"),
+    ],
+)
+def test_a_speed_of_a_link_that_is_not_there_is_refused(given: str, said: str) -> None:
+    with pytest.raises(ReadError) as caught:
+        _speeds(given)
+    [problem] = [one for one in caught.value.problems if one.severity == "error"]
+    assert said in problem.message
+    assert problem.place is not None
+    assert problem.place.line == 4

@@ -176,7 +176,7 @@ BAD: dict[str, Change] = {
     "engaged not a list": lambda c: c["gears"]["1"].update(engaged="T1"),
     "engaged twice": lambda c: c["gears"]["1"].update(engaged=["T1", "T1"]),
     "speeds a list": lambda c: c["gears"]["1"].update(speeds=[1]),
-    "speed a word": lambda c: c["gears"]["1"].update(speeds={"5": "fast"}),
+    "torque a word": lambda c: c["gears"]["1"].update(torques={"5": "large"}),
 }
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 from random import Random
+from typing import Any
 
 import numpy as np
 import pytest
@@ -13,6 +14,7 @@ from hypothesis import strategies as st
 
 from tests.trains import is_regular, no_losses, regular_trains, trains
 from vstatics import Results, Transmission, solve
+from vstatics.model.parts import SpeedOf
 from vstatics.numerics.arrays import Floats
 from vstatics.readers import read
 from vstatics.writers import deck, named
@@ -83,8 +85,11 @@ def test_renumbering_links_permutes_the_result(case: Transmission, rng: Random) 
 def renumbered(case: Transmission, new: Mapping[int, int]) -> Transmission:
     """The same train with other numbers of links."""
 
-    def keys(given: Mapping[int, float]) -> dict[int, float]:
-        return {new[link]: value for link, value in given.items()}
+    def keys(given: Mapping[int, Any]) -> dict[int, Any]:
+        return {
+            new[link]: value._replace(link=new[value.link]) if isinstance(value, SpeedOf) else value
+            for link, value in given.items()
+        }
 
     return replace(
         case,

@@ -18,15 +18,13 @@ def write(case: Transmission, output_format: readers.Format) -> tuple[str, list[
         from vstatics.writers.deck import lost
         from vstatics.writers.deck import write as write_deck
 
-        if not case.freewheels:
-            return write_deck(case), lost(case)
         results = solve(case)
         conflicts = [
             f"that gear {gear.name} is in conflict: a deck does without the freewheel"
             for gear, is_so in zip(case.gears, results.conflict.tolist(), strict=True)
             if is_so
         ]
-        return write_deck(results.with_freewheels_engaged), [*lost(case), *conflicts]
+        return write_deck(results.with_numbers_only), [*lost(case), *conflicts]
     from vstatics.writers import named
 
     writer = named.write_yaml if output_format == "yaml" else named.write_json

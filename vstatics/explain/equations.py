@@ -11,7 +11,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from vstatics.explain.names import Names
-from vstatics.model.transmission import HOUSING, Gear, Transmission
+from vstatics.model.transmission import HOUSING, Gear, SpeedOf, Transmission
 from vstatics.numerics.arrays import Floats
 from vstatics.numerics.traced import plain
 from vstatics.statics.matrix import external_torques, held_links, loaded_devices, speed_row_names
@@ -73,7 +73,10 @@ def speed_system(
         for device in devices
     ]
     for link, speed in {case.gear_input(gear): 1.0, **gear.speeds}.items():
-        rows.append(([Term(names.speeds[link], "1", 1.0)], speed))
+        row = [Term(names.speeds[link], "1", 1.0)]
+        if isinstance(speed, SpeedOf):
+            row.append(Term(names.speeds[speed.link], f"-{speed.factor:g}", -speed.factor))
+        rows.append((row, 0.0 if isinstance(speed, SpeedOf) else speed))
     labels = speed_row_names(case, gear)
     equations = [Equation(of, *row) for of, row in zip(labels, rows, strict=True)]
     return System(equations, dict(zip(names.speeds[1:], speeds, strict=True)))

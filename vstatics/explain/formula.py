@@ -14,7 +14,7 @@ from vstatics.explain.bodies import OwnLinks, Structure
 from vstatics.explain.names import Names
 from vstatics.explain.shares import NoFormula, shares
 from vstatics.extras import missing
-from vstatics.model.transmission import HOUSING, Gear, Transmission
+from vstatics.model.transmission import HOUSING, Gear, SpeedOf, Transmission
 
 SHARED = ("u", "v")
 """Symbols for ratios that several mechanisms have."""
@@ -103,6 +103,9 @@ def formula(
     given: dict[int, str] = {}
     numbers: dict[str, float] = {}
     for link, speed in {case.gear_input(gear): 1.0, **gear.speeds}.items():
+        if isinstance(speed, SpeedOf):
+            followed = f"{case.link_name(link)} is given by that of {case.link_name(speed.link)}"
+            raise NoFormula(f"the speed of link {followed}")
         if structure.body[link] != HOUSING:
             given.setdefault(structure.body[link], names.speeds[link])
             numbers.setdefault(given[structure.body[link]], speed)

@@ -8,7 +8,7 @@ from functools import cached_property
 from typing import Literal, Protocol
 
 from vstatics.model.own import Member, OwnDevice, Planet
-from vstatics.model.parts import Direction, Gear, Load, Mechanism, ShiftElement
+from vstatics.model.parts import Direction, Gear, Load, Mechanism, ShiftElement, SpeedOf
 
 IdleConvention = Literal["published", "exact"]
 """Which sign an idle mechanism gets; see docs/method.md."""
@@ -85,6 +85,13 @@ class TransmissionFields:
     def link_name(self, link: int) -> str:
         """The name of a link; the housing is ``housing``."""
         return self.link_names[link - 1] if link else "housing"
+
+    def speed_text(self, speed: float | SpeedOf) -> str:
+        """A given speed in words: ``0.5``, or ``1.05*FL`` for that of another link."""
+        if not isinstance(speed, SpeedOf):
+            return f"{speed:g}"
+        name = self.link_name(speed.link)
+        return name if speed.factor == 1 else f"{speed.factor:g}*{name}"
 
     @property
     def freewheels(self) -> list[int]:

@@ -8,7 +8,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from vstatics.errors import Path, Problem
 from vstatics.model.fields import TransmissionFields
 from vstatics.model.part_checks import called, is_number, of_drag, of_link
-from vstatics.model.parts import DIRECTIONS, Gear, Load, ShiftElement
+from vstatics.model.parts import DIRECTIONS, Gear, Load, ShiftElement, SpeedOf
 
 
 def of_gear(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[Problem]:
@@ -25,7 +25,7 @@ def of_gear(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[Proble
     yield from _dragging(case, gear, path)
     if not gear.speeds and not gear.torques:
         return
-    yield from _finite(gear.speeds, (*path, "speeds"), case.links)
+    yield from _speeds(case, gear.speeds, (*path, "speeds"))
     yield from _finite(gear.torques, (*path, "torques"), case.links)
     if ends[0] in gear.speeds:
         message = f"link {called(case, ends[0])} is the input, whose speed is 1; expected another"
@@ -101,6 +101,26 @@ def _engaged(
             message += " a freewheel, which finds by itself whether it holds; leave it out"
             yield Problem(message, (*path, position))
         seen.add(element)
+
+
+def _speeds(
+    case: TransmissionFields, speeds: Mapping[int, float | SpeedOf], path: Path
+) -> Iterator[Problem]:
+    """Given speeds: numbers, or those of other links."""
+    numbers = {link: one for link, one in speeds.items() if not isinstance(one, SpeedOf)}
+    yield from _finite(numbers, path, case.links)
+    for link, speed in speeds.items():
+        if not isinstance(speed, SpeedOf):
+            continue
+        inner = (*path, link)
+        yield from of_link(link, inner, case.links, lowest=1)
+        yield from of_link(speed.link, inner, case.links, lowest=1)
+        if speed.factor == 0 or not math.isfinite(speed.factor):
+            message = f"read a factor of {speed.factor:g}, expected a finite one other than 0"
+            yield Problem(f"{message}; a link that stands has the speed 0", inner)
+        if speed.link == link:
+            message = f"the speed of link {called(case, link)} is given by itself"
+            yield Problem(f"{message}, expected another link", inner)
 
 
 def _finite(values: Mapping[int, float], path: Path, links: int) -> Iterator[Problem]:

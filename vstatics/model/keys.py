@@ -127,7 +127,9 @@ GEAR = ByKey(
         KeyShape(
             "speeds",
             Numbers("link", SPEED),
-            "Further given link speeds, relative to the input speed, or with a unit.",
+            "Further given link speeds, relative to the input speed, with a unit, or by the speed "
+            "of another link.",
+            examples=({"generator": 1.2}, {"FR": "1.05*FL"}),
         ),
         KeyShape(
             "torques",

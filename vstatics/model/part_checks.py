@@ -124,5 +124,5 @@ def doubtful(mechanism: Mechanism, path: Path) -> Iterator[Problem]:
             f"ratio {ratio:g} is not that of a plain planetary set: there is no "
             "planet speed without a planet ratio",
             path,
-            severity="warning",
+            severity="note" if ratio == -1 else "warning",  # as bevel differentials have it
         )

@@ -124,6 +124,21 @@ class Load(NamedTuple):
         )
 
 
+class SpeedOf(NamedTuple):
+    """A speed that is given by that of another link, as on a curve or by a differential.
+
+    Parameters
+    ----------
+    link : int
+        The other link.
+    factor : float
+        By which its speed is multiplied, other than 0. [-]
+    """
+
+    link: int
+    factor: float = 1.0
+
+
 class Gear(NamedTuple):
     """A shift state: what is engaged, and what is given besides.
 
@@ -131,8 +146,8 @@ class Gear(NamedTuple):
     ----------
     engaged : sequence of int
         Numbers of the engaged shift elements.
-    speeds : mapping of int to float
-        Further given link speeds, relative to the input speed. [-]
+    speeds : mapping of int to float or SpeedOf
+        Further given link speeds, relative to the input speed, or to that of another link. [-]
     torques : mapping of int to float
         Further external torques on links, relative to the input torque. [-]
     input, output : int, optional
@@ -153,7 +168,7 @@ class Gear(NamedTuple):
     """
 
     engaged: Sequence[int] = ()
-    speeds: Mapping[int, float] = MappingProxyType({})
+    speeds: Mapping[int, float | SpeedOf] = MappingProxyType({})
     torques: Mapping[int, float] = MappingProxyType({})
     input: int | None = None
     output: int | None = None

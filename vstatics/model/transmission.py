@@ -10,6 +10,7 @@ from vstatics.model.parts import (
     Gear,
     Mechanism,
     ShiftElement,
+    SpeedOf,
     element_name,
     mechanism_name,
 )
@@ -20,6 +21,7 @@ __all__ = [
     "IdleConvention",
     "Mechanism",
     "ShiftElement",
+    "SpeedOf",
     "Transmission",
 ]
 
@@ -98,7 +100,7 @@ def _completed(case: Transmission) -> dict[str, object]:
         "gears": tuple(
             gear._replace(
                 engaged=tuple(gear.engaged),
-                speeds={link: float(speed) for link, speed in gear.speeds.items()},
+                speeds={link: _speed(speed) for link, speed in gear.speeds.items()},
                 torques={link: float(torque) for link, torque in gear.torques.items()},
                 name=gear.name or str(number),
                 drag={link: float(torque) for link, torque in gear.drag.items()},
@@ -107,6 +109,12 @@ def _completed(case: Transmission) -> dict[str, object]:
             for number, gear in enumerate(case.gears, 1)
         ),
     }
+
+
+def _speed(speed: float | SpeedOf) -> float | SpeedOf:
+    if isinstance(speed, SpeedOf):
+        return SpeedOf(speed.link, float(speed.factor))
+    return float(speed)
 
 
 def _float(value: float | None) -> float | None:

@@ -223,7 +223,9 @@ def _gear_text(case: Transmission, state: PictureState, style: Style) -> str:
     faults = [fault(one, style) for one in state.faults if one in (CONFLICT, TIED_UP)]
     lines = [gear_title(gear.name, style), *(faults or [f"i = {number(state.ratio)}"])[:1]]
     lines.append(", ".join(case.shift_elements[one - 1].name for one in gear.engaged))
-    lines += [f"{case.link_name(link)} = {speed:g}" for link, speed in gear.speeds.items()]
+    lines += [
+        f"{case.link_name(link)} = {case.speed_text(speed)}" for link, speed in gear.speeds.items()
+    ]
     return "\n".join(labels.wrapped(line, LONGEST) for line in lines if line)
 
 

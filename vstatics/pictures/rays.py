@@ -16,7 +16,7 @@ from itertools import combinations
 from typing import NamedTuple
 
 from vstatics.errors import CaseError, Problem
-from vstatics.model.transmission import HOUSING, Gear, Transmission
+from vstatics.model.transmission import HOUSING, Gear, SpeedOf, Transmission
 from vstatics.numerics.tolerances import SAME
 from vstatics.numerics.traced import plain
 from vstatics.pictures.state import PictureState, state_of
@@ -30,7 +30,7 @@ class Condition(NamedTuple):
 
     link: int
     other: int
-    speed: float = 0.0
+    speed: float | SpeedOf = 0.0
     """Of the link, where the other is the housing. [-]"""
 
 
@@ -135,7 +135,7 @@ def _conditions(case: Transmission, gear: Gear) -> set[Condition]:
 
 def _states(case: Transmission, gear: PictureState) -> Iterator[tuple[Condition, ...]]:
     """The largest parts of a gear's conditions under which its output is free."""
-    conditions = sorted(_conditions(case, gear.gear))
+    conditions = sorted(_conditions(case, gear.gear), key=lambda one: (one.link, one.other))
     found: list[set[Condition]] = []
     for count in range(len(conditions), -1, -1):
         for chosen in combinations(conditions, count):
@@ -204,5 +204,5 @@ def _names(
             names = [case.shift_elements[number - 1].name for number in numbers]
             elements.append((numbers, "/".join(names)))
         else:
-            given.append(f"{case.link_name(condition.link)} = {condition.speed:g}")
+            given.append(f"{case.link_name(condition.link)} = {case.speed_text(condition.speed)}")
     return tuple(names for _, names in sorted(elements)), tuple(given)

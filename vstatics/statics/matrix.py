@@ -21,7 +21,7 @@ import numpy as np
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
-from vstatics.model.transmission import HOUSING, Gear, Transmission
+from vstatics.model.transmission import HOUSING, Gear, SpeedOf, Transmission
 from vstatics.numerics.arrays import Floats
 from vstatics.numerics.entries import RIGHT, Coefficient, Equation
 from vstatics.numerics.traced import Number
@@ -139,7 +139,7 @@ def speed_rows(case: Transmission, gear: Gear, columns: Sequence[Column]) -> lis
 
     The column of a mechanism, or of an engaged element, is its equation, ``w_f - u w_s +
     (u - 1) w_h = 0`` and ``w_a - w_b = 0``; the input has speed 1; then one equation
-    for each further given speed (figure 3).
+    for each further given speed (figure 3), a number or that of another link.
     """
     elements = len(case.shift_elements)
     held = [columns[number - 1] for number in gear.engaged]
@@ -147,8 +147,15 @@ def speed_rows(case: Transmission, gear: Gear, columns: Sequence[Column]) -> lis
         {link - 1: torque for link, torque in one.items()} for one in (*columns[elements:], *held)
     ]
     rows.append({case.gear_input(gear) - 1: 1.0, RIGHT: 1.0})
-    rows += [{link - 1: 1.0, RIGHT: speed} for link, speed in gear.speeds.items()]
+    rows += [_given_speed(link, speed) for link, speed in gear.speeds.items()]
     return rows
+
+
+def _given_speed(link: int, speed: float | SpeedOf) -> Equation:
+    """``w = number``, or ``w - factor w_other = 0``."""
+    if isinstance(speed, SpeedOf):
+        return {link - 1: 1.0, speed.link - 1: -speed.factor}
+    return {link - 1: 1.0, RIGHT: speed}
 
 
 def speed_row_names(case: Transmission, gear: Gear) -> list[str]:

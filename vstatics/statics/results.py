@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Literal, NamedTuple
@@ -9,7 +10,7 @@ from typing import TYPE_CHECKING, Literal, NamedTuple
 import numpy as np
 
 from vstatics.errors import Severity
-from vstatics.model.transmission import Transmission
+from vstatics.model.transmission import SpeedOf, Transmission
 from vstatics.numerics.arrays import Booleans, Floats, Integers
 from vstatics.statics.freewheels import find_state
 from vstatics.statics.state import GearState
@@ -197,7 +198,7 @@ class Results(NamedTuple):
     def with_freewheels_engaged(self) -> Transmission:
         """The case with every freewheel engaged in the gears where it holds, as a plain element.
 
-        For a format that knows no freewheels; of one case, not of arrays of variants.
+        Of one case, not of arrays of variants.
         """
         case = self.case
         if not case.freewheels:
@@ -210,6 +211,25 @@ class Results(NamedTuple):
             for gear, holds in zip(case.gears, self.holds.tolist(), strict=True)
         ]
         return replace(case, shift_elements=plain, gears=gears)
+
+    @property
+    def with_numbers_only(self) -> Transmission:
+        """The case as a deck can tell it: freewheels engaged, speeds of other links as numbers.
+
+        A speed that is not determined is left out. Of one case, not of arrays of variants.
+        """
+        case = self.with_freewheels_engaged
+        if not any(isinstance(v, SpeedOf) for gear in case.gears for v in gear.speeds.values()):
+            return case
+        gears = []
+        for gear, speeds in zip(case.gears, self.speeds.tolist(), strict=True):
+            numbers = {
+                link: speeds[link - 1] if isinstance(given, SpeedOf) else given
+                for link, given in gear.speeds.items()
+            }
+            known = {link: speed for link, speed in numbers.items() if not math.isnan(speed)}
+            gears.append(gear._replace(speeds=known))
+        return replace(case, gears=gears)
 
     @property
     def failed(self) -> bool:

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vstatics.model.parts import element_name, mechanism_name
-from vstatics.model.transmission import Transmission
+from vstatics.model.transmission import SpeedOf, Transmission
 from vstatics.statics.results import Language
 from vstatics.tables.numbers import exponent
 
@@ -67,6 +67,8 @@ KEPT = {
 def write(case: Transmission, lang: Language = "en") -> str:
     """The case as a deck, which reads back as an equal case; see `lost`.
 
+    Of a case with speeds of other links a deck can tell only `Results.with_numbers_only`.
+
     Parameters
     ----------
     lang : {"en", "ru"}
@@ -96,6 +98,12 @@ def lost(case: Transmission) -> list[str]:
             for what, shape, parts in named
             for part in parts
             for key in _unkept(part, shape)
+        ),
+        *(
+            f"speed of link {case.link_name(link)} in gear {gear.name} as that of another link"
+            for gear in case.gears
+            for link, speed in gear.speeds.items()
+            if isinstance(speed, SpeedOf)
         ),
     ]
 
@@ -162,7 +170,7 @@ def _gears(case: Transmission) -> Iterator[str]:
 
 
 def _given(
-    gears: Sequence[Mapping[int, float]], count: str, links: str, values: str
+    gears: Sequence[Mapping[int, Any]], count: str, links: str, values: str
 ) -> Iterator[str]:
     """Links and values of given speeds or torques, a line for each gear that has any."""
     if any(gears):

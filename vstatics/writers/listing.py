@@ -42,7 +42,7 @@ def write(results: Results, lang: Language = "en") -> str:
         Language of the headings.
     """
     lines = [
-        deck.write(results.with_freewheels_engaged, lang),
+        deck.write(results.with_numbers_only, lang),
         RESULTS.text(lang),
         CONVENTIONS.text(lang),
     ]

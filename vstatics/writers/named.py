@@ -22,11 +22,12 @@ from vstatics.model.shape import (
     Pair,
     Shape,
 )
-from vstatics.model.transmission import Transmission
+from vstatics.model.transmission import SpeedOf, Transmission
 
 if TYPE_CHECKING:
     import yaml
 
+_WORD = re.compile(r"[^\W\d]\w*")
 _BREAKS = re.compile("[\x85\u2028\u2029]")  # YAML 1.1 takes these for ends of lines
 
 
@@ -135,6 +136,8 @@ class _Writer:
         return value if write is None else write(self, value, shape)
 
     def leaf(self, value: Any, shape: Leaf) -> Any:
+        if isinstance(value, SpeedOf):
+            return self.speed_of(value)
         plain = _PLAIN.get(shape.kind)
         if plain is not None:
             return plain(value)
@@ -143,6 +146,12 @@ class _Writer:
         if shape.kind == "element":
             return self.elements[value]
         return f"{float(value)!r} {UNITS[shape.kind]}" if shape.kind in UNITS else value
+
+    def speed_of(self, speed: SpeedOf) -> str:
+        """The speed of another link; behind the word `link` no name is taken for anything else."""
+        name = str(self.links[speed.link])
+        link = name if _WORD.fullmatch(name) else f"link {name}"
+        return link if speed.factor == 1 else f"{speed.factor!r}*{link}"
 
     def by_kind(self, value: Any, shape: ByKind) -> dict[str, Any]:
         return self.by_key(value, shape.records[value["kind"]])

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Sequence
 
-from vstatics.model.transmission import HOUSING
+from vstatics.model.transmission import HOUSING, SpeedOf
 from vstatics.readers.named import scalars
 from vstatics.readers.named.nodes import Found, shown
 
@@ -72,6 +72,39 @@ class References:
             return NO_LINK
         hint = self._found.hint(text, ["housing"])
         raise ValueError(f"expected a link number from 1 to {self._links} or `housing`{hint}")
+
+    def speed_of(self, text: str) -> SpeedOf | None:
+        """The speed of another link, as `FL`, `1.05*FL` or `1.05*link 3`; none if it is not one.
+
+        Raises
+        ------
+        ValueError
+            If it is one, but of no link that is known.
+        """
+        factor, link = 1.0, text
+        front, times, behind = text.partition("*")
+        if times:
+            try:
+                factor, link = scalars.number(front.strip()), behind.strip()
+            except ValueError:
+                return None
+        elif text.startswith("-"):
+            factor, link = -1.0, text[1:].strip()
+        number = self._number(link)
+        if number is not None:
+            return SpeedOf(number, factor)
+        if times and self.links_known:
+            known = self._known(link, self.link_names)
+            raise ValueError(f"expected the name of a link behind the `*`{known}")
+        return None
+
+    def _number(self, link: str) -> int | None:
+        """The number of the link that a text names, alone or behind the word `link`."""
+        named = link.removeprefix("link ").strip()
+        if self.link_names:
+            return self._link_numbers.get(named if named in self._link_numbers else link)
+        number = scalars.link_number(named) if named != link else None
+        return number if number and number <= self._links else None
 
     def element(self, text: str) -> int:
         """The number of a shift element, `NO_ELEMENT` if none are known.

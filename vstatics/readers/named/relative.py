@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 from vstatics.errors import Path
 from vstatics.model.part_checks import of_drag
-from vstatics.model.parts import HOUSING, Gear, Load, ShiftElement
+from vstatics.model.parts import HOUSING, Gear, Load, ShiftElement, SpeedOf
 from vstatics.model.shape import UNITS
 from vstatics.readers.named.nodes import Spots
 from vstatics.readers.named.units import WithUnit
@@ -110,11 +110,14 @@ def _gear(
 
     def related(
         key: str, numbers: Mapping[int, float], whole: float, of_all: _ByPart
-    ) -> Mapping[int, float]:
+    ) -> dict[int, float]:
         return _related({**of_all, **_located(numbers, ("gears", number, key))}, whole, spots)
 
+    by_links = {link: one for link, one in gear.speeds.items() if isinstance(one, SpeedOf)}
+    numbers = {link: one for link, one in gear.speeds.items() if not isinstance(one, SpeedOf)}
+    speeds = related("speeds", numbers, load.speed or 0.0, {}) | by_links
     return gear._replace(
-        speeds=related("speeds", gear.speeds, load.speed or 0.0, {}),
+        speeds={link: speeds[link] for link in gear.speeds if link in speeds},
         # when coasting, the torque of the load is against its speed
         torques=related("torques", gear.torques, -torque if common.coast else torque, {}),
         drag=related("drag", gear.drag, abs(torque), of_links),

@@ -162,7 +162,9 @@ def _leaf(shape: Leaf) -> Words:  # noqa: PLR0911 - a table
             return {"$ref": "#/$defs/number", "minimum": 0}
         case "count":
             return {"type": ["integer", "string"], "minimum": 1, "pattern": LINK_NUMBER}
-        case "relative_speed" | "relative_torque":
+        case "relative_speed":
+            return {"type": ["number", "string"]}  # also the name of a link, with a factor
+        case "relative_torque":
             return {"type": ["number", "string"], "pattern": f"{NUMBER}|{QUANTITY}"}
         case "speed" | "torque":
             return {"type": "string", "pattern": QUANTITY}

@@ -273,6 +273,9 @@ class Walk:
                 return self.references.link(node.text)
             case "element":
                 return self.references.element(node.text)
+            case "relative_speed":
+                speed = self.references.speed_of(node.text)
+                return LEAVES[shape.kind].parse(node.text) if speed is None else speed
             case "flag":
                 return scalars.flag(node.text, plain=node.plain)
             case "choice":
