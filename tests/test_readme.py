@@ -230,6 +230,16 @@ def test_deck_reference_names_every_field() -> None:
     assert (SCALARS | LISTS | PRINTED.keys()) - named == set()
 
 
+def test_reference_of_cases_names_every_key() -> None:
+    from vstatics.elements.keys import with_elements
+    from vstatics.model.keys import CASE, ELEMENT, GEAR, LOAD, MECHANISM
+
+    text = FENCE.sub("", (ROOT / "docs" / "cases.md").read_text(encoding="utf-8"))
+    named = set(re.findall(r"\w+", "".join(re.findall(r"`[^`]*`", text))))
+    for shape in (with_elements(CASE), ELEMENT, GEAR, LOAD, MECHANISM):
+        assert {key.name for key in shape.keys} - named == set(), shape.title
+
+
 def test_readme_starts_with_the_two_commands() -> None:
     first = next(blocks(ROOT / "README.md"))
     assert [command.split("#")[0].strip() for command, _ in commands(first)] == [
