@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from itertools import combinations, pairwise
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
@@ -141,6 +141,23 @@ def test_a_loop_tells_its_power_and_its_part_of_the_power_in(dark: bool) -> None
     told = drawn(picture(solve(recirculating()), "flow", Style("en", dark), 1))
     assert "circulates 1.000: 100.0% of the power in" in told
     assert "set\n2.000" in told
+
+
+@pytest.mark.parametrize(
+    ("language", "words"),
+    [
+        ("en", "may not be in the metal: D7 and D8 share sun 1 and carrier"),
+        ("ru", "в металле может не быть: у D7 и D8 общие sun 1 и carrier"),
+    ],
+)
+def test_a_loop_that_may_not_be_in_the_metal_says_so(
+    language: Literal["en", "ru"], words: str
+) -> None:
+    """Mechanisms that share planets, as the case says of itself."""
+    results = solve(load(CASES[0].parent / "umdm-reduced.yaml"))
+    figure = picture(results, "flow", Style(language), 5)
+    assert words in drawn(figure)
+    assert_readable(figure)
 
 
 def test_with_a_load_powers_are_in_kilowatts_too() -> None:

@@ -218,6 +218,15 @@ def test_powers_are_those_of_the_flow(zf: Page) -> None:
                 assert value(table[loss["name"]]["loss"]) == loss["power"]
 
 
+@pytest.mark.usefixtures("without_pictures")
+def test_a_loop_that_may_not_be_in_the_metal_says_so() -> None:
+    """The case says of itself that its mechanisms share planets."""
+    shown = Page(report(CASES / "umdm-reduced.yaml"))
+    told = [one.text for one in shown.all("li") if "may not be in the metal:" in one.text]
+    assert told
+    assert "(may not be in the metal: D7 and D8 share sun 1 and carrier):" in told[0]
+
+
 def test_each_gear_has_its_own_picture_of_the_flow(zf: Page) -> None:
     drawn = [one for one in zf.all("svg") if one.attributes["aria-label"] == "flow"]
     titles = [one.text for one in zf.all("figcaption") if one.text.startswith("Power flow")]

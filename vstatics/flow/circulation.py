@@ -40,12 +40,23 @@ class Edge(NamedTuple):
     """Relative to the power at the input link. [-]"""
 
 
+class Shared(NamedTuple):
+    """Two mechanisms that may be one set with shared planets, by what they have in common."""
+
+    first: str
+    second: str
+    links: tuple[str, ...]
+    """Two at least."""
+
+
 class Loop(NamedTuple):
     """Nodes in the order in which power goes around, each once, and how much."""
 
     nodes: tuple[Node, ...]
     power: float
     """[-]"""
+    shared: tuple[Shared, ...] = ()
+    """Where the loop may not be in the metal: the mechanisms that it runs through."""
 
 
 class Cancelled(NamedTuple):

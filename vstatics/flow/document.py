@@ -7,6 +7,7 @@ from typing import Any
 
 from vstatics.flow.circulation import Edge, Loop
 from vstatics.flow.power import GearFlow, PowerFlow
+from vstatics.flow.shared_planets import words
 from vstatics.writers.plain_json import json_text
 
 VERSION = 1
@@ -16,7 +17,7 @@ CONVENTIONS = {
     "members": "above 0: from the link to the member",
     "throughput": "what enters a node; of a port what passes it",
     "forward": "the edges less all loops",
-    "loops": "circulating power",
+    "loops": "circulating power; a note where it may not be in the metal",
     "locked_in": "loops within what turns as one piece, which do not count",
     "null": "does not exist, or is not determined",
 }
@@ -74,4 +75,6 @@ def _edges(edges: Sequence[Edge]) -> list[dict[str, Any]]:
 
 
 def _loops(loops: Sequence[Loop]) -> list[dict[str, Any]]:
-    return [{"power": loop.power, "nodes": loop.nodes} for loop in loops]
+    return [
+        {"power": loop.power, "nodes": loop.nodes, "note": words(loop.shared)} for loop in loops
+    ]

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping
 
 from vstatics.flow.circulation import Loop, Node, NodeKind
 from vstatics.flow.power import GearFlow, PowerFlow
+from vstatics.flow.shared_planets import words
 from vstatics.tables.grid import Cell, Column, Grid, exact, text
 from vstatics.tables.numbers import fixed
 
@@ -78,7 +79,8 @@ def remarks(flow: GearFlow) -> Iterator[str]:
     else:
         yield "circulating: none"
     for loop in shown.loops:
-        yield f"  {fixed(loop.power)}: {around(loop)}"
+        doubt = f" ({words(loop.shared)})" if loop.shared else ""
+        yield f"  {fixed(loop.power)}{doubt}: {around(loop)}"
     for loop in shown.locked_in:
         yield f"within one piece, does not count: {fixed(loop.power)}: {around(loop)}"
 
@@ -93,7 +95,8 @@ def _circulating(ideal: PowerFlow, lossy: PowerFlow | None) -> str:
     share = shown.circulating_share
     of_input = "" if math.isnan(share) else f", {100 * share:.1f}% of the power in"
     without = "" if lossy is None else f"; ideal {fixed(ideal.circulating)}"
-    return f"circulating: {fixed(shown.circulating)}{of_input}{without}"
+    doubt = f"; {fixed(shown.doubtful)} of it may not be in the metal" if shown.doubtful else ""
+    return f"circulating: {fixed(shown.circulating)}{of_input}{without}{doubt}"
 
 
 def _nodes(flow: GearFlow) -> dict[Node, bool]:

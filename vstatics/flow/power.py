@@ -15,6 +15,7 @@ import numpy as np
 
 from vstatics.flow.circulation import Edge, Loop, Node, cancel
 from vstatics.flow.exchange import Exchange, exchanges, links_of, pieces_of
+from vstatics.flow.shared_planets import shared
 from vstatics.model.transmission import HOUSING
 from vstatics.numerics.tolerances import NOISE
 from vstatics.numerics.traced import plain
@@ -87,8 +88,13 @@ class PowerFlow(NamedTuple):
         return math.nan if self.unknown else math.fsum(loop.power for loop in self.loops)
 
     @property
+    def doubtful(self) -> float:
+        """The part of it that may not be in the metal [-]."""
+        return math.fsum(loop.power for loop in self.loops if loop.shared)
+
+    @property
     def circulating_share(self) -> float:
-        """The same, relative to all power that enters [-]; NaN where none does."""
+        """Circulating power relative to all power that enters [-]; NaN where none does."""
         return self.circulating / self.entering if self.entering else math.nan
 
 
@@ -188,7 +194,7 @@ def _flow(state: GearState, *, lossy: bool) -> PowerFlow:
         _losses(state, exchanges(state, lossy=True)) if lossy else {},
         -sum(power for power in at_ports if not power > 0) + 0.0,
         sum(power for power in at_ports if not power < 0) + 0.0,
-        loops,
+        tuple(loop._replace(shared=shared(state.case, loop)) for loop in loops),
         at_rest.loops,
     )
 

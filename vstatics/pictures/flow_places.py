@@ -146,16 +146,16 @@ def layout(graph: Graph, scale: float, texts: FlowTexts) -> FlowLayout:
     boxes = list(placed.boxes.values())
     low = max(box.bottom + box.cell.below for box in boxes)
     low = max([low, *(y + line.width / 2 for line in lines for _, y in line.points)])
-    named: set[int | None] = set()
+    named: set[int] = set()
     for number, passed in on_way.items():
         top = low + SPACE / 2 + max((one.above for one in passed), default=0.0)
         row, line = back(placed, number, ends[number], passed, top)
         boxes += row
         lines.append(line)
         low = max(y for _, y in line.points) + line.width / 2
-        if line.band.loop not in named:
+        if line.band.loop is not None and line.band.loop not in named:
             named.add(line.band.loop)
-            text = texts.loop(line.band.power)
+            text = texts.loop(line.band.loop)
             middle = (placed.spaced.leaving[number] + placed.spaced.arriving[number]) / 2
             low += height(text) + UNDER
             x = max(middle, width(text) / 2)

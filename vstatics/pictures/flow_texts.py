@@ -7,12 +7,15 @@ from typing import NamedTuple
 
 from vstatics.flow.circulation import Node
 from vstatics.flow.power import GearFlow, PowerFlow
+from vstatics.flow.shared_planets import words
 from vstatics.pictures.labels import wrapped
 from vstatics.pictures.style import Style, number
 from vstatics.pictures.words import fault
 
 LONGEST = 84.0
 """Names are wrapped to this width. [pt]"""
+WIDEST = 300.0
+"""What is said of a loop is wrapped to this width. [pt]"""
 LEAST = 0.0005
 """What is less is not 0.000."""
 
@@ -34,14 +37,24 @@ class FlowTexts(NamedTuple):
         name = wrapped(_name(node, self.style), LONGEST)
         return f"{name}\n{'?' if node in self.side.unknown else self.power(power)}"
 
-    def loop(self, power: float) -> str:
-        """Power that circulates."""
+    def loop(self, number_of_loop: int) -> str:
+        """Power that circulates, and why it may not, by the index of the loop."""
+        power, doubt = self.side.loops[number_of_loop].power, self._doubt(number_of_loop)
         text = f"{self.style.text('circulates', 'циркулирует')} {number(power)}"
         if not math.isnan(self.flow.kilowatts):
             text += f", {self._kilowatts(power)}"
         share = power / self.side.entering if self.side.entering else math.nan
         of = self.style.text("of the power in", "входящей мощности")
-        return f"{text}: {100 * share:.1f}% {of}"
+        return f"{text}: {100 * share:.1f}% {of}{doubt}"
+
+    def _doubt(self, number_of_loop: int) -> str:
+        """Further lines of a loop that may not be in the metal."""
+        found = self.side.loops[number_of_loop].shared
+        if not found:
+            return ""
+        said = [f"у {one.first} и {one.second} общие {' и '.join(one.links)}" for one in found]
+        russian = f"в металле может не быть: {', '.join(said)}"
+        return f"\n{wrapped(self.style.text(words(found), russian), WIDEST)}"
 
     def _kilowatts(self, power: float) -> str:
         """A power to three digits."""
