@@ -12,6 +12,7 @@ import vstatics
 
 PACKAGE = Path(vstatics.__file__).parent
 ROOMS = (
+    "interrupt",
     "errors",
     "extras",
     "numerics",
@@ -101,16 +102,30 @@ def test_only_the_command_line_and_the_report_draw() -> None:
             assert room(name) in ("pictures", "report", "cli"), name
 
 
+def called(path: Path) -> set[str]:
+    """What a module calls, as it stands there."""
+    return {
+        ast.unparse(node.func)
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
+        if isinstance(node, ast.Call)
+    }
+
+
 def test_only_the_command_line_prints_and_leaves() -> None:
     for name, path in modules().items():
         if room(name) not in ("cli", "__main__"):
-            called = {
-                ast.unparse(node.func)
-                for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
-                if isinstance(node, ast.Call)
-            }
-            assert not called & {"print", "sys.exit", "exit"}, name
-            assert room(name) == "jobs" or "os._exit" not in called, name  # worker processes end
+            assert not called(path) & {"print", "sys.exit", "exit"}, name
+            if room(name) not in ("jobs", "interrupt"):  # worker processes end, so does Ctrl-C
+                assert "os._exit" not in called(path), name
+
+
+def test_all_that_is_printed_goes_through_two_modules() -> None:
+    """They escape what would reach the terminal: no other has to think of it."""
+    printing = {"print", "click.echo", "click.secho", "Console", "sys.stdout.write"}
+    printing |= {"sys.stderr.write", "sys.stdout.buffer.write"}
+    for name, path in modules().items():
+        if room(name) == "cli" and name not in ("vstatics.cli.files", "vstatics.cli.console"):
+            assert not called(path) & printing, name
 
 
 def test_a_class_name_is_used_once() -> None:

@@ -19,6 +19,9 @@ array([1.    , 0.9714])
 
 from __future__ import annotations
 
+import vstatics.interrupt  # noqa: F401 - first: it makes Ctrl-C safe in the others
+
+# isort: split
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 

@@ -3,11 +3,12 @@
 Three classes of error: `VstaticsError`, the parent of all; `CaseError`, a
 transmission that cannot be; `ReadError`, a text that cannot be read as one.
 The last two carry a list of `Problem`, because one run reports all of them.
-Only the command line prints.
+Only the command line prints. What it prints may hold text of anybody: `printable` makes it safe.
 """
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 from typing import Literal, NamedTuple
 
@@ -36,12 +37,12 @@ class Problem(NamedTuple):
     severity: Severity = "error"
 
     def __str__(self) -> str:
-        """The problem in one line, in the wording of a compiler."""
+        """The problem in one line that is safe to print, in the wording of a compiler."""
         if self.place is not None:
             file, line, column, _ = self.place
             where = f"{file}:{line}:{column}: " if line else f"{file}: "
-            return f"{where}{self.severity}: {self.message}"
-        return f"{path_text(self.path)}: {self.message}" if self.path else self.message
+            return printable(f"{where}{self.severity}: {self.message}")
+        return printable(f"{path_text(self.path)}: {self.message}" if self.path else self.message)
 
 
 def of_file(file: str, message: str) -> Problem:
@@ -68,6 +69,32 @@ class CaseError(VstaticsError):
 
 class ReadError(CaseError):
     """A file that cannot be read as a case or a result, or not written; with places."""
+
+
+_OTHERS = "\x7f-\x9f\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069\ud800-\udfff\ufeff"
+"""What no terminal should get: more controls, ends of lines, marks that turn the direction of
+writing, half characters."""
+_IN_LINE = re.compile(f"[\0-\x1f{_OTHERS}]")
+_IN_LINES = re.compile(f"[\0-\x08\x0b-\x1f{_OTHERS}]")
+
+
+def printable(text: str, *, lines: bool = False) -> str:
+    r"""A text that does nothing to a terminal, whoever wrote it; JSON stays the same JSON.
+
+    Parameters
+    ----------
+    text : str
+    lines : bool
+        Whether ends of lines and tabs stay.
+
+    Examples
+    --------
+    >>> print(printable("\x1b[31mred\n"), printable("a\n\u202eb", lines=True))
+    \u001b[31mred\u000a a
+    \u202eb
+    """
+    pattern = _IN_LINES if lines else _IN_LINE
+    return pattern.sub(lambda found: f"\\u{ord(found[0]):04x}", text)
 
 
 def path_text(path: Path) -> str:

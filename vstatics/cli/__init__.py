@@ -16,15 +16,17 @@ from __future__ import annotations
 import contextlib
 import os
 import sys
+from collections.abc import Iterator
 from importlib import import_module
 from typing import Any
 
 import click
 
 from vstatics.cli import files
-from vstatics.cli.exit_status import DONE, FAILED, WRONG_USE
-from vstatics.errors import ReadError
+from vstatics.cli.exit_status import DONE, FAILED, WRONG_USE, stopped_by
+from vstatics.errors import ReadError, printable
 from vstatics.extras import __version__
+from vstatics.jobs.stopping import Stop, StoppedError, stoppable
 
 click.UsageError.exit_code = WRONG_USE
 
@@ -47,20 +49,37 @@ COMMANDS = {
 class Commands(click.Group):
     """A group that imports a command when it is called."""
 
+    def make_context(self, *values: Any, **named: Any) -> click.Context:
+        """As click does; messages are safe to print."""
+        with _safely_told():
+            return super().make_context(*values, **named)
+
     def invoke(self, ctx: click.Context) -> Any:
-        """Exit with the status that the command returns; 1 if a file can't be read or written."""
+        """Exit with the status of the command, also where it can't read or write or is stopped."""
         try:
-            ctx.exit(super().invoke(ctx) or DONE)
+            with stoppable() as stop, _safely_told():
+                status = self._status(ctx, stop)
+        except StoppedError as stopped:
+            files.say("stopped")
+            status = stopped_by(stopped.signal)
+        ctx.exit(status)
+
+    def _status(self, ctx: click.Context, stop: Stop) -> int:
+        """The exit status that the command returns; 1 if a file can't be read or written."""
+        try:
+            return super().invoke(ctx) or DONE
+        except click.exceptions.Exit as leaving:
+            return leaving.exit_code
         except ReadError as error:
             files.show(error.problems)
-            ctx.exit(FAILED)
-        except (click.ClickException, click.exceptions.Exit, click.Abort, OSError):
+        except (click.ClickException, click.Abort, OSError):
             raise
         except Exception as error:  # noqa: BLE001 - whoever uses the program wants no trace
+            stop.check()  # an import that is stopped may end in an error of another kind
             from vstatics.cli.cases import unexpected
 
             files.show([unexpected(f"vstatics {ctx.invoked_subcommand}", error)])
-            ctx.exit(FAILED)
+        return FAILED
 
     def list_commands(self, ctx: click.Context) -> list[str]:  # noqa: ARG002
         """All names, in the order of use."""
@@ -78,6 +97,16 @@ class Commands(click.Group):
         """List the commands without importing them."""
         with formatter.section("Commands"):
             formatter.write_dl([(name, summary) for name, (_, summary) in COMMANDS.items()])
+
+
+@contextlib.contextmanager
+def _safely_told() -> Iterator[None]:
+    """Let click tell wrong use in a message that is safe to print."""
+    try:
+        yield
+    except click.UsageError as error:
+        message = printable(error.format_message(), lines=True)
+        raise click.UsageError(message, error.ctx) from None
 
 
 @click.group(cls=Commands, context_settings={"help_option_names": ["-h", "--help"]})

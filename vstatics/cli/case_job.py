@@ -45,11 +45,12 @@ def calculate_and_write(job: Job, task: CaseTask) -> Done:
     file, problems = case.file, case.problems
     try:
         if task.target is None:
-            text = files.encoded(texts.part(case, job.output_format, job.lang))
-            return Done(file, problems, case.failed, text)
+            text = texts.part(case, job.output_format, job.lang)
+            return Done(file, problems, case.failed, texts.encoded(text, job.output_format))
         if case.results is None:
             return Done(file, problems, left=set_aside(task.target))
-        replace(task.target, files.encoded(texts.alone(case, job.output_format, job.lang)))
+        text = texts.alone(case, job.output_format, job.lang)
+        replace(task.target, texts.encoded(text, job.output_format))
         if job.finished is not None:
             job.finished.note(task.target, state, failed=case.failed)
     except OSError as error:

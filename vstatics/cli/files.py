@@ -10,7 +10,7 @@ from functools import partial
 
 import click
 
-from vstatics.errors import Place, Problem, ReadError, of_file
+from vstatics.errors import Place, Problem, ReadError, of_file, printable
 from vstatics.jobs.files import STDOUT, Write, is_stream, opened, replacing, unwritable
 
 STDIN = "-"
@@ -48,16 +48,16 @@ def show(problems: Iterable[Problem]) -> None:
         say(str(problem))
         place = problem.place
         if place is not None and place.text.strip():
-            shown, caret = _around(place)
-            say(f"  {shown}\n  {caret}")
+            for line in _around(place):
+                say(f"  {line}")
     if len(all_of_them) > MOST_SHOWN:
         say(f"... and {len(all_of_them) - MOST_SHOWN} more")
 
 
 def say(line: str) -> None:
-    """Print a line to stderr; the results do not suffer where that is not possible."""
+    """Print a line to stderr, made safe; results do not suffer where that is not possible."""
     with contextlib.suppress(OSError):
-        _speakers[-1](line)
+        _speakers[-1](printable(line))
 
 
 _speakers: list[Callable[[str], None]] = [partial(click.echo, err=True)]
@@ -133,9 +133,13 @@ def stream(output: str | None) -> Iterator[Write]:
         raise ReadError([unwritable(output, error)]) from None
 
 
-def encoded(text: str) -> bytes:
-    """A text in UTF-8; names of files may hold half characters."""
-    return text.encode(errors="backslashreplace")
+def encoded(text: str, *, as_is: bool = False) -> bytes:
+    r"""A text in UTF-8, safe to print; or as it is, but for half characters in names of files.
+
+    >>> encoded("\x1b[2J"), encoded("\x1b[2J", as_is=True)
+    (b'\\u001b[2J', b'\x1b[2J')
+    """
+    return text.encode(errors="backslashreplace") if as_is else printable(text, lines=True).encode()
 
 
 def read_names(file: str) -> list[str]:
@@ -156,8 +160,10 @@ def read_names(file: str) -> list[str]:
 
 
 def _print(data: bytes | memoryview) -> None:
-    """Write to stdout at once."""
+    """Write to stdout at once; data that are written as they are become safe at a terminal."""
     if sys.stdout is None:
         raise OSError(CLOSED)
+    if sys.stdout.isatty():
+        data = encoded(bytes(data).decode(errors="backslashreplace"))
     click.echo(bytes(data), nl=False)
     sys.stdout.flush()

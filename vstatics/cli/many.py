@@ -141,10 +141,10 @@ def to_stream(cases: Sequence[str], output: str | None, job: Job, *, jobs: int) 
         before = framed.first
         for text in _follow(count, results, stop, beside_stdout=output in (None, files.STDIN)):
             if text:
-                write(files.encoded(before) + text)
+                write(texts.encoded(before, job.output_format) + text)
                 before = framed.between
         if before != framed.first:
-            write(files.encoded(framed.last))
+            write(texts.encoded(framed.last, job.output_format))
     if whole and count.total > 1:
         count.summary()
     return count.status

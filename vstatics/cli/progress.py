@@ -77,8 +77,9 @@ def _is_terminal(stream: TextIO | None) -> bool:
 def _bar(unit: str) -> Progress:
     """The bar; it vanishes when it is closed, and what is said then stands in its place."""
     from rich import progress as parts
-    from rich.console import Console
     from rich.text import Text
+
+    from vstatics.cli.console import SafeConsole
 
     class Rate(parts.ProgressColumn):
         """Units a second."""
@@ -93,7 +94,7 @@ def _bar(unit: str) -> Progress:
         parts.TextColumn(unit),
         Rate(),
         parts.TimeRemainingColumn(),
-        console=Console(stderr=True),
+        console=SafeConsole(stderr=True),
         auto_refresh=False,
         redirect_stdout=False,
         redirect_stderr=False,

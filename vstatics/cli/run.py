@@ -106,11 +106,10 @@ def run(
 
 def _pretty(names: list[str], settings: CaseOptions) -> int:
     """Show the gears of each case to a person; the exit status."""
-    from rich.console import Console
-
+    from vstatics.cli.console import SafeConsole
     from vstatics.summary.pretty import ASCII, DOTS, view
 
-    console = Console(highlight=False)
+    console = SafeConsole(highlight=False)
     failed = False
     for outcome in calculate(names, settings):
         failed |= outcome.failed

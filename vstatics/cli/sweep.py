@@ -11,7 +11,8 @@ from vstatics import readers
 from vstatics.cli import cases as arguments
 from vstatics.cli import files
 from vstatics.cli.cases import Command
-from vstatics.cli.sweep_run import estimate, in_good_order, run
+from vstatics.cli.exit_status import DONE
+from vstatics.cli.sweep_run import estimate, run
 from vstatics.errors import CaseError, ReadError
 from vstatics.jobs.files import is_stream
 from vstatics.model.transmission import Transmission
@@ -98,16 +99,13 @@ def sweep(
     form = _checked(options, spelled, resume=resume, jobs=jobs, scheduler=scheduler)
     files.spare(filter(None, [options.case, options.variants, sweep_file]), options.output)
 
-    def carry_out() -> int:
+    try:
         build.check_packages(options, form, scheduler)
         plan = build.plan(_case(options.case or "", input_format), options)
         if dry_run:
             files.write_output(estimate(plan, form, jobs), None)
-            return 0
+            return DONE
         return run(plan, form, options.output, jobs=jobs, scheduler=scheduler, resume=resume)
-
-    try:
-        return in_good_order(carry_out)
     except CaseError as error:  # is shown as what ends a reading
         raise ReadError(error.problems) from error
 

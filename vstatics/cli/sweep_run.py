@@ -5,14 +5,13 @@ from __future__ import annotations
 import math
 import os
 import time
-from collections.abc import Callable
 
 from vstatics.cli import files
 from vstatics.cli.exit_status import FAILED, stopped_by
 from vstatics.errors import CaseError
 from vstatics.jobs.files import STDOUT, is_stream, unwritable
 from vstatics.jobs.finished import SUFFIX, FinishedPieces
-from vstatics.jobs.stopping import StoppedError, stoppable
+from vstatics.jobs.stopping import StoppedError
 from vstatics.sweep import chunk
 from vstatics.sweep.best import BEST
 from vstatics.sweep.formats import Format
@@ -23,16 +22,6 @@ from vstatics.sweep.variants import VariantTable
 
 UNSOLVED = chunk.STATUS[-3:]
 """A variant of this status has no solution at all."""
-
-
-def in_good_order(act: Callable[[], int]) -> int:
-    """Do something that Ctrl-C and SIGTERM end in good order; its exit status."""
-    try:
-        with stoppable():
-            return act()
-    except StoppedError as stopped:  # before there was anything to keep
-        files.say("stopped; nothing was finished")
-        return stopped_by(stopped.signal)
 
 
 def run(

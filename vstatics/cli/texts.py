@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from typing import Literal, NamedTuple
 
+from vstatics.cli import files
 from vstatics.cli.cases import CalculatedCase
 from vstatics.statics.results import Language
 
@@ -78,6 +79,11 @@ def part(outcome: CalculatedCase, output_format: OutputFormat, lang: Language) -
     from vstatics.writers import listing
 
     return f"==> {outcome.file} <==\n{listing.write(outcome.results, lang)}"
+
+
+def encoded(text: str, output_format: OutputFormat) -> bytes:
+    """The text as bytes: safe to print, but CSV, which has no escapes, is as it is."""
+    return files.encoded(text, as_is=output_format == "csv")
 
 
 def frame(output_format: OutputFormat) -> Frame:

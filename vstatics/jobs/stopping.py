@@ -7,7 +7,10 @@ import sys
 import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
-from typing import NoReturn
+from types import FrameType
+
+SOON = 0.01
+"""So long a signal waits that comes while a module is imported. [s]"""
 
 
 class StoppedError(BaseException):
@@ -41,6 +44,9 @@ class Stop:
 def stoppable() -> Iterator[Stop]:
     """Make SIGINT and SIGTERM raise `StoppedError` in this block.
 
+    In the middle of an import it is raised behind that: modules that are half imported, and
+    classes half made, turn it into errors of other kinds.
+
     >>> try:
     ...     with stoppable() as stop:
     ...         signal.raise_signal(signal.SIGTERM)
@@ -52,20 +58,41 @@ def stoppable() -> Iterator[Stop]:
     if threading.current_thread() is not threading.main_thread():
         yield stop  # only the main thread is told of signals
         return
+    later = False
 
-    def come(number: int, _: object) -> NoReturn:
-        stop.error = StoppedError(number)
-        raise stop.error
+    def come(number: int, frame: FrameType | None) -> None:
+        nonlocal later
+        if number != signal.SIGALRM:
+            stop.error = StoppedError(number)
+        later = _is_import(frame)
+        if later:
+            signal.setitimer(signal.ITIMER_REAL, SOON)
+        else:
+            stop.check()
 
     def dropped(what: sys.UnraisableHookArgs) -> None:
         if not isinstance(what.exc_value, StoppedError):
             tell(what)
 
     tell, sys.unraisablehook = sys.unraisablehook, dropped
-    before = {number: signal.signal(number, come) for number in (signal.SIGINT, signal.SIGTERM)}
+    numbers = (signal.SIGINT, signal.SIGTERM, signal.SIGALRM)
+    before = {number: signal.signal(number, come) for number in numbers}
     try:
         yield stop
     finally:
+        if later:
+            signal.setitimer(signal.ITIMER_REAL, 0)
         for number, handler in before.items():
             signal.signal(number, handler)
         sys.unraisablehook = tell
+    if later:
+        stop.check()
+
+
+def _is_import(frame: FrameType | None) -> bool:
+    """Whether a module is being imported."""
+    while frame is not None:
+        if frame.f_code.co_filename == "<frozen importlib._bootstrap>":
+            return True
+        frame = frame.f_back
+    return False

@@ -1,0 +1,103 @@
+"""Ctrl-C and SIGTERM at any moment of any command: a status, no trace, nothing half written."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+import pytest
+
+from tests.commands import NEUTRAL, environment
+from tests.sweep.sweeps import names, wait_for
+
+COMMANDS = {
+    "run": ("run", "pipe"),
+    "pretty": ("run", "--pretty", "pipe"),
+    "output": ("run", "pipe", "-o", "out.lst"),
+    "check": ("check", "pipe"),
+    "summary": ("summary", "pipe", "-o", "out.txt"),
+    "flow": ("flow", "pipe"),
+    "explain": ("explain", "pipe"),
+    "plot": ("plot", "pipe", "--kind", "plan", "-o", "out.svg"),
+    "report": ("report", "pipe", "-o", "out.html"),
+    "convert": ("convert", "pipe", "out.dat"),
+    "compare": ("compare", "pipe", "pipe"),
+    "sweep": ("sweep", "pipe", "--vary", "D.ratio=-3:-2:3", "-o", "out.csv"),
+    "table": ("sweep", "box.yaml", "--variants", "pipe", "-o", "out.csv"),
+}
+SIGNALS = {signal.SIGINT: 130, signal.SIGTERM: 143}
+
+
+@pytest.fixture(autouse=True)
+def _folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A case, and a pipe at which a command waits."""
+    monkeypatch.chdir(tmp_path)
+    Path("box.yaml").write_text(NEUTRAL, encoding="utf-8")
+    os.mkfifo("pipe")
+
+
+@contextmanager
+def running(*arguments: str, **variables: str) -> Iterator[subprocess.Popen[bytes]]:
+    """A command in the background; it is killed if the test fails."""
+    with subprocess.Popen(
+        [sys.executable, "-m", "vstatics", *arguments],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        env=environment(**variables),
+    ) as process:
+        try:
+            yield process
+        finally:
+            process.kill()
+
+
+@pytest.mark.parametrize("sent", SIGNALS)
+@pytest.mark.parametrize(
+    "command",
+    [pytest.param(one, marks=[pytest.mark.slow] * (one != "run")) for one in COMMANDS],
+)
+def test_a_command_that_is_stopped_says_so(command: str, sent: signal.Signals) -> None:
+    with running(*COMMANDS[command]) as process:
+        pipe = os.open("pipe", os.O_WRONLY)  # as soon as the command reads
+        process.send_signal(sent)
+        out, err = process.communicate(timeout=60)
+        os.close(pipe)
+    assert (process.returncode, out, err) == (SIGNALS[sent], b"", b"stopped\n")
+    assert names(Path.cwd()) == ["box.yaml", "pipe"]
+
+
+def shadowed(module: str) -> str:
+    """A folder with a module that tells that its import has begun, and is the real one later."""
+    Path("shadow").mkdir()
+    lines = (
+        "import pathlib, sys, time",
+        "pathlib.Path('begun').touch()",
+        "time.sleep(.5)",
+        "sys.path = [one for one in sys.path if not one.endswith('shadow')]",
+        f"del sys.modules[{module!r}]",
+        f"import {module}",
+    )
+    Path("shadow", f"{module}.py").write_text("\n".join(lines), encoding="utf-8")
+    return f"shadow{os.pathsep}{environment()['PYTHONPATH']}"
+
+
+@pytest.mark.parametrize(("module", "said"), [("numpy", b""), ("yaml", b"stopped\n")])
+def test_an_import_that_is_stopped_leaves_no_trace(module: str, said: bytes) -> None:
+    """NumPy is imported by the package, YAML when it is needed."""
+    with running("run", "box.yaml", PYTHONPATH=shadowed(module)) as process:
+        wait_for(Path("begun").exists)
+        process.send_signal(signal.SIGINT)
+        ended = process.communicate(timeout=60)
+    assert (process.returncode, ended) == (130, (b"", said))
+
+
+def test_ctrl_c_is_left_alone_where_the_package_is_a_library() -> None:
+    program = "import signal, vstatics; print(signal.getsignal(2) is signal.default_int_handler)"
+    line = [sys.executable, "-c", program]
+    done = subprocess.run(line, capture_output=True, check=False, env=environment())
+    assert done.stdout == b"True\n"
