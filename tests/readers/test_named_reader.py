@@ -18,6 +18,7 @@ from vstatics.model.shape import COUNT, TEXT, ByKey, KeyShape, ListOf
 from vstatics.model.transmission import Gear, Mechanism, ShiftElement, SpeedOf, Transmission
 from vstatics.readers.named.reader import read_document, read_json, read_yaml
 from vstatics.readers.reading import Reading
+from vstatics.writers.named import mapping, write_json
 
 BAD = Path(__file__).parents[1] / "bad"
 CASES = Path(__file__).parents[2] / "cases"
@@ -59,7 +60,7 @@ FAULTS = [
         "gear-not-a-mapping.yaml",
         9,
         8,
-        "gears.2: read a list, expected a mapping with `engaged`, `speeds`, `torques`, `drag`, `open_drag`, `input`, `output` and `load`",
+        "gears.2: read 'F2', expected a list of shift elements, or a mapping with `engaged`, `speeds`, ",
     ),
     ("gears-empty.yaml", 4, 8, "gears: there is no gear"),
     ("gears-missing.yaml", 1, 1, "`gears` is missing"),
@@ -649,3 +650,32 @@ def test_a_speed_of_a_link_that_is_not_there_is_refused(given: str, said: str) -
     assert said in problem.message
     assert problem.place is not None
     assert problem.place.line == 4
+
+
+def test_a_gear_may_be_a_list_of_what_is_engaged() -> None:
+    text = b"""
+links: 3
+shift_elements: {C: [1, 2], B: [2, housing]}
+mechanisms: {set: {first: 1, second: 2, third: 3, ratio: -2.5}}
+gears: {direct: [C], low: {engaged: [B]}, none: [], nothing: }
+"""
+    case = read_yaml(text, "case.yaml").case
+    assert [gear.engaged for gear in case.gears] == [(1,), (2,), (), ()]
+    [problem] = [
+        one for one in errors(text.replace(b"[C],", b"[C, D],"), "") if one.severity == "error"
+    ]
+    assert "gears.direct[2]: read 'D', expected the name of a shift element" in problem.message
+
+
+def test_several_outputs_are_written_as_they_are_read() -> None:
+    text = b"""
+links: [a, b, c]
+outputs: [b, c]
+mechanisms: {set: {first: a, second: b, third: c, ratio: -2.5}}
+gears: {one: {speeds: {c: b}}}
+"""
+    case = read_yaml(text, "case.yaml").case
+    assert (case.output, case.outputs) == (2, (2, 3))
+    assert mapping(case)["outputs"] == ["b", "c"]
+    assert "output" not in mapping(case)
+    assert read_json(write_json(case).encode(), "case.json").case == case

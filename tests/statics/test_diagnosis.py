@@ -12,6 +12,7 @@ import pytest
 
 from tests.statics.differential import status, texts, train
 from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
+from vstatics.model.parts import SpeedOf
 
 
 def test_neutral_counts_what_is_missing_and_names_the_free_links() -> None:
@@ -73,3 +74,13 @@ def test_an_output_that_stands_still_has_no_ratio() -> None:
     assert np.isnan(results.ratio).all()
     assert "warning: the output, link 3, stands still: there is no ratio" in texts(results)
     assert status(case) == 0
+
+
+def test_an_output_of_which_nothing_is_given_is_told() -> None:
+    case = Transmission(
+        3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)], [Gear([1]), Gear(speeds={2: SpeedOf(3)})],
+        outputs=[3, 2],
+    )  # fmt: skip
+    told = [message for message in solve(case).messages if "gives no torque" in message.text]
+    assert [(one.severity, one.gear) for one in told] == [("warning", "1")]
+    assert "expected a given speed or torque, such as `speeds: {2: link 3}`" in told[0].text

@@ -121,6 +121,21 @@ def _names(case: TransmissionFields) -> Iterator[Problem]:
         yield Problem(f"read {case.name!r}, expected one line of text", ("name",))
 
 
+def _outputs(case: TransmissionFields) -> Iterator[Problem]:
+    """Several outputs: different links, `output` first, the input not among them."""
+    for number, link in enumerate(case.outputs, 1):
+        path = ("outputs", number)
+        yield from of_link(link, path, case.links, lowest=1)
+        if link in case.outputs[: number - 1]:
+            yield Problem(f"link {called(case, link)} is an output twice", path)
+        if link == case.input and number > 1:
+            yield Problem(f"link {called(case, link)} is the input, expected another", path)
+    if case.outputs and case.output not in (0, case.outputs[0]):
+        first, given = (called(case, link) for link in (case.outputs[0], case.output))
+        message = f"the first output is {first}, but `output` is {given}; leave one of them out"
+        yield Problem(message, ("outputs",))
+
+
 def _distinct(names: Sequence[str], part: str, kind: str) -> Iterator[Problem]:
     if len(set(names)) == len(names) and all(map(_is_name, names)):
         return
@@ -141,8 +156,9 @@ def _is_name(name: str) -> bool:
 
 def _ports(case: TransmissionFields) -> Iterator[Problem]:
     yield from of_link(case.input, ("input",), case.links, lowest=1)
-    yield from of_link(case.output or case.links, ("output",), case.links, lowest=1)
-    if case.input == (case.output or case.links):
+    yield from of_link(case.main_output, ("output",), case.links, lowest=1)
+    yield from _outputs(case)
+    if case.input == case.main_output:
         yield Problem(f"input and output are both link {called(case, case.input)}", ("output",))
 
 

@@ -48,9 +48,15 @@ class TransmissionFields:
     link_names: Sequence[str] = ()
     load: Load | None = None
     drawing: AnyDrawing | None = None
+    outputs: Sequence[int] = ()
 
     def __post_init__(self) -> None:
         """Nothing is checked here, but by `Transmission`."""
+
+    @property
+    def main_output(self) -> int:
+        """The output link also where it is not given: the first output, else the last link."""
+        return self.output or next(iter(self.outputs), self.links)
 
     @property
     def own_links(self) -> int:
@@ -72,6 +78,11 @@ class TransmissionFields:
         """The output link of a gear."""
         return gear.output or self.output
 
+    def further_outputs(self, gear: Gear) -> list[int]:
+        """The outputs of a gear besides that of its ratio."""
+        ends = self.gear_input(gear), self.gear_output(gear)
+        return [link for link in self.outputs if link not in ends]
+
     def gear_load(self, gear: Gear) -> Load:
         """The load of a gear: its own, filled up with that of the case."""
         return (gear.load or Load()).or_else(self.load or Load())
@@ -91,6 +102,7 @@ class TransmissionFields:
         if not isinstance(speed, SpeedOf):
             return f"{speed:g}"
         name = self.link_name(speed.link)
+        name = f"link {name}" if name.isdigit() else name
         return name if speed.factor == 1 else f"{speed.factor:g}*{name}"
 
     @property

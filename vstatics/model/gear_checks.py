@@ -15,7 +15,7 @@ def of_gear(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[Proble
     """What a gear engages and gives."""
     if gear.engaged:
         yield from _engaged(case.shift_elements, gear.engaged, (*path, "engaged"))
-    ends = gear.input or case.input, gear.output or case.output or case.links
+    ends = gear.input or case.input, gear.output or case.main_output
     for end, link in (("input", gear.input), ("output", gear.output)):
         if link is not None:
             yield from of_link(link, (*path, end), case.links, lowest=1)

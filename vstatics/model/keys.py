@@ -114,13 +114,16 @@ LOAD = ByKey(
     Load,
 )
 
+ENGAGED = ListOf(Leaf("element"), "shift elements")
+"""What a gear engages."""
+
 GEAR = ByKey(
     "Gear",
     "A shift state: what is engaged, and what is given besides.",
     (
         KeyShape(
             "engaged",
-            ListOf(Leaf("element"), "shift elements"),
+            ENGAGED,
             "Names of the engaged shift elements.",
             examples=(["T1", "F2"],),
         ),
@@ -176,6 +179,13 @@ CASE = ByKey(
         KeyShape("input", LINK, "Input link.", default=1),
         KeyShape("output", LINK, "Output link; the last one when not given."),
         KeyShape(
+            "outputs",
+            ListOf(LINK, "links"),
+            "All output links where there are several: the first is `output`, the others have a "
+            "given speed or torque in every gear.",
+            examples=(["FL", "FR", "RL", "RR"],),
+        ),
+        KeyShape(
             "idle",
             Leaf("choice", ("exact", "published")),
             "Sign of idle mechanisms: 0 (exact), or as in the published tables.",
@@ -190,7 +200,7 @@ CASE = ByKey(
         KeyShape("coast", FLAG, "Power enters at the output (engine braking).", default=False),
         KeyShape(
             "shift_elements",
-            ByName("shift element", Either(Ends(), ELEMENT)),
+            ByName("shift element", Either(Ends(), "links", ELEMENT, written=True)),
             "Clutches, brakes and freewheels in order: name and [first link, second link], or a "
             "mapping with `links`.",
         ),
@@ -201,7 +211,11 @@ CASE = ByKey(
             required=True,
         ),
         KeyShape(
-            "gears", ByName("gear", GEAR), "Gears in order, each under its name.", required=True
+            "gears",
+            ByName("gear", Either(ENGAGED, "engaged", GEAR)),
+            "Gears in order, each under its name: what is engaged, or a mapping.",
+            required=True,
+            examples=({"low": ["C1", "B1"]},),
         ),
     ),
 )

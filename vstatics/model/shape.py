@@ -102,10 +102,13 @@ class ByKey(NamedTuple):
 
 
 class Either(NamedTuple):
-    """A list of links, or a record with the key `links`: a shift element."""
+    """A record, or in its place a list, which is one of its keys and says all that is needed."""
 
-    links: Ends
+    short: Ends | ListOf
+    key: str
     record: ByKey
+    written: bool = False
+    """Whether it is written as a list where that says all."""
 
 
 class ByName(NamedTuple):

@@ -48,6 +48,9 @@ class Transmission(TransmissionFields):
     drawing : Drawing, optional
         The elements that links and mechanisms were made from. Mechanisms are taken as they
         are; the drawing says of which elements results are given.
+    outputs : sequence of int
+        All output links, where there are several: `output` is the first. The others are ports
+        with a given speed or torque.
 
     Raises
     ------
@@ -78,7 +81,8 @@ class Transmission(TransmissionFields):
 def _completed(case: Transmission) -> dict[str, object]:
     """The attributes of a checked case with names and defaults filled in."""
     return {
-        "output": case.output or case.links,
+        "output": case.main_output,
+        "outputs": tuple(case.outputs) if len(case.outputs) > 1 else (),
         "link_names": tuple(case.link_names) or tuple(map(str, range(1, case.links + 1))),
         "shift_elements": tuple(
             element._replace(

@@ -13,7 +13,7 @@ import numpy as np
 
 from vstatics.errors import Severity, path_text
 from vstatics.model.checks import doubts
-from vstatics.model.transmission import Gear, Transmission
+from vstatics.model.transmission import Gear, SpeedOf, Transmission
 from vstatics.numerics import elimination
 from vstatics.numerics.arrays import Booleans
 from vstatics.numerics.tolerances import UNCERTAIN
@@ -70,6 +70,7 @@ def messages(results: Results) -> Iterator[Message]:
         gear = freewheels.with_engaged(given, held)
         said = (
             *(_conflict(case, gear) if results.conflict[number] else ()),
+            *(_further_outputs(case, gear) if case.outputs else ()),
             *_speed_messages(results, number, gear),
             *_torque_messages(results, number, gear, is_open=bool(is_open[number])),
             *_loss_messages(results, number, gear, is_turned=bool(is_turned[number])),
@@ -160,6 +161,18 @@ def _overrunning(results: Results, number: int, gear: Gear) -> list[str]:
     if not chosen and free and drives(*free):
         chosen = free
     return [case.shift_elements[n - 1].name for n in chosen]
+
+
+def _further_outputs(case: Transmission, gear: Gear) -> Iterator[Said]:
+    """Outputs of which nothing is given, so that they give no torque."""
+    given = {*gear.speeds, *gear.torques}
+    idle = [case.link_name(link) for link in case.further_outputs(gear) if link not in given]
+    if idle:
+        same = case.speed_text(SpeedOf(case.gear_output(gear)))
+        yield _warning(
+            f"output{_s(len(idle))} {_list(idle)} {'give' if idle[1:] else 'gives'} no torque: "
+            f"expected a given speed or torque, such as `speeds: {{{idle[0]}: {same}}}`"
+        )
 
 
 def _speed_messages(results: Results, number: int, gear: Gear) -> Iterator[Said]:

@@ -58,7 +58,7 @@ def mapping(case: Transmission) -> dict[str, Any]:
         values["elements"] = {one.name: record_of(one) for one in drawing.elements}
     links, own = _link_words(case), case.own_links
     values["links"] = own if links[1] == 1 else links[1 : own + 1]
-    values["output"] = None if case.output == own else case.output
+    values["output"] = None if case.outputs or case.output == own else case.output
     for part in ("shift_elements", "mechanisms", "gears"):
         values[part] = {item.name: item for item in values[part]}
     order = _CASE if shape is CASE else _as_written(shape)
@@ -161,7 +161,7 @@ class _Writer:
 
     def either(self, value: Any, shape: Either) -> Any:
         data = self.by_key(value, shape.record)
-        return data if len(data) > 1 else data["links"]
+        return data[shape.key] if shape.written and [*data] == [shape.key] else data
 
     def numbers(self, value: Any, shape: Numbers) -> dict[int | str, Any]:
         words = self.links if shape.by == "link" else self.elements

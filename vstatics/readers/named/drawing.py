@@ -52,9 +52,11 @@ def _links(node: Node, shape: Shape) -> Iterator[Node]:  # noqa: C901 - a table
         case nodes.Mapping(entries), ByName(_, item):
             for _, value in entries:
                 yield from _links(value, item)
-        case nodes.Mapping(), Either(_, record):
+        case nodes.Mapping(), Either(record=record):
             yield from _links(node, record)
-        case Listing(items), Ends() | Either():
+        case Listing(), Either(short=short):
+            yield from _links(node, short)
+        case Listing(items), Ends():
             yield from items
         case Listing(items), ListOf(item):
             for value in items:
@@ -78,7 +80,7 @@ def read_drawing(root: nodes.Mapping, walk: Walk) -> Reading:
     if not listed:
         values = {**values, "links": len(walk.references.link_names)}
         for end in ("input", "output"):
-            if end not in given:
+            if end not in given and f"{end}s" not in given:
                 spots.missing(Spot((), "", root), end)
     parts = arguments(values, walk)
     found = list(spots.found.problems)
@@ -100,7 +102,7 @@ def read_drawing(root: nodes.Mapping, walk: Walk) -> Reading:
             spots.unreadable += [("links",), ("mechanisms",)]
         else:
             parts |= lowered(drawing, names)
-            parts["output"] = parts.get("output", drawing.links)
+            parts.setdefault("output", 0 if parts.get("outputs") else drawing.links)
             locate = _locator(spots, drawing)
             faults = [*hints(drawing), *teeth.doubts(drawing)]
             faults += [] if listed else loose_links(root, values, names, parts["gears"], spots)
@@ -148,7 +150,7 @@ def loose_links(
     found = joined_links(root)
     counts = Counter(node.text for node in found)
     carriers = {record.get("carrier") for record in values["elements"].values()}
-    told = {values.get("input"), values.get("output")}
+    told = {values.get("input"), values.get("output"), *values.get("outputs", ())}
     for gear in gears:
         told.update((*gear.speeds, *gear.torques, *gear.drag, gear.input, gear.output))
     for number, name in enumerate(names, 1):

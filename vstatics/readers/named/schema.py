@@ -124,7 +124,7 @@ def _shape(shape: Shape) -> Words:  # noqa: PLR0911, C901 - a table
         case Ends():
             return {"type": "array", "items": link, "minItems": shape.least, "maxItems": 2}
         case Either():
-            return {"anyOf": [_shape(shape.links), _record(shape.record)]}
+            return {"anyOf": [_shape(shape.short), _record(shape.record)]}
         case ListOf():
             unique = {"uniqueItems": True} if shape.kind else {}
             return {"type": "array", "items": _shape(shape.item), **unique}

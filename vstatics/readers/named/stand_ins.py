@@ -57,7 +57,7 @@ def stand_in(shape: Shape) -> Any:  # noqa: PLR0911 - a table
         case ByKey():
             return shape.make(**values_before(shape))
         case Either():
-            return shape.record.make(links=_NO_LINKS)
+            return shape.record.make(**{shape.key: stand_in(shape.short)})
         case Ends():
             return _NO_LINKS
         case Links():

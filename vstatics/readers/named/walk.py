@@ -176,11 +176,17 @@ class Walk:
         return first, *(second or [HOUSING])
 
     def _either(self, spot: Spot, shape: Either) -> Any:
-        """A record; where its links can't be read the model has nothing to say of it."""
-        if not isinstance(spot.node, Mapping):
-            return shape.record.make(links=self.read(spot, shape.links))
-        made = self._by_key(spot, shape.record)
-        if (*spot.path, "links") in self.spots.unreadable:
+        """A record, or a list for its one key; of what can't be read the model says no more."""
+        inner = spot._replace(path=(*spot.path, shape.key))
+        if isinstance(spot.node, Mapping) or (is_null(spot.node) and not shape.record.required):
+            made = self._by_key(spot, shape.record)
+        elif isinstance(spot.node, Listing) or isinstance(shape.short, Ends):
+            made = shape.record.make(**{shape.key: self.read(inner, shape.short)})
+        else:
+            keys = _listed(key.name for key in shape.record.keys)
+            expected = f"expected a list of {shape.short.kind}, or a mapping with {keys}"
+            return self._refuse(spot, shape, expected)
+        if inner.path in self.spots.unreadable:
             self.spots.unreadable.append(spot.path)
         return made
 
