@@ -114,7 +114,7 @@ FAULTS = {
     "a torque": ("input: sun", "load: {torque: 9 rpm}\ninput: sun", "such as `1200 N*m`"),
     "a comma": ("input: sun", "load: {speed: '1,5 rpm'}\ninput: sun", "such as `2100 rpm`"),
     "drag": ("input: sun", "drag: {ring: 3 N*m}\ninput: sun", "no input torque to relate it to"),
-    "a unit": ("input: sun", "load: {torque: 300 Nm}\ninput: sun", "did you mean `300 N*m`?"),
+    "a unit": ("input: sun", "load: {torque: 300 KNM}\ninput: sun", "did you mean `kN*m`?"),
     "powers of powers": ("input: sun", "load: {speed: 1 rpm*9^9^9}\ninput: sun", "such as `2100 "),
     "a load that leaves": (
         "input: sun",

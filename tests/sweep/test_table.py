@@ -161,7 +161,7 @@ def test_a_file_of_one_line_without_end(monkeypatch: pytest.MonkeyPatch) -> None
 def test_the_line_is_right_in_any_piece(spooled: Path) -> None:
     text = "D1.ratio\n" + "".join(f"{number}\n\n" for number in range(500))
     assert refusal(text + "x\n") == [
-        (1002, 1, "D1.ratio: read `x`, expected a number or a fraction such as -96/39")
+        (1002, 1, "D1.ratio: read `x`, expected a number or a calculation such as -96/39")
     ]
     assert not list(spooled.iterdir())
 

@@ -103,7 +103,7 @@ def test_a_range_without_a_count_is_for_samples() -> None:
         ("=1", 1, "read nothing, expected a mechanism"),
         ("D1.ratio", 9, "read `D1.ratio` without values, expected D1.ratio= and then START:STOP"),
         ("D1.ratio=", 10, "read no values"),
-        ("D1.ratio=1,x,3", 12, "read `x`, expected a number or a fraction"),
+        ("D1.ratio=1,x,3", 12, "read `x`, expected a number or a calculation"),
         ("D1.ratio=1, 1_0,3", 13, "read `1_0`"),
         ("D1.ratio=1,,3", 12, "read nothing, expected a number"),
         ("D1.ratio=1,", 12, "read nothing"),

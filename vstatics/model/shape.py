@@ -18,6 +18,7 @@ LeafKind = Literal[
     "share",
     "speed",
     "torque",
+    "power",
     "relative_speed",
     "relative_torque",
     "link",
@@ -25,8 +26,8 @@ LeafKind = Literal[
     "flag",
     "choice",
 ]
-UNITS: Mapping[str, str] = {"speed": "rpm", "torque": "N*m"}
-"""Units in which the model has speeds and torques that are not relative."""
+UNITS: Mapping[str, str] = {"speed": "rpm", "torque": "N*m", "power": "kW"}
+"""Units of speeds, torques and powers that are not relative."""
 
 Limits: TypeAlias = Mapping[str, Any]
 """Words of JSON Schema for numbers, which the model checks in its own words."""

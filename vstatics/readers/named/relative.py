@@ -12,8 +12,8 @@ from vstatics.errors import Path
 from vstatics.model.part_checks import of_drag
 from vstatics.model.parts import HOUSING, Gear, Load, ShiftElement, SpeedOf
 from vstatics.model.shape import UNITS
+from vstatics.readers.named.measured import WithUnit
 from vstatics.readers.named.nodes import Spots
-from vstatics.readers.named.units import WithUnit
 
 
 class _Located(NamedTuple):

@@ -5,27 +5,22 @@ Python's own conversions take more (`1_000`, `nan`, `٣`) than a case should.
 
 from __future__ import annotations
 
-import math
 import re
-from typing import TYPE_CHECKING
 
-if TYPE_CHECKING:
-    pass
+from vstatics.readers.named.arithmetic import ARITHMETIC, calculated, expected
 
-DECIMAL = r"[+-]?([0-9]+(\.[0-9]*)?|\.[0-9]+)([eE][+-]?[0-9]+)?"
-NUMBER = rf"^{DECIMAL}( */ *{DECIMAL})?$"
-"""A decimal number or a fraction of two, as a pattern for Python and ECMAScript."""
+NUMBER = rf"^{ARITHMETIC}$"
+"""A number, or a calculation of numbers, as a pattern for ECMAScript."""
 
 LINK_NUMBER = "^(0|[1-9][0-9]*)$"
 """Plain digits; `010` would be 8 to some readers of YAML."""
 
-_NUMBER = re.compile(NUMBER.removesuffix("$") + r"\Z")
 _LINK_NUMBER = re.compile(LINK_NUMBER.removesuffix("$") + r"\Z")
 _MOST_DIGITS = 9
 
 
 def number(text: str) -> float:
-    """A decimal number or a fraction.
+    """A decimal number, a fraction, or other arithmetic.
 
     Raises
     ------
@@ -34,18 +29,12 @@ def number(text: str) -> float:
 
     Examples
     --------
-    >>> number("-2.5e-1"), number("-96/39") == -96 / 39
-    (-0.25, True)
+    >>> number("-2.5e-1"), number("-96/39") == -96 / 39, number("1 + 78/30")
+    (-0.25, True, 3.6)
     """
-    if not _NUMBER.match(text):
-        comma = " (with a decimal point)" if "," in text else ""
-        raise ValueError(f"expected a number or a fraction such as -96/39{comma}")
-    parts = [float(part) for part in text.split("/")]
-    if parts[1:] == [0]:
-        raise ValueError("expected a denominator other than 0")
-    value = parts[0] / parts[1] if len(parts) == 2 else parts[0]
-    if not math.isfinite(value):
-        raise ValueError("expected a number that is not so large")
+    value, behind = calculated(text)
+    if behind:
+        raise ValueError(expected(text))
     return value
 
 
@@ -80,9 +69,13 @@ def share(text: str) -> float:
     >>> share("3/2")
     1.5
     """
-    if not _NUMBER.match(text) or number(text) < 0:
+    try:
+        value = number(text)
+    except ValueError:
+        value = -1.0
+    if value < 0:
         raise ValueError("expected a share of 0 or more")
-    return number(text)
+    return value
 
 
 def flag(text: str, *, plain: bool) -> bool:

@@ -26,8 +26,8 @@ from vstatics.model.shape import (
     Shape,
     Shares,
 )
+from vstatics.readers.named.measured import QUANTITY
 from vstatics.readers.named.scalars import LINK_NUMBER, NUMBER
-from vstatics.readers.named.units import QUANTITY
 
 Words = dict[str, Any]
 

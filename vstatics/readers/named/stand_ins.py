@@ -17,7 +17,7 @@ from vstatics.model.shape import (
     Pair,
     Shape,
 )
-from vstatics.readers.named import scalars, units
+from vstatics.readers.named import measured, scalars
 from vstatics.readers.named.references import NO_ELEMENT, NO_LINK
 
 _MANY_LINKS = 10**9  # takes every link number in; the model refuses it, and this is not told
@@ -38,10 +38,10 @@ LEAVES: dict[LeafKind, LeafReading] = {
     "number": LeafReading("a number", 1.0, scalars.number),
     "count": LeafReading("a whole number", 1, scalars.count),
     "share": LeafReading("a share of 0 or more", 0.0, scalars.share),
-    "speed": LeafReading("a speed with its unit", 1.0, partial(units.quantity, kind="speed")),
-    "torque": LeafReading("a torque with its unit", 1.0, partial(units.quantity, kind="torque")),
-    "relative_speed": LeafReading("a speed", 0.0, partial(units.relative, kind="speed")),
-    "relative_torque": LeafReading("a torque", 0.0, partial(units.relative, kind="torque")),
+    "speed": LeafReading("a speed with its unit", 1.0, partial(measured.quantity, kind="speed")),
+    "torque": LeafReading("a torque with its unit", 1.0, partial(measured.quantity, kind="torque")),
+    "relative_speed": LeafReading("a speed", 0.0, partial(measured.relative, kind="speed")),
+    "relative_torque": LeafReading("a torque", 0.0, partial(measured.relative, kind="torque")),
     "link": LeafReading("a link", NO_LINK),
     "element": LeafReading("the name of a shift element", NO_ELEMENT),
     "flag": LeafReading("`true` or `false`", stand_in=False),

@@ -1,127 +1,132 @@
-"""Units in which a case may give speeds and torques: `2100 rpm`, `885 lbf*ft`."""
+"""Units of speeds, torques and powers as the trade writes them: what they measure, their size."""
 
 from __future__ import annotations
 
 import math
 import re
-import warnings
-from functools import cache
-from typing import TYPE_CHECKING, Literal, Self
+from typing import Literal
 
-from vstatics.model.shape import UNITS
-from vstatics.readers.named.scalars import DECIMAL, number
+Quantity = Literal["speed", "torque", "power"]
 
-if TYPE_CHECKING:
-    import pint
+_Factor = tuple[str, int, float]
+"""What a unit is made of, and its size as a ratio: in N, m, turns, minutes, kW."""
+_LB, _FT, _G = (45359237, 10**8), (3048, 10**4), (980665, 10**5)
+"""The pound in kg and the foot in m (International Yard and Pound, 1959), standard gravity in
+m/s^2 (3rd CGPM, 1901): exact."""
+_LBF = (_LB[0] * _G[0], _LB[1] * _G[1])
 
-Quantity = Literal["speed", "torque"]
-
-QUANTITY = rf"^{DECIMAL} *[A-Za-z](\^-?[1-3](?![0-9])|[*](?![*])|[A-Za-z /()·]){{0,30}}$"
-"""A number with a unit; no powers of powers, which could keep a library busy for ever."""
-
-EXAMPLES: dict[Quantity, str] = {
-    "speed": "`2100 rpm` or `220 rad/s`",
-    "torque": "`1200 N*m` or `885 lbf*ft`",
+_PREFIXED: dict[str, _Factor] = {
+    **dict.fromkeys(("N", "Н", "newton", "newtons"), ("force", 1, 1)),
+    **dict.fromkeys(("m", "м", "meter", "meters", "metre", "metres"), ("length", 1, 1)),
+    **dict.fromkeys(("W", "Вт", "watt", "watts"), ("power", 1, 1000)),
 }
-_ANGLES = ("revolution", "turn", "radian", "degree")
-_TEXT = re.compile(QUANTITY.removesuffix("$") + r"\Z")
-_MEANT = {
-    unit: meant
-    for meant, units in {
-        "N*m": ("nm", "n.m", "n-m", "н*м", "нм", "н·м"),
-        "rpm": ("1/min", "min^-1", "min-1", "/min", "u/min", "r/min", "об/мин"),
-    }.items()
-    for unit in units
+"""By their exact letters, with a prefix or without."""
+_PREFIXES = {
+    prefix: (above, below)
+    for prefixes, above, below in (
+        ("M М mega", 10**6, 1),
+        ("k к kilo", 1000, 1),
+        ("da да deca", 10, 1),
+        ("d д deci", 1, 10),
+        ("c с centi", 1, 100),
+        ("m м milli", 1, 1000),
+    )
+    for prefix in prefixes.split()
+} | {"": (1, 1)}
+_WORDS: dict[str, _Factor] = {
+    word: (kind, above, below)
+    for words, kind, above, below in (
+        ("lb lbs lbf pound pounds", "force", *_LBF),
+        ("oz ozf ounce ounces", "force", _LBF[0], _LBF[1] * 16),
+        ("kip kips", "force", _LBF[0] * 1000, _LBF[1]),
+        ("kgf kp kilopond кгс", "force", *_G),
+        ("gf pond гс", "force", _G[0], _G[1] * 1000),
+        ("tf тс", "force", _G[0] * 1000, _G[1]),
+        ("dyn dyne", "force", 1, 10**5),
+        ("ft foot feet", "length", *_FT),
+        ("in inch inches", "length", _FT[0], _FT[1] * 12),
+        ("yd yard yards", "length", _FT[0] * 3, _FT[1]),
+        ("rev revs revolution revolutions turn turns cycle cycles r u umdr tr об", "angle", 1, 1),
+        ("rad radian radians рад", "angle", 1, 2 * math.pi),
+        ("deg degree degrees °", "angle", 1, 360),
+        ("min minute minutes мин", "time", 1, 1),
+        ("s sec second seconds с сек", "time", 1, 60),
+        ("h hr hour hours ч", "time", 60, 1),
+        ("rpm", "speed", 1, 1),
+        ("rps", "speed", 60, 1),
+        ("krpm", "speed", 1000, 1),
+        # SAE J245; DIN 66036
+        ("hp bhp horsepower", "power", 550 * _LBF[0] * _FT[0], _LBF[1] * _FT[1] * 1000),
+        ("ps cv ch лс", "power", 75 * _G[0], _G[1] * 1000),
+    )
+    for word in words.split()
 }
-"""What is meant by units that the library reads as something else or not at all."""
+"""In letters of any size."""
+
+_KINDS: dict[str, tuple[Quantity, int]] = {
+    "speed": ("speed", 1),
+    "/time angle": ("speed", 1),
+    "force length": ("torque", 1),
+    "power": ("power", 1),
+    "/time force length": ("power", 60_000),  # N*m/min
+}
+"""Kinds of factors -> what they are together, and by what they are divided."""
+
+_SIGNS = str.maketrans("·⋅×⁻¹", "***-1")
+_FACTOR = re.compile(r" *([*./-]?) *(1(?= */)|[^\W\d_]+|°)(?:(?:\^|\*\*)?(-?1)(?![0-9]))?")
+LONGEST = 40
+"""Characters of a unit."""
 
 
-@cache
-def _registry() -> pint.UnitRegistry:  # type: ignore[type-arg]
-    import pint  # costs start-up time
-
-    return pint.UnitRegistry()
-
-
-def quantity(text: str, kind: Quantity) -> float:
-    """A speed in rpm or a torque in N*m.
+def unit(text: str) -> tuple[Quantity | None, float]:
+    """What a unit measures, and its size in rpm, N*m or kW; none if it is not understood.
 
     Parameters
     ----------
     text : str
-        A number and its unit.
-    kind : {"speed", "torque"}
-
-    Raises
-    ------
-    ValueError
-        With what was expected.
+        Factors with `*`, `.`, `-`, a blank or nothing between them, or `/`; exponents 1 and -1.
 
     Examples
     --------
-    >>> quantity("2100 rpm", "speed"), round(quantity("100 lbf*ft", "torque"), 3)
-    (2100.0, 135.582)
+    >>> unit("kNm"), unit("min^-1"), unit("furlong/fortnight")
+    (('torque', 1000.0), ('speed', 1.0), (None, 1.0))
     """
-    expected = f"expected a {kind} with its unit, such as {EXAMPLES[kind]}{_hint(text, kind)}"
-    if not _TEXT.match(text):
-        raise ValueError(expected)
-    units = _registry()
-    try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("error")
-            found = units.parse_expression(text.replace("·", "*"))
-            value = float(found.to(UNITS[kind]).magnitude)
-    except Exception:  # noqa: BLE001 - whatever the library cannot read
-        raise ValueError(expected) from None
-    # 1/min and Hz leave open whether turns or radians are meant
-    if kind == "speed" and not any(angle in str(found.units) for angle in _ANGLES):
-        raise ValueError(expected)
-    if not math.isfinite(value):
-        raise ValueError(f"{expected}, and finite")
-    return value
+    text = text.translate(_SIGNS).replace("л.с.", "лс").replace(" per ", "/")
+    kinds: list[str] = []
+    above: float = 1
+    below: float = 1
+    at = 0
+    while at < len(text) <= LONGEST:
+        factor = _FACTOR.match(text, at)
+        if not factor or (at == 0 and factor[1] in ("-", ".")):
+            return None, 1.0
+        inverse = (factor[1] == "/") != (factor[3] == "-1")
+        for kind, up, down in _factors(factor[2]):
+            kinds += [f"/{kind}" if inverse else kind]
+            above, below = (above * down, below * up) if inverse else (above * up, below * down)
+        at = factor.end()
+    together = " ".join(sorted(kinds))
+    if together == "/time" and above == below:  # 1/min is rpm; 1/s could be rad/s
+        return "speed", 1.0
+    if at < len(text) or together not in _KINDS:
+        return None, 1.0
+    quantity, divisor = _KINDS[together]
+    return quantity, above / (below * divisor)
 
 
-def _hint(text: str, kind: Quantity) -> str:
-    """The usual unit, where another way to write it was read."""
-    figure, unit = re.match(r"([-+0-9.eE]*) *(.*)", text, re.DOTALL).groups()  # type: ignore[union-attr]
-    meant = _MEANT.get(unit.lower())
-    return f"; did you mean `{figure} {meant}`?" if figure and meant == UNITS[kind] else ""
+def _factors(word: str) -> list[_Factor]:
+    """What a word without signs is made of: N and m for `Nm`, nothing known for `Mm2`."""
+    for end in range(len(word), 0, -1) if word != "1" else ():
+        parts = [_factor(part) for part in (word[:end], word[end:]) if part]
+        known = [part for part in parts if part]
+        if len(known) == len(parts):
+            return known
+    return [] if word == "1" else [("?", 1, 1)]
 
 
-class WithUnit(float):
-    """A speed in rpm or a torque in N*m, where others are relative to the input's."""
-
-    quantity: Quantity
-
-    def __new__(cls, value: float, quantity: Quantity) -> Self:
-        """Keep what it is the value of."""
-        made = super().__new__(cls, value)
-        made.quantity = quantity
-        return made
-
-    def __format__(self, spec: str) -> str:
-        return f"{super().__format__(spec)} {UNITS[self.quantity]}"
-
-
-def relative(text: str, kind: Quantity) -> float:
-    """A speed or torque relative to that of the input, or one with its unit.
-
-    Raises
-    ------
-    ValueError
-        With what was expected.
-
-    Examples
-    --------
-    >>> relative(".002", "torque"), relative("3 N*m", "torque")
-    (0.002, 3.0)
-    """
-    try:
-        return number(text)
-    except ValueError as error:
-        if not any(letter.isalpha() for letter in text):
-            raise
-        try:
-            return WithUnit(quantity(text, kind), kind)
-        except ValueError as with_unit:
-            raise ValueError(f"{with_unit}, or one relative to the input {kind}") from error
+def _factor(word: str) -> _Factor | None:
+    for prefix, (up, down) in _PREFIXES.items():
+        if word.startswith(prefix) and (known := _PREFIXED.get(word[len(prefix) :])):
+            kind, above, below = known
+            return kind, above * up, below * down
+    return _WORDS.get(word.casefold())

@@ -1,0 +1,96 @@
+"""Numbers with a unit, or relative to the input: how they are read and refused."""
+
+from __future__ import annotations
+
+import re
+import time
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from vstatics.readers.named.arithmetic import LONGEST
+from vstatics.readers.named.measured import QUANTITY, Quantity, WithUnit, quantity, relative
+
+
+@pytest.mark.parametrize(
+    ("text", "kind", "value"),
+    [
+        ("400 Nm", "torque", 400),
+        ("400Nm", "torque", 400),
+        ("1.3*400 Nm", "torque", 520),
+        ("1.3*400*Nm", "torque", 520),
+        ("(2 + 3)*100 rpm", "speed", 500),
+        ("3000 1/min", "speed", 3000),
+        ("3000/min", "speed", 3000),
+        ("-60/2 U/min", "speed", -30),
+        ("2100 об/мин", "speed", 2100),
+        ("400 Н·м", "torque", 400),
+        ("2*60 kW", "power", 120),
+        ("100 л.с.", "power", 73.549875),  # 75 kgf*m/s
+    ],
+)
+def test_a_calculation_stands_before_the_unit(text: str, kind: Quantity, value: float) -> None:
+    assert quantity(text, kind) == pytest.approx(value, rel=1e-15)
+    assert re.fullmatch(QUANTITY, text)
+
+
+@pytest.mark.parametrize(
+    ("text", "kind", "words"),
+    [
+        ("2100", "speed", "expected a speed with its unit, such as `2100 rpm` or `220 rad/s`"),
+        ("rpm", "speed", "expected a speed with its unit"),
+        ("300 Nm", "speed", "such as `2100 rpm` or `220 rad/s`, not a torque"),
+        ("300 Nm/s", "torque", ", not a power"),
+        ("300 rpn", "speed", "; did you mean `rpm`?"),
+        ("50 1/s", "speed", "; did you mean `rev/s` or `rad/s`?"),
+        ("50 s^-1", "speed", "; did you mean `rev/s` or `rad/s`?"),
+        ("35 Hz", "speed", "; did you mean `rev/s` or `rad/s`?"),
+        ("300 nm", "torque", "; did you mean `N*m`?"),
+        ("300 NM", "torque", "; did you mean `N*m`?"),
+        ("3 knm", "torque", "; did you mean `kN*m`?"),
+        ("30 kg*m", "torque", "; did you mean `kgf*m`?"),
+        ("120 kw", "power", "such as `120 kW` or `160 hp`; did you mean `kW`?"),
+        ("120 KW", "power", "; did you mean `kW`?"),
+        ("2 mw", "power", "; did you mean `MW`?"),
+        ("1,5 kW", "power", "(with a decimal point)"),
+        ("90 °C", "power", "expected a power with its unit"),
+        ("1e308 krpm", "speed", "expected a speed that is not so large"),
+        ("1/0 rpm", "speed", "expected a denominator other than 0"),
+    ],
+)
+def test_what_is_no_such_quantity_is_told(text: str, kind: Quantity, words: str) -> None:
+    with pytest.raises(ValueError, match=re.escape(words)):
+        quantity(text, kind)
+
+
+def test_without_a_unit_a_number_is_relative_to_the_input() -> None:
+    assert relative("-78/30", "speed") == -2.6
+    assert not isinstance(relative("1/500", "torque"), WithUnit)
+    assert f"{relative('2*1.5 kNm', 'torque'):g}" == "3000 N*m"
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("1.2.3", "expected a number or a calculation such as -96/39"),
+        ("1,5", "(with a decimal point)"),
+        ("fast", "such as `2100 rpm` or `220 rad/s`, or one relative to the input speed"),
+        ("3 rmp", "did you mean `rpm`?, or one relative to the input speed"),
+    ],
+)
+def test_what_is_neither_is_told(text: str, words: str) -> None:
+    with pytest.raises(ValueError, match=re.escape(words)):
+        relative(text, "speed")
+
+
+@given(st.text("0123456789.eE+-*/() ^Nmrpkfltbi°·,", max_size=LONGEST))
+def test_any_text_is_read_or_refused_in_bounded_time(text: str) -> None:
+    begin = time.process_time()
+    for kind in ("speed", "torque", "power"):
+        try:
+            quantity(text, kind)  # type: ignore[arg-type]
+        except ValueError:
+            continue
+        assert re.match(QUANTITY, text)
+    assert time.process_time() - begin < 0.5
