@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import math
 import re
 import time
@@ -90,10 +91,8 @@ def test_what_is_no_number_is_told(text: str, words: str) -> None:
 @given(st.text("0123456789.eE+-*/() ^Nm", max_size=LONGEST))
 def test_any_text_is_evaluated_in_bounded_time(text: str) -> None:
     begin = time.process_time()
-    try:
+    with contextlib.suppress(ValueError):
         assert math.isfinite(calculated(text).value)
-    except ValueError:
-        pass
     re.match(f"{ARITHMETIC}$", text)
     assert time.process_time() - begin < 0.5
 

@@ -624,7 +624,14 @@ gears: {{curve: {{output: 2, speeds: {{3: {given}}}}}}}
 
 @pytest.mark.parametrize(
     ("given", "factor"),
-    [("FL", 1), ("1.05*FL", 1.05), ("-FL", -1), ("21/20 * FL", 1.05), ("-1.05*link FL", -1.05)],
+    [
+        ("FL", 1),
+        ("1.05*FL", 1.05),
+        ("-FL", -1),
+        ("21/20 * FL", 1.05),
+        ("-1.05*link FL", -1.05),
+        ("(1 + .05)*FL", 1.05),
+    ],
 )
 def test_a_speed_may_be_given_by_that_of_another_link(given: str, factor: float) -> None:
     assert _speeds(given).case.gears[0].speeds == {3: SpeedOf(2, factor)}
@@ -641,6 +648,8 @@ def test_a_link_that_has_a_number_is_told_from_a_speed_by_the_word_link() -> Non
         ("1.05*FI", "expected the name of a link behind the `*`: engine, FL, FR"),
         ("0*FL", "read a factor of 0"),
         ("2*FR", "given by itself"),
+        ("2*300 Nm", "expected a speed with its unit, such as `2100 rpm` or `220 rad/s`, not a"),
+        ("2**FL", "expected a number or a calculation"),
     ],
 )
 def test_a_speed_of_a_link_that_is_not_there_is_refused(given: str, said: str) -> None:

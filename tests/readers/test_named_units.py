@@ -79,7 +79,9 @@ def test_printed_sizes() -> None:
     assert unit("kgf*m") == ("torque", 9.80665)
 
 
-@pytest.mark.parametrize("text", ["rad/s", "RAD/S", "radian/second", "rad*s^-1", "рад/с", "rad s-1"])
+@pytest.mark.parametrize(
+    "text", ["rad/s", "RAD/S", "radian/second", "rad*s^-1", "рад/с", "rad s-1"]
+)
 def test_an_angle_may_be_in_radians(text: str) -> None:
     assert unit(text) == ("speed", 30 / math.pi)
 

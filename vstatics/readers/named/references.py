@@ -6,7 +6,9 @@ from collections.abc import Collection, Iterable, Sequence
 
 from vstatics.model.transmission import HOUSING, SpeedOf
 from vstatics.readers.named import scalars
+from vstatics.readers.named.arithmetic import calculated
 from vstatics.readers.named.nodes import Found, shown
+from vstatics.readers.named.units import unit
 
 NO_LINK = -1
 """Stands in for a link that is not known; no other link is equal to it."""
@@ -81,20 +83,13 @@ class References:
         ValueError
             If it is one, but of no link that is known.
         """
-        factor, link = 1.0, text
-        front, times, behind = text.partition("*")
-        if times:
-            try:
-                factor, link = scalars.number(front.strip()), behind.strip()
-            except ValueError:
-                return None
-        elif text.startswith("-"):
-            factor, link = -1.0, text[1:].strip()
-        number = self._number(link)
+        front, times, behind = text.rpartition("*")
+        sign = "-" if text.startswith("-") and not times else ""
+        number = self._number(behind.removeprefix(sign).strip())
         if number is not None:
-            return SpeedOf(number, factor)
-        if times and self.links_known:
-            known = self._known(link, self.link_names)
+            return SpeedOf(number, scalars.number(front.strip()) if times else float(f"{sign}1"))
+        if times and self.links_known and _is_factor(text):
+            known = self._known(behind.strip(), self.link_names)
             raise ValueError(f"expected the name of a link behind the `*`{known}")
         return None
 
@@ -127,6 +122,15 @@ class References:
         """The nearest of the names, or all of them if they are few."""
         few = ": " + ", ".join(map(shown, names)) if len(names) <= _FEW else ""
         return self._found.hint(text, names) or few
+
+
+def _is_factor(text: str) -> bool:
+    """Whether a number and a `*` stand before something that is no unit."""
+    try:
+        behind = calculated(text).behind
+    except ValueError:
+        return False
+    return behind.startswith("*") and not unit(behind)[0]
 
 
 def _numbered(names: Iterable[str]) -> dict[str, int]:
