@@ -87,8 +87,8 @@ def test_a_condition_and_the_best() -> None:
 
 def test_variants_without_a_solution_are_rows_and_are_counted() -> None:
     said = vstatics("sweep", "box.yaml", "--vary", "D.ratio=0,1,-2", "--out", "ratio[low]")
-    assert said.out.splitlines()[1:] == ["0,0,invalid,", "1,1,invalid,", "2,-2,ok,3"]
-    assert "3 rows of 3 variants (2 invalid);" in said.err
+    assert said.out.splitlines()[1:] == ["0,0,invalid,", "1,1,tied up,", "2,-2,ok,3"]
+    assert "3 rows of 3 variants (1 tied up, 1 invalid);" in said.err
     assert said.status == 0
     said = vstatics("sweep", "box.yaml", "--vary", "D.ratio=0,1")
     assert said.status == 1

@@ -73,7 +73,6 @@ FAULTS = [
     ("member-out-of-range", 7, 20, "NZD(2,3): read 7", "a link number from 1 to 4"),
     ("members-equal", 5, 20, "NZD(2,1): links (1, 1, 4)", "different links"),
     ("ratio-0", 9, 6, "IAB(2): read 0", "other than 0"),
-    ("ratio-1", 9, 1, "IAB(1): read 1", "another ratio"),
     ("efficiency-0", 11, 5, "ETAI(2): read 0", "above 0"),
     ("efficiency-above-1", 11, 1, "ETAI(1): read 97", "up to 1"),
     ("planet-ratio-0", 13, 17, "UAQ(1): read 0", "other than 0"),

@@ -583,6 +583,7 @@ OTHER: dict[type, dict[str, object]] = {
         "drag": {1: 0.2},
         "open_drag": {2: 0.3},
         "load": Load(100.0, 9.0),
+        "input_turns": "backward",
     },
     Transmission: {
         "links": 5,

@@ -47,8 +47,8 @@ def test_the_low_gear_of_a_differential_has_its_closed_form() -> None:
 
 
 def test_a_number_that_can_be_none_makes_an_invalid_row() -> None:
-    """1 with three links, 0, and what is not finite; an efficiency outside 0 < e <= 1."""
-    ratios = [1, 0, np.nan, np.inf, -2.5, -2.5, -2.5]
+    """0, and what is not finite; an efficiency outside 0 < e <= 1."""
+    ratios = [-np.inf, 0, np.nan, np.inf, -2.5, -2.5, -2.5]
     efficiencies = [0.9, 0.9, 0.9, 0.9, 0, 1.01, 0.9]
     table = {"D.ratio": ratios, "D.efficiency": efficiencies}
     (made,) = sweep(DIFFERENTIAL, variants=table)
@@ -61,8 +61,11 @@ def test_a_number_that_can_be_none_makes_an_invalid_row() -> None:
     assert dict(kept.counts) == dict(made.counts)
 
 
-def test_ratio_1_is_one_where_two_links_are_left() -> None:
-    """A set with a link on the housing is a pair of wheels: 1 is a ratio like any other."""
+def test_ratio_1_is_a_ratio_like_any_other() -> None:
+    """Of a pair of wheels; in a set it ties sun and ring, so a brake on the ring holds the sun."""
+    table = {"D.ratio": [1.0, -2.5]}
+    (made,) = sweep(DIFFERENTIAL, variants=table, out="ratio")
+    assert [STATUS[code] for code in made.status] == ["tied up", "ok"]
     pair = Transmission(2, [], [Mechanism(1, 2, 0, -2, name="D")], [Gear()], output=2)
     (made,) = sweep(pair, {"D.ratio": [1, 3]}, out="ratio")
     assert made.columns[:, 0].tolist() == [1, 3]

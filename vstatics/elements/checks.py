@@ -8,12 +8,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
+from fractions import Fraction
 from itertools import product
 
 from vstatics.elements import group_checks
 from vstatics.elements.drawing import Drawing
 from vstatics.elements.element import Element
-from vstatics.elements.group import group_of
+from vstatics.elements.group import PlanetGroup, group_of
 from vstatics.elements.group_checks import MOST
 from vstatics.elements.kinds import GROUP, KINDS, Kind, Planetary, Simple
 from vstatics.elements.lower import at_meshes
@@ -34,7 +35,7 @@ def problems(drawing: Drawing) -> Iterator[Problem]:
 
 
 def hints(drawing: Drawing) -> Iterator[Problem]:
-    """Wheels that are left out, and planets that are shared in the reduced form all the same."""
+    """Wheels that are left out or alike, and planets that are shared in the reduced form."""
     for number, element in enumerate(drawing.elements, 1):
         if isinstance(element.shape, Planetary):
             for wheel in element.shape.wheels:
@@ -42,6 +43,7 @@ def hints(drawing: Drawing) -> Iterator[Problem]:
                     message = f"the wheel is left out, as no link is given for it (`{wheel}: ...`)"
                     yield Problem(message, ("elements", number, "teeth", wheel), severity="warning")
             group = group_of(element)
+            yield from _alike(group, ("elements", number))
             if group.is_shared and not at_meshes(element, group, drawing):
                 message = (
                     "several wheels share planets, and the losses of the reduced form are not "
@@ -49,6 +51,20 @@ def hints(drawing: Drawing) -> Iterator[Problem]:
                 )
                 yield Problem(message, ("elements", number), severity="note")
     yield from _side_by_side(drawing)
+
+
+def _alike(group: PlanetGroup, path: Path) -> Iterator[Problem]:
+    """Wheels that turn alike, by a ratio of 1 between them."""
+    for train in group.trains:
+        seen: dict[Fraction, str] = {}
+        for wheel in group.wheels_of(train):
+            first = seen.setdefault(group.relative(wheel, train), wheel.member)
+            if first != wheel.member:
+                message = (
+                    f"{first} and {wheel.member} turn alike whatever the carrier does (ratio 1): "
+                    "between them it takes torque by losses only"
+                )
+                yield Problem(message, path, severity="note")
 
 
 def _side_by_side(drawing: Drawing) -> Iterator[Problem]:

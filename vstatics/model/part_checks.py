@@ -87,9 +87,6 @@ def of_mechanism(mechanism: Mechanism, path: Path, links: int) -> Iterator[Probl
         yield Problem(f"read {ratio}, expected a finite number", (*path, "ratio"))
     elif ratio == 0:
         yield Problem("read 0, expected a ratio other than 0", (*path, "ratio"))
-    elif ratio == 1 and len(members) == 3:
-        message = "read 1, which joins the first link to the second and leaves the third loose"
-        yield Problem(f"{message}; expected another ratio with three links", (*path, "ratio"))
     yield from of_efficiency(mechanism.efficiency, (*path, "efficiency"))
     yield from of_back_efficiency(mechanism.back_efficiency, (*path, "back_efficiency"))
     planet_ratio = mechanism.planet_ratio
@@ -112,13 +109,16 @@ def of_back_efficiency(value: float | None, path: Path) -> Iterator[Problem]:
 
 
 def doubtful(mechanism: Mechanism, path: Path) -> Iterator[Problem]:
-    """What may be meant, but is likely to be a mistake."""
+    """What may be meant, but may be a mistake too."""
     ratio = mechanism.ratio
     if mechanism.third == HOUSING:
         return
-    if ratio == 1 and HOUSING in mechanism.links:
-        message = "ratio 1 leaves the third link loose"
-        yield Problem(f"{message}; is another ratio meant?", (*path, "ratio"), severity="warning")
+    if ratio == 1:
+        message = (
+            "with ratio 1 the first link turns as the second whatever the third does, which takes "
+            "torque by losses only"
+        )
+        yield Problem(message, (*path, "ratio"), severity="note")
     if mechanism.planet_ratio is None and not mechanism.is_plain(ratio):
         yield Problem(
             f"ratio {ratio:g} is not that of a plain planetary set: there is no "

@@ -55,9 +55,9 @@ def check_signs(
 ) -> LossyTorques:
     """What torques with losses mean: losses, efficiency, and whether the signs agree.
 
-    A set of signs is admissible when the loss of every mechanism is not negative, which
-    is the same as: its sign is that of its flow, or its flow is 0; and when the
-    efficiency is above 0 (where there is one without losses).
+    A set of signs is admissible when the sign of every mechanism with losses is that of its
+    flow, or one of the two is 0; and when the efficiency is above 0 (where there is one
+    without losses).
     """
     on_first_link = mechanism_torques(ideal, lossy_columns, torques)
     by_first_link = list(map(power, on_first_link, ideal.speeds.relative_speeds))
@@ -66,7 +66,7 @@ def check_signs(
     efficiency = _efficiency(ideal, torques, entering)
     directions = tuple(sign(entered) * ideal.variant.direction for entered in by_first_link)
     agrees = all(
-        x * direction >= 0 or own.lossless
+        x == 0 or x * direction >= 0 or own.lossless
         for x, direction, own in zip(signs, directions, ideal.variant.efficiencies, strict=True)
     )
     passes = 0 < efficiency < math.inf or not _passes_power(ideal)

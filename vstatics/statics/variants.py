@@ -148,7 +148,8 @@ def _structure(case: Transmission) -> tuple[Hashable, ...]:
 def _conditions(case: Transmission, gear: Gear) -> tuple[Hashable, ...]:
     """What a gear has of its own."""
     own = (tuple(v.items()) if isinstance(v, dict) else v for v in _OF_GEAR(gear))
-    return (*own, case.gear_input(gear), case.gear_output(gear), case.input_turns(gear))
+    turned = case.input_turns(gear) == "backward"
+    return (*own, case.gear_input(gear), case.gear_output(gear), turned)
 
 
 def _remembered(key: Hashable, function: Callable[[], Function]) -> Plans:

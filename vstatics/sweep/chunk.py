@@ -195,7 +195,7 @@ def _numbers(
     invalid = np.zeros(len(values), dtype=np.bool_)
     for column, target in enumerate(targets):
         mechanism, varied = case.mechanisms[target.mechanism], values[:, column]
-        wrong = impossible(mechanism, target.quantity, varied)
+        wrong = impossible(target.quantity, varied)
         numbers[target.quantity][target.mechanism] = varied
         if wrong.any():
             own = getattr(mechanism, target.quantity)
