@@ -16,9 +16,12 @@ CONVENTIONS = {
     "input_link_kW they are in kW",
     "members": "above 0: from the link to the member",
     "throughput": "what enters a node; of a port what passes it",
+    "teeth": "power that enters the teeth, against the carrier; of a mechanism as a whole "
+    "where there is no mesh",
     "forward": "the edges less all loops",
     "loops": "circulating power; a note where it may not be in the metal",
     "locked_in": "loops within what turns as one piece, which do not count",
+    "by_convention": "what turns as one piece, and whose part of the power no statics decides",
     "null": "does not exist, or is not determined",
 }
 
@@ -36,6 +39,7 @@ def write(name: str, gears: Sequence[GearFlow]) -> str:
                     "gear": flow.gear,
                     "note": flow.note,
                     "input_link_kW": flow.kilowatts,
+                    "by_convention": flow.by_convention,
                     "ideal": _side(flow.ideal),
                     "lossy": _side(flow.lossy),
                 }
@@ -62,6 +66,10 @@ def _side(side: PowerFlow | None) -> dict[str, Any] | None:
         "members": [
             device._asdict() | {"member": member, "link": link, "power": power}
             for device, member, link, power in side.members
+        ],
+        "teeth": [
+            device._asdict() | {"mesh": mesh, "power": power, "loss": loss}
+            for device, mesh, power, loss in side.teeth
         ],
         "edges": _edges(side.edges),
         "forward": _edges(side.forward),

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
+from itertools import zip_longest
 
 from vstatics.flow.circulation import Loop, Node, NodeKind
 from vstatics.flow.power import GearFlow, PowerFlow
@@ -17,13 +18,16 @@ SECTIONS: Mapping[NodeKind, str] = {
     "element": "shift elements",
     "drag": "drag of links",
 }
+CONVENTION = "~"
+"""Marks power that is divided by convention, within what turns as one piece."""
 
 
 def power_grid(flow: GearFlow) -> Grid:
     """The power through each link, mechanism and shift element; with a load in kW, too.
 
-    Below a mechanism stands the power of its members. Whatever has no power is left out.
-    There are no rows where the ideal flow does not exist.
+    Below a mechanism stand the power of its members, and that of its teeth. Whatever has
+    no power is left out. There are no rows where the ideal flow does not exist. A gear with
+    powers that are divided by convention has a last column that marks them.
 
     Examples
     --------
@@ -37,7 +41,7 @@ def power_grid(flow: GearFlow) -> Grid:
     load = not math.isnan(flow.kilowatts)
     columns = [text("power through"), Column("ideal"), Column("with losses")]
     columns += [Column("kW")] * load + [Column("loss")] + [Column("loss, kW")] * load
-    columns.append(Column("share, %"))
+    columns += [Column("share, %"), *[text("by convention")] * bool(flow.by_convention)]
     rows: list[list[Cell | str]] = []
     levels = []
     moving = [node for node, carries in _nodes(flow).items() if carries]
@@ -50,9 +54,9 @@ def power_grid(flow: GearFlow) -> Grid:
             rows.append(_of_node(flow, node))
             levels.append(2)
             if kind == "mechanism":
-                members = list(_of_members(flow, node))
-                rows += members
-                levels += [3] * len(members)
+                below = [*_of_members(flow, node), *_of_teeth(flow, node)]
+                rows += [row for _, row in below]
+                levels += [level for level, _ in below]
     return Grid(f"Gear {flow.gear}", columns, rows, levels)
 
 
@@ -64,6 +68,10 @@ def remarks(flow: GearFlow) -> Iterator[str]:
     still = [str(node) for node, carries in nodes if not carries and node.kind in SECTIONS]
     if still:
         yield f"no power: {', '.join(still)}"
+    if flow.by_convention:
+        yield f"{CONVENTION} by convention, as it turns as one piece: " + ", ".join(
+            map(str, flow.by_convention)
+        )
     if flow.note:
         yield f"with losses: {flow.note}"
     shown = flow.lossy or flow.ideal
@@ -113,20 +121,37 @@ def _of_node(flow: GearFlow, node: Node) -> list[Cell | str]:
         math.nan if side is None else side.throughput.get(node, 0.0)
         for side in (flow.ideal, flow.lossy)
     )
+    mark = CONVENTION if node in flow.by_convention else ""
     if flow.lossy is None:
-        return _row(flow, str(node), (ideal, lossy))
-    loss, share = flow.lossy.losses.get(node), flow.lossy.shares.get(node)
-    return _row(flow, str(node), (ideal, lossy), loss, share)
+        return _row(flow, str(node), (ideal, lossy), mark=mark)
+    losses = flow.lossy.losses.get(node), flow.lossy.shares.get(node)
+    return _row(flow, str(node), (ideal, lossy), losses, mark=mark)
 
 
-def _of_members(flow: GearFlow, node: Node) -> Iterator[list[Cell | str]]:
+def _of_members(flow: GearFlow, node: Node) -> Iterator[tuple[int, list[Cell | str]]]:
     """Power of each member of a mechanism, but those that are the housing."""
     assert flow.ideal is not None  # noqa: S101 - for mypy
     lossy = {} if flow.lossy is None else _by_member(flow.lossy, node)
     for (member, link), power in _by_member(flow.ideal, node).items():
         if link != "housing":
             powers = power, lossy.get((member, link), math.nan)
-            yield _row(flow, f"{member}: {link}", powers)
+            yield 3, _row(flow, f"{member}: {link}", powers)
+
+
+def _of_teeth(flow: GearFlow, node: Node) -> Iterator[tuple[int, list[Cell | str]]]:
+    """Tooth power of a mechanism, and of its meshes with their losses."""
+    assert flow.ideal is not None  # noqa: S101 - for mypy
+    ideal = [one for one in flow.ideal.teeth if one.device == node]
+    lossy = [one for one in flow.lossy.teeth if one.device == node] if flow.lossy else []
+    for one, with_losses in zip_longest(ideal, lossy):
+        power = math.nan if with_losses is None else with_losses.power
+        if not one.mesh:
+            yield 3, _row(flow, "teeth", (one.power, power))
+        elif flow.lossy is None:
+            yield 4, _row(flow, one.mesh, (one.power, power))
+        else:
+            share = with_losses.loss / flow.lossy.lost if flow.lossy.lost else math.nan
+            yield 4, _row(flow, one.mesh, (one.power, power), (with_losses.loss, share))
 
 
 def _by_member(side: PowerFlow, node: Node) -> dict[tuple[str, str], float]:
@@ -137,11 +162,12 @@ def _row(
     flow: GearFlow,
     name: str,
     powers: tuple[float, float],
-    loss: float | None = None,
-    share: float | None = None,
+    losses: tuple[float | None, float | None] = (None, None),
+    *,
+    mark: str = "",
 ) -> list[Cell | str]:
-    """A row, with the powers without and with losses; fields that do not exist are empty."""
-    (ideal, lossy), unit = powers, flow.kilowatts
+    """A row: powers without and with losses, loss and share; what does not exist is empty."""
+    (ideal, lossy), (loss, share), unit = powers, losses, flow.kilowatts
     load = not math.isnan(unit)
     return [
         name,
@@ -151,4 +177,5 @@ def _row(
         "" if loss is None else exact(loss, 4),
         *["" if loss is None else exact(loss * unit)] * load,
         "" if share is None or math.isnan(share) else exact(100 * share, 1),
+        *[mark] * bool(flow.by_convention),
     ]

@@ -8,14 +8,16 @@ and the drag of links; its edges are what they exchange. The housing has no powe
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
 
 from vstatics.flow.circulation import Edge, Loop, Node, cancel
-from vstatics.flow.exchange import Exchange, exchanges, links_of, pieces_of
+from vstatics.flow.exchange import Exchange, exchanges, links_of
+from vstatics.flow.one_piece import divided_by_convention, pieces_of
 from vstatics.flow.shared_planets import shared
+from vstatics.flow.teeth import ToothPower, tooth_powers
 from vstatics.model.transmission import HOUSING
 from vstatics.numerics.tolerances import NOISE
 from vstatics.numerics.traced import plain
@@ -60,6 +62,8 @@ class PowerFlow(NamedTuple):
     """Cycles of circulating power, of that which is determined."""
     locked_in: tuple[Loop, ...]
     """Cycles within what turns as one piece: not counted, as nothing moves in them."""
+    teeth: tuple[ToothPower, ...] = ()
+    """Power against the carrier, of every mechanism that may have teeth and of its meshes."""
 
     @property
     def unknown(self) -> tuple[Node, ...]:
@@ -110,6 +114,9 @@ class GearFlow(NamedTuple):
     """The power at the input link, NaN where no load tells it. [kW]"""
     status: Status
     """Why a flow does not exist; `OK` where it does."""
+    by_convention: tuple[Node, ...] = ()
+    """What turns as one piece and has a part of the power by convention: statics decides
+    what enters the piece and leaves it, not how it divides inside."""
 
     @property
     def note(self) -> str:
@@ -156,13 +163,24 @@ def flows(results: Results) -> list[GearFlow]:
 
 def _of_gear(state: GearState, kilowatts: float) -> GearFlow:
     status = next((one for one in state.statuses if not one.has_power), OK)
+    ideal = _flow(state, lossy=False) if state.calculable else None
+    lossy = _flow(state, lossy=True) if status is OK else None
+    sides = [side for side in (ideal, lossy) if side is not None]
     return GearFlow(
-        state.gear.name,
-        _flow(state, lossy=False) if state.calculable else None,
-        _flow(state, lossy=True) if status is OK else None,
-        kilowatts,
-        status,
+        state.gear.name, ideal, lossy, kilowatts, status, tuple(_by_convention(state, sides))
     )
+
+
+def _by_convention(state: GearState, sides: Sequence[PowerFlow]) -> Iterator[Node]:
+    """In the order of the flow, of nodes that have power."""
+    if not sides:
+        return
+    nodes = sides[0].throughput
+    bearing = [node for node in nodes if any(side.throughput[node] != 0 for side in sides)]
+    found = divided_by_convention(state, bearing, [side.edges for side in sides])
+    for node in bearing:
+        if node in found and not any(node in side.unknown for side in sides):
+            yield node
 
 
 def _flow(state: GearState, *, lossy: bool) -> PowerFlow:
@@ -196,7 +214,16 @@ def _flow(state: GearState, *, lossy: bool) -> PowerFlow:
         sum(power for power in at_ports if not power < 0) + 0.0,
         tuple(loop._replace(shared=shared(state.case, loop)) for loop in loops),
         at_rest.loops,
+        tuple(_teeth(state, lossy=lossy)),
     )
+
+
+def _teeth(state: GearState, *, lossy: bool) -> Iterator[ToothPower]:
+    """Tooth powers that are nothing but rounding made 0."""
+    found = list(tooth_powers(state, lossy=lossy))
+    noise = NOISE * max((one.power for one in found if not math.isnan(one.power)), default=0.0)
+    for one in found:
+        yield one._replace(power=0.0) if one.power <= noise else one
 
 
 def _without_noise(exchanged: Sequence[Exchange]) -> list[Exchange]:

@@ -38,6 +38,7 @@ def text(flow: GearFlow) -> str:
       pair                         1.000    1.000    .0200 100.0%
         first: 1                   1.000    1.000
         second: 2                 -1.000    -.980
+        teeth                      1.000    1.000
     in 1.000 - out .980 - lost .020 = .000
     circulating: none
     """
@@ -55,15 +56,18 @@ def _lines(flow: GearFlow) -> Iterator[str]:
 
 
 def _narrow(grid: Grid, heading: str) -> Grid:
-    """The table with short headings, and numbers that suit its width."""
-    names = [column.heading for column in grid.columns[1:]]
+    """The table with short headings, numbers that suit its width, and marks behind names."""
+    names = [column.heading for column in grid.columns[1:] if column.is_number]
     columns = [
         Column(heading, is_number=False),
         *(Column(HEADINGS.get(name, name)) for name in names),
     ]
     rows = [
-        [first.text, *(_field(*pair) for pair in zip(names, fields, strict=True))]
-        for first, *fields in grid.cells
+        [
+            " ".join(cell.text for cell in (row[0], *row[1 + len(names) :])).rstrip(),
+            *(_field(*pair) for pair in zip(names, row[1:], strict=False)),
+        ]
+        for row in grid.cells
     ]
     return grid._replace(title="", columns=columns, rows=rows)
 

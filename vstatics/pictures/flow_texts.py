@@ -6,6 +6,7 @@ import math
 from typing import NamedTuple
 
 from vstatics.flow.circulation import Node
+from vstatics.flow.grids import CONVENTION
 from vstatics.flow.power import GearFlow, PowerFlow
 from vstatics.flow.shared_planets import words
 from vstatics.pictures.labels import wrapped
@@ -34,7 +35,8 @@ class FlowTexts(NamedTuple):
 
     def node(self, node: Node, power: float) -> str:
         """The name of a node, and the power through it."""
-        name = wrapped(_name(node, self.style), LONGEST)
+        mark = f" {CONVENTION}" if node in self.flow.by_convention else ""
+        name = wrapped(_name(node, self.style) + mark, LONGEST)
         return f"{name}\n{'?' if node in self.side.unknown else self.power(power)}"
 
     def loop(self, number_of_loop: int) -> str:
@@ -89,6 +91,12 @@ def heading(flow: GearFlow, wide: float, style: Style) -> str:
     elif side.unknown:
         unknown = ", ".join(_name(node, style) for node in side.unknown)
         lines.append(f"{style.text('not determined', 'не определены')}: {unknown}")
+    if flow.by_convention:
+        text = style.text(
+            "by convention, as it turns as one piece", "условно: внутри одного целого"
+        )
+        names = ", ".join(_name(node, style) for node in flow.by_convention)
+        lines.append(f"{CONVENTION} {text}: {names}")
     for loop in side.locked_in:
         text = style.text("within one piece, not drawn", "внутри одного целого, не показано")
         lines.append(f"{text}: {number(loop.power)}, {' > '.join(n.name for n in loop.nodes)}")
