@@ -23,6 +23,7 @@ from tests.commands import (
 )
 from vstatics import __version__
 from vstatics.cli import COMMANDS
+from vstatics.extras import build
 
 RUSSIAN = NEUTRAL.replace("links: 3", "name: коробка\nlinks: 3").replace("low:", "низшая:")
 LISTING = vstatics("run", MZKT).out.encode()
@@ -30,7 +31,8 @@ LISTING = vstatics("run", MZKT).out.encode()
 
 def test_python_m_is_the_same_program() -> None:
     assert process("run", MZKT) == (0, LISTING, b"")
-    assert process("--version") == (0, f"vstatics, version {__version__}\n".encode(), b"")
+    words = f"vstatics, version {__version__}, build {build()}\n"
+    assert process("--version") == (0, words.encode(), b"")
 
 
 def test_a_case_comes_through_a_pipe() -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 from pathlib import Path
 
@@ -29,11 +30,11 @@ def resumed(*arguments: str) -> tuple[list[str], str]:
     """Overwrite all results, go on; which of them were calculated again, and what was said last."""
     for path in Path("out").glob("*.json"):
         times = path.stat()
-        path.write_text("mark", encoding="utf-8")
+        path.write_text("mark".ljust(times.st_size), encoding="utf-8")
         os.utime(path, ns=(times.st_atime_ns, times.st_mtime_ns))
     said = vstatics("run", *CASES, "-o", "out", "-f", "json", "--resume", *arguments)
     assert said.status == 1
-    made = [one for one in Path("out").glob("*.json") if one.read_text("utf-8") != "mark"]
+    made = [one for one in Path("out").glob("*.json") if one.read_text("utf-8")[:4] != "mark"]
     summary = next(line for line in said.err.splitlines() if "cases calculated" in line)
     return sorted(path.stem for path in made), summary
 
@@ -46,13 +47,24 @@ def test_what_is_done_is_left_out_and_failures_are_tried_again() -> None:
 
 
 def test_a_case_that_was_changed_is_calculated_again() -> None:
+    """A later time alone is no change."""
     Path("mzkt.dat").touch()
+    assert resumed()[0] == ["tied"]
+    Path("mzkt.dat").write_bytes(MZKT.read_bytes() + b"\n")
     assert resumed()[0] == ["mzkt", "tied"]
+
+
+def test_a_result_that_somebody_wrote_since_is_calculated_again() -> None:
+    """Another program, another run without a record; or a power cut left it empty."""
+    result = Path("out/neutral.json")
+    for text in ("", result.read_text("utf-8")):
+        result.write_text(text, encoding="utf-8")
+        assert resumed()[0] == ["neutral", "tied"]
 
 
 def test_a_case_that_an_older_file_replaced_is_calculated_again() -> None:
     """As `cp -p`, `mv` and the unpacking of an archive do."""
-    Path("older.yaml").write_text(NEUTRAL, encoding="utf-8")
+    Path("older.yaml").write_text(NEUTRAL + "\n", encoding="utf-8")
     os.utime("older.yaml", (0, 0))
     Path("older.yaml").replace("neutral.yaml")
     assert resumed()[0] == ["neutral", "tied"]
@@ -144,6 +156,31 @@ def test_the_language_counts_for_listings_only() -> None:
     vstatics("run", *CASES, "-o", "out")
     said = vstatics("run", *CASES, "-o", "out", "--resume", "--lang", "ru")
     assert (said.status, '--lang was "en", is "ru"' in said.err) == (2, True)
+
+
+def test_results_of_another_build_are_calculated_again_with_a_word() -> None:
+    """A record of before builds were told has a version in their place, and other lines."""
+    path = Path("out/.vstatics-run-json")
+    first, *lines = path.read_text(encoding="utf-8").splitlines()
+    options = {key: value for key, value in json.loads(first).items() if key != "build"}
+    for earlier in ({"build": "0123456789ab", **options}, {"version": "0.1.0", **options}):
+        path.write_text("\n".join([json.dumps(earlier), *lines]), encoding="utf-8")
+        said = vstatics("run", *CASES, "-o", "out", "-f", "json", "--resume")
+        assert said.err.startswith(
+            "out: what is there is of another build of vstatics; every case is calculated\n"
+        )
+        assert "2 of 4 cases calculated, 2 failed:" in said.err
+        assert resumed()[0] == ["tied"]
+
+
+def test_results_of_another_run_are_not_taken_for_those_of_this_one() -> None:
+    """As a run left them that wrote its lines into the record of a later one."""
+    path = Path("out/.vstatics-run-json")
+    lines = path.read_text(encoding="utf-8").splitlines()[1:]
+    vstatics("run", "bad.yaml", "-o", "out/", "-f", "json", "--coast")
+    with path.open("a", encoding="utf-8") as record:
+        record.write("\n".join(lines) + "\n")
+    assert resumed("--coast")[0] == ["mzkt", "neutral", "tied"]
 
 
 @pytest.mark.parametrize("record", [None, b"", b"{", b"[]", b"null", b'{"began": "x"}', b"\xff"])

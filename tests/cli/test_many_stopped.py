@@ -18,7 +18,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.commands import BAD, MZKT, NEUTRAL, environment, on_terminal, process
+from tests.commands import BAD, MZKT, NEUTRAL, environment, on_terminal, process, vstatics
 from vstatics.cli import progress
 
 CASES = ("a.dat", "b.dat", "pipe.dat", "c.dat", "d.dat")
@@ -273,3 +273,37 @@ def test_a_bar_tells_rate_and_time_left(
             time.sleep(0.002)
             advance(50)
     assert re.search(r"500/1000.*variants.* variants/s.*0:00:0", capsys.readouterr().err)
+
+
+def test_two_runs_do_not_write_one_directory() -> None:
+    """Neither another one, nor one that would go on; other formats have a run of their own."""
+    with running(*TO_DIRECTORY) as run:
+        pipe = opened_for_reading()
+        for more in (("--coast",), ("--resume",)):
+            said = process("run", "a.dat", "b.dat", *TO_DIRECTORY[5:], *more, cwd=Path.cwd())
+            message = f"out: error: another run (process {run.pid}) is writing this output\n"
+            assert said == (1, b"", message.encode())
+        assert process("run", "a.dat", "-f", "csv", "-o", "out/", cwd=Path.cwd())[0] == 0
+        os.write(pipe, MZKT.read_bytes())
+        os.close(pipe)
+        assert ended(run) == (0, ["5 of 5 cases calculated"])
+    assert not list(Path("out").glob(".*.lock"))
+    assert process("run", "a.dat", *TO_DIRECTORY[5:], "--coast", cwd=Path.cwd())[0] == 0
+
+
+def test_a_run_that_was_killed_holds_nothing_and_another_trusts_its_own_only() -> None:
+    """To drive, killed; to coast, killed; to coast, resumed: all results are of the last."""
+    for options in ((), ("--coast",)):
+        with running(*TO_DIRECTORY, *options, jobs=2) as run:
+            pipe = opened_for_reading()
+            found = [run.pid, *workers(run)]
+            run.kill()
+            os.close(pipe)
+            wait_for_end(found)
+    Path("pipe.dat").unlink()
+    Path("pipe.dat").write_bytes(MZKT.read_bytes())
+    said = process("run", *TO_DIRECTORY, "--resume", cwd=Path.cwd())
+    assert (said[0], b"--coast was true, is not given" in said[2]) == (2, True)
+    assert process("run", *TO_DIRECTORY, "--coast", "--resume", cwd=Path.cwd())[0] == 0
+    expected = vstatics("run", "a.dat", "--coast", "-f", "json").out
+    assert {Path("out", name).read_text("utf-8") for name in names("out")} == {expected}

@@ -18,7 +18,7 @@ from hypothesis import strategies as st
 
 from tests.sweep.sweeps import plan
 from vstatics.jobs.alone import Alone
-from vstatics.jobs.finished import FinishedPieces
+from vstatics.jobs.finished_pieces import FinishedPieces
 from vstatics.jobs.pieces import Account, Segment
 from vstatics.sweep.chunk import STATUS, Chunk
 from vstatics.sweep.formats import format_of_name, npz, text

@@ -25,7 +25,7 @@ import click
 from vstatics.cli import files
 from vstatics.cli.exit_status import DONE, FAILED, WRONG_USE, stopped_by
 from vstatics.errors import ReadError, printable
-from vstatics.extras import __version__
+from vstatics.extras import __version__, build
 from vstatics.jobs.stopping import Stop, StoppedError, stoppable
 
 click.UsageError.exit_code = WRONG_USE
@@ -109,8 +109,21 @@ def _safely_told() -> Iterator[None]:
         raise click.UsageError(message, error.ctx) from None
 
 
+def _tell_version(context: click.Context, _: click.Parameter, value: bool) -> None:
+    if value and not context.resilient_parsing:
+        files.write_output(f"vstatics, version {__version__}, build {build()}\n", None)
+        context.exit()
+
+
 @click.group(cls=Commands, context_settings={"help_option_names": ["-h", "--help"]})
-@click.version_option(__version__, prog_name="vstatics")
+@click.option(
+    "--version",
+    is_flag=True,
+    expose_value=False,
+    is_eager=True,
+    callback=_tell_version,
+    help="Show the version and the build, and exit.",
+)
 def main() -> None:
     """Vehicle transmissions calculated from their kinematic scheme.
 

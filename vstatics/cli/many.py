@@ -15,9 +15,8 @@ from vstatics.cli.exit_status import DONE, FAILED, stopped_by
 from vstatics.cli.progress import progress
 from vstatics.cli.targets import CaseTask, tasks
 from vstatics.errors import ReadError
-from vstatics.extras import __version__
 from vstatics.jobs.files import forget, is_stream, unwritable
-from vstatics.jobs.finished import FinishedCases
+from vstatics.jobs.finished_cases import FinishedCases
 from vstatics.jobs.stopping import Stop, StoppedError, stoppable
 from vstatics.jobs.workers import workers
 
@@ -93,31 +92,41 @@ def to_directory(
         If the directory cannot be written to.
     """
     suffix = texts.SUFFIXES[job.output_format]
-    finished = FinishedCases(folder, suffix)
-    todo = tasks(cases, folder, suffix, [*others, finished.path])
-    try:
-        os.makedirs(folder, exist_ok=True)  # noqa: PTH103
-        if resume and finished.resume(_depends(job)):
-            todo = [task for task in todo if not finished.is_done(task.file, str(task.target))]
-        else:
+    with FinishedCases(folder, suffix, _depends(job)) as finished:
+        todo = tasks(cases, folder, suffix, [*others, finished.path])
+        try:
+            os.makedirs(folder, exist_ok=True)  # noqa: PTH103
+            finished.lock()
             if resume:
-                files.say(f"{folder}: there is no run to go on with; every case is calculated")
-            finished.begin(_depends(job))
-    except FileExistsError:
-        raise click.UsageError(f"{folder} is a file: expected a directory") from None
-    except OSError as error:
-        raise ReadError([unwritable(folder, error)]) from None
-    except ReadError as error:  # the earlier run had other options
-        raise click.UsageError(error.problems[0].message) from None
-    count = _Count(len(cases), len(cases) - len(todo))
-    kept = f"results are in {folder}; the same command with --resume goes on"
-    job = job._replace(finished=finished)
-    with _telling(count, kept) as stop, _results(job, todo, jobs, folder) as results:
-        for _ in _follow(count, results, stop):
-            pass
+                todo = _not_done(todo, finished)
+            else:
+                finished.begin()
+        except FileExistsError:
+            raise click.UsageError(f"{folder} is a file: expected a directory") from None
+        except OSError as error:
+            raise ReadError([unwritable(folder, error)]) from None
+        count = _Count(len(cases), len(cases) - len(todo))
+        kept = f"results are in {folder}; the same command with --resume goes on"
+        job = job._replace(finished=finished)
+        with _telling(count, kept) as stop, _results(job, todo, jobs, folder) as results:
+            for _ in _follow(count, results, stop):
+                pass
     if count.total > 1:
         count.summary()
     return count.status
+
+
+def _not_done(todo: list[CaseTask], finished: FinishedCases) -> list[CaseTask]:
+    """What is left of a run that is taken up; all of it where none can be."""
+    try:
+        without = finished.resume()
+    except ReadError as error:  # it had other options
+        raise click.UsageError(error.problems[0].message) from None
+    if without:
+        files.say(f"{finished.folder}: {without}; every case is calculated")
+        finished.begin()
+        return todo
+    return [task for task in todo if not finished.is_done(task.file, str(task.target))]
 
 
 def to_stream(cases: Sequence[str], output: str | None, job: Job, *, jobs: int) -> int:
@@ -200,7 +209,6 @@ def _depends(job: Job) -> dict[str, object]:
     """What the results depend on, besides the cases."""
     listing = job.output_format == "listing"
     return {
-        "version": __version__,
         "--from": job.options.input_format,
         "--coast": job.options.coast,
         "--idle": job.options.idle,

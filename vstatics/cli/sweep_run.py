@@ -10,7 +10,7 @@ from vstatics.cli import files
 from vstatics.cli.exit_status import FAILED, stopped_by
 from vstatics.errors import CaseError
 from vstatics.jobs.files import STDOUT, is_stream, unwritable
-from vstatics.jobs.finished import SUFFIX, FinishedPieces
+from vstatics.jobs.finished_pieces import SUFFIX, FinishedPieces
 from vstatics.jobs.stopping import StoppedError
 from vstatics.sweep import chunk
 from vstatics.sweep.best import BEST
@@ -55,7 +55,9 @@ def to_file(
             files.say(f"{output} may be of another sweep: every variant is calculated again")
         written = Output(plan, form, pieces)
         try:
-            pieces.open(description(plan, form), plan.pieces, resume=resume)
+            without = pieces.open(description(plan, form), plan.pieces, resume=resume)
+            if without:
+                files.say(f"{pieces.directory}: {without}; every variant is calculated")
             kept = written.finished
             called = written.task.workers(jobs, scheduler)
             with called, progress(plan.variants.count, "variants") as advance:

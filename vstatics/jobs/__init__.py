@@ -8,6 +8,6 @@ worker that dies is replaced; what was finished before a run was stopped is trus
 ...     [power for item, power in called.each(pow, [1, 2, 3], ordered=True)]
 [10, 100, 1000]
 
-Who does it: `workers` (choice), `alone`, `processes`, `cluster`. What lasts: `finished`,
-`pieces`, `lock`, `files`, `spool`. How it ends: `stopping`.
+Who does it: `workers` (choice), `alone`, `processes`, `cluster`. What lasts:
+`finished_cases`, `finished_pieces`, `pieces`, `lock`, `files`, `spool`. How it ends: `stopping`.
 """

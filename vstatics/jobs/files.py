@@ -94,6 +94,29 @@ def replacing(path: str) -> Iterator[Write]:
         raise
 
 
+def put_for_good(source: str, target: str) -> None:
+    """Rename a file, so that it is on the disk under its new name even if the power fails now.
+
+    Raises
+    ------
+    OSError
+        If its data do not get there; then both files are as they were.
+    """
+    _sync(source)
+    os.replace(source, target)  # noqa: PTH105
+    with contextlib.suppress(OSError):  # not every system can do that for a folder
+        _sync(os.path.dirname(target) or os.curdir)  # noqa: PTH120
+
+
+def _sync(path: str) -> None:
+    """Wait until what was written to a file is on the disk, whoever wrote it."""
+    handle = os.open(path, os.O_RDONLY)
+    try:
+        os.fsync(handle)
+    finally:
+        os.close(handle)
+
+
 def set_aside(path: str) -> str:
     """Rename an earlier file, so that nobody takes it for a new one; its name now, if there was."""
     with contextlib.suppress(FileNotFoundError):

@@ -8,16 +8,22 @@ import time
 
 from vstatics.errors import ReadError, of_file
 
-LOCK = "lock"
-"""The file in the directory; it names the process."""
 PATIENCE = 10
 """Tenths of a second to wait for it."""
 
 
-def lock(directory: str) -> int | None:
-    """Make a directory, if need be, and lock it; the file to close in the end.
+def lock(directory: str, name: str, what: str) -> int | None:
+    """Make a directory, if need be, and lock it; the file to `unlock` in the end.
 
     None where a system has no such locks.
+
+    Parameters
+    ----------
+    directory : str
+    name : str
+        Of the file in the directory; it names the process.
+    what : str
+        What the process does, for the message to others.
 
     Raises
     ------
@@ -35,7 +41,7 @@ def lock(directory: str) -> int | None:
         if attempt:
             time.sleep(0.1)  # workers of a killed process leave soon
             _make(directory)
-        path = os.path.join(directory, LOCK)  # noqa: PTH118
+        path = os.path.join(directory, name)  # noqa: PTH118
         file = os.open(path, os.O_RDWR | os.O_CREAT, 0o666)
         try:
             fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
@@ -48,7 +54,16 @@ def lock(directory: str) -> int | None:
                 return file
         os.close(file)
     process = f" (process {holder})" if holder else ""
-    raise ReadError([of_file(directory, f"another sweep{process} is writing this output")])
+    raise ReadError([of_file(directory, f"another {what}{process} is writing this output")])
+
+
+def unlock(file: int | None, path: str = "") -> None:
+    """Let go of a directory; with a path remove the file before."""
+    if file is not None:
+        if path:
+            with contextlib.suppress(OSError):
+                os.unlink(path)  # noqa: PTH108
+        os.close(file)
 
 
 def _make(directory: str) -> None:

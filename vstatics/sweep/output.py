@@ -8,9 +8,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from vstatics.extras import build
 from vstatics.jobs import pieces
 from vstatics.jobs.alone import Alone, Workers
-from vstatics.jobs.finished import FinishedPieces
+from vstatics.jobs.finished_pieces import FinishedPieces
 from vstatics.jobs.pieces import Account, Copy
 from vstatics.sweep import best, chunk, tasks
 from vstatics.sweep.chunk import Chunk
@@ -40,6 +41,7 @@ def description(plan: SweepPlan, form: Format) -> dict[str, Any]:
     """What a sweep is, for its directory of pieces and for whoever looks into that."""
     return {
         "what": "unfinished sweep of vstatics; the same command with --resume goes on",
+        "build": build(),
         "fingerprint": plan.fingerprint(form),
         "pieces": plan.pieces,
         "variants": plan.variants.count,

@@ -9,7 +9,6 @@ from typing import Any
 
 import numpy as np
 
-from vstatics.extras import __version__
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Floats
 from vstatics.statics.results import Results
@@ -85,11 +84,11 @@ class SweepPlan:
     def fingerprint(self, *more: str) -> str:
         """A number for everything that decides the result, and for more texts.
 
-        Two plans with the same fingerprint give the same file, with the same version of
+        Two plans with the same fingerprint give the same file, with the same build of
         this package.
         """
         digest = hashlib.sha256()
-        for part in _canonical((__version__, self, more)):
+        for part in _canonical((self, more)):
             digest.update(part)
         return digest.hexdigest()
 

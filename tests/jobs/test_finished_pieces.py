@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import resource
 import signal
 import subprocess
@@ -16,7 +17,7 @@ from tests.sweep.sweeps import names, plan
 from vstatics.errors import ReadError
 from vstatics.jobs import pieces
 from vstatics.jobs.alone import Alone
-from vstatics.jobs.finished import FinishedPieces
+from vstatics.jobs.finished_pieces import FinishedPieces
 from vstatics.sweep.output import Output, description
 
 VARY = ("D.ratio=-4:-2:30",)
@@ -110,6 +111,47 @@ def test_a_directory_of_others_is_left_alone(tmp_path: Path) -> None:
     assert (folder / "letter.txt").read_text(encoding="utf-8") == "dear"
 
 
+def test_pieces_of_another_build_are_calculated_again_with_a_word(tmp_path: Path) -> None:
+    """Before builds were told the description had none, and another fingerprint."""
+    for build in ({"build": "0123456789ab"}, {}):
+        written = store(tmp_path / "out.csv", resume=True)
+        calculate(written)
+        written.store.unlock()
+        file = Path(written.store.path("plan.json"))
+        known = {**json.loads(file.read_text(encoding="utf-8")), "fingerprint": "other"}
+        known.pop("build")
+        file.write_text(json.dumps({**known, **build}), encoding="utf-8")
+        made = plan(*VARY, piece=8)
+        with FinishedPieces(str(tmp_path / "out.csv")) as opened:
+            with pytest.raises(ReadError, match=r"of this sweep, .*--resume"):
+                opened.open(description(made, "csv"), made.pieces, resume=False)
+            opened.unlock()
+            without = opened.open(description(made, "csv"), made.pieces, resume=True)
+            assert without == "what is there is of another build of vstatics"
+            assert opened.finished() == []
+
+
+def test_pieces_go_when_the_output_is_on_the_disk(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A disk may refuse as late as that; then the output is as it was, and no piece is lost."""
+    path = tmp_path / "out.csv"
+    path.write_bytes(b"old")
+    written = store(path)
+    calculate(written)
+    synced = []
+    with monkeypatch.context() as patch:
+        patch.setattr("os.fsync", lambda _: (_ for _ in ()).throw(OSError(5, "I/O error")))
+        with pytest.raises(OSError, match="I/O error"):
+            assemble(written)
+    assert (path.read_bytes(), len(written.store.finished())) == (b"old", 4)
+    with monkeypatch.context() as patch:
+        patch.setattr("os.fsync", lambda _: synced.append(len(written.store.finished())))
+        assemble(written)
+    assert synced == [4, 4]  # the file, then the folder
+    assert names(tmp_path) == ["out.csv"]
+
+
 def test_where_nothing_is_finished_nothing_stays(tmp_path: Path) -> None:
     with store(tmp_path / "out.csv").store:
         assert names(tmp_path) == ["out.csv.parts"]
@@ -123,7 +165,7 @@ def test_two_sweeps_do_not_write_one_output(tmp_path: Path) -> None:
     held.store.unlock()
     code = f"""
 import time
-from vstatics.jobs.finished import FinishedPieces
+from vstatics.jobs.finished_pieces import FinishedPieces
 FinishedPieces({str(tmp_path / "out.csv")!r}).lock()
 print("held", flush=True)
 time.sleep(60)

@@ -1,0 +1,172 @@
+"""Results in a directory that a resumed run trusts.
+
+A run into a directory leaves a hidden file for each format there: what the results depend
+on (options and the build of this package), then a line for each result as it is finished.
+The line holds the hash of the case that was read, a number for all that the run depends on,
+the state of the result, and whether the case failed (a gear is tied up). A result counts as
+done if its line says so: of this case, this run, and not written by anybody since.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+import stat
+from collections.abc import Mapping
+from typing import Any, NamedTuple, Self
+
+from vstatics.errors import ReadError, of_file
+from vstatics.extras import build
+from vstatics.jobs.files import replace
+from vstatics.jobs.lock import lock, unlock
+
+Description = dict[str, Any]
+"""Everything that finished work depends on, besides what is read."""
+LOCKED = ".lock"
+NO_RUN = "there is no run to go on with"
+OTHER_BUILD = "what is there is of another build of vstatics"
+
+
+def differing(known: Mapping[str, Any], wanted: Mapping[str, Any]) -> list[str]:
+    """Where finished work is not what is wanted.
+
+    >>> differing({"--coast": True, "--idle": None}, {"--coast": False, "--idle": None})
+    ['--coast']
+    """
+    return [key for key in wanted if key in known and known[key] != wanted[key]]
+
+
+def hash_of_case(file: str) -> str | None:
+    """The hash of a case, made before it is read; None if it is no file that stays."""
+    try:
+        if stat.S_ISREG(os.stat(file).st_mode):  # noqa: PTH116
+            with open(file, "rb") as opened:  # noqa: PTH123
+                return hashlib.file_digest(opened, "sha256").hexdigest()
+    except OSError:
+        pass
+    return None
+
+
+class _Entry(NamedTuple):
+    """A line: what is known of a result."""
+
+    case: str
+    """The hash of its case."""
+    run: str
+    """A number for all that its run depended on."""
+    state: list[int]
+    """Its size, and when it was written [ns]."""
+
+
+class FinishedCases:
+    """The results of a run in a directory, which one process at a time writes."""
+
+    def __init__(self, folder: str, suffix: str, options: Description) -> None:
+        """Name the file; nothing is touched yet."""
+        self.folder = folder
+        self.name = f".vstatics-run-{suffix[1:]}"
+        self.path = os.path.join(folder, self.name)  # noqa: PTH118
+        self.options = options
+        self._description = json.dumps({"build": build(), **options})
+        self._run = hashlib.sha256(self._description.encode()).hexdigest()[:16]
+        self._done: dict[str, _Entry] = {}
+        self._lock: int | None = None
+
+    def __enter__(self) -> Self:
+        """Nothing is touched yet."""
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        """Let go of the directory."""
+        unlock(self._lock, self.path + LOCKED)
+
+    def lock(self) -> None:
+        """Take the results of this format for this process; see `vstatics.jobs.lock.lock`."""
+        self._lock = lock(self.folder, self.name + LOCKED, "run")
+
+    def begin(self) -> None:
+        """Begin a run.
+
+        Raises
+        ------
+        OSError
+            If that cannot be written.
+        """
+        replace(self.path, self._description.encode() + b"\n")
+
+    def resume(self) -> str:
+        """Take up the run that is there; why every case is calculated, if there is none.
+
+        Raises
+        ------
+        ReadError
+            If that run had other options, so that its results would not go together
+            with those to come.
+        """
+        try:
+            with open(self.path, encoding="utf-8") as file:  # noqa: PTH123
+                first, *lines = file.read().splitlines()
+            known = dict(json.loads(first))
+        except (OSError, ValueError, TypeError):
+            return NO_RUN
+        if not known.keys() & self.options.keys():
+            return NO_RUN
+        changed = "; ".join(
+            f"{key} was {_shown(known[key])}, is {_shown(self.options[key])}"
+            for key in differing(known, self.options)
+        )
+        if changed:
+            message = (
+                f"the run to go on with was another one ({changed}): use the same options, "
+                "or calculate all cases again without --resume"
+            )
+            raise ReadError([of_file(self.path, message)])
+        if first != self._description:
+            return OTHER_BUILD
+        for line in lines:
+            self._take(line)
+        return ""
+
+    def _take(self, line: str) -> None:
+        """An entry; the last line may have been cut."""
+        try:
+            name, case, run, state, failed = json.loads(line)
+        except (ValueError, TypeError):
+            return
+        self._done.pop(name, None)
+        if not failed:
+            self._done[name] = _Entry(case, run, state)
+
+    def is_done(self, file: str, target: str) -> bool:
+        """Whether there is a result of this run, and of the case as it is now."""
+        entry = self._done.get(os.path.basename(target))  # noqa: PTH119
+        if entry is None or entry.run != self._run or entry.state != _state(target):
+            return False
+        return entry.case == hash_of_case(file)
+
+    def note(self, target: str, case: str | None, *, failed: bool) -> None:
+        """Note a result that is in its place, of a case with this hash.
+
+        Raises
+        ------
+        OSError
+            If that is not possible.
+        """
+        if case is not None:
+            entry = [os.path.basename(target), case, self._run, _state(target), failed]  # noqa: PTH119
+            with open(self.path, "ab", buffering=0) as file:  # noqa: PTH123
+                file.write(json.dumps(entry).encode() + b"\n")
+
+
+def _state(target: str) -> list[int] | None:
+    """The size of a result, and when it was written [ns]; None if it is not there."""
+    try:
+        status = os.lstat(target)
+    except OSError:
+        return None
+    return [status.st_size, status.st_mtime_ns]
+
+
+def _shown(value: object) -> str:
+    return "not given" if value is None else json.dumps(value)

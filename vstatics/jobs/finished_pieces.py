@@ -1,0 +1,168 @@
+"""Finished pieces of a sweep that a resumed one trusts.
+
+While a sweep into `out.csv` runs there is a directory `out.csv.parts`. It holds a file for
+each finished piece, a description of the sweep, and a lock.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import errno
+import json
+import os
+from typing import Self
+
+from vstatics.errors import ReadError, of_file
+from vstatics.jobs.files import is_temporary, put_for_good, replace
+from vstatics.jobs.finished_cases import OTHER_BUILD, Description, differing
+from vstatics.jobs.lock import lock, unlock
+from vstatics.jobs.pieces import ASSEMBLED, Account, read_account
+
+SUFFIX = ".parts"
+PLAN = "plan.json"
+LOCK = "lock"
+OF_BUILDS = ("build", "fingerprint", "pieces")
+"""What another build may have otherwise for the same sweep."""
+
+
+class FinishedPieces:
+    """The directory of finished pieces of one sweep, held by one process."""
+
+    def __init__(self, output: str) -> None:
+        """For an output file; `open` makes the directory."""
+        self.output = os.path.realpath(output)
+        self.directory = self.output + SUFFIX
+        self.accounts: dict[int, Account] = {}
+        self._lock: int | None = None
+        self._opened = False
+
+    def __enter__(self) -> Self:
+        """Nothing is touched yet."""
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        """Let go of the directory; what is finished stays."""
+        if self._opened and not self.finished():
+            self._remove()
+        self.unlock()
+
+    def path(self, name: str) -> str:
+        """A file in the directory."""
+        return os.path.join(self.directory, name)  # noqa: PTH118
+
+    def exists(self) -> bool:
+        """Whether there is a directory of pieces."""
+        return os.path.isdir(self.directory)  # noqa: PTH112
+
+    def open(self, description: Description, pieces: int, *, resume: bool) -> str:
+        """Make the directory, or take up the pieces that it holds; why not, if so.
+
+        Parameters
+        ----------
+        description : dict
+            What the sweep is; its `fingerprint` must be that of the pieces that are there.
+            Those of another `build` of this package are removed.
+        pieces : int
+            How many there will be.
+        resume : bool
+            Whether pieces may be there.
+
+        Raises
+        ------
+        ReadError
+            If another process is at it, or pieces are there that are not to be taken up.
+        OSError
+        """
+        if os.path.isdir(self.output):  # noqa: PTH112
+            raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR))
+        self.lock()
+        known = self._known()
+        finished = [piece for piece in self.finished() if piece < pieces]
+        without = ""
+        if finished and known is not None:
+            without = self._check(known, description, len(finished), resume=resume)
+            accounts = (read_account(self.directory, piece) for piece in finished if not without)
+            self.accounts = {account.piece: account for account in accounts if account}
+        self._opened = True
+        for name in self._names():  # what a killed process left unfinished
+            if name not in (PLAN, LOCK) and not (name.isdigit() and int(name) in self.accounts):
+                os.unlink(self.path(name))  # noqa: PTH108
+        text = json.dumps(description, indent=2, ensure_ascii=False)
+        replace(self.path(PLAN), text.encode())
+        return without
+
+    def _known(self) -> Description | None:
+        """The description of the sweep whose pieces are there."""
+        try:
+            with open(self.path(PLAN), encoding="utf-8") as file:  # noqa: PTH123
+                known = json.load(file)
+        except (OSError, ValueError):
+            known = None
+        if isinstance(known, dict) and "fingerprint" in known:
+            return known
+        if all(name == LOCK or is_temporary(name) for name in self._names()):
+            return None
+        message = "holds no sweep that can be taken up; move it away"
+        raise ReadError([of_file(self.directory, message)])
+
+    def _names(self) -> list[str]:
+        """What is in the directory."""
+        return os.listdir(self.directory) if self.exists() else []  # noqa: PTH208
+
+    def finished(self) -> list[int]:
+        """The numbers of the pieces that are there, whoever finished them."""
+        return sorted(int(name) for name in self._names() if name.isdigit())
+
+    def _check(
+        self, known: Description, wanted: Description, finished: int, *, resume: bool
+    ) -> str:
+        """Refuse pieces of another sweep, and pieces that nobody asked to take up.
+
+        The result tells why pieces of this sweep are not taken up: two builds have other
+        fingerprints for one sweep.
+        """
+        changed = differing(known, wanted)
+        said = [key for key in changed if key not in OF_BUILDS]
+        other_build = known.get("build") != wanted["build"]
+        if said or ("fingerprint" in changed and not other_build):
+            what = f": {', '.join(said)} changed" if said else ""
+            sweep = f"of another sweep{what}; repeat that one with --resume"
+        elif not resume:
+            sweep = "of this sweep, which was stopped; go on with --resume"
+        else:
+            return OTHER_BUILD if other_build else ""
+        held = f"holds {finished} of {known.get('pieces')} finished pieces"
+        message = f"{held} {sweep}, or remove the directory to begin anew"
+        raise ReadError([of_file(self.directory, message)])
+
+    def lock(self) -> None:
+        """Take the directory for this process; see `vstatics.jobs.lock.lock`."""
+        self._lock = lock(self.directory, LOCK, "sweep")
+
+    def unlock(self) -> None:
+        """Let go of the directory."""
+        unlock(self._lock)
+        self._lock = None
+
+    def discard(self, name: str) -> None:
+        """Remove a file from the directory, if it is there."""
+        with contextlib.suppress(OSError):
+            os.unlink(self.path(name))  # noqa: PTH108
+
+    def finish(self) -> None:
+        """Move the assembled output into place and, when it is on the disk, remove the pieces.
+
+        Raises
+        ------
+        OSError
+        """
+        put_for_good(self.path(ASSEMBLED), self.output)
+        self._remove()
+        self.unlock()
+
+    def _remove(self) -> None:
+        """Remove the directory, last what tells of which sweep it is: so any rest can go on."""
+        for name in sorted(self._names(), key=(PLAN, LOCK).__contains__):
+            self.discard(name)
+        with contextlib.suppress(OSError):
+            os.rmdir(self.directory)  # noqa: PTH106
