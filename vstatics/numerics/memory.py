@@ -81,9 +81,8 @@ class Block:
         """The tables in memory of this form."""
         tables, start = {}, 0
         for name, form in self.forms.items():
-            part = memory[start : start + _size(form)]
-            tables[name] = part.view(form.kind).reshape(form.shape)
-            start += part.size
+            tables[name] = np.ndarray(form.shape, form.kind, memory, start)
+            start += tables[name].nbytes
         return tables
 
 

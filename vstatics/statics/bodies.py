@@ -34,7 +34,9 @@ def joined_by_elements(case: Transmission, gear: Gear) -> Bodies:
 def join(bodies: Bodies, *links: int) -> None:
     """Make some links one body, in place."""
     joined = {bodies[link] for link in links}
-    bodies[:] = [min(joined) if body in joined else body for body in bodies]
+    if len(joined) > 1:
+        least = min(joined)
+        bodies[:] = [least if body in joined else body for body in bodies]
 
 
 def turning_as_one(case: Transmission, gear: Gear, speeds: Sequence[Number]) -> Bodies:
@@ -88,7 +90,7 @@ def _held(case: Transmission, mechanisms: Iterable[int], bodies: Sequence[int]) 
     known: dict[tuple[int, ...], tuple[int, float, float]] = {}
     for index in mechanisms:
         one = case.mechanisms[index]
-        own = [bodies[link] for link in one.links]
+        own = bodies[one.first], bodies[one.second], bodies[one.third]
         if len(set(own)) < 3:
             if own[0] != own[1] or one.ratio != 1:  # with ratio 1 the third link is loose
                 found.add(index)

@@ -84,12 +84,11 @@ def solve(
         u = eta = None
     with np.errstate(all="ignore"):
         arrays = solve_variants(case, u, eta, math.prod(axes))
-    results = Results(
-        case=case, **{n: array.reshape(*axes, *array.shape[1:]) for n, array in arrays.items()}
-    )
     if axes == ():
-        results = results._replace(messages=tuple(diagnosis.messages(results)))
-    return results
+        results = Results(case=case, **{name: array[0] for name, array in arrays.items()})
+        return results._replace(messages=tuple(diagnosis.messages(results)))
+    shaped = {name: array.reshape(*axes, *array.shape[1:]) for name, array in arrays.items()}
+    return Results(case=case, **shaped)
 
 
 def _with_numbers(case: Transmission, u: Floats | None, eta: Floats | None) -> Transmission:

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Hashable, Iterable, Sequence
 from dataclasses import fields
-from functools import partial
+from functools import lru_cache, partial
 from operator import attrgetter
 from typing import Any
 
@@ -43,21 +43,23 @@ def solve_variants(
     """
     fixed, inputs = _inputs(case, ratios, efficiencies, variants)
     counts = row_counts(case)
-    block = memory.block(_forms(case, counts, variants))
+    held = any(gear.speeds for gear in case.gears)
+    block = memory.block(_forms(tuple(counts.items()), len(case.gears), variants, held=held))
     names = tuple(block.forms)
     structure = (*_structure(case), tuple(fixed), names)
     for gear, rows in zip(case.gears, block.gears, strict=True):
         if variants:
             key = (*structure, *_conditions(case, gear))
             _remembered(key, partial(_function, case, gear, fixed, names)).run(inputs, rows)
-    found = {name: table.transpose(2, 0, 1) for name, table in memory.shown(block).items()}
-    for name in counts.keys() - found.keys():
-        shape = variants, len(case.gears), counts[name] or 0
-        found[name] = np.broadcast_to(ARRAYS[name].dtype(np.nan), shape)
-    return {
-        name: found[name][..., 0] if width is None else found[name]
-        for name, width in counts.items()
-    }
+    tables = memory.shown(block)
+    found = {}
+    for name, width in counts.items():
+        table = tables.get(name)
+        if table is None:
+            found[name] = _nothing(ARRAYS[name].dtype, (variants, len(case.gears), width or 0))
+        else:
+            found[name] = table[:, 0].T if width is None else table.transpose(2, 0, 1)
+    return found
 
 
 def _inputs(
@@ -94,18 +96,27 @@ def _is_all(column: Floats, number: float) -> bool:
     return bool((column[:9] == number).all() and (column == number).all())
 
 
-def _forms(case: Transmission, counts: Mapping[str, int | None], variants: int) -> dict[str, Form]:
+@lru_cache(maxsize=REMEMBERED)
+def _forms(
+    counts: tuple[tuple[str, int | None], ...], gears: int, variants: int, *, held: bool
+) -> dict[str, Form]:
     """The tables for the arrays of `Results`, those of the largest type first.
 
-    Arrays without rows need no memory, nor do holding torques where no speed is given.
+    Arrays without rows need no memory, nor do holding torques where no speed is given
+    (`held`).
     """
-    held = any(gear.speeds for gear in case.gears)
     forms = {
-        name: Form((len(case.gears), 1 if width is None else width, variants), ARRAYS[name].dtype)
-        for name, width in counts.items()
+        name: Form((gears, 1 if width is None else width, variants), ARRAYS[name].dtype)
+        for name, width in counts
         if width != 0 and (held or name not in HOLDING)
     }
     return dict(sorted(forms.items(), key=lambda item: -np.dtype(item[1].kind).itemsize))
+
+
+@lru_cache(maxsize=REMEMBERED)
+def _nothing(kind: type, shape: tuple[int, ...]) -> Any:
+    """An array that says nothing, to read; it takes no memory."""
+    return np.broadcast_to(kind(np.nan), shape)
 
 
 WITHOUT_EFFECT: dict[type, frozenset[str]] = {
