@@ -89,14 +89,10 @@ def exponent(value: float) -> str:
     if not isfinite(value):
         return "*" * (DIGITS + 6)
     for digits in range(DIGITS, 18):
-        text = _exponent(value, digits)
+        text = f"{value:.{digits - 1}e}"
         if float(text) == value:
             break
-    return text
-
-
-def _exponent(value: float, digits: int) -> str:
-    mantissa, _, power = f"{value:.{digits - 1}e}".partition("e")
+    mantissa, _, power = text.partition("e")
     scale = int(power) + 1 if value else 0
     return f"{'-' * mantissa.startswith('-')}.{mantissa.lstrip('-').replace('.', '')}E{scale:+03d}"
 

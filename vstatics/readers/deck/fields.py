@@ -115,12 +115,12 @@ class Fields:
         need, field = sum(counts), self.found.fields.get(key)
         if field is not None:
             values = take_rows(self.found, field, counts, counted, parse)
+            self.places.named.append((row_labels(key, counts), values.spots))
+        elif not need:
+            return GearRows([[] for _ in counts], set())
         else:
             values = stand_ins(None, need, parse)
-            if need:
-                self._missing(key, f"{values_in_words(need)} ({counted})")
-        if field is not None:
-            self.places.named.append((row_labels(key, counts), values.spots))
+            self._missing(key, f"{values_in_words(need)} ({counted})")
         ends = [0, *accumulate(counts)]
         unreadable = {
             gear
