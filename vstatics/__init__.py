@@ -31,7 +31,8 @@ from vstatics.model.parts import Load
 from vstatics.model.transmission import Gear, Mechanism, ShiftElement, Transmission
 from vstatics.readers import load
 from vstatics.statics.matrix import distribution_matrix
-from vstatics.statics.results import Message, Results
+from vstatics.statics.result_fields import Message
+from vstatics.statics.results import Results
 from vstatics.statics.solve import solve
 from vstatics.statics.state import GearState
 from vstatics.sweep import sweep

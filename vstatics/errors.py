@@ -9,7 +9,7 @@ Only the command line prints. What it prints may hold text of anybody: `printabl
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from typing import Literal, NamedTuple
 
 Path = tuple[str | int, ...]
@@ -110,12 +110,28 @@ def path_text(path: Path) -> str:
 def nearest(word: str, known: Iterable[str]) -> str:
     """A hint that names the known word nearest to a mistyped one, or nothing.
 
-    >>> nearest("ratoi", ["ratio", "efficiency"])
-    '; did you mean `ratio`?'
+    >>> nearest("ratoi", ["ratio", "efficiency"]), nearest("eta", ["ratio", "ETA"])
+    ('; did you mean `ratio`?', '; did you mean `ETA`?')
     >>> nearest("xyz", ["ratio", "efficiency"])
     ''
     """
     import difflib  # costs start-up time, and only mistakes need it
 
-    matches = difflib.get_close_matches(word, list(known), n=1)
-    return f"; did you mean `{matches[0]}`?" if matches else ""
+    words: dict[str, list[str]] = {}
+    for one in known:
+        words.setdefault(one.casefold(), []).append(one)
+    matches = difflib.get_close_matches(word.casefold(), words, n=1)
+    if not matches:
+        return ""
+    [match] = difflib.get_close_matches(word, words[matches[0]], n=1, cutoff=0)
+    return f"; did you mean `{match}`?"
+
+
+def quoted(read: str) -> str:
+    """What was read, between marks and not too long."""
+    return f"`{read if len(read) <= 40 else read[:37] + '...'}`"
+
+
+def listed(names: Sequence[str], most: int = 8) -> str:
+    """The first of some names."""
+    return ", ".join(names[:most]) + (", ..." if len(names) > most else "")

@@ -21,10 +21,10 @@ from vstatics.flow.teeth import ToothPower, tooth_powers
 from vstatics.model.transmission import HOUSING
 from vstatics.numerics.tolerances import NOISE
 from vstatics.numerics.traced import plain
+from vstatics.statics.physical import scales
 from vstatics.statics.results import Results
 from vstatics.statics.state import GearState
 from vstatics.statics.status import OK, Status
-from vstatics.tables.with_units import scales
 
 
 class MemberPower(NamedTuple):
@@ -157,7 +157,7 @@ def flows(results: Results) -> list[GearFlow]:
     """
     if results.speeds.ndim != 2:
         raise ValueError(f"speeds of shape {results.speeds.shape}: expected (gears, links)")
-    kilowatts = np.abs(scales(results)["kW"]).tolist()
+    kilowatts = np.abs(scales(results.case)["kW"]).tolist()
     return [_of_gear(results.gear(number), power) for number, power in enumerate(kilowatts, 1)]
 
 

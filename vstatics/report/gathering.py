@@ -8,7 +8,8 @@ from typing import Any, NamedTuple
 from vstatics.errors import CaseError, Problem
 from vstatics.flow.power import GearFlow, flows
 from vstatics.report.drawn import Drawn, pictures
-from vstatics.statics.results import Message, Results
+from vstatics.statics.result_fields import Message
+from vstatics.statics.results import Results
 from vstatics.summary import Summary, summarize
 from vstatics.writers import result_json
 

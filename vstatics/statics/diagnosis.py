@@ -21,7 +21,8 @@ from vstatics.numerics.traced import Number, plain
 from vstatics.statics import drag, freewheels, matrix
 from vstatics.statics.efficiency import sign
 from vstatics.statics.idling import coincidences
-from vstatics.statics.results import Message, Results
+from vstatics.statics.result_fields import Message
+from vstatics.statics.results import Results
 from vstatics.statics.speeds import solve_speeds
 from vstatics.statics.status import CONFLICT, LOCKED, NEUTRAL, TIED_UP
 

@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Literal, NamedTuple, get_args
 
-from vstatics.errors import Place, Problem, ReadError, nearest
+from vstatics.errors import Place, Problem, ReadError, nearest, quoted
 from vstatics.model.transmission import Transmission
+from vstatics.readers.deck.places import LISTS
+from vstatics.tables.names import no_row, rows_called, several
 
 Quantity = Literal["ratio", "efficiency"]
 QUANTITIES: tuple[Quantity, ...] = get_args(Quantity)
-
-_SHOWN = 40
+ALIASES: Mapping[str, Quantity] = {LISTS["mechanisms", one]: one for one in QUANTITIES}
+"""What the deck calls them, IAB and ETAI."""
+NAMES: Mapping[str, Quantity] = {**{one: one for one in QUANTITIES}, **ALIASES}
 
 
 class Target(NamedTuple):
@@ -30,8 +33,9 @@ def target(text: str, case: Transmission, place: Place | None = None) -> Target:
     Parameters
     ----------
     text : str
-        The name of a mechanism, or `#` and its number, then `.ratio` or `.efficiency`. The
-        name may stand in quotes; a bare number is taken as a name first.
+        The name of a mechanism, or `#` and its number, then `.ratio` or `.efficiency`, in a
+        deck `.IAB` or `.ETAI`. The name may stand in quotes; a bare number is taken as a name
+        first. A drawn element alone is its only mechanism.
     case : Transmission
     place : Place, optional
         Where the text begins, for messages.
@@ -59,40 +63,36 @@ def target(text: str, case: Transmission, place: Place | None = None) -> Target:
         hint = nearest(text.strip(), known) or f"; such as `{known[0]}`"
         expected = "a mechanism, then `.ratio` or `.efficiency`"
         raise refusal(f"read {shown(text)}, expected {expected}{hint}", place, begin)
-    index = _mechanism(name.rstrip(), case)
-    if index is None:
-        raise refusal(_unknown(name.rstrip(), case), place, begin)
-    if quantity not in QUANTITIES:
-        hint = nearest(quantity, QUANTITIES)
+    found = _mechanisms(name.rstrip(), case)
+    if len(found) != 1:
+        raise refusal(_not_one(name.rstrip(), found, case), place, begin)
+    if quantity not in NAMES:
+        hint = nearest(quantity, NAMES)
         message = f"read {shown(quantity)}, expected `ratio` or `efficiency`{hint}"
         raise refusal(message, place, begin + len(name) + 1)
-    return Target(f"{case.mechanisms[index].name}.{quantity}", index, quantity)
+    index, varied = found[0], NAMES[quantity]
+    return Target(f"{case.mechanisms[index].name}.{varied}", index, varied)
 
 
-def _mechanism(name: str, case: Transmission) -> int | None:
-    """The index of a mechanism by its name, else by its number."""
-    names = [mechanism.name for mechanism in case.mechanisms]
-    if name in names:
-        return names.index(name)
-    if len(name) > 2 and name[0] == name[-1] and name[0] in "\"'" and name[1:-1] in names:
-        return names.index(name[1:-1])
+def _mechanisms(name: str, case: Transmission) -> list[int]:
+    """Indices of mechanisms by their name, or that of a drawn element, else by their number."""
+    found = rows_called(name, "mechanisms", case)
+    if not found and len(name) > 2 and name[0] == name[-1] and name[0] in "\"'":
+        found = rows_called(name[1:-1], "mechanisms", case)
     number = name.removeprefix("#")
-    if number.isascii() and number.isdigit() and len(number) < 10 and 0 < int(number) <= len(names):
-        return int(number) - 1
-    return None
+    if not found and number.isascii() and number.isdigit() and len(number) < 10:
+        found = [int(number) - 1] * (0 < int(number) <= len(case.mechanisms))
+    return found
 
 
-def _unknown(name: str, case: Transmission) -> str:
+def _not_one(name: str, found: Sequence[int], case: Transmission) -> str:
+    """What to say of a name that no mechanism has, or several of one element."""
     names = [mechanism.name for mechanism in case.mechanisms]
+    if found:
+        return several(name, found, names, "mechanisms")
     if name.startswith("#"):
         return f"read {shown(name)}, expected the number of a mechanism, #1 to #{len(names)}"
-    hint = nearest(name, names)
-    return f"there is no mechanism {shown(name)}, expected one of {listed(names)}{hint}"
-
-
-def listed(names: Sequence[str], most: int = 8) -> str:
-    """The first of some names."""
-    return ", ".join(names[:most]) + (", ..." if len(names) > most else "")
+    return no_row(name, "mechanisms", names)
 
 
 def refusal(message: str, place: Place | None, offset: int = 0) -> ReadError:
@@ -112,6 +112,4 @@ def shown(text: str) -> str:
     ('`.9x`', 'nothing')
     """
     text = text.strip()
-    if len(text) > _SHOWN:
-        text = text[: _SHOWN - 3] + "..."
-    return f"`{text}`" if text else "nothing"
+    return quoted(text) if text else "nothing"

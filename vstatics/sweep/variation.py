@@ -13,14 +13,14 @@ from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Floats
 from vstatics.readers.named.scalars import number as finite_number
 from vstatics.sweep.steps import Steps, stepped
-from vstatics.sweep.targets import Target, behind, refusal, shown, target
+from vstatics.sweep.targets import NAMES, Target, behind, refusal, shown, target
 
 OPTION = "--vary"
 MOST = 2**63 - 1
 """The largest number of values, or of variants."""
 FORMS = "START:STOP:COUNT, START:STOP:step=STEP or a list such as .95,.97"
 
-_ASSIGNED = re.compile(r"(.*?\.(?:ratio|efficiency)\s*)=")
+_ASSIGNED = re.compile(rf"(.*?\.(?:{'|'.join(NAMES)})\s*)=")
 _STEP = re.compile(r"\s*step\s*=")
 _COUNT = re.compile(r"[0-9]{1,19}")
 _NO_NUMBER = ("nan", "inf", "infinity")

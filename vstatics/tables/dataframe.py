@@ -8,7 +8,9 @@ from typing import TYPE_CHECKING, Any
 
 from vstatics.statics.arrays import ARRAYS
 from vstatics.statics.results import Results
+from vstatics.tables.quantities import BY_NAME
 from vstatics.tables.rows import table_rows, written
+from vstatics.tables.values import with_units
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -27,7 +29,7 @@ def to_dataframe(results: Results) -> pd.DataFrame:
     DataFrame
         Indexed by the number of the variant, from 0 in the order of the arrays, and the name
         of the gear; by the gear alone for one case. Columns are named as in ``--out``,
-        without the gear: `ratio`, `speeds[C1]`.
+        without the gear: `ratio`, `speeds[C1]`; with a load also `speeds_rpm[C1]`.
 
     Raises
     ------
@@ -60,9 +62,10 @@ def to_dataframe(results: Results) -> pd.DataFrame:
 
 def _columns(results: Results) -> Iterator[tuple[str, Any]]:
     """Each column with its name."""
-    for name, array in ARRAYS.items():
+    in_units = (quantity.name for quantity in with_units(results))
+    for name in (*ARRAYS, *in_units):
         table = getattr(results, name)
-        if array.rows == "one":
+        if BY_NAME[name].rows == "one":
             yield name, table.ravel()
             continue
         rows = table_rows(name, results.case)

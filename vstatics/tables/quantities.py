@@ -1,8 +1,9 @@
 """All quantities of the results: the one place that says what they are called and when they exist.
 
-A new quantity is an array of `vstatics.statics.arrays.ARRAYS` and an entry here. Values of
-the tables, JSON, CSV, the listing, the schema of results, the report, the comparison of
-results and the names at which a deck ends are read off it.
+A new quantity is an array of `vstatics.statics.arrays.ARRAYS` and an entry here. Each has one
+name and one alias, and is known by either wherever a name is typed (`names`). Values of the
+tables, JSON, CSV, the listing, the schema of results, the report, the comparison of results
+and the names at which a deck ends are read off it.
 """
 
 from __future__ import annotations
@@ -25,7 +26,7 @@ def _has_meshes(results: Results) -> bool:
 
 # fmt: off
 RELATIVE = (
-    # name in the library, key in JSON and CSV, printed name
+    # name in the library, key in JSON and CSV, alias
     Quantity("distribution_matrix", "AJK", "AJK", Phrase(
         "Structural-distribution matrix, KLG = KL + KG",
         "Структурно-распределительная матрица, KLG = KL + KG"),
@@ -122,11 +123,47 @@ RELATIVE = (
 )
 """Those without a unit, in the order in which they are written."""
 
+_ASKED = (
+    Quantity("output_torque", "output_torque", "Mx", Phrase(
+        "Output torque, without losses",
+        "Момент на выходном звене без потерь"), own_rows="one", with_load="Nm"),
+    Quantity("lossy_output_torque", "lossy_output_torque", "MxP", Phrase(
+        "Output torque, with losses",
+        "Момент на выходном звене с учетом потерь"), own_rows="one", with_load="Nm"),
+    Quantity("mesh_losses", "mesh_losses", "MESHLOSS", Phrase(
+        "Power lost in the meshes",
+        "Потери мощности в зацеплениях"), exists=_has_meshes, decimals=4, with_load="kW"),
+    Quantity("undecided", "undecided", "UNDECIDED", Phrase(
+        "Search for directions of power was cut short",
+        "Поиск направлений потоков прерван")),
+    Quantity("turned", "turned", "TURNED", Phrase(
+        "Losses turn the flow round",
+        "Потери меняют направление потока")),
+    Quantity("choices", "choices", "CHOICES", Phrase(
+        "Sets of signs that agree with their flow",
+        "Число согласованных наборов признаков")),
+    Quantity("tied_up", "tied_up", "TIEDUP", Phrase(
+        "Conditions for the speeds contradict each other",
+        "Условия для скоростей противоречивы")),
+    Quantity("conflict", "conflict", "CONFLICT", Phrase(
+        "A freewheel can neither hold nor overrun",
+        "Муфта свободного хода не может ни замкнуться, ни разомкнуться")),
+    Quantity("balanced", "balanced", "BALANCED", Phrase(
+        "Torques without losses exist",
+        "Моменты без потерь существуют")),
+    Quantity("missing", "missing", "MISSING", Phrase(
+        "Conditions that the speeds lack",
+        "Недостающие условия для скоростей")),
+    Quantity("excess", "excess", "EXCESS", Phrase(
+        "Conditions that others imply or contradict",
+        "Избыточные условия для скоростей")),
+)
+
 _PORTS = (
-    Quantity("input_power_kW", "input_power_kW", "PINKW", Phrase(
+    Quantity("input_power_kW", "input_power_kW", "PIN_kW", Phrase(
         "Input power, kW",
         "Мощность на входе, кВт"), own_rows="one", unit="kW"),
-    Quantity("output_power_kW", "output_power_kW", "POUTKW", Phrase(
+    Quantity("output_power_kW", "output_power_kW", "POUT_kW", Phrase(
         "Output power with losses, kW",
         "Мощность на выходе с учетом потерь, кВт"), own_rows="one", unit="kW"),
 )
@@ -144,10 +181,16 @@ WITH_UNITS = (
 """Those that a case with a load has, too: by unit, then by their rows."""
 
 QUANTITIES = RELATIVE + WITH_UNITS
-"""All, in the order in which they are written."""
+"""All that are written, in their order."""
+
+ASKED = _ASKED + tuple(in_unit(quantity) for quantity in _ASKED if quantity.with_load)
+"""Those that are written nowhere unless somebody asks for them by name.
+
+The output torque stands in the tables of torques, too, as their last row.
+"""
 
 PRINTED = {quantity.printed: quantity for quantity in QUANTITIES}
 """By the name at the head of a table in a listing; there the deck before it ends, too."""
 
-BY_NAME = {name: one for one in QUANTITIES for name in (one.key, one.name)}
-"""By each name that a person may type: that of the library, and the key, often of the deck."""
+BY_NAME = {name: one for one in QUANTITIES + ASKED for name in (one.name, one.alias)}
+"""By either name that a person may type; see `vstatics.tables.names`."""

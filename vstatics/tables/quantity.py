@@ -30,11 +30,11 @@ class Quantity(NamedTuple):
     """A quantity as every format shows it."""
 
     name: str
-    """In the library; that of an array of `Results`, if it is one."""
+    """In the library: that of an array or another attribute of `Results`, if it is one."""
     key: str
-    """In JSON and CSV: the deck's name, or that of the library where the deck has none."""
-    printed: str
-    """In a listing."""
+    """In JSON and CSV, one of the other two: the deck's, or that of the library."""
+    alias: str
+    """The deck's name, or one of its kind where the deck has none."""
     heading: Phrase
     """In a listing."""
     own_title: str = ""
@@ -61,6 +61,11 @@ class Quantity(NamedTuple):
     """Of its numbers; empty: relative to the input."""
     of: str = ""
     """The relative quantity that this one is in `unit`."""
+
+    @property
+    def printed(self) -> str:
+        """The name in a listing."""
+        return self.alias.replace("_", "").upper()
 
     @property
     def title(self) -> str:
@@ -121,7 +126,7 @@ def in_unit(quantity: Quantity) -> Quantity:
     --------
     >>> from vstatics.tables.quantities import BY_NAME
     >>> slip = in_unit(BY_NAME["slip_speeds"])
-    >>> slip.name, slip.key, slip.printed, slip.heading.en
+    >>> slip.name, slip.alias, slip.printed, slip.heading.en
     ('slip_speeds_rpm', 'WFRI_rpm', 'WFRIRPM', 'Slip speeds of clutches and brakes, rpm')
     """
     unit = quantity.with_load
@@ -130,9 +135,10 @@ def in_unit(quantity: Quantity) -> Quantity:
     return Quantity(
         f"{quantity.name}_{unit}",
         f"{quantity.key}_{unit}",
-        quantity.printed + unit.upper(),
+        f"{quantity.alias}_{unit}",
         Phrase(f"{heading.en}, {written.en}", f"{heading.ru}, {written.ru}"),
         own_rows=quantity.rows,
+        exists=quantity.exists,
         decimals=written.decimals,
         unit=unit,
         of=quantity.name,

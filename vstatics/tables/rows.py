@@ -7,10 +7,13 @@ from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 from vstatics.model.transmission import Transmission
-from vstatics.statics.arrays import ARRAYS, Rows, row_names
+from vstatics.statics.arrays import Rows, row_names
+from vstatics.tables.quantities import BY_NAME
 
 NAME = re.compile(r"[^\W\d]\w*")
-"""What is written without quotes, as are digits."""
+"""A plain word."""
+DOTTED = re.compile(rf"{NAME.pattern}(?:\.\w+)*")
+"""What is written without quotes between brackets, such as `P1.ring`, as are digits."""
 BEFORE_NAME = "|"
 """Stands before the name of a row in a listing."""
 
@@ -49,7 +52,7 @@ def table_rows(name: str, case: Transmission) -> Sequence[str]:
     >>> list(table_rows("torques", case)), list(table_rows("ratio", case))
     (['D1', 'Mx'], [])
     """
-    return row_names(case, ARRAYS[name].rows)
+    return row_names(case, BY_NAME[name].rows)
 
 
 def written(index: int, names: Sequence[str]) -> str:
@@ -70,7 +73,7 @@ def written(index: int, names: Sequence[str]) -> str:
 def is_bare(name: str) -> bool:
     """Whether a name may stand between brackets without quotes.
 
-    >>> is_bare("C1"), is_bare("вал"), is_bare("2"), is_bare("1R"), is_bare("4-5")
+    >>> is_bare("вал"), is_bare("P1.ring"), is_bare("2"), is_bare("1R"), is_bare("4-5")
     (True, True, True, False, False)
     """
-    return bool(NAME.fullmatch(name) or _DIGITS.fullmatch(name))
+    return bool(DOTTED.fullmatch(name) or _DIGITS.fullmatch(name))

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from vstatics.statics.arrays import all_row_names
 from vstatics.statics.matrix import distribution_matrix
+from vstatics.statics.physical import known_units
 from vstatics.statics.results import Results
-from vstatics.tables.quantities import RELATIVE
-from vstatics.tables.quantity import Table
+from vstatics.tables.quantities import RELATIVE, WITH_UNITS
+from vstatics.tables.quantity import Quantity, Table
 
 
 def tables(results: Results) -> list[Table]:
@@ -27,9 +30,7 @@ def tables(results: Results) -> list[Table]:
     gears = [gear.name for gear in case.gears]
     names = all_row_names(case)
     filled = []
-    for quantity in RELATIVE:
-        if quantity.exists is not None and not quantity.exists(results):
-            continue
+    for quantity in (*_existing(RELATIVE, results), *with_units(results)):
         if quantity.columns == "devices":
             matrix = distribution_matrix(case) + 0.0
             filled.append(Table(quantity, case.link_names, case.devices, matrix))
@@ -37,8 +38,14 @@ def tables(results: Results) -> list[Table]:
         rows = [quantity.key] if quantity.rows == "one" else names[quantity.rows]
         array = np.asarray(results.existing(quantity.name), dtype=np.float64)
         filled.append(Table(quantity, rows, gears, array.reshape(len(gears), len(rows)).T))
-    if case.load is None and not any(gear.load for gear in case.gears):
-        return filled
-    from vstatics.tables.with_units import physical
+    return filled
 
-    return filled + physical(results, filled)
+
+def with_units(results: Results) -> list[Quantity]:
+    """Those in rpm, N*m and kW that the load of a case tells; none without a load."""
+    units = known_units(results.case)
+    return _existing([one for one in WITH_UNITS if one.unit in units], results)
+
+
+def _existing(quantities: Sequence[Quantity], results: Results) -> list[Quantity]:
+    return [one for one in quantities if one.exists is None or one.exists(results)]

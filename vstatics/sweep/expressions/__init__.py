@@ -23,7 +23,6 @@ import numpy as np
 
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Floats
-from vstatics.statics.arrays import ARRAYS
 from vstatics.statics.results import Results
 from vstatics.sweep.expressions.evaluation import FUNCTIONS, REDUCTIONS, evaluate
 from vstatics.sweep.expressions.excerpt import Excerpt
@@ -31,6 +30,7 @@ from vstatics.sweep.expressions.grammar import Applied, Tree, parse
 from vstatics.sweep.expressions.names import OPERANDS, Name, SweepNames, value_of
 from vstatics.sweep.expressions.operands import Constant, DottedName, TableName
 from vstatics.sweep.targets import Target
+from vstatics.tables.quantities import BY_NAME
 from vstatics.tables.rows import ROWS, table_rows
 
 Node: TypeAlias = Name | Constant | Applied
@@ -137,7 +137,7 @@ def read_expression(
         node,
         tuple(names.gears) if per_gear else None,
         tuple(table_rows(table, case)) if table else None,
-        ROWS[ARRAYS[table].rows].one if table else "",
+        ROWS[BY_NAME[table].rows].one if table else "",
         tree.name if isinstance(tree, TableName) else "",
     )
 
@@ -170,7 +170,7 @@ def _resolve(tree: Tree, names: SweepNames) -> _Resolved:
         return _Resolved(node)
     tables = [operand.table for operand in operands if operand.table]
     for other in tables[1:]:
-        one, two = ARRAYS[tables[0]].rows, ARRAYS[other].rows
+        one, two = BY_NAME[tables[0]].rows, BY_NAME[other].rows
         if table_rows(tables[0], names.case) != table_rows(other, names.case):
             message = (
                 f"`{tables[0]}` has one value per {ROWS[one].one} and `{other}` one per "

@@ -43,8 +43,3 @@ class Excerpt(NamedTuple):
     def place(self, at: int) -> Place:
         """The place of an offset into the text."""
         return Place(self.option, 1, at + 1, self.text)
-
-
-def quoted(read: str) -> str:
-    """What was read, between marks and not too long."""
-    return f"`{read if len(read) <= 40 else read[:37] + '...'}`"

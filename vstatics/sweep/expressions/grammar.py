@@ -15,8 +15,8 @@ import re
 from collections.abc import Collection, Sequence
 from typing import Any, NamedTuple, TypeAlias
 
-from vstatics.errors import nearest
-from vstatics.sweep.expressions.excerpt import Excerpt, quoted
+from vstatics.errors import nearest, quoted
+from vstatics.sweep.expressions.excerpt import Excerpt
 from vstatics.sweep.expressions.mistakes import PYTHON, no_operand, no_operator
 from vstatics.sweep.expressions.operands import (
     Constant,

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from vstatics.sweep.expressions.excerpt import Excerpt, quoted
+from vstatics.errors import quoted
+from vstatics.sweep.expressions.excerpt import Excerpt
 
 ELSEWHERE = {
     "&&": "and",

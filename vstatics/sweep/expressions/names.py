@@ -5,15 +5,17 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any, NamedTuple, TypeAlias
 
-from vstatics.errors import nearest
+from vstatics.errors import nearest, quoted
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Floats
-from vstatics.statics.arrays import ARRAYS, Rows
+from vstatics.statics.arrays import Rows
+from vstatics.statics.physical import known_units, lacking_load
 from vstatics.statics.results import Results
 from vstatics.sweep.expressions.evaluation import FUNCTIONS
-from vstatics.sweep.expressions.excerpt import Excerpt, quoted
+from vstatics.sweep.expressions.excerpt import Excerpt
 from vstatics.sweep.expressions.operands import Constant, DottedName, Subscript, TableName
-from vstatics.sweep.targets import Target, listed, target
+from vstatics.sweep.targets import Target, target
+from vstatics.tables.names import no_row, rows_called, several
 from vstatics.tables.quantities import BY_NAME
 from vstatics.tables.rows import ROWS, table_rows
 
@@ -87,12 +89,16 @@ class SweepNames:
     def table(self, read: TableName) -> Selection:
         """A table, or a part of it."""
         known = BY_NAME.get(read.name)
-        name = known.name if known else read.name
-        if name not in ARRAYS:
-            raise self.source.error(self._no_table(name), read.at)
-        kind, subscripts, row = ARRAYS[name].rows, list(read.subscripts), None
+        if known is None:
+            raise self.source.error(self._no_table(read.name), read.at)
+        if known.columns != "gears":
+            message = f"`{read.name}` is not of a gear, so a sweep does not have it"
+            raise self.source.error(message, read.at)
+        if known.unit and known.unit not in known_units(self.case):
+            raise self.source.error(lacking_load(read.name, known.unit), read.at)
+        kind, subscripts, row = known.rows, list(read.subscripts), None
         if kind != "one":
-            rows = table_rows(name, self.case)
+            rows = table_rows(known.name, self.case)
             if not rows:
                 message = f"the case has no {ROWS[kind].all}, so `{read.name}` is empty"
                 raise self.source.error(message, read.at)
@@ -102,7 +108,7 @@ class SweepNames:
             parts = "[gear]" if kind == "one" else f"[{ROWS[kind].one}, gear]"
             message = f"read one part too many, expected {read.name}{parts}"
             raise self.source.error(message, subscripts[0].at)
-        return Selection(name, gear, row, kind != "one")
+        return Selection(known.name, gear, row, kind != "one")
 
     def _index(self, subscript: Subscript, names: Sequence[str], kind: Rows) -> int | None:
         """What a subscript stands for: by its name first, then by its number; None for all."""
@@ -111,26 +117,30 @@ class SweepNames:
             return None
         in_quotes = written[0] in "\"'"
         name = written[1:-1] if in_quotes else written
-        if name in names and written[0] != "#":
-            if names.count(name) > 1:
-                numbers = [f"#{n}" for n, other in enumerate(names, 1) if other == name]
-                message = f"there are two rows {quoted(name)}, expected {' or '.join(numbers)}"
-                raise self.source.error(message, subscript.at)
-            return names.index(name)
+        found = [] if written[0] == "#" else self._called(name, names, kind)
+        if len(found) == 1:
+            return found[0]
+        if found:
+            raise self.source.error(several(name, found, names), subscript.at)
         digits = written.removeprefix("#").lstrip("0")
         if digits.isascii() and digits.isdigit() and len(digits) < 9 and int(digits) <= len(names):
             return int(digits) - 1
         raise self.source.error(self._no_row(written, name, names, kind), subscript.at)
 
+    def _called(self, name: str, names: Sequence[str], kind: Rows) -> list[int]:
+        """Indices of the rows or gears of a name."""
+        if kind != "one":
+            return rows_called(name, kind, self.case)
+        return [names.index(name)] if name in names else []
+
     def _no_row(self, written: str, name: str, names: Sequence[str], kind: Rows) -> str:
         """What to say of a row or a gear that there is not."""
-        what = ROWS[kind].one
         if written[0] == "#":
+            what = ROWS[kind].one
             return f"read `{written}`, expected the number of a {what}, #1 to #{len(names)}"
-        hint = nearest(name, names)
-        if kind != "one" and name in self.gears:
-            hint = f"; a gear goes in the second place: [:,{written}]"
-        return f"there is no {what} {quoted(name)}, expected one of {listed(names)}{hint}"
+        second = f"; a gear goes in the second place: [:,{written}]"
+        hint = second if kind != "one" and name in self.gears else ""
+        return no_row(name, kind, names, hint)
 
     def _no_table(self, name: str) -> str:
         """What to say of a name that is no table."""
@@ -142,6 +152,6 @@ class SweepNames:
         elif name in [element.name for element in case.shift_elements]:
             hint = f"; `{name}` is a shift element: in brackets, as in torques[{name}]"
         else:
-            known = [*ARRAYS, *FUNCTIONS]
+            known = [*BY_NAME, *FUNCTIONS]
             hint = nearest(name, known) or "; such as ratio, efficiency, speeds[C1]"
         return f"there is no table {quoted(name)}{hint}"

@@ -9,15 +9,17 @@ from __future__ import annotations
 import re
 from typing import NamedTuple
 
-from vstatics.sweep.expressions.excerpt import Excerpt, quoted
-from vstatics.tables.rows import NAME
+from vstatics.errors import quoted
+from vstatics.sweep.expressions.excerpt import Excerpt
+from vstatics.tables.rows import DOTTED, NAME
 
 _NUMBER = re.compile(r"(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")
 _ANY_NAME = re.compile(rf"\"[^\"]*\"|'[^']*'|#[0-9]+(?!\w)|{NAME.pattern}")
 _WORD = re.compile(r"\w*")
+_MORE = re.compile(r"(?:\.\w+)*")
 _UNTIL_NEXT = re.compile(r"\"[^\"]*\"|'[^']*'|[^,\]\"']*")
 _BLANK = re.compile(r"\s*")
-_SUBSCRIPT = re.compile(rf"\"[^\"]*\"|'[^']*'|:|#?[0-9]+|{NAME.pattern}")
+_SUBSCRIPT = re.compile(rf"\"[^\"]*\"|'[^']*'|:|#?[0-9]+|{DOTTED.pattern}")
 _QUOTES = ('"', "'")
 
 
@@ -94,7 +96,7 @@ def read_dotted(source: Excerpt, at: int) -> tuple[DottedName, int] | None:
     """
     end = source.end_of(_ANY_NAME, at)
     if end > at and source.has(".", end):
-        end = source.end_of(_WORD, end + 1)
+        end = source.end_of(_MORE, source.end_of(_WORD, end + 1))
         return DottedName(source.text[at:end], at), end
     first = source.text[at:end][:1] or source.text[at : source.end][:1]
     if first not in (*_QUOTES, "#"):

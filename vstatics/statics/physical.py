@@ -1,0 +1,192 @@
+"""Results in rpm, N*m and kW, for a case that tells its load."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+
+from vstatics.errors import CaseError, Problem
+from vstatics.model.transmission import Transmission
+from vstatics.numerics.arrays import Floats
+from vstatics.statics.matrix import held_links
+from vstatics.statics.power import port_torques
+from vstatics.statics.result_fields import ResultFields
+from vstatics.statics.torques import Torques
+
+KW_OF_RPM_NM = math.pi / 30 / 1000
+"""1 N*m at 1 rpm, in kW."""
+_NEEDED = {
+    "rpm": ("speed", "speed: 2000 rpm"),
+    "Nm": ("torque", "torque: 300 N*m"),
+    "kW": ("speed and torque", "speed: 2000 rpm, torque: 300 N*m"),
+}
+"""By unit: what a load has to tell, and how a case says it."""
+
+
+def scales(case: Transmission) -> dict[str, Floats]:
+    """By unit (rpm, Nm, kW): what a relative number of each gear is multiplied by.
+
+    Arrays of shape (gears,), NaN where no load tells.
+
+    When coasting the input link is driven: the torque on it is against its speed.
+
+    >>> from vstatics.model.parts import Gear, Load, Mechanism
+    >>> case = Transmission(2, [], [Mechanism(1, 2, 0, -2.5)], [Gear()], load=Load(2000, 300))
+    >>> {unit: round(scale.item(), 3) for unit, scale in scales(case).items()}
+    {'rpm': 2000.0, 'Nm': 300.0, 'kW': 62.832}
+    """
+    loads = [case.gear_load(gear) for gear in case.gears]
+    rpm = np.array([math.nan if load.speed is None else float(load.speed) for load in loads])
+    torque = np.array([math.nan if load.torque is None else float(load.torque) for load in loads])
+    if case.coast:
+        torque = -torque
+    with np.errstate(over="ignore"):
+        return {"rpm": rpm, "Nm": torque, "kW": rpm * torque * KW_OF_RPM_NM}
+
+
+def known_units(case: Transmission) -> set[str]:
+    """The units in which a case has numbers: in one gear at least the load tells what it needs."""
+    if case.load is None and not any(gear.load for gear in case.gears):
+        return set()
+    return {unit for unit, scale in scales(case).items() if not np.isnan(scale).all()}
+
+
+def lacking_load(name: str, unit: str) -> str:
+    """What to say of a number in a unit if no gear has the load that it needs."""
+    what, given = _NEEDED[unit]
+    return f"no load tells the {what} at the input, so there is no `{name}`: load: {{{given}}}"
+
+
+class PhysicalResults(ResultFields):
+    """The arrays of `Results` in the units of the load, calculated when they are asked for.
+
+    Each has the axes of the array that it is made of. A gear without a load has NaN, and
+    without any the case has no such array: that is a `CaseError`.
+
+    Examples
+    --------
+    The pair turns its second link at 2000/2.5 rpm, and 4 % of the power is lost.
+
+    >>> from vstatics import Gear, Load, Mechanism, Transmission, solve
+    >>> pair = Mechanism(1, 2, 0, -2.5, 0.96)
+    >>> results = solve(Transmission(2, [], [pair], [Gear()], load=Load(2000, 300)))
+    >>> results.speeds_rpm
+    array([[2000., -800.]])
+    >>> results.lossy_output_torque_Nm, results.losses_kW.round(3)
+    (array([-720.]), array([[2.513]]))
+    """
+
+    __slots__ = ()
+
+    @property
+    def speeds_rpm(self) -> Floats:
+        """`speeds` [rpm]."""
+        return self._in("rpm", self.speeds, "speeds")
+
+    @property
+    def planet_speeds_rpm(self) -> Floats:
+        """`planet_speeds` [rpm]."""
+        return self._in("rpm", self.planet_speeds, "planet_speeds")
+
+    @property
+    def slip_speeds_rpm(self) -> Floats:
+        """`slip_speeds` [rpm]."""
+        return self._in("rpm", self.slip_speeds, "slip_speeds")
+
+    @property
+    def torques_Nm(self) -> Floats:  # noqa: N802
+        """`torques` [N*m]."""
+        return self._in("Nm", self.torques, "torques")
+
+    @property
+    def lossy_torques_Nm(self) -> Floats:  # noqa: N802
+        """`lossy_torques` [N*m]."""
+        return self._in("Nm", self.lossy_torques, "lossy_torques")
+
+    @property
+    def output_torque_Nm(self) -> Floats:  # noqa: N802
+        """`output_torque` [N*m]."""
+        return self._in("Nm", self.output_torque, "output_torque")
+
+    @property
+    def lossy_output_torque_Nm(self) -> Floats:  # noqa: N802
+        """`lossy_output_torque` [N*m]."""
+        return self._in("Nm", self.lossy_output_torque, "lossy_output_torque")
+
+    @property
+    def holding_torques_Nm(self) -> Floats:  # noqa: N802
+        """`holding_torques` [N*m]."""
+        return self._in("Nm", self.holding_torques, "holding_torques")
+
+    @property
+    def lossy_holding_torques_Nm(self) -> Floats:  # noqa: N802
+        """`lossy_holding_torques` [N*m]."""
+        return self._in("Nm", self.lossy_holding_torques, "lossy_holding_torques")
+
+    @property
+    def mesh_torques_Nm(self) -> Floats:  # noqa: N802
+        """`mesh_torques` [N*m]."""
+        return self._in("Nm", self.mesh_torques, "mesh_torques")
+
+    @property
+    def lossy_mesh_torques_Nm(self) -> Floats:  # noqa: N802
+        """`lossy_mesh_torques` [N*m]."""
+        return self._in("Nm", self.lossy_mesh_torques, "lossy_mesh_torques")
+
+    @property
+    def losses_kW(self) -> Floats:  # noqa: N802
+        """`losses` [kW]; above 0 when coasting, too."""
+        return self._in("kW", self.losses, "losses")
+
+    @property
+    def mesh_losses_kW(self) -> Floats:  # noqa: N802
+        """`mesh_losses` [kW]."""
+        return self._in("kW", self.mesh_losses, "mesh_losses")
+
+    @property
+    def drag_losses_kW(self) -> Floats:  # noqa: N802
+        """`drag_losses` [kW]."""
+        return self._in("kW", self.drag_losses, "drag_losses")
+
+    @property
+    def input_power_kW(self) -> Floats:  # noqa: N802
+        """Of shape (..., gears): what enters by all links with external torques, lossy [kW]."""
+        power: Floats = np.maximum(self._port_powers("input_power"), 0.0).sum(axis=-1)
+        return power
+
+    @property
+    def output_power_kW(self) -> Floats:  # noqa: N802
+        """Of shape (..., gears): what leaves by them, drag apart [kW]. The rest is lost."""
+        power: Floats = np.maximum(-self._port_powers("output_power"), 0.0).sum(axis=-1)
+        return power
+
+    def _in(self, unit: str, relative: Floats, name: str) -> Floats:
+        """An array in a unit."""
+        if unit not in known_units(self.case):
+            raise CaseError([Problem(lacking_load(f"{name}_{unit}", unit))])
+        scale = scales(self.case)[unit]
+        if relative.ndim > self.ratio.ndim:
+            scale = scale[:, np.newaxis]
+        with np.errstate(over="ignore", invalid="ignore"):
+            values = relative * scale
+        return np.where(np.isfinite(values), values + 0.0, np.nan)
+
+    def _port_powers(self, name: str) -> Floats:
+        """(..., gears, links): what enters at each link by all external torque on it [kW]."""
+        case = self.case
+        power = np.zeros((*self.speeds.shape[:-1], case.links))
+        for number, gear in enumerate(case.gears):
+            held: dict[int, Any] = {
+                link: self.lossy_holding_torques[..., number, link - 1]
+                for link in held_links(case, gear)
+            }
+            output: Any = self.lossy_output_torque[..., number]
+            torques: Any = port_torques(case, gear, Torques([output], held, consistent=True))
+            for link, torque in torques.items():
+                speed = self.speeds[..., number, link - 1]
+                at_rest = (torque == 0) | (speed == 0)  # then nothing flows, even if unknown
+                with np.errstate(over="ignore", invalid="ignore"):
+                    power[..., number, link - 1] = np.where(at_rest, 0.0, torque * speed)
+        return self._in("kW", power, name)
