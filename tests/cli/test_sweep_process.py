@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import os
 import resource
+import shutil
 import signal
 from pathlib import Path
 
@@ -147,3 +148,25 @@ def test_two_sweeps_do_not_write_one_output(folder: Path, whole: dict[str, bytes
     assert (status, f"another sweep (process {running.pid}) is writing" in said) == (1, True)
     assert end(running)[0] == 0
     assert (folder / "out.csv").read_bytes() == whole["csv"]
+
+
+def most_memory(process: int) -> int:
+    """The most memory that a process has had so far [kB]."""
+    text = Path(f"/proc/{process}/status").read_text(encoding="utf-8")
+    return next(int(line.split()[1]) for line in text.splitlines() if line.startswith("VmHWM"))
+
+
+@pytest.mark.skipif(not Path("/proc/self/status").exists(), reason="looks into /proc")
+def test_a_million_million_variants_start_in_the_memory_of_a_million(folder: Path) -> None:
+    """Their pieces are made as they are needed; a list of them took 600 MB."""
+    memory = []
+    for count in (1000, 1_000_000):
+        grid = ("--vary", f"D.ratio=-4:-2:{count}", "--vary", f"D.efficiency=.9:1:{count}")
+        where = ("--where", "ratio[low] > 0")  # else there is no room on the disk
+        running = begin("box.yaml", *grid, *where, "-o", "out.npz", cwd=folder)
+        wait_for(lambda: len(finished(folder / "out.npz.parts")) >= 3)
+        memory.append(most_memory(running.pid))
+        os.killpg(running.pid, signal.SIGKILL)
+        end(running)
+        shutil.rmtree(folder / "out.npz.parts")
+    assert memory[1] < memory[0] + 10_000

@@ -12,7 +12,8 @@ from vstatics.cli import cases as arguments
 from vstatics.cli import files
 from vstatics.cli.cases import Command
 from vstatics.cli.exit_status import DONE
-from vstatics.cli.sweep_run import estimate, run
+from vstatics.cli.sweep_estimate import estimate
+from vstatics.cli.sweep_run import run
 from vstatics.errors import CaseError, ReadError
 from vstatics.jobs.files import is_stream
 from vstatics.model.transmission import Transmission

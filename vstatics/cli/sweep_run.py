@@ -1,23 +1,22 @@
-"""Carrying out a sweep: to a file or a stream, with what is said when it ends, or before it."""
+"""Carrying out a sweep: to a file or a stream, with what is said when it ends."""
 
 from __future__ import annotations
 
-import math
 import os
 import time
 
 from vstatics.cli import files
 from vstatics.cli.exit_status import FAILED, stopped_by
+from vstatics.cli.sweep_estimate import check_room
 from vstatics.errors import CaseError
 from vstatics.jobs.files import STDOUT, is_stream, unwritable
 from vstatics.jobs.finished_pieces import SUFFIX, FinishedPieces
 from vstatics.jobs.stopping import StoppedError
 from vstatics.sweep import chunk
-from vstatics.sweep.best import BEST
 from vstatics.sweep.formats import Format
 from vstatics.sweep.output import Output, SweepReport, description, stream
 from vstatics.sweep.plan import SweepPlan
-from vstatics.sweep.tasks import SweepTask, data_of
+from vstatics.sweep.tasks import SweepTask
 from vstatics.sweep.variants import VariantTable
 
 UNSOLVED = chunk.STATUS[-3:]
@@ -51,6 +50,7 @@ def to_file(
 
     began = time.perf_counter()
     with FinishedPieces(output) as pieces:
+        check_room(plan, form, output, pieces)
         if resume and not pieces.exists() and os.path.exists(output):  # noqa: PTH110
             files.say(f"{output} may be of another sweep: every variant is calculated again")
         written = Output(plan, form, pieces)
@@ -137,69 +137,3 @@ def _summary(output: str, report: SweepReport, kept: int, seconds: float) -> int
     if not solved:
         files.say("no variant has a solution")
     return 0 if solved else 1
-
-
-def estimate(plan: SweepPlan, form: Format, jobs: int) -> str:
-    """How many variants, how large, about how long, by a block of the sweep."""
-    variants, columns = plan.variants.count, len(plan.names) + len(plan.headings) + 2
-    start, stop = _middle_block(plan)
-    chunk.calculate(plan, start, min(start + 100, stop))  # the first time costs more
-    began = time.perf_counter()
-    rows = chunk.calculate(plan, start, stop)
-    data = data_of(form, rows)
-    seconds = (time.perf_counter() - began) / max(stop - start, 1) * variants
-    part = len(rows.variants) / max(stop - start, 1)
-    count = round(part * variants)
-    if plan.objectives:
-        most = plan.best or (BEST if len(plan.objectives) == 1 else count)
-        expected = f"the best, at most {min(count, most)}"
-    else:
-        expected = str(count) if plan.where is None else f"about {count}"
-    length = sum(memoryview(one).nbytes for one in data) / max(len(rows.variants), 1)
-    size = "small" if plan.objectives else f"about {_size(length * count)}"
-    processes = f" with {jobs} jobs" if jobs > 1 else ""
-    lines = {
-        "variants": str(variants),
-        "rows": expected,
-        "columns": f"{columns}: {_listed(['variant', *plan.names, 'status', *plan.headings])}",
-        "size": size,
-        "time": f"about {_duration(seconds / min(jobs, max(plan.pieces, 1)))}{processes}",
-    }
-    return "".join(f"{name:9} {value}\n" for name, value in lines.items())
-
-
-def _middle_block(plan: SweepPlan) -> tuple[int, int]:
-    """A block in the middle of the sweep."""
-    start, stop = plan.span(plan.pieces // 2)
-    blocks = list(chunk.blocks(plan.case, start, stop))
-    return blocks[len(blocks) // 2]
-
-
-def _listed(names: list[str], most: int = 8) -> str:
-    return ", ".join(names if len(names) <= most else [*names[: most - 1], "...", names[-1]])
-
-
-def _size(length: float) -> str:
-    """Bytes as one says them.
-
-    >>> _size(999), _size(1.3e9)
-    ('999 bytes', '1.3 GB')
-    """
-    units = ("bytes", "kB", "MB", "GB", "TB")
-    power = min(int(math.log10(max(length, 1)) / 3), len(units) - 1)
-    return f"{length / 1000**power:.3g} {units[power]}"
-
-
-def _duration(seconds: float) -> str:
-    """A duration as one says it.
-
-    >>> _duration(0.2), _duration(90), _duration(9000)
-    ('a second', '1.5 minutes', '2.5 hours')
-    """
-    if seconds < 1:
-        return "a second"
-    if seconds < 60:
-        return f"{seconds:.0f} s"
-    if seconds < 3600:
-        return f"{seconds / 60:.2g} minutes"
-    return f"{seconds / 3600:.3g} hours"

@@ -54,6 +54,10 @@ class FinishedPieces:
         """Whether there is a directory of pieces."""
         return os.path.isdir(self.directory)  # noqa: PTH112
 
+    def size(self) -> int:
+        """Bytes of what is there."""
+        return sum(os.stat(self.path(name)).st_size for name in self._names())  # noqa: PTH116
+
     def open(self, description: Description, pieces: int, *, resume: bool) -> str:
         """Make the directory, or take up the pieces that it holds; why not, if so.
 

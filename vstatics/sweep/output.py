@@ -76,9 +76,10 @@ class Output:
         self.store = store
 
     @property
-    def pending(self) -> list[int]:
-        """The pieces that are not there."""
-        return [piece for piece in range(self.task.plan.pieces) if piece not in self.store.accounts]
+    def pending(self) -> Iterator[int]:
+        """The pieces that are not there, one by one: there may be millions."""
+        pieces = range(self.task.plan.pieces)
+        return (piece for piece in pieces if piece not in self.store.accounts)
 
     @property
     def finished(self) -> int:

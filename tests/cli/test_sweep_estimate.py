@@ -1,0 +1,75 @@
+"""A sweep whose output has no room on its disk is refused before anything is written."""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+from types import SimpleNamespace
+
+import pytest
+
+from tests.commands import vstatics
+from tests.sweep.sweeps import CASE_TEXT, names
+
+HUGE = ("--vary", "D.ratio=-4:-2:1000000", "--vary", "D.efficiency=.9:1:1000000")
+SMALL = ("--vary", "D.ratio=-4:-2:100", "--vary", "D.efficiency=.9:1:100")
+
+
+@pytest.fixture(autouse=True)
+def _folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("box.yaml").write_text(CASE_TEXT, encoding="utf-8")
+
+
+def free(monkeypatch: pytest.MonkeyPatch, size: int) -> None:
+    """So many bytes are free."""
+    monkeypatch.setattr(shutil, "disk_usage", lambda _: SimpleNamespace(free=size))
+
+
+@pytest.mark.parametrize(
+    ("form", "words"),
+    [
+        ("npz", "would have about 57 TB"),
+        ("parquet", "its pieces would have about 57 TB"),
+        ("csv", "would have about 7"),
+        ("jsonl", "would have about 2"),
+    ],
+)
+def test_a_million_million_variants_are_refused_with_both_sizes(
+    form: str, words: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Seven columns of 8 bytes and a status of one; 12 digits of text are near that."""
+    free(monkeypatch, 2_500_000_000)
+    said = vstatics("sweep", "box.yaml", *HUGE, "-o", f"out.{form}")
+    assert said.status == 1
+    assert said.err.startswith(f"out.{form}: error: {words}")
+    assert " TB, but 2.5 GB are free there: expected fewer variants" in said.err
+    assert names(Path.cwd()) == ["box.yaml"]
+
+
+@pytest.mark.parametrize("form", ["csv", "jsonl", "npz"])
+def test_what_is_said_is_the_size_to_a_few_per_cent(
+    form: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    assert vstatics("sweep", "box.yaml", *SMALL, "-o", f"out.{form}").status == 0
+    size = Path(f"out.{form}").stat().st_size
+    free(monkeypatch, round(0.9 * size))
+    assert vstatics("sweep", "box.yaml", *SMALL, "-o", f"no.{form}").status == 1
+    free(monkeypatch, round(1.1 * size))
+    assert vstatics("sweep", "box.yaml", *SMALL, "-o", f"no.{form}").status == 0
+
+
+def test_room_that_pieces_have_already_counts(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A sweep that goes on needs what is missing."""
+    Path("out.csv.parts").mkdir()
+    Path("out.csv.parts/.vstatics-1-0").write_bytes(bytes(10**6))
+    free(monkeypatch, 0)
+    assert vstatics("sweep", "box.yaml", *SMALL, "-o", "out.csv").status == 0
+
+
+@pytest.mark.parametrize("option", [("--where", "ratio[low] > 3"), ("--max", "ratio[low]")])
+def test_where_rows_are_chosen_the_size_is_not_known(
+    option: tuple[str, str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    free(monkeypatch, 0)
+    assert vstatics("sweep", "box.yaml", *SMALL, *option, "-o", "out.csv").status == 0
