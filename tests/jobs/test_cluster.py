@@ -3,30 +3,39 @@
 from __future__ import annotations
 
 import json
+import re
+import shutil
 import signal
 import subprocess
 import sys
+import time
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import pytest
 
+import vstatics
 from tests.commands import environment
 from tests.sweep.sweeps import CASE_TEXT, begin, end, finished, names, wait_for
+from vstatics.extras import build
 
 pytest.importorskip("distributed")
 pytestmark = [pytest.mark.slow, pytest.mark.alone]
 
 SWEEP = ("box.yaml", "--vary", "D.ratio=-4:-2:1000", "--vary", "D.efficiency=.9:1:500")
 """Half a million variants in 8 pieces."""
+LONG = ("box.yaml", "--vary", "D.ratio=-4:-2:10000", "--vary", "D.efficiency=.9:1:10000")
+"""A hundred million variants, more than there is time for."""
 
 
-def started(module: str, *arguments: object, cwd: Path) -> Any:
+def started(module: str, *arguments: object, cwd: Path, **variables: str) -> Any:
     """A process of Dask's."""
     command = [sys.executable, "-m", module, "--no-dashboard", *map(str, arguments)]
     null = subprocess.DEVNULL
-    return subprocess.Popen(command, cwd=cwd, env=environment(), stdout=null, stderr=null)
+    return subprocess.Popen(
+        command, cwd=cwd, env=environment(**variables), stdout=null, stderr=null
+    )
 
 
 class Cluster:
@@ -41,8 +50,12 @@ class Cluster:
         self.scheduler = started("distributed.cli.dask_scheduler", *options, cwd=folder)
         wait_for(lambda: file.exists() and file.read_text(encoding="utf-8").endswith("}"))
         self.address = json.loads(file.read_text(encoding="utf-8"))["address"]
-        more = (self.address, "--nthreads", 1, "--no-nanny", "--local-directory", folder / "w")
-        self.workers = [started("distributed.cli.dask_worker", *more, cwd=folder) for _ in range(2)]
+        self.workers = [self.worker() for _ in range(2)]
+
+    def worker(self, **variables: str) -> Any:
+        """Start one more worker."""
+        more = (self.address, "--nthreads", 1, "--no-nanny", "--local-directory", self.folder / "w")
+        return started("distributed.cli.dask_worker", *more, cwd=self.folder, **variables)
 
     def close(self) -> None:
         """End all of them."""
@@ -114,6 +127,53 @@ def test_a_scheduler_that_goes_away_is_told_in_a_line(cluster: Cluster) -> None:
         f"{cluster.address}: error: the connection to the scheduler is lost",
     )
     assert second.endswith("the same command with --resume goes on")
+
+
+def test_the_loss_of_all_workers_is_told_as_such(cluster: Cluster) -> None:
+    folder = cluster.folder
+    running = cluster.begin(*SWEEP, "-o", "out.csv")
+    wait_for(lambda: finished(folder / "out.csv.parts"))
+    for worker in cluster.workers:
+        worker.kill()
+    status, said = end(running)
+    first, second = said.splitlines()
+    assert (status, first) == (
+        1,
+        f"{cluster.address}: error: all workers are lost, or all that were there in the beginning",
+    )
+    assert second.endswith("the same command with --resume goes on")
+
+
+def other_build(folder: Path) -> dict[str, str]:
+    """Where a copy of the package is found that calculates the same, as another build."""
+    package = Path(vstatics.__file__).parent
+    shutil.copytree(package, folder / "other" / "vstatics", ignore=lambda *_: ["__pycache__"])
+    with (folder / "other/vstatics/__main__.py").open("a", encoding="utf-8") as file:
+        file.write("# another\n")
+    return {"PYTHONPATH": str(folder / "other")}
+
+
+@pytest.mark.parametrize("late", [False, True])
+def test_a_worker_with_another_build_is_refused_also_when_it_joins_late(
+    late: bool, cluster: Cluster
+) -> None:
+    folder = cluster.folder
+    variables = other_build(folder)
+    if late:
+        running = cluster.begin(*LONG, "-o", "out.csv")
+        wait_for(lambda: finished(folder / "out.csv.parts"))
+        cluster.workers.append(cluster.worker(**variables))
+    else:
+        cluster.workers.append(cluster.worker(**variables))
+        time.sleep(5)
+        running = cluster.begin(*LONG, "-o", "out.csv")
+    status, said = end(running)
+    first = said.splitlines()[0]
+    assert status == 1
+    assert re.search(
+        rf"error: worker \S+ has vstatics \S+ \(build \w+\), expected \S+ \(build {build()}\)",
+        first,
+    )
 
 
 def test_a_scheduler_that_is_not_there_is_told(tmp_path: Path) -> None:

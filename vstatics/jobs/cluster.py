@@ -6,17 +6,17 @@ import logging
 import warnings
 from collections.abc import Iterable, Iterator
 from importlib import import_module
-from typing import Any, Self
+from typing import Any, NamedTuple, Self
 
 from vstatics.errors import CaseError, Problem, ReadError, of_file
-from vstatics.extras import __version__
+from vstatics.extras import __version__, build
 from vstatics.jobs.alone import Describe, Item, Result, Work, Workers, failure
 
 PATIENCE = 10
 """Seconds to wait for a scheduler, and then for a first worker."""
 RETRIES = 3
 LOST = ("CommClosedError", "CancelledError", "FutureCancelledError")
-"""How Dask tells that the scheduler went away: while a result was fetched, or before."""
+"""How Dask tells that the scheduler went away, or all workers that had the state."""
 
 
 class Cluster(Workers):
@@ -32,7 +32,7 @@ class Cluster(Workers):
         self._sent: Any = None
 
     def __enter__(self) -> Self:
-        """Connect, compare versions and send the state once to every worker.
+        """Connect, compare builds and send the state once to every worker.
 
         Raises
         ------
@@ -52,7 +52,7 @@ class Cluster(Workers):
                 self._close()
                 raise self._problem(_reason(error)) from None
         try:
-            self._check_versions()
+            self._check_builds()
             self._sent = self._client.scatter(_Held(self.state), broadcast=True, hash=False)
         except BaseException:
             self._close()
@@ -71,17 +71,22 @@ class Cluster(Workers):
     def _problem(self, message: str) -> ReadError:
         return ReadError([of_file(self.address, message)])
 
-    def _check_versions(self) -> None:
-        """Refuse workers without this package, or with another version of it."""
-        versions = self._client.run(_version, on_error="return")
-        for worker, version in versions.items():
+    def _check_builds(self) -> None:
+        """Refuse workers without this package, or with another build of it."""
+        for worker, version in self._client.run(_version, on_error="return").items():
             if isinstance(version, Exception):
-                raise self._problem(
-                    f"worker {worker} can't do it: {version}; install vstatics {__version__} there"
-                )
-            if version != __version__:
-                message = f"worker {worker} has vstatics {version}, expected {__version__}"
-                raise self._problem(message)
+                message = f"can't do it: {version}; install vstatics {__version__} there"
+            elif version != _version():
+                message = f"has vstatics {version}, expected {_version()}"
+            else:
+                continue
+            raise self._problem(f"worker {worker} {message}")
+
+    def _loss(self) -> ReadError:
+        """Who went away: Dask tells both losses alike."""
+        if self._client.status != "running":
+            return self._problem("the connection to the scheduler is lost")
+        return self._problem("all workers are lost, or all that were there in the beginning")
 
     def each(
         self, function: Work[Item, Result], items: Iterable[Item], *, ordered: bool = False
@@ -117,17 +122,31 @@ class Cluster(Workers):
                     turn += 1
                 fill()
         except OSError:
-            raise self._problem("the connection to the scheduler is lost") from None
+            raise self._loss() from None
 
     def _result(self, future: Any, item: object) -> Any:
-        """What a future holds, or an error that names the item."""
+        """The result of a future, of this build: a worker may have joined since they were asked.
+
+        Raises
+        ------
+        CaseError
+            That names the item, or the worker.
+        """
+        answer = self._answer(future, item)
+        if isinstance(answer, _Answer) and answer.version == _version():
+            return answer.result
+        self._check_builds()
+        raise self._problem("a worker had another build of vstatics, and is gone")
+
+    def _answer(self, future: Any, item: object) -> Any:
         try:
             return future.result()
         except CaseError:
             raise
         except Exception as error:
             if type(error).__name__ in LOST:
-                raise self._problem("the connection to the scheduler is lost") from None
+                raise self._loss() from None
+            self._check_builds()
             if type(error).__name__ == "KilledWorker":
                 message = "the workers that were at it died, one after the other"
                 raise CaseError([Problem(f"{self.describe(item)}: {message}")]) from None
@@ -148,12 +167,20 @@ class _Held:
         self.state = state
 
 
+class _Answer(NamedTuple):
+    """A result, and the build that calculated it."""
+
+    version: str
+    result: Any
+
+
 def _version() -> str:
-    return __version__
+    """The version and build of this package here, or on a worker."""
+    return f"{__version__} (build {build()})"
 
 
-def _call(function: Work[Item, Result], held: _Held, item: Item) -> Result:
-    return function(held.state, item)
+def _call(function: Work[Item, Result], held: _Held, item: Item) -> _Answer:
+    return _Answer(_version(), function(held.state, item))
 
 
 def _reason(error: Exception) -> str:
