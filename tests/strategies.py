@@ -39,8 +39,13 @@ TEXTS = st.one_of(
 
 
 @st.composite
-def transmissions(draw: st.DrawFn, numbers: st.SearchStrategy[float] = MODERATE) -> Transmission:
-    """Valid transmissions whose ratios, speeds and torques come out of `numbers`."""
+def transmissions(
+    draw: st.DrawFn, numbers: st.SearchStrategy[float] = MODERATE, *, follow: bool = True
+) -> Transmission:
+    """Valid transmissions whose ratios, speeds and torques come out of `numbers`.
+
+    With `follow` some given speeds are those of other links, which a deck has no place for.
+    """
     elements, mechanisms = draw(st.integers(0, 4)), draw(st.integers(0, 4))
     links = draw(st.integers(2, min(max(2 * elements + 3 * mechanisms, 2), 7)))
     link_names = [name for name in draw(_names(links)) if name not in ("0", "housing")]
@@ -59,7 +64,7 @@ def transmissions(draw: st.DrawFn, numbers: st.SearchStrategy[float] = MODERATE)
             draw(_mechanisms(links, numbers, name)) for name in mechanism_names or [""] * mechanisms
         ],
         gears=[
-            draw(_gears((links, elements), (first, output), numbers, name))
+            draw(_gears((links, elements), (first, output), numbers, name, follow=follow))
             for name in gear_names or [""] * gears
         ],
         input=first,
@@ -111,12 +116,14 @@ def _by_link(
 
 
 @st.composite
-def _gears(
+def _gears(  # noqa: PLR0913 - what a gear may have
     draw: st.DrawFn,
     sizes: tuple[int, int],
     ends: tuple[int, int],
     numbers: st.SearchStrategy[float],
     name: str,
+    *,
+    follow: bool,
 ) -> Gear:
     """Some have ends of their own, given speeds, external torques."""
     links, elements = sizes
@@ -126,7 +133,8 @@ def _gears(
         own = {"input": ends[0], "output": ends[1]}
     free = [link for link in range(1, links + 1) if link != ends[0]]
     speeds: dict[int, float | SpeedOf] = {**draw(_by_link(free, numbers))}
-    for link, factor in draw(_by_link(free, numbers.filter(bool))).items():
+    following = draw(_by_link(free, numbers.filter(bool))) if follow else {}
+    for link, factor in following.items():
         other = draw(st.sampled_from([one for one in range(1, links + 1) if one != link]))
         speeds[link] = SpeedOf(other, factor)
     loads = [link for link in range(1, links + 1) if link != ends[1] and link not in speeds]

@@ -29,7 +29,7 @@ def kept(case: Transmission, form: str) -> Transmission:
     """
     if form in KEEPS_ALL:
         return case
-    settled = library.solve(case).with_freewheels_engaged
+    settled = library.solve(case).with_numbers_only
     plain = [element._replace(kind="") for element in settled.shift_elements]
     bare = {"description": "", "source": "", "load": None, "drawing": None}
     return replace(settled, shift_elements=plain, **bare)  # type: ignore[arg-type]
@@ -108,7 +108,7 @@ gears: {R: {}}
 
 
 @settings(max_examples=24)
-@given(transmissions(ANY_NUMBER))
+@given(transmissions(ANY_NUMBER, follow=False))
 def test_any_case_is_one_case_in_all_formats(case: Transmission) -> None:
     assert read(named.write_yaml(case).encode(), "", "yaml").case == case
     assert read(named.write_json(case).encode(), "", "json").case == case

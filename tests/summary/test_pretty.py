@@ -34,6 +34,12 @@ def shown(*arguments: object, stdin: bytes = b"") -> str:
     return said.out
 
 
+def gear_lines(text: str) -> list[str]:
+    """The lines of the table of gears: that of the ports comes after it."""
+    lines = text.splitlines()
+    return lines[: next(place for place, line in enumerate(lines) if " port " in line)]
+
+
 @pytest.mark.parametrize("path", sorted(CASES.iterdir()), ids=lambda path: path.name)
 def test_the_numbers_are_those_of_the_result(path: Path) -> None:
     text = shown(path)
@@ -56,7 +62,7 @@ def test_steps_are_quotients_of_neighbouring_ratios() -> None:
 def test_a_freewheel_that_holds_has_a_sign_of_its_own() -> None:
     """Ring held: ratio 1 + 60/30, carrier 100 + 200*.9702 N*m, planet 30/15*(1000 - 333) rpm."""
     text = shown("-", stdin=FREEWHEEL.encode())
-    low, high = (line for line in text.splitlines() if line.startswith((" low", " high")))
+    low, high = (line for line in gear_lines(text) if line.startswith((" low", " high")))
     assert "1 lock-up clutch, 2 sprag" in text
     assert low.split()[:3] == ["low", "·◆", "3.000"]
     assert high.split()[:3] == ["high", "●·", "1.000"]
@@ -101,7 +107,7 @@ gears:
 def test_states_of_gears_are_named_and_explained() -> None:
     said = vstatics("run", "--pretty", "-", stdin=STATES.encode())
     for gear, state in (("neutral", "open"), ("park", "output stands"), ("tied", "tied up")):
-        [line] = [line for line in said.out.splitlines() if line.startswith(f" {gear} ")]
+        [line] = [line for line in gear_lines(said.out) if line.startswith(f" {gear} ")]
         assert line.rstrip().endswith(f"  {state}")
         assert f"\n{state}: " in said.out
 
@@ -109,7 +115,7 @@ def test_states_of_gears_are_named_and_explained() -> None:
 def rows() -> dict[str, list[str]]:
     """The words of each gear."""
     text = vstatics("run", "--pretty", "-", stdin=STATES.encode()).out
-    lines = [line.split() for line in text.splitlines() if line.startswith(" ")]
+    lines = [line.split() for line in gear_lines(text) if line.startswith(" ")]
     return {words[0]: words for words in lines if words}
 
 

@@ -106,7 +106,7 @@ def run(
 
 def _pretty(names: list[str], settings: CaseOptions) -> int:
     """Show the gears of each case to a person; the exit status."""
-    from vstatics.cli.console import SafeConsole
+    from vstatics.cli.console import SafeConsole, trimmed
     from vstatics.summary.pretty import ASCII, DOTS, view
 
     console = SafeConsole(highlight=False)
@@ -115,7 +115,9 @@ def _pretty(names: list[str], settings: CaseOptions) -> int:
         failed |= outcome.failed
         if outcome.results is not None:
             marks = ASCII if console.options.ascii_only else DOTS
-            console.print(view(outcome.results, marks))
+            with console.capture() as captured:
+                console.print(view(outcome.results, marks))
+            files.write_output(trimmed(captured.get()), None)
     return FAILED if failed else DONE
 
 

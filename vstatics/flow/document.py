@@ -8,6 +8,7 @@ from typing import Any
 from vstatics.flow.circulation import Edge, Loop
 from vstatics.flow.power import GearFlow, PowerFlow
 from vstatics.flow.shared_planets import words
+from vstatics.tables.ports import port_document
 from vstatics.writers.plain_json import json_text
 
 VERSION = 1
@@ -15,6 +16,8 @@ CONVENTIONS = {
     "powers": "relative to the power at the input link, in their real direction; times "
     "input_link_kW they are in kW",
     "members": "above 0: from the link to the member",
+    "ports": "links with power from outside; the torque of an output is that which it gives to "
+    "its load, of another link that which acts on it",
     "throughput": "what enters a node; of a port what passes it",
     "teeth": "power that enters the teeth, against the carrier; of a mechanism as a whole "
     "where there is no mesh",
@@ -40,6 +43,7 @@ def write(name: str, gears: Sequence[GearFlow]) -> str:
                     "note": flow.note,
                     "input_link_kW": flow.kilowatts,
                     "by_convention": flow.by_convention,
+                    **port_document(flow.ports),
                     "ideal": _side(flow.ideal),
                     "lossy": _side(flow.lossy),
                 }

@@ -11,8 +11,6 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
-import numpy as np
-
 from vstatics.flow.circulation import Edge, Loop, Node, cancel
 from vstatics.flow.exchange import Exchange, exchanges, links_of
 from vstatics.flow.one_piece import divided_by_convention, pieces_of
@@ -21,10 +19,10 @@ from vstatics.flow.teeth import ToothPower, tooth_powers
 from vstatics.model.transmission import HOUSING
 from vstatics.numerics.tolerances import NOISE
 from vstatics.numerics.traced import plain
-from vstatics.statics.physical import scales
 from vstatics.statics.results import Results
 from vstatics.statics.state import GearState
 from vstatics.statics.status import OK, Status
+from vstatics.tables.ports import PortTable, gear_scales, port_table
 
 
 class MemberPower(NamedTuple):
@@ -112,6 +110,8 @@ class GearFlow(NamedTuple):
     """With losses; None where `ideal` is, or where friction locks the gear."""
     kilowatts: float
     """The power at the input link, NaN where no load tells it. [kW]"""
+    ports: PortTable
+    """Speed, torque and power where power enters and leaves."""
     status: Status
     """Why a flow does not exist; `OK` where it does."""
     by_convention: tuple[Node, ...] = ()
@@ -157,17 +157,25 @@ def flows(results: Results) -> list[GearFlow]:
     """
     if results.speeds.ndim != 2:
         raise ValueError(f"speeds of shape {results.speeds.shape}: expected (gears, links)")
-    kilowatts = np.abs(scales(results.case)["kW"]).tolist()
-    return [_of_gear(results.gear(number), power) for number, power in enumerate(kilowatts, 1)]
+    return [
+        _of_gear(results.gear(number), by_unit)
+        for number, by_unit in enumerate(gear_scales(results), 1)
+    ]
 
 
-def _of_gear(state: GearState, kilowatts: float) -> GearFlow:
+def _of_gear(state: GearState, by_unit: dict[str, float]) -> GearFlow:
     status = next((one for one in state.statuses if not one.has_power), OK)
     ideal = _flow(state, lossy=False) if state.calculable else None
     lossy = _flow(state, lossy=True) if status is OK else None
     sides = [side for side in (ideal, lossy) if side is not None]
     return GearFlow(
-        state.gear.name, ideal, lossy, kilowatts, status, tuple(_by_convention(state, sides))
+        state.gear.name,
+        ideal,
+        lossy,
+        by_unit["kW"],
+        port_table(state, by_unit),
+        status,
+        tuple(_by_convention(state, sides)),
     )
 
 

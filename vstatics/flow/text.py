@@ -9,6 +9,7 @@ from vstatics.flow.grids import power_grid, remarks
 from vstatics.flow.power import GearFlow
 from vstatics.tables.grid import Cell, Column, Grid
 from vstatics.tables.numbers import fixed
+from vstatics.tables.ports import ports_grid
 from vstatics.tables.text import lines
 
 WIDTH = 79
@@ -51,6 +52,8 @@ def _lines(flow: GearFlow) -> Iterator[str]:
         return
     grid = _narrow(power_grid(flow), f"gear {flow.gear}")
     yield from lines(grid, widths=[NAME, *[NUMBER] * (len(grid.columns) - 2), SHARE], gap=" ")
+    ports = ports_grid([flow.ports], named=False)._replace(title="ports")
+    yield from lines(ports, indent="  ")
     for remark in remarks(flow):
         yield from _wrapped(remark, 4 if remark.startswith(" ") else 2)
 

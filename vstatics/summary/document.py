@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from vstatics.summary import Summary
+from vstatics.tables.ports import port_document, port_tables
 from vstatics.writers.plain_json import json_text
 
 VERSION = 1
@@ -32,6 +33,7 @@ def _document(summary: Summary) -> dict[str, Any]:
             {**one._asdict(), "changes": one.changes, "kind": one.word}
             for one in summary.transitions
         ],
+        "ports": [{"gear": one.gear, **port_document(one)} for one in port_tables(summary.results)],
         "largest": summary.largest,
         "sensitivity": dict(zip(mechanisms, summary.sensitivities.T.tolist(), strict=True)),
     }

@@ -10,6 +10,7 @@ from vstatics.statics.results import Results
 from vstatics.summary import Summary
 from vstatics.summary.extremes import LOSSY_TORQUES, PLANETS, SLIPS, TORQUES, Largest
 from vstatics.tables.grid import NO, YES, Cell, Column, Grid, number, text, words
+from vstatics.tables.ports import port_tables, ports_grid
 
 
 class Marks(NamedTuple):
@@ -29,6 +30,7 @@ def grids(summary: Summary) -> Iterator[Grid]:
         _design(summary),
         _spread(summary),
         _transitions(summary),
+        ports_grid(port_tables(summary.results)),
         *_largest(summary),
         *_margins(summary),
         _duty(summary),

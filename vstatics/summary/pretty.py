@@ -16,6 +16,7 @@ from vstatics.summary.design import GearLine, design
 from vstatics.summary.grids import Marks, element_signs
 from vstatics.tables import terminal
 from vstatics.tables.grid import Cell, Column, Grid, text
+from vstatics.tables.ports import port_tables, ports_grid
 from vstatics.tables.quantity import Table
 from vstatics.tables.values import tables
 
@@ -54,13 +55,14 @@ def view(results: Results, marks: Marks = DOTS) -> Group:
     >>> case = Transmission(3, [ShiftElement(1, 2, "C"), ShiftElement(2, 0, "B")],
     ...                     [Mechanism(1, 2, 3, -2.5, 0.96, name="set")], [Gear([1]), Gear([2])])
     >>> len(view(solve(case), ASCII).renderables)
-    4
+    5
     """
     case = results.case
     by_key = {table.quantity.key: table for table in tables(results)}
     title = [Text(case.name, style="bold")] * bool(case.name)
     legend = (Text(line, style="dim") for line in _legend(results, by_key, marks))
-    return Group(*title, terminal.table(_grid(results, by_key, marks)), *legend)
+    gears = terminal.table(_grid(results, by_key, marks))
+    return Group(*title, gears, *legend, terminal.table(_ports(results)))
 
 
 def _grid(results: Results, by_key: dict[str, Table], marks: Marks) -> Grid:
@@ -88,6 +90,17 @@ def _grid(results: Results, by_key: dict[str, Table], marks: Marks) -> Grid:
         for index, line in enumerate(design(results).gears)
     ]
     return Grid(results.case.name, columns, rows)
+
+
+def _ports(results: Results) -> Grid:
+    """The table of ports, with the name of a gear in its first row alone."""
+    grid = ports_grid(port_tables(results))
+    names = [row[0].text for row in grid.cells]
+    rows = [
+        [Cell("" if place and name == names[place - 1] else name), *row[1:]]
+        for place, (name, row) in enumerate(zip(names, grid.cells, strict=True))
+    ]
+    return grid._replace(rows=rows)
 
 
 def _headings(case: Transmission) -> list[str]:

@@ -45,7 +45,7 @@ class Device(NamedTuple):
         return len(self.links) == 1 and (self.is_shift_element or self.kind == "held")
 
 
-class Port(NamedTuple):
+class SchemePort(NamedTuple):
     """A link by which power enters or leaves."""
 
     link: int
@@ -62,7 +62,7 @@ class SchemeState:
     idle: frozenset[int] = frozenset()
     """Devices that are open, carry no torque or turn as one piece."""
     idle_links: frozenset[int] = frozenset()
-    idle_ports: frozenset[Port] = frozenset()
+    idle_ports: frozenset[SchemePort] = frozenset()
 
 
 @dataclass(frozen=True)
@@ -71,7 +71,7 @@ class Scheme:
 
     links: Sequence[str]
     devices: Sequence[Device]
-    ports: Sequence[Port]
+    ports: Sequence[SchemePort]
 
     def name(self, link: int) -> str:
         """The name of a link."""
@@ -108,7 +108,7 @@ def scheme_of(case: Transmission) -> Scheme:
         for port in _ports(case.gear_input(gear), case.gear_output(gear), gear)
     )
     if not ports:
-        ports = dict.fromkeys([Port(case.input, "input"), Port(case.output, "output")])
+        ports = dict.fromkeys([SchemePort(case.input, "input"), SchemePort(case.output, "output")])
     roles = {(port.link, port.role) for port in ports}
     kept = [
         port
@@ -154,9 +154,13 @@ def _shift_elements(elements: Sequence[ShiftElement]) -> list[Device]:
     ]
 
 
-def _ports(first: int, last: int, gear: Gear) -> list[Port]:
+def _ports(first: int, last: int, gear: Gear) -> list[SchemePort]:
     further = dict.fromkeys([*gear.speeds, *gear.torques])
-    return [Port(first, "input"), Port(last, "output"), *(Port(link, "given") for link in further)]
+    return [
+        SchemePort(first, "input"),
+        SchemePort(last, "output"),
+        *(SchemePort(link, "given") for link in further),
+    ]
 
 
 def scheme_state(scheme: Scheme, state: PictureState) -> SchemeState:

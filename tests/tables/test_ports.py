@@ -1,0 +1,56 @@
+"""The table of ports: names, units, losses."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from tests.commands import vstatics
+from vstatics import Gear, Load, Mechanism, Transmission, solve
+from vstatics.tables.ports import port_document, port_tables, ports_grid
+
+PAIR = Mechanism(1, 2, 0, -4.0, 0.98)
+
+
+def pair(*gears: Gear, **given: Load) -> Transmission:
+    return Transmission(2, [], [PAIR], gears, link_names=["engine", "shaft"], **given)  # type: ignore[arg-type]
+
+
+def test_physical_where_all_gears_have_a_load_else_relative() -> None:
+    """100 N*m at 2000 rpm are 2000 pi/30 * 100 W = 20.944 kW; the pair keeps .98 of it."""
+    load = Load(2000.0, 100.0)
+    both = port_tables(solve(pair(Gear(), load=load)))
+    assert ports_grid(both).texts == [
+        ["1", "engine", "2000.0", "100.0", "20.944", "in"],
+        ["1", "shaft", "-500.0", "-392.0", "20.525", "out"],
+        ["1", "lost: meshes", "", "", ".419", ""],
+    ]
+    one = port_tables(solve(pair(Gear(load=load), Gear())))
+    assert ports_grid(one).columns[2].heading == "speed"
+    assert ports_grid(one[:1]).columns[2].heading == "speed, rpm"
+
+
+def test_drag_and_meshes_are_lost_apart_and_together() -> None:
+    [table] = port_tables(solve(pair(Gear(drag={1: 0.1}))))
+    assert [name for name, _ in table.losses] == ["meshes", "drag", "meshes and drag"]
+    lost = dict(table.losses)
+    # .9 of the torque enters the pair, which loses 2 % of it
+    assert lost == pytest.approx({"meshes": 0.018, "drag": 0.1, "meshes and drag": 0.118})
+
+
+def test_plain_data_have_both() -> None:
+    [table] = port_tables(solve(pair(Gear(), load=Load(2000.0, 100.0))))
+    engine, shaft = port_document(table)["ports"]
+    assert (engine["link"], engine["way"], engine["output"]) == ("engine", "in", False)
+    assert (shaft["torque"], shaft["torque_Nm"]) == pytest.approx((-3.92, -392))
+    assert shaft["power_kW"] == pytest.approx(0.98 * 2000 * 100 * math.pi / 30000)
+    [bare] = port_tables(solve(pair(Gear())))
+    assert "power_kW" not in port_document(bare)["ports"][0]
+
+
+@pytest.mark.parametrize("command", ["flow", "summary", "run --pretty"])
+def test_every_view_of_a_case_has_its_ports(command: str) -> None:
+    said = vstatics(*command.split(), "cases/toyota-p410.yaml")
+    assert "lost: meshes" in said.out
+    assert "right wheel" in said.out

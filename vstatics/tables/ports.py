@@ -1,0 +1,138 @@
+"""The ports of gears as a table: speed, torque and power of each link with power from outside."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from typing import Any, NamedTuple
+
+from vstatics.statics.physical import scales
+from vstatics.statics.ports import GearPorts, Port, ports
+from vstatics.statics.results import Results
+from vstatics.statics.state import GearState
+from vstatics.tables.grid import Cell, Column, Grid, exact, text
+from vstatics.tables.quantity import UNITS
+
+_MEASURES = (("speed", "rpm"), ("torque", "Nm"), ("power", "kW"))
+"""What is told of a port, and its unit with a load."""
+
+
+class PortTable(NamedTuple):
+    """The ports of a gear with their names, and what makes relative numbers physical ones."""
+
+    gear: str
+    rows: Sequence[tuple[str, Port]]
+    """Names of the links with their ports."""
+    losses: Sequence[tuple[str, float]]
+    """What power is lost in: meshes, drag if there is any, and both together. [-]"""
+    scales: dict[str, float]
+    """By unit: what a relative number is multiplied by, NaN without a load."""
+
+
+def port_tables(results: Results) -> list[PortTable]:
+    """The ports of each gear of one case."""
+    numbers = range(1, len(results.case.gears) + 1)
+    by_gear = gear_scales(results)
+    return [port_table(results.gear(n), own) for n, own in zip(numbers, by_gear, strict=True)]
+
+
+def port_table(state: GearState, by_unit: dict[str, float]) -> PortTable:
+    """The ports of a gear, with its own of `gear_scales`."""
+    case, found = state.case, ports(state)
+    rows = [(case.link_name(port.link), port) for port in found.ports]
+    return PortTable(state.gear.name, rows, _losses(found, drag=case.has_drag), by_unit)
+
+
+def gear_scales(results: Results) -> list[dict[str, float]]:
+    """By gear and unit: what a relative number is multiplied by, NaN without a load.
+
+    That of powers is above 0: a port says by itself whether its power leaves.
+    """
+    by_unit = {unit: scale.tolist() for unit, scale in scales(results.case).items()}
+    by_unit["kW"] = list(map(abs, by_unit["kW"]))
+    return [dict(zip(by_unit, row, strict=True)) for row in zip(*by_unit.values(), strict=True)]
+
+
+def _losses(of_gear: GearPorts, *, drag: bool) -> list[tuple[str, float]]:
+    if not drag:
+        return [("meshes", of_gear.meshes)]
+    total = of_gear.meshes + of_gear.drag
+    return [("meshes", of_gear.meshes), ("drag", of_gear.drag), ("meshes and drag", total)]
+
+
+def ports_grid(gears: Sequence[PortTable], *, named: bool = True) -> Grid:
+    """The ports of some gears, and what each loses.
+
+    Parameters
+    ----------
+    named : bool, optional
+        Whether a column has the names of the gears; without it the table is of one gear.
+
+    Returns
+    -------
+    Grid
+        In rpm, N*m and kW where all these gears have a load, else relative to the input [-].
+
+    Examples
+    --------
+    >>> from vstatics import Gear, Load, Mechanism, Transmission, solve
+    >>> pair = Mechanism(1, 2, 0, -4.0, 0.98)
+    >>> case = Transmission(2, [], [pair], [Gear()], load=Load(speed=2000, torque=100))
+    >>> grid = ports_grid(port_tables(solve(case)), named=False)
+    >>> [column.heading for column in grid.columns]
+    ['port', 'speed, rpm', 'torque, N*m', 'power, kW', '']
+    >>> grid.texts
+    [['1', '2000.0', '100.0', '20.944', 'in'], ['2', '-500.0', '-392.0', '20.525', 'out'], \
+['lost: meshes', '', '', '.419', '']]
+    """
+    physical = {
+        unit for _, unit in _MEASURES if not any(math.isnan(one.scales[unit]) for one in gears)
+    }
+    columns = [text("gear")] * named + [text("port")]
+    for name, unit in _MEASURES:
+        columns.append(Column(f"{name}, {UNITS[unit].en}" if unit in physical else name))
+    columns.append(text(""))
+    rows: list[list[Cell | str]] = []
+    for gear in gears:
+        front = [gear.gear] * named
+        rows += [[*front, *row] for row in _rows(gear, physical)]
+    return Grid("Ports", columns, rows)
+
+
+def _rows(gear: PortTable, physical: set[str]) -> Iterator[list[Cell | str]]:
+    def cell(value: float, unit: str) -> Cell:
+        if unit in physical:
+            return exact(value * gear.scales[unit], UNITS[unit].decimals)
+        return exact(value)
+
+    for name, port in gear.rows:
+        numbers = (cell(getattr(port, what), unit) for what, unit in _MEASURES)
+        yield [name, *numbers, port.way]
+    for name, lost in gear.losses:
+        yield [f"lost: {name}", "", "", cell(lost, "kW"), ""]
+
+
+def port_document(gear: PortTable) -> dict[str, Any]:
+    """The ports of a gear as plain data: relative numbers, and those with a unit by a load."""
+
+    def numbers(values: dict[str, float]) -> dict[str, float]:
+        units = dict(_MEASURES)
+        with_units = {
+            f"{name}_{units[name]}": value * gear.scales[units[name]]
+            for name, value in values.items()
+            if not math.isnan(gear.scales[units[name]])
+        }
+        return {**values, **with_units}
+
+    return {
+        "ports": [
+            {
+                "link": name,
+                "way": port.way or None,
+                "output": port.is_output,
+                **numbers({what: getattr(port, what) for what, _ in _MEASURES}),
+            }
+            for name, port in gear.rows
+        ],
+        "lost": [{"in": name, **numbers({"power": lost})} for name, lost in gear.losses],
+    }
