@@ -10,7 +10,7 @@ from vstatics.cli.targets import CaseTask
 from vstatics.errors import Problem, of_file
 from vstatics.jobs.alone import Rules
 from vstatics.jobs.files import OWN_FAULTS, replace, set_aside, unwritable
-from vstatics.jobs.finished_cases import FinishedCases, hash_of_case
+from vstatics.jobs.finished_cases import FinishedCases
 from vstatics.statics.results import Language
 
 
@@ -40,7 +40,6 @@ class Done(NamedTuple):
 
 def calculate_and_write(job: Job, task: CaseTask) -> Done:
     """Read, calculate and write a case; nothing that is wrong with it is raised."""
-    case_hash = None if job.finished is None else hash_of_case(task.file)
     case = calculate_one(task.file, job.options)
     file, problems = case.file, case.problems
     try:
@@ -52,7 +51,7 @@ def calculate_and_write(job: Job, task: CaseTask) -> Done:
         text = texts.alone(case, job.output_format, job.lang)
         replace(task.target, texts.encoded(text, job.output_format))
         if job.finished is not None:
-            job.finished.note(task.target, case_hash, failed=case.failed)
+            job.finished.note(task.target, case.data, failed=case.failed)
     except OSError as error:
         return Done(
             file,

@@ -83,6 +83,8 @@ class CalculatedCase(NamedTuple):
     file: str
     results: Results | None
     problems: list[Problem]
+    data: bytes = b""
+    """What was read."""
 
     @property
     def failed(self) -> bool:
@@ -158,9 +160,10 @@ def check_streams(cases: Sequence[str]) -> None:
 
 def calculate_one(file: str, settings: CaseOptions) -> CalculatedCase:
     """Read and calculate a case; whatever goes wrong with it is a problem of this case."""
-    name = files.STDIN_NAME if file == files.STDIN else file
+    name, data = files.STDIN_NAME if file == files.STDIN else file, b""
     try:
-        reading = readers.read(*files.read_input(file), settings.input_format)
+        data, name = files.read_input(file)
+        reading = readers.read(data, name, settings.input_format)
         results = solve(reading.case, coast=settings.coast, idle=settings.idle)
         notes = map(reading.locate, hints(reading.case)) if settings.notes else ()
         of_input, of_gears = [*reading.warnings, *notes], [*_located(reading, results)]
@@ -169,7 +172,7 @@ def calculate_one(file: str, settings: CaseOptions) -> CalculatedCase:
     except Exception as error:  # noqa: BLE001 - the other cases are to go on
         results, of_input, of_gears = None, [unexpected(name, error)], []
     problems = of_input if settings.notes else serious(of_input)
-    return CalculatedCase(name, results, [*problems, *of_gears])
+    return CalculatedCase(name, results, [*problems, *of_gears], data)
 
 
 def serious(problems: Iterable[Problem]) -> list[Problem]:

@@ -31,7 +31,7 @@ def read_input(file: str) -> tuple[bytes, str]:
     name = STDIN_NAME if file == STDIN else file
     try:
         if file != STDIN:
-            with open(file, "rb") as opened:  # noqa: PTH123
+            with open(file, "rb", buffering=0) as opened:  # noqa: PTH123
                 return opened.read(), name
         if sys.stdin is not None:
             return sys.stdin.buffer.read(), name

@@ -58,6 +58,16 @@ def opened(output: str) -> Iterator[Write]:
         os.close(handle)
 
 
+@contextlib.contextmanager
+def appending(path: str) -> Iterator[Write]:
+    """Write at the end of a file, each time all at once; it need not be there."""
+    handle = os.open(path, os.O_WRONLY | os.O_APPEND | os.O_CREAT, 0o666)
+    try:
+        yield partial(_write, handle)
+    finally:
+        os.close(handle)
+
+
 def replace(path: str, data: bytes) -> None:
     """Write a file, whole or not at all.
 

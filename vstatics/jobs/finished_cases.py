@@ -18,7 +18,7 @@ from typing import Any, NamedTuple, Self
 
 from vstatics.errors import ReadError, of_file
 from vstatics.extras import build
-from vstatics.jobs.files import replace
+from vstatics.jobs.files import appending, replace
 from vstatics.jobs.lock import lock, unlock
 
 Description = dict[str, Any]
@@ -37,12 +37,16 @@ def differing(known: Mapping[str, Any], wanted: Mapping[str, Any]) -> list[str]:
     return [key for key in wanted if key in known and known[key] != wanted[key]]
 
 
-def hash_of_case(file: str) -> str | None:
-    """The hash of a case, made before it is read; None if it is no file that stays."""
+def _hash(case: bytes) -> str:
+    return hashlib.sha256(case).hexdigest()
+
+
+def _hash_of_file(name: str) -> str | None:
+    """The hash of a case; None if it is no file that stays."""
     try:
-        if stat.S_ISREG(os.stat(file).st_mode):  # noqa: PTH116
-            with open(file, "rb") as opened:  # noqa: PTH123
-                return hashlib.file_digest(opened, "sha256").hexdigest()
+        if stat.S_ISREG(os.stat(name).st_mode):  # noqa: PTH116
+            with open(name, "rb") as file:  # noqa: PTH123
+                return _hash(file.read())
     except OSError:
         pass
     return None
@@ -143,20 +147,19 @@ class FinishedCases:
         entry = self._done.get(os.path.basename(target))  # noqa: PTH119
         if entry is None or entry.run != self._run or entry.state != _state(target):
             return False
-        return entry.case == hash_of_case(file)
+        return entry.case == _hash_of_file(file)
 
-    def note(self, target: str, case: str | None, *, failed: bool) -> None:
-        """Note a result that is in its place, of a case with this hash.
+    def note(self, target: str, case: bytes, *, failed: bool) -> None:
+        """Note a result that is in its place, of a case as it was read.
 
         Raises
         ------
         OSError
             If that is not possible.
         """
-        if case is not None:
-            entry = [os.path.basename(target), case, self._run, _state(target), failed]  # noqa: PTH119
-            with open(self.path, "ab", buffering=0) as file:  # noqa: PTH123
-                file.write(json.dumps(entry).encode() + b"\n")
+        entry = [os.path.basename(target), _hash(case), self._run, _state(target), failed]  # noqa: PTH119
+        with appending(self.path) as write:
+            write(json.dumps(entry).encode() + b"\n")
 
 
 def _state(target: str) -> list[int] | None:
