@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 import re
 import sys
 from pathlib import Path
@@ -275,3 +276,35 @@ def test_rows_stand_where_the_file_behind_a_stream_is(where: str) -> None:
     assert (first, last) == ("a", "end")
     assert head.startswith("variant,")
     assert row.startswith("0,-4,ok")
+
+
+def test_a_sweep_in_the_units_of_the_load() -> None:
+    """With the ring held the carrier turns at 2000/(1 - u) and gets 300*(1 - u*.96) N*m."""
+    text = f"load: {{speed: 2000 rpm, torque: 300 N*m}}\n{CASE_TEXT}"
+    Path("loaded.yaml").write_text(text, encoding="utf-8")
+    out = "W_rpm[3,low], speeds_rpm[3,low], MxP_Nm[low], lossy_torques_Nm[Mx,low], LOSS_kW[D,low]"
+    where = ("--where", "Mx_Nm[low] > 900", "--max", "output_power_kW[low]")
+    said = vstatics("sweep", "loaded.yaml", *VARY, "--out", out, *where, "-f", "jsonl")
+    rows = [json.loads(line) for line in said.out.splitlines()]
+    assert [row["D.ratio"] for row in rows] == [-2.5, -3, -3.5, -4]  # the best loses least
+    for row in rows:
+        _, u, _, *found = row.values()
+        torque, speed = 300 * (1 - u * 0.96), 2000 / (1 - u)
+        lost = (300 * 2000 - torque * speed) * math.pi / 30 / 1000
+        assert found == pytest.approx([speed, speed, torque, torque, lost])
+    without = vstatics("sweep", "box.yaml", *VARY, "--out", "Mx_Nm")
+    assert (without.status, without.out) == (1, "")
+    assert "--out:1:1: error: no load tells the torque at the input" in without.err
+
+
+def test_a_sweep_file_knows_either_name() -> None:
+    text = """\
+case: box.yaml
+vary: {D.IAB: "-4:-2:5"}
+out: ETA[low], slip_speeds[C, low]
+where: W[3, low] < .3
+max: efficiency[low]
+"""
+    Path("sweep.yaml").write_text(text, encoding="utf-8")
+    said = vstatics("sweep", "--file", "sweep.yaml")
+    assert said.out.splitlines()[0] == 'variant,D.ratio,status,ETA[low],"slip_speeds[C,low]"'

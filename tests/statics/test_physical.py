@@ -8,12 +8,24 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
-from vstatics import CaseError, Gear, Load, Mechanism, Results, ShiftElement, Transmission, solve
+from tests.commands import CASES
+from vstatics import (
+    CaseError,
+    Gear,
+    Load,
+    Mechanism,
+    ShiftElement,
+    Transmission,
+    flows,
+    load,
+    solve,
+)
 from vstatics.statics.physical import known_units, lacking_load, scales
 from vstatics.tables.quantities import ASKED, WITH_UNITS
 
@@ -83,10 +95,6 @@ def test_every_declared_unit_has_its_array(one: Any) -> None:
         np.testing.assert_allclose(made[:, gear], relative[:, gear] * scale, rtol=1e-15)
 
 
-def power_of_ports(results: Results) -> Any:
-    return results.input_power_kW - results.output_power_kW
-
-
 @pytest.mark.parametrize("coast", [False, True])
 def test_what_enters_leaves_or_is_lost(coast: bool) -> None:
     """With drag of 6 N*m at the carrier, and a machine that gives 30 N*m to the ring."""
@@ -99,9 +107,23 @@ def test_what_enters_leaves_or_is_lost(coast: bool) -> None:
     lost = results.losses_kW.sum(axis=-1) + results.drag_losses_kW
     assert (results.losses_kW >= 0).all()
     assert (results.drag_losses_kW > 0).all()
-    assert power_of_ports(results) == pytest.approx(lost)
+    assert results.input_power_kW - results.output_power_kW == pytest.approx(lost)
     eta = results.output_power_kW / results.input_power_kW
     assert eta == pytest.approx(results.efficiency)
+
+
+@pytest.mark.parametrize("coast", [False, True])
+@pytest.mark.parametrize("file", sorted(CASES.glob("*.yaml")), ids=lambda file: file.stem)
+def test_ports_have_the_power_that_the_flow_tells(file: Path, coast: bool) -> None:
+    """Which adds up the ports of each gear one by one, in their real direction."""
+    case = load(file)
+    gears = [gear._replace(load=None) for gear in case.gears]
+    results = solve(replace(case, gears=gears, load=Load(2000, 300)), coast=coast)
+    for number, flow in enumerate(flows(results)):
+        if flow.lossy is not None and not flow.lossy.unknown:
+            both = [flow.lossy.entering * flow.kilowatts, flow.lossy.leaving * flow.kilowatts]
+            found = results.input_power_kW[number], results.output_power_kW[number]
+            assert sorted(found) == pytest.approx(sorted(both), rel=1e-9, abs=1e-9)
 
 
 def test_without_a_load_there_are_no_units() -> None:

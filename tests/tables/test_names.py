@@ -117,6 +117,8 @@ def test_mx_is_the_output_torque_and_its_lossy_sister_ends_in_p(everything: Tran
         ("loss", "LOSS"),
         ("Losses", "losses"),
         ("lossy_torque", "lossy_torques"),
+        ("W_Nm", "W_rpm"),
+        ("losses_W", "losses_kW"),
     ],
 )
 def test_another_name_is_refused_with_the_nearest(
@@ -212,6 +214,22 @@ def test_a_mechanism_of_a_deck_is_its_own_row() -> None:
         "torques[T1,2]",
         "WSAT[D2,1]",
     )
+
+
+# A data frame
+
+
+def test_a_data_frame_has_the_units_of_the_load(everything: Transmission) -> None:
+    table = to_dataframe(solve(everything, ratios=[[m.ratio for m in everything.mechanisms]] * 2))
+    assert table["lossy_torques_Nm[P1.sun]"].tolist() == pytest.approx(
+        (table["lossy_torques[P1.sun]"] * 300).tolist(), nan_ok=True
+    )
+    assert table["speeds_rpm[in]"].tolist() == [2000] * 6
+    lost = table.filter(like="losses_kW").sum(axis=1)
+    found = table["input_power_kW"] - table["output_power_kW"]
+    assert found.tolist() == pytest.approx(lost.tolist())
+    without = to_dataframe(solve(load(CASES / "simpson.yaml")))
+    assert not [name for name in without if re.search("_rpm|_Nm|_kW", str(name))]
 
 
 # What is varied

@@ -7,8 +7,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Literal, NamedTuple
 
 from vstatics.errors import CaseError, Problem
+from vstatics.statics.physical import known_units
 from vstatics.statics.results import Results
-from vstatics.tables.values import tables
 
 Kind = Literal["energy", "time"]
 """What the shares of a duty cycle are shares of."""
@@ -65,7 +65,9 @@ def cycle(results: Results, duty: Duty) -> Cycle:
     efficiencies = dict(zip(gears, results.efficiency.tolist(), strict=True))
     powers = dict.fromkeys(gears, 1.0)
     if duty.kind == "time":
-        powers = dict.fromkeys(gears, math.nan) | _powers(results)
+        powers = dict.fromkeys(gears, math.nan)
+        if "kW" in known_units(results.case):
+            powers = dict(zip(gears, results.input_power_kW.tolist(), strict=True))
     problems = list(_problems(shares, efficiencies, powers))
     if problems:
         raise CaseError(problems)
@@ -74,14 +76,6 @@ def cycle(results: Results, duty: Duty) -> Cycle:
     total = math.fsum(energies.values())
     stages = [Stage(gear, energy / total, efficiencies[gear]) for gear, energy in energies.items()]
     return Cycle(stages, math.fsum(stage.energy * stage.efficiency for stage in stages))
-
-
-def _powers(results: Results) -> dict[str, float]:
-    """Power that enters in each gear [kW]; none without a load."""
-    for table in tables(results):
-        if table.quantity.key == "input_power_kW":
-            return dict(zip(table.columns, table.values[0].tolist(), strict=True))
-    return {}
 
 
 def _problems(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 from vstatics.errors import Place, Problem, ReadError, listed, nearest, quoted
 from vstatics.model.transmission import Transmission
@@ -39,8 +39,21 @@ def quantity_named(name: str, place: Place | None = None) -> Quantity:
     """
     if name in BY_NAME:
         return BY_NAME[name]
-    message = f"there is no table {quoted(name)}{nearest(name, BY_NAME)}"
+    message = f"there is no table {quoted(name)}{nearest_quantity(name)}"
     raise ReadError([Problem(message, place=place)])
+
+
+def nearest_quantity(name: str, others: Iterable[str] = ()) -> str:
+    """A hint that names the nearest quantity, or one of other names, or nothing.
+
+    >>> nearest_quantity("W_Nm"), nearest_quantity("ETA_kW"), nearest_quantity("speed")
+    ('; did you mean `W_rpm`?', '; did you mean `ETA`?', '; did you mean `speeds`?')
+    """
+    relative = name.rpartition("_")[0]
+    if relative not in BY_NAME:
+        return nearest(name, [*BY_NAME, *others])
+    unit = BY_NAME[relative].with_load
+    return f"; did you mean `{relative}_{unit}`?" if unit else f"; did you mean `{relative}`?"
 
 
 def row_named(name: str, kind: Rows, case: Transmission, place: Place | None = None) -> int:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any, NamedTuple, TypeAlias
 
-from vstatics.errors import nearest, quoted
+from vstatics.errors import quoted
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Floats
 from vstatics.statics.arrays import Rows
@@ -15,7 +15,7 @@ from vstatics.sweep.expressions.evaluation import FUNCTIONS
 from vstatics.sweep.expressions.excerpt import Excerpt
 from vstatics.sweep.expressions.operands import Constant, DottedName, Subscript, TableName
 from vstatics.sweep.targets import Target, target
-from vstatics.tables.names import no_row, rows_called, several
+from vstatics.tables.names import nearest_quantity, no_row, rows_called, several
 from vstatics.tables.quantities import BY_NAME
 from vstatics.tables.rows import ROWS, table_rows
 
@@ -152,6 +152,5 @@ class SweepNames:
         elif name in [element.name for element in case.shift_elements]:
             hint = f"; `{name}` is a shift element: in brackets, as in torques[{name}]"
         else:
-            known = [*BY_NAME, *FUNCTIONS]
-            hint = nearest(name, known) or "; such as ratio, efficiency, speeds[C1]"
+            hint = nearest_quantity(name, FUNCTIONS) or "; such as ratio, efficiency, speeds[C1]"
         return f"there is no table {quoted(name)}{hint}"
