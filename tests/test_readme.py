@@ -240,6 +240,16 @@ def test_reference_of_cases_names_every_key() -> None:
         assert {key.name for key in shape.keys} - named == set(), shape.title
 
 
+def test_units_of_the_reference_are_understood() -> None:
+    from vstatics.readers.named.units import unit
+
+    text = (ROOT / "docs" / "cases.md").read_text(encoding="utf-8")
+    for quantity, units in re.findall(
+        r"^\| (speed|torque|power) \| (`.*`) \|$", text, re.MULTILINE
+    ):
+        assert {unit(one)[0] for one in re.findall(r"`(.*?)`", units)} == {quantity}
+
+
 def test_readme_starts_with_the_two_commands() -> None:
     first = next(blocks(ROOT / "README.md"))
     assert [command.split("#")[0].strip() for command, _ in commands(first)] == [
