@@ -18,6 +18,12 @@ def pytest_addoption(parser: pytest.Parser) -> None:
         help="rewrite tests/golden; a test fails where something changed, and shows it",
     )
     parser.addoption("--wheel", help="the wheel that tests/test_wheel.py tries, not a new one")
+    parser.addoption(
+        "--kills",
+        type=int,
+        default=12,
+        help="so often tests/cli/test_killed.py kills a run or a sweep",
+    )
 
 
 @pytest.fixture(scope="module", autouse=True)

@@ -1,0 +1,177 @@
+"""Runs and sweeps that are killed at random moments and resumed: nothing is lost or mixed up.
+
+``pytest tests/cli/test_killed.py --kills 200 -s`` tries it more often, and tells how often.
+"""
+
+from __future__ import annotations
+
+import os
+import random
+import signal
+import subprocess
+import sys
+import time
+from collections import Counter
+from collections.abc import Callable
+from pathlib import Path
+from typing import NamedTuple
+
+import pytest
+
+from tests.commands import MZKT, environment
+from tests.sweep.sweeps import CASE_TEXT, children, names
+
+pytestmark = [pytest.mark.slow, pytest.mark.alone]
+
+GRID = ("--vary", "D.ratio=-4:-2:500", "--vary", "D.efficiency=.9:1:800")
+"""400000 variants in 7 pieces."""
+CASES = 150
+
+
+class Work(NamedTuple):
+    """What is done, and disturbed."""
+
+    arguments: tuple[str, ...]
+    output: str
+
+
+WORKS = {
+    **{
+        f"run {form}": Work(("run", "--files-from", "list", "-f", form, "-j", "2"), "out/")
+        for form in ("json", "listing")
+    },
+    **{
+        f"sweep {form} -j {jobs}": Work(("sweep", "box.yaml", *GRID, "-j", jobs), f"out.{form}")
+        for form in ("csv", "jsonl", "npz", "parquet")
+        for jobs in "12"
+    },
+    "sweep best": Work(("sweep", "box.yaml", *GRID, "--max", "ratio[low]"), "out.csv"),
+    "sweep where": Work(("sweep", "box.yaml", *GRID, "--where", "ratio[low] > 4"), "out.npz"),
+}
+
+
+def prepare(folder: Path) -> None:
+    """A folder with the cases, which differ in a number."""
+    folder.mkdir()
+    (folder / "box.yaml").write_text(CASE_TEXT, encoding="utf-8")
+    text = MZKT.read_text(encoding="utf-8")
+    assert ".9500Е+00" in text
+    for number in range(CASES):
+        varied = text.replace(".9500Е+00", f".9{number:03}Е+00")
+        (folder / f"case{number}.dat").write_text(varied, encoding="utf-8")
+    (folder / "list").write_text("".join(f"case{n}.dat\n" for n in range(CASES)), encoding="utf-8")
+
+
+def begin(work: Work, folder: Path, *more: str) -> subprocess.Popen[bytes]:
+    return subprocess.Popen(
+        [sys.executable, "-m", "vstatics", *work.arguments, "-o", work.output, *more],
+        cwd=folder,
+        env=environment(),
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.PIPE,
+        start_new_session=True,
+    )
+
+
+def end(process: subprocess.Popen[bytes]) -> tuple[int, str]:
+    """The exit status, and what was said."""
+    said = process.communicate(timeout=120)[1].decode()
+    assert "Traceback" not in said
+    assert "an error of vstatics" not in said
+    return process.returncode, said
+
+
+def made(work: Work, folder: Path) -> dict[str, bytes]:
+    """All that was written, but for what tells of the run."""
+    output = folder / work.output
+    files = [path for path in output.iterdir() if path.name[0] != "."] if output.is_dir() else []
+    return {path.name: path.read_bytes() for path in files or [output]}
+
+
+def left(folder: Path) -> list[str]:
+    """What lies about in the folders that should not."""
+    inner = [name for name in names(folder / "out") if name.startswith(".vstatics")]
+    return [
+        name
+        for name in [*names(folder), *inner]
+        if name.endswith(".parts") or (name.startswith(".vstatics") and "-run-" not in name)
+    ]
+
+
+def kill_group(process: subprocess.Popen[bytes]) -> None:
+    os.killpg(process.pid, signal.SIGKILL)
+
+
+def interrupt_group(process: subprocess.Popen[bytes]) -> None:
+    """As a terminal does at Ctrl-C."""
+    os.killpg(process.pid, signal.SIGINT)
+
+
+def kill_a_worker(process: subprocess.Popen[bytes]) -> None:
+    """Or the process itself, where it works alone."""
+    os.kill([*children(process.pid), process.pid][0], signal.SIGKILL)
+
+
+WAYS: dict[str, Callable[[subprocess.Popen[bytes]], None]] = {
+    "killed, all of it": kill_group,
+    "killed, the parent": subprocess.Popen.kill,
+    "killed, a worker": kill_a_worker,
+    "Ctrl-C": interrupt_group,
+    "SIGTERM": subprocess.Popen.terminate,
+}
+STATUSES = {
+    "killed, all of it": (-9,),
+    "killed, the parent": (-9,),
+    "killed, a worker": (0, -9),
+    "Ctrl-C": (130,),
+    "SIGTERM": (143, -15),  # a program that is being imported has nothing to keep
+}
+
+
+@pytest.fixture(scope="module")
+def whole(tmp_path_factory: pytest.TempPathFactory) -> dict[str, tuple[dict[str, bytes], float]]:
+    """What undisturbed work gives, and how long it takes [s]."""
+    found = {}
+    for number, (name, work) in enumerate(WORKS.items()):
+        folder = tmp_path_factory.mktemp("whole") / str(number)
+        prepare(folder)
+        began = time.monotonic()
+        status, said = end(begin(work, folder))
+        assert status == 0, said
+        found[name] = made(work, folder), time.monotonic() - began
+        assert left(folder) == []
+    return found
+
+
+def test_work_that_is_killed_and_resumed_is_that_of_undisturbed_work(
+    whole: dict[str, tuple[dict[str, bytes], float]],
+    tmp_path: Path,
+    request: pytest.FixtureRequest,
+) -> None:
+    """Up to three times in a row, then it is let alone; the bytes are the same."""
+    kills = int(request.config.getoption("--kills"))
+    choose = random.Random(kills)  # noqa: S311
+    told: Counter[str] = Counter()
+    while sum(told[way] for way in WAYS) < kills:
+        name = choose.choice(list(WORKS))
+        work, (expected, seconds) = WORKS[name], whole[name]
+        folder = tmp_path / str(told.total())
+        prepare(folder)
+        for _ in range(choose.randint(1, 3)):
+            way = choose.choice(list(WAYS))
+            running = begin(work, folder, "--resume")
+            time.sleep(choose.uniform(0.3, seconds))  # Python itself has started by then
+            ended = running.poll() is not None
+            if not ended:
+                WAYS[way](running)
+            status, said = end(running)
+            assert status in (0, *STATUSES[way]), (name, way, said)
+            told[way if not ended and status in STATUSES[way] else "it had ended before"] += 1
+        running = begin(work, folder, "--resume")
+        status, said = end(running)
+        assert (status, "failed" in said) == (0, False), (name, said)
+        assert made(work, folder) == expected, name
+        assert left(folder) == []
+        told["resumed to the end, the same bytes"] += 1
+        told[name] += 1
+    print(dict(told))  # noqa: T201
