@@ -9,7 +9,8 @@ from itertools import pairwise
 import pytest
 
 from tests.commands import LOCKED, NEUTRAL, ROOT, vstatics
-from vstatics.summary import Summary
+from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
+from vstatics.summary import Summary, summarize
 
 PUBLISHED = json.loads((ROOT / "tests" / "published" / "zf-8hp70.json").read_text())["ratio"]
 
@@ -39,3 +40,18 @@ def test_a_locked_gear_has_a_ratio_and_no_efficiency() -> None:
     [line] = made["gears"]
     assert line["ratio"] == pytest.approx(0.004 / 1.004)  # (u - 1)/u, driven from its slow end
     assert (line["efficiency"], line["state"]) == (None, "locked")
+
+
+def test_operating_points_have_no_step_and_no_part_in_the_spread() -> None:
+    """Ratios 3.5 and 1 are gears; the point between counts for neither."""
+    case = Transmission(
+        3,
+        [ShiftElement(1, 2), ShiftElement(2)],
+        [Mechanism(1, 2, 3, -2.5)],
+        [Gear([2]), Gear(speeds={2: 0.5}, kind="point"), Gear([1])],
+    )
+    summary = summarize(solve(case))
+    assert [line.next for line in summary.design.gears] == ["3", "", ""]
+    assert math.isnan(summary.design.gears[1].step)
+    assert summary.design.spread == pytest.approx(3.5)
+    assert [(one.start, one.end) for one in summary.transitions] == [("1", "3")]

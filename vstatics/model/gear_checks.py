@@ -8,7 +8,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from vstatics.errors import Path, Problem
 from vstatics.model.fields import TransmissionFields
 from vstatics.model.part_checks import called, is_number, of_drag, of_link
-from vstatics.model.parts import DIRECTIONS, Gear, Load, ShiftElement, SpeedOf
+from vstatics.model.parts import DIRECTIONS, GEAR_KINDS, Gear, Load, ShiftElement, SpeedOf
 
 
 def of_gear(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[Problem]:
@@ -23,8 +23,16 @@ def of_gear(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[Proble
         yield Problem(f"input and output are both link {called(case, ends[0])}", path)
     yield from _turning(case, gear, (*path, "input_turns"))
     yield from _dragging(case, gear, path)
-    if not gear.speeds and not gear.torques:
-        return
+    if gear.kind not in GEAR_KINDS:
+        yield Problem(f"read {gear.kind!r}, expected `gear` or `point`", (*path, "kind"))
+    if gear.speeds or gear.torques:
+        yield from _given(case, gear, ends, path)
+
+
+def _given(
+    case: TransmissionFields, gear: Gear, ends: tuple[int, int], path: Path
+) -> Iterator[Problem]:
+    """Given speeds and torques, of links that have neither by themselves."""
     yield from _speeds(case, gear.speeds, (*path, "speeds"))
     yield from _finite(gear.torques, (*path, "torques"), case.links)
     if ends[0] in gear.speeds:

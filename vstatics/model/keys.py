@@ -6,7 +6,15 @@ others refer to comes first.
 
 from __future__ import annotations
 
-from vstatics.model.parts import DIRECTIONS, ELEMENT_KINDS, Gear, Load, Mechanism, ShiftElement
+from vstatics.model.parts import (
+    DIRECTIONS,
+    ELEMENT_KINDS,
+    GEAR_KINDS,
+    Gear,
+    Load,
+    Mechanism,
+    ShiftElement,
+)
 from vstatics.model.shape import (
     FLAG,
     LINK,
@@ -158,6 +166,12 @@ GEAR = ByKey(
         ),
         KeyShape("output", LINK, "This gear's own output link."),
         KeyShape("load", LOAD, "This gear's own load."),
+        KeyShape(
+            "kind",
+            Leaf("choice", GEAR_KINDS),
+            "`point` is an operating point: it has no step, and no part in the spread.",
+            default="gear",
+        ),
     ),
     Gear,
 )

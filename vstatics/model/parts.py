@@ -17,6 +17,9 @@ ElementKind = Literal["clutch", "brake", "dog_clutch", "freewheel"]
 Direction = Literal["forward", "backward"]
 """The way in which an input turns."""
 DIRECTIONS: tuple[Direction, ...] = get_args(Direction)
+GearKind = Literal["gear", "point"]
+"""A gear of the shift pattern, or an operating point, as of a variable drive."""
+GEAR_KINDS: tuple[GearKind, ...] = get_args(GearKind)
 ELEMENT_KINDS: tuple[ElementKind, ...] = get_args(ElementKind)
 
 
@@ -165,6 +168,8 @@ class Gear(NamedTuple):
     input_turns : {"forward", "backward"}, optional
         The way in which the input turns, for freewheels: all speeds are relative to it. As
         the load says when not given, and forward if that says nothing either.
+    kind : {"gear", "point"}
+        An operating point has no step to another, and no part in the spread.
     """
 
     engaged: Sequence[int] = ()
@@ -177,6 +182,7 @@ class Gear(NamedTuple):
     open_drag: Mapping[int, float] = MappingProxyType({})
     load: Load | None = None
     input_turns: Direction | Literal[""] = ""
+    kind: GearKind = "gear"
 
 
 def element_name(number: int, element: ShiftElement) -> str:

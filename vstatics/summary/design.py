@@ -82,8 +82,8 @@ def ranges(results: Results) -> list[list[int]]:
 
     A range has gears of one input, one output and one direction, from the largest ratio
     to the smallest, both without sign. The first range is the longest, which is taken
-    as forward: a final drive may turn the sign of all gears. Gears without a ratio are in
-    none.
+    as forward: a final drive may turn the sign of all gears. Gears without a ratio
+    and operating points are in none.
 
     Examples
     --------
@@ -96,7 +96,7 @@ def ranges(results: Results) -> list[list[int]]:
     case = results.case
     alike: dict[tuple[int, int, bool], list[int]] = {}
     for index, (gear, ratio) in enumerate(zip(case.gears, results.ratio.tolist(), strict=True)):
-        if math.isfinite(ratio):
+        if math.isfinite(ratio) and gear.kind == "gear":
             key = case.gear_input(gear), case.gear_output(gear), ratio > 0
             alike.setdefault(key, []).append(index)
     ordered = [_descending(indices, results) for indices in alike.values()]

@@ -105,6 +105,7 @@ def lost(case: Transmission) -> list[str]:
             for link, speed in gear.speeds.items()
             if isinstance(speed, SpeedOf)
         ),
+        *(f"kind of gear {gear.name}" for gear in case.gears if gear.kind != "gear"),
     ]
 
 
