@@ -160,6 +160,19 @@ def test_a_loop_that_may_not_be_in_the_metal_says_so(
     assert_readable(figure)
 
 
+@pytest.mark.parametrize("language", ["en", "ru"])
+def test_what_a_convention_divides_is_marked_and_named(language: Literal["en", "ru"]) -> None:
+    """In gear 6 the clutch E holds P3 as one piece; C and D stand in series with it."""
+    results = solve(load(CASES[0].parent / "zf-8hp70.yaml"))
+    figure = picture(results, "flow", Style(language), 6)
+    told = drawn(figure)
+    said = {"en": "by convention, as it turns as one piece", "ru": "условно: внутри одного целого"}
+    assert f"~ {said[language]}: ring 2, E, P3" in told
+    assert "E ~\n" in told
+    assert "C\n" in told
+    assert_readable(figure)
+
+
 def test_with_a_load_powers_are_in_kilowatts_too() -> None:
     """100 N*m at 955 rpm are 955 / 60 * 2 pi * 100 W = 10.0 kW."""
     figure = picture(solve(recirculating(Load(955.0, 100.0))), "flow", Style())

@@ -218,6 +218,15 @@ def test_powers_are_those_of_the_flow(zf: Page) -> None:
                 assert value(table[loss["name"]]["loss"]) == loss["power"]
 
 
+def test_the_flow_marks_what_a_convention_divides(zf: Page) -> None:
+    """In gear 6 the clutch E holds P3 as one piece; C and D stand in series with it."""
+    table = zf.table("Gear 6")
+    marks = {name: row["by convention"].text for name, row in table.items() if row}
+    assert {name for name, mark in marks.items() if mark} == {"ring 2", "E", "P3"}
+    told = [one.text for one in zf.all("li")]
+    assert "~ by convention, as it turns as one piece: ring 2, E, P3" in told
+
+
 @pytest.mark.usefixtures("without_pictures")
 def test_a_loop_that_may_not_be_in_the_metal_says_so() -> None:
     """The case says of itself that its mechanisms share planets."""

@@ -6,6 +6,7 @@ torques that they may carry, of which the calculation takes one.
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
 
 from vstatics.flow.circulation import Edge, Node
@@ -61,8 +62,8 @@ def divided_by_convention(
     ['direct', 'set']
     """
     legs = [leg for leg in dict.fromkeys(_legs(state)) if leg[0] in bearing]
-    mechanisms = [device for device, _ in legs if device.kind == "mechanism"]
-    open_legs = {leg for leg in legs if mechanisms.count(leg[0]) > 2}
+    count = Counter(device for device, _ in legs if device.kind == "mechanism")
+    open_legs = {leg for leg in legs if count[leg[0]] > 2}
     divided = _on_closed_paths(legs) | open_legs
     found = {device for device, _ in divided}
     for edges in flows:

@@ -184,11 +184,10 @@ def _by_convention(state: GearState, sides: Sequence[PowerFlow]) -> Iterator[Nod
     if not sides:
         return
     nodes = sides[0].throughput
-    bearing = [node for node in nodes if any(side.throughput[node] != 0 for side in sides)]
+    bearing = {node for node in nodes if any(side.throughput[node] != 0 for side in sides)}
     found = divided_by_convention(state, bearing, [side.edges for side in sides])
-    for node in bearing:
-        if node in found and not any(node in side.unknown for side in sides):
-            yield node
+    unknown = {node for side in sides for node in side.unknown}
+    yield from (node for node in nodes if node in found & bearing - unknown)
 
 
 def _flow(state: GearState, *, lossy: bool) -> PowerFlow:
