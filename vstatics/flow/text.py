@@ -40,6 +40,11 @@ def text(flow: GearFlow) -> str:
         first: 1                   1.000    1.000
         second: 2                 -1.000    -.980
         teeth                      1.000    1.000
+    ports
+      port          speed  torque  power
+      1             1.000   1.000  1.000  in
+      2             -.250  -3.920   .980  out
+      lost: meshes                  .020
     in 1.000 - out .980 - lost .020 = .000
     circulating: none
     """
