@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import re
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -33,6 +34,24 @@ def test_python_m_is_the_same_program() -> None:
     assert process("run", MZKT) == (0, LISTING, b"")
     words = f"vstatics, version {__version__}, build {build()}\n"
     assert process("--version") == (0, words.encode(), b"")
+
+
+def test_a_build_is_told_by_the_files_of_the_package(tmp_path: Path) -> None:
+    """A copy of them is the same build, a changed byte makes another one."""
+    copy = tmp_path / "vstatics"
+    shutil.copytree(ROOT / "vstatics", copy, ignore=shutil.ignore_patterns("__pycache__"))
+
+    def told() -> bytes:
+        return process("--version", cwd=tmp_path, PYTHONPATH=str(tmp_path))[1]
+
+    assert told() == process("--version")[1]
+    (copy / "templates" / "simpson.yaml").write_text("#", encoding="utf-8")
+    assert told() != process("--version")[1]
+
+
+@pytest.mark.parametrize("form", ["listing", "json", "csv", "jsonl"])
+def test_no_result_tells_a_build(form: str) -> None:
+    assert build() not in vstatics("run", MZKT, "-f", form).out
 
 
 def test_a_case_comes_through_a_pipe() -> None:

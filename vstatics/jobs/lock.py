@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import contextlib
+import errno
 import os
 import time
 
 from vstatics.errors import ReadError, of_file
 
+WITHOUT = (errno.ENOLCK, errno.ENOSYS, errno.EOPNOTSUPP)
+"""How a file system says that it has no locks."""
 PATIENCE = 10
 """Tenths of a second to wait for it."""
 
@@ -15,7 +18,7 @@ PATIENCE = 10
 def lock(directory: str, name: str, what: str) -> int | None:
     """Make a directory, if need be, and lock it; the file to `unlock` in the end.
 
-    None where a system has no such locks.
+    None where a system, or the file system, has no such locks.
 
     Parameters
     ----------
@@ -47,6 +50,11 @@ def lock(directory: str, name: str, what: str) -> int | None:
             fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except BlockingIOError:
             holder = os.read(file, 100).decode(errors="replace").strip()
+        except OSError as error:
+            unlock(file, path)
+            if error.errno in WITHOUT:
+                return None
+            raise
         else:
             if _is_same(file, path):  # else it was removed, by one that has finished
                 os.truncate(file, 0)

@@ -9,6 +9,9 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from types import FrameType
 
+ENDING = (signal.SIGINT, signal.SIGTERM)
+AGAIN = (signal.SIGALRM,) if hasattr(signal, "setitimer") else ()
+"""Of a timer, where a system has one."""
 SOON = 0.01
 """So long a signal waits that comes while a module is imported. [s]"""
 
@@ -62,9 +65,9 @@ def stoppable() -> Iterator[Stop]:
 
     def come(number: int, frame: FrameType | None) -> None:
         nonlocal later
-        if number != signal.SIGALRM:
+        if number in ENDING:
             stop.error = StoppedError(number)
-        later = _is_import(frame)
+        later = bool(AGAIN) and _is_import(frame)
         if later:
             signal.setitimer(signal.ITIMER_REAL, SOON)
         else:
@@ -75,8 +78,7 @@ def stoppable() -> Iterator[Stop]:
             tell(what)
 
     tell, sys.unraisablehook = sys.unraisablehook, dropped
-    numbers = (signal.SIGINT, signal.SIGTERM, signal.SIGALRM)
-    before = {number: signal.signal(number, come) for number in numbers}
+    before = {number: signal.signal(number, come) for number in (*ENDING, *AGAIN)}
     try:
         yield stop
     finally:
