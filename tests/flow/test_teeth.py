@@ -176,6 +176,15 @@ def test_every_mesh_loses_its_part_of_the_tooth_power(path: Path, coast: bool) -
                 assert one.loss == pytest.approx((1 - efficiency) * one.power, abs=1e-9)
 
 
+@pytest.mark.parametrize("stem", ["umdm", "wolfrom", "ravigneaux-gf4a"])
+def test_losses_of_meshes_are_those_of_the_results(stem: str) -> None:
+    results = solved(next(path for path in CASES if path.stem == stem), coast=False)
+    for number, flow in enumerate(flows(results)):
+        _, lossy = sides(flow)
+        found = [one.loss for one in lossy.teeth if one.mesh]
+        assert found == pytest.approx(results.mesh_losses[number].tolist())
+
+
 @given(case=trains(gears=2))
 def test_losses_of_random_trains_are_parts_of_their_tooth_power(case: Transmission) -> None:
     for flow in flows(solve(case)):
