@@ -589,6 +589,7 @@ OTHER: dict[type, dict[str, object]] = {
         "links": 5,
         "input": 2,
         "output": 4,
+        "outputs": (4, 3),
         "name": "X",
         "description": "X",
         "source": "X",
