@@ -584,6 +584,7 @@ OTHER: dict[type, dict[str, object]] = {
         "open_drag": {2: 0.3},
         "load": Load(100.0, 9.0),
         "input_turns": "backward",
+        "kind": "point",
     },
     Transmission: {
         "links": 5,
