@@ -7,6 +7,7 @@ import re
 from pathlib import Path
 
 import pytest
+import yaml
 
 from tests.commands import MZKT, NEUTRAL, on_terminal, vstatics
 from vstatics.cli import COMMANDS
@@ -178,6 +179,16 @@ def test_json_stays_the_same_json_and_csv_stays_data() -> None:
     failed = json.loads(vstatics("run", f"no{CASE}", "box.yaml", "-f", "json").out)[0]
     assert failed["case"] == f"no{CASE}"
     assert ATTACK in vstatics("run", CASE, "box.yaml", "-f", "csv").out
+
+
+@pytest.mark.parametrize("form", ["yaml", "json"])
+@pytest.mark.parametrize("text", [ATTACK, "\u202e", "\x85", "two\nlines\t\u200f", "\ufeff\r"])
+def test_a_case_keeps_its_description_escaped(text: str, form: str) -> None:
+    case = {**yaml.safe_load(NEUTRAL), "description": text}
+    said = vstatics("convert", "-", "-", "--to", form, stdin=json.dumps(case).encode())
+    assert (said.status, FORBIDDEN.search(said.out)) == (0, None)
+    again = vstatics("convert", "-", "-", "--to", "json", stdin=said.out.encode()).out
+    assert json.loads(again)["description"] == text
 
 
 @pytest.mark.parametrize("form", ["csv", "json", "jsonl", "listing"])

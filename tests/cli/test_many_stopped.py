@@ -291,6 +291,18 @@ def test_two_runs_do_not_write_one_directory() -> None:
     assert process("run", "a.dat", *TO_DIRECTORY[5:], "--coast", cwd=Path.cwd())[0] == 0
 
 
+def test_what_a_killed_run_was_writing_is_removed_by_the_next() -> None:
+    """A process that lives may be another run, into another format."""
+    with subprocess.Popen([sys.executable, "-c", ""]) as dead:
+        dead.wait()
+    Path("out").mkdir()
+    own = [f".vstatics-{os.getpid()}-0", ".vstatics-of-mine"]
+    for name in (f".vstatics-{dead.pid}-0", f".vstatics-{dead.pid}-1", *own):
+        Path("out", name).touch()
+    assert process("run", "a.dat", "-f", "json", "-o", "out/", cwd=Path.cwd())[0] == 0
+    assert names("out") == sorted([*own, "a.json"])
+
+
 def test_a_run_that_was_killed_holds_nothing_and_another_trusts_its_own_only() -> None:
     """To drive, killed; to coast, killed; to coast, resumed: all results are of the last."""
     for options in ((), ("--coast",)):

@@ -142,6 +142,20 @@ def forget(folder: str, process: int) -> None:
         os.unlink(_temporary_name(folder, process))  # noqa: PTH108
 
 
+def forget_dead(folder: str) -> None:
+    """Remove files in a folder that processes of this machine did not finish when they died."""
+    for name in os.listdir(folder):  # noqa: PTH208
+        number = re.fullmatch(rf"{re.escape(PREFIX)}(\d{{1,9}})-\d+", name)
+        if number is not None:
+            try:
+                os.kill(int(number[1]), 0)
+            except ProcessLookupError:
+                with contextlib.suppress(OSError):
+                    os.unlink(os.path.join(folder, name))  # noqa: PTH108, PTH118
+            except OSError:
+                pass  # it lives
+
+
 def is_temporary(name: str) -> bool:
     """Whether a file was not finished, by its name."""
     return name.startswith(PREFIX) or name.endswith(".tmp")  # the earlier names

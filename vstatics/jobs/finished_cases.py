@@ -18,7 +18,7 @@ from typing import Any, NamedTuple, Self
 
 from vstatics.errors import ReadError, of_file
 from vstatics.extras import build
-from vstatics.jobs.files import appending, replace
+from vstatics.jobs.files import appending, forget_dead, replace
 from vstatics.jobs.lock import lock, unlock
 
 Description = dict[str, Any]
@@ -88,6 +88,8 @@ class FinishedCases:
     def lock(self) -> None:
         """Take the results of this format for this process; see `vstatics.jobs.lock.lock`."""
         self._lock = lock(self.folder, self.name + LOCKED, "run")
+        if self._lock is not None:
+            forget_dead(self.folder)
 
     def begin(self) -> None:
         """Begin a run.

@@ -8,6 +8,7 @@ from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from vstatics.elements.drawing import drawing_of
+from vstatics.errors import printable
 from vstatics.model.keys import CASE
 from vstatics.model.shape import (
     UNITS,
@@ -28,7 +29,6 @@ if TYPE_CHECKING:
     import yaml
 
 _WORD = re.compile(r"[^\W\d]\w*")
-_BREAKS = re.compile("[\x85\u2028\u2029]")  # YAML 1.1 takes these for ends of lines
 
 
 class _OnOneLine(dict[str, Any]):
@@ -208,7 +208,8 @@ def _dumper() -> type[yaml.SafeDumper]:
             return True
 
     def text(dumper: yaml.SafeDumper, data: str) -> yaml.ScalarNode:
-        style = '"' if _BREAKS.search(data) else "|" if "\n" in data else None
+        plain = printable(data, lines=True) == data  # else only quotes can hold its escapes
+        style = ("|" if "\n" in data else None) if plain else '"'
         return dumper.represent_scalar("tag:yaml.org,2002:str", data, style=style)
 
     def on_one_line(dumper: yaml.SafeDumper, data: _OnOneLine) -> yaml.MappingNode:
