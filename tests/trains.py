@@ -28,9 +28,9 @@ def seeded(seed: int) -> Random:
 
 
 def random_ratio(rng: Random, links: Links) -> float:
-    """An internal ratio; 1 for shafts (third = 0), hardly ever for other two-link ones."""
+    """An internal ratio; 1 for shafts (third = 0), hardly ever for others."""
     kind = rng.random()
-    if kind < (0.2 if links[2] == 0 else 0.02 if 0 in links else 0):
+    if kind < (0.2 if links[2] == 0 else 0.02 if 0 in links else 0.01):
         return 1.0
     if kind < 0.55:
         return round(rng.uniform(-4, -0.2), rng.choice((1, 2, 3)))

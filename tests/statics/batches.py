@@ -28,8 +28,7 @@ def ratios(rng: np.random.Generator, case: Transmission, count: int, kind: str) 
     with np.errstate(over="ignore"):
         u = np.clip(RATIOS[kind](rng, np.tile(own, (count, 1))), -1e308, 1e308)
     u = np.where((own == 1) & (rng.random(own.size) < 0.7), own, u)
-    joined = np.array([0 not in mechanism.links for mechanism in case.mechanisms])
-    return np.where(u == 0, 0.5, np.where((u == 1) & joined, 1.5, u))
+    return np.where(u == 0, 0.5, u)
 
 
 def _signs(rng: np.random.Generator, own: Floats) -> Floats:

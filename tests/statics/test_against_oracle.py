@@ -46,7 +46,7 @@ def _pairs(
         ("lossy_torques", results.lossy_torques[gear], exact.lossy_torques.listed),
         ("efficiency", [results.efficiency[gear]], [exact.efficiency]),
     ]
-    if exact.lossy_torques.output is not None:  # else the exact sum may exist without its terms
+    if exact.consistent is not None and exact.lossy_torques.output is not None:
         vectors.append(("power_balance", [results.power_balance[gear]], [exact.power_balance]))
     if exact.losses:
         vectors.append(("losses", results.losses[gear], exact.losses))
