@@ -45,6 +45,7 @@ def solve(
     equations: Sequence[Equation],
     unknowns: int,
     sums: Sequence[Mapping[int, Number]] = (),
+    arithmetic: Arithmetic | None = None,
 ) -> Solution:
     """Solve a system; give every unknown, and every sum of unknowns, that is determined.
 
@@ -57,6 +58,8 @@ def solve(
     sums : sequence of mapping
         Column -> coefficient. A difference of two unknowns may be determined where
         neither of them is.
+    arithmetic : Arithmetic, optional
+        As the numbers are, floats or traced, when not given.
 
     Examples
     --------
@@ -66,7 +69,7 @@ def solve(
     >>> solve(equations, 3, sums=[{0: 1.0, 1: -1.0}])
     Solution(values=[nan, nan, 5.0, 1.0], consistent=True, missing=1, excess=0)
     """
-    arithmetic = arithmetic_of(equations)
+    arithmetic = arithmetic or arithmetic_of(equations)
     run = _Elimination([row_of(equation, arithmetic) for equation in equations], arithmetic)
     consistent = run.consistent()
     values: list[Number] = [math.nan] * (unknowns + len(sums))

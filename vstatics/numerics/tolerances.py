@@ -25,10 +25,13 @@ TIE = 1e-9
 """Speeds, or torques on a link, that differ by less than this part are the same."""
 UNCERTAIN = 1e-6
 """Speeds and torques that disagree by this part are told of."""
+NEAR = 1e-4
+"""A ratio that differs from 1 by less makes a train that is nearly singular."""
 CLOSED = 1e-9
 """Powers agree to this part of the input power, or rounding is too large for a plan."""
 NOISE = 1e-12
-"""Power below this part of the largest one of the gear is rounding."""
+"""Power below this part of the largest one of the gear is rounding; so is a speed or torque
+below this part of the input's, where digits are counted."""
 CYCLE = 1e-9
 """A cycle of power with less than this part of the largest power of the gear is rounding."""
 

@@ -18,7 +18,7 @@ from vstatics.numerics import elimination
 from vstatics.numerics.arrays import Booleans
 from vstatics.numerics.tolerances import UNCERTAIN
 from vstatics.numerics.traced import Number, plain
-from vstatics.statics import drag, freewheels, matrix
+from vstatics.statics import digits, drag, freewheels, matrix
 from vstatics.statics.efficiency import sign
 from vstatics.statics.idling import coincidences
 from vstatics.statics.result_fields import Message
@@ -64,6 +64,7 @@ def messages(results: Results) -> Iterator[Message]:
         yield Message(problem.severity, _named(case, path_text(problem.path), problem.message))
     wheels, has_drag = case.freewheels, case.has_drag
     torques = np.hstack([results.torques, results.mesh_torques])
+    is_near = digits.is_near_singular(case)
     is_open = np.any(np.isnan(torques), axis=1)
     is_turned = np.any(results.turned, axis=1)
     for number, given in enumerate(case.gears):
@@ -73,7 +74,10 @@ def messages(results: Results) -> Iterator[Message]:
             *(_conflict(case, gear) if results.conflict[number] else ()),
             *(_further_outputs(case, gear) if case.outputs else ()),
             *_speed_messages(results, number, gear),
-            *_torque_messages(results, number, gear, is_open=bool(is_open[number])),
+            *(lost := tuple(_digit_messages(results, number)) if is_near else ()),
+            *_torque_messages(
+                results, number, gear, is_open=bool(is_open[number]), is_told=bool(lost)
+            ),
             *_loss_messages(results, number, gear, is_turned=bool(is_turned[number])),
             *(_shared(case, given, held) if held else ()),
             *(_drag_messages(results, number, gear) if has_drag else ()),
@@ -235,8 +239,28 @@ def _excess(case: Transmission, gear: Gear) -> Iterator[Said]:
             yield _warning(f"{conditions} say the same of the speeds: 1 condition in excess")
 
 
-def _torque_messages(results: Results, number: int, gear: Gear, *, is_open: bool) -> Iterator[Said]:
-    """Torques that do not exist, or are not determined by statics (`is_open`: some of them)."""
+def _digit_messages(results: Results, number: int) -> Iterator[Said]:
+    """What rounding shows in, near a singular train."""
+    lost = None if results.conflict[number] else digits.lost_digits(results.gear(number + 1))
+    if lost is None:
+        return
+    of = [f"the speed of {_list(lost.links)}"] * bool(lost.links)
+    of += [f"the torque of {_list(lost.devices)}"] * bool(lost.devices)
+    certain = f"{lost.digits} digit{_s(lost.digits)}" if lost.digits else "no digit"
+    verb = "are" if lost.digits > 1 else "is"
+    yield _warning(
+        "the ratios are so close to a singular train that rounding shows: "
+        f"{certain} of {_list(of)} {verb} certain"
+    )
+
+
+def _torque_messages(
+    results: Results, number: int, gear: Gear, *, is_open: bool, is_told: bool
+) -> Iterator[Said]:
+    """Torques that do not exist, or are not determined by statics (`is_open`: some of them).
+
+    And those that are not certain, unless it is told already.
+    """
     case = results.case
     if results.tied_up[number] or results.conflict[number]:
         return  # said as an error already
@@ -249,7 +273,7 @@ def _torque_messages(results: Results, number: int, gear: Gear, *, is_open: bool
                 "speed of the reacting link instead"
             )
         yield _warning(f"there are no torques in balance: {advice}")
-    elif _uncertain(results, number, gear):
+    elif not is_told and _uncertain(results, number, gear):
         yield _warning(
             "the ratios are so close to a singular train that rounding shows: output torque "
             "times output speed is not 1; few digits are certain"

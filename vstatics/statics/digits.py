@@ -1,0 +1,112 @@
+"""How many digits rounding leaves of a gear whose ratios are nearly those of a singular train.
+
+A mechanism of ratio u near 1 has differences u - 1 in its equations; where several meet,
+their product is soon as small as rounding. So the systems are solved again in exact
+fractions, of the decimals that the numbers show: what then differs is lost, by the
+rounding of the calculation or by that of the numbers themselves.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from vstatics.model.transmission import Transmission
+from vstatics.numerics import elimination
+from vstatics.numerics.entries import EXACT, Equation
+from vstatics.numerics.tolerances import NEAR, NOISE, UNCERTAIN
+from vstatics.numerics.traced import Number, plain
+from vstatics.statics.matrix import Column, columns, loaded_devices, speed_rows, torque_rows
+from vstatics.statics.state import GearState
+from vstatics.statics.torques import Torques
+
+MOST = 64
+"""Unknowns of a system that is solved exactly; fractions grow with each of them."""
+
+
+class Lost(NamedTuple):
+    """What rounding shows in."""
+
+    digits: int
+    """So many are certain in all of them."""
+    links: list[str]
+    """Their speeds."""
+    devices: list[str]
+    """Their torques; that of the output too."""
+
+
+def is_near_singular(case: Transmission) -> bool:
+    """Whether a ratio is nearly 1, and the case small enough to be solved exactly.
+
+    >>> from vstatics.model.transmission import Gear, Mechanism
+    >>> [is_near_singular(Transmission(3, [], [Mechanism(1, 2, 3, ratio)], [Gear()]))
+    ...  for ratio in (-2.0, 1.0, 1.00000001)]
+    [False, False, True]
+    """
+    near = any(0 < abs(one.ratio - 1) < NEAR for one in case.mechanisms)
+    return near and len(case.devices) + case.links <= MOST
+
+
+def lost_digits(state: GearState) -> Lost | None:
+    """What rounding shows in, of a gear of one case; None if it does nowhere."""
+    case, ideal = state.case, state.ideal
+    speeds = _exactly(speed_rows(case, state.gear, ideal.variant.columns), case.links)
+    by_link = _parts(state.speeds, speeds)
+    by_device = _torque_parts(state, state.torques, ideal.variant.columns, lossy=False)
+    if state.consistent:
+        lossy = _torque_parts(state, state.lossy_torques, columns(case, state.lossy_ratios))
+        by_device = list(map(max, by_device, lossy))
+    worst = max(*by_link, *by_device)
+    if worst <= UNCERTAIN:
+        return None
+    return Lost(
+        max(math.floor(-math.log10(worst)), 0),
+        [name for name, part in zip(case.link_names, by_link, strict=True) if part > UNCERTAIN],
+        [
+            name
+            for name, part in zip([*case.devices, "the output"], by_device, strict=True)
+            if part > UNCERTAIN
+        ],
+    )
+
+
+def _torque_parts(
+    state: GearState, torques: Torques, by_column: Sequence[Column], *, lossy: bool = True
+) -> list[float]:
+    """Of each device and the output: the part of its torque that is lost."""
+    case, gear = state.case, state.gear
+    loaded = [*loaded_devices(case, gear), len(case.devices)]
+    drag = state.drag.external if lossy else {}
+    exact = _exactly(torque_rows(case, gear, by_column, drag), len(loaded) + len(torques.holding))
+    found = [torques.on_first_link[device] for device in loaded]
+    parts = [0.0] * (len(case.devices) + 1)
+    for device, part in zip(loaded, _parts(found, exact[: len(loaded)]), strict=True):
+        parts[device] = part
+    return parts
+
+
+def _exactly(rows: Sequence[Equation], unknowns: int) -> list[float]:
+    """The solution in exact fractions, rounded once; NaN as by `elimination.solve`."""
+    return [_rounded(value) for value in elimination.solve(rows, unknowns, arithmetic=EXACT).values]
+
+
+def _rounded(value: Number) -> float:
+    try:
+        return float(plain(value))
+    except OverflowError:
+        return math.inf
+
+
+def _parts(found: Sequence[Number], exact: Sequence[float]) -> list[float]:
+    """The parts by which numbers differ, 1 where only one of them exists.
+
+    What is nothing beside the input's 1 is 0.
+    """
+    return [_part(plain(one), other) for one, other in zip(found, exact, strict=True)]
+
+
+def _part(one: float, other: float) -> float:
+    if math.isnan(one) or math.isnan(other):
+        return float(math.isnan(one) != math.isnan(other))
+    return abs(one - other) / max(abs(one), abs(other), NOISE)
