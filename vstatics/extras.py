@@ -16,6 +16,7 @@ EXTRAS = {
     "pandas": "pandas",
     "sympy": "formula",
     "matplotlib": "plot",
+    "openpyxl": "xlsx",
 }
 
 

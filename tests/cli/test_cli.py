@@ -84,7 +84,7 @@ def test_many_cases_go_on_after_a_bad_one() -> None:
     first, failed, last = json.loads(said.out)
     assert said.status == 1
     assert first["ETA"] == pytest.approx(REFERENCE["ETA"], abs=0.5e-3)
-    assert set(failed) == {"case", "errors"}
+    assert set(failed) == {"file", "case", "errors"}
     assert failed["case"] == "bad.yaml"
     assert "bad.yaml:3:" in failed["errors"][0]
     assert last["ratio"] == [None, pytest.approx(3.5)]

@@ -161,9 +161,9 @@ def test_a_result_that_would_overwrite_a_case_or_the_list_is_refused() -> None:
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
-        ("-o all.csv -f csv", "all.csv looks like one file: expected a directory (all/)"),
-        ("-o all.JSON", "or one stream (> all.JSON), or -f jsonl"),
-        ("-o case.dat", "looks like one file"),
+        ("-o all.csv -f json", "-f json is not the format of all.csv: expected .json"),
+        ("-o case.dat", "case.dat: no format has this suffix here: expected .lst"),
+        ("-o v.2", "; a directory ends with /"),
         ("-o in/mzkt.dat/", "in/mzkt.dat/ is a file: expected a directory"),
         ("-o plain", "plain is a file: expected a directory"),
         ("-o in -f jsonl", "jsonl is one stream: expected -o FILE, not in"),
@@ -258,7 +258,7 @@ def test_jsonl_of_one_case_is_one_line_and_that_of_a_bad_one_tells_it() -> None:
     alone = json.loads(vstatics("run", GOOD[0], "-f", "json").out)
     assert json.loads(vstatics("run", GOOD[0], "-f", "jsonl").out) == alone
     said = vstatics("run", "in/bad.yaml", "-f", "jsonl")
-    assert (said.status, set(json.loads(said.out))) == (1, {"case", "errors"})
+    assert (said.status, set(json.loads(said.out))) == (1, {"file", "case", "errors"})
 
 
 @pytest.mark.usefixtures("folder")

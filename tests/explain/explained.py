@@ -13,7 +13,7 @@ import pytest
 from tests.commands import CASES
 from vstatics import load, solve
 from vstatics.explain import Explanation, explain
-from vstatics.explain.document import document
+from vstatics.explain.document import gear_document
 from vstatics.explain.equations import System
 from vstatics.explain.sums import in_numbers
 
@@ -54,7 +54,7 @@ def value(made: dict[str, Any]) -> Fraction:
 
 def check(results: Any, numbers: Sequence[int]) -> None:
     for number in numbers:
-        one = json.loads(json.dumps(document(explain(results, number)), allow_nan=False))
+        one = json.loads(json.dumps(gear_document(explain(results, number)), allow_nan=False))
         for name in ("speeds", "torques", "lossy"):
             if one[name] is not None:
                 holds(one[name])

@@ -141,7 +141,7 @@ def test_the_table_and_json_show_it_with_kilowatts(tmp_path: Path) -> None:
     rows = {row[0]: row for row in grid.texts}
     assert rows["teeth"][1:4] == ["1.000", "1.000", "10.001"]
     assert rows["short-long"][1:4] == ["1.000", ".980", "9.801"]
-    assert rows["short-long"][4] == ".0196"
+    assert rows["short-long"][4] == ".01960"
     [gear] = json.loads(vstatics("flow", file, "-f", "json").out)["gears"]
     shown = {one["mesh"]: (one["power"], one["loss"]) for one in gear["lossy"]["teeth"]}
     assert shown["short-long"] == pytest.approx((0.98, 0.0196))

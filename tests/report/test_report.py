@@ -157,7 +157,8 @@ def without_pictures(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_the_page_carries_the_result(zf: Page) -> None:
-    assert zf.data == output("run", CASES / "zf-8hp70.yaml")
+    expected = output("run", CASES / "zf-8hp70.yaml")
+    assert {**zf.data, "file": "zf-8hp70.yaml"} == expected
 
 
 @pytest.mark.parametrize("name", ["W", "WSAT", "WFRI", "AMLG", "AMLGP", "IX", "losses"])
@@ -334,7 +335,7 @@ def test_gears_without_numbers_say_why(tmp_path: Path, text: str, status: int, w
 @pytest.mark.parametrize("name", ["ravigneaux-aod.yaml", "self-locking.yaml"])
 def test_cases_of_every_kind_have_their_page(name: str) -> None:
     shown = Page(report(CASES / name))
-    assert shown.data == output("run", CASES / name)
+    assert {**shown.data, "file": name} == output("run", CASES / name)
     assert shown.all("svg")
 
 

@@ -46,7 +46,7 @@ def test_json_has_these_rows(aod: Results, name: str) -> None:
 @pytest.mark.parametrize("name", ROWS)
 def test_csv_has_these_rows(aod: Results, name: str) -> None:
     key = BY_NAME[name].key
-    found = [line for line in csv_of([aod], several=False) if line[0] == key]
+    found = [line for line in csv_of(aod) if line[0] == key]
     assert len(found) == len(GEARS) * len(ROWS[name])
     assert {row for line in found for row in line} >= set(ROWS[name])
 

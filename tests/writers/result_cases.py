@@ -41,7 +41,7 @@ def parsed(results: Results) -> dict[str, Any]:
     def refuse(word: str) -> None:
         raise ValueError(word)
 
-    text = result_json.write([result_json.document(results)], several=False)
+    text = result_json.text(result_json.document(results))
     found: dict[str, Any] = json.loads(text, parse_constant=refuse)
     return found
 
@@ -52,6 +52,5 @@ def table(text: str, index_list: str) -> list[str]:
     return rest.split("\n\n")[0].splitlines()
 
 
-def csv_of(results: list[Results], *, several: bool) -> list[list[str]]:
-    named = [(f"{number}.dat", one) for number, one in enumerate(results, 1)]
-    return list(csv.reader(io.StringIO(result_csv.write(named, several=several))))
+def csv_of(results: Results) -> list[list[str]]:
+    return list(csv.reader(io.StringIO(result_csv.write(results))))

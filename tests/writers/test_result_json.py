@@ -23,7 +23,7 @@ def test_every_format_states_its_conventions(several: Results) -> None:
     conventions = parsed(several)["conventions"]
     assert conventions["ratio"] == "w_input/w_output"
     assert "given to the load" in conventions["torques"]
-    told = [row[1] for row in csv_of([several], several=False) if row[0] == "conventions"]
+    told = [row[1] for row in csv_of(several) if row[0] == "conventions"]
     assert told[0] == "ratio = w_input/w_output"
     assert "given to the load" in told[1]
 

@@ -4,24 +4,15 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+import click
+
 from vstatics.cli import files, texts
-from vstatics.cli.cases import CaseOptions, calculate_one, unexpected
+from vstatics.cli.cases import CalculatedCase, calculate_one, unexpected
+from vstatics.cli.job import Job
 from vstatics.cli.targets import CaseTask
-from vstatics.errors import Problem, of_file
+from vstatics.errors import Problem, ReadError, of_file
 from vstatics.jobs.alone import Rules
 from vstatics.jobs.files import OWN_FAULTS, replace, set_aside, unwritable
-from vstatics.jobs.finished_cases import FinishedCases
-from vstatics.statics.results import Language
-
-
-class Job(NamedTuple):
-    """How each case is done."""
-
-    options: CaseOptions
-    output_format: texts.OutputFormat
-    lang: Language
-    finished: FinishedCases | None = None
-    """Of the directory that results go to, if they do."""
 
 
 class Done(NamedTuple):
@@ -40,16 +31,14 @@ class Done(NamedTuple):
 
 def calculate_and_write(job: Job, task: CaseTask) -> Done:
     """Read, calculate and write a case; nothing that is wrong with it is raised."""
-    case = calculate_one(task.file, job.options)
+    case, shown = _shown(job, calculate_one(task.file, job.options))
     file, problems = case.file, case.problems
     try:
         if task.target is None:
-            text = texts.part(case, job.output_format, job.lang)
-            return Done(file, problems, case.failed, texts.encoded(text, job.output_format))
-        if case.results is None:
+            return Done(file, problems, case.failed, texts.part(case, shown, job.form))
+        if shown is None:
             return Done(file, problems, left=set_aside(task.target))
-        text = texts.alone(case, job.output_format, job.lang)
-        replace(task.target, texts.encoded(text, job.output_format))
+        replace(task.target, texts.alone(case, shown, job.form))
         if job.finished is not None:
             job.finished.note(task.target, case.data, failed=case.failed)
     except OSError as error:
@@ -61,6 +50,21 @@ def calculate_and_write(job: Job, task: CaseTask) -> Done:
     except Exception as error:  # noqa: BLE001 - the other cases are to go on
         return Done(file, [*problems, unexpected(file, error)])
     return Done(file, problems, case.failed)
+
+
+def _shown(job: Job, case: CalculatedCase) -> tuple[CalculatedCase, texts.Shown | None]:
+    """What is shown of a case; one that lacks what was asked for fails."""
+    if case.results is None:
+        return case, None
+    try:
+        return case, job.show(case)
+    except ReadError as error:
+        why = error.problems
+    except click.BadParameter as error:
+        why = [of_file(case.file, error.message)]
+    except Exception as error:  # noqa: BLE001 - the other cases are to go on
+        why = [unexpected(case.file, error)]
+    return case._replace(results=None, problems=[*case.problems, *why]), None
 
 
 def _lost(task: CaseTask) -> Done:

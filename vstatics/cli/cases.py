@@ -40,9 +40,12 @@ idle = click.option(
 
 
 case_argument = click.argument("case", type=click.Path(), metavar="CASE")
-one_gear = click.option("--gear", metavar="G", help="This gear only, by its name or number.")
-output = click.option(
-    "-o", "--output", type=click.Path(), help="Write to this file, whole or not at all."
+some_gears = click.option(
+    "--gear",
+    "gears",
+    multiple=True,
+    metavar="G",
+    help="This gear only, by its name or number; may be given several times.",
 )
 
 
@@ -61,9 +64,6 @@ def format_option(
     return click.option(
         *names, type=choice, default=default, show_default=default is not None, help=says
     )
-
-
-text_or_json = format_option(["text", "json"], "Format of the output.", default="text")
 
 
 def language(of: str) -> Callable[[Command], Command]:
@@ -134,6 +134,18 @@ def gear_number(case: Transmission, asked: str) -> int:
         return int(asked)
     hint = nearest(asked, names) or f"; gears are {', '.join(names[:12])}"
     raise click.BadParameter(f"no gear {asked!r}{hint}", param_hint="--gear")
+
+
+def gear_indices(case: Transmission, asked: Sequence[str]) -> Sequence[int]:
+    """The indices of the gears that are asked for, each once; all where none is.
+
+    Raises
+    ------
+    BadParameter
+        If there is no such gear.
+    """
+    numbers = dict.fromkeys(gear_number(case, one) for one in asked)
+    return [number - 1 for number in numbers] or range(len(case.gears))
 
 
 def calculate(cases: Sequence[str], settings: CaseOptions) -> Iterator[CalculatedCase]:

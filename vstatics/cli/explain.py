@@ -2,36 +2,30 @@
 
 from __future__ import annotations
 
-from typing import Literal
+from collections.abc import Iterable
+from functools import partial
+from typing import Any
 
 import click
 
 from vstatics.cli import cases as arguments
-from vstatics.cli import files
-from vstatics.cli.cases import CaseOptions, calculate_to
-from vstatics.cli.exit_status import DONE, FAILED
+from vstatics.cli import formats, texts
+from vstatics.cli.cases import CalculatedCase, CaseOptions
+from vstatics.cli.formats import OutputOptions, TextStyle
+from vstatics.cli.job import Job
+from vstatics.cli.one_or_many import carry_out
+from vstatics.tables.grid import Grid
 
 
 @click.command()
-@arguments.case_argument
-@click.option(
-    "--gear",
-    "gears",
-    multiple=True,
-    metavar="G",
-    help="This gear only, by its name or number; may be given several times.",
-)
-@arguments.text_or_json
-@arguments.output
+@arguments.argument
+@arguments.some_gears
+@formats.options(*formats.TABLES)
 @arguments.settings
 def explain(
-    case: str,
-    gears: tuple[str, ...],
-    output_format: Literal["text", "json"],
-    output: str | None,
-    settings: CaseOptions,
+    cases: tuple[str, ...], gears: tuple[str, ...], wanted: OutputOptions, settings: CaseOptions
 ) -> int:
-    """Explain the gears of CASE: a deck, YAML or JSON; - is standard input.
+    """Explain the gears of each CASE: a deck, YAML or JSON; - is standard input.
 
     For each gear: the structural-distribution matrix of what is engaged, the speed
     and the torque equations in symbols and numbers with their solution, the signs of
@@ -45,21 +39,35 @@ def explain(
 
     The formula needs SymPy: pip install "vstatics[formula]".
 
-    Exit status: 0 done; 1 the case is in error or a gear is tied up; 2 wrong use.
+    Exit status: 0 done; 1 a case is in error or a gear is tied up; 2 wrong use.
     """
-    outcome = calculate_to(output, case, settings)
-    results = outcome.results
-    if results is not None:
-        from vstatics.explain import document, text
-        from vstatics.explain import explain as explained
+    to = wanted.destination(cases, several=len(cases) > 1)
+    show = partial(_shown, gears=gears, style=to.style)
+    return carry_out(Job("explain", settings, texts.OutputForm(to.form, to.style), show), cases, to)
 
-        case_of_gears = results.case
-        numbers = [arguments.gear_number(case_of_gears, gear) for gear in gears]
-        indices = [number - 1 for number in numbers] or range(len(case_of_gears.gears))
-        explanations = [explained(results, index) for index in indices]
-        as_text = output_format == "text"
-        files.write_output(
-            text.write(explanations) if as_text else document.write(case_of_gears, explanations),
-            output,
-        )
-    return FAILED if outcome.failed else DONE
+
+def _shown(outcome: CalculatedCase, gears: tuple[str, ...], style: TextStyle) -> texts.Shown:
+    """The gears of a case, explained."""
+    from vstatics.explain import explain as explained
+
+    results = outcome.results
+    assert results is not None  # noqa: S101 - of a case that has some
+    case = results.case
+    explanations = [explained(results, i) for i in arguments.gear_indices(case, gears)]
+
+    def as_text(_: str | None) -> str:
+        from vstatics.explain import text
+
+        return text.write(explanations, style.digits)
+
+    def grids() -> Iterable[Grid]:
+        from vstatics.explain.grids import grids
+
+        return grids(explanations)
+
+    def document() -> dict[str, Any]:
+        from vstatics.explain.document import document
+
+        return document(case, explanations)
+
+    return texts.Shown([case.name or outcome.file], {"text": as_text}, grids, document)

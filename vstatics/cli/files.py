@@ -108,8 +108,13 @@ def write_output(text: str, output: str | None) -> None:
     ReadError
         If it cannot be written.
     """
+    write_data(encoded(text), output)
+
+
+def write_data(data: bytes, output: str | None) -> None:
+    """Write what is no text, or is encoded already; as `write_output`."""
     with stream(output) as write:
-        write(encoded(text))
+        write(data)
 
 
 @contextlib.contextmanager

@@ -2,30 +2,30 @@
 
 from __future__ import annotations
 
-from typing import Literal
+from collections.abc import Iterable
+from functools import partial
+from typing import Any
 
 import click
 
 from vstatics.cli import cases as arguments
-from vstatics.cli import files
-from vstatics.cli.cases import CaseOptions, calculate_to
-from vstatics.cli.exit_status import DONE, FAILED
+from vstatics.cli import formats, texts
+from vstatics.cli.cases import CalculatedCase, CaseOptions
+from vstatics.cli.formats import OutputOptions, TextStyle
+from vstatics.cli.job import Job
+from vstatics.cli.one_or_many import carry_out
+from vstatics.tables.grid import Grid
 
 
 @click.command()
-@arguments.case_argument
-@arguments.one_gear
-@arguments.text_or_json
-@arguments.output
+@arguments.argument
+@arguments.some_gears
+@formats.options(*formats.TABLES)
 @arguments.settings
 def flow(
-    case: str,
-    gear: str | None,
-    output_format: Literal["text", "json"],
-    output: str | None,
-    settings: CaseOptions,
+    cases: tuple[str, ...], gears: tuple[str, ...], wanted: OutputOptions, settings: CaseOptions
 ) -> int:
-    """Show where the power goes in every gear of CASE; - is standard input.
+    """Show where the power goes in every gear of each CASE; - is standard input.
 
     For each gear: the power through links, mechanisms and engaged shift elements,
     without and with losses, relative to the power at the input link, and in kW if the
@@ -36,25 +36,39 @@ def flow(
     Examples:
       vstatics flow gearbox.yaml --gear R
       vstatics flow gearbox.dat -f json | jq '.gears[].lossy.circulating'
+      vstatics flow gearbox.yaml other.yaml -o power.xlsx
 
     \b
-    Exit status: 0 done; 1 the case is in error or a gear is tied up; 2 wrong use.
+    Exit status: 0 done; 1 a case is in error or a gear is tied up; 2 wrong use.
     """
-    outcome = calculate_to(output, case, settings)
-    if outcome.results is None:
-        return FAILED
+    to = wanted.destination(cases, several=len(cases) > 1)
+    show = partial(_shown, gears=gears, style=to.style)
+    return carry_out(Job("flow", settings, texts.OutputForm(to.form, to.style), show), cases, to)
+
+
+def _shown(outcome: CalculatedCase, gears: tuple[str, ...], style: TextStyle) -> texts.Shown:
+    """The power of each gear of a case."""
     from vstatics.flow.power import flows
 
-    case_of_gears, powers = outcome.results.case, flows(outcome.results)
-    if gear is not None:
-        powers = [powers[arguments.gear_number(case_of_gears, gear) - 1]]
-    if output_format == "text":
+    results = outcome.results
+    assert results is not None  # noqa: S101 - of a case that has some
+    powers = flows(results)
+    shown = [powers[index] for index in arguments.gear_indices(results.case, gears)]
+    case = results.case
+
+    def as_text(_: str | None) -> str:
         from vstatics.flow.text import text
 
-        written = "\n".join(map(text, powers))
-    else:
-        from vstatics.flow.document import write
+        return "\n".join(text(one, style.digits) for one in shown)
 
-        written = write(case_of_gears.name, powers)
-    files.write_output(written, output)
-    return FAILED if outcome.failed else DONE
+    def grids() -> Iterable[Grid]:
+        from vstatics.flow.rows import grids
+
+        return grids(shown)
+
+    def document() -> dict[str, Any]:
+        from vstatics.flow.document import document
+
+        return document(case.name, shown)
+
+    return texts.Shown([case.name or outcome.file], {"text": as_text}, grids, document)

@@ -10,8 +10,10 @@ from functools import partial
 import click
 
 from vstatics.cli import files, texts
-from vstatics.cli.case_job import RULES, Done, Job, calculate_and_write
+from vstatics.cli.case_job import RULES, Done, calculate_and_write
 from vstatics.cli.exit_status import DONE, FAILED, stopped_by
+from vstatics.cli.formats import SUFFIXES
+from vstatics.cli.job import Job
 from vstatics.cli.progress import progress
 from vstatics.cli.targets import CaseTask, tasks
 from vstatics.errors import ReadError
@@ -91,7 +93,7 @@ def to_directory(
     ReadError
         If the directory cannot be written to.
     """
-    suffix = texts.SUFFIXES[job.output_format]
+    suffix = SUFFIXES[job.form.name][0]
     with FinishedCases(folder, suffix, _depends(job)) as finished:
         todo = tasks(cases, folder, suffix, [*others, finished.path])
         try:
@@ -140,20 +142,15 @@ def to_stream(cases: Sequence[str], output: str | None, job: Job, *, jobs: int) 
     count = _Count(len(cases))
     whole = not is_stream(output)
     kept = f"{output} was not written" if whole else "what was written ends there"
-    framed = texts.frame(job.output_format)
     todo = [CaseTask(file) for file in cases]
     with (
         _telling(count, kept) as stop,
         files.stream(output) as write,
         _results(job, todo, jobs) as results,
     ):
-        before = framed.first
-        for text in _follow(count, results, stop, beside_stdout=output in (None, files.STDIN)):
-            if text:
-                write(texts.encoded(before, job.output_format) + text)
-                before = framed.between
-        if before != framed.first:
-            write(texts.encoded(framed.last, job.output_format))
+        parts = _follow(count, results, stop, beside_stdout=output in (None, files.STDIN))
+        for text in texts.joined(parts, job.form):
+            write(text)
     if whole and count.total > 1:
         count.summary()
     return count.status
@@ -207,10 +204,13 @@ def _telling(count: _Count, kept: str) -> Iterator[Stop]:
 
 def _depends(job: Job) -> dict[str, object]:
     """What the results depend on, besides the cases."""
-    listing = job.output_format == "listing"
+    style = job.form.style
     return {
+        "command": job.command,
         "--from": job.options.input_format,
         "--coast": job.options.coast,
         "--idle": job.options.idle,
-        "--lang": job.lang if listing else None,
+        "--lang": style.lang if job.form.is_text else None,
+        "--digits": style.digits,
+        "--raw": style.raw or None,
     }

@@ -22,7 +22,7 @@ from vstatics.statics.results import Language
     "-k", "--kind", type=click.Choice(list(PICTURES)), required=True, help="What is drawn."
 )
 @arguments.required_output("SVG, PNG or PDF by the suffix; - is standard output, for SVG.")
-@arguments.one_gear
+@click.option("--gear", metavar="G", help="This gear only, by its name or number.")
 @click.option("--dark", is_flag=True, help="Light on dark, for a screen.")
 @arguments.settings
 @arguments.language("axes and titles")

@@ -2,29 +2,26 @@
 
 from __future__ import annotations
 
-from typing import get_args
+from functools import partial
+from typing import Any
 
 import click
 
 from vstatics.cli import cases as arguments
-from vstatics.cli import files, texts
-from vstatics.cli.cases import CaseOptions, calculate
+from vstatics.cli import files, formats, texts
+from vstatics.cli.cases import CalculatedCase, CaseOptions, calculate
 from vstatics.cli.exit_status import DONE, FAILED
-from vstatics.statics.results import Language
+from vstatics.cli.formats import OutputOptions, TextStyle
+from vstatics.cli.job import Job
+from vstatics.cli.one_or_many import carry_out
+from vstatics.tables.grid import Grid
+
+FORMATS = ("listing", *formats.TABLES[1:])
 
 
 @click.command()
 @click.argument("cases", nargs=-1, type=click.Path(), metavar="CASE...")
-@arguments.format_option(
-    get_args(texts.OutputFormat),
-    "Format of the results; else told by the suffix of -o, else listing.",
-)
-@click.option(
-    "-o",
-    "--output",
-    type=click.Path(),
-    help="Write to this file, whole or not at all; several cases to this directory.",
-)
+@formats.options(*FORMATS, says="Format of the results")
 @click.option(
     "--files-from",
     type=click.Path(),
@@ -49,14 +46,12 @@ from vstatics.statics.results import Language
 @arguments.language("the headings of a listing")
 def run(
     cases: tuple[str, ...],
-    output_format: texts.OutputFormat | None,
-    output: str | None,
+    wanted: OutputOptions,
     files_from: str | None,
     jobs: int,
     resume: bool,
     pretty: bool,
     settings: CaseOptions,
-    lang: Language,
 ) -> int:
     """Calculate every gear of each CASE: a deck, YAML or JSON; - is standard input.
 
@@ -80,31 +75,64 @@ def run(
     names = _named(cases, files_from)
     several = len(names) > 1 or files_from is not None
     if pretty:
-        if output is not None or output_format is not None or jobs > 1 or resume:
+        if wanted.output is not None or wanted.form is not None or jobs > 1 or resume:
             raise click.UsageError("--pretty is for a terminal: without -f, -o, --jobs, --resume")
-        return _pretty(names, settings)
-    output_format = output_format or texts.format_of_name(output or "")
-    folder = _folder(output, output_format, several=several)
-    if resume and folder is None:
+        return _pretty(names, settings, wanted.style)
+    others = [] if files_from is None else [files_from]
+    to = wanted.destination([*names, *others], several=several)
+    if resume and not to.is_folder:
         raise click.UsageError("--resume needs a directory to go on with: -o DIRECTORY/")
-    if folder is None:
-        files.spare([*names, *filter(None, [files_from])], output)
-    if several or folder is not None or output_format == "jsonl":
-        from vstatics.cli import many
-        from vstatics.cli.case_job import Job
-
-        job = Job(settings, output_format, lang)
-        if folder is None:
-            return many.to_stream(names, output, job, jobs=jobs)
-        lists = [] if files_from in (None, files.STDIN) else [str(files_from)]
-        return many.to_directory(names, folder, job, jobs=jobs, resume=resume, others=lists)
-    [outcome] = calculate(names, settings)
-    if outcome.results is not None:
-        files.write_output(texts.alone(outcome, output_format, lang), output)
-    return FAILED if outcome.failed else DONE
+    form = texts.OutputForm(to.form, to.style, _frame() if to.form == "csv" else None)
+    job = Job("run", settings, form, partial(show, style=to.style))
+    return carry_out(job, names, to, others=others, a_list=several, jobs=jobs, resume=resume)
 
 
-def _pretty(names: list[str], settings: CaseOptions) -> int:
+def show(outcome: CalculatedCase, style: TextStyle) -> texts.Shown:
+    """All tables of the results of a case."""
+    results = outcome.results
+    assert results is not None  # noqa: S101 - of a case that has some
+
+    def listing(_: str | None) -> str:
+        from vstatics.writers import listing
+
+        return listing.write(results, style.lang, style.digits or listing.DIGITS)
+
+    def csv(file: str | None) -> str:
+        from vstatics.writers import result_csv
+
+        if file is None:
+            return result_csv.write(results, raw=style.raw)
+        return result_csv.rows(file, results, raw=style.raw)
+
+    def document() -> dict[str, Any]:
+        from vstatics.writers import result_json
+
+        return result_json.document(results)
+
+    def lay_out(document: dict[str, Any]) -> str:
+        from vstatics.writers import result_json
+
+        return result_json.text(document)
+
+    def grids() -> list[Grid]:
+        from vstatics.tables.grids import of_messages, of_results
+
+        messages = of_messages(results)
+        return [*of_results(results), *[messages] * bool(messages.rows)]
+
+    titles = [results.case.name or outcome.file]
+    own = {"listing": listing, "csv": csv}
+    return texts.Shown(titles, own, grids, document, lay_out)
+
+
+def _frame() -> texts.Frame:
+    """Around the rows of several results in CSV."""
+    from vstatics.writers import result_csv
+
+    return texts.Frame(result_csv.head(several=True), "", result_csv.tail(several=True))
+
+
+def _pretty(names: list[str], settings: CaseOptions, style: TextStyle) -> int:
     """Show the gears of each case to a person; the exit status."""
     from vstatics.cli.console import SafeConsole, trimmed
     from vstatics.summary.pretty import ASCII, DOTS, view
@@ -116,18 +144,9 @@ def _pretty(names: list[str], settings: CaseOptions) -> int:
         if outcome.results is not None:
             marks = ASCII if console.options.ascii_only else DOTS
             with console.capture() as captured:
-                console.print(view(outcome.results, marks))
+                console.print(view(outcome.results, marks, style.digits))
             files.write_output(trimmed(captured.get()), None)
     return FAILED if failed else DONE
-
-
-def _folder(output: str | None, output_format: texts.OutputFormat, *, several: bool) -> str | None:
-    """The directory that results go to, if they do."""
-    if output is None:
-        return None
-    from vstatics.cli.targets import is_directory
-
-    return output if is_directory(output, output_format, several=several) else None
 
 
 def _named(cases: tuple[str, ...], files_from: str | None) -> list[str]:

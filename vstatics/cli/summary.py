@@ -2,30 +2,30 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import TYPE_CHECKING, Literal, get_args
+from collections.abc import Callable, Iterable, Sequence
+from functools import partial
+from typing import TYPE_CHECKING, Any
 
 import click
 
 from vstatics.cli import cases as arguments
-from vstatics.cli import files
+from vstatics.cli import files, formats, texts
 from vstatics.cli.cases import CalculatedCase, CaseOptions, calculate
 from vstatics.cli.exit_status import DONE, FAILED
+from vstatics.cli.formats import OutputOptions
+from vstatics.cli.job import Job
+from vstatics.cli.one_or_many import carry_out
 from vstatics.errors import CaseError, ReadError, of_file
-from vstatics.statics.results import Results
+from vstatics.tables.grid import Grid
 
 if TYPE_CHECKING:
     from vstatics.summary import Summary
     from vstatics.summary.duty_file import DutyFile
 
-SummaryFormat = Literal["text", "json", "markdown", "latex"]
-
 
 @click.command()
-@click.argument("case", type=click.Path())
-@click.argument("case2", type=click.Path(), required=False)
-@arguments.format_option(get_args(SummaryFormat), "Format of the tables.", default="text")
-@arguments.output
+@arguments.argument
+@formats.options(*formats.TABLES)
 @click.option(
     "--combinations", is_flag=True, help="Also try all other combinations of shift elements."
 )
@@ -45,85 +45,106 @@ SummaryFormat = Literal["text", "json", "markdown", "latex"]
 )
 @arguments.settings
 def summary(
-    case: str,
-    case2: str | None,
-    output_format: SummaryFormat,
-    output: str | None,
+    cases: tuple[str, ...],
+    wanted: OutputOptions,
     combinations: bool,
     at_most: int,
     duty: str | None,
     settings: CaseOptions,
 ) -> int:
-    """Ratios, steps, spread, transitions and largest values of CASE; - is standard input.
+    """Ratios, steps, spread, transitions and largest values of each CASE; - is standard input.
 
     Steps and transitions go from a gear to the next one of the same direction. The largest
     values are those over all gears. Sensitivities tell by how many per cent a ratio changes
-    when the internal ratio of a mechanism changes by one. With CASE2 the two stand side by
-    side, as A and B.
+    when the internal ratio of a mechanism changes by one. Several cases stand side by
+    side, as A, B, C; in a directory (-o DIRECTORY/) each has its own summary.
 
     \b
     Examples:
       vstatics summary gearbox.yaml
       vstatics summary gearbox.yaml other.yaml
-      vstatics summary gearbox.yaml --combinations -f markdown > gearbox.md
+      vstatics summary gearbox.yaml --combinations -o gearbox.md
       vstatics summary gearbox.yaml --duty duty.yaml
       vstatics summary gearbox.yaml -f json | jq .spread
 
-    Markdown and LaTeX have the tables of the text; JSON has all digits.
+    Markdown and LaTeX have the tables of the text, XLSX and CSV all digits of these. JSON
+    has an entry for each case.
 
     Exit status: 0 done; 1 a case is in error or a gear is tied up; 2 wrong use.
     """
-    named = [case] if case2 is None else [case, case2]
-    arguments.check_streams([*named, duty or ""])
-    files.spare([*named, *filter(None, [duty])], output)
+    others = [] if duty is None else [duty]
+    to = wanted.destination([*cases, *others], several=len(cases) > 1, together=True)
+    arguments.check_streams([*cases, *others])
     cycle = None
     if duty is not None:
         from vstatics.summary.duty_file import read_duty
 
         cycle = read_duty(*files.read_input(duty))
-    outcomes = list(calculate(named, settings))
-    calculated = [(one.results, one.file) for one in outcomes if one.results is not None]
-    if len(calculated) == len(outcomes):
-        most = at_most if combinations else None
-        summaries = [_summarized(*results, most, cycle) for results in calculated]
-        files.write_output(_text(outcomes, summaries, output_format), output)
-    return FAILED if any(outcome.failed for outcome in outcomes) else DONE
+    form = texts.OutputForm(to.form, to.style)
+    summarized = partial(_summarized, at_most=at_most if combinations else None, duty=cycle)
+    if len(cases) == 1 or to.is_folder or to.form in ("json", "jsonl"):
+        show = partial(_shown, summarized=summarized)
+        return carry_out(Job("summary", settings, form, show), cases, to, others=others)
+    return _side_by_side(cases, settings, summarized, form, to.output)
 
 
-def _text(
-    outcomes: Sequence[CalculatedCase], summaries: list[Summary], output_format: SummaryFormat
-) -> str:
-    """The summary of one case, or of two beside one another."""
-    if output_format == "json":
-        from vstatics.summary.document import write
+def _side_by_side(
+    cases: Sequence[str],
+    settings: CaseOptions,
+    summarized: Callable[[CalculatedCase], Summary],
+    form: texts.OutputForm,
+    output: str | None,
+) -> int:
+    """Write the summaries of all cases that have one beside one another."""
+    from vstatics.summary.contrast import contrasted, letters
 
-        return write(summaries)
-    from vstatics.summary import contrast, grids
-    from vstatics.tables import latex, markdown
-    from vstatics.tables import text as plain
-
-    writer = {"text": plain, "markdown": markdown, "latex": latex}[output_format]
-    names = [outcome.results.case.name for outcome in outcomes if outcome.results is not None]
-    if len(summaries) == 1:
-        titles, tables = [names[0] or outcomes[0].file], grids.grids(summaries[0])
-    else:
+    failed, found = False, []
+    for outcome in calculate(cases, settings):
+        failed |= outcome.failed
+        if outcome.results is not None:
+            try:
+                found.append((outcome, summarized(outcome)))
+            except ReadError as error:
+                files.show(error.problems)
+                failed = True
+    if found:
         titles = [
             f"{letter}: {outcome.file}{f' ({name})' if name else ''}"
-            for letter, outcome, name in zip("AB", outcomes, names, strict=True)
+            for letter, (outcome, summary) in zip(letters(len(found)), found, strict=True)
+            for name in [summary.results.case.name]
         ]
-        tables = contrast.contrasted(*summaries)
-    text: str = writer.write(titles, tables)
-    return text
+        shown = texts.Shown(titles, {}, lambda: contrasted([summary for _, summary in found]))
+        files.write_data(texts.alone(found[0][0], shown, form), output)
+    return FAILED if failed else DONE
 
 
-def _summarized(results: Results, file: str, at_most: int | None, duty: DutyFile | None) -> Summary:
+def _summarized(outcome: CalculatedCase, at_most: int | None, duty: DutyFile | None) -> Summary:
     """The summary of a case; too many combinations are a problem of its file."""
     from vstatics.summary import summarize
 
+    results = outcome.results
+    assert results is not None  # noqa: S101 - of a case that has some
     try:
         summary = summarize(results, at_most=at_most)
     except CaseError as error:
         raise ReadError(
-            of_file(file, f"{problem.message}; see --at-most") for problem in error.problems
+            of_file(outcome.file, f"{problem.message}; see --at-most") for problem in error.problems
         ) from None
     return summary if duty is None else summary._replace(cycle=duty.of(results))
+
+
+def _shown(outcome: CalculatedCase, summarized: Callable[[CalculatedCase], Summary]) -> texts.Shown:
+    """The summary of a case by itself."""
+    summary = summarized(outcome)
+
+    def tables() -> Iterable[Grid]:
+        from vstatics.summary.grids import grids
+
+        return grids(summary)
+
+    def document() -> dict[str, Any]:
+        from vstatics.summary.document import document
+
+        return document(summary)
+
+    return texts.Shown([summary.results.case.name or outcome.file], {}, tables, document)

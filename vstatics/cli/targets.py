@@ -9,10 +9,7 @@ from typing import NamedTuple
 
 import click
 
-from vstatics import readers
 from vstatics.cli import files
-from vstatics.cli.texts import SUFFIXES, OutputFormat
-from vstatics.jobs.files import is_stream
 
 STDIN_STEM = "stdin"
 
@@ -22,34 +19,6 @@ class CaseTask(NamedTuple):
 
     file: str
     target: str | None = None
-
-
-def is_directory(output: str, output_format: OutputFormat, *, several: bool) -> bool:
-    """Whether results go into a directory: a file each.
-
-    Raises
-    ------
-    UsageError
-        If several cases were to fill one file.
-    """
-    if output.endswith("/") or os.path.isdir(output):  # noqa: PTH112
-        if output_format == "jsonl":
-            raise click.UsageError(f"jsonl is one stream: expected -o FILE, not {output}")
-        return True
-    if not several or output_format == "jsonl" or is_stream(output):
-        return False
-    suffix = os.path.splitext(output)[1].lower()  # noqa: PTH122
-    if suffix in (*SUFFIXES.values(), ".txt") or suffix in readers.SUFFIXES:
-        raise click.UsageError(
-            f"several cases give a result each, and {output} looks like one file: "
-            f"expected a directory ({os.path.splitext(output)[0]}/), "  # noqa: PTH122
-            f"or one stream (> {output}), or -f jsonl"
-        )
-    if os.path.exists(output):  # noqa: PTH110
-        raise click.UsageError(
-            f"several cases give a result each, and {output} is a file: expected a directory"
-        )
-    return True
 
 
 def tasks(

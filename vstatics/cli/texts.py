@@ -1,34 +1,33 @@
-"""Results as text in each format: of a case alone, or of one among several on a stream.
+"""What a command shows of a case, as text in each format: alone, or one among several.
 
-Each writer is imported when it is needed.
+A command says by `Shown` what it has; every format is made of that here. Writers are
+imported when they are needed.
 """
 
 from __future__ import annotations
 
-from typing import Literal, NamedTuple
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from typing import Any, NamedTuple
 
 from vstatics.cli import files
 from vstatics.cli.cases import CalculatedCase
-from vstatics.statics.results import Language
-
-OutputFormat = Literal["listing", "json", "csv", "jsonl"]
-
-SUFFIXES: dict[OutputFormat, str] = {
-    "listing": ".lst",
-    "json": ".json",
-    "csv": ".csv",
-    "jsonl": ".jsonl",
-}
+from vstatics.cli.formats import TextStyle
+from vstatics.tables.grid import Grid
 
 
-def format_of_name(name: str) -> OutputFormat:
-    """The format that the suffix of a file tells, a listing where it tells none.
+class Shown(NamedTuple):
+    """What there is to show of a case; nothing is made before it is asked for."""
 
-    >>> format_of_name("a.JSON"), format_of_name("a.txt")
-    ('json', 'listing')
-    """
-    named = (form for form, suffix in SUFFIXES.items() if name.lower().endswith(suffix))
-    return next(named, "listing")
+    titles: Sequence[str]
+    """Over tables."""
+    own: Mapping[str, Callable[[str | None], str | bytes]]
+    """What is no table of `grids`, by format: a text, say. It is given the file of the case
+    where this is one of several in a stream."""
+    grids: Callable[[], Iterable[Grid]] | None = None
+    document: Callable[[], dict[str, Any]] | None = None
+    """As plain data, without its file."""
+    lay_out: Callable[[Any], str] | None = None
+    """The lines of that in JSON, where they are not those of any data."""
 
 
 class Frame(NamedTuple):
@@ -39,59 +38,127 @@ class Frame(NamedTuple):
     last: str
 
 
-def alone(outcome: CalculatedCase, output_format: OutputFormat, lang: Language) -> str:
-    """The text of a case by itself; one that failed has none."""
-    if output_format == "jsonl":
-        return part(outcome, output_format, lang)
-    if outcome.results is None:
-        return ""
-    if output_format == "json":
-        from vstatics.writers import result_json
+class OutputForm(NamedTuple):
+    """A format, and what it needs to know."""
 
-        return result_json.write([result_json.document(outcome.results)], several=False)
-    if output_format == "csv":
-        from vstatics.writers import result_csv
+    name: str
+    style: TextStyle
+    own_frame: Frame | None = None
+    """Around several, in a format of the command's own other than text."""
 
-        return result_csv.write([(outcome.file, outcome.results)], several=False)
-    from vstatics.writers import listing
-
-    return listing.write(outcome.results, lang)
+    @property
+    def is_text(self) -> bool:
+        """Whether people read it as it is."""
+        return self.name in ("text", "listing")
 
 
-def part(outcome: CalculatedCase, output_format: OutputFormat, lang: Language) -> str:
+FRAMES = {
+    "text": Frame("", "\n", ""),
+    "listing": Frame("", "\n", ""),
+    "json": Frame("[\n", ",\n", "\n]\n"),
+    "jsonl": Frame("", "", ""),
+}
+
+
+def alone(outcome: CalculatedCase, shown: Shown, form: OutputForm) -> bytes:
+    """The text of a case by itself."""
+    if form.name in shown.own:
+        return _bytes(shown.own[form.name](None), form)
+    if form.name in ("json", "jsonl"):
+        return _bytes(_json(outcome, shown, form) + "\n" * (form.name == "json"), form)
+    return b"".join(_of_grids([_tables(outcome, shown, form)], form, several=False))
+
+
+def part(outcome: CalculatedCase, shown: Shown | None, form: OutputForm) -> bytes:
     """The text of a case among several; one that failed has one in JSON only."""
-    if output_format in ("json", "jsonl"):
-        from vstatics.writers import result_json
+    if form.name in ("json", "jsonl"):
+        return _bytes(_json(outcome, shown, form), form)
+    if shown is None:
+        return b""
+    if form.name in shown.own:
+        made = _bytes(shown.own[form.name](outcome.file), form)
+    elif form.is_text:
+        made = alone(outcome, shown, form)
+    else:
+        import pickle
 
-        if outcome.results is None:
-            document = result_json.failure(outcome.file, outcome.problems)
-        else:
-            document = result_json.document(outcome.results)
-        if output_format == "json":
-            return result_json.text(document)
-        return result_json.line(document)
-    if outcome.results is None:
-        return ""
-    if output_format == "csv":
-        from vstatics.writers import result_csv
-
-        return result_csv.rows(outcome.file, outcome.results)
-    from vstatics.writers import listing
-
-    return f"==> {outcome.file} <==\n{listing.write(outcome.results, lang)}"
+        return pickle.dumps(_tables(outcome, shown, form))
+    return (_bytes(f"==> {outcome.file} <==\n", form) if form.is_text else b"") + made
 
 
-def encoded(text: str, output_format: OutputFormat) -> bytes:
-    """The text as bytes: safe to print, but CSV, which has no escapes, is as it is."""
-    return files.encoded(text, as_is=output_format == "csv")
+def joined(parts: Iterable[bytes], form: OutputForm) -> Iterator[bytes]:
+    """The parts of all cases as one text, piece by piece; empty ones are left out."""
+    kept = filter(None, parts)
+    frame = form.own_frame or FRAMES.get(form.name)
+    if frame is None:
+        import pickle
+
+        tables = (pickle.loads(one) for one in kept)  # noqa: S301 - our own processes made it
+        yield from _of_grids(tables, form, several=True)
+        return
+    before = frame.first
+    for text in kept:
+        yield _bytes(before, form) + text
+        before = frame.between
+    if before != frame.first:
+        yield _bytes(frame.last, form)
 
 
-def frame(output_format: OutputFormat) -> Frame:
-    """What stands before the first part of a stream, between parts, and after the last."""
-    if output_format == "json":
-        return Frame("[\n", ",\n", "\n]\n")
-    if output_format == "csv":
-        from vstatics.writers import result_csv
+class _Tables(NamedTuple):
+    """The tables of a case."""
 
-        return Frame(result_csv.head(several=True), "", result_csv.tail(several=True))
-    return Frame("", "\n" if output_format == "listing" else "", "")
+    file: str
+    titles: Sequence[str]
+    grids: list[Grid]
+
+
+def _tables(outcome: CalculatedCase, shown: Shown, form: OutputForm) -> _Tables:
+    assert shown.grids is not None, form.name  # noqa: S101 - the command has this format
+    grids = [grid.with_digits(form.style.digits) for grid in shown.grids()]
+    return _Tables(outcome.file, shown.titles, grids)
+
+
+def _of_grids(cases: Iterable[_Tables], form: OutputForm, *, several: bool) -> Iterator[bytes]:
+    """Tables in a format that has nothing else."""
+    if form.name == "xlsx":
+        from vstatics.tables import xlsx
+
+        by_file = ((one.file, one.grids) for one in cases)
+        yield xlsx.write(by_file, several=several, digits=form.style.digits)
+    elif form.name == "csv":
+        from vstatics.tables import csv
+
+        by_file = ((one.file, one.grids) for one in cases)
+        for text in csv.write(by_file, several=several, raw=form.style.raw):
+            yield _bytes(text, form)
+    else:
+        from vstatics.tables import latex, markdown
+        from vstatics.tables import text as plain
+
+        writer = {"latex": latex, "markdown": markdown}.get(form.name, plain)
+        for number, one in enumerate(cases):
+            yield _bytes("\n" * bool(number) + writer.write(one.titles, one.grids), form)
+
+
+def _json(outcome: CalculatedCase, shown: Shown | None, form: OutputForm) -> str:
+    """A case in JSON: lines without the last end, or one line with it."""
+    from vstatics.writers import plain_json
+
+    if shown is None:
+        document: dict[str, Any] = {
+            "case": outcome.file,
+            "errors": list(map(str, outcome.problems)),
+        }
+    else:
+        assert shown.document is not None  # noqa: S101 - the command has this format
+        document = shown.document()
+    document = plain_json.with_file(document, outcome.file)
+    if form.name == "jsonl":
+        return plain_json.line(document)
+    lay_out = shown.lay_out if shown is not None and shown.lay_out else plain_json.text
+    return lay_out(document)
+
+
+def _bytes(text: str | bytes, form: OutputForm) -> bytes:
+    """Safe to print, but CSV, which has no escapes, is as it is."""
+    return text if isinstance(text, bytes) else files.encoded(text, as_is=form.name == "csv")

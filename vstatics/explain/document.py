@@ -10,24 +10,22 @@ from vstatics.explain.explanation import Explanation
 from vstatics.explain.formula import Formula
 from vstatics.explain.sums import in_numbers, in_symbols
 from vstatics.model.transmission import Transmission
-from vstatics.writers.plain_json import json_text, plain_data
+from vstatics.writers.plain_json import plain_data
 
 VERSION = 1
 
 
-def write(case: Transmission, explained: Sequence[Explanation]) -> str:
-    """Explanations of gears as one JSON object."""
-    return json_text(
-        {
-            "format": "vstatics-explanation",
-            "version": VERSION,
-            "case": case.name,
-            "gears": [document(one) for one in explained],
-        }
-    )
+def document(case: Transmission, explained: Sequence[Explanation]) -> dict[str, Any]:
+    """Explanations of gears as plain data."""
+    return {
+        "format": "vstatics-explanation",
+        "version": VERSION,
+        "case": case.name,
+        "gears": [gear_document(one) for one in explained],
+    }
 
 
-def document(one: Explanation) -> dict[str, Any]:
+def gear_document(one: Explanation) -> dict[str, Any]:
     """An explanation as plain data.
 
     An equation has its text in symbols and in numbers, and its terms to calculate with;

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from functools import partial
 
 from vstatics.explain.equations import Equation, Term
 from vstatics.tables.numbers import short
@@ -23,17 +24,18 @@ def in_symbols(equation: Equation) -> list[str]:
     return _sum([(_symbol(term), term.unknown) for term in equation.terms], equation.right)
 
 
-def in_numbers(equation: Equation) -> list[str]:
-    """The same with numbers."""
-    terms = [(short(term.coefficient), term.unknown) for term in equation.terms if term.coefficient]
-    return _sum(terms, equation.right)
+def in_numbers(equation: Equation, digits: int | None = None) -> list[str]:
+    """The same with numbers; `digits` as of `short`."""
+    shown = partial(short, digits=digits)
+    terms = [(shown(term.coefficient), term.unknown) for term in equation.terms if term.coefficient]
+    return _sum(terms, equation.right, digits)
 
 
 def _symbol(term: Term) -> str:
     return f"({term.symbol})" if " " in term.symbol else term.symbol
 
 
-def _sum(terms: Sequence[tuple[str, str]], right: float) -> list[str]:
+def _sum(terms: Sequence[tuple[str, str]], right: float, digits: int | None = None) -> list[str]:
     parts: list[str] = []
     for factor, unknown in terms:
         size = factor.removeprefix("-")
@@ -41,7 +43,7 @@ def _sum(terms: Sequence[tuple[str, str]], right: float) -> list[str]:
         text = unknown if size == "1" else f"{size} {unknown}"
         front = f"{sign} " if parts else "-" * (sign == "-")
         parts.append(front + text)
-    return [*(parts or ["0"]), f"= {short(right)}"]
+    return [*(parts or ["0"]), f"= {short(right, digits)}"]
 
 
 def filled(parts: Iterable[str], front: str) -> Iterator[str]:

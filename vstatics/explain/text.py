@@ -20,26 +20,32 @@ LABEL = 20
 """What stands before an equation has a line of its own when it is longer."""
 
 
-def write(explained: Iterable[Explanation]) -> str:
-    """Gears explained, one after the other."""
-    return "\n".join("\n".join(_gear(one)) + "\n" for one in explained)
+def write(explained: Iterable[Explanation], digits: int | None = None) -> str:
+    """Gears explained, one after the other.
+
+    Parameters
+    ----------
+    digits : int, optional
+        After the point of every number that is not whole, else five significant ones.
+    """
+    return "\n".join("\n".join(_gear(one, digits)) + "\n" for one in explained)
 
 
-def _gear(one: Explanation) -> Iterator[str]:
+def _gear(one: Explanation, digits: int | None) -> Iterator[str]:
     title = f"Gear {one.gear}: {_engaged(one)}"
     yield from (title, "=" * min(len(title), WIDTH))
     for message in one.messages:
         yield from wrap(message, WIDTH, subsequent_indent=INDENT)
     yield ""
-    yield from _matrix(one)
+    yield from _matrix(one, digits)
     yield from ("", "Speeds")
-    yield from _system(one.speeds, with_symbols=True)
+    yield from _system(one.speeds, digits, with_symbols=True)
     if one.torques is not None:
         yield from ("", "Torques: the balance of each link")
-        yield from _system(one.torques, with_symbols=True)
-    yield from _losses(one)
+        yield from _system(one.torques, digits, with_symbols=True)
+    yield from _losses(one, digits)
     yield from _together(one)
-    yield from _ratio(one)
+    yield from _ratio(one, digits)
 
 
 def _engaged(one: Explanation) -> str:
@@ -49,13 +55,14 @@ def _engaged(one: Explanation) -> str:
     return "; ".join(parts) or "nothing engaged"
 
 
-def _matrix(one: Explanation) -> Iterator[str]:
+def _matrix(one: Explanation, digits: int | None) -> Iterator[str]:
     """The matrix, as many columns side by side as fit."""
     yield "Structural-distribution matrix: torques on the links (rows) for 1 on the first"
     yield "link of each device (columns)"
     columns = [Column("", is_number=False), *map(Column, one.columns)]
     rows = [
-        [name, *map(fixed, row)] for name, row in zip(one.rows, one.matrix.tolist(), strict=True)
+        [name, *(fixed(value, decimals=digits or 3) for value in row)]
+        for name, row in zip(one.rows, one.matrix.tolist(), strict=True)
     ]
     yield from filter(None, table_lines(Grid("", columns, rows), indent=INDENT))
     if one.not_engaged:
@@ -63,12 +70,12 @@ def _matrix(one: Explanation) -> Iterator[str]:
         yield from wrap(text, WIDTH, initial_indent=INDENT, subsequent_indent=INDENT * 2)
 
 
-def _system(system: System, *, with_symbols: bool) -> Iterator[str]:
+def _system(system: System, digits: int | None, *, with_symbols: bool) -> Iterator[str]:
     """Equations, in symbols where these tell more, then with numbers; then their solution."""
     labels = [equation.of for equation in system.equations]
     column = max((len(label) for label in labels if len(label) <= LABEL), default=0)
     for equation, label in zip(system.equations, labels, strict=True):
-        written = [in_numbers(equation)]
+        written = [in_numbers(equation, digits)]
         if with_symbols and in_symbols(equation) != written[0]:
             written.insert(0, in_symbols(equation))
         front = label
@@ -78,14 +85,14 @@ def _system(system: System, *, with_symbols: bool) -> Iterator[str]:
         for parts in written:
             yield from filled(parts, f"{INDENT}{front:{column}}  ")
             front = ""
-    yield from _solution(system)
+    yield from _solution(system, digits)
 
 
-def _solution(system: System) -> Iterator[str]:
+def _solution(system: System, digits: int | None) -> Iterator[str]:
     """What the equations determine."""
     values = system.values
     unknown = [name for name, value in values.items() if math.isnan(value)]
-    known = [f"{name} = {short(values[name])}" for name in values if name not in unknown]
+    known = [f"{name} = {short(values[name], digits)}" for name in values if name not in unknown]
     if not known:
         yield f"{INDENT}solution: there is none"
         return
@@ -96,7 +103,7 @@ def _solution(system: System) -> Iterator[str]:
         yield from wrap(text, WIDTH, initial_indent=INDENT * 2, subsequent_indent=INDENT * 3)
 
 
-def _losses(one: Explanation) -> Iterator[str]:
+def _losses(one: Explanation, digits: int | None) -> Iterator[str]:
     """The signs, and the torque equations with ratios that have losses in them."""
     if one.torques is None or all(map(math.isnan, one.torques.values.values())):
         return
@@ -107,14 +114,14 @@ def _losses(one: Explanation) -> Iterator[str]:
         + (", M with drag" if _drags(one) else ""),
     )
     for sign in one.signs:
-        yield from _sign(sign)
+        yield from _sign(sign, digits)
     if one.lossy is None:
         yield f"{INDENT}there is no solution with losses"
     elif any(sign.lossy_ratio != sign.ratio for sign in one.signs) or _drags(one):
         if _drags(one):
             yield f"{INDENT}drag stands on the right sides"
-        yield from _system(one.lossy, with_symbols=False)
-        yield f"{INDENT}efficiency = {short(one.efficiency)}"
+        yield from _system(one.lossy, digits, with_symbols=False)
+        yield f"{INDENT}efficiency = {short(one.efficiency, digits)}"
     else:
         yield f"{INDENT}all u stay as they are, and so do the torques"
 
@@ -126,26 +133,30 @@ def _drags(one: Explanation) -> bool:
     return any(ideal.right != lossy.right for ideal, lossy in pairs)
 
 
-def _sign(sign: PowerSign) -> Iterator[str]:
+def _sign(sign: PowerSign, digits: int | None) -> Iterator[str]:
     """A mechanism, its power by the first link, its sign and its ratio with losses."""
     label = f"{INDENT}{sign.mechanism}: "
     if sign.efficiency == 1 and sign.lossy_ratio == sign.ratio:
-        yield f"{label}{sign.why}, u = {short(sign.ratio)}"
+        yield f"{label}{sign.why}, u = {short(sign.ratio, digits)}"
         return
-    product = f"{short(sign.torque)} x {_bracketed(sign.motion)} = {short(sign.power)}: "
+    torque, power = short(sign.torque, digits), short(sign.power, digits)
+    product = f"{torque} x {_bracketed(sign.motion, digits)} = {power}: "
     known = not (math.isnan(sign.torque) or math.isnan(sign.motion))
     text = f"{label}{product * known}{sign.why}"
     yield from wrap(text, WIDTH, initial_indent="", subsequent_indent=INDENT * 3)
     if math.isnan(sign.lossy_ratio):
         return
-    way = {1: f" x {short(sign.efficiency)} =", -1: f" / {short(sign.efficiency)} ="}
-    with_loss = f"{short(sign.ratio)}{way[int(sign.sign)]} " if sign.sign else ""
+    way = {
+        1: f" x {short(sign.efficiency, digits)} =",
+        -1: f" / {short(sign.efficiency, digits)} =",
+    }
+    with_loss = f"{short(sign.ratio, digits)}{way[int(sign.sign)]} " if sign.sign else ""
     exponent = f"{sign.sign:+.0f}" if sign.sign else "0"
-    yield f"{INDENT * 3}x = {exponent}, u eta^x = {with_loss}{short(sign.lossy_ratio)}"
+    yield f"{INDENT * 3}x = {exponent}, u eta^x = {with_loss}{short(sign.lossy_ratio, digits)}"
 
 
-def _bracketed(value: float) -> str:
-    return f"({short(value)})" if value < 0 else short(value)
+def _bracketed(value: float, digits: int | None) -> str:
+    return f"({short(value, digits)})" if value < 0 else short(value, digits)
 
 
 def _together(one: Explanation) -> Iterator[str]:
@@ -165,14 +176,14 @@ def _together(one: Explanation) -> Iterator[str]:
         yield from wrap(line, WIDTH, initial_indent=INDENT, subsequent_indent=INDENT * 2)
 
 
-def _ratio(one: Explanation) -> Iterator[str]:
+def _ratio(one: Explanation, digits: int | None) -> Iterator[str]:
     """The formula beside the value, and the values of its symbols."""
     formula, ratio = one.formula, f"{INDENT}i = {one.input}/{one.output} = "
     heading = "Ratio" if formula is None or formula.left == "i" else "Output speed"
     yield from ("", heading)
     if formula is None:
         if not math.isnan(one.ratio):
-            yield f"{ratio}{short(one.ratio)}"
+            yield f"{ratio}{short(one.ratio, digits)}"
         yield from wrap(one.reason, WIDTH, initial_indent=INDENT, subsequent_indent=INDENT * 2)
         return
     yield from _formula(
@@ -183,20 +194,21 @@ def _ratio(one: Explanation) -> Iterator[str]:
         yield from _formula(f"{INDENT}with {equal}: i = ", formula.shared_text)
     for symbol in formula.symbols:
         meaning = "" if f"u_{symbol.meaning}" == symbol.name else f"  ({symbol.meaning})"
-        yield f"{INDENT}{symbol.name} = {short(symbol.value)}{meaning}"
+        yield f"{INDENT}{symbol.name} = {short(symbol.value, digits)}{meaning}"
     for name, speed in formula.speeds.items():
-        yield f"{INDENT}{name} = {short(speed)}"
-    yield f"{INDENT}{formula.left} = {short(formula.value)}{_agreement(one, formula)}"
+        yield f"{INDENT}{name} = {short(speed, digits)}"
+    agreement = _agreement(one, formula, digits)
+    yield f"{INDENT}{formula.left} = {short(formula.value, digits)}{agreement}"
     if formula.left != "i" and not math.isnan(one.ratio):
-        yield f"{ratio}{short(one.ratio)}"
+        yield f"{ratio}{short(one.ratio, digits)}"
 
 
-def _agreement(one: Explanation, formula: Formula) -> str:
+def _agreement(one: Explanation, formula: Formula, digits: int | None) -> str:
     """Whether the formula gives what was calculated."""
     calculated = one.ratio if formula.left == "i" else one.speeds.values[one.output]
     if math.isclose(formula.value, calculated, rel_tol=1e-6, abs_tol=1e-12):
         return ", as calculated"
-    return f"; calculated: {short(calculated)}"
+    return f"; calculated: {short(calculated, digits)}"
 
 
 def _formula(front: str, text: str) -> Iterator[str]:

@@ -9,7 +9,7 @@ from vstatics.flow.circulation import Edge, Loop
 from vstatics.flow.power import GearFlow, PowerFlow
 from vstatics.flow.shared_planets import words
 from vstatics.tables.ports import port_document
-from vstatics.writers.plain_json import json_text
+from vstatics.writers.plain_json import plain_data
 
 VERSION = 1
 CONVENTIONS = {
@@ -29,9 +29,9 @@ CONVENTIONS = {
 }
 
 
-def write(name: str, gears: Sequence[GearFlow]) -> str:
-    """The power of gears of a case, by its name, as one JSON object."""
-    return json_text(
+def document(name: str, gears: Sequence[GearFlow]) -> dict[str, Any]:
+    """The power of gears of a case, by its name, as plain data."""
+    made: dict[str, Any] = plain_data(
         {
             "format": "vstatics-flow",
             "version": VERSION,
@@ -51,6 +51,7 @@ def write(name: str, gears: Sequence[GearFlow]) -> str:
             ],
         }
     )
+    return made
 
 
 def _side(side: PowerFlow | None) -> dict[str, Any] | None:

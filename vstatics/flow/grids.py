@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from functools import partial
 from itertools import zip_longest
 
 from vstatics.flow.circulation import Loop, Node, NodeKind
@@ -36,7 +37,7 @@ def power_grid(flow: GearFlow) -> Grid:
     >>> pair = Mechanism(1, 2, 0, -4.0, 0.98, name="pair")
     >>> [flow] = flows(solve(Transmission(2, [], [pair], [Gear()])))
     >>> power_grid(flow).texts[4]
-    ['pair', '1.000', '1.000', '.0200', '100.0']
+    ['pair', '1.000', '1.000', '.02000', '100.0']
     """
     load = not math.isnan(flow.kilowatts)
     columns = [text("power through"), Column("ideal"), Column("with losses")]
@@ -60,10 +61,17 @@ def power_grid(flow: GearFlow) -> Grid:
     return Grid(f"Gear {flow.gear}", columns, rows, levels)
 
 
-def remarks(flow: GearFlow) -> Iterator[str]:
-    """What is without power, the balance, what circulates: a line each, loops set in."""
+def remarks(flow: GearFlow, digits: int | None = None) -> Iterator[str]:
+    """What is without power, the balance, what circulates: a line each, loops set in.
+
+    Parameters
+    ----------
+    digits : int, optional
+        After the point, where they are not three.
+    """
     if flow.ideal is None:
         return
+    shown_as = partial(fixed, decimals=3 if digits is None else digits)
     nodes = _nodes(flow).items()
     still = [str(node) for node, carries in nodes if not carries and node.kind in SECTIONS]
     if still:
@@ -75,22 +83,22 @@ def remarks(flow: GearFlow) -> Iterator[str]:
     if flow.note:
         yield f"with losses: {flow.note}"
     shown = flow.lossy or flow.ideal
-    entering, leaving, lost = map(fixed, (shown.entering, shown.leaving, shown.lost))
-    yield f"in {entering} - out {leaving} - lost {lost} = {fixed(shown.balance)}"
+    entering, leaving, lost = map(shown_as, (shown.entering, shown.leaving, shown.lost))
+    yield f"in {entering} - out {leaving} - lost {lost} = {shown_as(shown.balance)}"
     unknown = [str(node) for node in shown.unknown]
     if unknown:
         yield f"not determined: {', '.join(unknown)}"
         yield "circulating: not determined"
         return
     if flow.ideal.loops or shown.loops:
-        yield _circulating(flow.ideal, flow.lossy)
+        yield _circulating(flow.ideal, flow.lossy, shown_as)
     else:
         yield "circulating: none"
     for loop in shown.loops:
         doubt = f" ({words(loop.shared)})" if loop.shared else ""
-        yield f"  {fixed(loop.power)}{doubt}: {around(loop)}"
+        yield f"  {shown_as(loop.power)}{doubt}: {around(loop)}"
     for loop in shown.locked_in:
-        yield f"within one piece, does not count: {fixed(loop.power)}: {around(loop)}"
+        yield f"within one piece, does not count: {shown_as(loop.power)}: {around(loop)}"
 
 
 def around(loop: Loop) -> str:
@@ -98,13 +106,15 @@ def around(loop: Loop) -> str:
     return " > ".join(map(str, (*loop.nodes, loop.nodes[0])))
 
 
-def _circulating(ideal: PowerFlow, lossy: PowerFlow | None) -> str:
+def _circulating(
+    ideal: PowerFlow, lossy: PowerFlow | None, shown_as: Callable[[float], str]
+) -> str:
     shown = lossy or ideal
     share = shown.circulating_share
     of_input = "" if math.isnan(share) else f", {100 * share:.1f}% of the power in"
-    without = "" if lossy is None else f"; ideal {fixed(ideal.circulating)}"
-    doubt = f"; {fixed(shown.doubtful)} of it may not be in the metal" if shown.doubtful else ""
-    return f"circulating: {fixed(shown.circulating)}{of_input}{without}{doubt}"
+    without = "" if lossy is None else f"; ideal {shown_as(ideal.circulating)}"
+    doubt = f"; {shown_as(shown.doubtful)} of it may not be in the metal" if shown.doubtful else ""
+    return f"circulating: {shown_as(shown.circulating)}{of_input}{without}{doubt}"
 
 
 def _nodes(flow: GearFlow) -> dict[Node, bool]:

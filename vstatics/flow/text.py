@@ -21,8 +21,13 @@ DECIMALS = {"kW": 2, "loss": 4, "loss, kW": 2}
 """Of columns that do not have 3."""
 
 
-def text(flow: GearFlow) -> str:
+def text(flow: GearFlow, digits: int | None = None) -> str:
     """The power of a gear as a table of 79 columns.
+
+    Parameters
+    ----------
+    digits : int, optional
+        After the point of every number; more than four make the columns wider.
 
     Examples
     --------
@@ -41,29 +46,31 @@ def text(flow: GearFlow) -> str:
         second: 2                 -1.000    -.980
         teeth                      1.000    1.000
     ports
-      port          speed  torque  power
-      1             1.000   1.000  1.000  in
-      2             -.250  -3.920   .980  out
-      lost: meshes                  .020
+      port          speed  torque   power
+      1             1.000   1.000   1.000  in
+      2             -.250  -3.920    .980  out
+      lost: meshes                 .02000
     in 1.000 - out .980 - lost .020 = .000
     circulating: none
     """
-    return "".join(f"{line.rstrip()}\n" for line in _lines(flow))
+    return "".join(f"{line.rstrip()}\n" for line in _lines(flow, digits))
 
 
-def _lines(flow: GearFlow) -> Iterator[str]:
+def _lines(flow: GearFlow, digits: int | None) -> Iterator[str]:
     if flow.ideal is None:
         yield f"gear {flow.gear}: {flow.note}, so there is no power to show"
         return
-    grid = _narrow(power_grid(flow), f"gear {flow.gear}")
-    yield from lines(grid, widths=[NAME, *[NUMBER] * (len(grid.columns) - 2), SHARE], gap=" ")
+    grid = _narrow(power_grid(flow), f"gear {flow.gear}", digits)
+    wider = max(digits or 0, 4) - 4
+    widths = [NAME, *[NUMBER + wider] * (len(grid.columns) - 2), SHARE + wider]
+    yield from lines(grid, widths=widths, gap=" ")
     ports = ports_grid([flow.ports], named=False)._replace(title="ports")
-    yield from lines(ports, indent="  ")
-    for remark in remarks(flow):
+    yield from lines(ports.with_digits(digits), indent="  ")
+    for remark in remarks(flow, digits):
         yield from _wrapped(remark, 4 if remark.startswith(" ") else 2)
 
 
-def _narrow(grid: Grid, heading: str) -> Grid:
+def _narrow(grid: Grid, heading: str, digits: int | None) -> Grid:
     """The table with short headings, numbers that suit its width, and marks behind names."""
     names = [column.heading for column in grid.columns[1:] if column.is_number]
     columns = [
@@ -73,20 +80,20 @@ def _narrow(grid: Grid, heading: str) -> Grid:
     rows = [
         [
             " ".join(cell.text for cell in (row[0], *row[1 + len(names) :])).rstrip(),
-            *(_field(*pair) for pair in zip(names, row[1:], strict=False)),
+            *(_field(*pair, digits) for pair in zip(names, row[1:], strict=False)),
         ]
         for row in grid.cells
     ]
     return grid._replace(title="", columns=columns, rows=rows)
 
 
-def _field(name: str, cell: Cell) -> str:
+def _field(name: str, cell: Cell, digits: int | None) -> str:
     """A number again, so that one that is not determined fills its field."""
     if cell.value is None:
         return ""
     if name == "share, %":
-        return f"{cell.value:.1f}%"
-    return fixed(cell.value, NUMBER, DECIMALS.get(name, 3))
+        return f"{cell.value:.{1 if digits is None else digits}f}%"
+    return fixed(cell.value, NUMBER, DECIMALS.get(name, 3) if digits is None else digits)
 
 
 def _wrapped(line: str, indent: int) -> list[str]:

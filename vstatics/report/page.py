@@ -10,13 +10,13 @@ from urllib.parse import quote
 
 from vstatics.flow.grids import power_grid, remarks
 from vstatics.flow.power import GearFlow
-from vstatics.report.cells import of_results
 from vstatics.report.drawn import palette
 from vstatics.report.gathering import Material
 from vstatics.report.given import given
 from vstatics.summary import Summary
 from vstatics.summary.grids import Marks, element_signs, grids
 from vstatics.tables.grid import Column, Grid
+from vstatics.tables.grids import of_results
 from vstatics.tables.html import Markup, joined, scrolled, table, tag, terms
 
 POLICY = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'"
@@ -83,7 +83,7 @@ def _spread(others: Sequence[Grid]) -> Iterator[Markup]:
     """The spread in a line."""
     for grid in others:
         if grid.title == SPREAD:
-            [(first, last, spread)] = grid.rows
+            [(first, last, spread)] = grid.texts
             yield tag("p", f"Spread: {spread}, from gear {first} to gear {last}.")
 
 

@@ -1,15 +1,17 @@
-"""Two summaries beside one another."""
+"""Summaries beside one another."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from functools import reduce
+from string import ascii_uppercase
 
 from vstatics.summary import Summary
 from vstatics.summary.design import GearLine
 from vstatics.summary.extremes import Largest, overall
 from vstatics.summary.grids import other_combinations
-from vstatics.tables.grid import NOTHING, Column, Grid, number, text
+from vstatics.tables.grid import Cell, Column, Grid, Row, exact, text
 
 QUANTITIES = (
     ("WSAT", "largest planet speed", 3),
@@ -26,33 +28,43 @@ QUANTITIES = (
 _MISSING = GearLine("", math.nan, "", math.nan, math.nan, "")
 
 
-def contrasted(one: Summary, other: Summary) -> Iterator[Grid]:
-    """The tables of two cases, called A and B, side by side.
+def letters(count: int) -> list[str]:
+    """What cases side by side are called: A to Z, then AA and so on.
+
+    >>> letters(28)[-3:]
+    ['Z', 'AA', 'AB']
+    """
+    front = ["", *(letters(-(-(count - 26) // 26)) if count > 26 else [])]
+    return [before + letter for before in front for letter in ascii_uppercase][:count]
+
+
+def contrasted(summaries: Sequence[Summary]) -> Iterator[Grid]:
+    """The tables of cases, called A, B, C, side by side.
 
     Gears of one name stand on one line.
     """
-    pair = one, other
-    yield _gears(pair)
-    yield Grid(
-        "In all",
-        [text("quantity"), Column("A"), text("where"), Column("B"), text("where")],
-        list(_in_all(pair)),
-    )
-    for letter, summary in zip("AB", pair, strict=True):
+    yield _gears(summaries)
+    columns = [text("quantity")]
+    for letter in letters(len(summaries)):
+        columns += [Column(letter), text("where")]
+    yield Grid("In all", columns, list(_in_all(summaries)))
+    for letter, summary in zip(letters(len(summaries)), summaries, strict=True):
         if summary.combinations is not None:
             grid = other_combinations(summary)
             yield grid._replace(title=f"{letter}. {grid.title}")
 
 
-def _gears(pair: Sequence[Summary]) -> Grid:
-    lines = [{line.gear: line for line in summary.design.gears} for summary in pair]
-    names = _in_order(*map(list, lines))
-    headings = (f"{what} {letter}" for what in ("ratio", "step", "efficiency") for letter in "AB")
-    rows = []
+def _gears(summaries: Sequence[Summary]) -> Grid:
+    lines = [{line.gear: line for line in summary.design.gears} for summary in summaries]
+    names: Sequence[str] = reduce(_in_order, map(list, lines), [])
+    called = letters(len(summaries))
+    quantities = "ratio", "step", "efficiency"
+    headings = (f"{quantity} {letter}" for quantity in quantities for letter in called)
+    rows: list[Row] = []
     for name in names:
-        both = [by_name.get(name, _MISSING) for by_name in lines]
-        values = zip(*((line.ratio, line.step, line.efficiency) for line in both), strict=True)
-        rows.append([name, *(number(value) for of_both in values for value in of_both)])
+        found = [by_name.get(name, _MISSING) for by_name in lines]
+        values = zip(*((line.ratio, line.step, line.efficiency) for line in found), strict=True)
+        rows.append([name, *(exact(value) for of_all in values for value in of_all)])
     return Grid("Gears", [text("gear"), *map(Column, headings)], rows)
 
 
@@ -73,35 +85,37 @@ def _in_order(first: Sequence[str], second: Sequence[str]) -> list[str]:
     return names
 
 
-def _in_all(pair: Sequence[Summary]) -> Iterator[list[str]]:
+def _in_all(summaries: Sequence[Summary]) -> Iterator[Row]:
     """Rows of what is told of a case as a whole."""
-    yield _row("forward gears", [_count(len(one.design.forward)) for one in pair])
-    yield _row("shift elements", [_count(len(one.results.case.shift_elements)) for one in pair])
-    yield _row("most that change in a shift", [_count(_most_changes(one)) for one in pair])
-    yield _row("spread", [(number(one.design.spread), "") for one in pair])
-    if any(one.cycle for one in pair):
+    yield _row("forward gears", [_count(len(one.design.forward)) for one in summaries])
+    yield _row(
+        "shift elements", [_count(len(one.results.case.shift_elements)) for one in summaries]
+    )
+    yield _row("most that change in a shift", [_count(_most_changes(one)) for one in summaries])
+    yield _row("spread", [(exact(one.design.spread), "") for one in summaries])
+    if any(one.cycle for one in summaries):
         yield _row(
             "efficiency of the duty cycle",
-            [(number(one.cycle.efficiency if one.cycle else math.nan), "") for one in pair],
+            [(exact(one.cycle.efficiency if one.cycle else math.nan), "") for one in summaries],
         )
-    if any(one.margins for one in pair):
-        yield _row("least margin", [_least_margin(one) for one in pair])
+    if any(one.margins for one in summaries):
+        yield _row("least margin", [_least_margin(one) for one in summaries])
     for table, name, decimals in QUANTITIES:
-        lines = [overall(one.largest.get(table, ())) for one in pair]
+        lines = [overall(one.largest.get(table, ())) for one in summaries]
         if any(lines):
             yield _row(name, [_largest(line, decimals) for line in lines])
 
 
-Cells = tuple[str, str]
+Cells = tuple[Cell, str]
 """A number, and where it is found."""
 
 
-def _row(name: str, cells: Sequence[Cells]) -> list[str]:
+def _row(name: str, cells: Sequence[Cells]) -> Row:
     return [name, *(cell for both in cells for cell in both)]
 
 
 def _count(how_many: int) -> Cells:
-    return str(how_many), ""
+    return exact(how_many, 0), ""
 
 
 def _most_changes(summary: Summary) -> int:
@@ -112,12 +126,12 @@ def _most_changes(summary: Summary) -> int:
 def _least_margin(summary: Summary) -> Cells:
     known = [one for one in summary.margins if one.gear]
     if not known:
-        return NOTHING, ""
+        return exact(None), ""
     least = min(known, key=lambda one: one.least)
-    return number(least.least), f"{least.element}, {least.gear}"
+    return exact(least.least), f"{least.element}, {least.gear}"
 
 
 def _largest(line: Largest | None, decimals: int) -> Cells:
     if line is None:
-        return NOTHING, ""
-    return number(line.value, decimals), f"{line.row}, {line.gear}" if line.gear else ""
+        return exact(None), ""
+    return exact(line.value, decimals), f"{line.row}, {line.gear}" if line.gear else ""

@@ -2,24 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import Any
 
 from vstatics.summary import Summary
 from vstatics.tables.ports import port_document, port_tables
-from vstatics.writers.plain_json import json_text
+from vstatics.writers.plain_json import plain_data
 
 VERSION = 1
 
 
-def write(summaries: Sequence[Summary]) -> str:
-    """Summaries as JSON; several as an array."""
-    documents = [_document(summary) for summary in summaries]
-    return json_text(documents[0] if len(documents) == 1 else documents, indent=2)
-
-
-def _document(summary: Summary) -> dict[str, Any]:
-    """A summary as a mapping."""
+def document(summary: Summary) -> dict[str, Any]:
+    """A summary as plain data."""
     case = summary.results.case
     mechanisms = [mechanism.name for mechanism in case.mechanisms]
     always: dict[str, Any] = {
@@ -39,4 +32,7 @@ def _document(summary: Summary) -> dict[str, Any]:
     }
     asked = {"duty": summary.cycle, "combinations": summary.combinations}
     more = {"margins": summary.margins or None, **asked}
-    return always | {key: value for key, value in more.items() if value is not None}
+    made: dict[str, Any] = plain_data(
+        always | {key: value for key, value in more.items() if value is not None}
+    )
+    return made

@@ -9,7 +9,7 @@ from typing import NamedTuple
 from vstatics.statics.results import Results
 from vstatics.summary import Summary
 from vstatics.summary.extremes import LOSSY_TORQUES, PLANETS, SLIPS, TORQUES, Largest
-from vstatics.tables.grid import NO, YES, Cell, Column, Grid, number, text, words
+from vstatics.tables.grid import NO, YES, Cell, Column, Grid, Row, exact, text, words
 from vstatics.tables.ports import port_tables, ports_grid
 
 
@@ -43,15 +43,15 @@ def grids(summary: Summary) -> Iterator[Grid]:
 
 def _design(summary: Summary) -> Grid:
     columns = [text("gear"), Column("ratio"), text("next"), Column("step"), Column("efficiency")]
-    rows = [
-        [line.gear, number(line.ratio), line.next, number(line.step), number(line.efficiency)]
+    rows: list[Row] = [
+        [line.gear, exact(line.ratio), line.next, exact(line.step), exact(line.efficiency)]
         for line in summary.design.gears
     ]
     if any(line.state for line in summary.design.gears):
         columns.append(text("state"))
         for row, line in zip(rows, summary.design.gears, strict=True):
             row.append(line.state)
-    return Grid("Gears", columns, rows)
+    return Grid("Gears", columns, rows, key="gears")
 
 
 def element_signs(results: Results, index: int, marks: Marks) -> Iterator[Cell]:
@@ -70,17 +70,17 @@ def _spread(summary: Summary) -> Grid:
     forward = summary.design.forward
     if len(forward) < 2:
         return Grid("Spread", (), ())
-    row = [forward[0], forward[-1], number(summary.design.spread)]
-    return Grid("Spread", [text("from"), text("to"), Column("spread")], [row])
+    row: Row = [forward[0], forward[-1], exact(summary.design.spread)]
+    return Grid("Spread", [text("from"), text("to"), Column("spread")], [row], key="spread")
 
 
 def _transitions(summary: Summary) -> Grid:
     columns = [text(one) for one in ("from", "to", "jumps", "kind", "released", "engaged")]
-    rows = [
+    rows: list[Row] = [
         [one.start, one.end, one.jumped, one.word, words(one.released), words(one.engaged)]
         for one in summary.transitions
     ]
-    return Grid("Transitions", columns, rows)
+    return Grid("Transitions", columns, rows, key="transitions")
 
 
 _UNITS = ((("", "", ""), 3), (("_rpm", "_rpm", "_Nm"), 1))
@@ -94,8 +94,11 @@ def _largest(summary: Summary) -> Iterator[Grid]:
         columns = [text("planet"), Column(f"speed{rpm}"), text("gear")]
         if f"{PLANETS}{planets}" in largest:
             lines = largest[f"{PLANETS}{planets}"]  # those of gear pairs, say, are none
-            rows = [[one.row, *_cells(one, decimals)] for one in lines if not math.isnan(one.value)]
-            yield Grid("Largest speeds of planets against their carriers", columns, rows)
+            rows: list[Row] = [
+                [one.row, *_cells(one, decimals)] for one in lines if not math.isnan(one.value)
+            ]
+            title = "Largest speeds of planets against their carriers"
+            yield Grid(title, columns, rows, key=f"planets{rpm}")
         named = {
             f"slip{rpm}": largest.get(f"{SLIPS}{slips}"),
             f"torque{nm}": largest.get(f"{TORQUES}{torques}"),
@@ -109,30 +112,37 @@ def _elements(named: dict[str, Sequence[Largest]], decimals: int) -> Grid:
     columns = [text("element")]
     for heading in named:
         columns += [Column(heading), text("gear")]
-    rows = [
+    rows: list[Row] = [
         [lines[0].row, *(cell for line in lines for cell in _cells(line, decimals))]
         for lines in zip(*named.values(), strict=True)
     ]
-    return Grid("Largest slip when open, largest torque when engaged", columns, rows)
+    title = "Largest slip when open, largest torque when engaged"
+    unit = next(iter(named), "").removeprefix("slip")
+    return Grid(title, columns, rows, key=f"shift elements{unit}")
 
 
-def _cells(line: Largest, decimals: int) -> list[str]:
-    return [number(line.value, decimals), line.gear]
+def _cells(line: Largest, decimals: int) -> Row:
+    return [exact(line.value, decimals), line.gear]
 
 
 def _sensitivities(summary: Summary) -> Grid:
     names = [mechanism.name for mechanism in summary.results.case.mechanisms]
     by_name = zip(names, summary.sensitivities.T.tolist(), strict=True)
     title = "Sensitivity (u/i) di/du of the ratio i of each gear to each internal ratio u"
-    return _by_gear(summary, title, "mechanism", by_name)
+    return _by_gear(summary, title, "sensitivity", "mechanism", by_name)
 
 
 def _by_gear(
-    summary: Summary, title: str, heading: str, rows: Iterable[tuple[str, Sequence[float]]]
+    summary: Summary,
+    title: str,
+    key: str,
+    heading: str,
+    rows: Iterable[tuple[str, Sequence[float]]],
 ) -> Grid:
     """A row for each name with a number for each gear."""
     columns = [text(heading), *(Column(gear.name) for gear in summary.results.case.gears)]
-    return Grid(title, columns, [[name, *map(number, values)] for name, values in rows])
+    filled: list[Row] = [[name, *map(exact, values)] for name, values in rows]
+    return Grid(title, columns, filled, key=key)
 
 
 def other_combinations(summary: Summary) -> Grid:
@@ -142,14 +152,14 @@ def other_combinations(summary: Summary) -> Grid:
     title = "Other combinations of shift elements"
     if not others:
         return Grid(f"{title}: none", (), ())
-    rows = [
-        [number(one.ratio), number(one.efficiency), one.gear, words(one.engaged)] for one in others
+    rows: list[Row] = [
+        [exact(one.ratio), exact(one.efficiency), one.gear, words(one.engaged)] for one in others
     ]
     if any(one.holding for one in others):
         columns.append(text("holding"))
         for row, one in zip(rows, others, strict=True):
             row.append(words(one.holding))
-    return Grid(title, columns, rows)
+    return Grid(title, columns, rows, key="combinations")
 
 
 def _margins(summary: Summary) -> Iterator[Grid]:
@@ -158,13 +168,13 @@ def _margins(summary: Summary) -> Iterator[Grid]:
     torque = None if load is None else load.torque
     unit, size, decimals = (" [N*m]", abs(torque), 1) if torque else ("", 1.0, 3)
     columns = [text("element"), Column(f"capacity{unit}"), Column("least"), text("gear")]
-    rows = [
-        [one.element, number(one.capacity * size, decimals), number(one.least), one.gear]
+    rows: list[Row] = [
+        [one.element, exact(one.capacity * size, decimals), exact(one.least), one.gear]
         for one in summary.margins
     ]
-    yield Grid("Least margin, capacity by torque", columns, rows)
+    yield Grid("Least margin, capacity by torque", columns, rows, key="margins")
     by_element = [(one.element, one.by_gear) for one in summary.margins]
-    yield _by_gear(summary, "Margins by gear", "element", by_element)
+    yield _by_gear(summary, "Margins by gear", "margins by gear", "element", by_element)
 
 
 def _duty(summary: Summary) -> Grid:
@@ -172,6 +182,9 @@ def _duty(summary: Summary) -> Grid:
     if summary.cycle is None:
         return Grid("Duty cycle", columns, ())
     stages = summary.cycle.stages
-    rows = [[stage.gear, number(stage.energy), number(stage.efficiency)] for stage in stages]
-    total = ["in all", number(1.0), number(summary.cycle.efficiency)]
-    return Grid("Duty cycle: share of the input energy, efficiency", columns, [*rows, total])
+    rows: list[Row] = [
+        [stage.gear, exact(stage.energy), exact(stage.efficiency)] for stage in stages
+    ]
+    total: Row = ["in all", exact(1.0), exact(summary.cycle.efficiency)]
+    title = "Duty cycle: share of the input energy, efficiency"
+    return Grid(title, columns, [*rows, total], key="duty")

@@ -16,6 +16,7 @@ from vstatics.summary.design import GearLine, design
 from vstatics.summary.grids import Marks, element_signs
 from vstatics.tables import terminal
 from vstatics.tables.grid import Cell, Column, Grid, text
+from vstatics.tables.numbers import places
 from vstatics.tables.ports import port_tables, ports_grid
 from vstatics.tables.quantity import Table
 from vstatics.tables.values import tables
@@ -34,13 +35,15 @@ ASCII = Marks("x", "f", ".")
 """Signs for a terminal that knows no others."""
 
 
-def view(results: Results, marks: Marks = DOTS) -> Group:
+def view(results: Results, marks: Marks = DOTS, digits: int | None = None) -> Group:
     """One table of the gears of one case, and what its marks mean.
 
     Parameters
     ----------
     marks : Marks, optional
         `ASCII` for a terminal that knows no others.
+    digits : int, optional
+        After the point, where they are not those that suit a number.
 
     Returns
     -------
@@ -61,11 +64,11 @@ def view(results: Results, marks: Marks = DOTS) -> Group:
     by_key = {table.quantity.key: table for table in tables(results)}
     title = [Text(case.name, style="bold")] * bool(case.name)
     legend = (Text(line, style="dim") for line in _legend(results, by_key, marks))
-    gears = terminal.table(_grid(results, by_key, marks))
-    return Group(*title, gears, *legend, terminal.table(_ports(results)))
+    gears = terminal.table(_grid(results, by_key, marks, digits))
+    return Group(*title, gears, *legend, terminal.table(_ports(results).with_digits(digits)))
 
 
-def _grid(results: Results, by_key: dict[str, Table], marks: Marks) -> Grid:
+def _grid(results: Results, by_key: dict[str, Table], marks: Marks, digits: int | None) -> Grid:
     """What each gear engages, its ratio and efficiency, its largest speed and torque."""
     rpm, torque = "W_rpm" in by_key, "AMLGP_Nm" in by_key
     columns = [
@@ -80,9 +83,9 @@ def _grid(results: Results, by_key: dict[str, Table], marks: Marks) -> Grid:
         [
             Cell(line.gear),
             *element_signs(results, index, marks),
-            *_figures(line),
-            _largest(_speeds(by_key, index, rpm=rpm), whole=rpm),
-            _largest(_torques(by_key, index), whole=torque)
+            *_figures(line, digits),
+            _largest(_speeds(by_key, index, rpm=rpm), 0 if rpm else 2, digits),
+            _largest(_torques(by_key, index), 0 if torque else 2, digits)
             if results.calculable[index]
             else Cell(""),
             _state(results.status(index + 1), by_key, index),
@@ -109,21 +112,23 @@ def _headings(case: Transmission) -> list[str]:
     return names if sum(map(len, names)) <= WIDE else list(map(str, range(1, len(names) + 1)))
 
 
-def _figures(line: GearLine) -> list[Cell]:
+def _figures(line: GearLine, digits: int | None) -> list[Cell]:
     """Ratio, step to the next gear of the same direction, and efficiency."""
     good = line.efficiency
     colour = "red" if good < BAD else "yellow" if good < POOR else "green"
     return [
-        Cell(_fixed(line.ratio), line.ratio, style="magenta" if line.ratio < 0 else ""),
-        Cell(_fixed(line.step), line.step),
-        Cell(_fixed(good), good, style=colour),
+        Cell(_fixed(line.ratio, 3, digits), line.ratio, style="magenta" if line.ratio < 0 else ""),
+        Cell(_fixed(line.step, 3, digits), line.step),
+        Cell(_fixed(good, 3, digits), good, style=colour),
     ]
 
 
-def _fixed(value: float) -> str:
+def _fixed(value: float, decimals: int, digits: int | None) -> str:
     if math.isnan(value):
         return ""
-    return f"{value:.3f}" if abs(value) < LARGE else f"{value:.3g}"
+    if abs(value) < LARGE:
+        return f"{value:.{places(value, decimals, digits)}f}"
+    return f"{value:.3g}" if digits is None else f"{value:.{digits}e}"
 
 
 def _speeds(by_key: dict[str, Table], number: int, *, rpm: bool) -> Iterator[tuple[str, float]]:
@@ -154,15 +159,13 @@ def _column(table: Table, number: int) -> Iterator[tuple[str, float]]:
     yield from zip(table.rows, table.values[:, number].tolist(), strict=True)
 
 
-def _largest(values: Iterable[tuple[str, float]], *, whole: bool) -> Cell:
+def _largest(values: Iterable[tuple[str, float]], decimals: int, digits: int | None) -> Cell:
     """The largest number without its sign, and its name; nothing where there is no number."""
     known = [(abs(value), name) for name, value in values if not math.isnan(value)]
     if not known:
         return Cell("")
     value, name = max(known, key=lambda one: one[0])
-    if value >= LARGE:
-        return Cell(f"{value:.3g} {name}", value)
-    return Cell(f"{value:.0f} {name}" if whole else f"{value:.2f} {name}", value)
+    return Cell(f"{_fixed(value, decimals, digits)} {name}", value)
 
 
 def _state(status: Status, by_key: dict[str, Table], number: int) -> Cell:

@@ -1,7 +1,7 @@
 """A table of texts, which each format writes in its own way.
 
 Plain text is `text`, then there are `markdown`, `latex`, `html` and, for a person at a
-terminal, `terminal`.
+terminal, `terminal`. `csv` and `xlsx` write the numbers behind the texts.
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ import math
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from vstatics.tables.numbers import fixed
+from vstatics.tables.numbers import rounded
 
 NOTHING = "-"
 """Stands for a number that does not exist, and for a list of nothing."""
@@ -28,6 +28,10 @@ class Column(NamedTuple):
     """Of one sign in each row: such columns stand close together at a terminal."""
 
 
+Datum = float | int | bool | str | None
+"""What a cell stands for; None does not exist."""
+
+
 class Cell(NamedTuple):
     """A cell of which more is known than its text."""
 
@@ -38,6 +42,23 @@ class Cell(NamedTuple):
     """What a sign means, for those who do not see it."""
     style: str = ""
     """Its colour at a terminal, as `rich` names it."""
+    decimals: int = 0
+    """Digits after the point of the text, where it is a number that is rounded."""
+
+    @property
+    def datum(self) -> Datum:
+        """What it stands for, with all digits."""
+        if self.value is None:
+            return None if self.text in ("", NOTHING) else self.text
+        if math.isnan(self.value):
+            return None
+        if self.says:
+            return bool(self.value)
+        return self.value if self.decimals else int(self.value)
+
+
+Row = list[Cell | str]
+"""Cells; one of words may be its text alone."""
 
 
 class Grid(NamedTuple):
@@ -48,6 +69,10 @@ class Grid(NamedTuple):
     rows: Sequence[Sequence[Cell | str]]
     levels: Sequence[int] = ()
     """How far each row is set in, from 1: it stays below the row that it belongs to."""
+    key: str = ""
+    """A short name, unlike that of other tables, where the title is long."""
+    group: str = ""
+    """What it shares a sheet of a workbook with; nothing: it has one of its own."""
 
     @property
     def cells(self) -> list[list[Cell]]:
@@ -59,31 +84,57 @@ class Grid(NamedTuple):
         """The texts of all rows."""
         return [[cell.text for cell in row] for row in self.cells]
 
+    @property
+    def data(self) -> list[list[Datum]]:
+        """What the cells of all rows stand for; the name of a row is as it is written."""
+        named = bool(self.columns) and not self.columns[0].is_number
+        rows = [[cell.datum for cell in row] for row in self.cells]
+        return [
+            [row[0].text, *data[1:]] if named else data
+            for row, data in zip(self.cells, rows, strict=True)
+        ]
+
+    def with_digits(self, digits: int | None) -> Grid:
+        """The same with so many digits after the point; None: with those that suit a number."""
+        if digits is None:
+            return self
+
+        def again(cell: Cell) -> Cell:
+            return exact(cell.value, digits=digits)._replace(style=cell.style)
+
+        rows = [[again(cell) if cell.decimals else cell for cell in row] for row in self.cells]
+        return self._replace(rows=rows)
+
 
 def text(heading: str) -> Column:
     """A column of words."""
     return Column(heading, is_number=False)
 
 
-def number(value: float, decimals: int = 3) -> str:
-    """A number as a cell.
+def exact(value: float | None, decimals: int = 3, *, digits: int | None = None) -> Cell:
+    """A number as a cell that keeps all its digits; None does not exist.
 
-    >>> number(3.5), number(math.nan)
-    ('3.500', '-')
-    """
-    return fixed(value, decimals=decimals) if math.isfinite(value) else NOTHING
+    Parameters
+    ----------
+    decimals : int
+        Digits after the point; a small number has more, see `rounded`.
+    digits : int, optional
+        As many in any number.
 
-
-def exact(value: float | None, decimals: int = 3) -> Cell:
-    """A number as a cell that keeps all its digits for a page; None does not exist.
-
-    >>> exact(0.98765)[:2], exact(-1.5e9).text, exact(None).text
-    (('.988', 0.98765), '-1.5e+09', '-')
+    Examples
+    --------
+    >>> exact(0.98765)[:2], exact(-1.5e9).text, exact(None).text, exact(-0.01038).text
+    (('.988', 0.98765), '-1.5e+09', '-', '-.01038')
     """
     known = math.nan if value is None else value
-    if LARGE <= abs(known) < math.inf:
-        return Cell(f"{known:.6g}", known)
-    return Cell(number(known, decimals), known)
+    places = decimals if digits is None else digits
+    if not math.isfinite(known):
+        return Cell(NOTHING, math.nan, decimals=places)
+    if abs(known) >= LARGE:
+        text = f"{known:.6g}" if digits is None else f"{known:.{digits}e}"
+    else:
+        text = rounded(known, decimals, digits)
+    return Cell(text, known, decimals=places)
 
 
 def sign(value: float) -> Cell:

@@ -9,6 +9,10 @@ from math import isfinite
 
 DIGITS = 4
 """Digits of the E format, where they are enough."""
+SMALL, SIGNIFICANT = 0.1, 4
+"""Below the first a number that people read has so many significant digits, ..."""
+ROUNDING = 1e-12
+"""... unless it is nothing but rounding."""
 
 
 def fixed(value: float, width: int = 0, decimals: int = 3) -> str:
@@ -78,6 +82,37 @@ def _format(rows: int, columns: int, width: int, decimals: int) -> str:
     return "\n".join([" ".join([f"%{width}.{decimals}f"] * columns)] * rows)
 
 
+def places(value: float, decimals: int = 3, digits: int | None = None) -> int:
+    """Digits after the point that a number is shown with to people.
+
+    Parameters
+    ----------
+    decimals : int
+        Those of a number that is not small; one below .1 has four significant digits.
+    digits : int, optional
+        Those of any number, where somebody asked for them.
+
+    Examples
+    --------
+    >>> places(-2.656), places(-0.01038), places(0.0), places(-0.01038, digits=2)
+    (3, 5, 3, 2)
+    """
+    if digits is not None:
+        return digits
+    if not decimals or not ROUNDING < abs(value) < SMALL:
+        return decimals
+    return SIGNIFICANT - 1 - int(f"{value:.{SIGNIFICANT - 1}e}".partition("e")[2])
+
+
+def rounded(value: float, decimals: int = 3, digits: int | None = None) -> str:
+    """A number as people read it: in F format, with the `places` that suit it.
+
+    >>> [rounded(value) for value in (-1 / 96.354, 0.5, 3e-17, 0.099999)]
+    ['-.01038', '.500', '.000', '.1000']
+    """
+    return fixed(value, decimals=places(value, decimals, digits))
+
+
 def exponent(value: float) -> str:
     """A number in E format: four digits, or as many as give the same number back.
 
@@ -97,12 +132,23 @@ def exponent(value: float) -> str:
     return f"{'-' * mantissa.startswith('-')}.{mantissa.lstrip('-').replace('.', '')}E{scale:+03d}"
 
 
-def short(value: float) -> str:
+def short(value: float, digits: int | None = None) -> str:
     """A number in five significant digits, as one writes it in an equation.
+
+    Parameters
+    ----------
+    digits : int, optional
+        After the point, instead; what is whole stays so.
 
     Examples
     --------
     >>> [short(value) for value in (-73 / 35, 3.5, 1.0, -0.0, 2.5e-7, float("nan"))]
     ['-2.0857', '3.5', '1', '0', '2.5e-07', 'not determined']
+    >>> short(-73 / 35, 2), short(1.0, 2)
+    ('-2.09', '1')
     """
-    return f"{value + 0.0:.5g}" if isfinite(value) else "not determined"
+    if not isfinite(value):
+        return "not determined"
+    if digits is None or value == int(value):
+        return f"{value + 0.0:.5g}"
+    return f"{value:.{digits}f}"

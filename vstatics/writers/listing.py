@@ -30,16 +30,20 @@ COASTING = Phrase(
     "Coasting: the power enters at the output; in this scaling losses are below 0.",
     "Торможение двигателем: мощность входит с выхода, потери при этом меньше 0.",
 )
+DIGITS = 3
+"""After the point, as published."""
 MESSAGES = Phrase("Messages:", "Сообщения:")
 
 
-def write(results: Results, lang: Language = "en") -> str:
-    """The report of one case; numbers in Fortran style with three decimals.
+def write(results: Results, lang: Language = "en", digits: int = DIGITS) -> str:
+    """The report of one case; numbers in Fortran style.
 
     Parameters
     ----------
     lang : {"en", "ru"}
         Language of the headings.
+    digits : int
+        After the point.
     """
     lines = [
         deck.write(results.with_numbers_only, lang),
@@ -53,7 +57,7 @@ def write(results: Results, lang: Language = "en") -> str:
         for heading, indices, part in _parts(table, results.case):
             mark = " (1)" if part.quantity.kind is bool else ""  # of what is so
             lines += ["", f"{heading.text(lang)}{mark}:", indices]
-            lines += _rows(part, named=named and table.quantity.rows != "one")
+            lines += _rows(part, digits, named=named and table.quantity.rows != "one")
     if results.messages:
         lines += ["", MESSAGES.text(lang), *map(str, results.messages)]
     return "\n".join(lines) + "\n"
@@ -85,12 +89,12 @@ def _indices(quantity: Quantity, rows: str = "") -> str:
     return f"({quantity.printed}(I,{column}),{columns}),{rows}:"
 
 
-def _rows(table: Table, *, named: bool) -> list[str]:
-    """Rows of equal fields: 7 wide with three decimals, 3 wide for whole numbers, or wider.
+def _rows(table: Table, digits: int, *, named: bool) -> list[str]:
+    """Rows of equal fields: 7 wide with three digits, 3 wide for whole numbers, or wider.
 
     Where the case is drawn each row ends with its name.
     """
-    decimals, width = (3, 7) if table.quantity.kind is float else (0, 3)
+    decimals, width = (digits, digits + 4) if table.quantity.kind is float else (0, 3)
     rows = fixed_rows(table.values.tolist(), width, decimals)
     if not named:
         return rows

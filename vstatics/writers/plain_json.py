@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+import os
 from collections.abc import Mapping, Sequence
 from typing import Any
 
@@ -26,6 +27,25 @@ def plain_data(value: Any) -> Any:
     return value
 
 
-def json_text(value: Any, indent: int = 1) -> str:
-    """The same as JSON."""
-    return json.dumps(plain_data(value), indent=indent, ensure_ascii=False, allow_nan=False) + "\n"
+def with_file(document: dict[str, Any], file: str) -> dict[str, Any]:
+    """A document that tells the file of its case, without folders.
+
+    >>> with_file({"format": "f", "version": 1, "case": {}}, "cases/box.yaml")
+    {'format': 'f', 'version': 1, 'file': 'box.yaml', 'case': {}}
+    """
+    front: dict[str, Any] = {key: document[key] for key in ("format", "version") if key in document}
+    return {**front, "file": os.path.basename(file), **document}  # noqa: PTH119
+
+
+def text(value: Any) -> str:
+    """Plain data as JSON on many lines, without the end of the last."""
+    return _lines(value)
+
+
+def line(value: Any) -> str:
+    """Plain data as JSON on one line, with its end."""
+    return _line(value) + "\n"
+
+
+_lines = json.JSONEncoder(ensure_ascii=False, allow_nan=False, indent=1).encode
+_line = json.JSONEncoder(ensure_ascii=False, allow_nan=False).encode

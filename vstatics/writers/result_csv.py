@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import math
-from collections.abc import Iterable, Sequence
 
 from vstatics.statics.results import Results
+from vstatics.tables import csv
 from vstatics.tables.values import tables
 
 CONVENTIONS = (
@@ -18,23 +16,27 @@ CONVENTIONS = (
 """They stand in last rows without a value: a line of comment would trouble spreadsheets."""
 
 
-def write(results: Sequence[tuple[str, Results]], *, several: bool) -> str:
-    """One or several results by the names of their files; several have a column `case`.
+def write(results: Results, *, raw: bool = False) -> str:
+    """One result.
 
     Columns: table, row, gear, value. AJK, which is the same in all gears, has the link
     and the device in `row` and no gear. A value that does not exist is empty. The last
     rows state the conventions and have no value either.
+
+    Parameters
+    ----------
+    raw : bool
+        Whether texts stay as they are, also where a spreadsheet calculates them.
     """
-    bodies = [rows(file if several else None, result) for file, result in results]
-    return "".join([head(several=several), *bodies, tail(several=several)])
+    return "".join([head(several=False), rows(None, results, raw=raw), tail(several=False)])
 
 
 def head(*, several: bool) -> str:
-    """The names of the columns."""
-    return _lines([["case"] * several + ["table", "row", "gear", "value"]])
+    """The names of the columns; several results have a column `case`."""
+    return csv.lines([["case"] * several + ["table", "row", "gear", "value"]])
 
 
-def rows(file: str | None, results: Results) -> str:
+def rows(file: str | None, results: Results, *, raw: bool = False) -> str:
     """The rows of one result; `file` is the first column among several."""
     front = [] if file is None else [file]
     cells = []
@@ -45,20 +47,14 @@ def rows(file: str | None, results: Results) -> str:
                 place = [f"{row}:{column}", ""] if quantity.columns == "devices" else [row, column]
                 shown = "" if math.isnan(value) else _number(value, quantity.kind)
                 cells.append([*front, quantity.key, *place, shown])
-    return _lines(cells)
+    return csv.lines(cells, raw=raw)
 
 
 def tail(*, several: bool) -> str:
     """The rows of the conventions."""
-    return _lines(
+    return csv.lines(
         [""] * several + ["conventions", convention, "", ""] for convention in CONVENTIONS
     )
-
-
-def _lines(cells: Iterable[Sequence[str]]) -> str:
-    text = io.StringIO()
-    csv.writer(text, lineterminator="\n").writerows(cells)
-    return text.getvalue()
 
 
 def _number(value: float, kind: type) -> str:

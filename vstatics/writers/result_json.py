@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Sequence
 from functools import cache
 from typing import Any
 
-from vstatics.errors import Problem
 from vstatics.statics.results import Results
 from vstatics.tables.values import tables
 from vstatics.writers.named import mapping
@@ -52,11 +50,6 @@ def document(results: Results) -> dict[str, Any]:
     return result
 
 
-def failure(file: str, problems: Sequence[Problem]) -> dict[str, Any]:
-    """What stands for a case in error among several results."""
-    return {"case": file, "errors": [str(problem) for problem in problems]}
-
-
 def _row(values: list[float], kind: type) -> list[Any]:
     """The numbers of a row as JSON has them."""
     if kind is float:
@@ -64,12 +57,12 @@ def _row(values: list[float], kind: type) -> list[Any]:
     return [None if value != value else kind(value) for value in values]  # noqa: PLR0124
 
 
-def write(documents: list[dict[str, Any]], *, several: bool) -> str:
-    """Documents as text: a row of a table a line; several as an array.
+def text(made: dict[str, Any]) -> str:
+    """A document on many lines, a row of a table a line, without the end of the last.
 
     Examples
     --------
-    >>> print(write([{"W": [[1.0, 1.0], [0.5, None]], "ETA": [0.9]}], several=False), end="")
+    >>> print(text({"W": [[1.0, 1.0], [0.5, None]], "ETA": [0.9]}))
     {
       "W": [
         [1.0, 1.0],
@@ -78,17 +71,6 @@ def write(documents: list[dict[str, Any]], *, several: bool) -> str:
       "ETA": [0.9]
     }
     """
-    texts = [text(made) for made in documents]
-    return "[\n" + ",\n".join(texts) + "\n]\n" if several else texts[0] + "\n"
-
-
-def line(made: dict[str, Any]) -> str:
-    """A document on one line, with its end."""
-    return _text(made) + "\n"
-
-
-def text(made: dict[str, Any]) -> str:
-    """A document on many lines, without the end of the last."""
     entries = [f"  {_text(key)}: {_value(key, value)}" for key, value in made.items()]
     return "{\n" + ",\n".join(entries) + "\n}"
 
@@ -102,7 +84,7 @@ def _value(key: str, value: Any) -> str:
     if isinstance(value, list) and value:
         if isinstance(value[0], list):  # of numbers: nothing else in it looks like this
             return "[\n    " + _text(value)[1:-1].replace("], [", "],\n    [") + "\n  ]"
-        if key in ("messages", "errors"):
+        if key == "messages":
             return "[\n" + ",\n".join(f"    {_text(entry)}" for entry in value) + "\n  ]"
     return _text(value)
 

@@ -28,6 +28,7 @@ def json_schema() -> dict[str, Any]:
     properties: dict[str, Any] = {
         "format": {"const": "vstatics-result"},
         "version": {"const": VERSION},
+        "file": {"type": "string", "description": "The file of the case, without folders."},
         "conventions": {
             "type": "object",
             "properties": {key: {"type": "string"} for key in CONVENTIONS},
@@ -44,7 +45,7 @@ def json_schema() -> dict[str, Any]:
     }
     properties |= {quantity.key: _table(quantity) for quantity in QUANTITIES}
     properties["messages"] = {**texts, "description": "What was noticed, gear by gear."}
-    sometimes = {"rows", *(quantity.key for quantity in QUANTITIES if not quantity.always)}
+    sometimes = {"file", "rows", *(quantity.key for quantity in QUANTITIES if not quantity.always)}
     required = [name for name in properties if name not in sometimes]
     return {
         "$schema": "https://json-schema.org/draft/2020-12/schema",

@@ -1,11 +1,11 @@
-"""The results as tables of the page."""
+"""The results of a case as tables, for every format for people."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
 from vstatics.statics.results import Results
-from vstatics.tables.grid import Cell, Column, Grid, exact, sign
+from vstatics.tables.grid import Cell, Column, Grid, exact, sign, text
 from vstatics.tables.quantity import Table
 from vstatics.tables.rows import ROWS
 from vstatics.tables.values import tables
@@ -21,26 +21,32 @@ def of_results(results: Results) -> Iterator[Grid]:
             yield _of_table(one)
 
 
+def of_messages(results: Results) -> Grid:
+    """What there is to say of the gears."""
+    columns = [text("gear"), text("severity"), text("message")]
+    rows = [[one.gear, one.severity, one.text] for one in results.messages]
+    return Grid("Messages", columns, rows, key="messages")
+
+
 def _by_gear(lists: Sequence[Table]) -> Grid:
     """A row for each gear, with the quantities of one number."""
-    columns = [Column("gear", is_number=False)]
+    columns = [text("gear")]
     columns += [Column(one.quantity.key.replace("_", " ")) for one in lists]
     rows = [
         [Cell(gear), *(_number(one, float(one.values[0, place])) for one in lists)]
         for place, gear in enumerate(lists[0].columns)
     ]
-    return Grid("By gear", columns, rows)
+    return Grid("By gear", columns, rows, key="gears")
 
 
 def _of_table(one: Table) -> Grid:
     kind = one.quantity.rows
-    head = Column(_HEADS.get(kind, ROWS[kind].one), is_number=False)
-    columns = [head, *map(Column, one.columns)]
+    columns = [text(_HEADS.get(kind, ROWS[kind].one)), *map(Column, one.columns)]
     rows = [
         [Cell(name), *(_number(one, value) for value in values)]
         for name, values in zip(one.rows, one.values.tolist(), strict=True)
     ]
-    return Grid(f"{one.quantity.title} [{one.quantity.key}]", columns, rows)
+    return Grid(f"{one.quantity.title} [{one.quantity.key}]", columns, rows, key=one.quantity.key)
 
 
 _HEADS = {"elements": "element", "torques": "torque of"}

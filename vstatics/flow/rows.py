@@ -1,0 +1,80 @@
+"""The power of all gears in few tables, for spreadsheets: a line for whatever has power."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+
+from vstatics.flow.circulation import Loop
+from vstatics.flow.grids import around, power_grid
+from vstatics.flow.power import GearFlow, PowerFlow
+from vstatics.flow.shared_planets import words
+from vstatics.tables.grid import Column, Grid, Row, exact, text
+from vstatics.tables.ports import ports_grid
+
+
+def grids(flows: Sequence[GearFlow]) -> Iterator[Grid]:
+    """The power through everything, ports, balances, and loops.
+
+    Examples
+    --------
+    >>> from vstatics import Gear, Mechanism, Transmission, solve
+    >>> from vstatics.flow.power import flows
+    >>> pair = Mechanism(1, 2, 0, -4.0, 0.98, name="pair")
+    >>> tables = list(grids(flows(solve(Transmission(2, [], [pair], [Gear()])))))
+    >>> [table.title for table in tables]
+    ['Power', 'Ports', 'Balance']
+    >>> tables[0].texts[3][:5]
+    ['1', 'mechanisms', 'pair', 'first: 1', '1.000']
+    """
+    yield _power([(flow.gear, power_grid(flow)) for flow in flows])
+    yield ports_grid([flow.ports for flow in flows])
+    yield _balance(flows)
+    loops: list[Row] = [
+        [flow.gear, around(loop), exact(loop.power), words(loop.shared) if loop.shared else ""]
+        for flow in flows
+        for loop in _loops(flow)
+    ]
+    if loops:
+        columns = [text("gear"), text("loop"), Column("power"), text("note")]
+        yield Grid("Circulating power", columns, loops)
+
+
+def _power(by_gear: Sequence[tuple[str, Grid]]) -> Grid:
+    """The tables of all gears as one: their sections, nodes and parts of these as columns."""
+    columns = {one.heading: one for _, grid in by_gear for one in grid.columns[1:]}
+    rows: list[Row] = []
+    for gear, grid in by_gear:
+        headings = [one.heading for one in grid.columns[1:]]
+        section = node = ""
+        for (first, *cells), level in zip(grid.cells, grid.levels, strict=True):
+            if level == 1:
+                section = first.text
+                continue
+            node = first.text if level == 2 else node
+            part = first.text if level > 2 else ""
+            known = dict(zip(headings, cells, strict=True))
+            rows.append([gear, section, node, part, *(known.get(one, "") for one in columns)])
+    front = [text(one) for one in ("gear", "kind", "power through", "part")]
+    return Grid("Power", [*front, *columns.values()], rows)
+
+
+def _balance(flows: Sequence[GearFlow]) -> Grid:
+    names = "entering", "leaving", "lost", "balance", "circulating"
+    columns = [text("gear"), *map(Column, names), text("note")]
+    rows: list[Row] = []
+    for flow in flows:
+        side = _side(flow)
+        values = [math.nan if side is None else getattr(side, name) for name in names]
+        rows.append([flow.gear, *map(exact, values), flow.note])
+    return Grid("Balance", columns, rows)
+
+
+def _side(flow: GearFlow) -> PowerFlow | None:
+    """With losses, if it exists."""
+    return flow.lossy or flow.ideal
+
+
+def _loops(flow: GearFlow) -> Sequence[Loop]:
+    side = _side(flow)
+    return () if side is None else side.loops
