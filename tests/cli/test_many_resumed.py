@@ -194,6 +194,13 @@ def test_without_a_record_everything_is_calculated(record: bytes | None) -> None
     assert resumed()[0] == ["tied"]
 
 
+def test_lines_of_a_record_that_are_none_are_passed_over() -> None:
+    """The last one may have been cut; anybody may have written the others."""
+    with Path("out/.vstatics-run-json").open("a", encoding="utf-8") as record:
+        record.write('[[], "", "", [], false]\n{}\n7\n["a", {}, [], null, 0]\n["neutral.js')
+    assert resumed()[0] == ["tied"]
+
+
 def test_each_format_has_a_run_of_its_own() -> None:
     said = vstatics("run", *CASES, "-o", "out", "--resume")
     assert "out: there is no run to go on with; every case is calculated\n" in said.err

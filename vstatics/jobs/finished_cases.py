@@ -138,9 +138,9 @@ class FinishedCases:
         """An entry; the last line may have been cut."""
         try:
             name, case, run, state, failed = json.loads(line)
+            self._done.pop(name, None)
         except (ValueError, TypeError):
             return
-        self._done.pop(name, None)
         if not failed:
             self._done[name] = _Entry(case, run, state)
 
