@@ -41,8 +41,8 @@ def test_a_calculation_stands_before_the_unit(text: str, kind: Quantity, value: 
     [
         ("2100", "speed", "expected a speed with its unit, such as `2100 rpm` or `220 rad/s`"),
         ("rpm", "speed", "expected a speed with its unit"),
-        ("300 Nm", "speed", "such as `2100 rpm` or `220 rad/s`, not a torque"),
-        ("300 Nm/s", "torque", ", not a power"),
+        ("300 Nm", "speed", "such as `2100 rpm` or `220 rad/s`; this is a torque"),
+        ("300 Nm/s", "torque", "; this is a power"),
         ("300 rpn", "speed", "; did you mean `rpm`?"),
         ("50 1/s", "speed", "; did you mean `rev/s` or `rad/s`?"),
         ("50 s^-1", "speed", "; did you mean `rev/s` or `rad/s`?"),
@@ -77,7 +77,7 @@ def test_without_a_unit_a_number_is_relative_to_the_input() -> None:
         ("1.2.3", "expected a number or a calculation such as -96/39"),
         ("1,5", "(with a decimal point)"),
         ("fast", "such as `2100 rpm` or `220 rad/s`, or one relative to the input speed"),
-        ("3 rmp", "did you mean `rpm`?, or one relative to the input speed"),
+        ("3 rmp", "or one relative to the input speed; did you mean `rpm`?"),
     ],
 )
 def test_what_is_neither_is_told(text: str, words: str) -> None:

@@ -648,7 +648,7 @@ def test_a_link_that_has_a_number_is_told_from_a_speed_by_the_word_link() -> Non
         ("1.05*FI", "expected the name of a link behind the `*`: engine, FL, FR"),
         ("0*FL", "read a factor of 0"),
         ("2*FR", "given by itself"),
-        ("2*300 Nm", "expected a speed with its unit, such as `2100 rpm` or `220 rad/s`, not a"),
+        ("2*300 Nm", "or one relative to the input speed; this is a torque"),
         ("2**FL", "expected a number or a calculation"),
     ],
 )

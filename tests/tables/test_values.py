@@ -9,6 +9,7 @@ import pytest
 
 import vstatics as library
 from tests.elements.element_texts import SET, changed, loaded, problems, shown
+from vstatics.writers.named import mapping
 
 KW = math.pi / 30 / 1000
 """1 N*m at 1 rpm."""
@@ -122,3 +123,68 @@ def test_a_speed_with_a_unit_needs_a_load() -> None:
 def test_a_load_beyond_all_numbers_has_no_values() -> None:
     found = shown("load: {speed: 1e300 rpm, torque: 1e300 N*m}" + SET)
     assert np.isnan(found["input_power_kW"].values).all()
+
+
+@pytest.mark.parametrize(
+    "load",
+    [
+        "{speed: 3000 rpm, power: 30*pi kW}",
+        "{power: 30*pi kW, torque: 300 Nm}",
+        "{speed: 3000 1/min, torque: 300 N*m}",
+        "{power: 30000*pi W, speed: 100*pi rad/s}",
+    ],
+)
+def test_two_of_speed_torque_and_power_give_the_third(load: str) -> None:
+    """300 N*m at 3000 rpm are 300 * 100 pi W."""
+    found = shown(f"load: {load}".replace("pi", repr(math.pi)) + SET)
+    assert found["W_rpm"].values[0] == pytest.approx([3000, 3000])
+    assert found["AMLG_Nm"].values[-1] == pytest.approx([1050, 300])
+    assert found["input_power_kW"].values[0] == pytest.approx([30 * math.pi] * 2)
+
+
+def test_a_gear_has_the_power_of_its_own_load() -> None:
+    """100 PS are 73.549875 kW, at 955 rpm and 100.009 rad/s 735.4 N*m."""
+    text = changed(
+        "low: {engaged: [B]}", "low: {engaged: [B], load: {power: 100 PS, speed: 955 rpm}}"
+    )
+    found = shown("load: {speed: 1000 rpm, torque: 1 kN*m}" + text)
+    assert found["AMLG_Nm"].values[-1] == pytest.approx(
+        [3.5 * 73549.875 / (955 * math.pi / 30), 1000]
+    )
+    assert found["input_power_kW"].values[0][0] == pytest.approx(73.549875)
+
+
+def test_with_a_negative_speed_the_torque_is_negative() -> None:
+    found = shown("load: {power: 10 kW, speed: -1000 rpm}" + SET)
+    assert found["AMLG_Nm"].values[-1, 1] == pytest.approx(-10 / (1000 * KW))
+    assert (found["input_power_kW"].values > 0).all()
+
+
+@pytest.mark.parametrize(
+    ("load", "words"),
+    [
+        (
+            "{power: 90 kW, speed: 3000 rpm, torque: 300 N*m}",
+            "load: read speed, torque and power, expected two of them: "
+            "300 N*m at 3000 rpm are 94.248 kW",
+        ),
+        ("{power: 90 kW}", "load: read `power` alone, expected a speed or a torque beside it"),
+        ("{power: 90 kW, speed: 0 rpm}", "load: read a power, speed or torque of 0, expected"),
+        ("{power: 90, speed: 3000 rpm}", "load.power: read '90', expected a power with its unit"),
+        ("{power: 0 kW, speed: 3 rpm}", "load: read a power, speed or torque of 0, expected"),
+        ("{power: -1 kW, speed: 3 rpm}", "so power would leave at the input"),
+    ],
+)
+def test_a_load_that_is_none_is_told_once(load: str, words: str) -> None:
+    text = changed("low: {engaged: [B]}", "low: {engaged: [B], torques: {ring: 3 N*m}}")
+    [told] = [one for one in problems(f"load: {load}" + text) if "error" in one]
+    assert told.startswith("case.yaml:1:")
+    assert words in told
+
+
+def test_a_load_is_written_as_speed_and_torque() -> None:
+    case = loaded("load: {power: 2 kW, speed: 500 rpm}" + SET)
+    assert mapping(case)["load"] == {
+        "speed": "500.0 rpm",
+        "torque": f"{2 / 500 / KW!r} N*m",
+    }

@@ -11,9 +11,9 @@ from vstatics.model.parts import (
     ELEMENT_KINDS,
     GEAR_KINDS,
     Gear,
-    Load,
     Mechanism,
     ShiftElement,
+    load_of,
 )
 from vstatics.model.shape import (
     FLAG,
@@ -114,12 +114,19 @@ MECHANISM = ByKey(
 
 LOAD = ByKey(
     "Load",
-    "Speed and torque at the input link, for a second set of tables in rpm, N*m and kW.",
+    "Two of speed, torque and power at the input link, for a second set of tables in rpm, N*m "
+    "and kW.",
     (
         KeyShape("speed", Leaf("speed"), "Speed of the input.", examples=("2100 rpm",)),
         KeyShape("torque", Leaf("torque"), "Torque of the input.", examples=("1200 N*m",)),
+        KeyShape(
+            "power",
+            Leaf("power"),
+            "Power at the input, beside one of the two, which gives the other.",
+            examples=("120 kW",),
+        ),
     ),
-    Load,
+    load_of,
 )
 
 ENGAGED = ListOf(Leaf("element"), "shift elements")

@@ -6,11 +6,14 @@ count from 1, link 0 is the housing. They become indices in `matrix` only.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from types import MappingProxyType
 from typing import Any, Literal, NamedTuple, get_args
 
 HOUSING = 0
+KW_OF_RPM_NM = math.pi / 30 / 1000
+"""1 N*m at 1 rpm, in kW."""
 
 ElementKind = Literal["clutch", "brake", "dog_clutch", "freewheel"]
 """What a shift element is, where it says so."""
@@ -125,6 +128,35 @@ class Load(NamedTuple):
             other.speed if self.speed is None else self.speed,
             other.torque if self.torque is None else self.torque,
         )
+
+
+def load_of(
+    speed: float | None = None, torque: float | None = None, power: float | None = None
+) -> Load:
+    """The load of two of the three: speed [rpm], torque [N*m], power [kW].
+
+    Raises
+    ------
+    ValueError
+        If the power stands alone, or beside both others, or is 0 or beside 0.
+
+    Examples
+    --------
+    >>> load_of(speed=3000, power=94.24777960769379).torque
+    300.0
+    """
+    if power is None:
+        return Load(speed, torque)
+    if speed is not None and torque is not None:
+        told = f"{torque:g} N*m at {speed:g} rpm are {speed * torque * KW_OF_RPM_NM:.5g} kW"
+        raise ValueError(f"read speed, torque and power, expected two of them: {told}")
+    other = torque if speed is None else speed
+    if other is None:
+        raise ValueError("read `power` alone, expected a speed or a torque beside it")
+    if power == 0 or other == 0:
+        raise ValueError("read a power, speed or torque of 0, expected another one")
+    third = power / other / KW_OF_RPM_NM
+    return Load(third, torque) if speed is None else Load(speed, third)
 
 
 class SpeedOf(NamedTuple):

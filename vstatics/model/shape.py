@@ -65,7 +65,7 @@ class Shares(NamedTuple):
 
 
 class KeyShape(NamedTuple):
-    """A key: the attribute that it is in the model, and what stands behind it.
+    """A key: the attribute that it is in the model, if it is one, and what stands behind it.
 
     `default` is for keys whose default the document fixes.
     """
@@ -94,7 +94,10 @@ class ByKey(NamedTuple):
     description: str
     keys: tuple[KeyShape, ...]
     make: Callable[..., Any] = dict
-    """What the reader makes of the values, given by their keys: a part of the model."""
+    """What the reader makes of the values, given by their keys: a part of the model.
+
+    A ValueError says what was read and what was expected.
+    """
 
     @property
     def required(self) -> list[str]:

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from vstatics.errors import CaseError, Problem
+from vstatics.model.parts import KW_OF_RPM_NM
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Floats
 from vstatics.statics.matrix import held_links
@@ -15,8 +16,6 @@ from vstatics.statics.power import port_torques
 from vstatics.statics.result_fields import ResultFields
 from vstatics.statics.torques import Torques
 
-KW_OF_RPM_NM = math.pi / 30 / 1000
-"""1 N*m at 1 rpm, in kW."""
 _NEEDED = {
     "rpm": ("speed", "speed: 2000 rpm"),
     "Nm": ("torque", "torque: 300 N*m"),

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping, Sequence
-from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from vstatics.elements.drawing import drawing_of
@@ -123,10 +122,10 @@ class _Writer:
 
     def by_key(self, part: Any, shape: ByKey) -> dict[str, Any]:
         """The keys of a part of the model, or of a mapping, without those that say nothing."""
-        of = part.get if isinstance(part, dict) else partial(getattr, part)
+        values = part if isinstance(part, dict) else None
         data: dict[str, Any] = {}
         for key in shape.keys:
-            value = of(key.name)
+            value = getattr(part, key.name, None) if values is None else values.get(key.name)
             if value is not None and (key.required or not key.leaves_out(value)):
                 data[key.name] = self.value(value, key.shape)
         return data

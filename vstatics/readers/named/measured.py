@@ -32,7 +32,7 @@ _MEANT = {
 """What is meant by units that are no speed or torque, without the signs in them."""
 
 
-def quantity(text: str, kind: Quantity) -> float:
+def quantity(text: str, kind: Quantity, or_else: str = "") -> float:
     """A speed in rpm, a torque in N*m or a power in kW.
 
     Parameters
@@ -40,6 +40,8 @@ def quantity(text: str, kind: Quantity) -> float:
     text : str
         A number, or a calculation, and its unit.
     kind : {"speed", "torque", "power"}
+    or_else : str
+        What could stand there besides, for the message.
 
     Raises
     ------
@@ -56,8 +58,9 @@ def quantity(text: str, kind: Quantity) -> float:
     number, behind = calculated(text) if _has_digits(text) else (0.0, "")
     found, size = unit(behind)
     if found != kind:
-        other = f", not a {found}" if found else _hint(behind, kind)
-        raise ValueError(f"expected a {kind} with its unit, such as {EXAMPLES[kind]}{other}")
+        other = f"; this is a {found}" if found else _hint(behind, kind)
+        such = f"expected a {kind} with its unit, such as {EXAMPLES[kind]}"
+        raise ValueError(f"{such}{or_else}{other}")
     value = number * size
     if not math.isfinite(value):
         raise ValueError(f"expected a {kind} that is not so large")
@@ -116,7 +119,4 @@ def relative(text: str, kind: Quantity) -> float:
             return value
     if not any(sign.isalpha() for sign in text):
         raise ValueError(expected(text))
-    try:
-        return WithUnit(quantity(text, kind), kind)
-    except ValueError as with_unit:
-        raise ValueError(f"{with_unit}, or one relative to the input {kind}") from None
+    return WithUnit(quantity(text, kind, f", or one relative to the input {kind}"), kind)

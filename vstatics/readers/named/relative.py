@@ -131,6 +131,7 @@ def _related(numbers: _ByPart, whole: float, spots: Spots) -> dict[int, float]:
     Those that cannot be related are told.
     """
     made: dict[int, float] = {}
+    no_load = any(path[-1] == "load" for path in spots.unreadable)
     for part, (number, path) in numbers.items():
         if not isinstance(number, WithUnit):
             made[part] = number
@@ -138,7 +139,7 @@ def _related(numbers: _ByPart, whole: float, spots: Spots) -> dict[int, float]:
             continue
         elif whole:
             made[part] = number / whole
-        elif path not in spots.unreadable:
+        elif path not in spots.unreadable and not no_load:
             quantity, unit = number.quantity, UNITS[number.quantity]
             spots.tell(
                 path,

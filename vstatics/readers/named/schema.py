@@ -166,7 +166,7 @@ def _leaf(shape: Leaf) -> Words:  # noqa: PLR0911 - a table
             return {"type": ["number", "string"]}  # also the name of a link, with a factor
         case "relative_torque":
             return {"type": ["number", "string"], "pattern": f"{NUMBER}|{QUANTITY}"}
-        case "speed" | "torque":
+        case "speed" | "torque" | "power":
             return {"type": "string", "pattern": QUANTITY}
         case "flag":
             return {"type": "boolean"}

@@ -40,6 +40,7 @@ LEAVES: dict[LeafKind, LeafReading] = {
     "share": LeafReading("a share of 0 or more", 0.0, scalars.share),
     "speed": LeafReading("a speed with its unit", 1.0, partial(measured.quantity, kind="speed")),
     "torque": LeafReading("a torque with its unit", 1.0, partial(measured.quantity, kind="torque")),
+    "power": LeafReading("a power with its unit", 1.0, partial(measured.quantity, kind="power")),
     "relative_speed": LeafReading("a speed", 0.0, partial(measured.relative, kind="speed")),
     "relative_torque": LeafReading("a torque", 0.0, partial(measured.relative, kind="torque")),
     "link": LeafReading("a link", NO_LINK),

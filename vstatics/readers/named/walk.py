@@ -106,7 +106,11 @@ class Walk:
                 values[key.name] = self.read(inner, key.shape)
             elif key.required:
                 self.spots.missing(spot, key.name)
-        return shape.make(**values)
+        try:
+            return shape.make(**values)
+        except ValueError as error:
+            self.spots.refuse(spot, str(error))
+            return stand_in(shape)
 
     def _known_keys(self, spot: Spot, shape: ByKey, node: Mapping) -> dict[str, Node]:
         """What is given; an optional key without a value is not.
