@@ -23,6 +23,7 @@ from tests.sweep.asked import (
 )
 from vstatics import Gear, Mechanism, ReadError, Transmission, load, solve
 from vstatics.numerics.arrays import Floats
+from vstatics.readers.named.nodes import MOST_PROBLEMS
 from vstatics.statics.arrays import ARRAYS
 from vstatics.sweep.expressions.columns import read_columns
 from vstatics.sweep.targets import Target, target
@@ -34,6 +35,12 @@ PUBLISHED = json.loads(
 
 
 HALF_A_UNIT = 0.5e-3 + 1e-12
+
+
+def test_a_million_mistakes_are_not_all_told() -> None:
+    with pytest.raises(ReadError) as caught:
+        read_columns("a," * 10**6, SET, VARIED)
+    assert len(caught.value.problems) == MOST_PROBLEMS
 
 
 def headings(text: str, targets: list[Target] = VARIED) -> tuple[str, ...]:

@@ -63,6 +63,7 @@ def test_every_key_is_read() -> None:
         ("out: ratio\nout: ratio", "2:1", "key `out` is given twice"),
         ("zip: yes", "1:6", "read 'yes', expected `true` or `false`"),
         ("sample: 0", "1:9", "read '0', expected a whole number from 1 on"),
+        pytest.param("best: " + "9" * 5000, "1:7", "of at most 1000 digits", id="digits"),
         ("seed: -1", "1:7", "a whole number from 0 on"),
         ("method: sobl", "1:9", "did you mean `sobol`?"),
         ("format: xml", "1:9", "expected `csv`, `jsonl`, `npz` or `parquet`"),

@@ -136,6 +136,7 @@ def test_all_that_is_wrong_is_told() -> None:
     told = refusal("D9.ratio,D1.ratio,D8.ratio\n")
     assert [place[:2] for place in told] == [(1, 1), (1, 19)]
     assert len(refusal("D1.ratio\n" + "x\n" * 10_000)) == 100
+    assert len(refusal("x," * 10_000 + "D1.ratio\n1\n")) == 100
 
 
 @pytest.mark.parametrize(

@@ -13,6 +13,7 @@ from tests.sweep.sweeps import CASE
 from vstatics.errors import Place, ReadError
 from vstatics.model.transmission import Gear, Transmission
 from vstatics.numerics.arrays import Floats
+from vstatics.readers.named.nodes import MOST_PROBLEMS
 from vstatics.sweep.targets import target
 from vstatics.sweep.variation import Span, read_variation
 
@@ -22,6 +23,17 @@ def read(text: str) -> Floats:
     values = read_variation(f"D1.ratio={text}", CASE).values
     assert not isinstance(values, Span)
     return values[np.arange(len(values))]
+
+
+def test_a_value_may_be_calculated() -> None:
+    assert read("-96/39*1.02,(2+3)*-1").tolist() == [-96 / 39 * 1.02, -5.0]
+    assert read("-6/2:-4/2:step=1/4").tolist() == [-3, -2.75, -2.5, -2.25, -2]
+
+
+def test_a_million_mistakes_are_not_all_told() -> None:
+    with pytest.raises(ReadError) as caught:
+        read("a," * 10**6)
+    assert len(caught.value.problems) == MOST_PROBLEMS
 
 
 def refusal(text: str) -> tuple[int, str]:

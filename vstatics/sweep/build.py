@@ -11,6 +11,7 @@ import numpy as np
 from vstatics.errors import CaseError, Problem, ReadError
 from vstatics.extras import require
 from vstatics.model.transmission import IdleConvention, Transmission
+from vstatics.readers.named.nodes import MOST_PROBLEMS
 from vstatics.sweep.expressions.columns import read_columns
 from vstatics.sweep.formats import Format
 from vstatics.sweep.options import SweepOptions
@@ -156,4 +157,6 @@ def _all(
                 read.append(reader(text.text))
         except ReadError as error:
             problems += error.problems
+            if len(problems) >= MOST_PROBLEMS:
+                break
     return read

@@ -8,6 +8,7 @@ from typing import Any
 
 from vstatics.errors import Place, ReadError
 from vstatics.readers.named import scalars
+from vstatics.readers.named.arithmetic import LONGEST
 from vstatics.readers.named.nodes import (
     Found,
     Listing,
@@ -100,7 +101,11 @@ class _Reader:
 
     def count(self, node: Node, option: Option) -> int:
         text = node.text.replace("_", "") if isinstance(node, Scalar) else ""
-        if not (text.isascii() and text.isdigit() and int(text) >= option.least):
+        if not (text.isascii() and text.isdigit()):
+            raise _WrongError(f"a whole number from {option.least} on")
+        if len(text) > LONGEST:
+            raise _WrongError(f"a whole number of at most {LONGEST} digits")
+        if int(text) < option.least:
             raise _WrongError(f"a whole number from {option.least} on")
         return int(text)
 

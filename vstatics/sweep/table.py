@@ -15,6 +15,7 @@ from vstatics.errors import Place, Problem, ReadError, nearest, of_file
 from vstatics.jobs.spool import Spool
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Floats
+from vstatics.readers.named.nodes import MOST_PROBLEMS
 from vstatics.sweep.targets import Target, refusal, shown, target
 from vstatics.sweep.variants import VariantTable
 from vstatics.sweep.variation import read_value
@@ -25,7 +26,6 @@ NUMBER_COLUMN = "variant"
 _PIECE = 4 * 2**20
 _LONGEST = 16 * 2**20
 _IN_MEMORY = 2**17
-_TOLD = 100
 _BOM = b"\xef\xbb\xbf"
 
 
@@ -142,6 +142,8 @@ def _header(head: bytes, file: str, case: Transmission) -> _Columns:
     names, targets, chosen = [], [], []
     problems: list[Problem] = []
     for index, (name, column) in enumerate(_cells(line, separator)):
+        if len(problems) >= MOST_PROBLEMS:
+            break
         names.append(name)
         if name == NUMBER_COLUMN:
             continue
@@ -206,7 +208,7 @@ def _careful(piece: bytes, line: int, columns: _Columns) -> Floats:
                 rows.append(_row(text, Place(columns.file, number, 1, text), columns))
         except ReadError as error:
             problems += error.problems
-        if len(problems) >= _TOLD:
+        if len(problems) >= MOST_PROBLEMS:
             break
     if problems:
         raise ReadError(problems)

@@ -11,6 +11,7 @@ import numpy as np
 from vstatics.errors import Place, Problem, ReadError
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Floats
+from vstatics.readers.named.nodes import MOST_PROBLEMS
 from vstatics.readers.named.scalars import number as finite_number
 from vstatics.sweep.steps import Steps, stepped
 from vstatics.sweep.targets import NAMES, Target, behind, refusal, shown, target
@@ -114,6 +115,8 @@ def _list(text: str, place: Place | None) -> Floats:
         except ValueError as error:
             message = f"read {shown(cell)}, {error}"
             problems.append(Problem(message, place=behind(place, offset)))
+            if len(problems) >= MOST_PROBLEMS:
+                break
     if problems:
         raise ReadError(problems)
     return np.array(values)

@@ -12,6 +12,7 @@ import numpy as np
 from vstatics.errors import Problem, ReadError
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Floats
+from vstatics.readers.named.nodes import MOST_PROBLEMS
 from vstatics.statics.results import Results
 from vstatics.sweep.expressions import Expression, read_expression
 from vstatics.sweep.expressions.evaluation import FUNCTIONS
@@ -115,6 +116,8 @@ def read_columns(text: str, case: Transmission, targets: Sequence[Target]) -> Ou
             expression = read_expression(Excerpt(text, OPTION, start, stop), case, targets)
         except ReadError as error:
             problems += error.problems
+            if len(problems) >= MOST_PROBLEMS:
+                break
             continue
         cells = []
         for cell, heading in _headings(expression, case, targets):
