@@ -18,7 +18,7 @@ from vstatics.model.shape import COUNT, TEXT, ByKey, KeyShape, ListOf
 from vstatics.model.transmission import Gear, Mechanism, ShiftElement, SpeedOf, Transmission
 from vstatics.readers.named.reader import read_document, read_json, read_yaml
 from vstatics.readers.reading import Reading
-from vstatics.writers.named import mapping, write_json
+from vstatics.writers.named import mapping, write_json, write_yaml
 
 BAD = Path(__file__).parents[1] / "bad"
 CASES = Path(__file__).parents[2] / "cases"
@@ -635,6 +635,20 @@ gears: {{curve: {{output: 2, speeds: {{3: {given}}}}}}}
 )
 def test_a_speed_may_be_given_by_that_of_another_link(given: str, factor: float) -> None:
     assert _speeds(given).case.gears[0].speeds == {3: SpeedOf(2, factor)}
+
+
+@pytest.mark.parametrize(
+    "name", ["*a", "2*3", "a*b", "1e3", "link 2", "-x", "2", "(a)", "x*link x"]
+)
+def test_a_link_of_any_name_may_give_a_speed(name: str) -> None:
+    case = Transmission(
+        links=3,
+        shift_elements=[],
+        mechanisms=[Mechanism(1, 2, 3, -2.5)],
+        gears=[Gear(speeds={1: SpeedOf(2, 1.05), 3: SpeedOf(2)}, input=2, output=1)],
+        link_names=["engine", name, "axle"],
+    )
+    assert read_yaml(write_yaml(case).encode(), "case.yaml").case == case
 
 
 def test_a_link_that_has_a_number_is_told_from_a_speed_by_the_word_link() -> None:

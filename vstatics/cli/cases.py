@@ -130,8 +130,9 @@ def gear_number(case: Transmission, asked: str) -> int:
     names = [gear.name for gear in case.gears]
     if asked in names:
         return names.index(asked) + 1
-    if asked.isascii() and asked.isdigit() and 0 < int(asked) <= len(names):
-        return int(asked)
+    number = asked.lstrip("0")
+    if number.isascii() and number.isdigit() and len(number) < 10 and int(number) <= len(names):
+        return int(number)
     hint = nearest(asked, names) or f"; gears are {', '.join(names[:12])}"
     raise click.BadParameter(f"no gear {asked!r}{hint}", param_hint="--gear")
 

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection, Iterable, Sequence
+from itertools import islice
 
 from vstatics.model.transmission import HOUSING, SpeedOf
 from vstatics.readers.named import scalars
@@ -15,6 +17,7 @@ NO_LINK = -1
 
 NO_ELEMENT = 0
 _FEW = 8
+_MOST_FACTORS = 100
 _HOUSING = ("0", "housing")
 
 
@@ -83,14 +86,19 @@ class References:
         ValueError
             If it is one, but of no link that is known.
         """
-        front, times, behind = text.rpartition("*")
-        sign = "-" if text.startswith("-") and not times else ""
-        number = self._number(behind.removeprefix(sign).strip())
-        if number is not None:
-            return SpeedOf(number, scalars.number(front.strip()) if times else float(f"{sign}1"))
-        if times and self.links_known and _is_factor(text):
-            known = self._known(behind.strip(), self.link_names)
-            raise ValueError(f"expected the name of a link behind the `*`{known}")
+        for factor, link in ((1.0, text), (-1.0, text.removeprefix("-").strip())):
+            number = self._number(link)
+            if number is not None:
+                return SpeedOf(number, factor)
+        for times in islice(re.finditer(r"\*", text), _MOST_FACTORS):
+            number = self._number(text[times.end() :].strip())
+            if number is not None:
+                return SpeedOf(number, scalars.number(text[: times.start()].strip()))
+        behind = _behind(text)
+        if self.links_known and behind.startswith("*") and not unit(behind)[0]:
+            link = "the name of a link" if self.link_names else "`link` and its number"
+            known = self._known(behind[1:].strip(), self.link_names) if self.link_names else ""
+            raise ValueError(f"expected {link} behind the `*`{known}")
         return None
 
     def _number(self, link: str) -> int | None:
@@ -124,13 +132,12 @@ class References:
         return self._found.hint(text, names) or few
 
 
-def _is_factor(text: str) -> bool:
-    """Whether a number and a `*` stand before something that is no unit."""
+def _behind(text: str) -> str:
+    """What stands behind a number, if there is one."""
     try:
-        behind = calculated(text).behind
+        return calculated(text).behind
     except ValueError:
-        return False
-    return behind.startswith("*") and not unit(behind)[0]
+        return ""
 
 
 def _numbered(names: Iterable[str]) -> dict[str, int]:
