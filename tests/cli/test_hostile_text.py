@@ -201,6 +201,7 @@ def test_a_terminal_gets_no_format_as_it_is(form: str) -> None:
 def test_a_terminal_gets_colours_of_ours_only() -> None:
     """Messages above the bar, names in the coloured table."""
     shown = on_terminal("run", "--pretty", CASE, f"no{CASE}", cwd=Path.cwd())
+    assert "\x1b[1mgear" in shown
     assert not FORBIDDEN.search(re.sub("\x1b\\[[0-9;]*m|\r", "", shown))
     shown = on_terminal("run", CASE, f"no{CASE}", "-o", "out", "-j", "2", cwd=Path.cwd())
     assert "\x1b[2J" not in shown

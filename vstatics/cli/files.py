@@ -117,8 +117,20 @@ def write_data(data: bytes, output: str | None) -> None:
         write(data)
 
 
+def write_coloured(text: str) -> None:
+    """Write to stdout what `SafeConsole` has made: it has escaped all but its own colours.
+
+    Raises
+    ------
+    ReadError
+        If it cannot be written.
+    """
+    with stream(None, coloured=True) as write:
+        write(text.encode(errors="backslashreplace"))
+
+
 @contextlib.contextmanager
-def stream(output: str | None) -> Iterator[Write]:
+def stream(output: str | None, *, coloured: bool = False) -> Iterator[Write]:
     """Write bit by bit: to stdout or a device at once, to a file that is there at the end.
 
     Raises
@@ -128,7 +140,7 @@ def stream(output: str | None) -> Iterator[Write]:
     """
     try:
         if output is None or output == STDOUT:
-            yield _print
+            yield partial(_print, coloured=coloured)
         else:
             with opened(output) if is_stream(output) else replacing(output) as write:
                 yield write
@@ -164,11 +176,11 @@ def read_names(file: str) -> list[str]:
     return names
 
 
-def _print(data: bytes | memoryview) -> None:
+def _print(data: bytes | memoryview, *, coloured: bool) -> None:
     """Write to stdout at once; data that are written as they are become safe at a terminal."""
     if sys.stdout is None:
         raise OSError(CLOSED)
-    if sys.stdout.isatty():
+    if sys.stdout.isatty() and not coloured:
         data = encoded(bytes(data).decode(errors="backslashreplace"))
     click.echo(bytes(data), nl=False)
     sys.stdout.flush()

@@ -145,7 +145,7 @@ def _pretty(names: list[str], settings: CaseOptions, style: TextStyle) -> int:
             marks = ASCII if console.options.ascii_only else DOTS
             with console.capture() as captured:
                 console.print(view(outcome.results, marks, style.digits))
-            files.write_output(trimmed(captured.get()), None)
+            files.write_coloured(trimmed(captured.get()))
     return FAILED if failed else DONE
 
 
