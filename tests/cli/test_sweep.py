@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import csv
 import json
 import math
 import re
 import sys
 from pathlib import Path
 
+import openpyxl
 import pytest
 
 from tests.commands import CASES, MZKT, process, shell, vstatics
@@ -105,12 +107,35 @@ def test_variants_without_a_solution_are_rows_and_are_counted() -> None:
 def test_the_format_is_told_by_the_suffix_or_by_name(form: str, folder: Path) -> None:
     pytest.importorskip("pyarrow")
     assert vstatics("sweep", "box.yaml", *VARY, "-o", f"out.{form}").status == 0
-    assert vstatics("sweep", "box.yaml", *VARY, "-o", "out.txt", "-f", form).status == 0
-    one, other = (Path(name).read_bytes() for name in (f"out.{form}", "out.txt"))
+    assert vstatics("sweep", "box.yaml", *VARY, "-o", "out", "-f", form).status == 0
+    one, other = (Path(name).read_bytes() for name in (f"out.{form}", "out"))
     assert one == other
-    assert names(folder) == ["box.yaml", f"out.{form}", "out.txt"]
+    assert names(folder) == ["box.yaml", "out", f"out.{form}"]
     starts = {"csv": b"variant,", "jsonl": b'{"variant', "npz": b"PK\3\4", "parquet": b"PAR1"}
     assert one.startswith(starts[form])
+
+
+def test_few_rows_go_to_tables_that_people_read(folder: Path) -> None:
+    """In Markdown with the digits of CSV, in a workbook as numbers."""
+    for suffix in ("csv", "md", "tex", "xlsx"):
+        said = vstatics("sweep", "box.yaml", *VARY, "-o", f"out.{suffix}")
+        assert said.status == 0, said.err
+    rows = list(csv.reader((folder / "out.csv").read_text(encoding="utf-8").splitlines()))
+    lines = (folder / "out.md").read_text(encoding="utf-8").replace("\\", "").splitlines()
+    assert [[one.strip() for one in line.strip("|").split("|")] for line in lines[4:]] == rows[1:]
+    assert (folder / "out.tex").read_text(encoding="utf-8").count("\\\\\n") == len(rows)
+    sheet = openpyxl.load_workbook(folder / "out.xlsx")["Variants"]
+    head, *body = sheet.iter_rows(values_only=True)
+    assert list(head) == rows[0]
+    for row, expected in zip(body, rows[1:], strict=True):
+        numbers = [(one, two) for one, two in zip(row, expected, strict=True) if one != "ok"]
+        assert [one for one, _ in numbers] == pytest.approx([float(two) for _, two in numbers])
+
+
+def test_many_rows_do_not_go_to_tables_that_people_read(folder: Path) -> None:
+    said = vstatics("sweep", "box.yaml", "--vary", "D.ratio=-3:-2:100001", "-o", "out.xlsx")
+    assert (said.status, names(folder)) == (2, ["box.yaml"])
+    assert "xlsx is for 100000 rows at most, not for 100001: expected another format" in said.err
 
 
 def test_rounding_makes_no_variant_the_best() -> None:
@@ -187,7 +212,7 @@ def test_a_dry_run_says_how_much_and_writes_nothing(options: str, told: str, fol
         "box.yaml --vary D.ratio=1 --best 3",
         "box.yaml --vary D.ratio=1 --max ratio[low] --best 0",
         "box.yaml --vary D.ratio=1 --resume",
-        "box.yaml --vary D.ratio=1 -o out.xlsx",
+        "box.yaml --vary D.ratio=1 -o out.xls",
         "box.yaml --vary D.ratio=1 -o out",
         "box.yaml --vary D.ratio=1 -f npz",
         "box.yaml --vary D.ratio=1 -o - -f parquet",
@@ -203,7 +228,7 @@ def test_wrong_use_is_2_and_says_how(arguments: str) -> None:
 
 
 def test_an_unknown_suffix_is_told_with_those_that_are_known() -> None:
-    said = vstatics("sweep", "box.yaml", *VARY, "-o", "out.xlsx")
+    said = vstatics("sweep", "box.yaml", *VARY, "-o", "out.xls")
     assert ".csv .jsonl .ndjson .npz .parquet" in said.err
 
 

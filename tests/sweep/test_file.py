@@ -66,7 +66,11 @@ def test_every_key_is_read() -> None:
         pytest.param("best: " + "9" * 5000, "1:7", "of at most 1000 digits", id="digits"),
         ("seed: -1", "1:7", "a whole number from 0 on"),
         ("method: sobl", "1:9", "did you mean `sobol`?"),
-        ("format: xml", "1:9", "expected `csv`, `jsonl`, `npz` or `parquet`"),
+        (
+            "format: xml",
+            "1:9",
+            "expected `csv`, `jsonl`, `npz`, `parquet`, `markdown`, `latex` or `xlsx`",
+        ),
         ("best: []", "1:7", "read a list, expected a whole number"),
         ("case: [a]", "1:7", "expected the name of a file"),
         ("where: {a: b}", "1:8", "read a mapping, expected text"),

@@ -176,6 +176,9 @@ def options(*formats: str, says: str = "Format of the output") -> Callable[[Comm
     return decorate
 
 
+raw = click.option(
+    "--raw", is_flag=True, help="CSV without an apostrophe before = + - @ that begin a text."
+)
 _OPTIONS = (
     click.option(
         "-o",
@@ -190,5 +193,5 @@ _OPTIONS = (
         metavar="N",
         help="Digits after the point; JSON and CSV have all.",
     ),
-    click.option("--raw", is_flag=True, help="CSV without an apostrophe before = + - @."),
+    raw,
 )

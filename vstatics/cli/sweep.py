@@ -2,24 +2,27 @@
 
 from __future__ import annotations
 
+import math
+import os
 from collections.abc import Callable
+from dataclasses import replace
 from typing import Any, cast
 
 import click
 
 from vstatics import readers
 from vstatics.cli import cases as arguments
-from vstatics.cli import files
+from vstatics.cli import files, formats
 from vstatics.cli.cases import Command
 from vstatics.cli.exit_status import DONE
-from vstatics.cli.sweep_estimate import estimate
+from vstatics.cli.sweep_estimate import estimate, most_rows
 from vstatics.cli.sweep_run import run
 from vstatics.errors import CaseError, ReadError
 from vstatics.jobs.files import is_stream
 from vstatics.model.transmission import Transmission
 from vstatics.sweep import build
 from vstatics.sweep.file import read_sweep_file
-from vstatics.sweep.formats import SUFFIXES, TEXTS, Format, format_of_name
+from vstatics.sweep.formats import MOST_ROWS, SUFFIXES, TEXTS, Format, format_of_name
 from vstatics.sweep.options import OPTIONS, Option, SweepOptions, conflicts, says
 
 
@@ -53,6 +56,7 @@ def _click_option(name: str, option: Option) -> Callable[[Command], Command]:
     "-j", "--jobs", type=click.IntRange(1), default=1, show_default=True, help="Processes."
 )
 @click.option("--scheduler", metavar="ADDRESS", help="Dask scheduler, such as tcp://HOST:8786.")
+@formats.raw
 @click.option("--resume", is_flag=True, help="Go on with a sweep that was stopped.")
 @click.option("--dry-run", is_flag=True, help="Only say how many, how large, how long.")
 @arguments.input_format
@@ -62,6 +66,7 @@ def sweep(
     sweep_file: str | None,
     jobs: int,
     scheduler: str | None,
+    raw: bool,
     resume: bool,
     dry_run: bool,
     input_format: readers.Format | None,
@@ -83,8 +88,9 @@ def sweep(
       vstatics sweep --file sweep.yaml --jobs 8 --resume
 
     \b
-    Formats by suffix: .csv .jsonl .ndjson .npz .parquet. While it runs, finished
-    pieces lie in OUTPUT.parts; --resume takes them up after an interruption.
+    Formats by suffix: .csv .jsonl .ndjson .npz .parquet, for few rows .md .tex
+    .xlsx. While it runs, finished pieces lie in OUTPUT.parts; --resume takes
+    them up after an interruption.
     Exit status: 0 done; 1 not finished, or no variant has a solution;
     2 wrong use; 130 or 143 stopped by Ctrl-C or SIGTERM.
     """
@@ -98,11 +104,18 @@ def sweep(
         return f"`{name}`" if in_file else f"--{name}"
 
     form = _checked(options, spelled, resume=resume, jobs=jobs, scheduler=scheduler)
+    if raw and form != "csv":
+        raise click.UsageError("--raw is for CSV.")
     files.spare(filter(None, [options.case, options.variants, sweep_file]), options.output)
 
     try:
         build.check_packages(options, form, scheduler)
         plan = build.plan(_case(options.case or "", input_format), options)
+        if raw:
+            plan = replace(plan, raw=True)
+        if most_rows(plan) > MOST_ROWS.get(form, math.inf):
+            message = f"{form} is for {MOST_ROWS[form]} rows at most, not for {most_rows(plan)}"
+            raise click.UsageError(f"{message}: expected another format, or --best")
         if dry_run:
             files.write_output(estimate(plan, form, jobs), None)
             return DONE
@@ -131,7 +144,14 @@ def _checked(
         raise click.UsageError("--resume needs a file to go on with: -o FILE.")
     if scheduler and jobs > 1:
         raise click.UsageError("--jobs and --scheduler exclude one another.")
-    form = cast("Format | None", options.format) or format_of_name(options.output or "")
+    told = format_of_name(options.output or "")
+    form = cast("Format | None", options.format) or told
+    suffix = "" if to_stream else os.path.splitext(str(options.output))[1].lower()  # noqa: PTH122
+    if form and form != told and suffix and not (form in TEXTS and suffix in formats.TEXT):
+        expected = " or ".join(suffix for suffix, one in SUFFIXES.items() if one == form)
+        raise click.UsageError(
+            f"{spelled('format')} {form} is not the format of {options.output}: expected {expected}"
+        )
     if to_stream and (form or "csv") not in TEXTS:
         raise click.UsageError(f"{form} can't go to a stream, expected a file: -o FILE")
     if form is None and not to_stream:

@@ -62,6 +62,14 @@ def _row_bytes(plan: SweepPlan, form: Format) -> float:
     return length / sum(len(part.variants) for part in parts)
 
 
+def most_rows(plan: SweepPlan) -> int:
+    """The rows that there may be."""
+    count = plan.variants.count
+    if not plan.objectives:
+        return count
+    return min(count, plan.best or (BEST if len(plan.objectives) == 1 else count))
+
+
 def estimate(plan: SweepPlan, form: Format, jobs: int) -> str:
     """How many variants, how large, about how long, by a block of the sweep."""
     variants, columns = plan.variants.count, len(plan.names) + len(plan.headings) + 2
@@ -74,8 +82,7 @@ def estimate(plan: SweepPlan, form: Format, jobs: int) -> str:
     part = len(rows.variants) / max(stop - start, 1)
     count = round(part * variants)
     if plan.objectives:
-        most = plan.best or (BEST if len(plan.objectives) == 1 else count)
-        expected = f"the best, at most {min(count, most)}"
+        expected = f"the best, at most {min(count, most_rows(plan))}"
     else:
         expected = str(count) if plan.where is None else f"about {count}"
     length = sum(memoryview(one).nbytes for one in data) / max(len(rows.variants), 1)

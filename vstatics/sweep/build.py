@@ -41,6 +41,8 @@ def check_packages(options: SweepOptions, form: Format, scheduler: str | None) -
     """
     if form == "parquet":
         require("pyarrow", "Parquet")
+    if form == "xlsx":
+        require("openpyxl", "XLSX")
     if scheduler is not None:
         require("distributed", "--scheduler")
     if options.sample is not None and options.method != "random":

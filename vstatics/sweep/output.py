@@ -15,7 +15,7 @@ from vstatics.jobs.finished_pieces import FinishedPieces
 from vstatics.jobs.pieces import Account, Copy
 from vstatics.sweep import best, chunk, tasks
 from vstatics.sweep.chunk import Chunk
-from vstatics.sweep.formats import Format, text
+from vstatics.sweep.formats import MOST_ROWS, Format, text
 from vstatics.sweep.formats.npz import ArchiveLayout, ColumnType
 from vstatics.sweep.formats.npz import layout as npz_layout
 from vstatics.sweep.plan import SweepPlan
@@ -131,6 +131,12 @@ class Output:
 
                 path = self.store.path(pieces.ASSEMBLED)
                 parquet.write(path, plan.names, plan.headings, self._chunks(accounts))
+            elif self.task.form in MOST_ROWS:
+                from vstatics.sweep.formats import tables
+
+                path = self.store.path(pieces.ASSEMBLED)
+                chunks = self._chunks(accounts)
+                tables.write(path, self.task.form, plan.names, plan.headings, chunks)
             else:
                 self._copy(workers, self._layout(accounts))
         except BaseException:
@@ -143,7 +149,7 @@ class Output:
         plan, form = self.task.plan, self.task.form
         if form == "npz":
             return npz_layout(column_types(plan), accounts)
-        head = text.head(form, plan.names, plan.headings)
+        head = text.head(form, plan.names, plan.headings, raw=plan.raw)
         copies, place = [], len(head)
         for account in accounts:
             copies.append(Copy(account.piece, 0, place, account.length))
@@ -195,7 +201,7 @@ def stream(
     counts: Counter[str] = Counter()
     rows = 0
     items = tasks.items(task, range(plan.pieces), remote=workers.remote)
-    write(text.head(form, plan.names, plan.headings))
+    write(text.head(form, plan.names, plan.headings, raw=plan.raw))
     if plan.objectives:
         kept: list[Chunk] = []
         for _, calculated in workers.each(tasks.calculate, items, ordered=True):

@@ -19,6 +19,7 @@ from vstatics.readers.named.nodes import MOST_PROBLEMS
 from vstatics.sweep.targets import Target, refusal, shown, target
 from vstatics.sweep.variants import VariantTable
 from vstatics.sweep.variation import read_value
+from vstatics.tables.csv import unguarded
 
 NUMBER_COLUMN = "variant"
 """A column that the program's own tables have; it is passed over."""
@@ -59,7 +60,8 @@ def read_table(opened: IO[bytes], file: str, case: Transmission) -> VariantTable
     """Read a table of variants: CSV with names such as `D1.ratio` in its first line.
 
     Columns stand in any order; one of the name `variant` is passed over. Commas or
-    semicolons separate; between semicolons a comma is a decimal one. UTF-8.
+    semicolons separate; between semicolons a comma is a decimal one. An apostrophe that
+    keeps a spreadsheet from calculating a cell is passed over. UTF-8.
 
     Parameters
     ----------
@@ -144,6 +146,7 @@ def _header(head: bytes, file: str, case: Transmission) -> _Columns:
     for index, (name, column) in enumerate(_cells(line, separator)):
         if len(problems) >= MOST_PROBLEMS:
             break
+        name = unguarded(name)  # noqa: PLW2901 - without what a spreadsheet may ask for
         names.append(name)
         if name == NUMBER_COLUMN:
             continue
@@ -229,7 +232,8 @@ def _row(text: str, place: Place, columns: _Columns) -> list[float]:
     problems = []
     for index in columns.chosen:
         cell, column = cells[index]
-        number = cell.replace(",", ".") if columns.separator == ";" else cell
+        plain = unguarded(cell)
+        number = plain.replace(",", ".") if columns.separator == ";" else plain
         try:
             row.append(read_value(number))
         except ValueError as error:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from os.path import splitext
 from typing import Literal
 
-Format = Literal["csv", "jsonl", "npz", "parquet"]
+Format = Literal["csv", "jsonl", "npz", "parquet", "markdown", "latex", "xlsx"]
 
 SUFFIXES: dict[str, Format] = {
     ".csv": "csv",
@@ -13,9 +13,14 @@ SUFFIXES: dict[str, Format] = {
     ".ndjson": "jsonl",
     ".npz": "npz",
     ".parquet": "parquet",
+    ".md": "markdown",
+    ".tex": "latex",
+    ".xlsx": "xlsx",
 }
 TEXTS: tuple[Format, ...] = ("csv", "jsonl")
 """Formats whose pieces are text; those of the others are columns of numbers."""
+MOST_ROWS: dict[Format, int] = {"markdown": 10_000, "latex": 10_000, "xlsx": 100_000}
+"""Of the formats that people read, which are made in memory."""
 
 
 def format_of_name(file: str) -> Format | None:

@@ -6,8 +6,6 @@ what does not exist and what is the same in all rows stand in the format itself.
 
 from __future__ import annotations
 
-import csv
-import io
 import json
 from collections.abc import Sequence
 
@@ -16,23 +14,29 @@ import numpy as np
 from vstatics.numerics.arrays import Floats
 from vstatics.sweep.chunk import STATUS, Chunk
 from vstatics.sweep.formats import Format
+from vstatics.tables import csv
 
 ROWS = 512
 """Rows to format at once: few, so that many columns are the same throughout in a grid."""
 NUMBER = "%.12g"
 
 
-def head(form: Format, names: Sequence[str], headings: Sequence[str]) -> bytes:
+def head(
+    form: Format, names: Sequence[str], headings: Sequence[str], *, raw: bool = False
+) -> bytes:
     r"""The line of headings of a CSV file; JSON lines have none.
 
-    >>> head("csv", ["D1.ratio"], ["ratio[1]", "speeds[C1,1]"])
-    b'variant,D1.ratio,status,ratio[1],"speeds[C1,1]"\n'
+    Parameters
+    ----------
+    raw : bool
+        Whether a heading stays as it is, also where a spreadsheet calculates it.
+
+    >>> head("csv", ["D1.ratio"], ["-ratio[1]", "speeds[C1,1]"])
+    b'variant,D1.ratio,status,\'-ratio[1],"speeds[C1,1]"\n'
     """
     if form == "jsonl":
         return b""
-    line = io.StringIO()
-    csv.writer(line, lineterminator="\n").writerow(["variant", *names, "status", *headings])
-    return line.getvalue().encode()
+    return csv.lines([["variant", *names, "status", *headings]], raw=raw).encode()
 
 
 def rows(form: Format, chunk: Chunk) -> bytes:
