@@ -35,6 +35,7 @@ WORKS = (
     "vstatics check case.yaml",
     "vstatics summary case.yaml",
     "vstatics flow case.yaml",
+    "vstatics summary case.yaml -o out.csv && vstatics flow case.yaml -o out.md",
     "vstatics convert case.yaml case.json",
     "vstatics sweep case.yaml --vary P1.ratio=-3:-2:3",
     "vstatics sweep case.yaml --vary P1.ratio=-3:-2 --sample 4 --method random",
@@ -57,6 +58,10 @@ REFUSED = {
         "@ next(iter(vstatics.sweep(case, {'P1.ratio': [-3]}))).to_dataframe()",
     ),
     "plot": tuple(f"vstatics plot case.yaml --kind {kind} -o out.svg" for kind in PICTURES),
+    "xlsx": tuple(
+        f"vstatics {command} case.yaml -o out.xlsx"
+        for command in ("run", "summary", "flow", "explain")
+    ),
 }
 """What an extra brings and nothing is left of without it; `@` starts a Python expression."""
 LESS = {
