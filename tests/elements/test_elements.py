@@ -273,6 +273,29 @@ gears: {1: {}}
     assert told[0].startswith("case.yaml:5:66: warning: elements.W.teeth.ring2: the wheel is left")
 
 
+@pytest.mark.parametrize(
+    ("before", "after", "words"),
+    [
+        ("kind: planetary", "kind: planetery", "did you mean `planetary`?"),
+        ("kind: planetary, ", "", "`kind` is missing; expected one of"),
+        ("kind: planetary", "kind: [planetary]", "read a list, expected text"),
+        ("kind: planetary, sun: sun, ring: ring, carrier: carrier", "kind: planet", "expected"),
+    ],
+)
+def test_of_an_element_without_a_known_kind_the_kind_is_told_and_no_more(
+    before: str, after: str, words: str
+) -> None:
+    """Its links are known all the same, those of gears and ports too."""
+    (told,) = problems(changed(before, after))
+    assert "elements.P" in told
+    assert words in told
+
+
+def test_where_no_link_is_named_no_port_is_told() -> None:
+    told = problems("input: 1\noutput: b\nelements: {H: {kind: held}}\ngears: {1: {}}\n")
+    assert [text.split(": ", 2)[2] for text in told] == ["elements.H: `link` is missing"]
+
+
 def test_a_merge_key_is_told_where_it_brings_the_kind() -> None:
     text = changed("ring, carrier: carrier", "ring, <<: *x, carrier: carrier")
     text = changed("kind: planetary, ", "", text).replace("SET", "")

@@ -47,8 +47,9 @@ def _links(node: Node, shape: Shape) -> Iterator[Node]:  # noqa: C901 - a table
                 yield from _links(value, of)
         case nodes.Mapping(entries), ByKind(records):
             kinds = [v.text for key, v in entries if key.text == "kind" and isinstance(v, Scalar)]
-            if kinds and kinds[0] in records:
-                yield from _links(node, records[kinds[0]])
+            known = [records[kind] for kind in kinds[:1] if kind in records]
+            for record in known or records.values():  # of no kind: as members of any
+                yield from _links(node, record)
         case nodes.Mapping(entries), ByName(_, item):
             for _, value in entries:
                 yield from _links(value, item)
@@ -74,11 +75,13 @@ def read_drawing(root: nodes.Mapping, walk: Walk) -> Reading:
     spots = walk.spots
     given = {key.text for key, value in root.entries if not is_null(value)}
     listed = "links" in given
-    if not listed:
-        walk.references.set_link_names(list(dict.fromkeys(n.text for n in joined_links(root))))
+    gathered = [] if listed else list(dict.fromkeys(node.text for node in joined_links(root)))
+    if gathered:
+        walk.references.set_link_names(gathered)
     values = walk.read(Spot((), "", root), with_elements(CASE, required=True))
     if not listed:
-        values = {**values, "links": len(walk.references.link_names)}
+        values = {**values, "links": len(gathered)}
+        spots.unreadable += [] if gathered else [("input",), ("output",)]
         for end in ("input", "output"):
             if end not in given and f"{end}s" not in given:
                 spots.missing(Spot((), "", root), end)
