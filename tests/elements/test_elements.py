@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import pickle
+from dataclasses import replace
 from fractions import Fraction
 
 import pytest
@@ -10,6 +12,7 @@ import vstatics as library
 from tests.commands import CASES, vstatics
 from tests.elements.element_texts import AOD, SET, changed, loaded, problems
 from vstatics.elements import Drawing, Element, transmission
+from vstatics.elements.drawing import drawing_of
 from vstatics.elements.kinds import KINDS
 from vstatics.errors import CaseError
 from vstatics.model.transmission import Gear, ShiftElement
@@ -329,6 +332,54 @@ def test_a_library_user_gets_all_faults_at_once() -> None:
         ("elements", 2),
         ("elements", 2),
     ]
+
+
+def drawn_with(case: library.Transmission, **teeth: float) -> Drawing:
+    """The drawing of a case with other teeth of its first element."""
+    drawing = drawing_of(case)
+    assert drawing is not None
+    first, *others = drawing.elements
+    changed = replace(first, teeth={**first.teeth, **teeth})
+    return replace(drawing, elements=(changed, *others))
+
+
+def test_another_drawing_makes_another_case() -> None:
+    """Teeth that are changed in it count; ratios that are changed beside it do as well."""
+    case = loaded(SET)
+    other = replace(case, drawing=drawn_with(case, sun=25))
+    assert library.solve(other).ratio == pytest.approx([1 + 75 / 25, 1])
+    assert other == loaded(changed("sun: 30", "sun: 25"))
+    assert library.solve(replace(other, coast=True)).ratio[0] == pytest.approx(4)
+    varied = replace(case, mechanisms=[case.mechanisms[0]._replace(ratio=-2.0)])
+    assert library.solve(varied).ratio == pytest.approx([3, 1])
+    assert library.solve(case, ratios=[-2.0]).ratio == pytest.approx([3, 1])
+    back = replace(varied, drawing=drawn_with(case, sun=25))
+    assert back == other
+
+
+def test_another_drawing_may_have_other_planets_as_links() -> None:
+    case = loaded(AOD)
+    drawing = drawing_of(case)
+    assert drawing is not None
+    reduced = replace(case, drawing=replace(drawing, losses="reduced"))
+    assert reduced == loaded(f"losses: reduced\n{AOD}")
+    assert reduced.links == drawing.links < case.links
+    assert replace(reduced, drawing=drawing) == case
+
+
+def test_another_drawing_is_checked() -> None:
+    case = loaded(SET)
+    with pytest.raises(CaseError, match="expected more teeth than the 80 of sun"):
+        replace(case, drawing=drawn_with(case, sun=80))
+
+
+def test_a_case_may_be_made_with_its_drawing_alone() -> None:
+    drawing = drawing_of(loaded(SET))
+    case = library.Transmission(
+        3, [ShiftElement(2)], [], [Gear([1])], link_names=["s", "r", "c"], drawing=drawing
+    )
+    assert library.solve(case).ratio == pytest.approx([3.5])
+    assert library.solve(pickle.loads(pickle.dumps(case))).ratio == pytest.approx([3.5])  # noqa: S301
 
 
 def test_an_equivalent_deck_gives_the_same_gears() -> None:

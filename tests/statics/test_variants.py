@@ -603,7 +603,7 @@ OTHER: dict[type, dict[str, object]] = {
 """Another value of each field; what is made of parts or of a drawing is tried elsewhere."""
 VARIED = {"ratio", "efficiency"}
 """Of a mechanism: a plan takes them as its inputs."""
-ELSEWHERE = {"shift_elements", "mechanisms", "gears", "drawing"}
+ELSEWHERE = {"shift_elements", "mechanisms", "gears", "drawing", "_lowered"}
 
 
 def with_field(part: type, name: str) -> Transmission:

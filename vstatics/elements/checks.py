@@ -12,8 +12,7 @@ from fractions import Fraction
 from itertools import product
 
 from vstatics.elements import group_checks
-from vstatics.elements.drawing import Drawing
-from vstatics.elements.element import Element
+from vstatics.elements.element import DrawingFields, Element
 from vstatics.elements.group import PlanetGroup, group_of
 from vstatics.elements.group_checks import MOST
 from vstatics.elements.kinds import GROUP, KINDS, Kind, Planetary, Simple
@@ -23,7 +22,7 @@ from vstatics.model.part_checks import of_back_efficiency, of_efficiency
 from vstatics.model.parts import HOUSING
 
 
-def problems(drawing: Drawing) -> Iterator[Problem]:
+def problems(drawing: DrawingFields) -> Iterator[Problem]:
     """Every error of the elements, in their order."""
     yield from _mesh_efficiency(drawing.mesh_efficiency, ())
     for number, element in enumerate(drawing.elements, 1):
@@ -34,7 +33,7 @@ def problems(drawing: Drawing) -> Iterator[Problem]:
             yield from group_checks.whole(element, path)
 
 
-def hints(drawing: Drawing) -> Iterator[Problem]:
+def hints(drawing: DrawingFields) -> Iterator[Problem]:
     """Wheels that are left out or alike, and planets that are shared in the reduced form."""
     for number, element in enumerate(drawing.elements, 1):
         if isinstance(element.shape, Planetary):
@@ -67,7 +66,7 @@ def _alike(group: PlanetGroup, path: Path) -> Iterator[Problem]:
                 yield Problem(message, path, severity="note")
 
 
-def _side_by_side(drawing: Drawing) -> Iterator[Problem]:
+def _side_by_side(drawing: DrawingFields) -> Iterator[Problem]:
     """Sets that have a wheel and the carrier in common, as two halves of a Ravigneaux set do."""
     seen: dict[tuple[int, int], str] = {}
     for number, element in enumerate(drawing.elements, 1):

@@ -6,11 +6,13 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
 
 from vstatics.elements.element import DrawingFields
 from vstatics.elements.group import group_of
 from vstatics.elements.kinds import Planetary
 from vstatics.elements.lower import DrawnPart, parts
+from vstatics.errors import Problem
 from vstatics.model.own import Member, OwnDevice, Planet, WheelOfPlanet
 from vstatics.model.parts import HOUSING
 from vstatics.model.transmission import Transmission
@@ -39,6 +41,30 @@ class Drawing(DrawingFields):
     def devices(self) -> Sequence[OwnDevice]:
         """Elements and mechanisms, in the order of the mechanisms that they became."""
         return tuple(_devices(self.parts))
+
+    def problems(self) -> Iterator[Problem]:
+        """Every error of the elements, in their order."""
+        from vstatics.elements.checks import problems  # costs start-up time
+
+        return problems(self)
+
+    def lowered(self, link_names: Sequence[str]) -> dict[str, Any]:
+        """The fields of a case that follow from the drawing: links, their names, mechanisms.
+
+        Parameters
+        ----------
+        link_names : sequence of str
+            Of the case's own links; their numbers when empty.
+        """
+        names = list(link_names) or [str(number) for number in range(1, self.links + 1)]
+        names += [f"{part.name}.{planet}" for part in self.parts for planet in part.planet_links]
+        return {
+            "links": len(names),
+            "link_names": names,
+            "mechanisms": [lowered.mechanism for part in self.parts for lowered in part.lowered],
+            "drawing": self,
+            "_lowered": self,
+        }
 
 
 def drawing_of(case: Transmission) -> Drawing | None:

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Literal, Protocol
+from typing import Any, Literal, Protocol
 
+from vstatics.errors import Problem
 from vstatics.model.own import Member, OwnDevice, Planet
 from vstatics.model.parts import Direction, Gear, Load, Mechanism, ShiftElement, SpeedOf
 
@@ -29,6 +30,12 @@ class AnyDrawing(Protocol):
     def devices(self) -> Sequence[OwnDevice]:
         """Elements and mechanisms, in the order of the mechanisms that they became."""
 
+    def problems(self) -> Iterator[Problem]:
+        """Every error of its elements."""
+
+    def lowered(self, link_names: Sequence[str]) -> dict[str, Any]:
+        """The fields of a case that follow from it, for names of its own links."""
+
 
 @dataclass(frozen=True)
 class TransmissionFields:
@@ -49,6 +56,8 @@ class TransmissionFields:
     load: Load | None = None
     drawing: AnyDrawing | None = None
     outputs: Sequence[int] = ()
+    _lowered: AnyDrawing | None = field(default=None, repr=False, compare=False)
+    """The drawing that the mechanisms were made from; with another one they are not its own."""
 
     def __post_init__(self) -> None:
         """Nothing is checked here, but by `Transmission`."""

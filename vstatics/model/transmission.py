@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from vstatics.errors import CaseError
 from vstatics.model.checks import problems
-from vstatics.model.fields import IdleConvention, TransmissionFields
+from vstatics.model.fields import AnyDrawing, IdleConvention, TransmissionFields
 from vstatics.model.parts import (
     HOUSING,
     Gear,
@@ -46,8 +46,9 @@ class Transmission(TransmissionFields):
     load : Load, optional
         Speed and torque of the input, for results in rpm, N*m and kW.
     drawing : Drawing, optional
-        The elements that links and mechanisms were made from. Mechanisms are taken as they
-        are; the drawing says of which elements results are given.
+        The elements that links and mechanisms are made from; so with another drawing, by
+        `dataclasses.replace` say, they are others. Mechanisms that are replaced alone are
+        taken as they are.
     outputs : sequence of int
         All output links, where there are several: `output` is the first. The others are ports
         with a given speed or torque.
@@ -71,10 +72,27 @@ class Transmission(TransmissionFields):
 
     def __post_init__(self) -> None:
         """Check everything, then fill in the defaults."""
+        if self.drawing is not None and self.drawing != self._lowered:
+            self._follow(self.drawing)
         errors = list(problems(self))
         if errors:
             raise CaseError(errors)
-        for attribute, value in _completed(self).items():
+        self._set(**_completed(self))
+
+    def _follow(self, drawing: AnyDrawing) -> None:
+        """Take links and mechanisms of a drawing; names of former planets are left out."""
+        errors = list(drawing.problems())
+        if errors:
+            raise CaseError(errors)
+        before, names = self._lowered, self.link_names
+        if before is not None and len(names) != drawing.links:
+            names = names[: before.links]
+        output = self.output or (0 if self.outputs else drawing.links)
+        self._set(**drawing.lowered(names), output=output)
+
+    def _set(self, **attributes: object) -> None:
+        """Set attributes while the case is made."""
+        for attribute, value in attributes.items():
             object.__setattr__(self, attribute, value)
 
 

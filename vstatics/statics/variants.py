@@ -120,7 +120,9 @@ def _nothing(kind: type, shape: tuple[int, ...]) -> Any:
 
 
 WITHOUT_EFFECT: dict[type, frozenset[str]] = {
-    Transmission: frozenset({"name", "description", "source", "link_names", "load", "drawing"}),
+    Transmission: frozenset(
+        {"name", "description", "source", "link_names", "load", "drawing", "_lowered"}
+    ),
     ShiftElement: frozenset({"name", "capacity"}),
     Mechanism: frozenset({"name"}),
     Gear: frozenset({"name", "load"}),

@@ -132,7 +132,8 @@ def _parts(part: Any) -> Iterator[tuple[object, Any]]:
     if isinstance(part, Mapping):
         yield from sorted(part.items(), key=lambda item: str(item[0]))
     elif is_dataclass(part):
-        yield from ((field.name, getattr(part, field.name)) for field in fields(part))
+        names = (field.name for field in fields(part))
+        yield from ((name, getattr(part, name)) for name in names if not name.startswith("_"))
     elif isinstance(part, Sequence):
         yield from enumerate(part)
     else:

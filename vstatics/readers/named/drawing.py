@@ -7,7 +7,6 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any
 
 from vstatics.elements import teeth
-from vstatics.elements.build import lowered
 from vstatics.elements.checks import hints, problems
 from vstatics.elements.drawing import Drawing
 from vstatics.elements.keys import DRAWN, element_of, with_elements
@@ -104,7 +103,7 @@ def read_drawing(root: nodes.Mapping, walk: Walk) -> Reading:
         if faults:
             spots.unreadable += [("links",), ("mechanisms",)]
         else:
-            parts |= lowered(drawing, names)
+            parts |= drawing.lowered(names)
             parts.setdefault("output", 0 if parts.get("outputs") else drawing.links)
             locate = _locator(spots, drawing)
             faults = [*hints(drawing), *teeth.doubts(drawing)]
