@@ -98,9 +98,11 @@ class TransmissionFields:
 
     def input_turns(self, gear: Gear) -> Direction | Literal[""]:
         """The way in which the input of a gear turns, as it says itself or its load does."""
+        if gear.input_turns or (gear.load is None and self.load is None):
+            return gear.input_turns
         load = self.gear_load(gear)
         said = load.speed or load.torque
-        return gear.input_turns or ("" if not said else "forward" if said > 0 else "backward")
+        return "" if not said else "forward" if said > 0 else "backward"
 
     def link_name(self, link: int) -> str:
         """The name of a link; the housing is ``housing``."""

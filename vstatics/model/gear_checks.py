@@ -50,11 +50,13 @@ def _given(
 def _turning(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[Problem]:
     """The way in which the input turns, which is also that of the load."""
     said = gear.input_turns
+    if not said:
+        return
     by_load = case.input_turns(gear._replace(input_turns=""))
-    if said and said not in DIRECTIONS:
+    if said not in DIRECTIONS:
         expected = " or ".join(f"`{direction}`" for direction in DIRECTIONS)
         yield Problem(f"read {said!r}, expected {expected}", path)
-    elif said and by_load and said != by_load:
+    elif by_load and said != by_load:
         message = (
             f"read `{said}`, but by the load of this gear the input turns {by_load}; expected "
             "a load of its own whose signs agree, or this left out"

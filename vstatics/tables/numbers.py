@@ -71,9 +71,11 @@ def fixed_rows(values: Sequence[Sequence[float]], width: int, decimals: int = 3)
         for word in ("nan", "-inf", "inf"):
             text = text.replace(word.rjust(width), "*" * width)
     if decimals:
-        text = text.replace(" 0.", "  .").replace("-0.", " -.")
-    zero = f".{0:0{decimals}}" if decimals else "0"
-    return text.replace(f"-{zero}", f" {zero}").split("\n")
+        text = text.replace(" 0.", "  .")
+    if "-" in text:
+        zero = f"-.{0:0{decimals}}" if decimals else "-0"
+        text = text.replace("-0.", " -.").replace(zero, zero.replace("-", " "))
+    return text.split("\n")
 
 
 @lru_cache(maxsize=200)

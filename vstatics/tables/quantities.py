@@ -17,7 +17,8 @@ from vstatics.tables.quantity import UNITS, Phrase, Quantity, in_unit
 
 
 def _has_given_speeds(results: Results) -> bool:
-    return not np.isnan(results.holding_torques).all()
+    given = any(gear.speeds for gear in results.case.gears)
+    return given and not np.isnan(results.holding_torques).all()
 
 
 def _has_meshes(results: Results) -> bool:

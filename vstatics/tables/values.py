@@ -35,7 +35,8 @@ def tables(results: Results) -> list[Table]:
             matrix = distribution_matrix(case) + 0.0
             filled.append(Table(quantity, case.link_names, case.devices, matrix))
             continue
-        rows = [quantity.key] if quantity.rows == "one" else names[quantity.rows]
+        kind = quantity.rows
+        rows = [quantity.key] if kind == "one" else names[kind]
         array = np.asarray(results.existing(quantity.name), dtype=np.float64)
         filled.append(Table(quantity, rows, gears, array.reshape(len(gears), len(rows)).T))
     return filled
