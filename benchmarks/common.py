@@ -1,6 +1,7 @@
 """What the benchmarks share: the peer, times side by side, tables in Markdown."""
 
 import argparse
+import compileall
 import os
 import platform
 import shutil
@@ -9,8 +10,9 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple, TypeVar
 
 from numeric import numeric
 
@@ -23,6 +25,8 @@ _script = Path(sys.executable).with_name("vstatics")
 VSTATICS = [str(_script)] if _script.exists() else [sys.executable, "-m", "vstatics"]
 """The program; to be started in a folder that has no package of this name."""
 FLAGS = ("-O3", "-march=native")
+SILENT: dict[str, Any] = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
+Result = TypeVar("Result")
 
 
 class Options(NamedTuple):
@@ -104,13 +108,61 @@ def timed(action: Callable[[], object]) -> float:
     return time.perf_counter() - start
 
 
+def bytecode() -> None:
+    """Compile the program to bytecode, as it is where it was installed."""
+    compileall.compile_dir(str(ROOT / "vstatics"), quiet=1)
+
+
+class Spent(NamedTuple):
+    """What processes took."""
+
+    wall: float
+    """By the clock [s]."""
+    processor: float
+    """User and system time [s]; other work on the machine disturbs it less."""
+
+
+def spent(command: Sequence[str], folder: Path | None = None) -> Spent:
+    """What a command and all processes that it starts take."""
+    before = os.times()
+    run = partial(subprocess.run, command, check=True, cwd=folder, **SILENT)
+    wall, after = timed(run), os.times()
+    own = after.children_user + after.children_system
+    return Spent(wall, own - before.children_user - before.children_system)
+
+
 def medians(actions: Mapping[str, Callable[[], float]], rounds: int) -> dict[str, float]:
     """The median of what each action returns; they alternate, so all see the same machine."""
-    found: dict[str, list[float]] = {name: [] for name in actions}
+    return {name: statistics.median(found) for name, found in _alternate(actions, rounds).items()}
+
+
+def medians_spent(actions: Mapping[str, Callable[[], Spent]], rounds: int) -> dict[str, Spent]:
+    """The same of what processes take."""
+    return {
+        name: Spent(*map(statistics.median, zip(*found, strict=True)))
+        for name, found in _alternate(actions, rounds).items()
+    }
+
+
+def _alternate(actions: Mapping[str, Callable[[], Result]], rounds: int) -> dict[str, list[Result]]:
+    found: dict[str, list[Result]] = {name: [] for name in actions}
     for _ in range(rounds):
         for name, action in actions.items():
             found[name].append(action())
-    return {name: statistics.median(numbers) for name, numbers in found.items()}
+    return found
+
+
+def rows_of_spent(measured: Mapping[str, Spent], *, decimals: int) -> list[Sequence[str]]:
+    """A row for each command, with its times by those of the first."""
+    first = next(iter(measured.values()))
+    return [
+        (
+            name,
+            *(f"{wall:.{decimals}f} s", f"{wall / first.wall:.2f}"),
+            *(f"{processor:.{decimals}f} s", f"{processor / first.processor:.2f}"),
+        )
+        for name, (wall, processor) in measured.items()
+    ]
 
 
 def print_table(caption: str, columns: Sequence[str], rows: Sequence[Sequence[object]]) -> None:

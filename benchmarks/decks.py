@@ -1,15 +1,14 @@
 """A thousand decks: `vstatics run` with one job against a shell loop over the peer.
 
 The decks are the MZKT deck with other ratios. `vstatics run` starts once, the peer once
-for each deck. Both read, calculate and write a file for each deck: JSON with all digits
-there, tables with three decimals here.
+for each deck. Both read, calculate and write a file for each deck, tables with three
+decimals. JSON with all digits, and JSON lines into one file, stand beside it.
 """
 
 import json
 import os
 import random
 import shutil
-import subprocess
 import sys
 import tempfile
 from collections.abc import Sequence
@@ -17,7 +16,17 @@ from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
-from common import MZKT, VSTATICS, medians, options, print_table, timed
+from common import (
+    MZKT,
+    VSTATICS,
+    Spent,
+    bytecode,
+    medians_spent,
+    options,
+    print_table,
+    rows_of_spent,
+    spent,
+)
 from numeric import numeric
 
 from vstatics import load
@@ -25,6 +34,13 @@ from vstatics.writers import deck
 
 COUNT = 1000
 SEED = 7
+RUNS = [
+    ["run", "--files-from", "list", "-o", f"results{os.sep}"],
+    ["run", "--files-from", "list", "-f", "json", "-o", f"results{os.sep}"],
+    ["run", "--files-from", "list", "-f", "jsonl", "-o", f"results{os.sep}all.jsonl"],
+]
+AS_JSON = 2
+"""Place of the second one, after the peer."""
 LOOP = 'for f in *.num; do "$0" "$f" > "results/${f%.num}.lst"; done'
 
 
@@ -44,8 +60,8 @@ def write_decks(folder: Path, count: int) -> None:
     (folder / "list").write_text("\n".join(names) + "\n", encoding="utf-8")
 
 
-def seconds(folder: Path, command: Sequence[str]) -> float:
-    """Time of a command that writes into a new folder; the results of earlier ones stay.
+def into_new_folder(folder: Path, command: Sequence[str]) -> Spent:
+    """What a command takes that writes into a new folder; the results of earlier ones stay.
 
     To write over files takes longer; so does to make files just after others were removed
     (ext4 looks for places that were not free a moment ago).
@@ -54,8 +70,7 @@ def seconds(folder: Path, command: Sequence[str]) -> float:
     if results.exists():
         results.rename(folder / f"results-{len(list(folder.glob('results-*')))}")
     results.mkdir()
-    run = partial(subprocess.run, command, check=True, cwd=folder, stderr=subprocess.DEVNULL)
-    return timed(run)
+    return spent(command, folder)
 
 
 def same_results(theirs: Path, ours: Path) -> None:
@@ -75,30 +90,23 @@ def main() -> None:
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         write_decks(folder, count)
+        bytecode()
         commands = {
-            "peer": [shell, "-c", LOOP, str(given.peer)],
-            "vstatics": [
-                *(*VSTATICS, "run", "--files-from", "list"),
-                *("-f", "json", "-o", f"results{os.sep}"),
-            ],
+            "shell loop over the peer": [shell, "-c", LOOP, str(given.peer)],
+            **{f"`vstatics {' '.join(words)}`": [*VSTATICS, *words] for words in RUNS},
         }
-        for label, command in commands.items():  # fills the file cache, too
-            seconds(folder, command)
-            (folder / "results").rename(folder / label)
-        for path in (folder / "peer").iterdir():
-            same_results(path, folder / "vstatics" / f"{path.stem}.json")
-        measured = medians(
-            {label: partial(seconds, folder, command) for label, command in commands.items()},
-            rounds,
-        )
-    rows = [
-        (label, f"{measured[name]:.2f} s", f"{measured[name] / measured['peer']:.2f}")
-        for label, name in (
-            ("shell loop over the peer", "peer"),
-            ("`vstatics run --files-from LIST -f json -o DIR/`", "vstatics"),
-        )
-    ]
-    print_table(f"{count:,} decks, one job", ("", "time", "by the peer's"), rows)
+        made: list[Path] = []
+        for command in commands.values():  # fills the file cache, too
+            into_new_folder(folder, command)
+            made.append((folder / "results").rename(folder / f"made-{len(made)}"))
+        for path in made[0].iterdir():
+            same_results(path, made[AS_JSON] / f"{path.stem}.json")
+        actions = {
+            name: partial(into_new_folder, folder, command) for name, command in commands.items()
+        }
+        measured = medians_spent(actions, rounds)
+    columns = ("", "time", "by the peer's", "processor time", "by the peer's")
+    print_table(f"{count:,} decks, one job", columns, rows_of_spent(measured, decimals=2))
 
 
 if __name__ == "__main__":

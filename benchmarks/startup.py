@@ -3,11 +3,19 @@
 They alternate, so that a machine that slows down slows both.
 """
 
-import subprocess
 import sys
 from functools import partial
 
-from common import MZKT, VSTATICS, medians, options, print_table, timed
+from common import (
+    MZKT,
+    VSTATICS,
+    bytecode,
+    medians_spent,
+    options,
+    print_table,
+    rows_of_spent,
+    spent,
+)
 
 RUNS = 15
 COMMANDS = {
@@ -19,20 +27,12 @@ COMMANDS = {
 def main() -> None:
     """Measure and print."""
     given = options(__doc__, peer=False)
-    actions = {
-        name: partial(
-            timed, partial(subprocess.run, command, check=True, stdout=subprocess.DEVNULL)
-        )
-        for name, command in COMMANDS.items()
-    }
-    medians(actions, 1)  # fills the file cache
-    measured = medians(actions, 1 if given.quick else RUNS)
-    bare = next(iter(measured.values()))
-    rows = [
-        (name, f"{1000 * seconds:.0f} ms", f"{seconds / bare:.2f}")
-        for name, seconds in measured.items()
-    ]
-    print_table("Start", ("process", "time", "by the bare import"), rows)
+    bytecode()
+    actions = {name: partial(spent, command) for name, command in COMMANDS.items()}
+    medians_spent(actions, 1)  # fills the file cache
+    measured = medians_spent(actions, 1 if given.quick else RUNS)
+    columns = ("process", "time", "by the bare import", "processor time", "by the bare import")
+    print_table("Start", columns, rows_of_spent(measured, decimals=3))
 
 
 if __name__ == "__main__":
