@@ -294,6 +294,14 @@ def test_of_an_element_without_a_known_kind_the_kind_is_told_and_no_more(
     assert words in told
 
 
+@pytest.mark.parametrize("links", ["[sun, ring, carrier]", "3", ""])
+def test_links_that_are_empty_and_given_again_are_given_twice(links: str) -> None:
+    told = problems(f"links:{SET}links: {links}\n")
+    assert [text.split(": ", 2)[2] for text in told if ": error: " in text] == [
+        "key `links` is given twice, the first is on line 1, column 1"
+    ]
+
+
 def test_where_no_link_is_named_no_port_is_told() -> None:
     told = problems("input: 1\noutput: b\nelements: {H: {kind: held}}\ngears: {1: {}}\n")
     assert [text.split(": ", 2)[2] for text in told] == ["elements.H: `link` is missing"]

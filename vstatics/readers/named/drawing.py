@@ -73,7 +73,8 @@ def read_drawing(root: nodes.Mapping, walk: Walk) -> Reading:
     """
     spots = walk.spots
     given = {key.text for key, value in root.entries if not is_null(value)}
-    listed = "links" in given
+    first = next((value for key, value in root.entries if key.text == "links"), None)
+    listed = first is not None and not is_null(first)  # a second one is not read
     gathered = [] if listed else list(dict.fromkeys(node.text for node in joined_links(root)))
     if gathered:
         walk.references.set_link_names(gathered)
@@ -82,7 +83,7 @@ def read_drawing(root: nodes.Mapping, walk: Walk) -> Reading:
         values = {**values, "links": len(gathered)}
         spots.unreadable += [] if gathered else [("input",), ("output",)]
         for end in ("input", "output"):
-            if end not in given and f"{end}s" not in given:
+            if given.isdisjoint({end, f"{end}s", "links"}):
                 spots.missing(Spot((), "", root), end)
     parts = arguments(values, walk)
     found = list(spots.found.problems)
