@@ -29,7 +29,7 @@ from vstatics.errors import CaseError, Place, Problem, ReadError, VstaticsError
 from vstatics.extras import __version__
 from vstatics.model.parts import Load
 from vstatics.model.transmission import Gear, Mechanism, ShiftElement, Transmission
-from vstatics.readers import load
+from vstatics.readers import from_dict, load, loads
 from vstatics.statics.matrix import distribution_matrix
 from vstatics.statics.result_fields import Message
 from vstatics.statics.results import Results
@@ -42,7 +42,10 @@ if TYPE_CHECKING:
 
     from vstatics.elements.drawing import Drawing
     from vstatics.elements.element import Element
+    from vstatics.explain.explanation import explain_gear
     from vstatics.flow.power import flows
+    from vstatics.pictures.drawn import plot
+    from vstatics.report import write_report
     from vstatics.summary import summarize
 
 __all__ = [
@@ -63,18 +66,25 @@ __all__ = [
     "VstaticsError",
     "__version__",
     "distribution_matrix",
+    "explain_gear",
     "flows",
     "load",
+    "loads",
+    "plot",
     "solve",
     "summarize",
     "sweep",
+    "write_report",
 ]
 
 _LATER = {
     "Drawing": "vstatics.elements.drawing",
     "Element": "vstatics.elements.element",
+    "explain_gear": "vstatics.explain.explanation",
     "flows": "vstatics.flow.power",
+    "plot": "vstatics.pictures.drawn",
     "summarize": "vstatics.summary",
+    "write_report": "vstatics.report",
 }
 """Names that are imported when somebody asks for them, as they cost start-up time."""
 
@@ -86,8 +96,30 @@ def _to_dataframe(results: Results) -> pd.DataFrame:
     return to_dataframe(results)
 
 
-# the room of results knows nothing of how they are shown
+def _part(results: Results, key: Any) -> Any:
+    """An array, or a part of it, by names: see `vstatics.tables.access.part`."""
+    from vstatics.tables.access import part
+
+    return part(results, key)
+
+
+def _repr_html_(results: Results) -> str:
+    """The table of the gears, for a notebook; of arrays of variants a line."""
+    from html import escape
+
+    if results.ratio.ndim != 1:
+        return f"<code>{escape(repr(results))}</code>"
+    from vstatics.summary.pretty import gears_grid
+    from vstatics.tables.html import table
+
+    return table(gears_grid(results))
+
+
+# the rooms of results and of the model know nothing of how they are shown and read
 Results.to_dataframe = _to_dataframe  # type: ignore[method-assign, assignment]
+Results.__getitem__ = _part  # type: ignore[method-assign]
+Results._repr_html_ = _repr_html_  # type: ignore[method-assign, assignment]
+Transmission.from_dict = staticmethod(from_dict)  # type: ignore[method-assign]
 
 
 def __getattr__(name: str) -> Any:

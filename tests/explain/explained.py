@@ -12,7 +12,7 @@ import pytest
 
 from tests.commands import CASES
 from vstatics import load, solve
-from vstatics.explain import Explanation, explain
+from vstatics.explain import Explanation, explain_gear
 from vstatics.explain.document import gear_document
 from vstatics.explain.equations import System
 from vstatics.explain.sums import in_numbers
@@ -20,7 +20,7 @@ from vstatics.explain.sums import in_numbers
 
 def explained(name: str, gear: str) -> Explanation:
     results = solve(load(CASES / name))
-    return explain(results, [one.name for one in results.case.gears].index(gear))
+    return explain_gear(results, gear)
 
 
 def formula(name: str, gear: str) -> str:
@@ -54,7 +54,8 @@ def value(made: dict[str, Any]) -> Fraction:
 
 def check(results: Any, numbers: Sequence[int]) -> None:
     for number in numbers:
-        one = json.loads(json.dumps(gear_document(explain(results, number)), allow_nan=False))
+        made = gear_document(explain_gear(results, number + 1))
+        one = json.loads(json.dumps(made, allow_nan=False))
         for name in ("speeds", "torques", "lossy"):
             if one[name] is not None:
                 holds(one[name])

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from tests.explain.explained import explained
 from vstatics import solve
-from vstatics.explain import explain
+from vstatics.explain import explain_gear
 from vstatics.model.transmission import Gear, Mechanism, ShiftElement, Transmission
 
 
@@ -17,7 +17,7 @@ def test_links_turn_together_by_structure_and_not_by_coincidence() -> None:
         [Gear([1])],
         output=3,
     )
-    found = explain(solve(case), 0)
+    found = explain_gear(solve(case), 1)
     assert found.speeds.values["w_3"] == 1
     assert [(body.links, body.elements) for body in found.together] == [(["1", "4"], ["C"])]
 

@@ -9,7 +9,7 @@ import pytest
 from tests.commands import CASES, vstatics
 from tests.explain.explained import explained, formula
 from vstatics import load, solve
-from vstatics.explain import explain
+from vstatics.explain import explain_gear
 from vstatics.model.transmission import Gear, Mechanism, Transmission
 
 
@@ -20,7 +20,7 @@ def test_the_published_gearbox_has_its_closed_forms() -> None:
     printed = [6.230, 3.461, 1.8, 1, -5.538, -1.6]
     results = solve(load(CASES / "mzkt7922.dat"))
     for number, ratio in enumerate(printed):
-        found = explain(results, number).formula
+        found = explain_gear(results, number + 1).formula
         assert found is not None
         assert found.value == pytest.approx(ratio, abs=5e-4)
 
@@ -70,7 +70,7 @@ def test_stages_in_a_row_are_a_product() -> None:
         [Mechanism(1, 0, 2, -2), Mechanism(2, 0, 3, -3), Mechanism(3, 4, 0, -1.5)],
         [Gear()],
     )
-    found = explain(solve(case), 0).formula
+    found = explain_gear(solve(case), 1).formula
     assert found is not None
     assert found.text == "u_D3 (1 - u_D1)(1 - u_D2)"
     assert found.value == pytest.approx(-1.5 * 3 * 4)
@@ -90,7 +90,7 @@ def test_given_speeds_add_up() -> None:
         [Gear(speeds={2: 0.5})],
         link_names=["sun", "ring", "carrier"],
     )
-    found = explain(solve(case), 0).formula
+    found = explain_gear(solve(case), 1).formula
     assert found is not None
     assert (found.left, found.text) == ("w_carrier", "(w_sun - u_P w_ring)/(1 - u_P)")
     assert found.value == pytest.approx((1 + 2 * 0.5) / 3)
@@ -107,7 +107,7 @@ def test_equal_wheels_of_a_differential_are_no_symbol() -> None:
 def test_a_long_train_has_a_formula() -> None:
     """Sixty pairs in a row: the product of their ratios."""
     pairs = [Mechanism(k, k + 1, 0, -1.1) for k in range(1, 61)]
-    found = explain(solve(Transmission(61, [], pairs, [Gear()])), 0).formula
+    found = explain_gear(solve(Transmission(61, [], pairs, [Gear()])), 1).formula
     assert found is not None
     assert found.value == pytest.approx(1.1**60)
 

@@ -9,7 +9,7 @@ import pytest
 from tests.commands import CASES
 from tests.explain.explained import explained
 from vstatics import load, solve
-from vstatics.explain import explain
+from vstatics.explain import explain_gear
 from vstatics.model.transmission import Gear, Mechanism, Transmission
 
 
@@ -36,7 +36,7 @@ def test_drag_decides_a_sign_where_nothing_else_loads_the_mechanism() -> None:
         [Gear(drag={3: 0.1})],
         output=2,
     )
-    main, side = explain(solve(case), 0).signs
+    main, side = explain_gear(solve(case), 1).signs
     assert side.torque == side.power == pytest.approx(0.1 / 1.5)
     assert main.torque == pytest.approx(1 - 0.1 / 1.5)
     assert (side.sign, side.why) == (1, "power enters by the first link")
@@ -51,6 +51,6 @@ def test_an_efficiency_multiplies_or_divides_by_the_direction_of_power() -> None
 
 def test_coasting_turns_the_signs() -> None:
     results = solve(load(CASES / "mzkt7922.dat"), coast=True)
-    [first, _, third] = explain(results, 0).signs
+    [first, _, third] = explain_gear(results, 1).signs
     assert (first.sign, third.sign) == (-1, -1)
     assert first.why == "coasting, power leaves by the first link"

@@ -11,7 +11,7 @@ import click
 
 from vstatics import readers
 from vstatics.cli import files
-from vstatics.errors import Problem, ReadError, nearest, of_file
+from vstatics.errors import Problem, ReadError, of_file
 from vstatics.model.checks import hints
 from vstatics.model.transmission import IdleConvention, Transmission
 from vstatics.readers.reading import Reading
@@ -127,14 +127,10 @@ def gear_number(case: Transmission, asked: str) -> int:
     BadParameter
         If there is none; it tells the nearest name.
     """
-    names = [gear.name for gear in case.gears]
-    if asked in names:
-        return names.index(asked) + 1
-    number = asked.lstrip("0")
-    if number.isascii() and number.isdigit() and len(number) < 10 and int(number) <= len(names):
-        return int(number)
-    hint = nearest(asked, names) or f"; gears are {', '.join(names[:12])}"
-    raise click.BadParameter(f"no gear {asked!r}{hint}", param_hint="--gear")
+    try:
+        return case.gear_number(asked)
+    except ValueError as error:
+        raise click.BadParameter(str(error), param_hint="--gear") from None
 
 
 def gear_indices(case: Transmission, asked: Sequence[str]) -> Sequence[int]:

@@ -48,12 +48,12 @@ def explain(
 
 def _shown(outcome: CalculatedCase, gears: tuple[str, ...], style: TextStyle) -> texts.Shown:
     """The gears of a case, explained."""
-    from vstatics.explain import explain as explained
+    from vstatics.explain import explain_gear
 
     results = outcome.results
     assert results is not None  # noqa: S101 - of a case that has some
     case = results.case
-    explanations = [explained(results, i) for i in arguments.gear_indices(case, gears)]
+    explanations = [explain_gear(results, i + 1) for i in arguments.gear_indices(case, gears)]
 
     def as_text(_: str | None) -> str:
         from vstatics.explain import text

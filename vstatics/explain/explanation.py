@@ -18,7 +18,7 @@ from vstatics.model.transmission import HOUSING, Gear
 from vstatics.numerics.arrays import Floats
 from vstatics.numerics.traced import plain
 from vstatics.statics.matrix import distribution_matrix
-from vstatics.statics.results import Results
+from vstatics.statics.results import Results, expect_results
 from vstatics.statics.state import GearState
 from vstatics.statics.status import CONFLICT, TIED_UP
 
@@ -74,49 +74,55 @@ class Explanation(NamedTuple):
     """What was noticed in this gear."""
 
 
-def explain(results: Results, number: int) -> Explanation:
+def explain_gear(results: Results, gear: int | str) -> Explanation:
     """Explain a gear: its matrix, its equations and their solution, its ratio as a formula.
 
     Parameters
     ----------
     results : Results
         Of one case.
-    number : int
-        Index of the gear.
+    gear : int or str
+        Its number from 1, or its name.
+
+    Raises
+    ------
+    ValueError
+        If there is no such gear, or the results are of arrays of variants.
 
     Source: Algin, Schematization and calculation of mobile machine presented as
     multibody system, figures 3 and 4.
     """
-    state = results.gear(number + 1)
-    case, gear = state.case, state.gear
+    expect_results(results, "explain_gear")
+    state, number = results.gear(gear), results.case.gear_number(gear) - 1
+    case, actual = state.case, state.gear
     names = names_of(case)
     matrix = distribution_matrix(case) + 0.0
     elements = [element.name for element in case.shift_elements]
-    loaded = sorted(n - 1 for n in gear.engaged) + list(range(len(elements), len(case.devices)))
+    loaded = sorted(n - 1 for n in actual.engaged) + list(range(len(elements), len(case.devices)))
     torques, lossy = _torques(state, names, matrix)
     fault = FAULTS.get(state.status, "")
     own = on_own_links(case)
-    bodies = None if fault else structure(own, gear)
-    together = list(_together(own, gear, bodies)) if bodies else []
+    bodies = None if fault else structure(own, actual)
+    together = list(_together(own, actual, bodies)) if bodies else []
     one_piece, standing = _pieces(own, bodies) if bodies else ([], [])
     ratio, reason = _formula(state, names, own, bodies) if bodies else (None, fault)
     return Explanation(
-        gear=gear.name,
-        engaged=[elements[n - 1] for n in gear.engaged if n not in state.holding],
+        gear=actual.name,
+        engaged=[elements[n - 1] for n in actual.engaged if n not in state.holding],
         holding=[elements[n - 1] for n in state.holding],
-        not_engaged=[name for n, name in enumerate(elements, 1) if n not in gear.engaged],
+        not_engaged=[name for n, name in enumerate(elements, 1) if n not in actual.engaged],
         rows=case.link_names,
         columns=[case.devices[device] for device in loaded],
         matrix=matrix[:, loaded],
-        speeds=speed_system(case, gear, names, matrix, list(map(plain, state.speeds))),
+        speeds=speed_system(case, actual, names, matrix, list(map(plain, state.speeds))),
         torques=torques,
         signs=signs_of(state),
         lossy=lossy,
         together=together,
         one_piece=one_piece,
         standing=standing,
-        input=names.speeds[case.gear_input(gear)],
-        output=names.speeds[case.gear_output(gear)],
+        input=names.speeds[case.gear_input(actual)],
+        output=names.speeds[case.gear_output(actual)],
         formula=ratio,
         reason=reason,
         ratio=float(results.ratio[number]),
@@ -124,7 +130,7 @@ def explain(results: Results, number: int) -> Explanation:
         messages=[
             f"{message.severity}: {message.text}"
             for message in results.messages
-            if message.gear == gear.name
+            if message.gear == actual.name
         ],
     )
 

@@ -19,7 +19,7 @@ from vstatics.flow.teeth import ToothPower, tooth_powers
 from vstatics.model.transmission import HOUSING
 from vstatics.numerics.tolerances import NOISE
 from vstatics.numerics.traced import plain
-from vstatics.statics.results import Results
+from vstatics.statics.results import Results, expect_results
 from vstatics.statics.state import GearState
 from vstatics.statics.status import OK, Status
 from vstatics.tables.ports import PortTable, gear_scales, port_table
@@ -155,6 +155,7 @@ def flows(results: Results) -> list[GearFlow]:
     >>> [(" ".join(map(str, loop.nodes)), round(loop.power, 9)) for loop in gear.ideal.loops]
     [('1 set 2 pair', 1.0)]
     """
+    expect_results(results, "flows")
     if results.speeds.ndim != 2:
         raise ValueError(f"speeds of shape {results.speeds.shape}: expected (gears, links)")
     return [

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any, Literal, Protocol
 
-from vstatics.errors import Problem
+from vstatics.errors import Problem, listed, nearest
 from vstatics.model.own import Member, OwnDevice, Planet
 from vstatics.model.parts import Direction, Gear, Load, Mechanism, ShiftElement, SpeedOf
 
@@ -78,6 +78,23 @@ class TransmissionFields:
         if self.drawing is not None:
             return self.drawing.devices
         return [_own_device(number, one) for number, one in enumerate(self.mechanisms)]
+
+    def gear_number(self, asked: int | str) -> int:
+        """The number of a gear from 1: the one of a name, else the one of a number.
+
+        Raises
+        ------
+        ValueError
+            If there is none; it tells the nearest name.
+        """
+        names = [gear.name for gear in self.gears]
+        if asked in names:
+            return names.index(str(asked)) + 1
+        number = str(asked).lstrip("0")
+        if number.isascii() and number.isdigit() and len(number) < 10 and int(number) <= len(names):
+            return int(number)
+        hint = nearest(str(asked), names) or f"; gears are {listed(names, 12)}"
+        raise ValueError(f"no gear {asked!r}{hint}")
 
     def gear_input(self, gear: Gear) -> int:
         """The input link of a gear."""

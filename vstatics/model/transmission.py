@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import Any
+
 from vstatics.errors import CaseError
 from vstatics.model.checks import problems
 from vstatics.model.fields import AnyDrawing, IdleConvention, TransmissionFields
@@ -69,6 +73,37 @@ class Transmission(TransmissionFields):
     >>> [element.name for element in differential.shift_elements]
     ['F1', 'T2']
     """
+
+    def __repr__(self) -> str:
+        """What it has, in numbers."""
+        parts = {
+            "link": self.own_links,
+            "shift element": len(self.shift_elements),
+            "mechanism": len(self.own_devices),
+            "gear": len(self.gears),
+        }
+        counts = (f"{count} {what}{'s' * (count != 1)}" for what, count in parts.items())
+        name = f" {self.name!r}" if self.name else ""
+        return f"<Transmission{name}: {', '.join(counts)}>"
+
+    def replace(self, **changes: Any) -> Transmission:
+        """The same transmission but for some of its parameters; it is checked as any other.
+
+        Examples
+        --------
+        >>> case = Transmission(2, [], [Mechanism(1, 2, 0, -2.5)], [Gear()])
+        >>> case.replace(name="pair", coast=True)
+        <Transmission 'pair': 2 links, 0 shift elements, 1 mechanism, 1 gear>
+        """
+        return replace(self, **changes)
+
+    @classmethod
+    def from_dict(cls, data: Mapping[str, Any]) -> Transmission:
+        """The transmission of plain data, with the keys of YAML and JSON.
+
+        `vstatics.readers.from_dict`, put in its place by `vstatics/__init__`.
+        """
+        raise NotImplementedError
 
     def __post_init__(self) -> None:
         """Check everything, then fill in the defaults."""

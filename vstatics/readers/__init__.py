@@ -7,22 +7,32 @@
 >>> [gear.name for gear in reading.case.gears], reading.warnings
 (['low', 'high'], [])
 
-`load` reads a file. In both folders a text becomes values with their places, these a case;
-`reading` ends what all do. `results` reads what was written as a result.
+`load` reads a file, `loads` a text, `from_dict` plain data. In both folders a text becomes
+values with their places, these a case; `reading` ends what all do. `results` reads what was
+written as a result.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from importlib import import_module
 from os import PathLike, fspath
 from os.path import splitext
-from typing import Literal
+from typing import Any, Literal, Protocol
 
+from vstatics.errors import ReadError, type_and_value
 from vstatics.model.transmission import Transmission
 from vstatics.readers.reading import Reading
 
 Format = Literal["deck", "yaml", "json"]
+
+
+class Stream(Protocol):
+    """What can be read from."""
+
+    def read(self) -> str | bytes:
+        """All of it."""
+
 
 READERS: dict[Format, tuple[str, str]] = {
     "deck": ("vstatics.readers.deck.reader", "read"),
@@ -84,13 +94,13 @@ def read(data: bytes, file: str, format: Format | None = None) -> Reading:  # no
     return reader(data, file)
 
 
-def load(path: str | PathLike[str], *, format: Format | None = None) -> Transmission:  # noqa: A002
-    """Read a case from a file: a Visual-Statics deck, YAML or JSON.
+def load(source: str | PathLike[str] | Stream, *, format: Format | None = None) -> Transmission:  # noqa: A002
+    r"""Read a case: a Visual-Statics deck, YAML or JSON.
 
     Parameters
     ----------
-    path : path-like
-        The file.
+    source : path-like or stream
+        The file, or something opened: text or bytes.
     format : {"deck", "yaml", "json"}, optional
         The format; told by the suffix, else by the content, when not given.
 
@@ -102,6 +112,77 @@ def load(path: str | PathLike[str], *, format: Format | None = None) -> Transmis
         If there is no such format.
     OSError
         If the file cannot be opened.
+
+    Examples
+    --------
+    >>> import io
+    >>> text = "links: 2\nmechanisms: {D: {first: 1, second: 2, ratio: 3}}\ngears: {1: []}"
+    >>> load(io.StringIO(text))
+    <Transmission: 2 links, 0 shift elements, 1 mechanism, 1 gear>
     """
-    with open(path, "rb") as file:  # noqa: PTH123 (pathlib costs nothing less)
-        return read(file.read(), fspath(path), format).case
+    if isinstance(source, str | PathLike):
+        with open(source, "rb") as file:  # noqa: PTH123 (pathlib costs nothing less)
+            return read(file.read(), fspath(source), format).case
+    if not hasattr(source, "read"):
+        raise TypeError(f"load of {type_and_value(source)}: expected a path or a stream")
+    name = getattr(source, "name", "")
+    return loads(source.read(), format=format, name=name if isinstance(name, str) else "")
+
+
+def loads(text: str | bytes, *, format: Format | None = None, name: str = "") -> Transmission:  # noqa: A002
+    r"""Read a case from a text; parameters and errors as of `load`.
+
+    Parameters
+    ----------
+    text : str or bytes
+        The case itself, not the name of a file.
+    name : str, optional
+        For messages.
+
+    Examples
+    --------
+    >>> loads("links: 2\nmechanisms: {D: {first: 1, second: 2, ratio: 3}}\ngears: {1: []}")
+    <Transmission: 2 links, 0 shift elements, 1 mechanism, 1 gear>
+    """
+    if not isinstance(text, str | bytes | bytearray):
+        raise TypeError(f"loads of {type_and_value(text)}: expected a text, or `load` for a file")
+    data = text.encode("utf-8", "surrogatepass") if isinstance(text, str) else bytes(text)
+    return read(data, name or "<text>", format).case
+
+
+def from_dict(data: Mapping[str, Any]) -> Transmission:
+    """The transmission of plain data, with the keys of YAML and JSON.
+
+    Raises
+    ------
+    ReadError
+        With every problem and its path.
+    TypeError
+        If it is no mapping, or holds what is no plain data.
+
+    Examples
+    --------
+    >>> pair = {"first": "in", "second": "out", "ratio": "-41/13"}
+    >>> from_dict({"links": ["in", "out"], "mechanisms": {"pair": pair}, "gears": {"drive": []}})
+    <Transmission: 2 links, 0 shift elements, 1 mechanism, 1 gear>
+    """
+    import json
+
+    if not isinstance(data, Mapping):
+        raise TypeError(
+            f"from_dict of {type_and_value(data)}: expected a mapping, or `load` for a file"
+        )
+    text = json.dumps(data, default=_plain)
+    try:
+        return read(text.encode(), "<dict>", "json").case
+    except ReadError as error:  # the messages name the keys; a line of that text is no place
+        raise ReadError(one._replace(path=(), place=None) for one in error.problems) from None
+
+
+def _plain(value: Any) -> Any:
+    """Numbers and lists of NumPy, mappings that are no dict, as plain data."""
+    if isinstance(value, Mapping):
+        return dict(value)
+    if hasattr(value, "tolist"):
+        return value.tolist()
+    raise TypeError(f"from_dict: {type_and_value(value)} is no plain data")

@@ -11,7 +11,31 @@ Results go in; `gather` calculates what the page shows, `page` writes it.
 
 from __future__ import annotations
 
+import os
+
+from vstatics.jobs.files import replacing
 from vstatics.report.gathering import Material, gather
 from vstatics.report.page import page
+from vstatics.statics.results import Results, expect_results
 
-__all__ = ["Material", "gather", "page"]
+__all__ = ["Material", "gather", "page", "write_report"]
+
+
+def write_report(results: Results, path: str | os.PathLike[str]) -> None:
+    """Write a case and its results as one page of HTML, whole or not at all.
+
+    Parameters
+    ----------
+    results : Results
+        Of one case.
+    path : path-like
+        The file, which is replaced.
+
+    Raises
+    ------
+    OSError
+        If it cannot be written.
+    """
+    expect_results(results, "write_report")
+    with replacing(os.fspath(path)) as write:
+        write(page(gather(results)).encode(errors="backslashreplace"))

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
+from vstatics.errors import listed, type_and_value
 from vstatics.model.transmission import SpeedOf, Transmission
 from vstatics.numerics.arrays import Booleans, Floats
 from vstatics.statics.freewheels import find_state
@@ -38,6 +39,24 @@ class Results(PhysicalResults):
         """
         raise NotImplementedError
 
+    def __getitem__(self, key: Any) -> Any:
+        """An array, or a part of it, by names: ``results["speeds", "ring", "low"]``.
+
+        `vstatics.tables.access.part`, put in its place by `vstatics/__init__`.
+        """
+        return super().__getitem__(key)
+
+    def _repr_html_(self) -> str:
+        """The table of the gears for a notebook, put in its place by `vstatics/__init__`."""
+        raise NotImplementedError
+
+    def __repr__(self) -> str:
+        """What it has results of, not all its numbers."""
+        case, axes = self.case, self.ratio.shape[:-1]
+        variants = f", variants of shape {axes}" if axes else ""
+        name = f" of {case.name!r}" if case.name else ""
+        return f"<Results{name}: gears {listed([one.name for one in case.gears], 12)}{variants}>"
+
     @property
     def calculable(self) -> Booleans:
         """Of shape (..., gears): speeds and torques exist, so that losses can be asked for."""
@@ -61,13 +80,13 @@ class Results(PhysicalResults):
         exists = self.calculable & ~self.undecided if name == "locked" else self.calculable
         return np.where(exists[..., None] if name == "idle" else exists, array, np.nan)
 
-    def gear(self, number: int) -> GearState:
+    def gear(self, gear: int | str) -> GearState:
         """The state of a gear of one case: its speeds, torques, powers and status as one object.
 
         Parameters
         ----------
-        number : int
-            From 1, in the order of the case.
+        gear : int or str
+            Its number from 1, in the order of the case, or its name.
 
         Raises
         ------
@@ -76,8 +95,7 @@ class Results(PhysicalResults):
         """
         if self.ratio.ndim != 1:
             raise ValueError(f"results of shape {self.ratio.shape}: a gear is one of a single case")
-        if not 1 <= number <= len(self.case.gears):
-            raise ValueError(f"gear {number}: expected 1 to {len(self.case.gears)}")
+        number = self.case.gear_number(gear)
         mechanisms = self.case.mechanisms
         with np.errstate(all="ignore"):
             return find_state(
@@ -142,3 +160,15 @@ class Results(PhysicalResults):
     def failed(self) -> bool:
         """Whether a gear is tied up, or its freewheels in conflict: then the case fails."""
         return bool(self.tied_up.any() or self.conflict.any())
+
+
+def expect_results(given: object, function: str) -> None:
+    """Refuse what is no `Results`, in the words of the function that was given it.
+
+    Raises
+    ------
+    TypeError
+    """
+    if not isinstance(given, Results):
+        advice = "solve(case) gives them"
+        raise TypeError(f"{function} of {type_and_value(given)}: expected Results; {advice}")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from os import PathLike
 from typing import TYPE_CHECKING, Literal
 
 import numpy as np
@@ -11,7 +12,7 @@ import numpy as np
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
-from vstatics.errors import CaseError, Problem
+from vstatics.errors import CaseError, Problem, type_and_value
 from vstatics.model.transmission import IdleConvention, Transmission
 from vstatics.numerics.arrays import Booleans, Floats
 from vstatics.statics import diagnosis
@@ -54,6 +55,8 @@ def solve(
     ------
     CaseError
         If a ratio or an efficiency in the arrays is none, or `idle` no convention.
+    TypeError
+        If `case` is no transmission, such as the name of a file.
     ValueError
         If the arrays do not have one number for each mechanism.
 
@@ -72,6 +75,10 @@ def solve(
            [1. , 3.5],
            [1. , 4. ]])
     """
+    if not isinstance(case, Transmission):
+        advice = "vstatics.load reads a file" if isinstance(case, str | PathLike) else ""
+        read = f"solve of {type_and_value(case)}: expected a Transmission"
+        raise TypeError("; ".join(filter(None, [read, advice])))
     if coast not in (None, case.coast) or idle not in (None, case.idle):
         case = replace(
             case,

@@ -24,7 +24,7 @@ from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 from vstatics.numerics.arrays import Floats
-from vstatics.statics.results import Results
+from vstatics.statics.results import Results, expect_results
 from vstatics.summary.combinations import Combination, combinations
 from vstatics.summary.design import Design, design
 from vstatics.summary.duty import Cycle
@@ -68,6 +68,7 @@ def summarize(results: Results, *, at_most: int | None = None) -> Summary:
     CaseError
         If there are more.
     """
+    expect_results(results, "summarize")
     return Summary(
         results,
         design(results),

@@ -64,12 +64,20 @@ def view(results: Results, marks: Marks = DOTS, digits: int | None = None) -> Gr
     by_key = {table.quantity.key: table for table in tables(results)}
     title = [Text(case.name, style="bold")] * bool(case.name)
     legend = (Text(line, style="dim") for line in _legend(results, by_key, marks))
-    gears = terminal.table(_grid(results, by_key, marks, digits))
+    gears = terminal.table(gears_grid(results, marks, digits))
     return Group(*title, gears, *legend, terminal.table(_ports(results).with_digits(digits)))
 
 
-def _grid(results: Results, by_key: dict[str, Table], marks: Marks, digits: int | None) -> Grid:
-    """What each gear engages, its ratio and efficiency, its largest speed and torque."""
+def gears_grid(results: Results, marks: Marks = DOTS, digits: int | None = None) -> Grid:
+    """What each gear engages, its ratio and efficiency, its largest speed and torque.
+
+    Parameters
+    ----------
+    marks : Marks, optional
+    digits : int, optional
+        After the point; four significant ones of small numbers when not given.
+    """
+    by_key = {table.quantity.key: table for table in tables(results)}
     rpm, torque = "W_rpm" in by_key, "AMLGP_Nm" in by_key
     columns = [
         text("gear"),

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from vstatics.statics.arrays import ARRAYS
 from vstatics.statics.results import Results
 from vstatics.tables.quantities import BY_NAME
-from vstatics.tables.rows import table_rows, written
+from vstatics.tables.rows import table_rows
 from vstatics.tables.values import with_units
 
 if TYPE_CHECKING:
@@ -28,8 +28,9 @@ def to_dataframe(results: Results) -> pd.DataFrame:
     -------
     DataFrame
         Indexed by the number of the variant, from 0 in the order of the arrays, and the name
-        of the gear; by the gear alone for one case. Columns are named as in ``--out``,
-        without the gear: `ratio`, `speeds[C1]`; with a load also `speeds_rpm[C1]`.
+        of the gear; by the gear alone for one case. Columns are a table and its row:
+        ``("speeds", "C1")``, with a load also ``("speeds_rpm", "C1")``; a table without rows
+        has ``""`` there, so that pandas takes ``"ratio"`` for it.
 
     Raises
     ------
@@ -44,6 +45,8 @@ def to_dataframe(results: Results) -> pd.DataFrame:
     >>> table = to_dataframe(solve(case, ratios=[[-2.0], [-3.0]]))
     >>> table.shape, table.loc[(1, "2"), "ratio"].item()
     ((4, 39), 4.0)
+    >>> table["speeds", "3"].round(3).tolist(), list(table["slip_speeds"])
+    ([1.0, 0.333, 1.0, 0.25], ['F1', 'T2'])
     """
     from vstatics.extras import require
 
@@ -57,17 +60,20 @@ def to_dataframe(results: Results) -> pd.DataFrame:
         if axes
         else pd.Index(gears, name="gear")
     )
-    return pd.DataFrame(dict(_columns(results)), index=index)
+    found = list(_columns(results))
+    columns = pd.MultiIndex.from_tuples([name for name, _ in found], names=["table", "row"])
+    return pd.DataFrame(dict(enumerate(values for _, values in found)), index=index).set_axis(
+        columns, axis=1
+    )
 
 
-def _columns(results: Results) -> Iterator[tuple[str, Any]]:
+def _columns(results: Results) -> Iterator[tuple[tuple[str, str], Any]]:
     """Each column with its name."""
     in_units = (quantity.name for quantity in with_units(results))
     for name in (*ARRAYS, *in_units):
         table = getattr(results, name)
         if BY_NAME[name].rows == "one":
-            yield name, table.ravel()
+            yield (name, ""), table.ravel()
             continue
-        rows = table_rows(name, results.case)
-        for row in range(len(rows)):
-            yield f"{name}[{written(row, rows)}]", table[..., row].ravel()
+        for index, row in enumerate(table_rows(name, results.case)):
+            yield (name, row), table[..., index].ravel()

@@ -1,0 +1,223 @@
+"""What one works with in Python and in a notebook: names at the top, how things show themselves."""
+
+from __future__ import annotations
+
+import io
+import re
+import sys
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import vstatics
+from tests.commands import CASES, MZKT
+from vstatics import Gear, Load, Mechanism, ReadError, ShiftElement, Transmission
+
+BOX = CASES / "simpson-th400.yaml"
+anything: Any = vstatics
+"""The package as it is to one who gives it what he likes."""
+
+PAIR = {
+    "name": "pair",
+    "links": ["in", "out"],
+    "mechanisms": {"pair": {"first": "in", "second": "out", "ratio": -2.5}},
+    "gears": {"drive": {}},
+}
+
+
+def test_every_name_of_the_package_is_there() -> None:
+    for name in vstatics.__all__:
+        assert getattr(vstatics, name) is not None
+
+
+# Reading
+
+
+def test_a_case_comes_from_a_path_a_stream_a_text_or_plain_data() -> None:
+    case = vstatics.load(MZKT)
+    assert vstatics.load(str(MZKT)) == case
+    with MZKT.open("rb") as stream:
+        assert vstatics.load(stream) == case
+    text = MZKT.read_text(encoding="utf-8")
+    assert vstatics.load(io.StringIO(text)) == vstatics.loads(text) == case
+    assert vstatics.loads(text.encode()) == case
+    own = Transmission.from_dict(PAIR)
+    assert own == vstatics.loads(str(PAIR).replace("'", '"'))
+    assert own.gears[0].name == "drive"
+
+
+def test_plain_data_may_hold_what_numpy_makes() -> None:
+    ratio = np.float64(-2.5)
+    mechanisms = {"pair": {"first": "in", "second": "out", "ratio": ratio}}
+    case = Transmission.from_dict(
+        {**PAIR, "links": np.array(["in", "out"]), "mechanisms": mechanisms}
+    )
+    assert case == Transmission.from_dict(PAIR)
+
+
+def test_faults_of_plain_data_are_told_by_their_keys_without_a_place() -> None:
+    with pytest.raises(ReadError) as caught:
+        Transmission.from_dict({**PAIR, "gears": {"drive": {"engaged": ["C"]}}})
+    [problem] = caught.value.problems
+    assert str(problem) == ("gears.drive.engaged[1]: read 'C', but there are no shift elements")
+
+
+def test_a_fault_in_a_text_has_its_line() -> None:
+    with pytest.raises(ReadError, match=re.escape("<text>:2:1: error")):
+        vstatics.loads("links: 2\ngear: {}")
+
+
+@pytest.mark.parametrize(
+    ("call", "said"),
+    [
+        (lambda: anything.solve("box.yaml"), "vstatics.load reads a file"),
+        (lambda: anything.solve(BOX), "expected a Transmission"),
+        (lambda: anything.load(3), "load of int 3: expected a path or a stream"),
+        (lambda: anything.loads(BOX), "expected a text, or `load` for a file"),
+        (
+            lambda: anything.Transmission.from_dict("box.yaml"),
+            "expected a mapping, or `load` for a file",
+        ),
+        (lambda: Transmission.from_dict({"links": object()}), "is no plain data"),
+        (lambda: anything.flows(vstatics.load(BOX)), "expected Results; solve(case) gives them"),
+        (lambda: anything.summarize("box.yaml"), "summarize of str 'box.yaml': expected Results"),
+        (lambda: anything.explain_gear(vstatics.load(BOX), 1), "explain_gear of Transmission"),
+        (lambda: anything.plot(vstatics.load(BOX)), "plot of Transmission"),
+        (lambda: anything.write_report(BOX, "x.html"), "write_report of "),
+    ],
+)
+def test_what_is_given_in_place_of_something_else_is_told(call: Any, said: str) -> None:
+    with pytest.raises(TypeError, match=re.escape(said)):
+        call()
+
+
+# A case with other parameters
+
+
+def test_a_case_is_replaced_in_part() -> None:
+    case = Transmission.from_dict(PAIR)
+    assert case.replace(load=Load(2000, 300)).load == Load(2000, 300)
+    assert case.replace(coast=True).replace(coast=False) == case
+    with pytest.raises(vstatics.CaseError):
+        case.replace(output=7)
+
+
+# How things show themselves
+
+
+def test_a_case_and_its_results_are_told_in_a_line() -> None:
+    case = vstatics.load(BOX)
+    results = vstatics.solve(case)
+    counts = f"{case.own_links} links, 5 shift elements, 2 mechanisms, 4 gears"
+    assert repr(case) == f"<Transmission 'GM Turbo-Hydramatic 400': {counts}>"
+    assert repr(results) == "<Results of 'GM Turbo-Hydramatic 400': gears 1, 2, 3, R>"
+    many = vstatics.solve(case, efficiencies=np.full((7, len(case.mechanisms)), 0.98))
+    assert repr(many).endswith("gears 1, 2, 3, R, variants of shape (7,)>")
+
+
+def test_a_notebook_shows_the_table_of_the_gears_escaped() -> None:
+    results = vstatics.solve(vstatics.load(BOX))
+    shown = results._repr_html_()
+    assert shown.count("<tr>") == 1 + len(results.case.gears)
+    assert "2.481" in shown
+    named = results.case.gears[0]._replace(name="<b>")
+    evil = results.case.replace(gears=[named, *results.case.gears[1:]])
+    assert "<b>" not in vstatics.solve(evil)._repr_html_()
+    many = vstatics.solve(evil, efficiencies=np.full((2, len(evil.mechanisms)), 0.98))
+    assert "<b>" not in many._repr_html_()
+
+
+def test_a_picture_is_shown_as_svg_and_saved_by_its_suffix(tmp_path: Path) -> None:
+    pytest.importorskip("matplotlib")
+    results = vstatics.solve(vstatics.load(BOX))
+    picture = vstatics.plot(results, "lever", gear="R")
+    assert picture._repr_svg_().lstrip().startswith("<?xml")
+    assert repr(picture).startswith("<Picture lever of <Results of")
+    picture.save(tmp_path / "lever.PNG")
+    assert (tmp_path / "lever.PNG").read_bytes().startswith(b"\x89PNG")
+    with pytest.raises(ValueError, match=re.escape("expected a suffix of .svg, .png, .pdf")):
+        picture.save(tmp_path / "lever.gif")
+    with pytest.raises(ValueError, match="did you mean `lever`"):
+        vstatics.plot(results, "levre")
+    with pytest.raises(ValueError, match="no gear 'X'"):
+        vstatics.plot(results, "lever", gear="X")
+
+
+def test_a_report_is_written_whole(tmp_path: Path) -> None:
+    path = tmp_path / "box.html"
+    vstatics.write_report(vstatics.solve(vstatics.load(MZKT)), path)
+    assert path.read_text(encoding="utf-8").startswith("<!DOCTYPE html>")
+    assert list(tmp_path.iterdir()) == [path]
+
+
+# Results by names
+
+
+@pytest.fixture(scope="module")
+def differential() -> vstatics.Results:
+    """Ring held: the carrier turns at 1/3.5."""
+    return vstatics.solve(
+        Transmission(
+            3,
+            [ShiftElement(1, 2, "C"), ShiftElement(2, 0, "B")],
+            [Mechanism(1, 2, 3, -2.5, 0.96, name="set")],
+            [Gear([1], name="direct"), Gear([2], name="low")],
+            link_names=["sun", "ring", "carrier"],
+        )
+    )
+
+
+def test_an_array_its_row_and_its_number_have_names(differential: Any) -> None:
+    results = differential
+    assert results["ratio"].tolist() == [1, 3.5]
+    assert results["ratio", "low"] == results["ratio", 2] == 3.5
+    assert results["speeds", "carrier"].tolist() == pytest.approx([1, 1 / 3.5])
+    assert results["W", "carrier", "low"] == pytest.approx(1 / 3.5)
+    assert results["AMLG", "Mx", "low"] == results["Mx", "low"] == 3.5
+    assert results["AJK"].shape == (3, 3)
+
+
+@pytest.mark.parametrize(
+    ("key", "said"),
+    [
+        ("spees", "there is no table `spees`; did you mean `speeds`?"),
+        (("speeds", "crrier"), "did you mean `carrier`?"),
+        (("ratio", "lwo"), "no gear 'lwo'; did you mean `low`?"),
+        (("ratio", "low", "sun"), "expected no more than (table, gear)"),
+        (("AJK", "sun"), "expected no more than its name"),
+    ],
+)
+def test_another_name_is_told_with_the_nearest(key: Any, said: str, differential: Any) -> None:
+    with pytest.raises((ReadError, ValueError), match=re.escape(said)):
+        differential[key]
+
+
+def test_names_of_variants_leave_their_axes(differential: Any) -> None:
+    many: Any = vstatics.solve(differential.case, ratios=[[-2.0], [-3.0]])
+    assert many["ratio", "low"].tolist() == [3, 4]
+    assert many["speeds", "carrier"].shape == (2, 2)
+
+
+def test_a_gear_is_taken_by_name_or_number(differential: Any) -> None:
+    assert differential.gear("low").ratio == differential.gear(2).ratio == 3.5
+    with pytest.raises(ValueError, match=re.escape("no gear 'lo'; did you mean `low`?")):
+        differential.gear("lo")
+
+
+def test_a_data_frame_has_tables_over_rows(differential: Any) -> None:
+    pytest.importorskip("pandas")
+    table = differential.to_dataframe()
+    assert table["ratio"].tolist() == [1, 3.5]
+    assert list(table["speeds"]) == ["sun", "ring", "carrier"]
+    assert table.loc["low", ("speeds", "carrier")] == pytest.approx(1 / 3.5)
+
+
+def test_nothing_of_it_is_imported_with_the_package() -> None:
+    """Start-up time: see docs/architecture.md."""
+    import subprocess
+
+    code = "import sys, vstatics; print([m for m in ('rich', 'yaml', 'json', 'vstatics.report') if m in sys.modules])"
+    said = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert said.stdout.strip() == "[]"

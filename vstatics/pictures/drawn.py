@@ -1,0 +1,106 @@
+"""A picture for those who work in Python: shown in a notebook, or saved."""
+
+from __future__ import annotations
+
+import os
+from typing import TYPE_CHECKING
+
+from vstatics.errors import nearest
+from vstatics.pictures import FORMATS, PICTURES, Format, picture, render
+from vstatics.pictures.style import Style
+from vstatics.statics.results import Language, Results, expect_results
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+
+class Picture:
+    """A picture of the results of one case; a notebook shows it as SVG."""
+
+    def __init__(self, results: Results, kind: str, style: Style, gear: int | None) -> None:
+        """Keep what is to be drawn; it is drawn when it is shown or saved."""
+        self._drawn = results, kind, style, gear
+
+    def __repr__(self) -> str:
+        """What it shows."""
+        results, kind, _, _ = self._drawn
+        return f"<Picture {kind} of {results!r}>"
+
+    def _repr_svg_(self) -> str:
+        return self._as("svg").decode()
+
+    @property
+    def figure(self) -> Figure:
+        """The figure of matplotlib, to be changed."""
+        return picture(*self._drawn)
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write it to a file: SVG, PNG or PDF by the suffix.
+
+        Raises
+        ------
+        ValueError
+            For another suffix.
+        """
+        form = os.path.splitext(os.fspath(path))[1].lower().removeprefix(".")  # noqa: PTH122
+        known = {one: one for one in FORMATS}
+        if form not in known:
+            suffixes = ", ".join(f".{one}" for one in FORMATS)
+            raise ValueError(f"a picture as {os.fspath(path)}: expected a suffix of {suffixes}")
+        data = self._as(known[form])
+        with open(path, "wb") as file:  # noqa: PTH123
+            file.write(data)
+
+    def _as(self, form: Format) -> bytes:
+        results, kind, style, gear = self._drawn
+        return render(results, kind, form, style, gear)
+
+
+def plot(
+    results: Results,
+    kind: str = "plan",
+    *,
+    gear: int | str | None = None,
+    dark: bool = False,
+    lang: Language = "en",
+) -> Picture:
+    """A picture of the results of one case.
+
+    Parameters
+    ----------
+    results : Results
+        Of one case.
+    kind : {"plan", "lever", "flow", "structure", "stick", "efficiency"}
+        What is drawn, as of ``vstatics plot --kind``.
+    gear : int or str, optional
+        Number from 1, or name, of the only gear that is shown.
+    dark : bool, optional
+        Light on dark.
+    lang : {"en", "ru"}, optional
+        Of axes and titles.
+
+    Returns
+    -------
+    Picture
+        Shown as SVG by a notebook; ``save`` writes it to a file, ``figure`` is for matplotlib.
+
+    Raises
+    ------
+    CaseError
+        If matplotlib is not installed, or the case has nothing that could be drawn.
+    ValueError
+        If there is no such kind or gear.
+
+    Examples
+    --------
+    >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
+    >>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)], [Gear([1])])
+    >>> plot(solve(case), "lever")._repr_svg_()[:5]
+    '<?xml'
+    """
+    expect_results(results, "plot")
+    if kind not in PICTURES:
+        hint = nearest(kind, PICTURES) or f"; expected one of {', '.join(PICTURES)}"
+        raise ValueError(f"there is no picture {kind!r}{hint}")
+    number = None if gear is None else results.case.gear_number(gear)
+    return Picture(results, kind, Style(lang, dark), number)
