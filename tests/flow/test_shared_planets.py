@@ -22,6 +22,7 @@ from tests.trains import seeded
 from vstatics import Gear, Mechanism, ShiftElement, Transmission
 from vstatics.flow.circulation import Loop, Node, Shared
 from vstatics.flow.grids import remarks
+from vstatics.flow.rows import grids
 from vstatics.flow.shared_planets import shared, words
 from vstatics.flow.text import text
 from vstatics.readers.named.reader import read_yaml
@@ -107,6 +108,14 @@ def test_a_deck_says_so_as_text_and_as_json(tmp_path: Path) -> None:
     [gear] = json.loads(vstatics("flow", file, "-f", "json").out)["gears"]
     assert [loop["note"] for loop in gear["lossy"]["loops"]] == [DOUBT]
     assert gear["ideal"]["loops"][0]["power"] == pytest.approx(1.26 / 1.54)
+    assert gear["ideal"]["doubtful"] == gear["ideal"]["circulating"]
+
+
+def test_tables_say_so_beside_the_sum_and_beside_the_loop() -> None:
+    tables = {grid.title: grid for grid in grids([only(SET)])}
+    [balance], [loop] = tables["Balance"].texts, tables["Circulating power"].texts
+    assert balance[-1] == f"{balance[-2]} of it may not be in the metal"
+    assert loop[-1] == DOUBT
 
 
 def test_a_loop_inside_one_element_is_not_counted() -> None:

@@ -16,6 +16,7 @@ from tests.trains import regular_trains, trains
 from vstatics import Gear, Mechanism, ShiftElement, Transmission, load, solve
 from vstatics.flow.grids import power_grid
 from vstatics.flow.power import PowerFlow, flows
+from vstatics.flow.rows import grids
 from vstatics.readers.named.reader import read_yaml
 from vstatics.summary.sensitivity import sensitivities
 
@@ -106,6 +107,9 @@ gears: {low: {engaged: [C]}}
 """
 
 
+MESHES = ("small_sun-short", "large_sun-long", "ring-long", "short-long")
+
+
 def test_each_mesh_of_a_ravigneaux_set_takes_its_part() -> None:
     """The carrier is held: 1 goes by the small sun and both planets to the ring.
 
@@ -146,6 +150,12 @@ def test_the_table_and_json_show_it_with_kilowatts(tmp_path: Path) -> None:
     shown = {one["mesh"]: (one["power"], one["loss"]) for one in gear["lossy"]["teeth"]}
     assert shown["short-long"] == pytest.approx((0.98, 0.0196))
     assert shown[""][0] == pytest.approx(1)
+
+
+def test_a_spreadsheet_names_the_teeth_of_each_mesh() -> None:
+    power = next(grids([only(read_yaml(RAVIGNEAUX.encode(), "x").case)]))
+    parts = [row[3] for row in power.texts if row[2] == "set"]
+    assert parts[-5:] == ["teeth", *(f"teeth {mesh}" for mesh in MESHES)]
 
 
 def test_belts_and_shafts_have_no_teeth() -> None:

@@ -22,6 +22,7 @@ CONVENTIONS = {
     "teeth": "power that enters the teeth, against the carrier; of a mechanism as a whole "
     "where there is no mesh",
     "forward": "the edges less all loops",
+    "doubtful": "the part of the circulating power that may not be in the metal",
     "loops": "circulating power; a note where it may not be in the metal",
     "locked_in": "loops within what turns as one piece, which do not count",
     "by_convention": "what turns as one piece, and whose part of the power no statics decides",
@@ -57,7 +58,8 @@ def document(name: str, gears: Sequence[GearFlow]) -> dict[str, Any]:
 def _side(side: PowerFlow | None) -> dict[str, Any] | None:
     if side is None:
         return None
-    names = "entering", "leaving", "lost", "balance", "circulating", "circulating_share"
+    loops = "circulating", "circulating_share", "doubtful"
+    names = ("entering", "leaving", "lost", "balance", *loops)
     shares = side.shares
     return {
         **{name: getattr(side, name) for name in names},

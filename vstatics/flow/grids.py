@@ -95,8 +95,8 @@ def remarks(flow: GearFlow, digits: int | None = None) -> Iterator[str]:
     else:
         yield "circulating: none"
     for loop in shown.loops:
-        doubt = f" ({words(loop.shared)})" if loop.shared else ""
-        yield f"  {shown_as(loop.power)}{doubt}: {around(loop)}"
+        said = f" ({words(loop.shared)})" if loop.shared else ""
+        yield f"  {shown_as(loop.power)}{said}: {around(loop)}"
     for loop in shown.locked_in:
         yield f"within one piece, does not count: {shown_as(loop.power)}: {around(loop)}"
 
@@ -113,8 +113,13 @@ def _circulating(
     share = shown.circulating_share
     of_input = "" if math.isnan(share) else f", {100 * share:.1f}% of the power in"
     without = "" if lossy is None else f"; ideal {shown_as(ideal.circulating)}"
-    doubt = f"; {shown_as(shown.doubtful)} of it may not be in the metal" if shown.doubtful else ""
-    return f"circulating: {shown_as(shown.circulating)}{of_input}{without}{doubt}"
+    circulating = f"circulating: {shown_as(shown.circulating)}{of_input}{without}"
+    return "; ".join(filter(None, (circulating, doubt(shown, shown_as))))
+
+
+def doubt(side: PowerFlow, shown_as: Callable[[float], str]) -> str:
+    """How much of the circulating power may not be; nothing if all is real."""
+    return f"{shown_as(side.doubtful)} of it may not be in the metal" if side.doubtful > 0 else ""
 
 
 def _nodes(flow: GearFlow) -> dict[Node, bool]:

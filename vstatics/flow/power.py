@@ -91,7 +91,9 @@ class PowerFlow(NamedTuple):
 
     @property
     def doubtful(self) -> float:
-        """The part of it that may not be in the metal [-]."""
+        """The part of it that may not be in the metal [-]; NaN where it is not determined."""
+        if self.unknown:
+            return math.nan
         return math.fsum(loop.power for loop in self.loops if loop.shared)
 
     @property

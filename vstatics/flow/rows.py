@@ -6,10 +6,11 @@ import math
 from collections.abc import Iterator, Sequence
 
 from vstatics.flow.circulation import Loop
-from vstatics.flow.grids import around, power_grid
+from vstatics.flow.grids import around, doubt, power_grid
 from vstatics.flow.power import GearFlow, PowerFlow
 from vstatics.flow.shared_planets import words
 from vstatics.tables.grid import Column, Grid, Row, exact, text
+from vstatics.tables.numbers import fixed
 from vstatics.tables.ports import ports_grid
 
 
@@ -52,7 +53,7 @@ def _power(by_gear: Sequence[tuple[str, Grid]]) -> Grid:
                 section = first.text
                 continue
             node = first.text if level == 2 else node
-            part = first.text if level > 2 else ""
+            part = {2: "", 3: first.text}.get(level, f"teeth {first.text}")
             known = dict(zip(headings, cells, strict=True))
             rows.append([gear, section, node, part, *(known.get(one, "") for one in columns)])
     front = [text(one) for one in ("gear", "kind", "power through", "part")]
@@ -66,7 +67,8 @@ def _balance(flows: Sequence[GearFlow]) -> Grid:
     for flow in flows:
         side = _side(flow)
         values = [math.nan if side is None else getattr(side, name) for name in names]
-        rows.append([flow.gear, *map(exact, values), flow.note])
+        notes = [flow.note, "" if side is None else doubt(side, fixed)]
+        rows.append([flow.gear, *map(exact, values), "; ".join(filter(None, notes))])
     return Grid("Balance", columns, rows)
 
 
