@@ -37,8 +37,7 @@ golden: .venv/dev.stamp ## rewrite tests/golden; fails where something changed
 	$(BIN)/pytest -q -n 0 tests/test_golden.py --regenerate
 
 schema: .venv/run.stamp ## rewrite schemas/ from the declarations
-	$(BIN)/python -m vstatics.readers.named.schema > schemas/case.schema.json
-	$(BIN)/python -m vstatics.writers.schema > schemas/result.schema.json
+	$(BIN)/python -m vstatics.cli.schemas schemas
 
 bench: .venv/dev.stamp ## all figures of docs/performance.md (needs a C compiler, 5 minutes)
 	$(BIN)/python benchmarks

@@ -14,25 +14,17 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from jsonschema import Draft202012Validator
-from referencing import Registry, Resource
 
-from tests.commands import CASES, ROOT, vstatics
+from tests.commands import CASES, vstatics
 from vstatics.readers.results import read_results
 from vstatics.tables.compare import differences
 from vstatics.tables.quantities import QUANTITIES
-from vstatics.writers.schema import json_schema
 
 GOLDEN = Path(__file__).parent / "golden"
 SHIPPED = sorted(path for path in CASES.iterdir() if path.suffix in (".yaml", ".dat"))
 FORMATS = {"lst": "listing", "json": "json"}
 WRITTEN = {f"{path.name}.{suffix}": path for path in SHIPPED for suffix in FORMATS}
-SCHEMA = ROOT / "schemas" / "result.schema.json"
 NAMES_OF_TABLES = {quantity.key for quantity in QUANTITIES}
-
-
-def loaded(path: Path) -> Any:
-    return json.loads(path.read_text(encoding="utf-8"))
 
 
 def besides_tables(text: str) -> dict[str, Any]:
@@ -74,21 +66,6 @@ def test_result_is_that_of_the_golden_file(name: str, *, regenerate: bool) -> No
 
 def test_no_golden_file_is_left_over() -> None:
     assert {path.name for path in GOLDEN.iterdir()} <= set(WRITTEN)
-
-
-@pytest.mark.parametrize("name", [name for name in WRITTEN if name.endswith(".json")])
-def test_golden_json_fits_the_schema(name: str) -> None:
-    case_schema = loaded(ROOT / "schemas" / "case.schema.json")
-    resources = [("case.schema.json", Resource.from_contents(case_schema))]
-    validator = Draft202012Validator(loaded(SCHEMA), registry=Registry().with_resources(resources))
-    assert [error.message for error in validator.iter_errors(loaded(GOLDEN / name))] == []
-    broken = {**loaded(GOLDEN / name), "case": {"links": 3, "ratoi": 1}}
-    assert not validator.is_valid(broken)
-
-
-def test_schema_is_valid_and_up_to_date() -> None:
-    Draft202012Validator.check_schema(json_schema())
-    assert loaded(SCHEMA) == json_schema(), "write it: python -m vstatics.writers.schema"
 
 
 def test_a_missing_file_is_written_and_fails(tmp_path: Path) -> None:

@@ -18,7 +18,7 @@ from vstatics.elements.keys import DRAWN
 from vstatics.errors import ReadError
 from vstatics.model.transmission import Gear, Mechanism, Transmission
 from vstatics.readers.named.reader import read_json
-from vstatics.readers.named.schema import json_schema, schema_text
+from vstatics.readers.named.schema import json_schema
 from vstatics.writers.named import mapping
 
 ROOT = Path(__file__).parents[2]
@@ -60,13 +60,6 @@ def changed(change: Change) -> Any:
     document = copy.deepcopy(yaml.safe_load(SAMPLE))
     change(document)
     return document
-
-
-def test_the_file_is_up_to_date() -> None:
-    file = ROOT / "schemas" / "case.schema.json"
-    assert file.read_text(encoding="utf-8") == schema_text(), (
-        "run `python -m vstatics.readers.named.schema > schemas/case.schema.json`"
-    )
 
 
 def test_it_is_a_schema() -> None:

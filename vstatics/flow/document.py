@@ -28,6 +28,11 @@ CONVENTIONS = {
     "by_convention": "what turns as one piece, and whose part of the power no statics decides",
     "null": "does not exist, or is not determined",
 }
+SIDE_NUMBERS = (
+    *("entering", "leaving", "lost", "balance"),
+    *("circulating", "circulating_share", "doubtful"),
+)
+"""What is told of a side as a whole."""
 
 
 def document(name: str, gears: Sequence[GearFlow]) -> dict[str, Any]:
@@ -58,11 +63,9 @@ def document(name: str, gears: Sequence[GearFlow]) -> dict[str, Any]:
 def _side(side: PowerFlow | None) -> dict[str, Any] | None:
     if side is None:
         return None
-    loops = "circulating", "circulating_share", "doubtful"
-    names = ("entering", "leaving", "lost", "balance", *loops)
     shares = side.shares
     return {
-        **{name: getattr(side, name) for name in names},
+        **{name: getattr(side, name) for name in SIDE_NUMBERS},
         "throughput": [
             node._asdict() | {"power": power} for node, power in side.throughput.items()
         ],

@@ -13,7 +13,7 @@ from vstatics.statics.state import GearState
 from vstatics.tables.grid import Cell, Column, Grid, exact, text
 from vstatics.tables.quantity import UNITS
 
-_MEASURES = (("speed", "rpm"), ("torque", "Nm"), ("power", "kW"))
+MEASURES = (("speed", "rpm"), ("torque", "Nm"), ("power", "kW"))
 """What is told of a port, and its unit with a load."""
 
 
@@ -86,10 +86,10 @@ def ports_grid(gears: Sequence[PortTable], *, named: bool = True) -> Grid:
 ['lost: meshes', '', '', '.419', '']]
     """
     physical = {
-        unit for _, unit in _MEASURES if not any(math.isnan(one.scales[unit]) for one in gears)
+        unit for _, unit in MEASURES if not any(math.isnan(one.scales[unit]) for one in gears)
     }
     columns = [text("gear")] * named + [text("port")]
-    for name, unit in _MEASURES:
+    for name, unit in MEASURES:
         columns.append(Column(f"{name}, {UNITS[unit].en}" if unit in physical else name))
     columns.append(text(""))
     rows: list[list[Cell | str]] = []
@@ -106,7 +106,7 @@ def _rows(gear: PortTable, physical: set[str]) -> Iterator[list[Cell | str]]:
         return exact(value)
 
     for name, port in gear.rows:
-        numbers = (cell(getattr(port, what), unit) for what, unit in _MEASURES)
+        numbers = (cell(getattr(port, what), unit) for what, unit in MEASURES)
         yield [name, *numbers, port.way]
     for name, lost in gear.losses:
         yield [f"lost: {name}", "", "", cell(lost, "kW"), ""]
@@ -116,7 +116,7 @@ def port_document(gear: PortTable) -> dict[str, Any]:
     """The ports of a gear as plain data: relative numbers, and those with a unit by a load."""
 
     def numbers(values: dict[str, float]) -> dict[str, float]:
-        units = dict(_MEASURES)
+        units = dict(MEASURES)
         with_units = {
             f"{name}_{units[name]}": value * gear.scales[units[name]]
             for name, value in values.items()
@@ -130,7 +130,7 @@ def port_document(gear: PortTable) -> dict[str, Any]:
                 "link": name,
                 "way": port.way or None,
                 "output": port.is_output,
-                **numbers({what: getattr(port, what) for what, _ in _MEASURES}),
+                **numbers({what: getattr(port, what) for what, _ in MEASURES}),
             }
             for name, port in gear.rows
         ],

@@ -1,12 +1,7 @@
-"""The JSON Schema of a case, made from its declared shape.
-
-``python -m vstatics.readers.named.schema`` gives the text of ``schemas/case.schema.json``.
-"""
+"""The JSON Schema of a case, made from its declared shape."""
 
 from __future__ import annotations
 
-import json
-import sys
 from typing import Any
 
 from vstatics.elements.keys import with_elements
@@ -71,11 +66,6 @@ def json_schema() -> Words:
         "anyOf": [{"required": ["elements"]}, _WITHOUT_ELEMENTS],
     }
     return {**schema, "$defs": _DEFINITIONS}
-
-
-def schema_text() -> str:
-    """The JSON Schema as it stands in the repository."""
-    return json.dumps(json_schema(), indent=2, ensure_ascii=False) + "\n"
 
 
 def _record(shape: ByKey) -> Words:
@@ -175,7 +165,3 @@ def _leaf(shape: Leaf) -> Words:  # noqa: PLR0911 - a table
         case "element":
             return dict(_NAME)
     return {"type": ["string", "number", "boolean"]}
-
-
-if __name__ == "__main__":
-    sys.stdout.write(schema_text())

@@ -1,0 +1,48 @@
+"""The JSON Schema of a summary: what `document` makes."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from vstatics.flow.schema import ports_schema
+from vstatics.summary.combinations import Combination
+from vstatics.summary.design import GearLine
+from vstatics.summary.document import VERSION
+from vstatics.summary.duty import Cycle
+from vstatics.summary.extremes import Largest, Margin
+from vstatics.summary.shifts import Transition
+from vstatics.writers.record_schema import (
+    NUMBER,
+    TEXT,
+    Schema,
+    documents,
+    head,
+    list_of,
+    record,
+    schema_of,
+)
+
+
+def json_schema() -> Schema:
+    """The schema of ``vstatics summary -f json``."""
+    sometimes: Schema = {
+        "margins": schema_of(Sequence[Margin]),
+        "duty": schema_of(Cycle),
+        "combinations": schema_of(Sequence[Combination]),
+    }
+    one = record(
+        {
+            **head("vstatics-summary", VERSION),
+            "name": TEXT,
+            "gears": schema_of(Sequence[GearLine]),
+            "forward": list_of(TEXT),
+            "spread": NUMBER,
+            "transitions": list_of(schema_of(Transition, changes={"type": "integer"}, kind=TEXT)),
+            "ports": list_of(record({"gear": TEXT, **ports_schema()})),
+            "largest": schema_of(Mapping[str, Sequence[Largest]]),
+            "sensitivity": schema_of(Mapping[str, Sequence[float]]),
+            **sometimes,
+        },
+        optional=list(sometimes),
+    )
+    return documents("summary", "Summary of a case, of vstatics summary", one)
