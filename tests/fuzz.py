@@ -1,0 +1,245 @@
+"""Mutated inputs for all readers and expressions: `python -m tests.fuzz 1000000`.
+
+Each input must end in a result or in an error of vstatics, within a second of the processor.
+The same seed makes the same inputs; `--from N` starts at one that failed.
+"""
+
+from __future__ import annotations
+
+import argparse
+import io
+import json
+import re
+import sys
+import time
+import traceback
+from collections import Counter
+from collections.abc import Callable, Iterator
+from functools import cache
+from multiprocessing import Pool
+from random import Random
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from tests.commands import CASES, MZKT
+from vstatics import VstaticsError, load, solve
+from vstatics.readers import read
+from vstatics.readers.results import read_results
+from vstatics.summary.duty_file import read_duty
+from vstatics.sweep.expressions import read_expression
+from vstatics.sweep.expressions.columns import read_columns
+from vstatics.sweep.file import read_sweep_file
+from vstatics.sweep.table import read_table
+from vstatics.sweep.targets import target
+from vstatics.sweep.variation import read_variation
+from vstatics.writers import listing, named, result_json
+
+SECONDS = 1.0
+"""Of the processor; more is a fault."""
+CHUNK = 500
+
+PIECES = (
+    *("0", "-1", "1", "7", "1e308", "1e-308", "1e999999999", "999999999", "nan", "inf", "1/0"),
+    *("9" * 400, "6*0", "1000000000*0", ".", ",", " ", "\n", "\t", "\r", "\0", "\x1b[2J", "\u202e"),
+    *("(", ")", "=", ":", "[", "]", "{", "}", "- ", "&a ", "*a", "'", '"', "#", "**", "^3^3^3"),
+    *("housing", "KJG= 3", "NAME P1: x", "!!int ", "<<: ", "---", "null", "true", "~", "|", ">"),
+    *(
+        "400 Nm",
+        "3000 1/min",
+        "120 kW",
+        "1.05*FL",
+        "link 3",
+        "kind: point",
+        "input_turns: backward",
+    ),
+    *("ratio", "speeds[1]", "abs(", "max(", "and", "not", "<=", "1:2:3", "-3:-2:5", "1e9:0:1"),
+)
+TOKEN = re.compile(r"[A-Za-z_]+|[-+.0-9eE]+|\s+|.", re.DOTALL)
+
+
+class Kind(NamedTuple):
+    """A kind of input: good ones, and what reads them."""
+
+    good: tuple[str, ...]
+    read: Callable[[bytes], object]
+
+
+def _case(form: Any) -> Callable[[bytes], object]:
+    """Read a case, and calculate what can be: that must end well, too."""
+
+    def reader(data: bytes) -> object:
+        case = read(data, "case", form).case
+        if case.links < 30 and len(case.gears) < 20 and len(data) % 4 == 0:
+            return solve(case)
+        return case
+
+    return reader
+
+
+@cache
+def kinds() -> dict[str, Kind]:
+    """All kinds, with shipped cases and what is made of them as good inputs."""
+    decks = [MZKT.read_text(encoding="utf-8")]
+    paths = sorted(CASES.glob("*.yaml"))
+    yamls = [path.read_text(encoding="utf-8") for path in paths]
+    yamls += [
+        "links: [e, FL, FR]\noutputs: [FL, FR]\nload: {speed: 3000 1/min, torque: 1.3*400 Nm}\n"
+        "shift_elements: {C: [e, FL]}\n"
+        "mechanisms: {axle: {first: FL, second: FR, third: e, ratio: -1}}\n"
+        "gears: {curve: {speeds: {FR: 1.05*FL}, kind: point}, lock: [C]}\n"
+    ]
+    some = [load(path) for path in paths[:6]]
+    jsons = [named.write_json(case) for case in some]
+    solved = [solve(case) for case in some[:3]]
+    results = [json.dumps(result_json.document(one)) for one in solved]
+    results += [listing.write(one) for one in solved]
+    case = load(CASES / "mzkt7922.yaml")
+    varied = [target("D1.ratio", case), target("D3.efficiency", case)]
+    values = np.array([[-0.8, 0.97], [-0.9, 0.98]])
+    numbers = solve(case)
+
+    def expression(data: bytes) -> object:
+        made = read_expression(data.decode(errors="replace"), case, varied, "--where")
+        return made(numbers, values[:1])
+
+    def columns(data: bytes) -> object:
+        return read_columns(data.decode(errors="replace"), case, varied)
+
+    def variation(data: bytes) -> object:
+        return read_variation(data.decode(errors="replace"), case)
+
+    return {
+        "deck": Kind(tuple(decks), _case("deck")),
+        "yaml": Kind(tuple(yamls), _case("yaml")),
+        "json": Kind(tuple(jsons), _case("json")),
+        "any": Kind((*decks, *yamls, *jsons), _case(None)),
+        "result": Kind(tuple(results), lambda data: read_results(data, "result")),
+        "duty": Kind(
+            ("energy: {1: .2, 2: .3, 3: .5}\n", "time: {low: 1/3, R: 2/3}\n"),
+            lambda data: read_duty(data, "duty.yaml"),
+        ),
+        "sweep file": Kind(
+            (
+                "case: box.yaml\nvary: {D1.ratio: [-3, -2], D2.efficiency: '.9:.99:5'}\n"
+                "out: ratio[1],efficiency[1]\nwhere: ratio[1] > 2\nmax: ETA[1]\nbest: 3\n",
+                "case: box.yaml\nsample: 1000\nmethod: sobol\nseed: 1\nvary: {D1.ratio: '-3:-2'}\n",
+            ),
+            lambda data: read_sweep_file(data, "sweep.yaml"),
+        ),
+        "table": Kind(
+            ("D1.ratio,D3.efficiency\n-.8,.97\n-.9,.98\n", "D1.ratio;D2.ratio\n-0,8;2,6\n"),
+            lambda data: read_table(io.BytesIO(data), "table.csv", case),
+        ),
+        "expression": Kind(
+            (
+                "abs(ratio[1] / ratio[2] - 1.8) < .1 and min(efficiency) > .9",
+                "max(abs(slip_speeds[T1]), 2 * AMLGP[Mx, 1] ** 2) - D1.ratio",
+                "not (W[2, :] <= 1) or IX[D1,1] == -1",
+            ),
+            expression,
+        ),
+        "columns": Kind(
+            ("ratio[1],ETA[1],speeds[:,2]", "AMLGP[Mx,1] - AMLG[Mx,1], ratio"), columns
+        ),
+        "variation": Kind(
+            ("D1.ratio=-3:-2:5", "D1.ratio=-3:-2", "D2.efficiency=.9,.95,.97", "D1.ratio=-96/39"),
+            variation,
+        ),
+    }
+
+
+def mutated(rng: Random, good: tuple[str, ...]) -> bytes:
+    """A good text, of which words are cut out, doubled, moved or replaced, or bytes changed."""
+    tokens = TOKEN.findall(rng.choice(good))
+    for _ in range(rng.choice((1, 1, 1, 2, 4))):
+        place = rng.randrange(max(len(tokens), 1))
+        match rng.randrange(7):
+            case 0:
+                tokens[place : place + 1] = [rng.choice(PIECES)]
+            case 1:
+                tokens.insert(place, rng.choice(PIECES))
+            case 2:
+                del tokens[place : place + rng.randint(1, 12)]
+            case 3:
+                tokens[place:place] = tokens[place : place + rng.randint(1, 40)]
+            case 4:
+                tokens[place:place] = [rng.choice(PIECES)] * rng.choice((2, 10, 300))
+            case 5:
+                other = rng.randrange(max(len(tokens), 1))
+                if tokens:
+                    tokens[place], tokens[other] = tokens[other], tokens[place]
+            case _:
+                del tokens[place:]
+    data = "".join(tokens).encode("utf-8", "replace")
+    if data and rng.random() < 0.2:
+        place = rng.randrange(len(data))
+        data = data[:place] + rng.randbytes(rng.randint(1, 3)) + data[place + 1 :]
+    return data
+
+
+def tried(number: int) -> tuple[str, str, str]:
+    """Kind, outcome and fault of the input of a number; the fault is empty if all is well."""
+    rng = Random(number)  # noqa: S311
+    name = [*kinds()][number % len(kinds())]
+    kind = kinds()[name]
+    data = mutated(rng, kind.good)
+    begin = time.process_time()
+    outcome, fault = "read", ""
+    try:
+        with np.errstate(all="ignore"):
+            kind.read(data)
+    except VstaticsError as error:
+        outcome = "refused"
+        if not str(error):
+            fault = "an error without words"
+    except Exception:  # noqa: BLE001 - that is what is looked for
+        outcome, fault = "fault", traceback.format_exc()
+    seconds = time.process_time() - begin
+    if seconds > SECONDS:
+        fault += f"took {seconds:.1f} s"
+    return name, outcome, f"{fault}\n{data[:2000]!r}" if fault else ""
+
+
+def _many(start: int) -> tuple[Counter[tuple[str, str]], list[str]]:
+    counts: Counter[tuple[str, str]] = Counter()
+    faults = []
+    for number in range(start, start + CHUNK):
+        name, outcome, fault = tried(number)
+        counts[name, outcome] += 1
+        if fault:
+            faults.append(f"input {number}, {name}: {fault}")
+    return counts, faults
+
+
+def run(
+    first: int, count: int, processes: int
+) -> Iterator[tuple[Counter[tuple[str, str]], list[str]]]:
+    """Counts and faults of some inputs, a chunk at a time."""
+    with Pool(processes) as pool:
+        yield from pool.imap_unordered(_many, range(first, first + count, CHUNK))
+
+
+def main() -> int:
+    """Try the inputs, print the counts; the exit status is 1 if one failed."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("count", type=int)
+    parser.add_argument("--from", dest="first", type=int, default=0)
+    parser.add_argument("--jobs", type=int, default=2)
+    asked = parser.parse_args()
+    counts: Counter[tuple[str, str]] = Counter()
+    failed = 0
+    for found, faults in run(asked.first, asked.count, asked.jobs):
+        counts += found
+        failed += len(faults)
+        for fault in faults:
+            print(fault, flush=True)  # noqa: T201
+    for name in kinds():
+        of_kind = {outcome: n for (kind, outcome), n in counts.items() if kind == name}
+        print(f"{name:12} {of_kind}")  # noqa: T201
+    print(f"{sum(counts.values())} inputs, {failed} faults")  # noqa: T201
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

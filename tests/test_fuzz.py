@@ -1,0 +1,22 @@
+"""Mutated inputs end in a result or in words, soon; `tests.fuzz` tries more of them."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.fuzz import kinds, tried
+
+
+@pytest.mark.parametrize("name", list(kinds()))
+def test_good_inputs_are_read(name: str) -> None:
+    kind = kinds()[name]
+    for text in kind.good:
+        kind.read(text.encode())
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("hundred", range(40))
+def test_mutated_inputs_end_in_a_result_or_in_words(hundred: int) -> None:
+    for number in range(hundred * 100, hundred * 100 + 100):
+        name, _, fault = tried(number)
+        assert not fault, f"input {number}, {name}: {fault}"
