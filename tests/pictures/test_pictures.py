@@ -143,12 +143,13 @@ def test_another_suffix_is_wrong_use(tmp_path: Path) -> None:
     assert "expected a suffix of .svg .png .pdf" in said.err
 
 
-def test_an_unknown_gear_is_told_with_those_that_there_are(tmp_path: Path) -> None:
+@pytest.mark.parametrize("gear", ["9", "0", "9" * 5000])
+def test_an_unknown_gear_is_told_with_those_that_there_are(gear: str, tmp_path: Path) -> None:
     said = vstatics(
-        "plot", CASES / "umdm.yaml", "-k", "plan", "--gear", "9", "-o", tmp_path / "a.svg"
+        "plot", CASES / "umdm.yaml", "-k", "plan", "--gear", gear, "-o", tmp_path / "a.svg"
     )
     assert said.status == 2
-    assert "no gear '9'; gears are 1, 2, 3, 4, R" in said.err
+    assert f"no gear '{gear}'; gears are 1, 2, 3, 4, R" in said.err
     assert list(tmp_path.iterdir()) == []
 
 

@@ -3,12 +3,17 @@
 from __future__ import annotations
 
 import re
+import subprocess
+import sys
 import time
+from pathlib import Path
+from statistics import median
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from tests.commands import environment
 from vstatics.readers.named.arithmetic import LONGEST
 from vstatics.readers.named.measured import QUANTITY, WithUnit, quantity, relative
 from vstatics.readers.named.units import Quantity
@@ -95,3 +100,46 @@ def test_any_text_is_read_or_refused_in_bounded_time(text: str) -> None:
             continue
         assert re.match(QUANTITY, text)
     assert time.process_time() - begin < 0.5
+
+
+PLAIN = """
+links: [engine, generator, motor, axle]
+mechanisms:
+  split: {first: generator, second: axle, third: engine, ratio: -78/30, efficiency: 0.98}
+  motor gear: {first: motor, second: axle, ratio: -58/22, efficiency: 0.98}
+gears: {cruise: {speeds: {generator: 1.2}, torques: {motor: -0.1}}}
+"""
+WITH_UNITS = "load: {power: 120 PS, speed: 3000 1/min}" + PLAIN.replace(
+    "generator: 1.2", "generator: 1.2*3000 rpm"
+).replace("-0.1", "-30 lb-ft")
+
+
+def test_units_need_no_module_of_others() -> None:
+    code = f"""
+import sys, vstatics
+from vstatics.tables.values import tables
+tables(vstatics.solve(vstatics.readers.read({PLAIN.encode()!r}, "plain.yaml").case))
+before = set(sys.modules)
+tables(vstatics.solve(vstatics.readers.read({WITH_UNITS.encode()!r}, "units.yaml").case))
+print(*[name for name in set(sys.modules) - before if not name.startswith("vstatics.")])
+"""
+    done = subprocess.run([sys.executable, "-c", code], check=True, capture_output=True, text=True)
+    assert done.stdout == "\n"
+
+
+@pytest.mark.slow
+@pytest.mark.alone
+def test_a_case_with_units_starts_as_fast_as_one_without(tmp_path: Path) -> None:
+    """Pairs of whole processes, one after the other."""
+    (tmp_path / "plain.yaml").write_text(PLAIN)
+    (tmp_path / "units.yaml").write_text(WITH_UNITS)
+
+    def seconds(case: str) -> float:
+        begin = time.perf_counter()
+        command = [sys.executable, "-m", "vstatics", "run", case]
+        subprocess.run(command, check=True, capture_output=True, cwd=tmp_path, env=environment())
+        return time.perf_counter() - begin
+
+    seconds("units.yaml")  # fills the file cache
+    ratios = [seconds("units.yaml") / seconds("plain.yaml") for _ in range(15)]
+    assert median(ratios) < 1.25
