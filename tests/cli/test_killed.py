@@ -37,8 +37,11 @@ class Work(NamedTuple):
 
 WORKS = {
     **{
-        f"run {form}": Work(("run", "--files-from", "list", "-f", form, "-j", "2"), "out/")
+        f"run {form} -j {jobs}": Work(
+            ("run", "--files-from", "list", "-f", form, "-j", jobs), "out/"
+        )
         for form in ("json", "listing")
+        for jobs in ("1", "2", "3")
     },
     **{
         f"sweep {form} -j {jobs}": Work(("sweep", "box.yaml", *GRID, "-j", jobs), f"out.{form}")

@@ -12,7 +12,7 @@ from vstatics.cli.job import Job
 from vstatics.cli.targets import CaseTask
 from vstatics.errors import Problem, ReadError, of_file
 from vstatics.jobs.alone import Rules
-from vstatics.jobs.files import OWN_FAULTS, replace, set_aside, unwritable
+from vstatics.jobs.files import OWN_FAULTS, set_aside, unwritable
 
 
 class Done(NamedTuple):
@@ -34,13 +34,12 @@ def calculate_and_write(job: Job, task: CaseTask) -> Done:
     case, shown = _shown(job, calculate_one(task.file, job.options))
     file, problems = case.file, case.problems
     try:
-        if task.target is None:
+        if task.target is None or job.finished is None:
             return Done(file, problems, case.failed, texts.part(case, shown, job.form))
         if shown is None:
             return Done(file, problems, left=set_aside(task.target))
-        replace(task.target, texts.alone(case, shown, job.form))
-        if job.finished is not None:
-            job.finished.note(task.target, case.data, failed=case.failed)
+        result = texts.alone(case, shown, job.form)
+        job.finished.put(task.target, result, case.data, failed=case.failed)
     except OSError as error:
         return Done(
             file,

@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from functools import partial
 
 import click
 
@@ -17,7 +16,7 @@ from vstatics.cli.job import Job
 from vstatics.cli.progress import progress
 from vstatics.cli.targets import CaseTask, tasks
 from vstatics.errors import ReadError
-from vstatics.jobs.files import forget, is_stream, unwritable
+from vstatics.jobs.files import is_stream, unwritable
 from vstatics.jobs.finished_cases import FinishedCases
 from vstatics.jobs.stopping import Stop, StoppedError, stoppable
 from vstatics.jobs.workers import workers
@@ -110,7 +109,7 @@ def to_directory(
         count = _Count(len(cases), len(cases) - len(todo))
         kept = f"results are in {folder}; the same command with --resume goes on"
         job = job._replace(finished=finished)
-        with _telling(count, kept) as stop, _results(job, todo, jobs, folder) as results:
+        with _telling(count, kept) as stop, _results(job, todo, jobs) as results:
             for _ in _follow(count, results, stop):
                 pass
     if count.total > 1:
@@ -157,17 +156,10 @@ def to_stream(cases: Sequence[str], output: str | None, job: Job, *, jobs: int) 
 
 
 @contextmanager
-def _results(
-    job: Job, todo: Sequence[CaseTask], jobs: int, folder: str = ""
-) -> Iterator[Iterator[Done]]:
+def _results(job: Job, todo: Sequence[CaseTask], jobs: int) -> Iterator[Iterator[Done]]:
     """What becomes of each case, in their order, by so many processes."""
-    rules = RULES._replace(ended=partial(forget, folder))
-    try:
-        with workers(job, str, jobs=min(jobs, len(todo)), rules=rules) as called:
-            yield (done for _, done in called.each(calculate_and_write, todo, ordered=True))
-    finally:
-        if folder:
-            forget(folder, os.getpid())
+    with workers(job, str, jobs=min(jobs, len(todo)), rules=RULES) as called:
+        yield (done for _, done in called.each(calculate_and_write, todo, ordered=True))
 
 
 def _follow(

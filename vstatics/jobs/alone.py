@@ -69,8 +69,6 @@ class Rules(NamedTuple):
     """The result of an item that is given up; without it that is an error."""
     here: Callable[[Any], bool] = lambda item: False  # noqa: ARG005
     """Whether only this process can do an item."""
-    ended: Callable[[int], None] = lambda process: None  # noqa: ARG005
-    """Gets the id of a process that ended while it may have been at an item."""
 
 
 def call(function: Work[Item, Result], state: object, item: Item, describe: Describe) -> Result:

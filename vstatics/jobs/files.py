@@ -68,20 +68,27 @@ def appending(path: str) -> Iterator[Write]:
         os.close(handle)
 
 
-def replace(path: str, data: bytes) -> None:
+def replace(path: str, data: bytes, mark: str = "") -> None:
     """Write a file, whole or not at all.
+
+    Parameters
+    ----------
+    path : str
+    data : bytes
+    mark : str, optional
+        Whose file it is, for `forget`: what is written when a process is killed stays.
 
     Raises
     ------
     OSError
         If it cannot be written; then the file is as it was.
     """
-    with replacing(path) as write:
+    with replacing(path, mark) as write:
         write(data)
 
 
 @contextlib.contextmanager
-def replacing(path: str) -> Iterator[Write]:
+def replacing(path: str, mark: str = "") -> Iterator[Write]:
     """Write beside a file, and move it into place when the block ends well.
 
     An old file keeps its permissions; a link stays, and its file is written.
@@ -89,7 +96,7 @@ def replacing(path: str) -> Iterator[Write]:
     if os.path.islink(path):  # noqa: PTH114
         path = os.path.realpath(path)
     mode = _mode(path or os.curdir)
-    temporary, handle = _beside(path)
+    temporary, handle = _beside(path, mark)
     try:
         try:
             if mode is not None:
@@ -136,24 +143,12 @@ def set_aside(path: str) -> str:
     return ""
 
 
-def forget(folder: str, process: int) -> None:
-    """Remove the file that a process was writing in a folder when it was ended."""
-    with contextlib.suppress(OSError):
-        os.unlink(_temporary_name(folder, process))  # noqa: PTH108
-
-
-def forget_dead(folder: str) -> None:
-    """Remove files in a folder that processes of this machine did not finish when they died."""
+def forget(folder: str, mark: str) -> None:
+    """Remove files of a mark that were not finished; nobody may be writing one."""
     for name in os.listdir(folder):  # noqa: PTH208
-        number = re.fullmatch(rf"{re.escape(PREFIX)}(\d{{1,9}})-\d+", name)
-        if number is not None:
-            try:
-                os.kill(int(number[1]), 0)
-            except ProcessLookupError:
-                with contextlib.suppress(OSError):
-                    os.unlink(os.path.join(folder, name))  # noqa: PTH108, PTH118
-            except OSError:
-                pass  # it lives
+        if re.fullmatch(rf"{re.escape(PREFIX + mark)}-\d+-\d+", name):
+            with contextlib.suppress(OSError):
+                os.unlink(os.path.join(folder, name))  # noqa: PTH108, PTH118
 
 
 def is_temporary(name: str) -> bool:
@@ -161,16 +156,11 @@ def is_temporary(name: str) -> bool:
     return name.startswith(PREFIX) or name.endswith(".tmp")  # the earlier names
 
 
-def _temporary_name(folder: str, process: int, number: int = 0) -> str:
-    """The name under which a process writes a file before it moves it into place."""
-    return os.path.join(folder, f"{PREFIX}{process}-{number}")  # noqa: PTH118
-
-
-def _beside(path: str) -> tuple[str, int]:
+def _beside(path: str, mark: str) -> tuple[str, int]:
     """A new file in the same folder, with the permissions of the umask; its name and handle."""
-    folder = os.path.dirname(path)  # noqa: PTH120
+    front = f"{PREFIX}{mark}-{os.getpid()}-" if mark else f"{PREFIX}{os.getpid()}-"
     for number in itertools.count():
-        temporary = _temporary_name(folder, os.getpid(), number)
+        temporary = os.path.join(os.path.dirname(path), f"{front}{number}")  # noqa: PTH118, PTH120
         with contextlib.suppress(FileExistsError):  # left by a process that was killed
             return temporary, os.open(temporary, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o666)
     raise AssertionError

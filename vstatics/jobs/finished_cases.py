@@ -18,7 +18,7 @@ from typing import Any, NamedTuple, Self
 
 from vstatics.errors import ReadError, of_file
 from vstatics.extras import build
-from vstatics.jobs.files import appending, forget_dead, replace
+from vstatics.jobs.files import appending, forget, replace
 from vstatics.jobs.lock import lock, unlock
 
 Description = dict[str, Any]
@@ -69,7 +69,8 @@ class FinishedCases:
     def __init__(self, folder: str, suffix: str, options: Description) -> None:
         """Name the file; nothing is touched yet."""
         self.folder = folder
-        self.name = f".vstatics-run-{suffix[1:]}"
+        self.mark = suffix[1:]
+        self.name = f".vstatics-run-{self.mark}"
         self.path = os.path.join(folder, self.name)  # noqa: PTH118
         self.options = options
         self._description = json.dumps({"build": build(), **options})
@@ -82,14 +83,18 @@ class FinishedCases:
         return self
 
     def __exit__(self, *_: object) -> None:
-        """Let go of the directory."""
+        """Let go of the directory, without what a worker was writing when it was ended."""
+        self._forget()
         unlock(self._lock, self.path + LOCKED)
 
     def lock(self) -> None:
         """Take the results of this format for this process; see `vstatics.jobs.lock.lock`."""
         self._lock = lock(self.folder, self.name + LOCKED, "run")
+        self._forget()  # of a run that was killed
+
+    def _forget(self) -> None:
         if self._lock is not None:
-            forget_dead(self.folder)
+            forget(self.folder, self.mark)
 
     def begin(self) -> None:
         """Begin a run.
@@ -151,14 +156,15 @@ class FinishedCases:
             return False
         return entry.case == _hash_of_file(file)
 
-    def note(self, target: str, case: bytes, *, failed: bool) -> None:
-        """Note a result that is in its place, of a case as it was read.
+    def put(self, target: str, result: bytes, case: bytes, *, failed: bool) -> None:
+        """Write a result, and note of what case as it was read it is.
 
         Raises
         ------
         OSError
             If that is not possible.
         """
+        replace(target, result, self.mark)
         entry = [os.path.basename(target), _hash(case), self._run, _state(target), failed]  # noqa: PTH119
         with appending(self.path) as write:
             write(json.dumps(entry).encode() + b"\n")

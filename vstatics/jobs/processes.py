@@ -131,8 +131,6 @@ class Processes(Workers):
             process.dismiss(at_once=at_once)
         for process in processes:
             process.join()
-            if at_once:
-                self.rules.ended(process.number)
 
 
 class _Coming:
@@ -174,11 +172,6 @@ class _Process:
             warnings.simplefilter("ignore", DeprecationWarning)
             self.process.start()
         far.close()
-
-    @property
-    def number(self) -> int:
-        """The id of the process."""
-        return int(self.process.pid)
 
     def give(self, number: int, item: Any, function: Work[Any, Any]) -> None:
         self.items[number] = item
