@@ -41,6 +41,9 @@ WORKS = (
     "vstatics sweep case.yaml --vary P1.ratio=-3:-2 --sample 4 --method random",
     "vstatics sweep case.yaml --vary P1.ratio=-3:-2:3 -o out.npz",
     "python -m vstatics run result.json",
+    "@ vstatics.solve(case)._repr_html_()",
+    "@ vstatics.explain_gear(vstatics.solve(case), 'low')",
+    "@ vstatics.write_report(vstatics.solve(case), 'report.html')",
     *(f"vstatics new --template {name} | vstatics run -" for name in TEMPLATES),
 )
 """What everybody does, in a folder of its own and in this order."""
@@ -57,7 +60,10 @@ REFUSED = {
         "@ vstatics.solve(case).to_dataframe()",
         "@ next(iter(vstatics.sweep(case, {'P1.ratio': [-3]}))).to_dataframe()",
     ),
-    "plot": tuple(f"vstatics plot case.yaml --kind {kind} -o out.svg" for kind in PICTURES),
+    "plot": (
+        *(f"vstatics plot case.yaml --kind {kind} -o out.svg" for kind in PICTURES),
+        "@ vstatics.plot(vstatics.solve(case), 'stick')",
+    ),
     "xlsx": tuple(
         f"vstatics {command} case.yaml -o out.xlsx"
         for command in ("run", "summary", "flow", "explain")

@@ -6,6 +6,7 @@ import os
 from typing import TYPE_CHECKING
 
 from vstatics.errors import nearest
+from vstatics.extras import require
 from vstatics.pictures import FORMATS, PICTURES, Format, picture, render
 from vstatics.pictures.style import Style
 from vstatics.statics.results import Language, Results, expect_results
@@ -99,6 +100,7 @@ def plot(
     '<?xml'
     """
     expect_results(results, "plot")
+    require("matplotlib", "a picture")
     if kind not in PICTURES:
         hint = nearest(kind, PICTURES) or f"; expected one of {', '.join(PICTURES)}"
         raise ValueError(f"there is no picture {kind!r}{hint}")
