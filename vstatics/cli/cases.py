@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from functools import wraps
 from typing import Any, NamedTuple, TypeVar, get_args
 
@@ -11,6 +11,7 @@ import click
 
 from vstatics import readers
 from vstatics.cli import files
+from vstatics.cli.telling import Telling
 from vstatics.errors import Problem, ReadError, of_file
 from vstatics.model.checks import hints
 from vstatics.model.transmission import IdleConvention, Transmission
@@ -37,8 +38,15 @@ idle = click.option(
     type=click.Choice(get_args(IdleConvention)),
     help="Sign of idle mechanisms; else as the case says.",
 )
-
-
+quiet = click.option(
+    "-q",
+    "--quiet",
+    is_flag=True,
+    help="Errors only: no warnings, notes, progress; no count where all is well.",
+)
+strict = click.option(
+    "--strict", is_flag=True, help="Warnings make the exit status 1, too; notes do not."
+)
 case_argument = click.argument("case", type=click.Path(), metavar="CASE")
 some_gears = click.option(
     "--gear",
@@ -85,11 +93,14 @@ class CalculatedCase(NamedTuple):
     problems: list[Problem]
     data: bytes = b""
     """What was read."""
+    telling: Telling = Telling()
 
     @property
     def failed(self) -> bool:
-        """Whether the case is in error or a gear is tied up."""
-        return self.results is None or self.results.failed
+        """Whether the case is in error, a gear is tied up, or what is told makes it fail."""
+        if self.results is None or self.results.failed:
+            return True
+        return self.telling.fails(self.problems)
 
 
 class CaseOptions(NamedTuple):
@@ -98,12 +109,22 @@ class CaseOptions(NamedTuple):
     input_format: readers.Format | None = None
     coast: bool | None = None
     idle: IdleConvention | None = None
-    notes: bool = False
-    """Whether notes on the input are told besides its warnings."""
+    telling: Telling = Telling()
+
+
+def telling(command: Command) -> Command:
+    """The options of what is printed and what fails; the command gets `telling`."""
+
+    @wraps(command)
+    def with_telling(*values: Any, quiet: bool, strict: bool, **others: Any) -> Any:
+        return command(*values, telling=Telling(quiet, strict), **others)
+
+    decorated: Any = quiet(strict(with_telling))
+    return decorated  # type: ignore[no-any-return]
 
 
 def settings(command: Command) -> Command:
-    """The options of how cases are read and calculated; the command gets `settings`."""
+    """The options of how cases are read, calculated and told; the command gets `settings`."""
 
     @wraps(command)
     def with_settings(
@@ -111,11 +132,13 @@ def settings(command: Command) -> Command:
         input_format: readers.Format | None,
         coast: bool | None,
         idle: IdleConvention | None,
+        telling: Telling,
         **others: Any,
     ) -> Any:
-        return command(*values, settings=CaseOptions(input_format, coast, idle), **others)
+        options = CaseOptions(input_format, coast, idle, telling=telling)
+        return command(*values, settings=options, **others)
 
-    decorated: Any = input_format(coast(idle(with_settings)))
+    decorated: Any = input_format(coast(idle(telling(with_settings))))
     return decorated  # type: ignore[no-any-return]
 
 
@@ -150,7 +173,7 @@ def calculate(cases: Sequence[str], settings: CaseOptions) -> Iterator[Calculate
     check_streams(cases)
     for file in cases:
         outcome = calculate_one(file, settings)
-        files.show(outcome.problems)
+        files.show(settings.telling.printed(outcome.problems))
         yield outcome
 
 
@@ -174,19 +197,30 @@ def calculate_one(file: str, settings: CaseOptions) -> CalculatedCase:
         data, name = files.read_input(file)
         reading = readers.read(data, name, settings.input_format)
         results = solve(reading.case, coast=settings.coast, idle=settings.idle)
-        notes = map(reading.locate, hints(reading.case)) if settings.notes else ()
-        of_input, of_gears = [*reading.warnings, *notes], [*_located(reading, results)]
+        notes = map(reading.locate, hints(reading.case)) if settings.telling.notes else ()
+        problems = [*reading.warnings, *notes, *_located(reading, results)]
     except ReadError as error:
-        results, of_input, of_gears = None, error.problems, []
+        results, problems = None, error.problems
     except Exception as error:  # noqa: BLE001 - the other cases are to go on
-        results, of_input, of_gears = None, [unexpected(name, error)], []
-    problems = of_input if settings.notes else serious(of_input)
-    return CalculatedCase(name, results, [*problems, *of_gears], data)
+        results, problems = None, [unexpected(name, error)]
+    told = settings.telling.told(problems)
+    return CalculatedCase(name, results, told, data, settings.telling)
 
 
-def serious(problems: Iterable[Problem]) -> list[Problem]:
-    """Problems without the notes, which `vstatics check` alone tells."""
-    return [problem for problem in problems if problem.severity != "note"]
+def read_one(file: str, input_format: readers.Format | None, telling: Telling) -> Reading:
+    """Read the case of a command that does not show its results, and print its warnings.
+
+    Raises
+    ------
+    ReadError
+        If it can't be read; with the problems to print.
+    """
+    try:
+        reading = readers.read(*files.read_input(file), input_format)
+    except ReadError as error:
+        raise ReadError(telling.printed(error.problems)) from None
+    files.show(telling.printed(reading.warnings))
+    return reading
 
 
 def unexpected(name: str, error: Exception) -> Problem:

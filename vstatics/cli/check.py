@@ -9,6 +9,7 @@ from vstatics.cli import cases as arguments
 from vstatics.cli import files
 from vstatics.cli.cases import CaseOptions, calculate
 from vstatics.cli.exit_status import DONE, FAILED
+from vstatics.cli.telling import Telling
 from vstatics.elements.drawing import drawing_of
 from vstatics.statics.diagnosis import freedom, given_conditions
 from vstatics.statics.results import Results
@@ -64,7 +65,8 @@ def conditions(file: str, results: Results) -> Grid:
 @click.command()
 @arguments.argument
 @arguments.input_format
-def check(cases: tuple[str, ...], input_format: readers.Format | None) -> int:
+@arguments.telling
+def check(cases: tuple[str, ...], input_format: readers.Format | None, telling: Telling) -> int:
     """Report all problems, warnings and notes of each CASE, and its conditions per gear.
 
     Problems go to stderr as file:line:col: message, with the line and a caret;
@@ -74,10 +76,12 @@ def check(cases: tuple[str, ...], input_format: readers.Format | None) -> int:
     Example:
       vstatics check gearbox.yaml
 
-    Exit status: 0 no errors; 1 a case is in error or a gear is tied up; 2 wrong use.
+    Exit status: 0 no errors; 1 a case is in error or a gear is tied up, with --strict
+    also if there is a warning; 2 wrong use.
     """
+    options = CaseOptions(input_format, telling=telling._replace(notes=True))
     failed = False
-    for outcome in calculate(cases, CaseOptions(input_format, notes=True)):
+    for outcome in calculate(cases, options):
         failed |= outcome.failed
         if outcome.results is not None:
             shown = lines(conditions(outcome.file, outcome.results), indent="  ")

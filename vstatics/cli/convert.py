@@ -8,6 +8,7 @@ from vstatics import readers
 from vstatics.cli import cases as arguments
 from vstatics.cli import files
 from vstatics.cli.exit_status import DONE, FAILED
+from vstatics.cli.telling import Telling
 from vstatics.model.transmission import Transmission
 from vstatics.statics.solve import solve
 
@@ -35,6 +36,7 @@ def write(case: Transmission, output_format: readers.Format) -> tuple[str, list[
 @click.argument("source", type=click.Path(), metavar="IN")
 @click.argument("target", type=click.Path(), metavar="OUT")
 @arguments.input_format
+@arguments.telling
 @click.option(
     "--to",
     "output_format",
@@ -46,6 +48,7 @@ def convert(
     target: str,
     input_format: readers.Format | None,
     output_format: readers.Format | None,
+    telling: Telling,
 ) -> int:
     """Convert the case IN to OUT: deck (.dat), YAML (.yaml) or JSON (.json); - is a stream.
 
@@ -66,10 +69,9 @@ def convert(
             f"can't tell the format of {target}: expected a suffix such as .dat, .yaml, .json, "
             "or --to"
         )
-    reading = readers.read(*files.read_input(source), input_format)
-    files.show(arguments.serious(reading.warnings))
+    reading = arguments.read_one(source, input_format, telling)
     text, lost = write(reading.case, wanted)
     files.write_output(text, target)
     for what in lost:
         files.say(f"{target}: not kept: {what}")
-    return FAILED if lost else DONE
+    return FAILED if lost or telling.fails(reading.warnings) else DONE

@@ -15,6 +15,7 @@ from vstatics.cli.formats import SUFFIXES
 from vstatics.cli.job import Job
 from vstatics.cli.progress import progress
 from vstatics.cli.targets import CaseTask, tasks
+from vstatics.cli.telling import Telling
 from vstatics.errors import ReadError
 from vstatics.jobs.files import is_stream, unwritable
 from vstatics.jobs.finished_cases import FinishedCases
@@ -47,8 +48,10 @@ class _Count:
         """The exit status."""
         return FAILED if self.failures else DONE
 
-    def summary(self) -> None:
-        """Say what became of the cases."""
+    def summary(self, *, quiet: bool) -> None:
+        """Say what became of the cases; quietly, where one failed."""
+        if quiet and not self.failures:
+            return
         line = f"{self.done - len(self.failures)} of {self.total} cases calculated"
         if self.kept:
             line += f" ({self.kept} of them before)"
@@ -59,13 +62,17 @@ class _Count:
 
 
 def _failure(done: Done) -> str:
-    """The line of a case that failed: its first error, and how many more there are."""
-    errors = [problem for problem in done.problems if problem.severity == "error"]
-    first = str(errors[0]) if errors else "failed"
-    named = bool(errors) and errors[0].place is not None and errors[0].place.file == done.file
+    """The line of a case that failed: its first error, and how many more there are.
+
+    Without an error it is a warning that made it fail.
+    """
+    why = [problem for problem in done.problems if problem.severity == "error"]
+    why = why or [problem for problem in done.problems if problem.severity == "warning"]
+    first = str(why[0]) if why else "failed"
+    named = bool(why) and why[0].place is not None and why[0].place.file == done.file
     line = f"  {first}" if named else f"  {done.file}: {first}"
-    if len(errors) > 1:
-        line += f" ... and {len(errors) - 1} more problem{'s' * (len(errors) > 2)}"
+    if len(why) > 1:
+        line += f" ... and {len(why) - 1} more problem{'s' * (len(why) > 2)}"
     return line + (f" (its earlier result is {done.left} now)" if done.left else "")
 
 
@@ -92,14 +99,14 @@ def to_directory(
     ReadError
         If the directory cannot be written to.
     """
-    suffix = SUFFIXES[job.form.name][0]
+    suffix, telling = SUFFIXES[job.form.name][0], job.options.telling
     with FinishedCases(folder, suffix, _depends(job)) as finished:
         todo = tasks(cases, folder, suffix, [*others, finished.path])
         try:
             os.makedirs(folder, exist_ok=True)  # noqa: PTH103
             finished.lock()
             if resume:
-                todo = _not_done(todo, finished)
+                todo = _not_done(todo, finished, quiet=telling.quiet)
             else:
                 finished.begin()
         except FileExistsError:
@@ -110,21 +117,22 @@ def to_directory(
         kept = f"results are in {folder}; the same command with --resume goes on"
         job = job._replace(finished=finished)
         with _telling(count, kept) as stop, _results(job, todo, jobs) as results:
-            for _ in _follow(count, results, stop):
+            for _ in _follow(count, results, stop, telling):
                 pass
     if count.total > 1:
-        count.summary()
+        count.summary(quiet=telling.quiet)
     return count.status
 
 
-def _not_done(todo: list[CaseTask], finished: FinishedCases) -> list[CaseTask]:
+def _not_done(todo: list[CaseTask], finished: FinishedCases, *, quiet: bool) -> list[CaseTask]:
     """What is left of a run that is taken up; all of it where none can be."""
     try:
         without = finished.resume()
     except ReadError as error:  # it had other options
         raise click.UsageError(error.problems[0].message) from None
     if without:
-        files.say(f"{finished.folder}: {without}; every case is calculated")
+        if not quiet:
+            files.say(f"{finished.folder}: {without}; every case is calculated")
         finished.begin()
         return todo
     return [task for task in todo if not finished.is_done(task.file, str(task.target))]
@@ -138,7 +146,7 @@ def to_stream(cases: Sequence[str], output: str | None, job: Job, *, jobs: int) 
     ReadError
         If it cannot be written.
     """
-    count = _Count(len(cases))
+    count, telling = _Count(len(cases)), job.options.telling
     whole = not is_stream(output)
     kept = f"{output} was not written" if whole else "what was written ends there"
     todo = [CaseTask(file) for file in cases]
@@ -147,11 +155,12 @@ def to_stream(cases: Sequence[str], output: str | None, job: Job, *, jobs: int) 
         files.stream(output) as write,
         _results(job, todo, jobs) as results,
     ):
-        parts = _follow(count, results, stop, beside_stdout=output in (None, files.STDIN))
+        to_stdout = output in (None, files.STDIN)
+        parts = _follow(count, results, stop, telling, beside_stdout=to_stdout)
         for text in texts.joined(parts, job.form):
             write(text)
     if whole and count.total > 1:
-        count.summary()
+        count.summary(quiet=telling.quiet)
     return count.status
 
 
@@ -163,13 +172,19 @@ def _results(job: Job, todo: Sequence[CaseTask], jobs: int) -> Iterator[Iterator
 
 
 def _follow(
-    count: _Count, results: Iterator[Done], stop: Stop, *, beside_stdout: bool = False
+    count: _Count,
+    results: Iterator[Done],
+    stop: Stop,
+    telling: Telling,
+    *,
+    beside_stdout: bool = False,
 ) -> Iterator[bytes]:
     """Tell and count what becomes of each case, and give its part of a stream."""
-    with progress(count.total, "cases", beside_stdout=beside_stdout) as advance:
+    quiet = telling.quiet
+    with progress(count.total, "cases", beside_stdout=beside_stdout, quiet=quiet) as advance:
         advance(count.kept)
         for done in results:
-            files.show(done.problems)
+            files.show(telling.printed(done.problems))
             if done.stop:
                 raise _HaltedError
             yield done.text
@@ -202,6 +217,7 @@ def _depends(job: Job) -> dict[str, object]:
         "--from": job.options.input_format,
         "--coast": job.options.coast,
         "--idle": job.options.idle,
+        "--strict": job.options.telling.strict,  # a result without errors counts as done or not
         "--lang": style.lang if job.form.is_text else None,
         "--digits": style.digits,
         "--raw": style.raw or None,

@@ -22,7 +22,9 @@ PERIOD = 0.1
 
 
 @contextmanager
-def progress(total: int, unit: str, *, beside_stdout: bool = False) -> Iterator[Advance]:
+def progress(
+    total: int, unit: str, *, beside_stdout: bool = False, quiet: bool = False
+) -> Iterator[Advance]:
     """Show how many of `total` are done, if stderr is a terminal; else nothing at all.
 
     Messages (`files.say`) appear above the bar. It is drawn when it advances, by no
@@ -36,13 +38,15 @@ def progress(total: int, unit: str, *, beside_stdout: bool = False) -> Iterator[
         What is counted, in the plural: "variants".
     beside_stdout : bool
         Whether results go to stdout meanwhile: no bar between them on a terminal.
+    quiet : bool
+        Whether there is none anyway.
 
     Examples
     --------
     >>> with progress(1000, "variants") as advance:  # nothing is drawn: no terminal
     ...     advance(500)
     """
-    if not _is_watched() or (beside_stdout and _is_terminal(sys.stdout)):
+    if quiet or not _is_watched() or (beside_stdout and _is_terminal(sys.stdout)):
         yield lambda count: None  # noqa: ARG005
         return
     from rich.text import Text

@@ -45,7 +45,7 @@ def report(case: str, output: str, settings: CaseOptions) -> int:
         from vstatics.report import gather, page
 
         material = gather(outcome.results, outcome.problems)
-        if material.without:
+        if material.without and not settings.telling.quiet:
             files.say(f"vstatics report: no pictures: {material.without}")
         files.write_output(page(material), output)
     return FAILED if outcome.failed else DONE

@@ -14,12 +14,12 @@ from vstatics import readers
 from vstatics.cli import cases as arguments
 from vstatics.cli import files, formats
 from vstatics.cli.cases import Command
-from vstatics.cli.exit_status import DONE
+from vstatics.cli.exit_status import DONE, FAILED
 from vstatics.cli.sweep_estimate import estimate, most_rows
 from vstatics.cli.sweep_run import run
+from vstatics.cli.telling import Telling
 from vstatics.errors import CaseError, ReadError
 from vstatics.jobs.files import is_stream
-from vstatics.model.transmission import Transmission
 from vstatics.sweep import build
 from vstatics.sweep.file import read_sweep_file
 from vstatics.sweep.formats import MOST_ROWS, SUFFIXES, TEXTS, Format, format_of_name
@@ -62,6 +62,7 @@ def _click_option(name: str, option: Option) -> Callable[[Command], Command]:
 @arguments.input_format
 @arguments.coast
 @arguments.idle
+@arguments.telling
 def sweep(
     sweep_file: str | None,
     jobs: int,
@@ -70,6 +71,7 @@ def sweep(
     resume: bool,
     dry_run: bool,
     input_format: readers.Format | None,
+    telling: Telling,
     **said: Any,
 ) -> int:
     """Calculate variants of CASE and write a table: a row each, or the best ones.
@@ -91,7 +93,8 @@ def sweep(
     Formats by suffix: .csv .jsonl .ndjson .npz .parquet, for few rows .md .tex
     .xlsx. While it runs, finished pieces lie in OUTPUT.parts; --resume takes
     them up after an interruption.
-    Exit status: 0 done; 1 not finished, or no variant has a solution;
+    Exit status: 0 done; 1 not finished, or no variant has a solution, with
+    --strict also if there is a warning on the case;
     2 wrong use; 130 or 143 stopped by Ctrl-C or SIGTERM.
     """
     own, of_file = SweepOptions.of(**said), SweepOptions()
@@ -110,7 +113,8 @@ def sweep(
 
     try:
         build.check_packages(options, form, scheduler)
-        plan = build.plan(_case(options.case or "", input_format), options)
+        reading = arguments.read_one(options.case or "", input_format, telling)
+        plan = build.plan(reading.case, options)
         if raw:
             plan = replace(plan, raw=True)
         if most_rows(plan) > MOST_ROWS.get(form, math.inf):
@@ -118,8 +122,11 @@ def sweep(
             raise click.UsageError(f"{message}: expected another format, or --best")
         if dry_run:
             files.write_output(estimate(plan, form, jobs), None)
-            return DONE
-        return run(plan, form, options.output, jobs=jobs, scheduler=scheduler, resume=resume)
+            status = DONE
+        else:
+            where = plan, form, options.output
+            status = run(*where, jobs=jobs, scheduler=scheduler, resume=resume, quiet=telling.quiet)
+        return status or (FAILED if telling.fails(reading.warnings) else DONE)
     except CaseError as error:  # is shown as what ends a reading
         raise ReadError(error.problems) from error
 
@@ -160,9 +167,3 @@ def _checked(
             f"{' '.join(SUFFIXES)}, or --format"
         )
     return form or "csv"
-
-
-def _case(file: str, input_format: readers.Format | None) -> Transmission:
-    reading = readers.read(*files.read_input(file), input_format)
-    files.show(arguments.serious(reading.warnings))
-    return reading.case

@@ -31,19 +31,27 @@ def run(
     jobs: int,
     scheduler: str | None,
     resume: bool,
+    quiet: bool,
 ) -> int:
-    """Carry out a sweep; its exit status."""
+    """Carry out a sweep; its exit status. A quiet one says what is not well, no more."""
     try:
         if output is None or is_stream(output):
-            return to_stream(plan, form, output, jobs, scheduler)
-        return to_file(plan, form, output, jobs, scheduler, resume=resume)
+            return to_stream(plan, form, output, jobs, scheduler, quiet=quiet)
+        return to_file(plan, form, output, jobs, scheduler, resume=resume, quiet=quiet)
     finally:
         if isinstance(plan.variants, VariantTable):
             plan.variants.close()
 
 
 def to_file(
-    plan: SweepPlan, form: Format, output: str, jobs: int, scheduler: str | None, *, resume: bool
+    plan: SweepPlan,
+    form: Format,
+    output: str,
+    jobs: int,
+    scheduler: str | None,
+    *,
+    resume: bool,
+    quiet: bool,
 ) -> int:
     """Write the output file, whole or not at all; the exit status."""
     from vstatics.cli.progress import progress
@@ -51,16 +59,16 @@ def to_file(
     began = time.perf_counter()
     with FinishedPieces(output) as pieces:
         check_room(plan, form, output, pieces)
-        if resume and not pieces.exists() and os.path.exists(output):  # noqa: PTH110
+        if resume and not (quiet or pieces.exists()) and os.path.exists(output):  # noqa: PTH110
             files.say(f"{output} may be of another sweep: every variant is calculated again")
         written = Output(plan, form, pieces)
         try:
             without = pieces.open(description(plan, form), plan.pieces, resume=resume)
-            if without:
+            if without and not quiet:
                 files.say(f"{pieces.directory}: {without}; every variant is calculated")
             kept = written.finished
             called = written.task.workers(jobs, scheduler)
-            with called, progress(plan.variants.count, "variants") as advance:
+            with called, progress(plan.variants.count, "variants", quiet=quiet) as advance:
                 advance(kept)
                 written.calculate(called, advance)
                 report = written.assemble(called)
@@ -76,7 +84,7 @@ def to_file(
             if pieces.finished():
                 files.say(_kept(written, output))
             return FAILED
-    return _summary(output, report, kept, time.perf_counter() - began)
+    return _summary(output, report, kept, time.perf_counter() - began, quiet=quiet)
 
 
 def _kept(written: Output, output: str) -> str:
@@ -91,7 +99,13 @@ def _kept(written: Output, output: str) -> str:
 
 
 def to_stream(
-    plan: SweepPlan, form: Format, output: str | None, jobs: int, scheduler: str | None
+    plan: SweepPlan,
+    form: Format,
+    output: str | None,
+    jobs: int,
+    scheduler: str | None,
+    *,
+    quiet: bool,
 ) -> int:
     """Write rows to stdout, or to what is no file, as they come; the exit status."""
     from vstatics.cli.progress import progress
@@ -103,7 +117,7 @@ def to_stream(
         with (
             files.stream(output) as write,
             task.workers(jobs, scheduler) as called,
-            progress(plan.variants.count, "variants", beside_stdout=True) as advance,
+            progress(plan.variants.count, "variants", beside_stdout=True, quiet=quiet) as advance,
         ):
 
             def advanced(variants: int) -> None:
@@ -116,10 +130,10 @@ def to_stream(
         files.say(f"stopped after {done} of {plan.variants.count} variants")
         return stopped_by(stopped.signal)
     name = "<stdout>" if output in (None, STDOUT) else str(output)
-    return _summary(name, report, 0, time.perf_counter() - began)
+    return _summary(name, report, 0, time.perf_counter() - began, quiet=quiet)
 
 
-def _summary(output: str, report: SweepReport, kept: int, seconds: float) -> int:
+def _summary(output: str, report: SweepReport, kept: int, seconds: float, *, quiet: bool) -> int:
     """Say what became of the variants; the exit status."""
     reasons = [
         f"{report.counts[status]} {status}"
@@ -129,10 +143,11 @@ def _summary(output: str, report: SweepReport, kept: int, seconds: float) -> int
     unlike = f" ({', '.join(reasons)})" if reasons else ""
     before = f", {kept} of them before" if kept else ""
     rate = (report.variants - kept) / max(seconds, 1e-9)
-    files.say(
-        f"{output}: {report.rows} rows of {report.variants} variants{unlike}{before}; "
-        f"{seconds:.3g} s, {float(f'{rate:.3g}'):,.0f} variants a second"
-    )
+    if reasons or not quiet:
+        files.say(
+            f"{output}: {report.rows} rows of {report.variants} variants{unlike}{before}; "
+            f"{seconds:.3g} s, {float(f'{rate:.3g}'):,.0f} variants a second"
+        )
     solved = sum(count for status, count in report.counts.items() if status not in UNSOLVED)
     if not solved:
         files.say("no variant has a solution")

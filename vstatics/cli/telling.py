@@ -1,0 +1,31 @@
+"""Which problems a command tells, and which make it fail: -q and --strict."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import NamedTuple
+
+from vstatics.errors import Problem
+
+
+class Telling(NamedTuple):
+    """What becomes of warnings and notes; an error is printed and makes the command fail."""
+
+    quiet: bool = False
+    """Whether errors alone are printed, and no progress."""
+    strict: bool = False
+    """Whether warnings make the command fail."""
+    notes: bool = False
+    """Whether notes are told, as `vstatics check` does."""
+
+    def told(self, problems: Iterable[Problem]) -> list[Problem]:
+        """The problems that the command speaks of."""
+        return [one for one in problems if self.notes or one.severity != "note"]
+
+    def printed(self, problems: Iterable[Problem]) -> list[Problem]:
+        """Those of them that go to stderr."""
+        return [one for one in self.told(problems) if not self.quiet or one.severity == "error"]
+
+    def fails(self, problems: Iterable[Problem]) -> bool:
+        """Whether the command fails, though there is no error."""
+        return self.strict and any(one.severity == "warning" for one in problems)
