@@ -164,4 +164,4 @@ def test_a_handle_that_there_cannot_be_is_told() -> None:
 def test_a_page_is_no_other_file() -> None:
     said = vstatics("report", MZKT, "-o", "page.pdf")
     assert said.status == 2
-    assert "expected a file that ends in .html, not .pdf" in said.err
+    assert "page.pdf: no format has this suffix here: expected .html .htm" in said.err

@@ -73,8 +73,13 @@ def test_another_suffix_is_refused_before_anything_is_read(command: str) -> None
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
-        (("report", MZKT, "-o", "new.txt"), "expected a file that ends in .html, not .txt"),
-        (("plot", MZKT, "--kind", "plan", "-o", "new.gif"), "expected a suffix of .svg .png .pdf"),
+        (
+            ("report", MZKT, "-o", "new.txt"),
+            "new.txt: no format has this suffix here: expected .html",
+        ),
+        (("report", MZKT, ZF, "-o", "new.html"), "a page is of one case: expected a directory"),
+        (("plot", MZKT, ZF, "--kind", "plan", "-o", "new.pdf"), "for several (new/)"),
+        (("plot", MZKT, "--kind", "plan", "-o", "new.gif"), "expected .svg .png .pdf"),
         (("sweep", MZKT, "--vary", "D1.ratio=-2", "-o", "new.txt"), "can't tell the format"),
         (("convert", MZKT, "new.txt"), "can't tell the format of new.txt"),
         (("run", MZKT, "-f", "json", "-o", "new.csv"), "-f json is not the format of new.csv"),
@@ -139,6 +144,26 @@ def test_several_cases_to_a_directory_are_a_file_each(command: str) -> None:
     for case in (ZF, MZKT):
         written = Path("new", case.stem + ".json").read_text(encoding="utf-8")
         assert written == vstatics(command, case, "-f", "json").out
+
+
+def test_several_cases_give_a_picture_and_a_page_each() -> None:
+    assert vstatics("plot", MZKT, ZF, "--kind", "plan", "-o", "new/").status == 0
+    assert vstatics("report", MZKT, ZF, "-o", "new").status == 0
+    made = sorted(path.name for path in Path("new").glob("[!.]*"))
+    assert made == ["mzkt7922.html", "mzkt7922.svg", "zf-8hp70.html", "zf-8hp70.svg"]
+    vstatics("plot", ZF, "--kind", "plan", "-o", "alone.svg")
+    assert Path("alone.svg").read_bytes() == Path("new", "zf-8hp70.svg").read_bytes()
+
+
+def test_a_picture_shows_the_gears_that_are_asked_for() -> None:
+    for name, gears in (("all", []), ("two", ["--gear", "2", "--gear", "R"])):
+        said = vstatics("plot", ZF, "--kind", "lever", *gears, "-o", f"{name}.svg")
+        assert said.status == 0
+    sizes = [len(Path(f"{name}.svg").read_bytes()) for name in ("all", "two")]
+    assert sizes[0] > 2 * sizes[1]
+    said = vstatics("plot", ZF, "-k", "stick", "--gear", "1", "--gear", "2", "-o", "x.svg")
+    assert said.status == 1
+    assert "the picture of a scheme shows one gear at a time" in said.err
 
 
 def test_a_case_without_the_gear_that_is_asked_for_fails_alone() -> None:

@@ -138,7 +138,7 @@ def recirculating(load: Load | None = None) -> Transmission:
 
 @pytest.mark.parametrize("dark", [False, True])
 def test_a_loop_tells_its_power_and_its_part_of_the_power_in(dark: bool) -> None:
-    told = drawn(picture(solve(recirculating()), "flow", Style("en", dark), 1))
+    told = drawn(picture(solve(recirculating()), "flow", Style("en", dark), [1]))
     assert "circulates 1.000: 100.0% of the power in" in told
     assert "set\n2.000" in told
 
@@ -155,7 +155,7 @@ def test_a_loop_that_may_not_be_in_the_metal_says_so(
 ) -> None:
     """Mechanisms that share planets, as the case says of itself."""
     results = solve(load(CASES[0].parent / "umdm-reduced.yaml"))
-    figure = picture(results, "flow", Style(language), 5)
+    figure = picture(results, "flow", Style(language), [5])
     assert words in drawn(figure)
     assert_readable(figure)
 
@@ -164,7 +164,7 @@ def test_a_loop_that_may_not_be_in_the_metal_says_so(
 def test_what_a_convention_divides_is_marked_and_named(language: Literal["en", "ru"]) -> None:
     """In gear 6 the clutch E holds P3 as one piece; C and D stand in series with it."""
     results = solve(load(CASES[0].parent / "zf-8hp70.yaml"))
-    figure = picture(results, "flow", Style(language), 6)
+    figure = picture(results, "flow", Style(language), [6])
     told = drawn(figure)
     said = {"en": "by convention, as it turns as one piece", "ru": "условно: внутри одного целого"}
     assert f"~ {said[language]}: ring 2, E, P3" in told
@@ -190,14 +190,14 @@ def test_with_a_load_powers_are_in_kilowatts_too() -> None:
     ],
 )
 def test_a_gear_without_power_says_so(deck: str, words: str) -> None:
-    figure = picture(solve(read_yaml(deck.encode(), "case.yaml").case), "flow", Style(), 1)
+    figure = picture(solve(read_yaml(deck.encode(), "case.yaml").case), "flow", Style(), [1])
     assert words in drawn(figure)
     assert_readable(figure)
 
 
 def test_one_gear_alone_is_as_large_as_it_needs_to_be() -> None:
     results = solve(load(CASES[0].parent / "zf-8hp70.yaml"))
-    everything, reverse = (picture(results, "flow", Style(), gear) for gear in (None, 9))
+    everything, reverse = (picture(results, "flow", Style(), gears) for gears in ([], [9]))
     assert "gear R" in drawn(reverse)
     assert "gear 1" not in drawn(reverse)
     assert reverse.get_figheight() < everything.get_figheight() / 5

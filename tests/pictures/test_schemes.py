@@ -165,7 +165,7 @@ def check(
     assert_joins(scheme, placement)
     assert_apart(placement)
     for gear in (None, 1):
-        figure = draw(results, Style(language="ru" if gear else "en"), gear)
+        figure = draw(results, Style(language="ru" if gear else "en"), [gear] if gear else [])
         assert overlaps(figure) == []
         if gear is None:
             assert_clear(figure, placement, scheme)
@@ -217,7 +217,7 @@ def test_the_same_case_looks_the_same() -> None:
 def test_stick_diagram_needs_elements() -> None:
     results = vstatics.solve(vstatics.load(SHIPPED / "mzkt7922.dat"))
     with pytest.raises(CaseError, match="needs elements"):
-        stick.draw(results, Style(), None)
+        stick.draw(results, Style())
 
 
 def test_ravigneaux_set_has_its_small_sun_at_the_short_planets() -> None:
@@ -264,7 +264,7 @@ def test_third_gear_of_the_eight_speed_marks_its_three_elements(
     # shift table of the ZF 8HP: gear 3 has B, C and E; A and D are open
     results = vstatics.solve(vstatics.load(SHIPPED / "zf-8hp70.yaml"))
     style = Style()
-    colors = {text.get_text(): text.get_color() for text in draw(results, style, 3).axes[0].texts}
+    colors = {text.get_text(): text.get_color() for text in draw(results, style, [3]).axes[0].texts}
     assert {name for name, color in colors.items() if color == style.accent} == {"B", "C", "E"}
     assert colors["A"] == colors["D"] == style.faint
     # carrier 3 goes to the open clutch D alone; P2 and P3 are locked by E, as ring 2 = ring 3
@@ -307,5 +307,5 @@ def test_gear_that_is_tied_up_says_so() -> None:
         [Gear([1, 2]), Gear([])],
     )
     results = vstatics.solve(case)
-    titles = [structure.draw(results, Style(), gear).axes[0].texts[0] for gear in (1, 2)]
+    titles = [structure.draw(results, Style(), [gear]).axes[0].texts[0] for gear in (1, 2)]
     assert [title.get_text() for title in titles] == ["gear 1, tied up", "gear 2, not determined"]

@@ -47,7 +47,6 @@ quiet = click.option(
 strict = click.option(
     "--strict", is_flag=True, help="Warnings make the exit status 1, too; notes do not."
 )
-case_argument = click.argument("case", type=click.Path(), metavar="CASE")
 some_gears = click.option(
     "--gear",
     "gears",
@@ -61,16 +60,6 @@ def required_output(says: str) -> Callable[[Command], Command]:
     """The option for a file that a command can't do without."""
     return click.option(
         "-o", "--output", type=click.Path(), required=True, metavar="FILE", help=says
-    )
-
-
-def format_option(
-    formats: Sequence[str], says: str, default: str | None = None
-) -> Callable[[Command], Command]:
-    """The option for the format of what is written."""
-    names, choice = ("-f", "--format", "output_format"), click.Choice(formats)
-    return click.option(
-        *names, type=choice, default=default, show_default=default is not None, help=says
     )
 
 
@@ -175,13 +164,6 @@ def calculate(cases: Sequence[str], settings: CaseOptions) -> Iterator[Calculate
         outcome = calculate_one(file, settings)
         files.show(settings.telling.printed(outcome.problems))
         yield outcome
-
-
-def calculate_to(output: str | None, case: str, settings: CaseOptions) -> CalculatedCase:
-    """Calculate the one case of a command, after it is sure that `output` would not replace it."""
-    files.spare([case], output)
-    [outcome] = calculate([case], settings)
-    return outcome
 
 
 def check_streams(cases: Sequence[str]) -> None:

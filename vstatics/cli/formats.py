@@ -132,6 +132,24 @@ class OutputOptions(NamedTuple):
         return f"no format has this suffix here: expected {known}{plain}{folder}"
 
 
+def each_by_itself(
+    output: str, cases: Sequence[str], formats: Sequence[str], what: str
+) -> Destination:
+    """Where one text or picture of each case goes: several of them need a directory.
+
+    Raises
+    ------
+    UsageError
+    """
+    several = len(cases) > 1
+    to = OutputOptions(formats, None, output, TextStyle()).destination(cases, several=several)
+    if several and not to.is_folder:
+        folder = os.path.splitext(output)[0]  # noqa: PTH122
+        message = f"{what} is of one case: expected a directory for several ({folder}/)"
+        raise click.UsageError(message)
+    return to
+
+
 def format_of(output: str, formats: Sequence[str]) -> str | None:
     """The format that the suffix of a file tells, the first where there is none.
 
@@ -179,6 +197,12 @@ def options(*formats: str, says: str = "Format of the output") -> Callable[[Comm
 raw = click.option(
     "--raw", is_flag=True, help="CSV without an apostrophe before = + - @ that begin a text."
 )
+digits = click.option(
+    "--digits",
+    type=click.IntRange(1, 15),
+    metavar="N",
+    help="Digits after the point, in what people read; JSON and CSV have all.",
+)
 _OPTIONS = (
     click.option(
         "-o",
@@ -187,11 +211,6 @@ _OPTIONS = (
         help="Write to this file, whole or not at all; several cases to this directory, "
         "or with a suffix to one file.",
     ),
-    click.option(
-        "--digits",
-        type=click.IntRange(1, 15),
-        metavar="N",
-        help="Digits after the point; JSON and CSV have all.",
-    ),
+    digits,
     raw,
 )

@@ -3,39 +3,46 @@
 from __future__ import annotations
 
 import os
+from functools import partial
+from typing import cast
 
 import click
 
 from vstatics.cli import cases as arguments
-from vstatics.cli import files
-from vstatics.cli.cases import CaseOptions, calculate_to
-from vstatics.cli.exit_status import DONE, FAILED
+from vstatics.cli import files, formats, texts
+from vstatics.cli.cases import CalculatedCase, CaseOptions
+from vstatics.cli.job import Job
+from vstatics.cli.one_or_many import carry_out
 from vstatics.errors import CaseError, ReadError, of_file
+from vstatics.jobs.files import is_stream
 from vstatics.pictures import FORMATS, PICTURES, Format, render
 from vstatics.pictures.style import Style
 from vstatics.statics.results import Language
 
 
 @click.command()
-@arguments.case_argument
+@arguments.argument
 @click.option(
     "-k", "--kind", type=click.Choice(list(PICTURES)), required=True, help="What is drawn."
 )
-@arguments.required_output("SVG, PNG or PDF by the suffix; - is standard output, for SVG.")
-@click.option("--gear", metavar="G", help="This gear only, by its name or number.")
+@arguments.required_output(
+    "SVG, PNG or PDF by the suffix; - is standard output, for SVG; several cases go to a "
+    "directory, as SVG."
+)
+@arguments.some_gears
 @click.option("--dark", is_flag=True, help="Light on dark, for a screen.")
 @arguments.settings
 @arguments.language("axes and titles")
 def plot(
-    case: str,
+    cases: tuple[str, ...],
     kind: str,
     output: str,
-    gear: str | None,
+    gears: tuple[str, ...],
     dark: bool,
     settings: CaseOptions,
     lang: Language,
 ) -> int:
-    """Draw a picture of CASE: a deck, YAML or JSON; - is standard input.
+    """Draw a picture of each CASE: a deck, YAML or JSON; - is standard input.
 
     \b
     plan         speeds of all links over the output speed: the generalised
@@ -55,35 +62,32 @@ def plot(
     Needs matplotlib: pip install "vstatics[plot]".
 
     \b
-    Exit status: 0 done; 1 the case is in error, a gear is tied up, or there is
+    Exit status: 0 done; 1 a case is in error, a gear is tied up, or there is
     nothing to draw; 2 wrong use.
     """
-    form = _format(output)
-    outcome = calculate_to(output, case, settings)
-    if outcome.results is not None:
-        try:
-            chosen = None if gear is None else arguments.gear_number(outcome.results.case, gear)
-            drawn = render(outcome.results, kind, form, Style(lang, dark), chosen)
-        except CaseError as error:
-            raise ReadError(of_file(outcome.file, one.message) for one in error.problems) from None
-        with files.stream(output) as write:
-            write(drawn)
-    return FAILED if outcome.failed else DONE
+    if output != files.STDIN and not os.path.splitext(output)[1] and len(cases) == 1:  # noqa: PTH122
+        _refuse_without_suffix(output)
+    to = formats.each_by_itself(output, cases, FORMATS, "a picture")
+    picture = partial(_shown, kind=kind, form=to.form, gears=gears, style=Style(lang, dark))
+    form = texts.OutputForm(to.form, to.style)
+    return carry_out(Job("plot", settings, form, picture), cases, to)
 
 
-def _format(output: str) -> Format:
-    """The format of a file's suffix.
+def _refuse_without_suffix(output: str) -> None:
+    if not (is_stream(output) or output.endswith("/") or os.path.isdir(output)):  # noqa: PTH112
+        known = " ".join(f".{form}" for form in FORMATS)
+        raise click.UsageError(f"can't tell the format of {output}: expected a suffix of {known}")
 
-    Raises
-    ------
-    UsageError
-        If it has none that can be drawn.
-    """
-    if output == files.STDIN:
-        return "svg"
-    suffix = os.path.splitext(output)[1].lower()  # noqa: PTH122
-    for form in FORMATS:
-        if suffix == f".{form}":
-            return form
-    known = " ".join(f".{form}" for form in FORMATS)
-    raise click.UsageError(f"can't tell the format of {output}: expected a suffix of {known}")
+
+def _shown(
+    outcome: CalculatedCase, kind: str, form: str, gears: tuple[str, ...], style: Style
+) -> texts.Shown:
+    """A picture of a case."""
+    results = outcome.results
+    assert results is not None  # noqa: S101 - of a case that has some
+    chosen = [arguments.gear_number(results.case, gear) for gear in dict.fromkeys(gears)]
+    try:
+        drawn = render(results, kind, cast("Format", form), style, chosen)
+    except CaseError as error:
+        raise ReadError(of_file(outcome.file, one.message) for one in error.problems) from None
+    return texts.Shown([], {form: lambda _: drawn})

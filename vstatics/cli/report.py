@@ -2,23 +2,27 @@
 
 from __future__ import annotations
 
-import os
+from functools import partial
 
 import click
 
 from vstatics.cli import cases as arguments
-from vstatics.cli import files
-from vstatics.cli.cases import CaseOptions, calculate
-from vstatics.cli.exit_status import DONE, FAILED
-from vstatics.jobs.files import is_stream
+from vstatics.cli import files, formats, texts
+from vstatics.cli.cases import CalculatedCase, CaseOptions
+from vstatics.cli.job import Job
+from vstatics.cli.one_or_many import carry_out
 
 
 @click.command()
-@arguments.case_argument
-@arguments.required_output("Write to this file, whole or not at all; - is standard output.")
+@arguments.argument
+@arguments.required_output(
+    "Write to this file, whole or not at all; several cases to this directory; - is "
+    "standard output."
+)
+@formats.digits
 @arguments.settings
-def report(case: str, output: str, settings: CaseOptions) -> int:
-    """Write CASE and its results as one page of HTML; - is standard input.
+def report(cases: tuple[str, ...], output: str, digits: int | None, settings: CaseOptions) -> int:
+    """Write each CASE and its results as one page of HTML; - is standard input.
 
     The page has the input, ratios, pictures, the power flow of each gear, transitions,
     largest values and all tables; a click on a heading sorts those of the results. It loads nothing
@@ -32,20 +36,25 @@ def report(case: str, output: str, settings: CaseOptions) -> int:
       cat gearbox.dat | vstatics report - -o - > gearbox.html
 
     \b
-    Exit status: 0 done; 1 the case is in error or a gear is tied up; 2 wrong use.
+    Exit status: 0 done; 1 a case is in error or a gear is tied up; 2 wrong use.
     """
-    files.spare([case], output)
-    suffix = os.path.splitext(output)[1].lower()  # noqa: PTH122
-    if suffix not in ("", ".html", ".htm") and not is_stream(output):
-        raise click.UsageError(
-            f"the page is HTML: expected a file that ends in .html, not {suffix}"
-        )
-    [outcome] = calculate([case], settings)
-    if outcome.results is not None:
+    to = formats.each_by_itself(output, cases, ["html"], "a page")
+    form = texts.OutputForm(to.form, to.style)
+    show = partial(_shown, digits=digits, quiet=settings.telling.quiet)
+    return carry_out(Job("report", settings, form, show), cases, to)
+
+
+def _shown(outcome: CalculatedCase, digits: int | None, quiet: bool) -> texts.Shown:
+    """The page of a case."""
+    results = outcome.results
+    assert results is not None  # noqa: S101 - of a case that has some
+
+    def html(_: str | None) -> str:
         from vstatics.report import gather, page
 
-        material = gather(outcome.results, outcome.problems)
-        if material.without and not settings.telling.quiet:
+        material = gather(results, outcome.problems, digits)
+        if material.without and not quiet:
             files.say(f"vstatics report: no pictures: {material.without}")
-        files.write_output(page(material), output)
-    return FAILED if outcome.failed else DONE
+        return page(material)
+
+    return texts.Shown([], {"html": html})

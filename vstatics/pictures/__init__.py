@@ -10,7 +10,7 @@ b'<?xml'
 >>> len(picture(solve(case), "plan", Style()).axes)
 1
 
-A kind of picture is a function ``draw(results, style, gear) -> Figure`` in a module of
+A kind of picture is a function ``draw(results, style, gears) -> Figure`` in a module of
 its own, which is imported when its picture is asked for: matplotlib is an extra.
 """
 
@@ -18,7 +18,7 @@ from __future__ import annotations
 
 import io
 import warnings
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from importlib import import_module
 from typing import TYPE_CHECKING, Any, Literal, get_args
@@ -55,15 +55,15 @@ _METADATA: dict[Format, dict[str, Any]] = {
 }
 
 
-def picture(results: Results, kind: str, style: Style, gear: int | None = None) -> Figure:
+def picture(results: Results, kind: str, style: Style, gears: Sequence[int] = ()) -> Figure:
     """A picture of the results of one case, as a figure of matplotlib.
 
     Parameters
     ----------
     kind : str
         One of `PICTURES`.
-    gear : int, optional
-        Number of the only gear that is to be shown, from 1.
+    gears : sequence of int, optional
+        Numbers of the only gears that are to be shown, from 1.
 
     Raises
     ------
@@ -73,15 +73,15 @@ def picture(results: Results, kind: str, style: Style, gear: int | None = None) 
     require("matplotlib", "a picture")
     module = import_module(PICTURES[kind])
     with _settings(style):
-        figure: Figure = module.draw(results, style, gear)
+        figure: Figure = module.draw(results, style, gears)
     return figure
 
 
 def render(
-    results: Results, kind: str, form: Format, style: Style, gear: int | None = None
+    results: Results, kind: str, form: Format, style: Style, gears: Sequence[int] = ()
 ) -> bytes:
     """A picture of a result as a file; parameters and errors as of `picture`."""
-    return _written(picture(results, kind, style, gear), form, style)
+    return _written(picture(results, kind, style, gears), form, style)
 
 
 def sheets(results: Results, kind: str, style: Style) -> list[bytes]:

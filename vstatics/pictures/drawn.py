@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from vstatics.errors import nearest
@@ -18,9 +19,9 @@ if TYPE_CHECKING:
 class Picture:
     """A picture of the results of one case; a notebook shows it as SVG."""
 
-    def __init__(self, results: Results, kind: str, style: Style, gear: int | None) -> None:
+    def __init__(self, results: Results, kind: str, style: Style, gears: Sequence[int]) -> None:
         """Keep what is to be drawn; it is drawn when it is shown or saved."""
-        self._drawn = results, kind, style, gear
+        self._drawn = results, kind, style, gears
 
     def __repr__(self) -> str:
         """What it shows."""
@@ -53,8 +54,8 @@ class Picture:
             file.write(data)
 
     def _as(self, form: Format) -> bytes:
-        results, kind, style, gear = self._drawn
-        return render(results, kind, form, style, gear)
+        results, kind, style, gears = self._drawn
+        return render(results, kind, form, style, gears)
 
 
 def plot(
@@ -104,5 +105,5 @@ def plot(
     if kind not in PICTURES:
         hint = nearest(kind, PICTURES) or f"; expected one of {', '.join(PICTURES)}"
         raise ValueError(f"there is no picture {kind!r}{hint}")
-    number = None if gear is None else results.case.gear_number(gear)
-    return Picture(results, kind, Style(lang, dark), number)
+    gears = () if gear is None else (results.case.gear_number(gear),)
+    return Picture(results, kind, Style(lang, dark), gears)

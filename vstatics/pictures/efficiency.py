@@ -37,8 +37,8 @@ LONGEST = 120.0
 """Names of mechanisms are wrapped to this width. [pt]"""
 
 
-def draw(results: Results, style: Style, gear: int | None) -> Figure:
-    """Draw the efficiency of all gears, or of one.
+def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> Figure:
+    """Draw the efficiency of all gears, or of some.
 
     Raises
     ------
@@ -46,16 +46,17 @@ def draw(results: Results, style: Style, gear: int | None) -> Figure:
         If no gear that is asked for has an efficiency.
     """
     case = results.case
-    chosen = [gear - 1] if gear else list(range(len(case.gears)))
+    chosen = [gear - 1 for gear in gears] or list(range(len(case.gears)))
     efficiency = results.efficiency[chosen]
     if np.isnan(efficiency).all():
-        which = f"gear {case.gears[gear - 1].name}" if gear else "the case"
+        asked = ", ".join(case.gears[place].name for place in chosen)
+        which = f"gear {asked}" if gears else "the case"
         raise CaseError([Problem(f"{which} has no efficiency that could be drawn")])
     names, shares = loss_shares(results, style)
     shares = shares[:, chosen]
     wrapped = [labels.wrapped(name, LONGEST) for name in names]
-    gears = [case.gears[place].name for place in chosen]
-    figure, panel = _figure(_title(case, style), gears, wrapped)
+    shown = [case.gears[place].name for place in chosen]
+    figure, panel = _figure(_title(case, style), shown, wrapped)
     _frame(panel, efficiency, style)
     _bars(panel, efficiency, shares, style)
     for place, one in enumerate(chosen):
@@ -66,9 +67,9 @@ def draw(results: Results, style: Style, gear: int | None) -> Figure:
             )
             how = {"ha": "center", "va": "top", "rotation": 90}
             panel.write(panel.across(place), panel.up(1.0) - 6, why, **how)
-    at = [Label(panel.across(place), name, style.ink) for place, name in enumerate(gears)]
-    panel.along("bottom", at, upright=_foot(gears)[0])
-    low = -LEADER - _foot(gears)[1] - 4
+    at = [Label(panel.across(place), name, style.ink) for place, name in enumerate(shown)]
+    panel.along("bottom", at, upright=_foot(shown)[0])
+    low = -LEADER - _foot(shown)[1] - 4
     panel.write(panel.width / 2, low, style.text("gear", "передача"), ha="center", va="top")
     _legend(panel, wrapped, style)
     return figure

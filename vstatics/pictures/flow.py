@@ -61,8 +61,8 @@ class _GearPart(NamedTuple):
         return self.head + (self.layout.height if self.layout else 0.0)
 
 
-def draw(results: Results, style: Style, gear: int | None) -> Figure:
-    """Draw the power flow of all gears, one below another, or of one.
+def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> Figure:
+    """Draw the power flow of all gears, one below another, or of some.
 
     Power runs from left to right, widths of bands are power in one scale for all gears.
     Losses leave downwards, power that circulates goes back below. With losses, if the
@@ -72,12 +72,12 @@ def draw(results: Results, style: Style, gear: int | None) -> Figure:
     --------
     >>> from vstatics import Gear, Mechanism, Transmission, solve
     >>> mechanisms = [Mechanism(1, 2, 3, -2.0, name="set"), Mechanism(1, 2, 0, -4.0, name="pair")]
-    >>> figure = draw(solve(Transmission(3, [], mechanisms, [Gear()])), Style(), None)
+    >>> figure = draw(solve(Transmission(3, [], mechanisms, [Gear()])), Style())
     >>> [text.get_text() for text in figure.axes[0].texts if "circulates" in text.get_text()][-1]
     'circulates 1.000: 100.0% of the power in'
     """
     every = flows(results)
-    return _figure(results, [every[gear - 1]] if gear else every, style)
+    return _figure(results, [every[gear - 1] for gear in gears] or every, style)
 
 
 def sheets(results: Results, style: Style) -> list[Figure]:

@@ -143,15 +143,15 @@ class _Page(NamedTuple):
         return list(accumulate(wide, initial=self.first))
 
 
-def draw(results: Results, style: Style, gear: int | None) -> Figure:
-    """Draw the levers of a case in all gears, or in one.
+def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> Figure:
+    """Draw the levers of a case in all gears, or in some.
 
     Raises
     ------
     CaseError
         If there is no mechanism of two links or more.
     """
-    numbers = [gear] if gear else range(1, len(results.case.gears) + 1)
+    numbers = gears or range(1, len(results.case.gears) + 1)
     page = _page(results.case, [state_of(results, number) for number in numbers], style)
     wide = page.columns[-1]
     subject = style.text(

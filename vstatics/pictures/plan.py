@@ -35,8 +35,8 @@ ON_SHEET = 6
 """So many plans fit one."""
 
 
-def draw(results: Results, style: Style, gear: int | None) -> Figure:
-    """Draw all plans of a case, or those that have a gear.
+def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> Figure:
+    """Draw all plans of a case, or those that have one of some gears.
 
     Raises
     ------
@@ -47,11 +47,12 @@ def draw(results: Results, style: Style, gear: int | None) -> Figure:
     chosen = [
         plan
         for plan in plans(results)
-        if gear is None or gear in [mark.gear for mark in plan.marks]
+        if not gears or {*gears} & {mark.gear for mark in plan.marks}
     ]
     if not chosen:
-        name = case.gears[gear - 1].name if gear else ""
-        raise CaseError([Problem(f"gear {name} is on no kinematic plan", ("gears", gear or 0))])
+        names = ", ".join(case.gears[gear - 1].name for gear in gears)
+        problem = Problem(f"gear {names} is on no kinematic plan", ("gears", gears[0]))
+        raise CaseError([problem])
     return _figure(case, chosen, style)
 
 

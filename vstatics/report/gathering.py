@@ -27,9 +27,13 @@ class Material(NamedTuple):
     """Of the input, then of the results."""
     without: str
     """Why there are no pictures at all, else nothing."""
+    digits: int | None = None
+    """After the point; None: those that suit a number."""
 
 
-def gather(results: Results, problems: Iterable[Problem] = ()) -> Material:
+def gather(
+    results: Results, problems: Iterable[Problem] = (), digits: int | None = None
+) -> Material:
     """What the page of a case shows.
 
     Parameters
@@ -39,6 +43,8 @@ def gather(results: Results, problems: Iterable[Problem] = ()) -> Material:
     problems : iterable of Problem
         Warnings of the input; those that are among the messages of the results already
         do not come twice.
+    digits : int, optional
+        After the point, where they are not those that suit a number.
     """
     without, drawn = "", list[Drawn]()
     try:
@@ -54,6 +60,7 @@ def gather(results: Results, problems: Iterable[Problem] = ()) -> Material:
         drawn,
         [*map(_told, others), *map(str, results.messages)],
         without,
+        digits,
     )
 
 

@@ -17,7 +17,9 @@ _NAMED = ("name", "description", "source", "shift_elements", "elements", "mechan
 _LABELS = {"idle": "sign of idle mechanisms", "coast": "coasting"}
 
 
-def given(results: Results, mapping: Mapping[str, Any]) -> Iterator[Markup]:
+def given(
+    results: Results, mapping: Mapping[str, Any], digits: int | None = None
+) -> Iterator[Markup]:
     """The input; `mapping` is the case as plain data: ``case`` of its result in JSON."""
     case = results.case
     common = {key: value for key, value in mapping.items() if key not in _NAMED}
@@ -28,9 +30,9 @@ def given(results: Results, mapping: Mapping[str, Any]) -> Iterator[Markup]:
     if drawing is not None and drawing.elements:
         yield table(_elements(drawing, mapping["elements"]))
     if case.mechanisms:
-        yield table(_mechanisms(case))
+        yield table(_mechanisms(case).with_digits(digits))
     if case.shift_elements:
-        yield table(_shift_elements(case))
+        yield table(_shift_elements(case).with_digits(digits))
     yield table(_gears(results, mapping["gears"]))
 
 

@@ -64,14 +64,14 @@ def _about(material: Material) -> Iterator[Markup]:
 def _sections(material: Material) -> Iterator[tuple[str, Sequence[Markup]]]:
     """Each section of the page with its name."""
     results = material.results
-    gears, *others = grids(material.summary)
+    gears, *others = (one.with_digits(material.digits) for one in grids(material.summary))
     yield "Messages", [_messages(material.messages)]
     yield "Gears", [_gears(material.summary, gears), *_spread(others)]
-    yield "Input", list(given(results, material.document["case"]))
+    yield "Input", list(given(results, material.document["case"], material.digits))
     yield "Pictures", list(_pictures(material))
     yield "Power flow", list(_power_flow(material))
     yield "Shifts and largest values", [table(one) for one in others if one.title != SPREAD]
-    yield "Results", [table(one) for one in of_results(results)]
+    yield "Results", [table(one.with_digits(material.digits)) for one in of_results(results)]
     conventions = material.document["conventions"].items()
     yield "Conventions", [terms((name.replace("_", " "), text) for name, text in conventions)]
 
@@ -132,7 +132,7 @@ def _power_flow(material: Material) -> Iterator[Markup]:
     yield tag("nav", "Gear: ", *links, class_="chooser", aria_label="Gear")
     drawn = [sheet for one in material.pictures if one.kind == BY_GEAR for sheet in one.sheets]
     for number, flow in enumerate(flows):
-        shown = [*_power(flow)]
+        shown = [*_power(flow, material.digits)]
         if drawn and flow.ideal is not None:
             shown.insert(0, _figure(f"Power flow in gear {flow.gear}", drawn[number]))
         yield tag("div", *shown, id=_gear_id(flow.gear), data_gear=flow.gear)
@@ -147,13 +147,13 @@ def _gear_id(gear: str) -> str:
     return f"gear={quote(gear, safe='')}"
 
 
-def _power(flow: GearFlow) -> Iterator[Markup]:
+def _power(flow: GearFlow, digits: int | None) -> Iterator[Markup]:
     if flow.ideal is None:
         yield tag("h3", f"Gear {flow.gear}")
         yield tag("p", f"{flow.note}, so there is no power to show".capitalize())
         return
-    yield table(power_grid(flow))
-    yield tag("ul", *(tag("li", line.strip()) for line in remarks(flow)))
+    yield table(power_grid(flow).with_digits(digits))
+    yield tag("ul", *(tag("li", line.strip()) for line in remarks(flow, digits)))
 
 
 def _figure(name: str, picture: Markup) -> Markup:

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
+from vstatics.errors import CaseError, Problem
 from vstatics.model.transmission import HOUSING
 from vstatics.pictures.labels import Point
 from vstatics.pictures.schemes.channels import ABOVE, BELOW, Item, PlacedTap, Tap
@@ -57,12 +58,20 @@ class Sheet(NamedTuple):
 
 
 def sheet_of(
-    results: Results, scheme: Scheme, placement: Placement, style: Style, gear: int | None
+    results: Results, scheme: Scheme, placement: Placement, style: Style, gears: Sequence[int]
 ) -> Sheet:
-    """A figure with room for everything, its title and its wires; a gear by its number from 1."""
+    """A figure with room for everything, its title and its wires; a gear by its number from 1.
+
+    Raises
+    ------
+    CaseError
+        If there are several gears.
+    """
+    if len(gears) > 1:
+        raise CaseError([Problem("the picture of a scheme shows one gear at a time")])
     state, title = SchemeState(), results.case.name
-    if gear is not None:
-        shown = state_of(results, gear)
+    if gears:
+        shown = state_of(results, gears[0])
         state = scheme_state(scheme, shown)
         texts = [gear_title(shown.gear.name, style), *(fault(one, style) for one in shown.faults)]
         title = ", ".join([title, *texts] if title else texts)

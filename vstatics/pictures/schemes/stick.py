@@ -6,7 +6,7 @@ axis, drums above them; brakes reach to the housing at the top.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 from typing import NamedTuple
@@ -58,7 +58,7 @@ class StickLayout(NamedTuple):
         return self.glyphs[index][self.placement.arrangement.variants[index]]
 
 
-def draw(results: Results, style: Style, gear: int | None) -> Figure:
+def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> Figure:
     """The stick diagram of a case that is made of elements.
 
     In the picture of a gear what is engaged is marked, what is idle is pale.
@@ -78,7 +78,7 @@ def draw(results: Results, style: Style, gear: int | None) -> Figure:
         raise CaseError([Problem(message)])
     scheme = scheme_of(case)
     layout = place(scheme, style)
-    sheet = sheet_of(results, scheme, layout.placement, style, gear)
+    sheet = sheet_of(results, scheme, layout.placement, style, gears)
     if all(_is_coaxial(device) for device in scheme.devices):
         _axis(sheet)
     draw_devices(sheet, partial(_mechanism, layout))

@@ -5,6 +5,8 @@ This is the form of figure 5b of the source: it serves every case, drawn or not.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from matplotlib.figure import Figure
 
 from vstatics.model.transmission import HOUSING
@@ -31,7 +33,7 @@ LETTERS = 18
 """The names of boxes are broken at. [letters]"""
 
 
-def draw(results: Results, style: Style, gear: int | None) -> Figure:
+def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> Figure:
     """Mechanisms, links, clutches and brakes, and how they are joined.
 
     In the picture of a gear what is engaged is marked, what is idle is pale.
@@ -40,12 +42,12 @@ def draw(results: Results, style: Style, gear: int | None) -> Figure:
 
     >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
     >>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2)], [Gear([1])])
-    >>> figure = draw(solve(case), Style(), None)
+    >>> figure = draw(solve(case), Style())
     >>> sorted(text.get_text() for text in figure.axes[0].texts if text.get_text())
     ['1', '1', '2', '2', '3', '3', 'D1', 'T1', 'i = −2']
     """
     scheme = scheme_of(results.case)
-    sheet = sheet_of(results, scheme, place(scheme, style), style, gear)
+    sheet = sheet_of(results, scheme, place(scheme, style), style, gears)
     draw_devices(sheet, draw_box)
     return sheet.pen.figure
 
