@@ -132,6 +132,15 @@ def quoted(read: str) -> str:
     return f"`{read if len(read) <= 40 else read[:37] + '...'}`"
 
 
+def spoken(names: Sequence[str]) -> str:
+    """Names as one says them.
+
+    >>> spoken(["a"]), spoken(["a", "b"]), spoken(["a", "b", "c"])
+    ('a', 'a and b', 'a, b and c')
+    """
+    return " and ".join(filter(None, [", ".join(names[:-1]), *names[-1:]]))
+
+
 def listed(names: Sequence[str], most: int = 8) -> str:
     """The first of some names."""
     return ", ".join(names[:most]) + (", ..." if len(names) > most else "")

@@ -117,3 +117,16 @@ FORMATS = ("deck", "yaml", "json")
 @pytest.mark.parametrize("form", FORMATS)
 def test_the_reader_asked_for_is_the_one_that_speaks(form: str) -> None:
     assert format_of(vstatics("check", "-", "--from", form, stdin=b"{x y")) == form
+
+
+@pytest.mark.parametrize(("typed", "meant"), [("rnu", "run"), ("sumary", "summary")])
+def test_a_mistyped_command_gets_the_nearest_one(typed: str, meant: str) -> None:
+    said = vstatics(typed, MZKT)
+    assert said.status == 2
+    assert f"there is no command `{typed}`; did you mean `{meant}`?" in said.err
+
+
+def test_a_file_that_is_not_there_gets_the_nearest_of_its_folder() -> None:
+    said = vstatics("run", MZKT.with_suffix(".dta"))
+    assert said.status == 1
+    assert "did you mean `mzkt7922.dat`?" in said.err

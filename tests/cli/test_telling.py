@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import json
+import re
 from pathlib import Path
 
 import pytest
@@ -147,3 +149,32 @@ def test_no_bar_is_drawn_quietly(files: Path) -> None:
     call = ["sweep", "neutral.yaml", "--vary", "D.ratio=-3:-2:5000", "-o", "out.csv"]
     assert "\x1b[" in on_terminal(*call, cwd=files)
     assert on_terminal(*call, "-q", cwd=files) == ""
+
+
+# each once
+
+
+def test_one_text_about_several_gears_is_one_line_and_a_message_of_each() -> None:
+    text = NEUTRAL.replace("N: {}", "N: {}, P: {}")
+    said = vstatics("run", "-", "-f", "json", stdin=text.encode())
+    [warning] = [line for line in said.err.splitlines() if "warning" in line]
+    assert warning.startswith("<stdin>:4:9: warning: gears N and P: 1 condition missing")
+    assert "nothing holds the torque of the input" in warning
+    told = [one.partition(": 1 ")[0] for one in json.loads(said.out)["messages"]]
+    assert told == ["warning: gear N", "warning: gear P"]
+
+
+def test_shared_torques_are_told_with_the_element_in_excess() -> None:
+    said = vstatics("run", "open.yaml").err
+    [warning] = [line for line in said.splitlines() if "warning" in line]
+    assert warning.endswith(
+        "gear both: A and B: 1 engaged element is in excess; the speeds agree, the torque of B "
+        "and A is not determined"
+    )
+
+
+def test_notes_stand_behind_the_warnings() -> None:
+    text = MZKT.read_text(encoding="utf-8").rpartition("KM Z(I)")[0]
+    said = vstatics("check", "-", stdin=text.encode()).err
+    told = re.findall("(?m)^<stdin>:[0-9:]+ (warning|note): ", said)
+    assert told == ["warning", "note"]

@@ -18,10 +18,10 @@ from vstatics.model.parts import SpeedOf
 def test_neutral_counts_what_is_missing_and_names_the_free_links() -> None:
     case = train([(2, 0)], Gear())
     results = solve(case)
-    assert texts(results)[0] == (
-        "warning: 1 condition missing for the speeds (neutral); free: links 2 and 3; "
-        "engage another shift element or give a speed"
-    )
+    assert texts(results) == [
+        "warning: 1 condition missing for the speeds (neutral): nothing holds the torque of the "
+        "input; free: links 2 and 3; engage another shift element or give a speed"
+    ]
     assert results.missing == [1]
     assert results.speeds[0, 0] == 1
     assert np.isnan([*results.speeds[0, 1:], *results.ratio, *results.efficiency]).all()

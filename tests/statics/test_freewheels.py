@@ -82,7 +82,7 @@ def test_coasting_in_first_gear_is_a_neutral() -> None:
     assert not results.holds[0, 3]
     assert np.isnan([results.ratio[0], results.efficiency[0], results.slip_speeds[0, 3]]).all()
     assert texts(results, "1")[0].startswith(
-        "warning: 1 condition missing for the speeds (neutral, as freewheel D overruns); free: "
+        "warning: 1 condition missing for the speeds (neutral, as freewheel D overruns): "
     )
     assert results.ratio[1] == pytest.approx(1 - 1 / U)
     assert not results.failed

@@ -24,7 +24,7 @@ import click
 
 from vstatics.cli import files
 from vstatics.cli.exit_status import DONE, FAILED, WRONG_USE, stopped_by
-from vstatics.errors import ReadError, printable
+from vstatics.errors import ReadError, nearest, printable, quoted
 from vstatics.extras import __version__, build
 from vstatics.jobs.stopping import Stop, StoppedError, stoppable
 
@@ -92,6 +92,16 @@ class Commands(click.Group):
         module, _ = COMMANDS[cmd_name]
         command: click.Command = getattr(import_module(module), cmd_name)
         return command
+
+    def resolve_command(
+        self, ctx: click.Context, args: list[str]
+    ) -> tuple[str | None, click.Command | None, list[str]]:
+        """As click does; a name that is none gets the nearest one as a hint."""
+        name = args[0]
+        if name in COMMANDS or name.startswith("-"):
+            return super().resolve_command(ctx, args)
+        hint = nearest(name, COMMANDS) or f"; commands are {', '.join(COMMANDS)}"
+        raise click.UsageError(f"there is no command {quoted(name)}{hint}", ctx)
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:  # noqa: ARG002
         """List the commands without importing them."""

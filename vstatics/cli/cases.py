@@ -12,10 +12,11 @@ import click
 from vstatics import readers
 from vstatics.cli import files
 from vstatics.cli.telling import Telling
-from vstatics.errors import Problem, ReadError, of_file
+from vstatics.errors import Problem, ReadError, of_file, spoken
 from vstatics.model.checks import hints
 from vstatics.model.transmission import IdleConvention, Transmission
 from vstatics.readers.reading import Reading
+from vstatics.statics.result_fields import Message
 from vstatics.statics.results import Language, Results
 from vstatics.statics.solve import solve
 
@@ -180,7 +181,8 @@ def calculate_one(file: str, settings: CaseOptions) -> CalculatedCase:
         reading = readers.read(data, name, settings.input_format)
         results = solve(reading.case, coast=settings.coast, idle=settings.idle)
         notes = map(reading.locate, hints(reading.case)) if settings.telling.notes else ()
-        problems = [*reading.warnings, *notes, *_located(reading, results)]
+        each = settings.telling.each_gear
+        problems = [*reading.warnings, *notes, *_located(reading, results, each_gear=each)]
     except ReadError as error:
         results, problems = None, error.problems
     except Exception as error:  # noqa: BLE001 - the other cases are to go on
@@ -218,13 +220,18 @@ def unexpected(name: str, error: Exception) -> Problem:
     return of_file(name, message)
 
 
-def _located(reading: Reading, results: Results) -> Iterator[Problem]:
-    """The messages of a result as problems at the place of their gear."""
+def _located(reading: Reading, results: Results, *, each_gear: bool) -> Iterator[Problem]:
+    """The messages of a result as problems: at the place of each gear, or of the first of many."""
     if not results.messages:
         return
     numbers = {gear.name: number for number, gear in enumerate(results.case.gears, 1)}
+    together: dict[object, list[Message]] = {}
     for message in results.messages:
         if message.gear:
-            place = reading.locate(Problem("", ("gears", numbers[message.gear]))).place
-            text = f"gear {message.gear}: {message.text}"
-            yield Problem(text, place=place, severity=message.severity)
+            key = message if each_gear else message._replace(gear="")
+            together.setdefault(key, []).append(message)
+    for first, *others in together.values():
+        place = reading.locate(Problem("", ("gears", numbers[first.gear]))).place
+        names = spoken([first.gear, *(other.gear for other in others)])
+        text = f"gear{'s' * bool(others)} {names}: {first.text}"
+        yield Problem(text, place=place, severity=first.severity)

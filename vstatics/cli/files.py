@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import itertools
 import os
 import sys
 from collections.abc import Callable, Iterable, Iterator
@@ -10,13 +11,15 @@ from functools import partial
 
 import click
 
-from vstatics.errors import Place, Problem, ReadError, of_file, printable
+from vstatics.errors import Place, Problem, ReadError, nearest, of_file, printable
 from vstatics.jobs.files import STDOUT, Write, is_stream, opened, replacing, unwritable
 
 STDIN = "-"
 STDIN_NAME = "<stdin>"
 MOST_SHOWN = 100
 """So many problems of a case are printed."""
+MOST_SEARCHED = 1000
+"""So many files of a folder are looked at for one that may be meant."""
 CLOSED = "it is closed"
 
 
@@ -36,9 +39,22 @@ def read_input(file: str) -> tuple[bytes, str]:
         if sys.stdin is not None:
             return sys.stdin.buffer.read(), name
         reason = CLOSED
+    except FileNotFoundError as error:
+        reason = f"{error.strerror}{_nearest_file(file)}"
     except OSError as error:
         reason = error.strerror or str(error)
     raise ReadError([of_file(name, f"can't be read: {reason}")])
+
+
+def _nearest_file(file: str) -> str:
+    """A hint that names the file of its folder that is nearest to one that is not there."""
+    folder, name = os.path.split(file)
+    try:
+        with os.scandir(folder or os.curdir) as entries:
+            there = [one.name for one in itertools.islice(entries, MOST_SEARCHED)]
+    except OSError:
+        return ""
+    return nearest(name, there)
 
 
 def show(problems: Iterable[Problem]) -> None:

@@ -17,10 +17,16 @@ class Telling(NamedTuple):
     """Whether warnings make the command fail."""
     notes: bool = False
     """Whether notes are told, as `vstatics check` does."""
+    each_gear: bool = False
+    """Whether one text about several gears is told of each, at its place."""
 
     def told(self, problems: Iterable[Problem]) -> list[Problem]:
-        """The problems that the command speaks of."""
-        return [one for one in problems if self.notes or one.severity != "note"]
+        """The problems that the command speaks of, notes behind the others."""
+        notes: list[Problem] = []
+        others: list[Problem] = []
+        for one in dict.fromkeys(problems):
+            (notes if one.severity == "note" else others).append(one)
+        return others + notes * self.notes
 
     def printed(self, problems: Iterable[Problem]) -> list[Problem]:
         """Those of them that go to stderr."""

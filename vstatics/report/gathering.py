@@ -68,9 +68,7 @@ def _is_among(problem: Problem, messages: Iterable[Message]) -> bool:
     """Whether a message says it too: readers name fields, results name the parts."""
     said = problem.message
     return any(
-        said == f"gear {one.gear}: {one.text}"
-        if one.gear
-        else said.endswith(one.text.partition(": ")[2])
+        said.endswith(f": {one.text}" if one.gear else one.text.partition(": ")[2])
         for one in messages
     )
 

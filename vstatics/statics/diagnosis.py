@@ -11,7 +11,7 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from vstatics.errors import Severity, path_text
+from vstatics.errors import Severity, path_text, spoken
 from vstatics.model.checks import doubts
 from vstatics.model.transmission import Gear, SpeedOf, Transmission
 from vstatics.numerics import elimination
@@ -27,6 +27,7 @@ from vstatics.statics.speeds import solve_speeds
 from vstatics.statics.status import CONFLICT, LOCKED, NEUTRAL, TIED_UP
 
 Said = tuple[Severity, str]
+NOTHING_HOLDS = "nothing holds the torque of the input"
 
 
 def _error(text: str) -> Said:
@@ -95,8 +96,8 @@ def _shared(case: Transmission, gear: Gear, held: Sequence[int]) -> Iterator[Sai
             for numbers in (held, others)
         )
         yield _warning(
-            f"freewheel{_s(len(twos))} {_list(twos)} could hold in place of {_list(ones)}: the "
-            f"torques that they share are not determined, those with {_list(ones)} are given"
+            f"freewheel{_s(len(twos))} {spoken(twos)} could hold in place of {spoken(ones)}: the "
+            f"torques that they share are not determined, those with {spoken(ones)} are given"
         )
 
 
@@ -106,7 +107,8 @@ def _drag_messages(results: Results, number: int, gear: Gear) -> Iterator[Said]:
     unknown = drag.unknown_drag(results.case, gear, speeds, slips)
     if unknown and results.calculable[number]:
         yield _warning(
-            f"the drag of {_list(unknown)} is left out, as statics does not determine a speed there"
+            f"the drag of {spoken(unknown)} is left out, as statics does not determine a speed "
+            "there"
         )
 
 
@@ -119,11 +121,6 @@ def _named(case: Transmission, path: str, text: str) -> str:
 def _columns(case: Transmission) -> list[matrix.Column]:
     """Of the structural-distribution matrix."""
     return matrix.columns(case, [mechanism.ratio for mechanism in case.mechanisms])
-
-
-def _list(names: Sequence[str]) -> str:
-    """Names as one says them: `a`, `a and b`, `a, b and c`."""
-    return " and ".join(filter(None, [", ".join(names[:-1]), *names[-1:]]))
 
 
 def _s(count: int) -> str:
@@ -175,7 +172,7 @@ def _further_outputs(case: Transmission, gear: Gear) -> Iterator[Said]:
     if idle:
         same = case.speed_text(SpeedOf(case.gear_output(gear)))
         yield _warning(
-            f"output{_s(len(idle))} {_list(idle)} {'give' if idle[1:] else 'gives'} no torque: "
+            f"output{_s(len(idle))} {spoken(idle)} {'give' if idle[1:] else 'gives'} no torque: "
             f"expected a given speed or torque, such as `speeds: {{{idle[0]}: {same}}}`"
         )
 
@@ -187,19 +184,20 @@ def _speed_messages(results: Results, number: int, gear: Gear) -> Iterator[Said]
         return  # said as an error already
     missing, excess = int(results.missing[number]), int(results.excess[number])
     if results.tied_up[number] or excess:
-        yield from _excess(case, gear)
+        yield from _excess(results, number, gear)
     if missing:
         free = _without_value(case.link_names, results.gear(number + 1).speeds)
-        named = f"; free: link{_s(len(free))} {_list(free)}" if free else ""
+        named = f"; free: link{_s(len(free))} {spoken(free)}" if free else ""
         links = "" if results.tied_up[number] else named
         neutral = np.isnan(results.ratio[number]) and not results.tied_up[number]
+        unheld = f": {NOTHING_HOLDS}" if _is_adrift(results, number) else ""
         advice = "; engage another shift element or give a speed" if neutral else ""
         over = _overrunning(results, number, gear) if neutral else []
         verb = "overruns" if len(over) == 1 else "overrun"
-        why = f", as freewheel{_s(len(over))} {_list(over)} {verb}" if over else ""
+        why = f", as freewheel{_s(len(over))} {spoken(over)} {verb}" if over else ""
         yield _warning(
             f"{missing} condition{_s(missing)} missing for the speeds"
-            f"{f' ({NEUTRAL.english}{why})' * bool(neutral)}{links}{advice}"
+            f"{f' ({NEUTRAL.english}{why})' * bool(neutral)}{unheld}{links}{advice}"
         )
     output = case.gear_output(gear)
     if results.speeds[number, output - 1] == 0:
@@ -207,8 +205,19 @@ def _speed_messages(results: Results, number: int, gear: Gear) -> Iterator[Said]
         yield _warning(f"the output, link {name}, stands still: there is no ratio")
 
 
-def _excess(case: Transmission, gear: Gear) -> Iterator[Said]:
-    """One message for each set of conditions that repeat or contradict each other."""
+def _is_adrift(results: Results, number: int) -> bool:
+    """Whether a gear is neutral, and so without torques, too."""
+    return bool(
+        results.missing[number]
+        and np.isnan(results.ratio[number])
+        and not results.tied_up[number]
+        and not results.balanced[number]
+    )
+
+
+def _excess(results: Results, number: int, gear: Gear) -> Iterator[Said]:
+    """What is said of sets of conditions that repeat or contradict each other."""
+    case, repeated, same = results.case, list[str](), list[str]()
     rows = matrix.speed_rows(case, gear, _columns(case))
     names = matrix.speed_row_names(case, gear)
     mechanisms = len(case.mechanisms)
@@ -216,7 +225,7 @@ def _excess(case: Transmission, gear: Gear) -> Iterator[Said]:
         engaged = [names[i] for i in involved if mechanisms <= i < mechanisms + len(gear.engaged)]
         others = [names[i] for i in involved if i >= mechanisms + len(gear.engaged)]
         every = [names[i] for i in involved]
-        conditions = _list(engaged + others) or _list(every)
+        conditions = spoken(engaged + others) or spoken(every)
         if not agrees:
             given = [n for n in others if n != matrix.INPUT_SPEED]
             cures = [
@@ -225,18 +234,25 @@ def _excess(case: Transmission, gear: Gear) -> Iterator[Said]:
             ]
             cure = " or ".join(filter(None, cures))
             if not cure:
-                conditions, cure = _list(every), "check which links these join and their ratios"
+                conditions, cure = spoken(every), "check which links these join and their ratios"
             yield _error(
                 f"{TIED_UP.english}: {conditions} contradict each other, so the input can't "
                 f"turn as given; {cure}"
             )
         elif engaged:
-            yield _warning(
-                f"{_list(engaged)}: 1 engaged element is in excess; the speeds agree, the "
-                "torques that it shares are not determined"
-            )
+            repeated.append(spoken(engaged))
         else:
-            yield _warning(f"{conditions} say the same of the speeds: 1 condition in excess")
+            same.append(f"{conditions} say the same of the speeds: 1 condition in excess")
+    if repeated:
+        count = len(repeated)
+        verb = "is" if count == 1 else "are"
+        what = f"{count} engaged element{_s(count)} {verb} in excess; the speeds agree"
+        same.insert(0, f"{'; '.join(repeated)}: {what}")
+    unknown = _unknown_torques(results, number)
+    shared = f", the torque of {spoken(unknown)} is not determined" if unknown else ""
+    for text in same:
+        yield _warning(text + shared)
+        shared = ""  # once is enough
 
 
 def _digit_messages(results: Results, number: int) -> Iterator[Said]:
@@ -244,13 +260,13 @@ def _digit_messages(results: Results, number: int) -> Iterator[Said]:
     lost = None if results.conflict[number] else digits.lost_digits(results.gear(number + 1))
     if lost is None:
         return
-    of = [f"the speed of {_list(lost.links)}"] * bool(lost.links)
-    of += [f"the torque of {_list(lost.devices)}"] * bool(lost.devices)
+    of = [f"the speed of {spoken(lost.links)}"] * bool(lost.links)
+    of += [f"the torque of {spoken(lost.devices)}"] * bool(lost.devices)
     certain = f"{lost.digits} digit{_s(lost.digits)}" if lost.digits else "no digit"
     verb = "are" if lost.digits > 1 else "is"
     yield _warning(
         "the ratios are so close to a singular train that rounding shows: "
-        f"{certain} of {_list(of)} {verb} certain"
+        f"{certain} of {spoken(of)} {verb} certain"
     )
 
 
@@ -266,7 +282,9 @@ def _torque_messages(
         return  # said as an error already
     output = case.gear_output(gear)
     if not results.balanced[number]:
-        advice = "nothing holds the torque of the input"
+        if _is_adrift(results, number) and output not in gear.speeds:
+            return  # said with the speeds
+        advice = NOTHING_HOLDS
         if output in gear.speeds:
             advice = (
                 f"a speed is given on the output, link {case.link_name(output)}; give the "
@@ -278,11 +296,18 @@ def _torque_messages(
             "the ratios are so close to a singular train that rounding shows: output torque "
             "times output speed is not 1; few digits are certain"
         )
-    elif is_open:
-        torques = results.gear(number + 1).torques
-        unknown = _without_value([*case.devices, "the output"], torques.on_first_link)
+    elif is_open and not results.excess[number]:  # of which it is said already
+        unknown = _unknown_torques(results, number)
         if unknown:
-            yield _warning(f"statics does not determine the torque of {_list(unknown)}")
+            yield _warning(f"statics does not determine the torque of {spoken(unknown)}")
+
+
+def _unknown_torques(results: Results, number: int) -> list[str]:
+    """What has no torque by statics in a gear that has torques in balance."""
+    if not results.calculable[number]:
+        return []
+    torques = results.gear(number + 1).torques
+    return _without_value([*results.case.devices, "the output"], torques.on_first_link)
 
 
 def _uncertain(results: Results, number: int, gear: Gear) -> bool:
@@ -312,7 +337,7 @@ def _loss_messages(results: Results, number: int, gear: Gear, *, is_turned: bool
     if is_turned:
         names = [mechanism.name for mechanism in case.mechanisms]
         turned = _chosen(names, results.turned[number])
-        yield _note(f"losses turn the flow of power through {_list(turned)} round")
+        yield _note(f"losses turn the flow of power through {spoken(turned)} round")
     if results.choices[number] > 1:
         yield _note(
             f"{results.choices[number]} sets of directions of power agree with the losses; "
@@ -324,5 +349,6 @@ def _loss_messages(results: Results, number: int, gear: Gear, *, is_turned: bool
         if not any(idle.values()):
             what = "torques with losses, but not the efficiency, depend"
         yield _warning(
-            f"{_list([*idle])}: idle by coincidence; {what} on the direction of power assumed there"
+            f"{spoken([*idle])}: idle by coincidence; {what} on the direction of power assumed "
+            "there"
         )
