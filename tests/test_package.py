@@ -190,8 +190,21 @@ def test_an_array_its_row_and_its_number_have_names(differential: Any) -> None:
     ],
 )
 def test_another_name_is_told_with_the_nearest(key: Any, said: str, differential: Any) -> None:
-    with pytest.raises((ReadError, ValueError), match=re.escape(said)):
+    with pytest.raises(ValueError, match=re.escape(said)):
         differential[key]
+
+
+def test_rows_have_numbers_too(differential: Any) -> None:
+    assert differential["speeds", 3].tolist() == differential["speeds", "#3"].tolist()
+    assert differential["speeds", 3].tolist() == differential["speeds", "carrier"].tolist()
+
+
+def test_what_does_not_exist_is_nan_as_in_a_file() -> None:
+    """A neutral gear is not asked whether it is locked."""
+    case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)], [Gear([1]), Gear()])
+    results: Any = vstatics.solve(case)
+    assert results["locked"][0] == 0
+    assert np.isnan(results["locked"][1])
 
 
 def test_names_of_variants_leave_their_axes(differential: Any) -> None:

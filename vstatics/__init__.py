@@ -38,8 +38,6 @@ from vstatics.statics.state import GearState
 from vstatics.sweep import sweep
 
 if TYPE_CHECKING:
-    import pandas as pd
-
     from vstatics.elements.drawing import Drawing
     from vstatics.elements.element import Element
     from vstatics.explain.explanation import explain_gear
@@ -89,36 +87,26 @@ _LATER = {
 """Names that are imported when somebody asks for them, as they cost start-up time."""
 
 
-def _to_dataframe(results: Results) -> pd.DataFrame:
-    """One row per variant and gear: see `vstatics.tables.dataframe.to_dataframe`."""
-    from vstatics.tables.dataframe import to_dataframe
-
-    return to_dataframe(results)
-
-
-def _part(results: Results, key: Any) -> Any:
-    """An array, or a part of it, by names: see `vstatics.tables.access.part`."""
-    from vstatics.tables.access import part
-
-    return part(results, key)
+_METHODS = (
+    (Results, "to_dataframe", "vstatics.tables.dataframe", "to_dataframe"),
+    (Results, "__getitem__", "vstatics.tables.access", "by_name"),
+    (Results, "_repr_html_", "vstatics.summary.html", "html"),
+)
+"""Methods that come from rooms of which the room of results must know nothing."""
 
 
-def _repr_html_(results: Results) -> str:
-    """The table of the gears, for a notebook; of arrays of variants a line."""
-    from html import escape
+def _later(module: str, function: str) -> Any:
+    """A method that is imported when it is called."""
 
-    if results.ratio.ndim != 1:
-        return f"<code>{escape(repr(results))}</code>"
-    from vstatics.summary.pretty import gears_grid
-    from vstatics.tables.html import table
+    def method(*given: Any, **named: Any) -> Any:
+        return getattr(import_module(module), function)(*given, **named)
 
-    return table(gears_grid(results))
+    method.__doc__ = f"See `{module}.{function}`."
+    return method
 
 
-# the rooms of results and of the model know nothing of how they are shown and read
-Results.to_dataframe = _to_dataframe  # type: ignore[method-assign, assignment]
-Results.__getitem__ = _part  # type: ignore[method-assign]
-Results._repr_html_ = _repr_html_  # type: ignore[method-assign, assignment]
+for _of, _method, _module, _function in _METHODS:
+    setattr(_of, _method, _later(_module, _function))
 Transmission.from_dict = staticmethod(from_dict)  # type: ignore[method-assign]
 
 

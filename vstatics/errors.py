@@ -141,6 +141,18 @@ def spoken(names: Sequence[str]) -> str:
     return " and ".join(filter(None, [", ".join(names[:-1]), *names[-1:]]))
 
 
+def typed_number(text: str, last: int) -> int | None:
+    """The number from 1 that somebody typed for one of so many, if it is one.
+
+    >>> typed_number("02", 3), typed_number("4", 3), typed_number("x", 3), typed_number("9" * 99, 3)
+    (2, None, None, None)
+    """
+    digits = text.lstrip("0")
+    if digits.isascii() and digits.isdigit() and len(digits) <= len(str(last)):
+        return int(digits) if int(digits) <= last else None
+    return None
+
+
 def listed(names: Sequence[str], most: int = 8) -> str:
     """The first of some names."""
     return ", ".join(names[:most]) + (", ..." if len(names) > most else "")

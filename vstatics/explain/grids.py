@@ -16,9 +16,9 @@ def grids(explained: Iterable[Explanation]) -> Iterator[Grid]:
     Examples
     --------
     >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
-    >>> from vstatics.explain import explain
+    >>> from vstatics.explain import explain_gear
     >>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)], [Gear([1])])
-    >>> [table.title.partition(": ")[2] for table in grids([explain(solve(case), 0)])]
+    >>> [table.title.partition(": ")[2] for table in grids([explain_gear(solve(case), 1)])]
     ['matrix', 'equations', 'solution', 'power signs', 'ratio']
     """
     for one in explained:

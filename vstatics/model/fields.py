@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any, Literal, Protocol
 
-from vstatics.errors import Problem, listed, nearest
+from vstatics.errors import Problem, listed, nearest, typed_number
 from vstatics.model.own import Member, OwnDevice, Planet
 from vstatics.model.parts import Direction, Gear, Load, Mechanism, ShiftElement, SpeedOf
 
@@ -90,9 +90,9 @@ class TransmissionFields:
         names = [gear.name for gear in self.gears]
         if asked in names:
             return names.index(str(asked)) + 1
-        number = str(asked).lstrip("0")
-        if number.isascii() and number.isdigit() and len(number) < 10 and int(number) <= len(names):
-            return int(number)
+        number = typed_number(str(asked), len(names))
+        if number is not None:
+            return number
         hint = nearest(str(asked), names) or f"; gears are {listed(names, 12)}"
         raise ValueError(f"no gear {asked!r}{hint}")
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from vstatics.errors import CaseError
 from vstatics.model.checks import problems
@@ -97,13 +97,11 @@ class Transmission(TransmissionFields):
         """
         return replace(self, **changes)
 
-    @classmethod
-    def from_dict(cls, data: Mapping[str, Any]) -> Transmission:
-        """The transmission of plain data, with the keys of YAML and JSON.
+    if TYPE_CHECKING:  # `vstatics/__init__` gives it, from the room that reads
 
-        `vstatics.readers.from_dict`, put in its place by `vstatics/__init__`.
-        """
-        raise NotImplementedError
+        @staticmethod
+        def from_dict(data: Mapping[str, Any]) -> Transmission:
+            """The transmission of plain data, with the keys of YAML and JSON."""
 
     def __post_init__(self) -> None:
         """Check everything, then fill in the defaults."""

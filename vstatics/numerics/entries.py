@@ -13,7 +13,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from fractions import Fraction
 from typing import NamedTuple
 
 from vstatics.numerics.tape import Untraceable
@@ -26,7 +25,6 @@ from vstatics.numerics.traced import (
     first,
     guard_same,
     is_traced,
-    plain,
 )
 
 Entry = tuple[Number, float]
@@ -114,26 +112,6 @@ def _less(entry: _FloatEntry, factor: _FloatEntry, term: _FloatEntry) -> _FloatE
 
 FLOATS = Arithmetic(_entry, _quotient, _less)  # type: ignore[arg-type]
 """For equations without a traced number, as `arithmetic_of` makes sure."""
-
-
-def _exact(number: Number | Fraction) -> Fraction:
-    return number if isinstance(number, Fraction) else Fraction(repr(float(plain(number))))
-
-
-def _exact_entry(number: Number) -> tuple[Fraction, float]:
-    return _exact(number), 0.0
-
-
-def _exact_quotient(entry: Entry, pivot: Entry) -> tuple[Fraction, float]:
-    return _exact(entry[0]) / _exact(pivot[0]), 0.0
-
-
-def _exact_less(entry: Entry, factor: Entry, term: Entry) -> tuple[Fraction, float]:
-    return _exact(entry[0]) - _exact(factor[0]) * _exact(term[0]), 0.0
-
-
-EXACT = Arithmetic(_exact_entry, _exact_quotient, _exact_less)  # type: ignore[arg-type]
-"""Fractions of the decimals that numbers show, without rounding; of one case only."""
 
 
 def _traced_entry(number: Number) -> Entry:

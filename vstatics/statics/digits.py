@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 from vstatics.model.transmission import Transmission
 from vstatics.numerics import elimination
-from vstatics.numerics.entries import EXACT, Equation
+from vstatics.numerics.entries import Equation
 from vstatics.numerics.tolerances import NEAR, NOISE, UNCERTAIN
 from vstatics.numerics.traced import Number, plain
 from vstatics.statics.matrix import Column, columns, loaded_devices, speed_rows, torque_rows
@@ -88,6 +88,8 @@ def _torque_parts(
 
 def _exactly(rows: Sequence[Equation], unknowns: int) -> list[float]:
     """The solution in exact fractions, rounded once; NaN as by `elimination.solve`."""
+    from vstatics.numerics.exact import EXACT  # fractions cost start-up time
+
     return [_rounded(value) for value in elimination.solve(rows, unknowns, arithmetic=EXACT).values]
 
 

@@ -32,23 +32,16 @@ class Results(PhysicalResults):
 
     __slots__ = ()
 
-    def to_dataframe(self) -> pd.DataFrame:
-        """One row per variant and gear, a column per table and row; needs pandas.
+    if TYPE_CHECKING:  # `vstatics/__init__` gives these, from rooms that know how to show results
 
-        `vstatics.tables.dataframe.to_dataframe`, put in its place by `vstatics/__init__`.
-        """
-        raise NotImplementedError
+        def to_dataframe(self) -> pd.DataFrame:
+            """One row per variant and gear, a column per table and row; needs pandas."""
 
-    def __getitem__(self, key: Any) -> Any:
-        """An array, or a part of it, by names: ``results["speeds", "ring", "low"]``.
+        def __getitem__(self, key: Any) -> Any:
+            """An array, or a part of it, by names: ``results["speeds", "ring", "low"]``."""
 
-        `vstatics.tables.access.part`, put in its place by `vstatics/__init__`.
-        """
-        return super().__getitem__(key)
-
-    def _repr_html_(self) -> str:
-        """The table of the gears for a notebook, put in its place by `vstatics/__init__`."""
-        raise NotImplementedError
+        def _repr_html_(self) -> str:
+            """The table of the gears, for a notebook."""
 
     def __repr__(self) -> str:
         """What it has results of, not all its numbers."""

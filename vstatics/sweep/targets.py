@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Literal, NamedTuple, get_args
 
-from vstatics.errors import Place, Problem, ReadError, nearest, quoted
+from vstatics.errors import Place, Problem, ReadError, nearest, quoted, typed_number
 from vstatics.model.transmission import Transmission
 from vstatics.readers.deck.places import LISTS
 from vstatics.tables.names import no_row, rows_called, several
@@ -79,10 +79,8 @@ def _mechanisms(name: str, case: Transmission) -> list[int]:
     found = rows_called(name, "mechanisms", case)
     if not found and len(name) > 2 and name[0] == name[-1] and name[0] in "\"'":
         found = rows_called(name[1:-1], "mechanisms", case)
-    number = name.removeprefix("#")
-    if not found and number.isascii() and number.isdigit() and len(number) < 10:
-        found = [int(number) - 1] * (0 < int(number) <= len(case.mechanisms))
-    return found
+    number = typed_number(name.removeprefix("#"), len(case.mechanisms))
+    return found or ([] if number is None else [number - 1])
 
 
 def _not_one(name: str, found: Sequence[int], case: Transmission) -> str:

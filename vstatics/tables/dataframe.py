@@ -71,7 +71,7 @@ def _columns(results: Results) -> Iterator[tuple[tuple[str, str], Any]]:
     """Each column with its name."""
     in_units = (quantity.name for quantity in with_units(results))
     for name in (*ARRAYS, *in_units):
-        table = getattr(results, name)
+        table = results.existing(name)
         if BY_NAME[name].rows == "one":
             yield (name, ""), table.ravel()
             continue

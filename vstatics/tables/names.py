@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from vstatics.errors import Place, Problem, ReadError, listed, nearest, quoted
+from vstatics.errors import Place, Problem, ReadError, listed, nearest, quoted, typed_number
 from vstatics.model.transmission import Transmission
 from vstatics.statics.arrays import Rows, row_names
 from vstatics.tables.quantities import BY_NAME
@@ -62,7 +62,8 @@ def row_named(name: str, kind: Rows, case: Transmission, place: Place | None = N
     Parameters
     ----------
     name : str
-        That of the row; a mechanism or a drawn element alone stands for its only row.
+        That of the row, or its number from 1, also as ``#1``; a mechanism or a drawn element
+        alone stands for its only row.
     kind : str
         What the rows stand for: `Quantity.rows`.
     case : Transmission
@@ -88,6 +89,9 @@ def row_named(name: str, kind: Rows, case: Transmission, place: Place | None = N
     if len(found) == 1:
         return found[0]
     names = row_names(case, kind)
+    number = None if found else typed_number(name.removeprefix("#"), len(names))
+    if number is not None:
+        return number - 1
     message = several(name, found, names) if found else no_row(name, kind, names)
     raise ReadError([Problem(message, place=place)])
 

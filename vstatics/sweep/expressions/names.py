@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any, NamedTuple, TypeAlias
 
-from vstatics.errors import quoted
+from vstatics.errors import quoted, typed_number
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Floats
 from vstatics.statics.arrays import Rows
@@ -122,9 +122,9 @@ class SweepNames:
             return found[0]
         if found:
             raise self.source.error(several(name, found, names), subscript.at)
-        digits = written.removeprefix("#").lstrip("0")
-        if digits.isascii() and digits.isdigit() and len(digits) < 9 and int(digits) <= len(names):
-            return int(digits) - 1
+        number = typed_number(written.removeprefix("#"), len(names))
+        if number is not None:
+            return number - 1
         raise self.source.error(self._no_row(written, name, names, kind), subscript.at)
 
     def _called(self, name: str, names: Sequence[str], kind: Rows) -> list[int]:

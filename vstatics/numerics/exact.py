@@ -1,0 +1,28 @@
+"""Elimination without rounding, in fractions: for few and small systems, as it is slow."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+from vstatics.numerics.entries import Arithmetic, Entry
+from vstatics.numerics.traced import Number, plain
+
+
+def _exact(number: Number | Fraction) -> Fraction:
+    return number if isinstance(number, Fraction) else Fraction(repr(float(plain(number))))
+
+
+def _exact_entry(number: Number) -> tuple[Fraction, float]:
+    return _exact(number), 0.0
+
+
+def _exact_quotient(entry: Entry, pivot: Entry) -> tuple[Fraction, float]:
+    return _exact(entry[0]) / _exact(pivot[0]), 0.0
+
+
+def _exact_less(entry: Entry, factor: Entry, term: Entry) -> tuple[Fraction, float]:
+    return _exact(entry[0]) - _exact(factor[0]) * _exact(term[0]), 0.0
+
+
+EXACT = Arithmetic(_exact_entry, _exact_quotient, _exact_less)  # type: ignore[arg-type]
+"""Fractions of the decimals that numbers show, without rounding; of one case only."""
