@@ -6,6 +6,7 @@ import pickle
 from dataclasses import replace
 from fractions import Fraction
 
+import numpy as np
 import pytest
 
 import vstatics as library
@@ -15,7 +16,7 @@ from vstatics.elements import Drawing, Element, transmission
 from vstatics.elements.drawing import drawing_of
 from vstatics.elements.kinds import KINDS
 from vstatics.errors import CaseError
-from vstatics.model.transmission import Gear, ShiftElement
+from vstatics.model.transmission import Gear, Mechanism, ShiftElement
 from vstatics.readers import read
 from vstatics.templates import TEMPLATES, template
 
@@ -373,6 +374,58 @@ def test_another_drawing_may_have_other_planets_as_links() -> None:
     assert reduced == loaded(f"losses: reduced\n{AOD}")
     assert reduced.links == drawing.links < case.links
     assert replace(reduced, drawing=drawing) == case
+
+
+@pytest.mark.parametrize("more", [1, 2, 4])
+def test_another_drawing_may_have_more_links(more: int) -> None:
+    """Links of the case keep their names and numbers, planets come after the new ones."""
+    case = loaded(AOD)
+    drawing = drawing_of(case)
+    assert drawing is not None
+    ring = case.link_names.index("ring") + 1
+    pairs = [Mechanism(ring + n, ring + n + 1, 0, -2.0, name=f"pair {n}") for n in range(more)]
+    longer = replace(drawing, links=ring + more, mechanisms=pairs)
+    names = [*case.link_names[:ring], *map(str, range(ring + 1, ring + more + 1))]
+    for other in (case.replace(drawing=longer), replace(case, drawing=longer)):
+        assert list(other.link_names) == [*names, "set.short", "set.long"]
+        results = library.solve(other)
+        assert results.ratio == pytest.approx(library.solve(case).ratio)
+        by_ring = results.speeds[:, ring : ring + more] / results.speeds[:, [ring - 1]]
+        assert by_ring == pytest.approx(np.tile((-0.5) ** np.arange(1, more + 1), (5, 1)))
+        assert replace(other, drawing=drawing) == case
+
+
+def test_links_of_another_drawing_may_have_names() -> None:
+    case = loaded(AOD)
+    drawing = drawing_of(case)
+    assert drawing is not None
+    longer = replace(drawing, links=6, mechanisms=[Mechanism(5, 6, 0, -2.0, name="final drive")])
+    names = ["input", "forward sun", "reverse sun", "carrier", "ring", "axle"]
+    other = case.replace(drawing=longer, link_names=names, output=6)
+    assert list(other.link_names) == [*names, "set.short", "set.long"]
+    assert library.solve(other).ratio == pytest.approx(-2 * library.solve(case).ratio)
+
+
+def test_a_planet_of_another_drawing_is_no_output() -> None:
+    """With fewer links a number of today would be that of a planet."""
+    case = loaded(AOD)
+    drawing = drawing_of(case)
+    assert drawing is not None
+    [element] = drawing.elements
+    members = {name: link for name, link in element.members.items() if link != case.output}
+    teeth = {name: count for name, count in element.teeth.items() if name != "ring"}
+    shorter = replace(element, members=members, teeth=teeth)
+    with pytest.raises(CaseError, match=r"output: read 5, expected a link number from 1 to 4"):
+        case.replace(drawing=replace(drawing, links=4, elements=[shorter], losses="meshes"))
+
+
+def test_other_teeth_change_a_case_with_planets_as_links() -> None:
+    case = loaded(AOD)
+    other = drawn_with(case, small_sun=32, short=16)
+    expected = loaded(
+        AOD.replace("small_sun: 30", "small_sun: 32").replace("short: 18", "short: 16")
+    )
+    assert case.replace(drawing=other) == replace(case, drawing=other) == expected
 
 
 def test_another_drawing_is_checked() -> None:

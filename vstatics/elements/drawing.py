@@ -54,13 +54,13 @@ class Drawing(DrawingFields):
         Parameters
         ----------
         link_names : sequence of str
-            Of the case's own links; their numbers when empty.
+            Of the case's own links; further ones are called by their numbers.
         """
-        names = list(link_names) or [str(number) for number in range(1, self.links + 1)]
-        names += [f"{part.name}.{planet}" for part in self.parts for planet in part.planet_links]
+        numbers = [str(number) for number in range(len(link_names) + 1, self.links + 1)]
+        planets = [f"{part.name}.{planet}" for part in self.parts for planet in part.planet_links]
         return {
-            "links": len(names),
-            "link_names": names,
+            "links": self.links + len(planets),
+            "link_names": [*link_names, *numbers, *planets],
             "mechanisms": [lowered.mechanism for part in self.parts for lowered in part.lowered],
             "drawing": self,
             "_lowered": self,

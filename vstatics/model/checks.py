@@ -125,7 +125,7 @@ def _outputs(case: TransmissionFields) -> Iterator[Problem]:
     """Several outputs: different links, `output` first, the input not among them."""
     for number, link in enumerate(case.outputs, 1):
         path = ("outputs", number)
-        yield from of_link(link, path, case.links, lowest=1)
+        yield from of_link(link, path, case.own_links, lowest=1)
         if link in case.outputs[: number - 1]:
             yield Problem(f"link {called(case, link)} is an output twice", path)
         if link == case.input and number > 1:
@@ -155,8 +155,8 @@ def _is_name(name: str) -> bool:
 
 
 def _ports(case: TransmissionFields) -> Iterator[Problem]:
-    yield from of_link(case.input, ("input",), case.links, lowest=1)
-    yield from of_link(case.main_output, ("output",), case.links, lowest=1)
+    yield from of_link(case.input, ("input",), case.own_links, lowest=1)
+    yield from of_link(case.main_output, ("output",), case.own_links, lowest=1)
     yield from _outputs(case)
     if case.input == case.main_output:
         yield Problem(f"input and output are both link {called(case, case.input)}", ("output",))

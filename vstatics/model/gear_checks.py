@@ -18,7 +18,7 @@ def of_gear(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[Proble
     ends = gear.input or case.input, gear.output or case.main_output
     for end, link in (("input", gear.input), ("output", gear.output)):
         if link is not None:
-            yield from of_link(link, (*path, end), case.links, lowest=1)
+            yield from of_link(link, (*path, end), case.own_links, lowest=1)
     if ends[0] == ends[1] and (gear.input is not None or gear.output is not None):
         yield Problem(f"input and output are both link {called(case, ends[0])}", path)
     yield from _turning(case, gear, (*path, "input_turns"))
@@ -34,7 +34,7 @@ def _given(
 ) -> Iterator[Problem]:
     """Given speeds and torques, of links that have neither by themselves."""
     yield from _speeds(case, gear.speeds, (*path, "speeds"))
-    yield from _finite(gear.torques, (*path, "torques"), case.links)
+    yield from _finite(gear.torques, (*path, "torques"), case.own_links)
     if ends[0] in gear.speeds:
         message = f"link {called(case, ends[0])} is the input, whose speed is 1; expected another"
         yield Problem(message, (*path, "speeds", ends[0]))
@@ -82,7 +82,7 @@ def of_load(load: Load | None, path: Path) -> Iterator[Problem]:
 def _dragging(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[Problem]:
     """The drag that a gear gives, of links and of open elements."""
     for link, torque in gear.drag.items():
-        yield from of_link(link, (*path, "drag", link), case.links, lowest=1)
+        yield from of_link(link, (*path, "drag", link), case.own_links, lowest=1)
         yield from of_drag(torque, None, (*path, "drag", link))
     elements = case.shift_elements
     for number, torque in gear.open_drag.items():
@@ -118,13 +118,13 @@ def _speeds(
 ) -> Iterator[Problem]:
     """Given speeds: numbers, or those of other links."""
     numbers = {link: one for link, one in speeds.items() if not isinstance(one, SpeedOf)}
-    yield from _finite(numbers, path, case.links)
+    yield from _finite(numbers, path, case.own_links)
     for link, speed in speeds.items():
         if not isinstance(speed, SpeedOf):
             continue
         inner = (*path, link)
-        yield from of_link(link, inner, case.links, lowest=1)
-        yield from of_link(speed.link, inner, case.links, lowest=1)
+        yield from of_link(link, inner, case.own_links, lowest=1)
+        yield from of_link(speed.link, inner, case.own_links, lowest=1)
         if speed.factor == 0 or not math.isfinite(speed.factor):
             message = f"read a factor of {speed.factor:g}, expected a finite one other than 0"
             yield Problem(f"{message}; a link that stands has the speed 0", inner)

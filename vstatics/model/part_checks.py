@@ -34,7 +34,7 @@ def of_link(link: int, path: Path, links: int, lowest: int = HOUSING) -> Iterato
 
 def of_element(case: TransmissionFields, element: ShiftElement, path: Path) -> Iterator[Problem]:
     """The links, the kind, the drag and the capacity of a shift element."""
-    first, second, links = element.first, element.second, case.links
+    first, second, links = element.first, element.second, case.own_links
     if not (is_number(first, links) and is_number(second, links)):
         yield from of_link(first, (*path, "first"), links)
         yield from of_link(second, (*path, "second"), links)

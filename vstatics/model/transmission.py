@@ -117,9 +117,11 @@ class Transmission(TransmissionFields):
         errors = list(drawing.problems())
         if errors:
             raise CaseError(errors)
-        before, names = self._lowered, self.link_names
-        if before is not None and len(names) != drawing.links:
-            names = names[: before.links]
+        before, names = self._lowered, list(self.link_names)
+        if before is not None:
+            own = names[: before.links]
+            if names == before.lowered(own)["link_names"]:
+                names = own[: drawing.links]
         output = self.output or (0 if self.outputs else drawing.links)
         self._set(**drawing.lowered(names), output=output)
 
