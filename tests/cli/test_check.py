@@ -2,9 +2,14 @@
 
 from __future__ import annotations
 
+import json
+from pathlib import Path
+
 import pytest
+from jsonschema import Draft202012Validator
 
 from tests.commands import BAD, MZKT, NEUTRAL, vstatics
+from vstatics.cli.problem_json import json_schema
 
 
 @pytest.mark.usefixtures("files")
@@ -49,3 +54,49 @@ def test_check_reports_all_that_is_wrong_in_one_run() -> None:
     assert [line.partition(": ")[0] for line in said[::3]] == [
         f"<stdin>:{number}:{column}" for number, column in enumerate(columns, 2)
     ]
+
+
+# for editors and CI
+
+
+@pytest.mark.usefixtures("files")
+def test_json_has_a_place_for_each_problem_and_stderr_has_none() -> None:
+    said = vstatics("check", "bad.yaml", "neutral.yaml", MZKT, "none.yaml", "-f", "json")
+    assert (said.status, said.err) == (1, "")
+    found = json.loads(said.out)
+    assert not list(Draft202012Validator(json_schema()).iter_errors(found))
+    assert [(Path(one["file"]).name, one["severity"]) for one in found] == [
+        ("bad.yaml", "error"),
+        ("neutral.yaml", "warning"),
+        ("mzkt7922.dat", "note"),
+        ("none.yaml", "error"),
+    ]
+    bad, neutral, _, none = found
+    assert (bad["line"], bad["column"]) == (3, BAD.splitlines()[2].index("ratoi") + 1)
+    assert bad["message"].endswith("did you mean `ratio`?")
+    assert (neutral["line"], neutral["column"]) == (4, NEUTRAL.splitlines()[3].index("N:") + 1)
+    assert (none["line"], none["column"]) == (None, None)
+
+
+def test_json_of_what_is_well_is_an_empty_array() -> None:
+    good = NEUTRAL.replace("N: {}, ", "").encode()
+    assert vstatics("check", "-", "-f", "json", stdin=good) == (0, "[]\n", "")
+
+
+def test_json_has_every_gear_of_one_text() -> None:
+    text = NEUTRAL.replace("N: {}", "N: {}, P: {}").encode()
+    said = vstatics("check", "-", "-f", "json", "--strict", stdin=text)
+    assert said.status == 1
+    assert [one["message"][:8] for one in json.loads(said.out)] == ["gear N: ", "gear P: "]
+    assert vstatics("check", "-", "-f", "json", "-q", "--strict", stdin=text) == (1, "[]\n", "")
+
+
+@pytest.mark.usefixtures("files")
+def test_check_writes_to_a_file_by_its_suffix() -> None:
+    call = ["check", "neutral.yaml", "bad.yaml"]
+    assert vstatics(*call, "-o", "x.json").out == ""
+    assert Path("x.json").read_text("utf-8") == vstatics(*call, "-f", "json").out
+    assert vstatics(*call, "-o", "x.txt").err == vstatics(*call).err
+    assert Path("x.txt").read_text("utf-8") == vstatics(*call).out
+    for output, *more in (("x.csv",), ("x.json", "-f", "text"), ("bad.yaml",), ("new/",)):
+        assert vstatics(*call, "-o", output, *more).status == 2

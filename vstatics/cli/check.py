@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import click
 
 from vstatics import readers
 from vstatics.cli import cases as arguments
 from vstatics.cli import files
-from vstatics.cli.cases import CaseOptions, calculate
+from vstatics.cli.cases import CaseOptions, calculate, calculate_one
 from vstatics.cli.exit_status import DONE, FAILED
+from vstatics.cli.formats import OutputOptions, TextStyle
 from vstatics.cli.telling import Telling
 from vstatics.elements.drawing import drawing_of
 from vstatics.statics.diagnosis import freedom, given_conditions
@@ -16,6 +19,8 @@ from vstatics.statics.results import Results
 from vstatics.statics.status import CONFLICT, TIED_UP
 from vstatics.tables.grid import Grid, text
 from vstatics.tables.text import lines
+
+FORMATS = ("text", "json")
 
 
 def _count(number: int, noun: str) -> str:
@@ -64,26 +69,68 @@ def conditions(file: str, results: Results) -> Grid:
 
 @click.command()
 @arguments.argument
+@click.option(
+    "-f",
+    "--format",
+    "output_format",
+    type=click.Choice(FORMATS),
+    help="Format; else told by the suffix of -o, else text.",
+)
+@click.option("-o", "--output", type=click.Path(), help="Write to this file, whole or not at all.")
 @arguments.input_format
 @arguments.telling
-def check(cases: tuple[str, ...], input_format: readers.Format | None, telling: Telling) -> int:
+def check(
+    cases: tuple[str, ...],
+    output_format: str | None,
+    output: str | None,
+    input_format: readers.Format | None,
+    telling: Telling,
+) -> int:
     """Report all problems, warnings and notes of each CASE, and its conditions per gear.
 
     Problems go to stderr as file:line:col: message, with the line and a caret;
-    the count of conditions goes to stdout. There are no tables.
+    the count of conditions goes to stdout. There are no tables. As JSON, for
+    editors and CI, the problems of all cases are one array on stdout; each has
+    file, line, column, severity (error, warning, note) and message.
 
     \b
-    Example:
+    Examples:
       vstatics check gearbox.yaml
+      vstatics check gearbox.yaml -f json | jq -r '.[].message'
 
     Exit status: 0 no errors; 1 a case is in error or a gear is tied up, with --strict
     also if there is a warning; 2 wrong use.
     """
-    options = CaseOptions(input_format, telling=telling._replace(notes=True))
-    failed = False
+    wanted = OutputOptions(FORMATS, output_format, output, TextStyle())
+    to = wanted.destination(cases)
+    if to.is_folder:
+        raise click.UsageError(f"all cases give one text: expected -o FILE, not {output}")
+    as_json = to.form == "json"
+    options = CaseOptions(input_format, telling=telling._replace(notes=True, each_gear=as_json))
+    write = _problems if as_json else _conditions
+    text, failed = write(cases, options)
+    files.write_output(text, output)
+    return FAILED if failed else DONE
+
+
+def _conditions(cases: Sequence[str], options: CaseOptions) -> tuple[str, bool]:
+    """The conditions of all cases, and whether one failed; problems are printed."""
+    found, failed = "", False
     for outcome in calculate(cases, options):
         failed |= outcome.failed
         if outcome.results is not None:
             shown = lines(conditions(outcome.file, outcome.results), indent="  ")
-            files.write_output("\n".join(shown) + "\n", None)
-    return FAILED if failed else DONE
+            found += "\n".join(shown) + "\n"
+    return found, failed
+
+
+def _problems(cases: Sequence[str], options: CaseOptions) -> tuple[str, bool]:
+    """The problems of all cases in JSON, and whether one failed."""
+    from vstatics.cli import problem_json
+
+    arguments.check_streams(cases)
+    found, failed = list[problem_json.ProblemRecord](), False
+    for outcome in (calculate_one(file, options) for file in cases):
+        failed |= outcome.failed
+        found += problem_json.records(outcome.file, options.telling.printed(outcome.problems))
+    return problem_json.text(found), failed
