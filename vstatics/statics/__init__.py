@@ -13,5 +13,5 @@ gear as an object.
 The modules follow docs/method.md: `matrix`, `speeds`, `drag`, `torques`, `ideal` (a gear
 without losses), `efficiency`, `losses`, `signs` and `sign_search`, `freewheels`, `state`
 (all of it as one object, with `power`, `bodies` and `status`), `gear` and `variants`
-(arrays of it), `results`, `solve`. `diagnosis` and `idling` say what is to be noticed.
+(arrays of it), `results`, `solve`. `diagnosis`, `idling` and `digits` say what is to be noticed.
 """
