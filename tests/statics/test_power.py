@@ -82,7 +82,8 @@ def test_all_external_torques_are_those_of_the_ports() -> None:
     """Ring turned by a motor at 1/2: it is held by -u = 2, the carrier gives 1 - u = 3."""
     case = train([], Gear(speeds={2: 0.5}))
     state = solve(case).gear(1)
-    found = port_torques(case, case.gears[0], state.torques)
+    holding, output_torque = state.torques.holding, state.torques.on_first_link[-1]
+    found = port_torques(case, case.gears[0], holding, output_torque)
     assert found == pytest.approx({1: 1, 2: -SET.ratio, 3: SET.ratio - 1})
     assert sum(found.values()) == pytest.approx(0)  # equilibrium of the whole train
 

@@ -19,10 +19,11 @@ from vstatics.flow.teeth import ToothPower, tooth_powers
 from vstatics.model.transmission import HOUSING
 from vstatics.numerics.tolerances import NOISE
 from vstatics.numerics.traced import plain
+from vstatics.statics.physical import gear_scales
 from vstatics.statics.results import Results, expect_results
 from vstatics.statics.state import GearState
 from vstatics.statics.status import OK, Status
-from vstatics.tables.ports import PortTable, gear_scales, port_table
+from vstatics.tables.ports import PortTable, port_table
 
 
 class MemberPower(NamedTuple):
@@ -110,8 +111,6 @@ class GearFlow(NamedTuple):
     """Without losses; None where speeds or torques contradict each other."""
     lossy: PowerFlow | None
     """With losses; None where `ideal` is, or where friction locks the gear."""
-    kilowatts: float
-    """The power at the input link, NaN where no load tells it. [kW]"""
     ports: PortTable
     """Speed, torque and power where power enters and leaves."""
     status: Status
@@ -119,6 +118,11 @@ class GearFlow(NamedTuple):
     by_convention: tuple[Node, ...] = ()
     """What turns as one piece and has a part of the power by convention: statics decides
     what enters the piece and leaves it, not how it divides inside."""
+
+    @property
+    def kilowatts(self) -> float:
+        """The power at the input link, NaN where no load tells it [kW]."""
+        return self.ports.scales["kW"]
 
     @property
     def note(self) -> str:
@@ -162,7 +166,7 @@ def flows(results: Results) -> list[GearFlow]:
         raise ValueError(f"speeds of shape {results.speeds.shape}: expected (gears, links)")
     return [
         _of_gear(results.gear(number), by_unit)
-        for number, by_unit in enumerate(gear_scales(results), 1)
+        for number, by_unit in enumerate(gear_scales(results.case), 1)
     ]
 
 
@@ -175,7 +179,6 @@ def _of_gear(state: GearState, by_unit: dict[str, float]) -> GearFlow:
         state.gear.name,
         ideal,
         lossy,
-        by_unit["kW"],
         port_table(state, by_unit),
         status,
         tuple(_by_convention(state, sides)),

@@ -14,7 +14,7 @@ from vstatics.numerics.traced import Number, Rest, absolute, rest
 from vstatics.statics.efficiency import Signs, is_possible, lossy_ratio, lossy_ratios, sign
 from vstatics.statics.ideal import IdealGear, mechanism_torques
 from vstatics.statics.matrix import Column, columns
-from vstatics.statics.power import port_torques, power
+from vstatics.statics.power import entering_powers, power
 from vstatics.statics.torques import Torques, solve_torques
 
 
@@ -62,7 +62,7 @@ def check_signs(
     on_first_link = mechanism_torques(ideal, lossy_columns, torques)
     by_first_link = list(map(power, on_first_link, ideal.speeds.relative_speeds))
     losses = list(_losses(by_first_link, ideal, signs))
-    entering = _port_powers(ideal, torques)
+    entering = _entering(ideal, torques)
     efficiency = _efficiency(ideal, torques, entering)
     directions = tuple(sign(entered) * ideal.variant.direction for entered in by_first_link)
     agrees = all(
@@ -107,10 +107,8 @@ def _losses(by_first_link: Sequence[Number], ideal: IdealGear, signs: Signs) -> 
         yield power(entering, 1 - lossy_ratio(1.0, own, x))
 
 
-def _port_powers(ideal: IdealGear, torques: Torques) -> list[Number]:
-    """Power that enters by each port: the links on which external torques act."""
-    external = port_torques(ideal.case, ideal.gear, torques)
-    return [power(torque, ideal.speeds.links[link - 1]) for link, torque in external.items()]
+def _entering(ideal: IdealGear, torques: Torques) -> list[Number]:
+    return entering_powers(ideal.case, ideal.gear, ideal.speeds.links, torques)
 
 
 def _efficiency(ideal: IdealGear, torques: Torques, entering: Sequence[Number]) -> Number:
@@ -126,7 +124,7 @@ def _efficiency(ideal: IdealGear, torques: Torques, entering: Sequence[Number]) 
         return math.nan if other == 0 else one / other
     received: Number = 0.0
     given: Number = 0.0
-    for flow, actual in zip(_port_powers(ideal, ideal.torques), entering, strict=True):
+    for flow, actual in zip(_entering(ideal, ideal.torques), entering, strict=True):
         side = sign(flow) * ideal.variant.direction
         if math.isnan(side):
             return math.nan
@@ -139,5 +137,5 @@ def _efficiency(ideal: IdealGear, torques: Torques, entering: Sequence[Number]) 
 
 def _passes_power(ideal: IdealGear) -> bool:
     """Whether the gear has an efficiency without losses, which is then 1."""
-    entering = _port_powers(ideal, ideal.torques)
+    entering = _entering(ideal, ideal.torques)
     return bool(absolute(_efficiency(ideal, ideal.torques, entering)) < math.inf)

@@ -14,7 +14,6 @@ from vstatics.numerics.arrays import Floats
 from vstatics.statics.matrix import held_links
 from vstatics.statics.power import port_torques
 from vstatics.statics.result_fields import ResultFields
-from vstatics.statics.torques import Torques
 
 _NEEDED = {
     "rpm": ("speed", "speed: 2000 rpm"),
@@ -29,7 +28,9 @@ def scales(case: Transmission) -> dict[str, Floats]:
 
     Arrays of shape (gears,), NaN where no load tells.
 
-    When coasting the input link is driven: the torque on it is against its speed.
+    They are for arrays of `Results`, which are relative to an input that drives, coasting
+    too. Then really it is driven: the torque on it is against its speed, so the scales of
+    torque and power are below 0. For powers in their real direction see `gear_scales`.
 
     >>> from vstatics.model.parts import Gear, Load, Mechanism
     >>> case = Transmission(2, [], [Mechanism(1, 2, 0, -2.5)], [Gear()], load=Load(2000, 300))
@@ -43,6 +44,23 @@ def scales(case: Transmission) -> dict[str, Floats]:
         torque = -torque
     with np.errstate(over="ignore"):
         return {"rpm": rpm, "Nm": torque, "kW": rpm * torque * KW_OF_RPM_NM}
+
+
+def gear_scales(case: Transmission) -> list[dict[str, float]]:
+    """By gear and unit: `scales` for powers whose sign or words tell their real direction.
+
+    Such are those of `GearState.powers`, of ports and of flows: coasting has turned them
+    round already, so that of kW is above 0.
+
+    >>> from vstatics.model.parts import Gear, Load, Mechanism
+    >>> pair, load = Mechanism(1, 2, 0, -2.5), Load(2000, 300)
+    >>> case = Transmission(2, [], [pair], [Gear()], load=load, coast=True)
+    >>> [{unit: round(scale, 3) for unit, scale in own.items()} for own in gear_scales(case)]
+    [{'rpm': 2000.0, 'Nm': -300.0, 'kW': 62.832}]
+    """
+    by_unit = {unit: scale.tolist() for unit, scale in scales(case).items()}
+    by_unit["kW"] = list(map(abs, by_unit["kW"]))
+    return [dict(zip(by_unit, row, strict=True)) for row in zip(*by_unit.values(), strict=True)]
 
 
 def known_units(case: Transmission) -> set[str]:
@@ -182,7 +200,7 @@ class PhysicalResults(ResultFields):
                 for link in held_links(case, gear)
             }
             output: Any = self.lossy_output_torque[..., number]
-            torques: Any = port_torques(case, gear, Torques([output], held, consistent=True))
+            torques: Any = port_torques(case, gear, held, output)
             for link, torque in torques.items():
                 speed = self.speeds[..., number, link - 1]
                 at_rest = (torque == 0) | (speed == 0)  # then nothing flows, even if unknown

@@ -57,7 +57,8 @@ def ports(state: GearState) -> GearPorts:
     (0.029, 0.0)
     """
     case, gear, direction = state.case, state.gear, state.ideal.variant.direction
-    acting = port_torques(case, gear, state.lossy_torques)
+    torques = state.lossy_torques
+    acting = port_torques(case, gear, torques.holding, torques.on_first_link[-1])
     ends = [case.gear_input(gear), case.gear_output(gear)]
     outputs = {ends[1], *case.further_outputs(gear)}
     found = []

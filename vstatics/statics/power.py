@@ -37,12 +37,25 @@ def power(torque: Number, speed: Number) -> Number:
     return 0.0 if torque == 0 or speed == 0 else torque * speed
 
 
-def port_torques(case: Transmission, gear: Gear, torques: Torques) -> dict[int, Number]:
+def port_torques(
+    case: Transmission, gear: Gear, holding: Mapping[int, Number], output_torque: Number
+) -> dict[int, Number]:
     """Link -> all external torque on it [-], also that of the load and of what holds a speed."""
-    external: dict[int, Number] = {**external_torques(case, gear), **torques.holding}
+    external: dict[int, Number] = {**external_torques(case, gear), **holding}
     output = case.gear_output(gear)
-    external[output] = external.get(output, 0.0) - torques.on_first_link[-1]
+    external[output] = external.get(output, 0.0) - output_torque
     return external
+
+
+def entering_powers(
+    case: Transmission, gear: Gear, speeds: Sequence[Number], torques: Torques
+) -> list[Number]:
+    """By link of `port_torques`: the power of all that acts on it from outside [-].
+
+    A torque given at the output link counts with the load; for `port_powers` they are two.
+    """
+    external = port_torques(case, gear, torques.holding, torques.on_first_link[-1])
+    return [power(torque, speeds[link - 1]) for link, torque in external.items()]
 
 
 def port_powers(

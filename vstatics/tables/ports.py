@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator, Sequence
 from typing import Any, NamedTuple
 
-from vstatics.statics.physical import scales
+from vstatics.statics.physical import gear_scales
 from vstatics.statics.ports import GearPorts, Port, ports
 from vstatics.statics.results import Results
 from vstatics.statics.state import GearState
@@ -26,13 +26,13 @@ class PortTable(NamedTuple):
     losses: Sequence[tuple[str, float]]
     """What power is lost in: meshes, drag if there is any, and both together. [-]"""
     scales: dict[str, float]
-    """By unit: what a relative number is multiplied by, NaN without a load."""
+    """Its own of `gear_scales`."""
 
 
 def port_tables(results: Results) -> list[PortTable]:
     """The ports of each gear of one case."""
     numbers = range(1, len(results.case.gears) + 1)
-    by_gear = gear_scales(results)
+    by_gear = gear_scales(results.case)
     return [port_table(results.gear(n), own) for n, own in zip(numbers, by_gear, strict=True)]
 
 
@@ -41,16 +41,6 @@ def port_table(state: GearState, by_unit: dict[str, float]) -> PortTable:
     case, found = state.case, ports(state)
     rows = [(case.link_name(port.link), port) for port in found.ports]
     return PortTable(state.gear.name, rows, _losses(found, drag=case.has_drag), by_unit)
-
-
-def gear_scales(results: Results) -> list[dict[str, float]]:
-    """By gear and unit: what a relative number is multiplied by, NaN without a load.
-
-    That of powers is above 0: a port says by itself whether its power leaves.
-    """
-    by_unit = {unit: scale.tolist() for unit, scale in scales(results.case).items()}
-    by_unit["kW"] = list(map(abs, by_unit["kW"]))
-    return [dict(zip(by_unit, row, strict=True)) for row in zip(*by_unit.values(), strict=True)]
 
 
 def _losses(of_gear: GearPorts, *, drag: bool) -> list[tuple[str, float]]:
