@@ -24,15 +24,16 @@ KEEPS_ALL = ("yaml", "json")
 def kept(case: Transmission, form: str) -> Transmission:
     """What a format keeps of a case.
 
-    A deck has no place for description, source and load; it has mechanisms in place of
-    elements, and freewheels are engaged where they hold.
+    A deck has no place for description, source, load, further outputs and operating points;
+    it has mechanisms in place of elements, and freewheels are engaged where they hold.
     """
     if form in KEEPS_ALL:
         return case
     settled = library.solve(case).with_numbers_only
     plain = [element._replace(kind="") for element in settled.shift_elements]
-    bare = {"description": "", "source": "", "load": None, "drawing": None}
-    return replace(settled, shift_elements=plain, **bare)  # type: ignore[arg-type]
+    gears = [gear._replace(kind="gear") for gear in settled.gears]
+    bare = {"description": "", "source": "", "load": None, "drawing": None, "outputs": ()}
+    return replace(settled, shift_elements=plain, gears=gears, **bare)  # type: ignore[arg-type]
 
 
 @pytest.mark.slow
