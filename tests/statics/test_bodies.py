@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from tests.statics.differential import texts, train
-from vstatics import Gear, solve
+from vstatics import Gear, Mechanism, Transmission, solve
 from vstatics.statics.bodies import held_as_one, join, joined_by_elements
 
 
@@ -47,3 +47,19 @@ def test_what_losses_cannot_move_is_held_as_one() -> None:
     assert held_as_one(direct, direct.gears[0]) == {0}
     straight = train([], Gear(speeds={2: 1.0}))
     assert held_as_one(straight, straight.gears[0]) == set()
+
+
+def test_sets_of_two_ratios_on_the_same_links_are_held_as_one_and_of_one_ratio_are_not() -> None:
+    """By Willis w1 - w3 = u (w2 - w3) holds for both, so w2 = w3 where u differs.
+
+    With sun and ring exchanged the same set has the ratio 1/u.
+    """
+
+    def held(*mechanisms: Mechanism) -> set[int]:
+        case = Transmission(3, [], mechanisms, [Gear()])
+        return held_as_one(case, case.gears[0])
+
+    assert held(Mechanism(1, 2, 3, -2.0), Mechanism(1, 2, 3, -2.5)) == {0, 1}
+    assert held(Mechanism(1, 2, 3, -2.0), Mechanism(1, 2, 3, -2.0)) == set()
+    assert held(Mechanism(1, 2, 3, -2.0), Mechanism(2, 1, 3, -0.5)) == set()
+    assert held(Mechanism(1, 2, 3, -2.0), Mechanism(2, 1, 3, -0.4)) == {0, 1}

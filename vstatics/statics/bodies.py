@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 from vstatics.model.own import OwnDevice
-from vstatics.model.transmission import HOUSING, Gear, Transmission
+from vstatics.model.transmission import HOUSING, Gear, Mechanism, Transmission
 from vstatics.numerics.tolerances import UNCERTAIN
 from vstatics.numerics.traced import Number, absolute
 from vstatics.statics.matrix import column
@@ -87,19 +87,26 @@ def held_as_one(case: Transmission, gear: Gear) -> set[int]:
 def _held(case: Transmission, mechanisms: Iterable[int], bodies: Sequence[int]) -> set[int]:
     """Those of some mechanisms whose links are one body."""
     found: set[int] = set()
-    known: dict[tuple[int, ...], tuple[int, float, float]] = {}
+    apart: dict[frozenset[int], list[int]] = {}
+    """Mechanisms by the three bodies that they join."""
     for index in mechanisms:
         one = case.mechanisms[index]
         own = bodies[one.first], bodies[one.second], bodies[one.third]
-        if len(set(own)) < 3:
-            if own[0] != own[1] or one.ratio != 1:  # with ratio 1 the third link is loose
-                found.add(index)
-            continue
-        torques = zip(own, column(one.ratio), strict=True)
-        (first, torque), (second, other), (third, _) = sorted(torques)
-        entry = index, torque, other
-        before, old_torque, old_other = known.setdefault((first, second, third), entry)
-        left, right = torque * old_other, other * old_torque
-        if abs(left - right) > UNCERTAIN * (abs(left) + abs(right)):
-            found |= {before, index}
+        joined = frozenset(own)
+        if len(joined) == 3:
+            apart.setdefault(joined, []).append(index)
+        elif own[0] != own[1] or one.ratio != 1:  # with ratio 1 the third link is loose
+            found.add(index)
+    for first, *others in apart.values():
+        for other in others:
+            ours, theirs = (_torques(case.mechanisms[n], bodies) for n in (first, other))
+            left, right = ours[0] * theirs[1], ours[1] * theirs[0]
+            if abs(left - right) > UNCERTAIN * (abs(left) + abs(right)):
+                found |= {first, other}
     return found
+
+
+def _torques(mechanism: Mechanism, bodies: Sequence[int]) -> list[float]:
+    """The torques of a mechanism on the three bodies that it joins, in the order of these."""
+    joined = (bodies[link] for link in mechanism.links)
+    return [torque for _, torque in sorted(zip(joined, column(mechanism.ratio), strict=True))]

@@ -16,7 +16,6 @@ from vstatics.model.checks import doubts
 from vstatics.model.transmission import Gear, SpeedOf, Transmission
 from vstatics.numerics import elimination
 from vstatics.numerics.arrays import Booleans
-from vstatics.numerics.tolerances import UNCERTAIN
 from vstatics.numerics.traced import Number, plain
 from vstatics.statics import digits, drag, freewheels, matrix
 from vstatics.statics.efficiency import sign
@@ -25,6 +24,7 @@ from vstatics.statics.result_fields import Message
 from vstatics.statics.results import Results
 from vstatics.statics.speeds import solve_speeds
 from vstatics.statics.status import CONFLICT, LOCKED, NEUTRAL, TIED_UP
+from vstatics.statics.usual import is_uncertain, usual_gears
 
 Said = tuple[Severity, str]
 NOTHING_HOLDS = "nothing holds the torque of the input"
@@ -64,27 +64,29 @@ def messages(results: Results) -> Iterator[Message]:
     for problem in doubts(case):
         yield Message(problem.severity, _named(case, path_text(problem.path), problem.message))
     wheels, has_drag = case.freewheels, case.has_drag
-    torques = np.hstack([results.torques, results.mesh_torques])
     is_near = digits.is_near_singular(case)
-    is_open = np.any(np.isnan(torques), axis=1)
-    is_turned = np.any(results.turned, axis=1)
-    for number, given in enumerate(case.gears):
+    for number, (given, is_usual) in enumerate(zip(case.gears, usual_gears(results), strict=True)):
         held = [element for element in wheels if results.holds[number, element - 1]]
         gear = freewheels.with_engaged(given, held)
+        lost = tuple(_digit_messages(results, number)) if is_near else ()
         said = (
             *(_conflict(case, gear) if results.conflict[number] else ()),
             *(_further_outputs(case, gear) if case.outputs else ()),
-            *_speed_messages(results, number, gear),
-            *(lost := tuple(_digit_messages(results, number)) if is_near else ()),
-            *_torque_messages(
-                results, number, gear, is_open=bool(is_open[number]), is_told=bool(lost)
-            ),
-            *_loss_messages(results, number, gear, is_turned=bool(is_turned[number])),
+            *(lost if is_usual else _unusual(results, number, gear, lost)),
+            *_idle_messages(results, number, gear),
             *(_shared(case, given, held) if held else ()),
             *(_drag_messages(results, number, gear) if has_drag else ()),
         )
         for severity, text in dict.fromkeys(said):  # conditions may contradict in many ways
             yield Message(severity, text, gear.name)
+
+
+def _unusual(results: Results, number: int, gear: Gear, lost: Sequence[Said]) -> Iterator[Said]:
+    """What does not exist or does not agree; `lost` are the messages on lost digits."""
+    yield from _speed_messages(results, number, gear)
+    yield from lost
+    yield from _torque_messages(results, number, gear, is_told=bool(lost))
+    yield from _loss_messages(results, number)
 
 
 def _shared(case: Transmission, gear: Gear, held: Sequence[int]) -> Iterator[Said]:
@@ -270,10 +272,8 @@ def _digit_messages(results: Results, number: int) -> Iterator[Said]:
     )
 
 
-def _torque_messages(
-    results: Results, number: int, gear: Gear, *, is_open: bool, is_told: bool
-) -> Iterator[Said]:
-    """Torques that do not exist, or are not determined by statics (`is_open`: some of them).
+def _torque_messages(results: Results, number: int, gear: Gear, *, is_told: bool) -> Iterator[Said]:
+    """Torques that do not exist, or are not determined by statics.
 
     And those that are not certain, unless it is told already.
     """
@@ -291,15 +291,23 @@ def _torque_messages(
                 "speed of the reacting link instead"
             )
         yield _warning(f"there are no torques in balance: {advice}")
-    elif not is_told and _uncertain(results, number, gear):
+    elif not is_told and is_uncertain(
+        gear, float(results.speeds[number, output - 1]), float(results.torques[number, -1])
+    ):
         yield _warning(
             "the ratios are so close to a singular train that rounding shows: output torque "
             "times output speed is not 1; few digits are certain"
         )
-    elif is_open and not results.excess[number]:  # of which it is said already
+    elif not results.excess[number] and _is_open(results, number):  # else it is said already
         unknown = _unknown_torques(results, number)
         if unknown:
             yield _warning(f"statics does not determine the torque of {spoken(unknown)}")
+
+
+def _is_open(results: Results, number: int) -> bool:
+    """Whether a torque does not exist."""
+    torques = [*results.torques[number], *results.mesh_torques[number]]
+    return bool(np.isnan(torques).any())
 
 
 def _unknown_torques(results: Results, number: int) -> list[str]:
@@ -310,16 +318,8 @@ def _unknown_torques(results: Results, number: int) -> list[str]:
     return _without_value([*results.case.devices, "the output"], torques.on_first_link)
 
 
-def _uncertain(results: Results, number: int, gear: Gear) -> bool:
-    """Whether speeds and torques, which check one another by Mx * w_output = 1, do not."""
-    if gear.speeds or gear.torques:
-        return False
-    speed = results.speeds[number, results.case.gear_output(gear) - 1]
-    return abs(float(results.torques[number, -1]) * float(speed) - 1) > UNCERTAIN
-
-
-def _loss_messages(results: Results, number: int, gear: Gear, *, is_turned: bool) -> Iterator[Said]:
-    """Friction locks, flows that losses turn round (`is_turned`), idle mechanisms that matter."""
+def _loss_messages(results: Results, number: int) -> Iterator[Said]:
+    """Friction locks, and flows that losses turn round."""
     case = results.case
     if results.locked[number]:
         way = " when coasting" if case.coast else ""
@@ -334,15 +334,18 @@ def _loss_messages(results: Results, number: int, gear: Gear, *, is_turned: bool
             "statics leaves directions of power open: with losses only what does not depend on "
             "them is given"
         )
-    if is_turned:
-        names = [mechanism.name for mechanism in case.mechanisms]
-        turned = _chosen(names, results.turned[number])
+    turned = _chosen([mechanism.name for mechanism in case.mechanisms], results.turned[number])
+    if turned:
         yield _note(f"losses turn the flow of power through {spoken(turned)} round")
     if results.choices[number] > 1:
         yield _note(
             f"{results.choices[number]} sets of directions of power agree with the losses; "
             "the one of the largest efficiency is taken"
         )
+
+
+def _idle_messages(results: Results, number: int, gear: Gear) -> Iterator[Said]:
+    """Idle mechanisms that matter."""
     idle = coincidences(results, number, gear)
     if idle:
         what = "torques with losses and efficiency depend"

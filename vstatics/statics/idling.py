@@ -42,6 +42,8 @@ def coincidences(results: Results, number: int, gear: Gear) -> dict[str, bool]:
 def _idle_with_torque(results: Results, number: int) -> Iterator[int]:
     """Indices of mechanisms that may be idle and carry torque, as far as the arrays tell."""
     case, is_idle = results.case, results.idle[number].tolist()
+    if case.drawing is None and True not in is_idle:
+        return
     on_own = results.lossy_torques[number, len(case.shift_elements) : -1].tolist()
     if case.drawing is None:
         marks = enumerate(zip(is_idle, on_own, strict=True))
