@@ -205,7 +205,7 @@ def test_several_results_are_compared_in_their_order(written: Callable[..., Path
     said = vstatics("compare", written(listings, ("  1  -1   1", "  1   1   1")), written(both))
     assert said.out == "result 1: IX, row D1, gear 2: 1.0, expected -1.0\n"
     said = vstatics("compare", written(both), written(result(MZKT)))
-    assert (said.status, said.out) == (1, "file: 2 results, expected 1 results\n")
+    assert (said.status, said.out) == (1, "result 2: there, expected no such result\n")
 
 
 def test_a_failed_case_equals_a_failed_case_only(

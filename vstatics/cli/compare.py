@@ -2,31 +2,59 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from operator import attrgetter
+from typing import NamedTuple
 
 import click
 
 from vstatics.cli import files
 from vstatics.cli.cases import Command
 from vstatics.cli.exit_status import DONE, FAILED
+from vstatics.readers import sweep_tables
 from vstatics.readers.results import read_results
-from vstatics.tables.compare import ATOL, RTOL, Difference, differences
+from vstatics.tables.compare import ATOL, RTOL, differences
+from vstatics.tables.compare_sweeps import sweep_differences
 from vstatics.tables.figures import WrittenResult
+from vstatics.tables.names import quantity_named
+
+
+class Tolerances(NamedTuple):
+    """How numbers are compared, and keys of the tables that are not."""
+
+    atol: float
+    rtol: float
+    leave_out: frozenset[str]
 
 
 def _differ(
-    actual: list[WrittenResult], expected: list[WrittenResult], atol: float, rtol: float
+    actual: Sequence[WrittenResult], expected: Sequence[WrittenResult], how: Tolerances
 ) -> list[str]:
-    """The lines to print: one for each difference, with the number of the result."""
-    if len(actual) != len(expected):
-        counts = f"{len(actual)} results", f"{len(expected)} results"
-        return [str(Difference("file", "", "", *counts))]
-    lines = []
-    for number, (one, other) in enumerate(zip(actual, expected, strict=True), 1):
-        front = f"result {number}: " if len(actual) > 1 else ""
-        pairs = differences(one, other, atol=atol, rtol=rtol)
-        lines += [f"{front}{difference}" for difference in pairs]
+    """The lines to print: one for each difference, with the case among several."""
+    if max(len(actual), len(expected)) == 1:
+        return [str(one) for one in differences(actual[0], expected[0], **how._asdict())]
+    found, wanted = _named(actual, expected)
+    lines = [f"{name}: not there, expected it" for name in wanted if name not in found]
+    for name, result in found.items():
+        if name not in wanted:
+            lines.append(f"{name}: there, expected no such result")
+            continue
+        pairs = differences(result, wanted[name], **how._asdict())
+        lines += [f"{name}: {difference}" for difference in pairs]
     return lines
+
+
+def _named(
+    actual: Sequence[WrittenResult], expected: Sequence[WrittenResult]
+) -> list[dict[str, WrittenResult]]:
+    """Both by what tells the results of each apart: file, name of the case, or number."""
+    for name in map(attrgetter, ("file", "case_name")):
+        keys = [[name(one) for one in results] for results in (actual, expected)]
+        if all(all(side) and len(set(side)) == len(side) for side in keys):
+            break
+    else:
+        keys = [[f"result {n}" for n, _ in enumerate(side, 1)] for side in (actual, expected)]
+    return [dict(zip(*pair, strict=True)) for pair in zip(keys, (actual, expected), strict=True)]
 
 
 def _tolerance(name: str, default: float, says: str) -> Callable[[Command], Command]:
@@ -39,20 +67,42 @@ def _tolerance(name: str, default: float, says: str) -> Callable[[Command], Comm
 @click.argument("expected", type=click.Path())
 @_tolerance("--atol", ATOL, "Absolute tolerance.")
 @_tolerance("--rtol", RTOL, "Tolerance relative to the expected number.")
-def compare(actual: str, expected: str, atol: float, rtol: float) -> int:
-    """Compare two results, listing or JSON, number by number; - is standard input.
+@click.option(
+    "--leave-out",
+    multiple=True,
+    metavar="TABLE",
+    help="Do not compare this table, by name or alias; may be given several times.",
+)
+def compare(
+    actual: str, expected: str, atol: float, rtol: float, leave_out: tuple[str, ...]
+) -> int:
+    """Compare two results number by number; - is standard input.
 
-    A number from a listing matches anything within half of its last digit. What
-    differs is named by table, row and gear; then the exit status is 1.
+    Results of run: listing, JSON, JSON lines, CSV, in any mix. Cases are those of one
+    file, else of one name, gears those of one name, else of one number. Or two sweeps:
+    CSV, JSON lines, NPZ, Parquet, by the number of the variant. What differs is named by
+    table, row and gear; then the exit status is 1. A number from a listing matches
+    anything within half of its last digit.
 
     \b
-    Example, in CI:
+    Examples, in CI:
       vstatics run gearbox.yaml -f json | vstatics compare - golden/gearbox.json
+      vstatics compare new.csv old.csv --leave-out losses
     """
     if actual == expected == files.STDIN:
         raise click.UsageError("standard input (-) can be read once")
-    one, other = (read_results(*files.read_input(file)) for file in (actual, expected))
-    lines = _differ(one, other, atol, rtol)
+    left = frozenset(quantity_named(name).key for name in leave_out)
+    how = Tolerances(atol, rtol, left)
+    read = [files.read_input(file) for file in (actual, expected)]
+    sweeps = [sweep_tables.is_sweep(data) for data, _ in read]
+    if all(sweeps):
+        one, other = (sweep_tables.read(*file) for file in read)
+        lines = list(sweep_differences(one, other, **how._asdict()))
+    elif any(sweeps):
+        raise click.UsageError("one is a sweep, the other is not: expected two of a kind")
+    else:
+        left_side, right_side = (read_results(*file) for file in read)
+        lines = _differ(left_side, right_side, how)
     if lines:
         files.write_output("\n".join(lines) + "\n", None)
         files.say(f"{actual} and {expected} differ in {len(lines)} place{'s' * (len(lines) > 1)}")

@@ -9,7 +9,7 @@ from typing import Any
 
 from vstatics.errors import Problem, ReadError
 from vstatics.model.transmission import Transmission
-from vstatics.readers import Format, read
+from vstatics.readers import Format, read, result_csv
 from vstatics.readers.deck.text import decode, head
 from vstatics.readers.reading import Source
 from vstatics.tables.figures import Figure, Figures, WrittenResult
@@ -18,7 +18,7 @@ from vstatics.tables.rows import BEFORE_NAME
 
 
 def read_results(data: bytes, file: str) -> list[WrittenResult]:
-    """Read a listing or a JSON result; several in one file come in their order.
+    """Read a listing, JSON, JSON lines or CSV; several in one file come in their order.
 
     Raises
     ------
@@ -28,6 +28,8 @@ def read_results(data: bytes, file: str) -> list[WrittenResult]:
     text = decode(data, file)
     if text.lstrip()[:1] in ("{", "["):
         return _read_json(text, file)
+    if result_csv.is_result(text):
+        return result_csv.read(text, file)
     return _read_listing(text, file)
 
 
@@ -39,6 +41,8 @@ def _read_json(text: str, file: str) -> list[WrittenResult]:
     try:
         content = json.loads(text)
     except json.JSONDecodeError as error:
+        if error.msg == "Extra data" and text.startswith("{"):
+            return _read_lines(text, file)
         raise _fail(f"no JSON: {error.msg}", file, error.lineno, error.colno) from None
     except (RecursionError, ValueError) as error:
         raise _fail(f"no JSON that can be read: {error}", file) from None
@@ -48,11 +52,24 @@ def _read_json(text: str, file: str) -> list[WrittenResult]:
     return [_report(document, file, number) for number, document in enumerate(documents, 1)]
 
 
+def _read_lines(text: str, file: str) -> list[WrittenResult]:
+    """JSON lines: a result each."""
+    results = []
+    for number, line in enumerate(filter(str.strip, text.split("\n")), 1):
+        try:
+            results.append(_report(json.loads(line), file, number))
+        except json.JSONDecodeError as error:
+            raise _fail(f"no JSON: {error.msg}", file, number, error.colno) from None
+        except (RecursionError, ValueError) as error:
+            raise _fail(f"no JSON that can be read: {error}", file, number) from None
+    return results
+
+
 def _report(document: Any, file: str, number: int) -> WrittenResult:
     if not isinstance(document, dict):
         raise _fail(f"result {number} is no JSON object; expected one of `vstatics run`", file)
     if "errors" in document:
-        return WrittenResult({}, None, printed=False, errors=True)
+        return WrittenResult({}, None, printed=False, errors=True, file=_file(document))
     tables = {}
     for quantity in QUANTITIES:
         key = quantity.key
@@ -68,7 +85,14 @@ def _report(document: Any, file: str, number: int) -> WrittenResult:
         known = ", ".join(quantity.key for quantity in QUANTITIES[:3])
         raise _fail(f"result {number} has none of the tables {known}, ...", file)
     case = _case(json.dumps(document.get("case")), "json")
-    return WrittenResult(tables, case, printed=False, rows=_row_names(document.get("rows"), tables))
+    rows = _row_names(document.get("rows"), tables)
+    return WrittenResult(tables, case, printed=False, rows=rows, file=_file(document))
+
+
+def _file(document: Mapping[str, Any]) -> str:
+    """The file of a result, if it tells."""
+    file = document.get("file")
+    return file if isinstance(file, str) else ""
 
 
 def _row_names(given: Any, tables: Mapping[str, Figures]) -> dict[str, list[str]]:

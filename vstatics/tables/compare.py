@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Generator, Iterator, Sequence
+from collections.abc import Container, Generator, Iterator, Sequence
 from typing import NamedTuple
 
 from vstatics.model.transmission import Transmission
@@ -35,30 +35,76 @@ class Difference(NamedTuple):
 
 
 def differences(
-    actual: WrittenResult, expected: WrittenResult, *, atol: float = ATOL, rtol: float = RTOL
+    actual: WrittenResult,
+    expected: WrittenResult,
+    *,
+    atol: float = ATOL,
+    rtol: float = RTOL,
+    leave_out: Container[str] = (),
 ) -> Iterator[Difference]:
     """Every place in which two results differ.
 
     A number from a listing matches anything within half of its last digit. Otherwise
     ``|actual - expected| <= atol + rtol*|expected|``. What does not exist matches
     only what does not exist. Tables that the report of the source lacks are compared
-    where both results have them.
+    where both results have them. Gears are those of the same name, where both tell names
+    and have one in common; else those of the same number.
+
+    Parameters
+    ----------
+    actual, expected : WrittenResult
+    atol, rtol : float
+    leave_out : container of str
+        Keys of tables, `Quantity.key`, that are not compared.
     """
     if actual.errors or expected.errors:
         if actual.errors != expected.errors:
             shown = {True: "a case in error", False: "a result"}
             yield Difference("case", "", "", shown[actual.errors], shown[expected.errors])
         return
+    gears = expected.gear_names or actual.gear_names
+    if set(actual.gear_names) & set(expected.gear_names):
+        actual, expected, gears = yield from _same_gears(actual, expected)
     for quantity in QUANTITIES:
+        if quantity.key in leave_out:
+            continue
         here, there = actual.tables.get(quantity.key), expected.tables.get(quantity.key)
         if here is None or there is None:
             yield from _lacking(quantity, actual, expected)
         else:
-            names = _PlaceNames(quantity, expected.case or actual.case)
+            names = _PlaceNames(quantity, expected.case or actual.case, gears)
             rows = [result.rows.get(quantity.key, ()) for result in (actual, expected)]
             if all(rows):
                 names.rows, here, there = yield from _by_name(quantity, rows, here, there)
             yield from _table(names, here, there, atol, rtol)
+
+
+def _same_gears(
+    actual: WrittenResult, expected: WrittenResult
+) -> Generator[Difference, None, tuple[WrittenResult, WrittenResult, Sequence[str]]]:
+    """Both results with the gears that both have, in one order; the others are a line each."""
+    found, wanted = (
+        {name: place for place, name in enumerate(one.gear_names)} for one in (actual, expected)
+    )
+    for name in wanted:
+        if name not in found:
+            yield Difference("", "", name, "not there", "it")
+    for name in found:
+        if name not in wanted:
+            yield Difference("", "", name, "there", "no such gear")
+    both = [name for name in wanted if name in found]
+    pairs = (actual, found), (expected, wanted)
+    one, other = (_picked(result, [places[name] for name in both]) for result, places in pairs)
+    return one, other, both
+
+
+def _picked(result: WrittenResult, places: Sequence[int]) -> WrittenResult:
+    """A result with some of its gears; a table that has other columns is left as it is."""
+    count, tables = len(result.gear_names), dict[str, Figures]()
+    for key, rows in result.tables.items():
+        is_by_gear = BY_NAME[key].columns != "devices" and all(len(row) == count for row in rows)
+        tables[key] = [[row[place] for place in places] for row in rows] if is_by_gear else rows
+    return result._replace(tables=tables)
 
 
 def _by_name(
@@ -97,13 +143,13 @@ def _lacking(
 class _PlaceNames:
     """Names of the rows and columns of a table, numbers where no case tells them."""
 
-    def __init__(self, quantity: Quantity, case: Transmission | None) -> None:
+    def __init__(self, quantity: Quantity, case: Transmission | None, gears: Sequence[str]) -> None:
         self.table = quantity.key
         self.one = quantity.rows == "one"
         self.rows: Sequence[str] = row_names(case, quantity.rows) if case else ()
-        self.columns: Sequence[str] = [gear.name for gear in case.gears] if case else ()
-        if case and quantity.columns == "devices":
-            self.columns = case.devices
+        self.columns = gears
+        if quantity.columns == "devices":
+            self.columns = case.devices if case else ()
 
     def row(self, number: int) -> str:
         if self.one:
@@ -126,12 +172,13 @@ def _table(
             yield Difference(names.table, names.row(number), "", *counts)
             continue
         for column, (one, two) in enumerate(zip(row, other, strict=True)):
-            if not _same(one, two, atol, rtol):
+            if not is_same(one, two, atol, rtol):
                 place = names.table, names.row(number), names.column(column)
                 yield Difference(*place, _shown(one), _shown(two))
 
 
-def _same(one: Figure, two: Figure, atol: float, rtol: float) -> bool:
+def is_same(one: Figure, two: Figure, atol: float, rtol: float) -> bool:
+    """Whether two numbers agree as `differences` says."""
     if math.isnan(one.value) or math.isnan(two.value):
         return math.isnan(one.value) and math.isnan(two.value)
     slack = max(one.slack, two.slack) * (1 + 1e-9)  # .5 of a digit is itself rounded

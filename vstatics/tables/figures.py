@@ -32,4 +32,26 @@ class WrittenResult(NamedTuple):
     errors: bool = False
     """Whether it stands for a case that failed."""
     rows: Mapping[str, Sequence[str]] = MappingProxyType({})
-    """Names of the rows of its tables, where the result of a drawn case has them."""
+    """Names of the rows of its tables, where it has them: of a drawn case, in CSV."""
+    file: str = ""
+    """Of its case, without folders; nothing where it does not tell."""
+    gears: Sequence[str] = ()
+
+    @property
+    def gear_names(self) -> Sequence[str]:
+        """Names of its gears; none where it does not tell."""
+        return self.gears or ([gear.name for gear in self.case.gears] if self.case else ())
+
+    @property
+    def case_name(self) -> str:
+        """The name of its case, or nothing."""
+        return self.case.name if self.case else ""
+
+
+class WrittenSweep(NamedTuple):
+    """The columns of a sweep, a number for each variant in their order."""
+
+    variants: list[int]
+    status: list[str]
+    columns: dict[str, list[float]]
+    """NaN stands for no number."""

@@ -1,0 +1,82 @@
+"""Written sweeps, back to columns of numbers: CSV, JSON lines, NPZ and Parquet."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import math
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+from vstatics.errors import Problem, ReadError, of_file
+from vstatics.extras import missing
+from vstatics.tables.csv import unguarded
+from vstatics.tables.figures import WrittenSweep
+
+NUMBER, STATUS = "variant", "status"
+
+
+def is_sweep(data: bytes) -> bool:
+    """Whether a file begins as a table of variants does."""
+    return data.startswith((b"PK\x03\x04", b"PAR1", b"variant,", b'{"variant": '))
+
+
+def read(data: bytes, file: str) -> WrittenSweep:
+    """The columns of a sweep.
+
+    Raises
+    ------
+    ReadError
+        If it can't be read, or a package is missing.
+    """
+    try:
+        if data.startswith(b"PK"):
+            return _of_columns(_npz(data))
+        if data.startswith(b"PAR1"):
+            return _of_columns(_parquet(data))
+        text = data.decode()
+        records: Iterable[Mapping[str, Any]]
+        if text.startswith("{"):
+            records = [json.loads(line) for line in text.splitlines()]
+        else:
+            lines = csv.reader(io.StringIO(text))
+            heads = [unguarded(head) for head in next(lines)]
+            records = [dict(zip(heads, line, strict=True)) for line in lines]
+        columns = {name: [one[name] for one in records] for name in records[0]} if records else {}
+        return _of_columns(columns)
+    except ReadError:
+        raise
+    except Exception as error:  # noqa: BLE001 - four libraries with errors of their own
+        text = " ".join(str(error).split())
+        raise ReadError([of_file(file, f"no table of variants: {text[:200]}")]) from None
+
+
+def _npz(data: bytes) -> dict[str, Any]:
+    import numpy as np
+
+    with np.load(io.BytesIO(data), allow_pickle=False) as archive:
+        columns = {name: archive[name].tolist() for name in archive.files}
+    statuses = columns.pop("statuses")
+    return {**columns, STATUS: [statuses[code] for code in columns[STATUS]]}
+
+
+def _parquet(data: bytes) -> dict[str, Any]:
+    if message := missing("pyarrow", "Parquet"):
+        raise ReadError([Problem(message)])
+    import pyarrow as pa  # type: ignore[import-untyped]
+    import pyarrow.parquet as pq  # type: ignore[import-untyped]
+
+    found: dict[str, Any] = pq.read_table(pa.BufferReader(data)).to_pydict()
+    return found
+
+
+def _of_columns(columns: Mapping[str, list[Any]]) -> WrittenSweep:
+    """Numbers, of which NaN is none, under the names of their columns."""
+    variants = [int(number) for number in columns.get(NUMBER, ())]
+    others = {name: one for name, one in columns.items() if name not in (NUMBER, STATUS)}
+    numbers = {
+        name: [math.nan if one in (None, "") else float(one) for one in column]
+        for name, column in others.items()
+    }
+    return WrittenSweep(variants, [str(one) for one in columns.get(STATUS, ())], numbers)
