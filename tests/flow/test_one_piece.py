@@ -12,7 +12,8 @@ from tests.commands import vstatics
 from tests.flow.worked import CASES, only, solved
 from vstatics import Gear, Mechanism, ShiftElement, Transmission, load, solve
 from vstatics.flow.grids import power_grid
-from vstatics.flow.power import GearFlow, PowerFlow, flows
+from vstatics.flow.power import flows
+from vstatics.flow.power_flow import GearFlow, PowerFlow
 from vstatics.flow.text import text
 
 SET = Mechanism(1, 2, 3, -2.5, 0.96, name="set")

@@ -11,7 +11,8 @@ import pytest
 from tests.flow.worked import CASES, lost, only, sides, solved, through
 from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
 from vstatics.flow.circulation import cancel
-from vstatics.flow.power import PowerFlow, flows
+from vstatics.flow.power import flows
+from vstatics.flow.power_flow import PowerFlow
 from vstatics.flow.text import text
 from vstatics.tables.values import tables
 

@@ -15,7 +15,8 @@ from tests.flow.worked import CASES, only, sides, solved
 from tests.trains import regular_trains, trains
 from vstatics import Gear, Mechanism, ShiftElement, Transmission, load, solve
 from vstatics.flow.grids import power_grid
-from vstatics.flow.power import PowerFlow, flows
+from vstatics.flow.power import flows
+from vstatics.flow.power_flow import PowerFlow
 from vstatics.flow.rows import grids
 from vstatics.readers.named.reader import read_yaml
 from vstatics.summary.sensitivity import sensitivities

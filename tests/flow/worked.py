@@ -6,7 +6,8 @@ from functools import cache
 from pathlib import Path
 
 from vstatics import Results, Transmission, load, solve
-from vstatics.flow.power import GearFlow, PowerFlow, flows
+from vstatics.flow.power import flows
+from vstatics.flow.power_flow import GearFlow, PowerFlow
 
 CASES = sorted(path for path in (Path(__file__).parents[2] / "cases").iterdir())
 

@@ -14,7 +14,8 @@ from matplotlib.transforms import Bbox
 
 from tests.commands import LOCKED, NEUTRAL, TIED_UP
 from vstatics import Gear, Mechanism, Results, Transmission, load, solve
-from vstatics.flow.power import GearFlow, PowerFlow, flows
+from vstatics.flow.power import flows
+from vstatics.flow.power_flow import GearFlow, PowerFlow
 from vstatics.model.parts import Load
 from vstatics.pictures import picture
 from vstatics.pictures.flow import placed

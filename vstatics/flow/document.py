@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from vstatics.flow.circulation import Edge, Loop
-from vstatics.flow.power import GearFlow, PowerFlow
+from vstatics.flow.power_flow import GearFlow, PowerFlow
 from vstatics.flow.shared_planets import words
 from vstatics.tables.ports import port_document
 from vstatics.writers.plain_json import plain_data

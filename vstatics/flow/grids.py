@@ -8,7 +8,7 @@ from functools import partial
 from itertools import zip_longest
 
 from vstatics.flow.circulation import Loop, Node, NodeKind
-from vstatics.flow.power import GearFlow, PowerFlow
+from vstatics.flow.power_flow import GearFlow, PowerFlow
 from vstatics.flow.shared_planets import words
 from vstatics.tables.grid import Cell, Column, Grid, exact, text
 from vstatics.tables.numbers import fixed

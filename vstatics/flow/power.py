@@ -9,11 +9,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from typing import NamedTuple
 
-from vstatics.flow.circulation import Edge, Loop, Node, cancel
+from vstatics.flow.circulation import Edge, Node, cancel
 from vstatics.flow.exchange import Exchange, exchanges, links_of
 from vstatics.flow.one_piece import divided_by_convention, pieces_of
+from vstatics.flow.power_flow import GearFlow, MemberPower, PowerFlow
 from vstatics.flow.shared_planets import shared
 from vstatics.flow.teeth import ToothPower, tooth_powers
 from vstatics.model.transmission import HOUSING
@@ -22,112 +22,8 @@ from vstatics.numerics.traced import plain
 from vstatics.statics.physical import gear_scales
 from vstatics.statics.results import Results, expect_results
 from vstatics.statics.state import GearState
-from vstatics.statics.status import OK, Status
-from vstatics.tables.ports import PortTable, port_table
-
-
-class MemberPower(NamedTuple):
-    """What a link gives to a member of a device; below 0 where it takes."""
-
-    device: Node
-    member: str
-    """``first`` or ``second`` of a shift element; that of a mechanism or a drawn element."""
-    link: str
-    power: float
-    """NaN where it is not determined. [-]"""
-
-
-class PowerFlow(NamedTuple):
-    """The power of a gear, without or with losses, relative to that at the input link.
-
-    Its direction is the real one, also when coasting: then power 1 leaves at the input.
-    """
-
-    edges: tuple[Edge, ...]
-    """All powers above rounding that are determined."""
-    forward: tuple[Edge, ...]
-    """The edges less all loops: what is transmitted, a graph without cycles."""
-    members: tuple[MemberPower, ...]
-    """Of every shift element that is engaged or drags, and of every mechanism."""
-    throughput: Mapping[Node, float]
-    """What enters a node; of a port what passes it. NaN where it is not determined. [-]"""
-    losses: Mapping[Node, float]
-    """Of every mechanism and of whatever drags; nothing without losses. [-]"""
-    entering: float
-    """By all ports. [-]"""
-    leaving: float
-    """By all ports. [-]"""
-    loops: tuple[Loop, ...]
-    """Cycles of circulating power, of that which is determined."""
-    locked_in: tuple[Loop, ...]
-    """Cycles within what turns as one piece: not counted, as nothing moves in them."""
-    teeth: tuple[ToothPower, ...] = ()
-    """Power against the carrier, of every mechanism that may have teeth and of its meshes."""
-
-    @property
-    def unknown(self) -> tuple[Node, ...]:
-        """Whatever has a power that is not determined."""
-        return tuple(node for node, value in self.throughput.items() if math.isnan(value))
-
-    @property
-    def lost(self) -> float:
-        """All losses [-]."""
-        return math.fsum(self.losses.values())
-
-    @property
-    def balance(self) -> float:
-        """What enters less what leaves and what is lost [-]: 0 to rounding."""
-        return self.entering - self.leaving - self.lost
-
-    @property
-    def shares(self) -> dict[Node, float]:
-        """Each loss as a part of all losses [-]; NaN where there are none."""
-        lost = self.lost
-        return {node: loss / lost if lost else math.nan for node, loss in self.losses.items()}
-
-    @property
-    def circulating(self) -> float:
-        """Power of all loops together [-]; NaN where some power is not determined."""
-        return math.nan if self.unknown else math.fsum(loop.power for loop in self.loops)
-
-    @property
-    def doubtful(self) -> float:
-        """The part of it that may not be in the metal [-]; NaN where it is not determined."""
-        if self.unknown:
-            return math.nan
-        return math.fsum(loop.power for loop in self.loops if loop.shared)
-
-    @property
-    def circulating_share(self) -> float:
-        """Circulating power relative to all power that enters [-]; NaN where none does."""
-        return self.circulating / self.entering if self.entering else math.nan
-
-
-class GearFlow(NamedTuple):
-    """The power of a gear."""
-
-    gear: str
-    ideal: PowerFlow | None
-    """Without losses; None where speeds or torques contradict each other."""
-    lossy: PowerFlow | None
-    """With losses; None where `ideal` is, or where friction locks the gear."""
-    ports: PortTable
-    """Speed, torque and power where power enters and leaves."""
-    status: Status
-    """Why a flow does not exist; `OK` where it does."""
-    by_convention: tuple[Node, ...] = ()
-    """What turns as one piece and has a part of the power by convention: statics decides
-    what enters the piece and leaves it, not how it divides inside."""
-
-    @property
-    def kilowatts(self) -> float:
-        """The power at the input link, NaN where no load tells it [kW]."""
-        return self.ports.scales["kW"]
-
-    @property
-    def note(self) -> str:
-        """Why a flow does not exist, else nothing."""
-        return self.status.english
+from vstatics.statics.status import OK
+from vstatics.tables.ports import port_table
 
 
 def flows(results: Results) -> list[GearFlow]:
@@ -208,9 +104,12 @@ def _flow(state: GearState, *, lossy: bool) -> PowerFlow:
     )
     order = [*links.values(), *dict.fromkeys(one.node for one in everything)]
     pieces = pieces_of(state)
-    within = [e for e in edges if e.source in pieces and pieces[e.source] == pieces.get(e.target)]
+    within: list[Edge] = []
+    outside: list[Edge] = []
+    for edge in edges:
+        one, other = pieces.get(edge.source), pieces.get(edge.target)
+        (within if one is not None and one == other else outside).append(edge)
     at_rest = cancel(within, order)
-    outside = [edge for edge in edges if edge not in within]
     forward, loops = cancel([*outside, *at_rest.edges], order)
     at_ports = [one.power for one in everything if one.node.kind == "port"]
     return PowerFlow(
@@ -222,7 +121,7 @@ def _flow(state: GearState, *, lossy: bool) -> PowerFlow:
             if one.member
         ),
         _throughput(powers, order),
-        _losses(state, exchanges(state, lossy=True)) if lossy else {},
+        _losses(state, everything) if lossy else {},
         -sum(power for power in at_ports if not power > 0) + 0.0,
         sum(power for power in at_ports if not power < 0) + 0.0,
         tuple(loop._replace(shared=shared(state.case, loop)) for loop in loops),

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 
 from vstatics.flow.circulation import Loop
 from vstatics.flow.grids import around, doubt, power_grid
-from vstatics.flow.power import GearFlow, PowerFlow
+from vstatics.flow.power_flow import GearFlow, PowerFlow
 from vstatics.flow.shared_planets import words
 from vstatics.tables.grid import Column, Grid, Row, exact, text
 from vstatics.tables.numbers import fixed

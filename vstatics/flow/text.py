@@ -6,7 +6,7 @@ import textwrap
 from collections.abc import Iterator
 
 from vstatics.flow.grids import power_grid, remarks
-from vstatics.flow.power import GearFlow
+from vstatics.flow.power_flow import GearFlow
 from vstatics.tables.grid import Cell, Column, Grid
 from vstatics.tables.numbers import fixed
 from vstatics.tables.ports import ports_grid

@@ -12,7 +12,8 @@ from matplotlib.patches import PathPatch, Polygon, Rectangle
 from matplotlib.path import Path
 from matplotlib.patheffects import withStroke
 
-from vstatics.flow.power import GearFlow, flows
+from vstatics.flow.power import flows
+from vstatics.flow.power_flow import GearFlow
 from vstatics.pictures import labels
 from vstatics.pictures.flow_columns import ARM
 from vstatics.pictures.flow_graph import graph

@@ -8,7 +8,7 @@ from itertools import pairwise
 from typing import NamedTuple
 
 from vstatics.flow.circulation import Edge, Loop, Node
-from vstatics.flow.power import PowerFlow
+from vstatics.flow.power_flow import PowerFlow
 from vstatics.numerics.tolerances import NOISE
 
 

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from vstatics.flow.circulation import Node
 from vstatics.flow.grids import CONVENTION
-from vstatics.flow.power import GearFlow, PowerFlow
+from vstatics.flow.power_flow import GearFlow, PowerFlow
 from vstatics.flow.shared_planets import words
 from vstatics.pictures.labels import wrapped
 from vstatics.pictures.style import Style, number

@@ -6,7 +6,8 @@ from collections.abc import Iterable, Sequence
 from typing import Any, NamedTuple
 
 from vstatics.errors import CaseError, Problem
-from vstatics.flow.power import GearFlow, flows
+from vstatics.flow.power import flows
+from vstatics.flow.power_flow import GearFlow
 from vstatics.report.drawn import Drawn, pictures
 from vstatics.statics.result_fields import Message
 from vstatics.statics.results import Results

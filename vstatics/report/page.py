@@ -9,7 +9,7 @@ from typing import Any
 from urllib.parse import quote
 
 from vstatics.flow.grids import power_grid, remarks
-from vstatics.flow.power import GearFlow
+from vstatics.flow.power_flow import GearFlow
 from vstatics.report.drawn import palette
 from vstatics.report.gathering import Material
 from vstatics.report.given import given

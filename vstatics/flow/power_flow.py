@@ -1,0 +1,116 @@
+"""What is told of the power of a gear: its graph, losses, circulating power, ports."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from typing import NamedTuple
+
+from vstatics.flow.circulation import Edge, Loop, Node
+from vstatics.flow.teeth import ToothPower
+from vstatics.statics.status import Status
+from vstatics.tables.ports import PortTable
+
+
+class MemberPower(NamedTuple):
+    """What a link gives to a member of a device; below 0 where it takes."""
+
+    device: Node
+    member: str
+    """``first`` or ``second`` of a shift element; that of a mechanism or a drawn element."""
+    link: str
+    power: float
+    """NaN where it is not determined. [-]"""
+
+
+class PowerFlow(NamedTuple):
+    """The power of a gear, without or with losses, relative to that at the input link.
+
+    Its direction is the real one, also when coasting: then power 1 leaves at the input.
+    """
+
+    edges: tuple[Edge, ...]
+    """All powers above rounding that are determined."""
+    forward: tuple[Edge, ...]
+    """The edges less all loops: what is transmitted, a graph without cycles."""
+    members: tuple[MemberPower, ...]
+    """Of every shift element that is engaged or drags, and of every mechanism."""
+    throughput: Mapping[Node, float]
+    """What enters a node; of a port what passes it. NaN where it is not determined. [-]"""
+    losses: Mapping[Node, float]
+    """Of every mechanism and of whatever drags; nothing without losses. [-]"""
+    entering: float
+    """By all ports. [-]"""
+    leaving: float
+    """By all ports. [-]"""
+    loops: tuple[Loop, ...]
+    """Cycles of circulating power, of that which is determined."""
+    locked_in: tuple[Loop, ...]
+    """Cycles within what turns as one piece: not counted, as nothing moves in them."""
+    teeth: tuple[ToothPower, ...] = ()
+    """Power against the carrier, of every mechanism that may have teeth and of its meshes."""
+
+    @property
+    def unknown(self) -> tuple[Node, ...]:
+        """Whatever has a power that is not determined."""
+        return tuple(node for node, value in self.throughput.items() if math.isnan(value))
+
+    @property
+    def lost(self) -> float:
+        """All losses [-]."""
+        return math.fsum(self.losses.values())
+
+    @property
+    def balance(self) -> float:
+        """What enters less what leaves and what is lost [-]: 0 to rounding."""
+        return self.entering - self.leaving - self.lost
+
+    @property
+    def shares(self) -> dict[Node, float]:
+        """Each loss as a part of all losses [-]; NaN where there are none."""
+        lost = self.lost
+        return {node: loss / lost if lost else math.nan for node, loss in self.losses.items()}
+
+    @property
+    def circulating(self) -> float:
+        """Power of all loops together [-]; NaN where some power is not determined."""
+        return math.nan if self.unknown else math.fsum(loop.power for loop in self.loops)
+
+    @property
+    def doubtful(self) -> float:
+        """The part of it that may not be in the metal [-]; NaN where it is not determined."""
+        if self.unknown:
+            return math.nan
+        return math.fsum(loop.power for loop in self.loops if loop.shared)
+
+    @property
+    def circulating_share(self) -> float:
+        """Circulating power relative to all power that enters [-]; NaN where none does."""
+        return self.circulating / self.entering if self.entering else math.nan
+
+
+class GearFlow(NamedTuple):
+    """The power of a gear."""
+
+    gear: str
+    ideal: PowerFlow | None
+    """Without losses; None where speeds or torques contradict each other."""
+    lossy: PowerFlow | None
+    """With losses; None where `ideal` is, or where friction locks the gear."""
+    ports: PortTable
+    """Speed, torque and power where power enters and leaves."""
+    status: Status
+    """Why a flow does not exist; `OK` where it does."""
+    by_convention: tuple[Node, ...] = ()
+    """What turns as one piece and has a part of the power by convention: statics decides
+    what enters the piece and leaves it, not how it divides inside."""
+
+    @property
+    def kilowatts(self) -> float:
+        """The power at the input link, NaN where no load tells it [kW]."""
+        return self.ports.scales["kW"]
+
+    @property
+    def note(self) -> str:
+        """Why a flow does not exist, else nothing."""
+        return self.status.english
