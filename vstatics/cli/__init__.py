@@ -3,9 +3,9 @@
 Words of a command line go in; results go to stdout, messages to stderr, and an exit status.
 
 >>> from click.testing import CliRunner
->>> said = CliRunner().invoke(main, ["run", "cases/none.yaml"])
+>>> said = CliRunner().invoke(main, ["run", "nowhere/box.yaml"])
 >>> said.exit_code, said.stderr.rstrip()
-(1, "cases/none.yaml: error: can't be read: No such file or directory")
+(1, "nowhere/box.yaml: error: can't be read: No such file or directory")
 
 `COMMANDS` lists the commands, each a module of this room. `cases` has what those share that
 calculate cases, `texts` the formats of results, `files` input, output and messages.
