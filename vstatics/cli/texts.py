@@ -145,10 +145,9 @@ def _json(outcome: CalculatedCase, shown: Shown | None, form: OutputForm) -> str
     from vstatics.writers import plain_json
 
     if shown is None:
-        document: dict[str, Any] = {
-            "case": outcome.file,
-            "errors": list(map(str, outcome.problems)),
-        }
+        from vstatics.writers.documents import failure
+
+        document = failure(outcome.file, outcome.problems)
     else:
         assert shown.document is not None  # noqa: S101 - the command has this format
         document = shown.document()

@@ -12,13 +12,14 @@ from vstatics.explain.sums import in_numbers, in_symbols
 from vstatics.model.transmission import Transmission
 from vstatics.writers.plain_json import plain_data
 
+FORMAT = "vstatics-explanation"
 VERSION = 1
 
 
 def document(case: Transmission, explained: Sequence[Explanation]) -> dict[str, Any]:
     """Explanations of gears as plain data."""
     return {
-        "format": "vstatics-explanation",
+        "format": FORMAT,
         "version": VERSION,
         "case": case.name,
         "gears": [gear_document(one) for one in explained],

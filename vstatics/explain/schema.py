@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-from vstatics.explain.document import VERSION
+from vstatics.explain.document import FORMAT, VERSION
 from vstatics.explain.equations import Equation
 from vstatics.explain.explanation import Explanation
 from vstatics.explain.formula import Formula, Symbol
+from vstatics.writers.documents import documents, head
 from vstatics.writers.record_schema import (
     NUMBER,
     TEXT,
     Schema,
-    documents,
-    head,
     list_of,
     record,
     schema_of,
@@ -40,7 +39,7 @@ def json_schema() -> Schema:
     )
     one = record(
         {
-            **head("vstatics-explanation", VERSION),
+            **head(FORMAT, VERSION),
             "case": TEXT,
             "gears": list_of(gear),
         }

@@ -8,9 +8,10 @@ from typing import Any
 from vstatics.flow.circulation import Edge, Loop
 from vstatics.flow.power_flow import GearFlow, PowerFlow
 from vstatics.flow.shared_planets import words
-from vstatics.tables.ports import port_document
 from vstatics.writers.plain_json import plain_data
+from vstatics.writers.ports import port_document
 
+FORMAT = "vstatics-flow"
 VERSION = 1
 CONVENTIONS = {
     "powers": "relative to the power at the input link, in their real direction; times "
@@ -39,7 +40,7 @@ def document(name: str, gears: Sequence[GearFlow]) -> dict[str, Any]:
     """The power of gears of a case, by its name, as plain data."""
     made: dict[str, Any] = plain_data(
         {
-            "format": "vstatics-flow",
+            "format": FORMAT,
             "version": VERSION,
             "conventions": CONVENTIONS,
             "case": name,

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 from vstatics.flow.circulation import Node
-from vstatics.flow.document import CONVENTIONS, SIDE_NUMBERS, VERSION
-from vstatics.tables.ports import MEASURES
+from vstatics.flow.document import CONVENTIONS, FORMAT, SIDE_NUMBERS, VERSION
+from vstatics.writers.documents import documents, head
+from vstatics.writers.ports import ports_schema
 from vstatics.writers.record_schema import (
     NUMBER,
     TEXT,
     Schema,
-    documents,
-    head,
     list_of,
     record,
     schema_of,
@@ -49,32 +48,10 @@ def json_schema() -> Schema:
     )
     one = record(
         {
-            **head("vstatics-flow", VERSION),
+            **head(FORMAT, VERSION),
             "conventions": record(dict.fromkeys(CONVENTIONS, TEXT)),
             "case": TEXT,
             "gears": list_of(gear),
         }
     )
     return documents("flow", "Power of gears, of vstatics flow", one, {"side": side})
-
-
-def ports_schema() -> Schema:
-    """The keys of `port_document`."""
-
-    def numbers(*names: str) -> Schema:
-        units = [f"{name}_{unit}" for name, unit in MEASURES if name in names]
-        return dict.fromkeys([*names, *units], NUMBER)
-
-    all_of_port = numbers(*(name for name, _ in MEASURES))
-    with_units = [name for name in all_of_port if name not in dict(MEASURES)]
-    port = {
-        "link": TEXT,
-        "way": {"type": ["string", "null"]},
-        "output": {"type": "boolean"},
-        **all_of_port,
-    }
-    lost = {"in": TEXT, **numbers("power")}
-    return {
-        "ports": list_of(record(port, optional=with_units)),
-        "lost": list_of(record(lost, optional=with_units)),
-    }

@@ -5,9 +5,11 @@ from __future__ import annotations
 from typing import Any
 
 from vstatics.summary import Summary
-from vstatics.tables.ports import port_document, port_tables
+from vstatics.tables.ports import port_tables
 from vstatics.writers.plain_json import plain_data
+from vstatics.writers.ports import port_document
 
+FORMAT = "vstatics-summary"
 VERSION = 1
 
 
@@ -16,7 +18,7 @@ def document(summary: Summary) -> dict[str, Any]:
     case = summary.results.case
     mechanisms = [mechanism.name for mechanism in case.mechanisms]
     always: dict[str, Any] = {
-        "format": "vstatics-summary",
+        "format": FORMAT,
         "version": VERSION,
         "name": case.name,
         "gears": summary.design.gears,

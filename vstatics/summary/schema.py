@@ -4,19 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from vstatics.flow.schema import ports_schema
 from vstatics.summary.combinations import Combination
 from vstatics.summary.design import GearLine
-from vstatics.summary.document import VERSION
+from vstatics.summary.document import FORMAT, VERSION
 from vstatics.summary.duty import Cycle
 from vstatics.summary.extremes import Largest, Margin
 from vstatics.summary.shifts import Transition
+from vstatics.writers.documents import documents, head
+from vstatics.writers.ports import ports_schema
 from vstatics.writers.record_schema import (
     NUMBER,
     TEXT,
     Schema,
-    documents,
-    head,
     list_of,
     record,
     schema_of,
@@ -32,7 +31,7 @@ def json_schema() -> Schema:
     }
     one = record(
         {
-            **head("vstatics-summary", VERSION),
+            **head(FORMAT, VERSION),
             "name": TEXT,
             "gears": schema_of(Sequence[GearLine]),
             "forward": list_of(TEXT),

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from vstatics.statics.physical import gear_scales
 from vstatics.statics.ports import GearPorts, Port, ports
@@ -100,29 +100,3 @@ def _rows(gear: PortTable, physical: set[str]) -> Iterator[list[Cell | str]]:
         yield [name, *numbers, port.way]
     for name, lost in gear.losses:
         yield [f"lost: {name}", "", "", cell(lost, "kW"), ""]
-
-
-def port_document(gear: PortTable) -> dict[str, Any]:
-    """The ports of a gear as plain data: relative numbers, and those with a unit by a load."""
-
-    def numbers(values: dict[str, float]) -> dict[str, float]:
-        units = dict(MEASURES)
-        with_units = {
-            f"{name}_{units[name]}": value * gear.scales[units[name]]
-            for name, value in values.items()
-            if not math.isnan(gear.scales[units[name]])
-        }
-        return {**values, **with_units}
-
-    return {
-        "ports": [
-            {
-                "link": name,
-                "way": port.way or None,
-                "output": port.is_output,
-                **numbers({what: getattr(port, what) for what, _ in MEASURES}),
-            }
-            for name, port in gear.rows
-        ],
-        "lost": [{"in": name, **numbers({"power": lost})} for name, lost in gear.losses],
-    }

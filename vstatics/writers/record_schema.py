@@ -1,4 +1,4 @@
-"""JSON Schema of plain data: of records by their types, of documents one or several.
+"""JSON Schema of plain data, of records by their types.
 
 What `plain_data` makes of a record and what is said of it here follow from one declaration.
 """
@@ -22,7 +22,6 @@ _SIMPLE: Mapping[Any, Schema] = {
     str: TEXT,
     NoneType: {"type": "null"},
 }
-_FAILURE = "case in error"
 
 
 def list_of(items: Schema) -> Schema:
@@ -76,47 +75,3 @@ def schema_of(kind: Any, /, **more: Schema) -> Schema:
     if origin is not None and issubclass(origin, Sequence):
         return list_of(schema_of(arguments[0]))
     raise TypeError(f"no schema of {kind}")
-
-
-def documents(name: str, title: str, one: Schema, definitions: Schema | None = None) -> Schema:
-    """The schema of a file: a document, or several as an array; any may be a case in error.
-
-    Parameters
-    ----------
-    name : str
-        Of the format: that of the file is made of it.
-    one : dict
-        The schema of a document, without its `file`.
-    definitions : dict, optional
-        What it refers to by ``#/$defs/...``.
-    """
-    file = {"type": "string", "description": "The file of the case, without folders."}
-    properties = {**one["properties"], "file": file}
-    failure = {
-        "title": _FAILURE,
-        **record({"file": file, "case": TEXT, "errors": list_of(TEXT)}, optional=["file"]),
-    }
-    entry = {
-        "if": {"type": "object", "required": ["errors"]},
-        "then": {"$ref": "#/$defs/failure"},
-        "else": {"$ref": "#/$defs/document"},
-    }
-    return {
-        "$schema": "https://json-schema.org/draft/2020-12/schema",
-        "$id": f"{name}.schema.json",
-        "title": title,
-        "if": {"type": "array"},
-        "then": {"items": {"$ref": "#/$defs/entry"}},
-        "else": {"$ref": "#/$defs/entry"},
-        "$defs": {
-            "entry": entry,
-            "document": {**one, "properties": properties},
-            "failure": failure,
-            **(definitions or {}),
-        },
-    }
-
-
-def head(form: str, version: int) -> Schema:
-    """The keys with which every document begins."""
-    return {"format": {"const": form}, "version": {"const": version}}

@@ -10,6 +10,7 @@ from vstatics.statics.results import Results
 from vstatics.tables.values import tables
 from vstatics.writers.named import mapping
 
+FORMAT = "vstatics-result"
 VERSION = 1
 
 CONVENTIONS = {
@@ -33,7 +34,7 @@ def document(results: Results) -> dict[str, Any]:
     """
     case = results.case
     result: dict[str, Any] = {
-        "format": "vstatics-result",
+        "format": FORMAT,
         "version": VERSION,
         "conventions": CONVENTIONS,
         "case": mapping(case) | {"idle": case.idle, "coast": case.coast},

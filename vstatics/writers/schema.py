@@ -5,8 +5,9 @@ from __future__ import annotations
 from vstatics.tables.quantities import QUANTITIES
 from vstatics.tables.quantity import Quantity
 from vstatics.tables.rows import ROWS
-from vstatics.writers.record_schema import NUMBER, TEXT, Schema, documents, head, list_of, record
-from vstatics.writers.result_json import CONVENTIONS, VERSION
+from vstatics.writers.documents import documents, head
+from vstatics.writers.record_schema import NUMBER, TEXT, Schema, list_of, record
+from vstatics.writers.result_json import CONVENTIONS, FORMAT, VERSION
 
 NUMBERS: dict[type, Schema] = {
     float: NUMBER,
@@ -26,7 +27,7 @@ def json_schema(of_case: Schema) -> Schema:
     """
     texts = list_of(TEXT)
     properties: Schema = {
-        **head("vstatics-result", VERSION),
+        **head(FORMAT, VERSION),
         "conventions": record(dict.fromkeys(CONVENTIONS, TEXT)),
         "case": {"$ref": "#/$defs/case", "description": "The case as it was calculated."},
         "gears": {**texts, "description": "Names of the gears."},
