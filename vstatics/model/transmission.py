@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from vstatics.errors import CaseError
 from vstatics.model.checks import problems
 from vstatics.model.fields import AnyDrawing, IdleConvention, TransmissionFields
+from vstatics.model.part_checks import of_mechanism
 from vstatics.model.parts import (
     HOUSING,
     Gear,
@@ -96,6 +97,26 @@ class Transmission(TransmissionFields):
         <Transmission 'pair': 2 links, 0 shift elements, 1 mechanism, 1 gear>
         """
         return replace(self, **changes)
+
+    def with_numbers(self, mechanisms: Iterable[Mechanism]) -> Transmission:
+        """The same transmission with other ratios, efficiencies and planet ratios.
+
+        Nothing else of its mechanisms may change, so nothing else is checked again.
+
+        Raises
+        ------
+        CaseError
+            If these are no such numbers.
+        """
+        others = tuple(mechanisms)
+        parts = enumerate(others, 1)
+        errors = [e for n, one in parts for e in of_mechanism(one, ("mechanisms", n), self.links)]
+        if errors:
+            raise CaseError(errors)
+        made = object.__new__(type(self))
+        fields = {field: getattr(self, field) for field in self.__dataclass_fields__}
+        made._set(**fields | {"mechanisms": others})
+        return made
 
     if TYPE_CHECKING:  # `vstatics/__init__` gives it, from the room that reads
 

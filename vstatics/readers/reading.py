@@ -16,6 +16,7 @@ class Source:
     def __init__(self, file: str, text: str) -> None:
         """Split the text into lines, whatever ends them."""
         self.file = file
+        self.text = text
         self.lines = text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
 
     def place(self, line: int, column: int = 1) -> Place:

@@ -107,7 +107,7 @@ def _with_numbers(case: Transmission, u: Floats | None, eta: Floats | None) -> T
                 mechanism._replace(**{quantity: number})
                 for mechanism, number in zip(mechanisms, given[0].tolist(), strict=True)
             ]
-    return replace(case, mechanisms=mechanisms)
+    return case.with_numbers(mechanisms)
 
 
 def _variants(

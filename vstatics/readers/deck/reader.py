@@ -15,7 +15,11 @@ from vstatics.readers.deck.encodings import texts
 from vstatics.readers.deck.fields import Fields
 from vstatics.readers.deck.numbers import integer, real
 from vstatics.readers.deck.text import scan
+from vstatics.readers.deck.variants import KnownDeck, known_deck
 from vstatics.readers.reading import Reading, Source, finish
+
+_known: KnownDeck | None = None
+"""The last deck that was read in full without a word."""
 
 NAMED = {"J": "link", "F": "shift element", "D": "mechanism", "P": "gear", "T": "title"}
 
@@ -57,16 +61,28 @@ def read(data: bytes, file: str) -> Reading:
 
 def _read_text(text: str, file: str, damage: Iterable[Problem]) -> Reading:
     source = Source(file, text)
-    found = scan(source)
+    case = None if damage or _known is None else _known.variant(source.lines)
+    if case is not None:
+        return Reading(case, [], lambda problem: _read_lines(source, damage).locate(problem))
+    return _read_lines(source, damage)
+
+
+def _read_lines(source: Source, damage: Iterable[Problem]) -> Reading:
+    """Read all of a deck, and remember it."""
+    global _known  # noqa: PLW0603 - the last deck, see `variants`
+    text, found = source.text, scan(source)
     if not text.strip() or not found.fields:
         message = "no field of a deck found, expected `KJG=` first"
         if not text.strip():
             message = "the file is empty, expected a deck that starts with `KJG=`"
-        raise ReadError([Problem(message, place=Place(file, 1, 1))])
+        raise ReadError([Problem(message, place=Place(source.file, 1, 1))])
     found.problems.extend(damage)
     fields = Fields(found, len(text))
     parts = _parts(fields)
-    return finish(parts, found.problems, fields.hidden, fields.places.locate)
+    reading = finish(parts, found.problems, fields.hidden, fields.places.locate)
+    if not reading.warnings:
+        _known = known_deck(found, reading.case, fields.places.planet)
+    return reading
 
 
 def _parts(fields: Fields) -> dict[str, Any]:
