@@ -149,9 +149,3 @@ def test_a_bad_case_does_not_stop_the_others() -> None:
     said = vstatics("run", "--pretty", "tests/bad/efficiency-0.dat", MZKT)
     assert said.status == 1
     assert "6.230" in said.out
-
-
-@pytest.mark.parametrize("option", [("-f", "json"), ("-o", "x"), ("--jobs", "2"), ("--resume",)])
-def test_it_is_for_a_terminal_only(option: tuple[str, ...]) -> None:
-    said = vstatics("run", MZKT, "--pretty", *option)
-    assert (said.status, "--pretty is for a terminal" in said.err) == (2, True)

@@ -14,8 +14,11 @@ from vstatics.cli.exit_status import DONE, FAILED
 from vstatics.cli.formats import OutputOptions, TextStyle
 from vstatics.cli.job import Job
 from vstatics.cli.one_or_many import carry_out
+from vstatics.errors import printable
 from vstatics.tables.grid import Grid
 
+PLAIN: dict[str, Any] = {"color_system": None, "force_terminal": False}
+"""Of a text in a file, without colours."""
 FORMATS = ("listing", *formats.TABLES[1:])
 
 
@@ -40,7 +43,7 @@ FORMATS = ("listing", *formats.TABLES[1:])
     "--resume", is_flag=True, help="Leave out cases whose result is in the directory already."
 )
 @click.option(
-    "--pretty", is_flag=True, help="One coloured table of the gears, to read at a terminal."
+    "--pretty", is_flag=True, help="One coloured table of the gears, for people; plain with -o."
 )
 @arguments.settings
 @arguments.language("the headings of a listing")
@@ -74,11 +77,11 @@ def run(
     """
     names = _named(cases, files_from)
     several = len(names) > 1 or files_from is not None
-    if pretty:
-        if wanted.output is not None or wanted.form is not None or jobs > 1 or resume:
-            raise click.UsageError("--pretty is for a terminal: without -f, -o, --jobs, --resume")
-        return _pretty(names, settings, wanted.style)
     others = [] if files_from is None else [files_from]
+    if pretty:
+        if wanted.form is not None or jobs > 1 or resume:
+            raise click.UsageError("--pretty is for people: without -f, --jobs, --resume")
+        return _pretty(names, settings, wanted, [*names, *others], several=several)
     to = wanted.destination([*names, *others], several=several)
     if resume and not to.is_folder:
         raise click.UsageError("--resume needs a directory to go on with: -o DIRECTORY/")
@@ -132,20 +135,37 @@ def _frame() -> texts.Frame:
     return texts.Frame(result_csv.head(several=True), "", result_csv.tail(several=True))
 
 
-def _pretty(names: list[str], settings: CaseOptions, style: TextStyle) -> int:
+def _pretty(
+    names: list[str],
+    settings: CaseOptions,
+    wanted: OutputOptions,
+    inputs: list[str],
+    *,
+    several: bool,
+) -> int:
     """Show the gears of each case to a person; the exit status."""
     from vstatics.cli.console import SafeConsole, trimmed
     from vstatics.summary.pretty import ASCII, DOTS, view
 
-    console = SafeConsole(highlight=False)
-    failed = False
+    to = wanted._replace(formats=("text",)).destination(inputs)
+    if to.is_folder:
+        raise click.UsageError(f"all cases give one text: expected -o FILE, not {to.output}")
+    to_stdout = to.output in (None, files.STDIN)
+    console = SafeConsole(highlight=False) if to_stdout else SafeConsole(highlight=False, **PLAIN)
+    marks = ASCII if to_stdout and console.options.ascii_only else DOTS
+    failed, made = False, list[str]()
     for outcome in calculate(names, settings):
         failed |= outcome.failed
-        if outcome.results is not None:
-            marks = ASCII if console.options.ascii_only else DOTS
-            with console.capture() as captured:
-                console.print(view(outcome.results, marks, style.digits))
-            files.write_coloured(trimmed(captured.get()))
+        if outcome.results is None:
+            continue
+        with console.capture() as captured:
+            console.print(view(outcome.results, marks, wanted.style.digits, console.width))
+        head = "\n" * bool(made) + f"==> {printable(outcome.file)} <==\n" if several else ""
+        made.append(head + trimmed(captured.get()))
+        if to_stdout:
+            files.write_coloured(made[-1])
+    if made and not to_stdout:
+        files.write_output("".join(made), to.output)
     return FAILED if failed else DONE
 
 

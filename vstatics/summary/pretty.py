@@ -8,7 +8,6 @@ from collections.abc import Iterable, Iterator
 from rich.console import Group
 from rich.text import Text
 
-from vstatics.model.transmission import Transmission
 from vstatics.statics.arrays import OUTPUT
 from vstatics.statics.results import Results
 from vstatics.statics.status import STATUSES, Status
@@ -35,8 +34,12 @@ ASCII = Marks("x", "f", ".")
 """Signs for a terminal that knows no others."""
 
 
-def view(results: Results, marks: Marks = DOTS, digits: int | None = None) -> Group:
+def view(
+    results: Results, marks: Marks = DOTS, digits: int | None = None, width: int = 80
+) -> Group:
     """One table of the gears of one case, and what its marks mean.
+
+    In little width it becomes several, in much the names of shift elements head columns.
 
     Parameters
     ----------
@@ -44,6 +47,8 @@ def view(results: Results, marks: Marks = DOTS, digits: int | None = None) -> Gr
         `ASCII` for a terminal that knows no others.
     digits : int, optional
         After the point, where they are not those that suit a number.
+    width : int, optional
+        Of the terminal, in characters.
 
     Returns
     -------
@@ -63,12 +68,20 @@ def view(results: Results, marks: Marks = DOTS, digits: int | None = None) -> Gr
     case = results.case
     by_key = {table.quantity.key: table for table in tables(results)}
     title = [Text(case.name, style="bold")] * bool(case.name)
-    legend = (Text(line, style="dim") for line in _legend(results, by_key, marks))
-    gears = terminal.table(gears_grid(results, marks, digits))
-    return Group(*title, gears, *legend, terminal.table(_ports(results).with_digits(digits)))
+    gears = gears_grid(results, marks, digits)
+    names = [element.name for element in case.shift_elements]
+    numbered = sum(map(len, names)) > WIDE and terminal.natural_width(gears) > width
+    if numbered:
+        gears = gears_grid(results, marks, digits, numbered=True)
+    lines = _legend(results, by_key, marks, names=numbered, steps=_has_steps(gears))
+    legend = (Text(line, style="dim") for line in lines)
+    ports = terminal.tables(_ports(results).with_digits(digits), width, keys=2)
+    return Group(*title, *terminal.tables(gears, width), *legend, *ports)
 
 
-def gears_grid(results: Results, marks: Marks = DOTS, digits: int | None = None) -> Grid:
+def gears_grid(
+    results: Results, marks: Marks = DOTS, digits: int | None = None, *, numbered: bool = False
+) -> Grid:
     """What each gear engages, its ratio and efficiency, its largest speed and torque.
 
     Parameters
@@ -76,12 +89,16 @@ def gears_grid(results: Results, marks: Marks = DOTS, digits: int | None = None)
     marks : Marks, optional
     digits : int, optional
         After the point; four significant ones of small numbers when not given.
+    numbered : bool, optional
+        Whether numbers of shift elements head columns, not their names.
     """
+    names = [element.name for element in results.case.shift_elements]
+    headings = list(map(str, range(1, len(names) + 1))) if numbered else names
     by_key = {table.quantity.key: table for table in tables(results)}
     rpm, torque = "W_rpm" in by_key, "AMLGP_Nm" in by_key
     columns = [
         text("gear"),
-        *(Column(heading, is_sign=True) for heading in _headings(results.case)),
+        *(Column(heading, is_sign=True) for heading in headings),
         *map(Column, ("ratio", "step", "eff.")),
         text("speed, rpm" if rpm else "speed"),
         text("torque, N*m" if torque else "torque"),
@@ -114,10 +131,9 @@ def _ports(results: Results) -> Grid:
     return grid._replace(rows=rows)
 
 
-def _headings(case: Transmission) -> list[str]:
-    """Names of the shift elements, or numbers where the names are too wide."""
-    names = [element.name for element in case.shift_elements]
-    return names if sum(map(len, names)) <= WIDE else list(map(str, range(1, len(names) + 1)))
+def _has_steps(gears: Grid) -> bool:
+    place = [column.heading for column in gears.columns].index("step")
+    return any(row[place].text for row in gears.cells)
 
 
 def _figures(line: GearLine, digits: int | None) -> list[Cell]:
@@ -183,17 +199,20 @@ def _state(status: Status, by_key: dict[str, Table], number: int) -> Cell:
     return Cell(" ".join(name for name, value in _column(by_key["idle"], number) if value == 1))
 
 
-def _legend(results: Results, by_key: dict[str, Table], marks: Marks) -> Iterator[str]:
+def _legend(
+    results: Results, by_key: dict[str, Table], marks: Marks, *, names: bool, steps: bool
+) -> Iterator[str]:
     """What the marks that occur mean."""
     case = results.case
-    names = [element.name for element in case.shift_elements]
-    if names != _headings(case):
-        yield ", ".join(f"{number} {name}" for number, name in enumerate(names, 1))
+    if names:
+        elements = enumerate(case.shift_elements, 1)
+        yield ", ".join(f"{number} {element.name}" for number, element in elements)
     signs = [f"{marks.engaged} engaged"] if any(gear.engaged for gear in case.gears) else []
     if case.freewheels:
         signs.append(f"{marks.holds} freewheel that holds")
-    signs.append("step: to the next smaller ratio")
-    yield "; ".join(signs)
+    signs += ["step: to the next smaller ratio"] * steps
+    if signs:
+        yield "; ".join(signs)
     yield "speed, torque: the largest" + ("" if "W_rpm" in by_key else ", by the input's")
     if (by_key["idle"].values == 1).any():
         yield "idle: carries no torque, or turns as one piece"

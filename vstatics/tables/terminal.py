@@ -2,43 +2,94 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from itertools import groupby
+from typing import NamedTuple
 
 from rich import box
+from rich.cells import cell_len
 from rich.table import Table as RichTable
 from rich.text import Text
 
 from vstatics.tables.grid import Cell, Grid
 
 
-def table(grid: Grid) -> RichTable:
-    """A table without its title; numbers are never cut, words are folded.
+class _Place(NamedTuple):
+    """A column at a terminal: texts below a heading, and the widths that it can have."""
 
-    Columns of signs stand side by side, without a gap where their headings are letters.
+    heading: Text
+    texts: list[Text]
+    least: int
+    """With no word cut, and no number."""
+    natural: int
+    """With no line folded."""
+    is_number: bool
+    may_fold: bool
+
+
+def tables(grid: Grid, width: int, keys: int = 1) -> list[RichTable]:
+    """A table without its title, or several below one another where it is too wide.
+
+    Words are cut only where one alone is too wide. Columns of signs stand side by side,
+    without a gap where their headings are letters.
+
+    Parameters
+    ----------
+    grid : Grid
+    width : int
+        Of the terminal, in characters.
+    keys : int, optional
+        So many columns stand in each of the tables.
     """
+    places = [_place(grid, group) for group in _groups(grid)]
+    parts = [list(range(keys))]
+    for number in range(keys, len(places)):
+        if len(parts[-1]) > keys and _sum(places[n].least for n in [*parts[-1], number]) > width:
+            parts.append(list(range(keys)))
+        parts[-1].append(number)
+    return [_table([places[number] for number in part], width) for part in parts]
+
+
+def natural_width(grid: Grid) -> int:
+    """The width of a table whose lines are not folded, in characters."""
+    return _sum(_place(grid, group).natural for group in _groups(grid))
+
+
+def _sum(widths: Iterable[int]) -> int:
+    """The width of a table with columns of these widths: two blanks go with each."""
+    return sum(width + 2 for width in widths)
+
+
+def _place(grid: Grid, group: Sequence[int]) -> _Place:
+    column = grid.columns[group[0]]
+    cells = [row[group[0]] for row in grid.cells]
+    heading = Text(column.heading)
+    texts = [Text(cell.text, cell.style) for cell in cells]
+    if column.is_sign:
+        headings = [grid.columns[place].heading for place in group]
+        heading = _beside([Cell(one) for one in headings], headings)
+        texts = [_beside([row[place] for place in group], headings) for row in grid.cells]
+    natural = max(text.cell_len for text in (heading, *texts))
+    may_fold = not (column.is_sign or column.is_number)
+    words = (word for text in (heading, *texts) for word in text.plain.split())
+    least = max(map(cell_len, words), default=0) if may_fold else natural
+    is_number = column.is_number and not column.is_sign
+    return _Place(heading, texts, least, natural, is_number, may_fold)
+
+
+def _table(places: Sequence[_Place], width: int) -> RichTable:
     made = RichTable(box=box.SIMPLE_HEAD, padding=(0, 1, 0, 0), pad_edge=False)
-    shown = []
-    for places in _groups(grid):
-        column = grid.columns[places[0]]
-        cells = [row[places[0]] for row in grid.cells]
-        heading = Text(column.heading)
-        texts = [Text(cell.text, cell.style) for cell in cells]
-        if column.is_sign:
-            headings = [grid.columns[place].heading for place in places]
-            heading = _beside([Cell(one) for one in headings], headings)
-            texts = [_beside([row[place] for place in places], headings) for row in grid.cells]
-            made.add_column(heading, no_wrap=True)
-        elif column.is_number:
-            wide = max(len(cell.text) for cell in cells)
-            made.add_column(heading, justify="right", no_wrap=True, min_width=wide)
-        else:
-            numbers = [cell.text.split()[0] for cell in cells if cell.value is not None]
-            wide = max(map(len, numbers), default=0)
-            style = "" if places[0] else "bold"
-            made.add_column(heading, style=style, overflow="fold", min_width=wide)
-        shown.append(texts)
-    for row in zip(*shown, strict=True):
+    for number, place in enumerate(places):
+        others = _sum(other.least for other in places) - place.least
+        made.add_column(
+            place.heading,
+            justify="right" if place.is_number else "left",
+            style="" if number or not place.may_fold else "bold",
+            overflow="fold",
+            no_wrap=not place.may_fold,
+            min_width=max(min(place.least, width - others), 1),
+        )
+    for row in zip(*(place.texts for place in places), strict=True):
         made.add_row(*row)
     return made
 
@@ -52,6 +103,7 @@ def _groups(grid: Grid) -> list[list[int]]:
 
 def _beside(cells: Sequence[Cell], headings: Sequence[str]) -> Text:
     """One sign under each heading."""
-    width = max(map(len, headings))
-    gap = Text(" " if width > 1 else "")
-    return gap.join(Text(cell.text.ljust(width), cell.style) for cell in cells)
+    widths = [cell_len(heading) for heading in headings]
+    gap = Text(" " if max(widths) > 1 else "")
+    pairs = zip(cells, widths, strict=True)
+    return gap.join(Text(cell.text.ljust(width), cell.style) for cell, width in pairs)

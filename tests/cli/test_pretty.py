@@ -1,0 +1,82 @@
+"""`vstatics run --pretty`: whole words in the width that there is, also in a file."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+from rich.cells import cell_len
+
+from tests.commands import CASES, MZKT, NEUTRAL, vstatics
+
+SHIPPED = sorted(path for path in CASES.iterdir() if path.suffix in (".yaml", ".dat"))
+
+
+@pytest.fixture(autouse=True)
+def _here(files: Path) -> None:
+    """In a folder of its own."""
+
+
+def shown(monkeypatch: pytest.MonkeyPatch, width: int, *cases: object) -> str:
+    monkeypatch.setenv("COLUMNS", str(width))
+    assert vstatics("run", "--pretty", *cases, "-o", "out.txt", "-q").status == 0
+    return Path("out.txt").read_text("utf-8")
+
+
+def words(text: str) -> set[str]:
+    """Words with a letter; names head columns, or stand in a list of their numbers."""
+    return {word.strip(",;") for word in text.split() if re.search(r"[^\W\d]", word)}
+
+
+@pytest.mark.parametrize("case", SHIPPED, ids=lambda path: path.name)
+def test_lines_fit_and_words_are_whole_at_every_width(
+    case: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    whole = words(shown(monkeypatch, 500, case))
+    for width in (60, 80, 120, 200):
+        text = shown(monkeypatch, width, case)
+        assert words(text) == whole, width
+        for line in text.splitlines():
+            assert cell_len(line) <= width
+            assert line == line.rstrip()
+        assert text.endswith("\n")
+        assert not text.endswith("\n\n")
+        assert "\x1b" not in text
+
+
+def test_much_width_is_used_for_the_names_of_shift_elements(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    case = CASES / "simpson-th400.yaml"
+    assert "gear  12345  " in shown(monkeypatch, 80, case)
+    wide = shown(monkeypatch, 200, case)
+    assert "gear  forward clutch direct clutch intermediate clutch rear band" in wide
+    assert "1 forward clutch" not in wide
+
+
+def test_several_cases_have_their_names_above(monkeypatch: pytest.MonkeyPatch) -> None:
+    text = shown(monkeypatch, 80, MZKT, "neutral.yaml")
+    heads = [line for line in text.splitlines() if line.startswith("==> ")]
+    assert heads == [f"==> {MZKT} <==", "==> neutral.yaml <=="]
+    assert "==>" not in shown(monkeypatch, 80, MZKT)
+
+
+def test_steps_are_explained_where_there_are_some(monkeypatch: pytest.MonkeyPatch) -> None:
+    """One gear has no next one."""
+    Path("one.yaml").write_text(NEUTRAL.replace("N: {}, ", ""), "utf-8")
+    assert "next smaller ratio" not in shown(monkeypatch, 80, "one.yaml")
+    assert "next smaller ratio" in shown(monkeypatch, 80, MZKT)
+
+
+@pytest.mark.parametrize(
+    "options",
+    [["-f", "json"], ["-o", "x.json"], ["-o", "new/"], ["-j", "2"], ["--resume"]],
+)
+def test_it_is_one_text(options: list[str]) -> None:
+    assert vstatics("run", "--pretty", "neutral.yaml", *options).status == 2
+
+
+def test_a_case_in_error_writes_nothing() -> None:
+    assert vstatics("run", "--pretty", "bad.yaml", "-o", "x.txt").status == 1
+    assert not Path("x.txt").exists()
