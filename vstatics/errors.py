@@ -134,13 +134,23 @@ def quoted(read: str) -> str:
     return f"`{read if len(read) <= 40 else read[:37] + '...'}`"
 
 
-def spoken(names: Sequence[str]) -> str:
-    """Names as one says them.
+def spoken(names: Iterable[str], last: str = "and") -> str:
+    """Names as one says them, with a word before the last.
 
-    >>> spoken(["a"]), spoken(["a", "b"]), spoken(["a", "b", "c"])
-    ('a', 'a and b', 'a, b and c')
+    >>> spoken(["a"]), spoken(["a", "b"]), spoken(["a", "b", "c"], "or")
+    ('a', 'a and b', 'a, b or c')
     """
-    return " and ".join(filter(None, [", ".join(names[:-1]), *names[-1:]]))
+    *others, end = [*names] or [""]
+    return f"{', '.join(others)} {last} {end}" if others else end
+
+
+def plural(noun: str, count: int) -> str:
+    """A noun as it stands with a number.
+
+    >>> plural("gear", 1), plural("gear", 0)
+    ('gear', 'gears')
+    """
+    return noun if count == 1 else f"{noun}s"
 
 
 def typed_number(text: str, last: int) -> int | None:

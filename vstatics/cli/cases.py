@@ -12,7 +12,7 @@ import click
 from vstatics import readers
 from vstatics.cli import files
 from vstatics.cli.telling import Telling
-from vstatics.errors import Problem, ReadError, of_file, spoken
+from vstatics.errors import Problem, ReadError, of_file, plural, spoken
 from vstatics.model.checks import hints
 from vstatics.model.transmission import IdleConvention, Transmission
 from vstatics.readers.reading import Reading
@@ -233,5 +233,5 @@ def _located(reading: Reading, results: Results, *, each_gear: bool) -> Iterator
     for first, *others in together.values():
         place = reading.locate(Problem("", ("gears", numbers[first.gear]))).place
         names = spoken([first.gear, *(other.gear for other in others)])
-        text = f"gear{'s' * bool(others)} {names}: {first.text}"
+        text = f"{plural('gear', 1 + len(others))} {names}: {first.text}"
         yield Problem(text, place=place, severity=first.severity)

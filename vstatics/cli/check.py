@@ -14,6 +14,7 @@ from vstatics.cli.exit_status import DONE, FAILED
 from vstatics.cli.formats import OutputOptions, TextStyle
 from vstatics.cli.telling import Telling
 from vstatics.elements.drawing import drawing_of
+from vstatics.errors import plural
 from vstatics.statics.diagnosis import freedom, given_conditions
 from vstatics.statics.results import Results
 from vstatics.statics.status import CONFLICT, TIED_UP
@@ -24,7 +25,7 @@ FORMATS = ("text", "json")
 
 
 def _count(number: int, noun: str) -> str:
-    return f"{number} {noun}{'s' * (number != 1)}"
+    return f"{number} {plural(noun, number)}"
 
 
 def conditions(file: str, results: Results) -> Grid:

@@ -11,6 +11,7 @@ import click
 from vstatics.cli import files
 from vstatics.cli.cases import Command
 from vstatics.cli.exit_status import DONE, FAILED
+from vstatics.errors import plural
 from vstatics.readers import sweep_tables
 from vstatics.readers.results import read_results
 from vstatics.tables.compare import ATOL, RTOL, differences
@@ -105,5 +106,6 @@ def compare(
         lines = _differ(left_side, right_side, how)
     if lines:
         files.write_output("\n".join(lines) + "\n", None)
-        files.say(f"{actual} and {expected} differ in {len(lines)} place{'s' * (len(lines) > 1)}")
+        places = plural("place", len(lines))
+        files.say(f"{actual} and {expected} differ in {len(lines)} {places}")
     return FAILED if lines else DONE

@@ -16,7 +16,7 @@ from vstatics.cli.job import Job
 from vstatics.cli.progress import progress
 from vstatics.cli.targets import CaseTask, tasks
 from vstatics.cli.telling import Telling
-from vstatics.errors import ReadError
+from vstatics.errors import ReadError, plural
 from vstatics.jobs.files import is_stream, unwritable
 from vstatics.jobs.finished_cases import FinishedCases
 from vstatics.jobs.stopping import Stop, StoppedError, stoppable
@@ -72,7 +72,7 @@ def _failure(done: Done) -> str:
     named = bool(why) and why[0].place is not None and why[0].place.file == done.file
     line = f"  {first}" if named else f"  {done.file}: {first}"
     if len(why) > 1:
-        line += f" ... and {len(why) - 1} more problem{'s' * (len(why) > 2)}"
+        line += f" ... and {len(why) - 1} more {plural('problem', len(why) - 1)}"
     return line + (f" (its earlier result is {done.left} now)" if done.left else "")
 
 

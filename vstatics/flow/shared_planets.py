@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from vstatics.elements.drawing import parts_of
+from vstatics.errors import spoken
 from vstatics.flow.circulation import Loop, Shared
 from vstatics.model.parts import HOUSING
 from vstatics.model.transmission import Transmission
@@ -57,12 +58,8 @@ def shared(case: Transmission, loop: Loop) -> tuple[Shared, ...]:
 
 def words(found: Sequence[Shared]) -> str:
     """The same in words; nothing of a loop that is real."""
-    said = [f"{one.first} and {one.second} share {_all(one.links)}" for one in found]
+    said = [f"{one.first} and {one.second} share {spoken(one.links)}" for one in found]
     return f"may not be in the metal: {', '.join(said)}" if said else ""
-
-
-def _all(names: Sequence[str]) -> str:
-    return f"{', '.join(names[:-1])} and {names[-1]}"
 
 
 def _sets(case: Transmission) -> dict[int, tuple[int, ...]]:

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
-from vstatics.errors import CaseError
+from vstatics.errors import CaseError, plural
 from vstatics.model.checks import problems
 from vstatics.model.fields import AnyDrawing, IdleConvention, TransmissionFields
 from vstatics.model.part_checks import of_mechanism
@@ -83,7 +83,7 @@ class Transmission(TransmissionFields):
             "mechanism": len(self.own_devices),
             "gear": len(self.gears),
         }
-        counts = (f"{count} {what}{'s' * (count != 1)}" for what, count in parts.items())
+        counts = (f"{count} {plural(what, count)}" for what, count in parts.items())
         name = f" {self.name!r}" if self.name else ""
         return f"<Transmission{name}: {', '.join(counts)}>"
 

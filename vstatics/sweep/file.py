@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable
 from typing import Any
 
-from vstatics.errors import Place, ReadError
+from vstatics.errors import Place, ReadError, quoted, spoken
 from vstatics.readers.named import scalars
 from vstatics.readers.named.arithmetic import LONGEST
 from vstatics.readers.named.nodes import (
@@ -49,7 +48,8 @@ def read_sweep_file(data: bytes, file: str) -> SweepOptions:
     found = decode(data, file, "a sweep")
     root = yaml_tree(found)
     if not isinstance(root, Mapping):
-        expected = f"expected a sweep: a mapping with keys such as {_listed(list(OPTIONS)[:3])}"
+        keys = spoken(map(quoted, list(OPTIONS)[:3]))
+        expected = f"expected a sweep: a mapping with keys such as {keys}"
         found.stop(f"read {what(root)}, {expected}", root.line, root.column)
     options = _Reader(found, os.path.dirname(file)).options(root)  # noqa: PTH120
     if found.problems:
@@ -77,7 +77,7 @@ class _Reader:
         for key, node in root.entries:
             if key.text not in OPTIONS:
                 hint = self.found.hint(key.text, OPTIONS)
-                expected = hint or f", expected {_listed(OPTIONS)}"
+                expected = hint or f", expected {spoken(map(quoted, OPTIONS))}"
                 self.add(f"unknown key `{shown(key.text)}`{expected}", key)
             elif key.text in said:
                 self.add(f"key `{key.text}` is given twice", key)
@@ -121,7 +121,7 @@ class _Reader:
         if isinstance(node, Scalar) and node.text in option.choices:
             return node.text
         hint = self.found.hint(node.text, option.choices) if isinstance(node, Scalar) else ""
-        raise _WrongError(f"{_listed(option.choices, 'or')}{hint}")
+        raise _WrongError(f"{spoken(map(quoted, option.choices), 'or')}{hint}")
 
     def text(self, node: Node, _: Option | None = None) -> Text:
         if not isinstance(node, Scalar) or not node.text.strip():
@@ -151,8 +151,3 @@ class _Reader:
         place = self.found.source.place(node.line, node.column)
         quoted = place.text[place.column - 1 : place.column] in ("'", '"')
         return place._replace(column=place.column + quoted)
-
-
-def _listed(words: Iterable[str], last: str = "and") -> str:
-    *others, end = (f"`{word}`" for word in words)
-    return f"{', '.join(others)} {last} {end}"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Container, Iterator, Sequence
 
+from vstatics.errors import plural
 from vstatics.tables.compare import ATOL, RTOL, is_same
 from vstatics.tables.figures import Figure, WrittenSweep
 from vstatics.tables.quantities import BY_NAME
@@ -75,4 +76,4 @@ def _lacking(kind: str, names: Sequence[str], what: str) -> Iterator[str]:
     if names:
         shown = ", ".join(names[:MOST]) + f" and {len(names) - MOST} more" * (len(names) > MOST)
         side = "not there, expected" if what == "expected" else "there, but not expected"
-        yield f"{kind}{'s' * (len(names) > 1)} {shown}: {side}"
+        yield f"{plural(kind, len(names))} {shown}: {side}"

@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import lru_cache, partial
 from typing import Generic, NamedTuple
 
+from vstatics.errors import plural
 from vstatics.readers.deck.numbers import (
     DECIMAL_COMMA,
     NotANumberError,
@@ -118,7 +119,7 @@ def row_labels(key: str, counts: Sequence[int]) -> Iterator[str]:
 
 def values_in_words(count: int) -> str:
     """How many values there are."""
-    return f"{count} value{'s' * (count != 1)}"
+    return f"{count} {plural('value', count)}"
 
 
 def stand_ins(field: Field | None, need: int, parse: Callable[[str], Number]) -> Values[Number]:

@@ -6,9 +6,10 @@ stands in the document, and leaves a stand-in where nothing can be read.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterator
 from typing import Any
 
+from vstatics.errors import quoted, spoken
 from vstatics.model.parts import HOUSING
 from vstatics.model.shape import (
     TEXT,
@@ -97,7 +98,7 @@ class Walk:
         if isinstance(node, Mapping):
             given = self._known_keys(spot, shape, node)
         elif not is_null(node) or shape.required:
-            expected = "expected a mapping with " + _listed(key.name for key in shape.keys)
+            expected = "expected a mapping with " + spoken(quoted(key.name) for key in shape.keys)
             return self._refuse(spot, shape, expected)
         values = values_before(shape)
         for key in shape.keys:
@@ -123,8 +124,9 @@ class Walk:
         for key, value in self._entries(spot, node):
             if key.text not in known:
                 hint = self.spots.found.hint(key.text, known)
-                comma = "; write a decimal point, not a decimal comma"
-                expected = comma if key.text.isdigit() else hint or f", expected {_listed(known)}"
+                expected = hint or f", expected {spoken(map(quoted, known))}"
+                if key.text.isdigit():
+                    expected = "; write a decimal point, not a decimal comma"
                 self.spots.complain(spot, f"unknown key `{shown(key.text)}`{expected}", key)
                 meant.update((name, value) for name in known if f"`{name}`" in hint)
             elif known[key.text].required or not is_null(value):
@@ -187,7 +189,7 @@ class Walk:
         elif isinstance(spot.node, Listing) or isinstance(shape.short, Ends):
             made = shape.record.make(**{shape.key: self.read(inner, shape.short)})
         else:
-            keys = _listed(key.name for key in shape.record.keys)
+            keys = spoken(quoted(key.name) for key in shape.record.keys)
             expected = f"expected a list of {shape.short.kind}, or a mapping with {keys}"
             return self._refuse(spot, shape, expected)
         if inner.path in self.spots.unreadable:
@@ -256,7 +258,7 @@ class Walk:
         given = [value for key, value in node.entries if key.text == "kind"]
         if not given:
             merged = next((key for key, _ in node.entries if _is_merge(key)), None)
-            missing = f"`kind` is missing; expected one of {_listed(known, 'or')}"
+            missing = f"`kind` is missing; expected one of {spoken(map(quoted, known), 'or')}"
             self.spots.complain(spot, NO_MERGE if merged else missing, merged)
             self.spots.unreadable.append(spot.path)
             return {}
@@ -291,15 +293,10 @@ class Walk:
             case "choice":
                 if node.text not in shape.choices:
                     hint = self.spots.found.hint(node.text, shape.choices)
-                    raise ValueError(f"expected {_listed(shape.choices, 'or')}{hint}")
+                    raise ValueError(f"expected {spoken(map(quoted, shape.choices), 'or')}{hint}")
                 return node.text
         return LEAVES[shape.kind].parse(node.text)
 
 
 def _is_merge(key: Scalar) -> bool:
     return key.plain and key.text == "<<"
-
-
-def _listed(words: Iterable[str], last: str = "and") -> str:
-    *others, end = (f"`{word}`" for word in words)
-    return f"{', '.join(others)} {last} {end}" if others else end
