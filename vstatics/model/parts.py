@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from types import MappingProxyType
-from typing import Any, Literal, NamedTuple, get_args
+from typing import Any, Literal, NamedTuple, Self, get_args
 
 HOUSING = 0
 KW_OF_RPM_NM = math.pi / 30 / 1000
@@ -157,6 +157,43 @@ def load_of(
         raise ValueError("read a power, speed or torque of 0, expected another one")
     third = power / other / KW_OF_RPM_NM
     return Load(third, torque) if speed is None else Load(speed, third)
+
+
+class OfLoad(float):
+    """A speed or torque relative to that of a load, which was given with a unit and keeps it.
+
+    A case with another load, or that coasts, has another number for the same speed or torque.
+
+    Parameters
+    ----------
+    given : float
+        [rpm] or [N*m]
+    whole : float
+        Of the load, in the same unit; other than 0.
+
+    Examples
+    --------
+    >>> torque = OfLoad(10.0, 100.0)
+    >>> torque, torque.by(-200.0), torque.by(None)
+    (0.1, -0.05, 0.1)
+    """
+
+    given: float
+    whole: float
+
+    def __new__(cls, given: float, whole: float) -> Self:
+        """Keep what the number was made from."""
+        made = super().__new__(cls, given / whole)
+        made.given, made.whole = given, whole
+        return made
+
+    def __getnewargs__(self) -> tuple[float, float]:  # type: ignore[override] # as __new__ asks
+        """For another process."""
+        return self.given, self.whole
+
+    def by(self, whole: float | None) -> OfLoad:
+        """The same by another load; as it is where there is none."""
+        return OfLoad(self.given, whole) if whole else self
 
 
 class SpeedOf(NamedTuple):

@@ -13,7 +13,9 @@ from vstatics.model.part_checks import of_mechanism
 from vstatics.model.parts import (
     HOUSING,
     Gear,
+    Load,
     Mechanism,
+    OfLoad,
     ShiftElement,
     SpeedOf,
     element_name,
@@ -162,7 +164,7 @@ def _completed(case: Transmission) -> dict[str, object]:
             element._replace(
                 name=element.name or element_name(number, element),
                 drag=float(element.drag),
-                capacity=_float(element.capacity),
+                capacity=_capacity(element.capacity, case.load),
             )
             for number, element in enumerate(case.shift_elements, 1)
         ),
@@ -175,24 +177,42 @@ def _completed(case: Transmission) -> dict[str, object]:
             )
             for number, mechanism in enumerate(case.mechanisms, 1)
         ),
-        "gears": tuple(
-            gear._replace(
-                engaged=tuple(gear.engaged),
-                speeds={link: _speed(speed) for link, speed in gear.speeds.items()},
-                torques={link: float(torque) for link, torque in gear.torques.items()},
-                name=gear.name or str(number),
-                drag={link: float(torque) for link, torque in gear.drag.items()},
-                open_drag={element: float(torque) for element, torque in gear.open_drag.items()},
-            )
-            for number, gear in enumerate(case.gears, 1)
-        ),
+        "gears": tuple(_gear(case, gear, number) for number, gear in enumerate(case.gears, 1)),
     }
 
 
-def _speed(speed: float | SpeedOf) -> float | SpeedOf:
+def _gear(case: Transmission, gear: Gear, number: int) -> Gear:
+    """A gear with its numbers as parts of its load's, where they were given with a unit."""
+    load = case.gear_load(gear) if case.load or gear.load else Load()
+    torque = load.torque or 0.0
+    return gear._replace(
+        engaged=tuple(gear.engaged),
+        speeds={link: _speed(speed, load.speed) for link, speed in gear.speeds.items()},
+        # when coasting, the torque of the load is against its speed
+        torques=_by_load(gear.torques, -torque if case.coast else torque),
+        name=gear.name or str(number),
+        drag=_by_load(gear.drag, abs(torque)),
+        open_drag=_by_load(gear.open_drag, abs(torque)),
+    )
+
+
+def _by_load(numbers: Mapping[int, float], whole: float | None) -> dict[int, float]:
+    return {part: _related(number, whole) for part, number in numbers.items()}
+
+
+def _related(number: float, whole: float | None) -> float:
+    return number.by(whole) if isinstance(number, OfLoad) else float(number)
+
+
+def _capacity(capacity: float | None, load: Load | None) -> float | None:
+    torque = abs(load.torque or 0.0) if load else None
+    return None if capacity is None else _related(capacity, torque)
+
+
+def _speed(speed: float | SpeedOf, whole: float | None) -> float | SpeedOf:
     if isinstance(speed, SpeedOf):
         return SpeedOf(speed.link, float(speed.factor))
-    return float(speed)
+    return _related(speed, whole)
 
 
 def _float(value: float | None) -> float | None:

@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 from vstatics.errors import Path
 from vstatics.model.part_checks import of_drag
-from vstatics.model.parts import HOUSING, Gear, Load, ShiftElement, SpeedOf
+from vstatics.model.parts import HOUSING, Gear, Load, OfLoad, ShiftElement, SpeedOf
 from vstatics.model.shape import UNITS
 from vstatics.readers.named.measured import WithUnit
 from vstatics.readers.named.nodes import Spots
@@ -138,7 +138,7 @@ def _related(numbers: _ByPart, whole: float, spots: Spots) -> dict[int, float]:
         elif path[-2] in ("drag", "open_drag") and not _is_drag(number, None, path, spots):
             continue
         elif whole:
-            made[part] = number / whole
+            made[part] = OfLoad(float(number), whole)
         elif path not in spots.unreadable and not no_load:
             quantity, unit = number.quantity, UNITS[number.quantity]
             spots.tell(
