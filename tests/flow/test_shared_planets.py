@@ -20,7 +20,7 @@ from tests.commands import vstatics
 from tests.flow.worked import only, sides
 from tests.trains import seeded
 from vstatics import Gear, Mechanism, ShiftElement, Transmission
-from vstatics.flow.circulation import Loop, Node, Shared
+from vstatics.flow.circulation import CommonLinks, Loop, Node
 from vstatics.flow.grids import remarks
 from vstatics.flow.rows import grids
 from vstatics.flow.shared_planets import shared, words
@@ -187,7 +187,7 @@ def test_a_set_with_two_rings_is_three_mechanisms_that_share_a_carrier() -> None
     """Suns 1, 2, rings 3, 4, carrier 5: the third shares a sun with the first, not with m2."""
     case = many((1, 3, 5), (2, 3, 5), (1, 4, 5))
     found = shared(case, around("l3", "m1", "l1", "m3", "l5", "m2"))
-    assert found == (Shared("m1", "m2", ("l3", "l5")), Shared("m1", "m3", ("l1", "l5")))
+    assert found == (CommonLinks("m1", "m2", ("l3", "l5")), CommonLinks("m1", "m3", ("l1", "l5")))
     assert words(found) == (
         "may not be in the metal: m1 and m2 share l3 and l5, m1 and m3 share l1 and l5"
     )

@@ -39,7 +39,7 @@ class OwnLinks(NamedTuple):
         """Whether a mechanism, by its index, has a ratio that is no matter of teeth.
 
         So it is of a shaft, and of a symmetrical differential, whose ratio is -1; a group of
-        planets comes to -1 by its teeth. A ratio of 1 counts too: the third link has no say then.
+        planets comes to -1 by its teeth. A ratio of 1 counts too: the third link does not act then.
         """
         mechanism = self.case.mechanisms[number]
         if mechanism.ratio != -1 or mechanism.third == HOUSING:

@@ -40,7 +40,7 @@ class Edge(NamedTuple):
     """Relative to the power at the input link. [-]"""
 
 
-class Shared(NamedTuple):
+class CommonLinks(NamedTuple):
     """Two mechanisms that may be one set with shared planets, by what they have in common."""
 
     first: str
@@ -55,7 +55,7 @@ class Loop(NamedTuple):
     nodes: tuple[Node, ...]
     power: float
     """[-]"""
-    shared: tuple[Shared, ...] = ()
+    shared: tuple[CommonLinks, ...] = ()
     """Where the loop may not be in the metal: the mechanisms that it runs through."""
 
 

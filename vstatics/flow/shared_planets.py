@@ -10,12 +10,12 @@ from collections.abc import Mapping, Sequence
 
 from vstatics.elements.drawing import parts_of
 from vstatics.errors import spoken
-from vstatics.flow.circulation import Loop, Shared
+from vstatics.flow.circulation import CommonLinks, Loop
 from vstatics.model.parts import HOUSING
 from vstatics.model.transmission import Transmission
 
 
-def shared(case: Transmission, loop: Loop) -> tuple[Shared, ...]:
+def shared(case: Transmission, loop: Loop) -> tuple[CommonLinks, ...]:
     """What mechanisms that may be one set of planets share, if a loop runs only through such.
 
     Planets that are shared have one carrier, so one link is common to all mechanisms;
@@ -25,7 +25,7 @@ def shared(case: Transmission, loop: Loop) -> tuple[Shared, ...]:
 
     Returns
     -------
-    tuple of Shared
+    tuple of CommonLinks
         As many pairs of mechanisms as join all of them, nothing for a loop that is real.
 
     Examples
@@ -51,12 +51,12 @@ def shared(case: Transmission, loop: Loop) -> tuple[Shared, ...]:
         return ()
     own = case.own_devices
     return tuple(
-        Shared(own[one - 1].name, own[other - 1].name, tuple(map(case.link_name, links)))
+        CommonLinks(own[one - 1].name, own[other - 1].name, tuple(map(case.link_name, links)))
         for one, other, links in pairs
     )
 
 
-def words(found: Sequence[Shared]) -> str:
+def words(found: Sequence[CommonLinks]) -> str:
     """The same in words; nothing of a loop that is real."""
     said = [f"{one.first} and {one.second} share {spoken(one.links)}" for one in found]
     return f"may not be in the metal: {', '.join(said)}" if said else ""

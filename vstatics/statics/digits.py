@@ -25,15 +25,15 @@ MOST = 64
 """Unknowns of a system that is solved exactly; fractions grow with each of them."""
 
 
-class Lost(NamedTuple):
-    """What rounding shows in."""
+class LostDigits(NamedTuple):
+    """Speeds and torques of a gear that rounding leaves few digits of."""
 
     digits: int
-    """So many are certain in all of them."""
+    """So many are certain in every one of them."""
     links: list[str]
-    """Their speeds."""
+    """Those with such speeds."""
     devices: list[str]
-    """Their torques; that of the output too."""
+    """Those with such torques; `the output` is the output torque."""
 
 
 def is_near_singular(case: Transmission) -> bool:
@@ -48,8 +48,11 @@ def is_near_singular(case: Transmission) -> bool:
     return near and len(case.devices) + case.links <= MOST
 
 
-def lost_digits(state: GearState) -> Lost | None:
-    """What rounding shows in, of a gear of one case; None if it does nowhere."""
+def lost_digits(state: GearState) -> LostDigits | None:
+    """The speeds and torques of a gear that rounding makes uncertain; None if it makes none.
+
+    The gear is that of one case, not of arrays of variants.
+    """
     case, ideal = state.case, state.ideal
     speeds = _exactly(speed_rows(case, state.gear, ideal.variant.columns), case.links)
     by_link = _parts(state.speeds, speeds)
@@ -60,7 +63,7 @@ def lost_digits(state: GearState) -> Lost | None:
     worst = max(*by_link, *by_device)
     if worst <= UNCERTAIN:
         return None
-    return Lost(
+    return LostDigits(
         max(math.floor(-math.log10(worst)), 0),
         [name for name, part in zip(case.link_names, by_link, strict=True) if part > UNCERTAIN],
         [

@@ -175,7 +175,10 @@ class PhysicalResults(ResultFields):
 
     @property
     def output_power_kW(self) -> Floats:  # noqa: N802
-        """Of shape (..., gears): what leaves by them, drag apart [kW]. The rest is lost."""
+        """Of shape (..., gears): what leaves by all links with external torques, lossy [kW].
+
+        Drag is no external torque: what enters and does not leave is lost, in meshes or to drag.
+        """
         power: Floats = np.maximum(-self._port_powers("output_power"), 0.0).sum(axis=-1)
         return power
 

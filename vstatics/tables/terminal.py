@@ -14,7 +14,7 @@ from rich.text import Text
 from vstatics.tables.grid import Cell, Grid
 
 
-class _Place(NamedTuple):
+class _TerminalColumn(NamedTuple):
     """A column at a terminal: texts below a heading, and the widths that it can have."""
 
     heading: Text
@@ -60,7 +60,7 @@ def _sum(widths: Iterable[int]) -> int:
     return sum(width + 2 for width in widths)
 
 
-def _place(grid: Grid, group: Sequence[int]) -> _Place:
+def _place(grid: Grid, group: Sequence[int]) -> _TerminalColumn:
     column = grid.columns[group[0]]
     cells = [row[group[0]] for row in grid.cells]
     heading = Text(column.heading)
@@ -74,10 +74,10 @@ def _place(grid: Grid, group: Sequence[int]) -> _Place:
     words = (word for text in (heading, *texts) for word in text.plain.split())
     least = max(map(cell_len, words), default=0) if may_fold else natural
     is_number = column.is_number and not column.is_sign
-    return _Place(heading, texts, least, natural, is_number, may_fold)
+    return _TerminalColumn(heading, texts, least, natural, is_number, may_fold)
 
 
-def _table(places: Sequence[_Place], width: int) -> RichTable:
+def _table(places: Sequence[_TerminalColumn], width: int) -> RichTable:
     made = RichTable(box=box.SIMPLE_HEAD, padding=(0, 1, 0, 0), pad_edge=False)
     for number, place in enumerate(places):
         others = _sum(other.least for other in places) - place.least

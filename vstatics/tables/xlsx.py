@@ -63,7 +63,7 @@ class _Book:
         self.book = book
         self.several = several
         self.number_format = "General" if digits is None else f"0.{'0' * digits}"
-        self.sheets: dict[str, _Sheet] = {}
+        self.sheets: dict[str, _Worksheet] = {}
         self.names: set[str] = {CONTENTS, "history"}  # Excel keeps the last one to itself
         self.titles: dict[str, str] = {}
 
@@ -72,7 +72,7 @@ class _Book:
         name = grid.group or grid.key or grid.title
         if name not in self.sheets:
             own = sheet_name(name, self.names)
-            self.sheets[name] = _Sheet(self.book.create_sheet(own), self)
+            self.sheets[name] = _Worksheet(self.book.create_sheet(own), self)
             if grid.key:
                 self.titles[own] = grid.title
         front = [file] * self.several + [grid.title] * bool(grid.group)
@@ -82,14 +82,14 @@ class _Book:
     def data(self) -> bytes:
         """The file."""
         if self.titles or not self.sheets:
-            contents = _Sheet(self.book.create_sheet(CONTENTS, 0), self)
+            contents = _Worksheet(self.book.create_sheet(CONTENTS, 0), self)
             contents.add([], ["sheet", "table"], list(map(list, self.titles.items())))
         written = io.BytesIO()
         self.book.save(written)
         return _without_dates(written)
 
 
-class _Sheet:
+class _Worksheet:
     """A sheet that is being filled."""
 
     def __init__(self, sheet: Any, book: _Book) -> None:

@@ -29,14 +29,14 @@ _BINDING = tuple(
 )
 
 
-class Calculated(NamedTuple):
+class LeadingNumber(NamedTuple):
     """A number, and the text behind it without blanks around it: `Nm`, `/min`, `*FL`."""
 
     value: float
     behind: str
 
 
-def calculated(text: str) -> Calculated:
+def calculated(text: str) -> LeadingNumber:
     """Work out a number, with `+ - * /` and brackets, as far as it goes.
 
     Raises
@@ -47,17 +47,17 @@ def calculated(text: str) -> Calculated:
     Examples
     --------
     >>> calculated("-96/39 "), calculated("(2 + 3)*100 rpm")
-    (Calculated(value=-2.4615384615384617, behind=''), Calculated(value=500.0, behind='rpm'))
+    (LeadingNumber(value=-2.4615384615384617, behind=''), LeadingNumber(value=500.0, behind='rpm'))
     >>> calculated("3000 1/min").behind, calculated("1.05*FL").behind
     ('1/min', '*FL')
     """
     if len(text) > LONGEST:
         raise ValueError(f"expected a number of at most {LONGEST} characters")
     if _PLAIN.match(text):
-        return Calculated(_finite(float(text)), "")
-    reading = _Reading(text.strip(" "))
+        return LeadingNumber(_finite(float(text)), "")
+    reading = _Calculation(text.strip(" "))
     value = reading.joined(0, 0)
-    return Calculated(value, reading.text[reading.at :])
+    return LeadingNumber(value, reading.text[reading.at :])
 
 
 def expected(text: str) -> str:
@@ -70,7 +70,7 @@ def expected(text: str) -> str:
     return f"expected a number or a calculation such as -96/39{comma}"
 
 
-class _Reading:
+class _Calculation:
     """Goes through a text from the left to the right."""
 
     def __init__(self, text: str) -> None:
