@@ -74,14 +74,14 @@ def held_as_one(case: Transmission, gear: Gear) -> set[int]:
     """
     bodies = joined_by_elements(case, gear)
     held: set[int] = set()
-    while True:
-        free = [index for index in range(len(case.mechanisms)) if index not in held]
+    while free := [index for index in range(len(case.mechanisms)) if index not in held]:
         found = _held(case, free, bodies)
         if not found:
-            return held
+            break
         for index in found:
             join(bodies, *case.mechanisms[index].links)
         held.update(found)
+    return held
 
 
 def _held(case: Transmission, mechanisms: Iterable[int], bodies: Sequence[int]) -> set[int]:

@@ -114,8 +114,9 @@ def distribution_matrix(case: Transmission, ratios: ArrayLike | None = None) -> 
     for number, element in enumerate(case.shift_elements):
         for link, torque in zip((element.first, element.second), ON_ELEMENT, strict=True):
             matrix[..., link, number] = torque
-    for number, mechanism in enumerate(case.mechanisms):
-        for link, torques in zip(mechanism.links, column(given[..., number]), strict=True):
+    by_device = given.tolist() if given.ndim == 1 else np.moveaxis(given, -1, 0)
+    for number, (mechanism, u) in enumerate(zip(case.mechanisms, by_device, strict=True)):
+        for link, torques in zip(mechanism.links, column(u), strict=True):
             matrix[..., link, elements + number] = torques
     return matrix[..., 1:, :]
 

@@ -204,7 +204,7 @@ def _conditions(case: Transmission) -> Iterator[str]:
 
 def _names(case: Transmission) -> Iterator[str]:
     """The names that differ from those that everything gets by itself."""
-    elements = [element._replace(kind="") for element in case.shift_elements]
+    elements = [one._replace(kind="") if one.kind else one for one in case.shift_elements]
     names = [
         ("T", case.name, ""),
         *((f"J{n}", name, str(n)) for n, name in enumerate(case.link_names, 1)),
