@@ -13,6 +13,7 @@ from vstatics.model.parts import (
     Gear,
     Mechanism,
     ShiftElement,
+    load_fault,
     load_of,
 )
 from vstatics.model.shape import (
@@ -127,6 +128,7 @@ LOAD = ByKey(
         ),
     ),
     load_of,
+    load_fault,
 )
 
 ENGAGED = ListOf(Leaf("element"), "shift elements")

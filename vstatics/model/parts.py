@@ -138,25 +138,42 @@ def load_of(
     Raises
     ------
     ValueError
-        If the power stands alone, or beside both others, or is 0 or beside 0.
+        With what `load_fault` says.
 
     Examples
     --------
     >>> load_of(speed=3000, power=94.24777960769379).torque
     300.0
     """
+    if fault := load_fault(speed, torque, power):
+        raise ValueError(fault)
     if power is None:
         return Load(speed, torque)
+    if speed is None:
+        assert torque is not None  # noqa: S101 - for mypy: no fault
+        return Load(power / torque / KW_OF_RPM_NM, torque)
+    return Load(speed, power / speed / KW_OF_RPM_NM)
+
+
+def load_fault(
+    speed: float | None = None, torque: float | None = None, power: float | None = None
+) -> str:
+    """Why a load cannot be told by these: power alone, beside both others, 0, or beside 0.
+
+    >>> load_fault(power=90)
+    'read `power` alone, expected a speed or a torque beside it'
+    """
+    if power is None:
+        return ""
     if speed is not None and torque is not None:
         told = f"{torque:g} N*m at {speed:g} rpm are {speed * torque * KW_OF_RPM_NM:.5g} kW"
-        raise ValueError(f"read speed, torque and power, expected two of them: {told}")
+        return f"read speed, torque and power, expected two of them: {told}"
     other = torque if speed is None else speed
     if other is None:
-        raise ValueError("read `power` alone, expected a speed or a torque beside it")
+        return "read `power` alone, expected a speed or a torque beside it"
     if power == 0 or other == 0:
-        raise ValueError("read a power, speed or torque of 0, expected another one")
-    third = power / other / KW_OF_RPM_NM
-    return Load(third, torque) if speed is None else Load(speed, third)
+        return "read a power, speed or torque of 0, expected another one"
+    return ""
 
 
 class OfLoad(float):

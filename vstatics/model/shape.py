@@ -87,6 +87,10 @@ class KeyShape(NamedTuple):
         return bool(value == self.default or not (value or isinstance(value, (float, int))))
 
 
+def _no_fault(**_values: Any) -> str:
+    return ""
+
+
 class ByKey(NamedTuple):
     """A mapping of known keys."""
 
@@ -94,10 +98,9 @@ class ByKey(NamedTuple):
     description: str
     keys: tuple[KeyShape, ...]
     make: Callable[..., Any] = dict
-    """What the reader makes of the values, given by their keys: a part of the model.
-
-    A ValueError says what was read and what was expected.
-    """
+    """What the reader makes of the values, given by their keys: a part of the model."""
+    fault: Callable[..., str] = _no_fault
+    """What values that are each right are not right together: what was read, what was expected."""
 
     @property
     def required(self) -> list[str]:

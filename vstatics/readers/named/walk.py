@@ -6,7 +6,7 @@ stands in the document, and leaves a stand-in where nothing can be read.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from typing import Any
 
 from vstatics.errors import quoted, spoken
@@ -18,7 +18,6 @@ from vstatics.model.shape import (
     ByName,
     Either,
     Ends,
-    KeyShape,
     Leaf,
     Links,
     ListOf,
@@ -28,6 +27,7 @@ from vstatics.model.shape import (
     Shares,
 )
 from vstatics.readers.named import scalars
+from vstatics.readers.named.entries import NO_MERGE, entries, is_merge, known_entries
 from vstatics.readers.named.nodes import (
     Listing,
     Mapping,
@@ -43,7 +43,6 @@ from vstatics.readers.named.references import NO_ELEMENT, NO_LINK, References
 from vstatics.readers.named.stand_ins import LEAVES, stand_in, values_before
 
 _ENDS = ("first", "second")
-NO_MERGE = "merge key `<<` is not taken, write its keys out"
 
 
 class Walk:
@@ -75,28 +74,11 @@ class Walk:
         self.spots.refuse(spot, f"read {read or what(spot.node)}, {expected}")
         return stand_in(shape)
 
-    def _entries(self, spot: Spot, node: Mapping) -> Iterator[tuple[Scalar, Node]]:
-        """Keys with their values, without those that a case cannot have."""
-        seen: dict[str, Scalar] = {}
-        for key, value in node.entries:
-            if _is_merge(key):
-                self.spots.complain(spot, NO_MERGE, key)
-            elif is_null(key) or not key.text:
-                self.spots.complain(spot, "an empty key, expected a name", key)
-            elif key.text in seen:
-                first = seen[key.text]
-                message = f"key `{shown(key.text)}` is given twice"
-                other = f"the first is on line {first.line}, column {first.column}"
-                self.spots.complain(spot, f"{message}, {other}", key)
-            else:
-                seen[key.text] = key
-                yield key, value
-
     def _by_key(self, spot: Spot, shape: ByKey) -> Any:
         node = spot.node
         given: dict[str, Node] = {}
         if isinstance(node, Mapping):
-            given = self._known_keys(spot, shape, node)
+            given = known_entries(self.spots, spot, shape.keys)
         elif not is_null(node) or shape.required:
             expected = "expected a mapping with " + spoken(quoted(key.name) for key in shape.keys)
             return self._refuse(spot, shape, expected)
@@ -107,42 +89,21 @@ class Walk:
                 values[key.name] = self.read(inner, key.shape)
             elif key.required:
                 self.spots.missing(spot, key.name)
-        try:
-            return shape.make(**values)
-        except ValueError as error:
-            self.spots.refuse(spot, str(error))
+        if fault := shape.fault(**values):
+            self.spots.refuse(spot, fault)
             return stand_in(shape)
-
-    def _known_keys(self, spot: Spot, shape: ByKey, node: Mapping) -> dict[str, Node]:
-        """What is given; an optional key without a value is not.
-
-        A mistyped key is read as what was meant, so that one slip brings no others.
-        """
-        known: dict[str, KeyShape] = {key.name: key for key in shape.keys}
-        given: dict[str, Node] = {}
-        meant: dict[str, Node] = {}
-        for key, value in self._entries(spot, node):
-            if key.text not in known:
-                hint = self.spots.found.hint(key.text, known)
-                expected = hint or f", expected {spoken(map(quoted, known))}"
-                if key.text.isdigit():
-                    expected = "; write a decimal point, not a decimal comma"
-                self.spots.complain(spot, f"unknown key `{shown(key.text)}`{expected}", key)
-                meant.update((name, value) for name in known if f"`{name}`" in hint)
-            elif known[key.text].required or not is_null(value):
-                given[key.text] = value
-        return meant | given
+        return shape.make(**values)
 
     def _by_name(self, spot: Spot, shape: ByName) -> Any:
         elements = shape.kind == "shift element"
         if not isinstance(spot.node, Mapping):
             self.references.elements_known &= not elements
             return self._refuse(spot, shape, f"expected a mapping: a name for each {shape.kind}")
-        entries = list(self._entries(spot, spot.node))
+        given = list(entries(self.spots, spot))
         if elements:
-            self.references.set_elements(key.text for key, _ in entries)
+            self.references.set_elements(key.text for key, _ in given)
         items: dict[str, Any] = {}
-        for number, (key, value) in enumerate(entries, 1):
+        for number, (key, value) in enumerate(given, 1):
             inner = spot.key(number, key.text, value)
             self.spots.keep(inner, key)
             items[key.text] = self.read(inner, shape.item)
@@ -205,7 +166,7 @@ class Walk:
         if shape.by == "shift element":
             refer, nobody = self.references.element, NO_ELEMENT
         values: dict[int, float] = {}
-        for key, value in self._entries(spot, node):
+        for key, value in entries(self.spots, spot):
             try:
                 place = refer(key.text)
             except ValueError as error:
@@ -257,7 +218,7 @@ class Walk:
             return self._refuse(spot, shape, "expected a mapping with `kind` and members")
         given = [value for key, value in node.entries if key.text == "kind"]
         if not given:
-            merged = next((key for key, _ in node.entries if _is_merge(key)), None)
+            merged = next((key for key, _ in node.entries if is_merge(key)), None)
             missing = f"`kind` is missing; expected one of {spoken(map(quoted, known), 'or')}"
             self.spots.complain(spot, NO_MERGE if merged else missing, merged)
             self.spots.unreadable.append(spot.path)
@@ -296,7 +257,3 @@ class Walk:
                     raise ValueError(f"expected {spoken(map(quoted, shape.choices), 'or')}{hint}")
                 return node.text
         return LEAVES[shape.kind].parse(node.text)
-
-
-def _is_merge(key: Scalar) -> bool:
-    return key.plain and key.text == "<<"
