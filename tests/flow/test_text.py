@@ -32,14 +32,14 @@ def test_a_gear_without_power_says_why(tmp_path: Path) -> None:
 
 
 def test_a_load_gives_kilowatts() -> None:
-    """2000 rpm * pi/30 * 500 N*m = 104.72 kW; the pair of efficiency .95 loses 5.24 kW."""
+    """2000 rpm * pi/30 * 500 N*m = 104.720 kW; the pair of efficiency .95 loses 5.236 kW."""
     loaded = Transmission(
         2, [], [Mechanism(1, 2, 0, 4.0, 0.95, name="pair")], [Gear()], load=Load(2000.0, 500.0)
     )
     assert only(loaded).kilowatts == pytest.approx(104.7197551)
     assert only(replace(loaded, coast=True)).kilowatts == pytest.approx(104.7197551)
     [line] = [line for line in text(only(loaded)).splitlines() if "pair" in line]
-    assert line.split() == ["pair", "1.000", "1.000", "104.72", ".0500", "5.24", "100.0%"]
+    assert line.split() == ["pair", "1.000", "1.000", "104.720", ".0500", "5.236", "100.0%"]
 
 
 def test_the_command_shows_one_gear_by_name_or_number(tmp_path: Path) -> None:

@@ -53,8 +53,9 @@ def test_the_numbers_are_those_of_the_result(path: Path) -> None:
 
 
 def shown_as(value: float) -> str:
-    """Three digits after the point, or four significant ones below .1."""
-    return f"{value:.3f}" if abs(value) >= 0.1 else f"{Decimal(f'{value:.3e}'):f}"
+    """Three digits after the point, or four significant ones below .1; no zero before it."""
+    text = f"{value:.3f}" if abs(value) >= 0.1 else f"{Decimal(f'{value:.3e}'):f}"
+    return text.replace("0.", ".", 1) if abs(value) < 1 else text
 
 
 def test_steps_are_quotients_of_neighbouring_ratios() -> None:

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator
 from vstatics.explain.equations import System
 from vstatics.explain.explanation import Explanation
 from vstatics.explain.sums import in_numbers, in_symbols
-from vstatics.tables.grid import Column, Grid, Row, exact, text
+from vstatics.tables.grid import Column, Grid, Row, exact, text, whole
 
 
 def grids(explained: Iterable[Explanation]) -> Iterator[Grid]:
@@ -68,7 +68,7 @@ def _signs(one: Explanation) -> Grid:
         [
             sign.mechanism,
             *map(exact, (sign.torque, sign.motion, sign.power)),
-            exact(sign.sign, 0),
+            whole(sign.sign),
             *map(exact, (sign.ratio, sign.efficiency, sign.lossy_ratio)),
             sign.why,
         ]

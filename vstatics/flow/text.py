@@ -10,6 +10,7 @@ from vstatics.flow.power_flow import GearFlow
 from vstatics.tables.grid import Cell, Column, Grid
 from vstatics.tables.numbers import fixed
 from vstatics.tables.ports import ports_grid
+from vstatics.tables.quantity import UNITS
 from vstatics.tables.text import lines
 
 WIDTH = 79
@@ -17,7 +18,7 @@ NAME, NUMBER, SHARE = 27, 8, 6
 """Widths of the columns; a longer name has a line of its own."""
 HEADINGS = {"with losses": "lossy", "loss, kW": "kW", "share, %": "share"}
 """Short ones."""
-DECIMALS = {"kW": 2, "loss": 4, "loss, kW": 2}
+DECIMALS = {"kW": UNITS["kW"].decimals, "loss": 4, "loss, kW": UNITS["kW"].decimals}
 """Of columns that do not have 3."""
 
 

@@ -11,7 +11,7 @@ from vstatics.summary import Summary
 from vstatics.summary.design import GearLine
 from vstatics.summary.extremes import Largest, overall
 from vstatics.summary.grids import other_combinations
-from vstatics.tables.grid import Cell, Column, Grid, Row, exact, text
+from vstatics.tables.grid import Cell, Column, Grid, Row, exact, text, whole
 
 QUANTITIES = (
     ("WSAT", "largest planet speed", 3),
@@ -115,7 +115,7 @@ def _row(name: str, cells: Sequence[Cells]) -> Row:
 
 
 def _count(how_many: int) -> Cells:
-    return exact(how_many, 0), ""
+    return whole(how_many), ""
 
 
 def _most_changes(summary: Summary) -> int:

@@ -59,11 +59,11 @@ def element_signs(results: Results, index: int, marks: Marks) -> Iterator[Cell]:
     engaged = results.case.gears[index].engaged
     for element, holds in enumerate(results.holds[index].tolist(), 1):
         if element in engaged:
-            yield Cell(marks.engaged, 1.0, "engaged", "green")
+            yield Cell(marks.engaged, 1.0, "engaged", "green", bool)
         elif holds:
-            yield Cell(marks.holds, 1.0, "freewheel that holds", "cyan")
+            yield Cell(marks.holds, 1.0, "freewheel that holds", "cyan", bool)
         else:
-            yield Cell(marks.open, 0.0, "no", "dim")
+            yield Cell(marks.open, 0.0, "no", "dim", bool)
 
 
 def _spread(summary: Summary) -> Grid:

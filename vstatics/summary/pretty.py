@@ -14,8 +14,7 @@ from vstatics.statics.status import STATUSES, Status
 from vstatics.summary.design import GearLine, design
 from vstatics.summary.grids import Marks, element_signs
 from vstatics.tables import terminal
-from vstatics.tables.grid import Cell, Column, Grid, text
-from vstatics.tables.numbers import places
+from vstatics.tables.grid import Cell, Column, Grid, exact, text
 from vstatics.tables.ports import port_tables, ports_grid
 from vstatics.tables.quantity import Table
 from vstatics.tables.values import tables
@@ -25,9 +24,6 @@ POOR, BAD = 0.95, 0.9
 
 WIDE = 12
 """So many characters of names of shift elements head columns; more are numbered."""
-
-LARGE = 1e6
-"""From here on numbers are written with a power of ten."""
 
 DOTS = Marks(holds="◆")
 ASCII = Marks("x", "f", ".")
@@ -141,18 +137,10 @@ def _figures(line: GearLine, digits: int | None) -> list[Cell]:
     good = line.efficiency
     colour = "red" if good < BAD else "yellow" if good < POOR else "green"
     return [
-        Cell(_fixed(line.ratio, 3, digits), line.ratio, style="magenta" if line.ratio < 0 else ""),
-        Cell(_fixed(line.step, 3, digits), line.step),
-        Cell(_fixed(good, 3, digits), good, style=colour),
+        exact(line.ratio, digits=digits)._replace(style="magenta" if line.ratio < 0 else ""),
+        exact(line.step, digits=digits),
+        exact(good, digits=digits)._replace(style=colour),
     ]
-
-
-def _fixed(value: float, decimals: int, digits: int | None) -> str:
-    if math.isnan(value):
-        return ""
-    if abs(value) < LARGE:
-        return f"{value:.{places(value, decimals, digits)}f}"
-    return f"{value:.3g}" if digits is None else f"{value:.{digits}e}"
 
 
 def _speeds(by_key: dict[str, Table], number: int, *, rpm: bool) -> Iterator[tuple[str, float]]:
@@ -189,7 +177,7 @@ def _largest(values: Iterable[tuple[str, float]], decimals: int, digits: int | N
     if not known:
         return Cell("")
     value, name = max(known, key=lambda one: one[0])
-    return Cell(f"{_fixed(value, decimals, digits)} {name}", value)
+    return Cell(f"{exact(value, decimals, digits=digits).text} {name}", value)
 
 
 def _state(status: Status, by_key: dict[str, Table], number: int) -> Cell:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from vstatics.tables.numbers import rounded
 
@@ -37,24 +37,22 @@ class Cell(NamedTuple):
 
     text: str
     value: float | None = None
-    """What the text is rounded from; None in a cell of words, NaN for what does not exist."""
+    """What the text is rounded from, NaN for what does not exist; by it words are sorted, too."""
     says: str = ""
     """What a sign means, for those who do not see it."""
     style: str = ""
     """Its colour at a terminal, as `rich` names it."""
-    decimals: int = 0
-    """Digits after the point of the text, where it is a number that is rounded."""
+    kind: type[Any] = str
+    """Of what it stands for: float, int, bool; str of words."""
 
     @property
     def datum(self) -> Datum:
         """What it stands for, with all digits."""
-        if self.value is None:
+        if self.kind is str:
             return None if self.text in ("", NOTHING) else self.text
-        if math.isnan(self.value):
-            return None
-        if self.says:
-            return bool(self.value)
-        return self.value if self.decimals else int(self.value)
+        known = self.value is not None and not math.isnan(self.value)
+        datum: Datum = self.kind(self.value) if known else None
+        return datum
 
 
 Row = list[Cell | str]
@@ -102,7 +100,7 @@ class Grid(NamedTuple):
         def again(cell: Cell) -> Cell:
             return exact(cell.value, digits=digits)._replace(style=cell.style)
 
-        rows = [[again(cell) if cell.decimals else cell for cell in row] for row in self.cells]
+        rows = [[again(cell) if cell.kind is float else cell for cell in row] for row in self.cells]
         return self._replace(rows=rows)
 
 
@@ -127,21 +125,31 @@ def exact(value: float | None, decimals: int = 3, *, digits: int | None = None) 
     (('.988', 0.98765), '-1.5e+09', '-', '-.01038')
     """
     known = math.nan if value is None else value
-    places = decimals if digits is None else digits
     if not math.isfinite(known):
-        return Cell(NOTHING, math.nan, decimals=places)
+        return Cell(NOTHING, math.nan, kind=float)
     if abs(known) >= LARGE:
         text = f"{known:.6g}" if digits is None else f"{known:.{digits}e}"
     else:
         text = rounded(known, decimals, digits)
-    return Cell(text, known, decimals=places)
+    return Cell(text, known, kind=float)
+
+
+def whole(value: float) -> Cell:
+    """A whole number as a cell: a count, or one of signs; NaN does not exist.
+
+    >>> whole(-1.0)[:2], whole(-1.0).datum
+    (('-1', -1.0), -1)
+    """
+    if math.isnan(value):
+        return Cell(NOTHING, math.nan, kind=int)
+    return Cell(f"{value:.0f}", value, kind=int)
 
 
 def sign(value: float) -> Cell:
     """A dot for what is so; NaN where it is unknown."""
     if math.isnan(value):
-        return Cell(NOTHING, math.nan)
-    return Cell(YES, 1.0, "yes") if value else Cell(NO, 0.0, "no")
+        return Cell(NOTHING, math.nan, kind=bool)
+    return Cell(YES, 1.0, "yes", kind=bool) if value else Cell(NO, 0.0, "no", kind=bool)
 
 
 def words(names: Sequence[str]) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from vstatics.statics.results import Results
-from vstatics.tables.grid import Cell, Column, Grid, exact, sign, text
+from vstatics.tables.grid import Cell, Column, Grid, exact, sign, text, whole
 from vstatics.tables.quantity import Table
 from vstatics.tables.rows import ROWS
 from vstatics.tables.values import tables
@@ -57,5 +57,5 @@ def _number(one: Table, value: float) -> Cell:
     if one.quantity.kind is bool:
         return sign(value)
     if one.quantity.kind is int:
-        return exact(value, 0)
+        return whole(value)
     return exact(value, one.quantity.decimals)

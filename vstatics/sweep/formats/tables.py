@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Iterator, Sequence
 
 from vstatics.sweep.chunk import STATUS, Chunk
 from vstatics.sweep.formats import Format
 from vstatics.tables import latex, markdown, xlsx
-from vstatics.tables.grid import Cell, Column, Grid, Row, exact, text
+from vstatics.tables.grid import Cell, Column, Grid, Row, exact, text, whole
 
 DIGITS = 12
 """Significant ones, as in CSV."""
@@ -42,11 +43,11 @@ def _rows(chunks: Iterable[Chunk]) -> Iterator[Row]:
     for chunk in chunks:
         parts = chunk.variants, chunk.values, chunk.status, chunk.columns
         for variant, values, status, results in zip(*(one.tolist() for one in parts), strict=True):
-            number: Row = [Cell(str(variant), variant)]
+            number: Row = [whole(variant)]
             yield [*number, *map(_cell, values), STATUS[status], *map(_cell, results)]
 
 
 def _cell(value: float) -> Cell:
     """A number in as many digits as CSV has."""
     cell = exact(value)
-    return cell if cell.text == exact(None).text else cell._replace(text=f"{value:.{DIGITS}g}")
+    return cell._replace(text=f"{value:.{DIGITS}g}") if math.isfinite(value) else cell
