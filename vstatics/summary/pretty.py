@@ -129,7 +129,7 @@ def _ports(results: Results) -> Grid:
 
 def _has_steps(gears: Grid) -> bool:
     place = [column.heading for column in gears.columns].index("step")
-    return any(row[place].text for row in gears.cells)
+    return any(row[place] is not None for row in gears.data)
 
 
 def _figures(line: GearLine, digits: int | None) -> list[Cell]:

@@ -79,19 +79,30 @@ def _place(grid: Grid, group: Sequence[int]) -> _TerminalColumn:
 
 def _table(places: Sequence[_TerminalColumn], width: int) -> RichTable:
     made = RichTable(box=box.SIMPLE_HEAD, padding=(0, 1, 0, 0), pad_edge=False)
-    for number, place in enumerate(places):
-        others = _sum(other.least for other in places) - place.least
+    for number, (place, wide) in enumerate(zip(places, _widths(places, width), strict=True)):
         made.add_column(
             place.heading,
             justify="right" if place.is_number else "left",
             style="" if number or not place.may_fold else "bold",
             overflow="fold",
             no_wrap=not place.may_fold,
-            min_width=max(min(place.least, width - others), 1),
+            width=wide,
         )
     for row in zip(*(place.texts for place in places), strict=True):
         made.add_row(*row)
     return made
+
+
+def _widths(places: Sequence[_TerminalColumn], width: int) -> list[int]:
+    """Of the columns: the least ones, then what room is left goes to the narrowest."""
+    least = [place.least for place in places]
+    widths = [max(min(one, width - _sum(least) + one), 1) for one in least]
+    for _ in range(width - _sum(widths)):
+        narrow = [n for n, place in enumerate(places) if widths[n] < place.natural]
+        if not narrow:
+            break
+        widths[min(narrow, key=lambda n: widths[n])] += 1
+    return widths
 
 
 def _groups(grid: Grid) -> list[list[int]]:
