@@ -77,10 +77,13 @@ def test_an_output_that_stands_still_has_no_ratio() -> None:
 
 
 def test_an_output_of_which_nothing_is_given_is_told() -> None:
+    """Where its speed is determined, by a brake here, only a torque can be given."""
     case = Transmission(
-        3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)], [Gear([1]), Gear(speeds={2: SpeedOf(3)})],
+        3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)],
+        [Gear([1]), Gear(speeds={2: SpeedOf(3)}), Gear()],
         outputs=[3, 2],
     )  # fmt: skip
     told = [message for message in solve(case).messages if "gives no torque" in message.text]
-    assert [(one.severity, one.gear) for one in told] == [("warning", "1")]
-    assert "expected a given speed or torque, such as `speeds: {2: link 3}`" in told[0].text
+    assert [(one.severity, one.gear) for one in told] == [("warning", "1"), ("warning", "3")]
+    assert "expected a given torque, below 0 where it takes some, such as `torques:" in told[0].text
+    assert "expected a given speed or torque, such as `speeds: {2: link 3}`" in told[1].text

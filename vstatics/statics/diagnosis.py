@@ -71,7 +71,7 @@ def messages(results: Results) -> Iterator[Message]:
         lost = tuple(_digit_messages(results, number)) if is_near else ()
         said = (
             *(_conflict(case, gear) if results.conflict[number] else ()),
-            *(_further_outputs(case, gear) if case.outputs else ()),
+            *(_further_outputs(results, number, gear) if case.outputs else ()),
             *(lost if is_usual else _unusual(results, number, gear, lost)),
             *_idle_messages(results, number, gear),
             *(_shared(case, given, held) if held else ()),
@@ -167,16 +167,22 @@ def _overrunning(results: Results, number: int, gear: Gear) -> list[str]:
     return [case.shift_elements[n - 1].name for n in chosen]
 
 
-def _further_outputs(case: Transmission, gear: Gear) -> Iterator[Said]:
+def _further_outputs(results: Results, number: int, gear: Gear) -> Iterator[Said]:
     """Outputs of which nothing is given, so that they give no torque."""
+    case = results.case
     given = {*gear.speeds, *gear.torques}
-    idle = [case.link_name(link) for link in case.further_outputs(gear) if link not in given]
-    if idle:
-        same = case.speed_text(SpeedOf(case.gear_output(gear)))
-        yield _warning(
-            f"output{_s(len(idle))} {spoken(idle)} {'give' if idle[1:] else 'gives'} no torque: "
-            f"expected a given speed or torque, such as `speeds: {{{idle[0]}: {same}}}`"
+    idle = [link for link in case.further_outputs(gear) if link not in given]
+    if not idle:
+        return
+    names = [case.link_name(link) for link in idle]
+    first, same = names[0], case.speed_text(SpeedOf(case.gear_output(gear)))
+    expected = f"a given speed or torque, such as `speeds: {{{first}: {same}}}`"
+    if not np.isnan(results.speeds[number, idle[0] - 1]):  # another condition would be too much
+        expected = (
+            f"a given torque, below 0 where it takes some, such as `torques: {{{first}: -.2}}`"
         )
+    verb = "give" if names[1:] else "gives"
+    yield _warning(f"output{_s(len(idle))} {spoken(names)} {verb} no torque: expected {expected}")
 
 
 def _speed_messages(results: Results, number: int, gear: Gear) -> Iterator[Said]:
@@ -284,7 +290,7 @@ def _torque_messages(results: Results, number: int, gear: Gear, *, is_told: bool
     if not results.balanced[number]:
         if _is_adrift(results, number) and output not in gear.speeds:
             return  # said with the speeds
-        advice = NOTHING_HOLDS
+        advice = _nothing_holds(case, gear)
         if output in gear.speeds:
             advice = (
                 f"a speed is given on the output, link {case.link_name(output)}; give the "
@@ -302,6 +308,18 @@ def _torque_messages(results: Results, number: int, gear: Gear, *, is_told: bool
         unknown = _unknown_torques(results, number)
         if unknown:
             yield _warning(f"statics does not determine the torque of {spoken(unknown)}")
+
+
+def _nothing_holds(case: Transmission, gear: Gear) -> str:
+    """Which torques are not held; freewheels that overrun could hold them."""
+    links = [case.link_name(link) for link in gear.torques]
+    held = (
+        f"the torques of the input and of {spoken(links)}" if links else "the torque of the input"
+    )
+    over = [case.shift_elements[n - 1].name for n in case.freewheels if n not in gear.engaged]
+    verb = "overruns" if len(over) == 1 else "overrun"
+    why = f", as freewheel{_s(len(over))} {spoken(over)} {verb}" if over else ""
+    return f"nothing holds {held}{why}"
 
 
 def _is_open(results: Results, number: int) -> bool:
