@@ -86,6 +86,10 @@ def test_a_fault_in_a_text_has_its_line() -> None:
         (lambda: anything.explain_gear(vstatics.load(BOX), 1), "explain_gear of Transmission"),
         (lambda: anything.plot(vstatics.load(BOX)), "plot of Transmission"),
         (lambda: anything.write_report(BOX, "x.html"), "write_report of "),
+        (
+            lambda: vstatics.load(BOX).replace(lod=1),
+            "a transmission has no 'lod'; did you mean `load`?",
+        ),
     ],
 )
 def test_what_is_given_in_place_of_something_else_is_told(call: Any, said: str) -> None:
@@ -102,6 +106,27 @@ def test_a_case_is_replaced_in_part() -> None:
     assert case.replace(coast=True).replace(coast=False) == case
     with pytest.raises(vstatics.CaseError):
         case.replace(output=7)
+
+
+@pytest.mark.parametrize(
+    ("changes", "said"),
+    [
+        ({"load": "2000 rpm"}, "load: read str '2000 rpm', expected a Load, in rpm and N*m"),
+        ({"load": Load("2000 rpm")}, "load.speed: read '2000 rpm', expected a number"),  # type: ignore[arg-type]
+        ({"mechanisms": []}, "mechanisms: read 0, but the drawing has 2"),
+    ],
+)
+def test_a_part_that_cannot_be_is_told(changes: dict[str, Any], said: str) -> None:
+    with pytest.raises(vstatics.CaseError, match=re.escape(said)):
+        vstatics.load(BOX).replace(**changes)
+
+
+def test_what_speaks_of_one_case_refuses_variants() -> None:
+    case = vstatics.load(BOX)
+    many: Any = vstatics.solve(case, efficiencies=np.full((2, len(case.mechanisms)), 0.98))
+    for function in (vstatics.summarize, vstatics.flows, vstatics.plot):
+        with pytest.raises(ValueError, match="expected one case"):
+            function(many)
 
 
 # How things show themselves
@@ -150,6 +175,8 @@ def test_a_report_is_written_whole(tmp_path: Path) -> None:
     vstatics.write_report(vstatics.solve(vstatics.load(MZKT)), path)
     assert path.read_text(encoding="utf-8").startswith("<!DOCTYPE html>")
     assert list(tmp_path.iterdir()) == [path]
+    with pytest.raises(ValueError, match="the page is HTML"):
+        vstatics.write_report(vstatics.solve(vstatics.load(MZKT)), tmp_path / "box.pdf")
 
 
 # Results by names
@@ -192,6 +219,12 @@ def test_an_array_its_row_and_its_number_have_names(differential: Any) -> None:
 def test_another_name_is_told_with_the_nearest(key: Any, said: str, differential: Any) -> None:
     with pytest.raises(ValueError, match=re.escape(said)):
         differential[key]
+
+
+def test_all_rows_of_a_gear_are_a_colon(differential: Any) -> None:
+    low = differential["speeds", :, "low"].tolist()
+    assert low == differential["speeds", ":", 2].tolist() == differential.speeds[1].tolist()
+    assert differential["speeds", "ring", :].tolist() == differential["speeds", "ring"].tolist()
 
 
 def test_rows_have_numbers_too(differential: Any) -> None:

@@ -58,8 +58,6 @@ def flows(results: Results) -> list[GearFlow]:
     [('1 set 2 pair', 1.0)]
     """
     expect_results(results, "flows")
-    if results.speeds.ndim != 2:
-        raise ValueError(f"speeds of shape {results.speeds.shape}: expected (gears, links)")
     return [
         _of_gear(results.gear(number), by_unit)
         for number, by_unit in enumerate(gear_scales(results.case), 1)

@@ -17,6 +17,7 @@ MOST_FREEWHEELS = 8
 def problems(case: TransmissionFields) -> Iterator[Problem]:
     """Every error of a case, in the order of its parts."""
     yield from _sizes(case)
+    yield from _drawn(case)
     yield from _names(case)
     yield from _ports(case)
     for number, element in enumerate(case.shift_elements, 1):
@@ -119,6 +120,16 @@ def _names(case: TransmissionFields) -> Iterator[Problem]:
             yield Problem(message, ("link_names", number))
     if case.name and not _is_name(case.name):
         yield Problem(f"read {case.name!r}, expected one line of text", ("name",))
+
+
+def _drawn(case: TransmissionFields) -> Iterator[Problem]:
+    """As many mechanisms as the drawing has: they follow from it."""
+    if case.drawing is None:
+        return
+    count = sum(len(device.mechanisms) for device in case.drawing.devices)
+    if len(case.mechanisms) != count:
+        message = f"read {len(case.mechanisms)}, but the drawing has {count}; change the drawing"
+        yield Problem(message, ("mechanisms",))
 
 
 def _outputs(case: TransmissionFields) -> Iterator[Problem]:

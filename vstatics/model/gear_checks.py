@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 
-from vstatics.errors import Path, Problem
+from vstatics.errors import Path, Problem, type_and_value
 from vstatics.model.fields import TransmissionFields
 from vstatics.model.part_checks import called, is_number, of_drag, of_link
 from vstatics.model.parts import DIRECTIONS, GEAR_KINDS, Gear, Load, ShiftElement, SpeedOf
@@ -66,8 +66,16 @@ def _turning(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[Probl
 
 def of_load(load: Load | None, path: Path) -> Iterator[Problem]:
     """A load that is one, and of which power enters."""
+    if not isinstance(load or Load(), Load):
+        message = f"read {type_and_value(load)}, expected a Load, in rpm and N*m"
+        yield Problem(message, (*path, "load"))
+        return
     load = load or Load()
     for quantity, value in load._asdict().items():
+        if isinstance(value, str):
+            message = f"read {value!r}, expected a number, in rpm and N*m"
+            yield Problem(message, (*path, "load", quantity))
+            return
         if value is not None and (value == 0 or not math.isfinite(value)):
             message = f"read {value:g}, expected a finite number other than 0"
             yield Problem(message, (*path, "load", quantity))

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import replace
+from dataclasses import fields, replace
 from typing import TYPE_CHECKING, Any
 
-from vstatics.errors import CaseError, plural
+from vstatics.errors import CaseError, nearest, plural
 from vstatics.model.checks import problems
 from vstatics.model.fields import AnyDrawing, IdleConvention, TransmissionFields
 from vstatics.model.part_checks import of_mechanism
@@ -98,6 +98,10 @@ class Transmission(TransmissionFields):
         >>> case.replace(name="pair", coast=True)
         <Transmission 'pair': 2 links, 0 shift elements, 1 mechanism, 1 gear>
         """
+        known = [field.name for field in fields(self) if field.init]
+        for name in changes:
+            if name not in known:
+                raise TypeError(f"a transmission has no {name!r}{nearest(name, known)}")
         return replace(self, **changes)
 
     def with_numbers(self, mechanisms: Iterable[Mechanism]) -> Transmission:

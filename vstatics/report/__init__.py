@@ -33,9 +33,14 @@ def write_report(results: Results, path: str | os.PathLike[str]) -> None:
 
     Raises
     ------
+    ValueError
+        If the name has the suffix of something else.
     OSError
         If it cannot be written.
     """
     expect_results(results, "write_report")
+    suffix = os.path.splitext(os.fspath(path))[1]  # noqa: PTH122
+    if suffix.lower() not in ("", ".html", ".htm"):
+        raise ValueError(f"a report as {os.fspath(path)}: the page is HTML, expected .html")
     with replacing(os.fspath(path)) as write:
         write(page(gather(results)).encode(errors="backslashreplace"))

@@ -156,12 +156,16 @@ class Results(PhysicalResults):
 
 
 def expect_results(given: object, function: str) -> None:
-    """Refuse what is no `Results`, in the words of the function that was given it.
+    """Refuse what is no `Results` of one case, in the words of the function that was given it.
 
     Raises
     ------
     TypeError
+    ValueError
+        For arrays of variants.
     """
     if not isinstance(given, Results):
         advice = "solve(case) gives them"
         raise TypeError(f"{function} of {type_and_value(given)}: expected Results; {advice}")
+    if given.ratio.ndim != 1:
+        raise ValueError(f"{function} of results of shape {given.ratio.shape}: expected one case")

@@ -73,9 +73,11 @@ def _in_order(first: Sequence[str], second: Sequence[str]) -> list[str]:
 
     >>> _in_order(["1", "2", "R"], ["1", "2", "3", "R"])
     ['1', '2', '3', 'R']
+    >>> _in_order(["low", "high"], ["1", "2"])  # nothing in common
+    ['low', 'high', '1', '2']
     """
     names = list(first)
-    place = 0
+    place = 0 if {*first} & {*second} else len(names)
     for name in second:
         if name in names:
             place = names.index(name) + 1

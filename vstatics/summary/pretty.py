@@ -201,7 +201,9 @@ def _legend(
     signs += ["step: to the next smaller ratio"] * steps
     if signs:
         yield "; ".join(signs)
-    yield "speed, torque: the largest" + ("" if "W_rpm" in by_key else ", by the input's")
+    of_first = "; of a mechanism the torque on its first link" * (case.drawing is None)
+    by_input = "" if "W_rpm" in by_key else ", by the input's"
+    yield f"speed, torque: the largest{by_input}{of_first}"
     if (by_key["idle"].values == 1).any():
         yield "idle: carries no torque, or turns as one piece"
     states = {results.status(number + 1) for number in range(len(case.gears))}

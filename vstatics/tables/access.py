@@ -9,6 +9,9 @@ from vstatics.statics.matrix import distribution_matrix
 from vstatics.statics.results import Results
 from vstatics.tables.names import quantity_named, row_named
 
+ALL = slice(None)
+"""As in ``results["speeds", :, "low"]``."""
+
 
 def by_name(results: Results, key: Any) -> Any:
     """What ``results[key]`` is: by names, else what a tuple has there.
@@ -18,7 +21,7 @@ def by_name(results: Results, key: Any) -> Any:
     key : str or tuple
         The name of a table, or its alias; then a row, where the table has rows; then a gear
         by its name or number: ``"ratio"``, ``("ratio", "low")``, ``("speeds", "ring")``,
-        ``("speeds", "ring", "low")``.
+        ``("speeds", "ring", "low")``; ``:`` stands for all rows or gears.
 
     Returns
     -------
@@ -59,10 +62,19 @@ def _chosen(results: Results, name: str, chosen: list[Any]) -> Any:
         array, wanted = results.existing(quantity.name), "(table, gear)"
     else:
         array, wanted = results.existing(quantity.name), "(table, row, gear)"
-        if chosen:
-            array = array[..., row_named(str(chosen.pop(0)), quantity.rows, results.case)]
+        row = chosen.pop(0) if chosen else ALL
+        if row in (ALL, ":"):
+            gear = chosen.pop(0) if chosen else ALL
+            array = array if gear in (ALL, ":") else array[..., _gear(results, gear), :]
+        else:
+            array = array[..., row_named(str(row), quantity.rows, results.case)]
     if chosen and quantity.columns == "gears":
-        array = array[..., results.case.gear_number(chosen.pop(0)) - 1]
+        gear = chosen.pop(0)
+        array = array if gear in (ALL, ":") else array[..., _gear(results, gear)]
     if chosen:
         raise ValueError(f"read {chosen[0]!r} too many, expected no more than {wanted}")
     return array if getattr(array, "ndim", 0) else array.item()
+
+
+def _gear(results: Results, gear: Any) -> int:
+    return results.case.gear_number(gear) - 1

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Sequence
 
-from vstatics.tables.grid import NOTHING, Grid
+from vstatics.tables.grid import NO, NOTHING, YES, Grid
 
 _WORDS = {
     "\\": r"\textbackslash{}",
@@ -19,6 +19,8 @@ _WORDS = {
     "]": "{]}",
     "*": "{*}",
     **{sign: f"\\{sign}" for sign in "&%$#_{}"},
+    YES: r"$\bullet$",
+    NO: r"$\cdot$",
 }
 _SPECIAL = re.compile("[" + re.escape("".join(_WORDS)) + "]")
 
