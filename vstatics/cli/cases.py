@@ -164,6 +164,7 @@ def calculate(cases: Sequence[str], settings: CaseOptions) -> Iterator[Calculate
     for file in cases:
         outcome = calculate_one(file, settings)
         files.show(settings.telling.printed(outcome.problems))
+        files.show(settings.telling.quiet_failure(outcome.problems, outcome.file))
         yield outcome
 
 
@@ -204,6 +205,7 @@ def read_one(file: str, input_format: readers.Format | None, telling: Telling) -
     except ReadError as error:
         raise ReadError(telling.printed(error.problems)) from None
     files.show(telling.printed(reading.warnings))
+    files.show(telling.quiet_failure(reading.warnings, file))
     return reading
 
 

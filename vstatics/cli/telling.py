@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 
-from vstatics.errors import Problem
+from vstatics.errors import Problem, of_file, plural
 
 
 class Telling(NamedTuple):
@@ -31,6 +31,14 @@ class Telling(NamedTuple):
     def printed(self, problems: Iterable[Problem]) -> list[Problem]:
         """Those of them that go to stderr."""
         return [one for one in self.told(problems) if not self.quiet or one.severity == "error"]
+
+    def quiet_failure(self, problems: Iterable[Problem], file: str) -> Iterator[Problem]:
+        """That a case fails by warnings, where these are not printed."""
+        found = list(problems)
+        if self.quiet and self.fails(found) and not self.printed(found):
+            count = sum(one.severity == "warning" for one in found)
+            told = f"{count} {plural('warning', count)}, which --strict makes fail"
+            yield of_file(file, f"{told}; without -q {'it is' if count == 1 else 'they are'} told")
 
     def fails(self, problems: Iterable[Problem]) -> bool:
         """Whether the command fails, though there is no error."""
