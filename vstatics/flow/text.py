@@ -47,7 +47,7 @@ def text(flow: GearFlow, digits: int | None = None) -> str:
         second: 2                 -1.000    -.980
         teeth                      1.000    1.000
     ports
-      port          speed  torque   power
+      port          speed  torque   power  way
       1             1.000   1.000   1.000  in
       2             -.250  -3.920    .980  out
       lost: meshes                 .02000

@@ -9,21 +9,26 @@ from string import ascii_uppercase
 
 from vstatics.summary import Summary
 from vstatics.summary.design import GearLine
-from vstatics.summary.extremes import Largest, overall
+from vstatics.summary.extremes import (
+    LOSSY_TORQUES,
+    PLANETS,
+    SLIPS,
+    TORQUES,
+    Largest,
+    overall,
+    quantity,
+)
 from vstatics.summary.grids import other_combinations
 from vstatics.tables.grid import Cell, Column, Grid, Row, exact, text, whole
+from vstatics.tables.quantity import headed
 
-QUANTITIES = (
-    ("WSAT", "largest planet speed", 3),
-    ("WFRI", "largest slip", 3),
-    ("AMLG", "largest torque", 3),
-    ("AMLGP", "largest torque with losses", 3),
-    ("WSAT_rpm", "largest planet speed [rpm]", 1),
-    ("WFRI_rpm", "largest slip [rpm]", 1),
-    ("AMLG_Nm", "largest torque [N*m]", 1),
-    ("AMLGP_Nm", "largest torque with losses [N*m]", 1),
-)
-"""Tables, how their largest values are called, and with how many decimals they are shown."""
+LARGEST = {
+    PLANETS: "largest planet speed",
+    SLIPS: "largest slip",
+    TORQUES: "largest torque",
+    LOSSY_TORQUES: "largest torque with losses",
+}
+"""Tables, and how their largest values are called."""
 
 _MISSING = GearLine("", math.nan, "", math.nan, math.nan, "")
 
@@ -47,7 +52,7 @@ def contrasted(summaries: Sequence[Summary]) -> Iterator[Grid]:
     columns = [text("quantity")]
     for letter in letters(len(summaries)):
         columns += [Column(letter), text("where")]
-    yield Grid("In all", columns, list(_in_all(summaries)))
+    yield Grid("In all", columns, list(_in_all(summaries)), key="in all")
     for letter, summary in zip(letters(len(summaries)), summaries, strict=True):
         if summary.combinations is not None:
             grid = other_combinations(summary)
@@ -65,7 +70,7 @@ def _gears(summaries: Sequence[Summary]) -> Grid:
         found = [by_name.get(name, _MISSING) for by_name in lines]
         values = zip(*((line.ratio, line.step, line.efficiency) for line in found), strict=True)
         rows.append([name, *(exact(value) for of_all in values for value in of_all)])
-    return Grid("Gears", [text("gear"), *map(Column, headings)], rows)
+    return Grid("Gears", [text("gear"), *map(Column, headings)], rows, key="gears")
 
 
 def _in_order(first: Sequence[str], second: Sequence[str]) -> list[str]:
@@ -102,10 +107,13 @@ def _in_all(summaries: Sequence[Summary]) -> Iterator[Row]:
         )
     if any(one.margins for one in summaries):
         yield _row("least margin", [_least_margin(one) for one in summaries])
-    for table, name, decimals in QUANTITIES:
-        lines = [overall(one.largest.get(table, ())) for one in summaries]
-        if any(lines):
-            yield _row(name, [_largest(line, decimals) for line in lines])
+    for loaded in (False, True):
+        for key, name in LARGEST.items():
+            shown = quantity(key, loaded=loaded)
+            lines = [overall(one.largest.get(shown.key, ())) for one in summaries]
+            if any(lines):
+                cells = [_largest(line, shown.decimals) for line in lines]
+                yield _row(headed(name, shown.unit), cells)
 
 
 Cells = tuple[Cell, str]

@@ -12,10 +12,15 @@ from vstatics.numerics.arrays import Booleans, Floats
 from vstatics.numerics.tolerances import SAME
 from vstatics.statics.results import Results
 from vstatics.tables.quantities import BY_NAME
-from vstatics.tables.quantity import Table
+from vstatics.tables.quantity import Quantity, Table, in_unit
 from vstatics.tables.values import tables
 
 PLANETS, SLIPS, TORQUES, LOSSY_TORQUES = "WSAT", "WFRI", "AMLG", "AMLGP"
+
+
+def quantity(key: str, *, loaded: bool) -> Quantity:
+    """One of these four, or what it is with a load."""
+    return in_unit(BY_NAME[key]) if loaded else BY_NAME[key]
 
 
 class Largest(NamedTuple):

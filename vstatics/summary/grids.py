@@ -8,9 +8,13 @@ from typing import NamedTuple
 
 from vstatics.statics.results import Results
 from vstatics.summary import Summary
-from vstatics.summary.extremes import LOSSY_TORQUES, PLANETS, SLIPS, TORQUES, Largest
+from vstatics.summary.extremes import LOSSY_TORQUES, PLANETS, SLIPS, TORQUES, Largest, quantity
 from vstatics.tables.grid import NO, YES, Cell, Column, Grid, Row, exact, text, words
 from vstatics.tables.ports import port_tables, ports_grid
+from vstatics.tables.quantity import UNITS, Quantity, headed
+
+WITH_LOAD = " with load"
+"""Ends the key of a table in units."""
 
 
 class Marks(NamedTuple):
@@ -83,46 +87,40 @@ def _transitions(summary: Summary) -> Grid:
     return Grid("Transitions", columns, rows, key="transitions")
 
 
-_UNITS = ((("", "", ""), 3), (("_rpm", "_rpm", "_Nm"), 1))
-"""Endings of the names of the tables of planets, slip and torques; decimals."""
-
-
 def _largest(summary: Summary) -> Iterator[Grid]:
-    largest = summary.largest
-    for (planets, slips, torques), decimals in _UNITS:
-        rpm, nm = (" [rpm]", " [N*m]") if planets else ("", "")
-        columns = [text("planet"), Column(f"speed{rpm}"), text("gear")]
-        if f"{PLANETS}{planets}" in largest:
-            lines = largest[f"{PLANETS}{planets}"]  # those of gear pairs, say, are none
-            rows: list[Row] = [
-                [one.row, *_cells(one, decimals)] for one in lines if not math.isnan(one.value)
-            ]
-            title = "Largest speeds of planets against their carriers"
-            yield Grid(title, columns, rows, key=f"planets{rpm}")
-        named = {
-            f"slip{rpm}": largest.get(f"{SLIPS}{slips}"),
-            f"torque{nm}": largest.get(f"{TORQUES}{torques}"),
-            f"with losses{nm}": largest.get(f"{LOSSY_TORQUES}{torques}"),
-        }
-        yield _elements({heading: lines for heading, lines in named.items() if lines}, decimals)
+    for loaded in (False, True):
+        yield _planets(summary, loaded=loaded)
+        yield _elements(summary, loaded=loaded)
 
 
-def _elements(named: dict[str, Sequence[Largest]], decimals: int) -> Grid:
+def _planets(summary: Summary, *, loaded: bool) -> Grid:
+    shown = quantity(PLANETS, loaded=loaded)
+    columns = [text("planet"), Column(headed("speed", shown.unit)), text("gear")]
+    lines = summary.largest.get(shown.key, ())  # those of gear pairs, say, are none
+    rows = [[one.row, *_cells(shown, one)] for one in lines if not math.isnan(one.value)]
+    title = "Largest speeds of planets against their carriers"
+    return Grid(title, columns, rows, key="planets" + WITH_LOAD * loaded)
+
+
+def _elements(summary: Summary, *, loaded: bool) -> Grid:
     """Slip and torques of shift elements side by side."""
+    named = {SLIPS: "slip", TORQUES: "torque", LOSSY_TORQUES: "with losses"}
+    shown = [(quantity(key, loaded=loaded), name) for key, name in named.items()]
+    shown = [(one, name) for one, name in shown if summary.largest.get(one.key)]
     columns = [text("element")]
-    for heading in named:
-        columns += [Column(heading), text("gear")]
-    rows: list[Row] = [
-        [lines[0].row, *(cell for line in lines for cell in _cells(line, decimals))]
-        for lines in zip(*named.values(), strict=True)
+    for one, name in shown:
+        columns += [Column(headed(name, one.unit)), text("gear")]
+    found = [[(one, line) for line in summary.largest[one.key]] for one, _ in shown]
+    rows = [
+        [pairs[0][1].row, *(cell for pair in pairs for cell in _cells(*pair))]
+        for pairs in zip(*found, strict=True)
     ]
     title = "Largest slip when open, largest torque when engaged"
-    unit = next(iter(named), "").removeprefix("slip")
-    return Grid(title, columns, rows, key=f"shift elements{unit}")
+    return Grid(title, columns, rows, key="shift elements" + WITH_LOAD * loaded)
 
 
-def _cells(line: Largest, decimals: int) -> Row:
-    return [exact(line.value, decimals), line.gear]
+def _cells(shown: Quantity, line: Largest) -> Row:
+    return [exact(line.value, shown.decimals), line.gear]
 
 
 def _sensitivities(summary: Summary) -> Grid:
@@ -166,8 +164,10 @@ def _margins(summary: Summary) -> Iterator[Grid]:
     """The least margins, then those of all gears."""
     load = summary.results.case.load
     torque = None if load is None else load.torque
-    unit, size, decimals = (" [N*m]", abs(torque), 1) if torque else ("", 1.0, 3)
-    columns = [text("element"), Column(f"capacity{unit}"), Column("least"), text("gear")]
+    unit, size = ("Nm", abs(torque)) if torque else ("", 1.0)
+    decimals = UNITS[unit].decimals if unit else 3
+    heading = headed("capacity", unit)
+    columns = [text("element"), Column(heading), Column("least"), text("gear")]
     rows: list[Row] = [
         [one.element, exact(one.capacity * size, decimals), exact(one.least), one.gear]
         for one in summary.margins

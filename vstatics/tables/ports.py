@@ -11,7 +11,7 @@ from vstatics.statics.ports import GearPorts, Port, ports
 from vstatics.statics.results import Results
 from vstatics.statics.state import GearState
 from vstatics.tables.grid import Cell, Column, Grid, exact, text
-from vstatics.tables.quantity import UNITS
+from vstatics.tables.quantity import UNITS, headed
 
 MEASURES = (("speed", "rpm"), ("torque", "Nm"), ("power", "kW"))
 """What is told of a port, and its unit with a load."""
@@ -70,7 +70,7 @@ def ports_grid(gears: Sequence[PortTable], *, named: bool = True) -> Grid:
     >>> case = Transmission(2, [], [pair], [Gear()], load=Load(speed=2000, torque=100))
     >>> grid = ports_grid(port_tables(solve(case)), named=False)
     >>> [column.heading for column in grid.columns]
-    ['port', 'speed, rpm', 'torque, N*m', 'power, kW', '']
+    ['port', 'speed, rpm', 'torque, N*m', 'power, kW', 'way']
     >>> grid.texts
     [['1', '2000.0', '100.0', '20.944', 'in'], ['2', '-500.0', '-392.0', '20.525', 'out'], \
 ['lost: meshes', '', '', '.419', '']]
@@ -80,13 +80,13 @@ def ports_grid(gears: Sequence[PortTable], *, named: bool = True) -> Grid:
     }
     columns = [text("gear")] * named + [text("port")]
     for name, unit in MEASURES:
-        columns.append(Column(f"{name}, {UNITS[unit].en}" if unit in physical else name))
-    columns.append(text(""))
+        columns.append(Column(headed(name, unit if unit in physical else "")))
+    columns.append(text("way"))
     rows: list[list[Cell | str]] = []
     for gear in gears:
         front = [gear.gear] * named
         rows += [[*front, *row] for row in _rows(gear, physical)]
-    return Grid("Ports", columns, rows)
+    return Grid("Ports", columns, rows, key="ports")
 
 
 def _rows(gear: PortTable, physical: set[str]) -> Iterator[list[Cell | str]]:

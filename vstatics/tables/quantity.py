@@ -119,6 +119,15 @@ UNITS = {
 """What numbers have with a load, as it stands at the end of a key."""
 
 
+def headed(name: str, unit: str) -> str:
+    """What heads a column of numbers in a unit; an empty one: relative to the input.
+
+    >>> headed("slip", "rpm"), headed("torque", "Nm"), headed("slip", "")
+    ('slip, rpm', 'torque, N*m', 'slip')
+    """
+    return f"{name}, {UNITS[unit].en}" if unit else name
+
+
 def in_unit(quantity: Quantity) -> Quantity:
     """A relative quantity in the unit that it has with a load.
 
