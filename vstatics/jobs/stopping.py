@@ -12,7 +12,7 @@ from types import FrameType
 ENDING = (signal.SIGINT, signal.SIGTERM)
 AGAIN = (signal.SIGALRM,) if hasattr(signal, "setitimer") else ()
 """Of a timer, where a system has one."""
-SOON = 0.01
+SOON = 0.001
 """So long a signal waits that comes while a module is imported. [s]"""
 
 
