@@ -35,7 +35,7 @@ def calculate_and_write(job: Job, task: CaseTask) -> Done:
     file, problems = case.file, case.problems
     try:
         if task.target is None or job.finished is None:
-            return Done(file, problems, case.failed, texts.part(case, shown, job.form))
+            return Done(file, problems, case.failed, texts.among_several(case, shown, job.form))
         if shown is None:
             return Done(file, problems, left=set_aside(task.target))
         result = texts.alone(case, shown, job.form)
@@ -51,7 +51,7 @@ def calculate_and_write(job: Job, task: CaseTask) -> Done:
     return Done(file, problems, case.failed)
 
 
-def _shown(job: Job, case: CalculatedCase) -> tuple[CalculatedCase, texts.Shown | None]:
+def _shown(job: Job, case: CalculatedCase) -> tuple[CalculatedCase, texts.CaseOutput | None]:
     """What is shown of a case; one that lacks what was asked for fails."""
     if case.results is None:
         return case, None

@@ -46,7 +46,7 @@ def explain(
     return carry_out(Job("explain", settings, texts.OutputForm(to.form, to.style), show), cases, to)
 
 
-def _shown(outcome: CalculatedCase, gears: tuple[str, ...], style: TextStyle) -> texts.Shown:
+def _shown(outcome: CalculatedCase, gears: tuple[str, ...], style: TextStyle) -> texts.CaseOutput:
     """The gears of a case, explained."""
     from vstatics.explain import explain_gear
 
@@ -70,4 +70,4 @@ def _shown(outcome: CalculatedCase, gears: tuple[str, ...], style: TextStyle) ->
 
         return document(case, explanations)
 
-    return texts.Shown([case.name or outcome.file], {"text": as_text}, grids, document)
+    return texts.CaseOutput([case.name or outcome.file], {"text": as_text}, grids, document)

@@ -48,7 +48,7 @@ def flow(
     return carry_out(Job("flow", settings, texts.OutputForm(to.form, to.style), show), cases, to)
 
 
-def _shown(outcome: CalculatedCase, gears: tuple[str, ...], style: TextStyle) -> texts.Shown:
+def _shown(outcome: CalculatedCase, gears: tuple[str, ...], style: TextStyle) -> texts.CaseOutput:
     """The power of each gear of a case."""
     from vstatics.flow.power import flows
 
@@ -73,4 +73,4 @@ def _shown(outcome: CalculatedCase, gears: tuple[str, ...], style: TextStyle) ->
 
         return document(case.name, shown)
 
-    return texts.Shown([case.name or outcome.file], {"text": as_text}, grids, document)
+    return texts.CaseOutput([case.name or outcome.file], {"text": as_text}, grids, document)

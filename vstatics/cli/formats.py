@@ -118,7 +118,7 @@ class OutputOptions(NamedTuple):
         if is_folder and chosen == "jsonl":
             raise click.UsageError(f"jsonl is one stream: expected -o FILE, not {self.output}")
         if self.style.digits is not None and chosen in FULL:
-            raise click.UsageError(f"--digits is for people: {chosen} has all digits")
+            raise click.UsageError(f"--digits does not apply to {chosen}, which has all digits")
         if self.style.raw and chosen != "csv":
             raise click.UsageError("--raw is for CSV")
         if chosen == "xlsx" and (message := missing("openpyxl", "XLSX")):

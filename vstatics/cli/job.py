@@ -19,7 +19,7 @@ class Job(NamedTuple):
     """Whose it is."""
     options: CaseOptions
     form: texts.OutputForm
-    show: Callable[[CalculatedCase], texts.Shown]
+    show: Callable[[CalculatedCase], texts.CaseOutput]
     """What the command shows of a case that has results."""
     finished: FinishedCases | None = None
     """Of the directory that results go to, if they do."""

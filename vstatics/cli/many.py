@@ -17,7 +17,7 @@ from vstatics.cli.progress import progress
 from vstatics.cli.targets import CaseTask, tasks
 from vstatics.cli.telling import Telling
 from vstatics.errors import ReadError, plural
-from vstatics.jobs.files import is_stream, unwritable
+from vstatics.jobs.files import STDOUT, is_stream, unwritable
 from vstatics.jobs.finished_cases import FinishedCases
 from vstatics.jobs.stopping import Stop, StoppedError, stoppable
 from vstatics.jobs.workers import workers
@@ -155,7 +155,7 @@ def to_stream(cases: Sequence[str], output: str | None, job: Job, *, jobs: int) 
         files.stream(output) as write,
         _results(job, todo, jobs) as results,
     ):
-        to_stdout = output in (None, files.STDIN)
+        to_stdout = output in (None, STDOUT)
         parts = _follow(count, results, stop, telling, beside_stdout=to_stdout)
         for text in texts.joined(parts, job.form):
             write(text)

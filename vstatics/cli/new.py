@@ -8,6 +8,7 @@ import click
 
 from vstatics.cli import files
 from vstatics.errors import ReadError, nearest, of_file
+from vstatics.jobs.files import STDOUT
 from vstatics.readers import format_of_name
 from vstatics.templates import TEMPLATES, template
 
@@ -22,7 +23,7 @@ def _known(context: click.Context, parameter: click.Parameter, value: str) -> st
 
 
 @click.command()
-@click.argument("target", type=click.Path(), metavar="[FILE]", default=files.STDIN)
+@click.argument("target", type=click.Path(), metavar="[FILE]", default=STDOUT)
 @click.option(
     "-t",
     "--template",
@@ -47,6 +48,6 @@ def new(target: str, name: str) -> None:
     if kind not in (None, "yaml"):
         message = f"is the name of a {kind} by its suffix, but a template is YAML; expected .yaml"
         raise ReadError([of_file(target, message)])
-    if target != files.STDIN and os.path.lexists(target):
+    if target != STDOUT and os.path.lexists(target):
         raise ReadError([of_file(target, "is there already; expected the name of a new file")])
     files.write_output(template(name), target)

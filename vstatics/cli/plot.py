@@ -9,12 +9,12 @@ from typing import cast
 import click
 
 from vstatics.cli import cases as arguments
-from vstatics.cli import files, formats, texts
+from vstatics.cli import formats, texts
 from vstatics.cli.cases import CalculatedCase, CaseOptions
 from vstatics.cli.job import Job
 from vstatics.cli.one_or_many import carry_out
 from vstatics.errors import CaseError, ReadError, of_file
-from vstatics.jobs.files import is_stream
+from vstatics.jobs.files import STDOUT, is_stream
 from vstatics.pictures import FORMATS, PICTURES, Format, render
 from vstatics.pictures.style import Style
 from vstatics.statics.results import Language
@@ -65,7 +65,7 @@ def plot(
     Exit status: 0 done; 1 a case is in error, a gear is tied up, or there is
     nothing to draw; 2 wrong use.
     """
-    if output != files.STDIN and not os.path.splitext(output)[1] and len(cases) == 1:  # noqa: PTH122
+    if output != STDOUT and not os.path.splitext(output)[1] and len(cases) == 1:  # noqa: PTH122
         _refuse_without_suffix(output)
     to = formats.each_by_itself(output, cases, FORMATS, "a picture")
     picture = partial(_shown, kind=kind, form=to.form, gears=gears, style=Style(lang, dark))
@@ -81,7 +81,7 @@ def _refuse_without_suffix(output: str) -> None:
 
 def _shown(
     outcome: CalculatedCase, kind: str, form: str, gears: tuple[str, ...], style: Style
-) -> texts.Shown:
+) -> texts.CaseOutput:
     """A picture of a case."""
     results = outcome.results
     assert results is not None  # noqa: S101 - of a case that has some
@@ -90,4 +90,4 @@ def _shown(
         drawn = render(results, kind, cast("Format", form), style, chosen)
     except CaseError as error:
         raise ReadError(of_file(outcome.file, one.message) for one in error.problems) from None
-    return texts.Shown([], {form: lambda _: drawn})
+    return texts.CaseOutput([], {form: lambda _: drawn})

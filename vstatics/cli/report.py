@@ -44,7 +44,7 @@ def report(cases: tuple[str, ...], output: str, digits: int | None, settings: Ca
     return carry_out(Job("report", settings, form, show), cases, to)
 
 
-def _shown(outcome: CalculatedCase, digits: int | None, quiet: bool) -> texts.Shown:
+def _shown(outcome: CalculatedCase, digits: int | None, quiet: bool) -> texts.CaseOutput:
     """The page of a case."""
     results = outcome.results
     assert results is not None  # noqa: S101 - of a case that has some
@@ -57,4 +57,4 @@ def _shown(outcome: CalculatedCase, digits: int | None, quiet: bool) -> texts.Sh
             files.say(f"vstatics report: no pictures: {material.without}")
         return page(material)
 
-    return texts.Shown([], {"html": html})
+    return texts.CaseOutput([], {"html": html})

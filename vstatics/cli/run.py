@@ -15,6 +15,7 @@ from vstatics.cli.formats import OutputOptions, TextStyle
 from vstatics.cli.job import Job
 from vstatics.cli.one_or_many import carry_out
 from vstatics.errors import printable
+from vstatics.jobs.files import STDOUT
 from vstatics.tables.grid import Grid
 
 PLAIN: dict[str, Any] = {"color_system": None, "force_terminal": False}
@@ -90,7 +91,7 @@ def run(
     return carry_out(job, names, to, others=others, a_list=several, jobs=jobs, resume=resume)
 
 
-def show(outcome: CalculatedCase, style: TextStyle) -> texts.Shown:
+def show(outcome: CalculatedCase, style: TextStyle) -> texts.CaseOutput:
     """All tables of the results of a case."""
     results = outcome.results
     assert results is not None  # noqa: S101 - of a case that has some
@@ -125,7 +126,7 @@ def show(outcome: CalculatedCase, style: TextStyle) -> texts.Shown:
 
     titles = [results.case.name or outcome.file]
     own = {"listing": listing, "csv": csv}
-    return texts.Shown(titles, own, grids, document, lay_out)
+    return texts.CaseOutput(titles, own, grids, document, lay_out)
 
 
 def _frame() -> texts.Frame:
@@ -150,7 +151,7 @@ def _pretty(
     to = wanted._replace(formats=("text",)).destination(inputs)
     if to.is_folder:
         raise click.UsageError(f"all cases give one text: expected -o FILE, not {to.output}")
-    to_stdout = to.output in (None, files.STDIN)
+    to_stdout = to.output in (None, STDOUT)
     console = SafeConsole(highlight=False) if to_stdout else SafeConsole(highlight=False, **PLAIN)
     marks = ASCII if to_stdout and console.options.ascii_only else DOTS
     failed, made = False, list[str]()

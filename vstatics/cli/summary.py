@@ -113,7 +113,7 @@ def _side_by_side(
             for letter, (outcome, summary) in zip(letters(len(found)), found, strict=True)
             for name in [summary.results.case.name]
         ]
-        shown = texts.Shown(titles, {}, lambda: contrasted([summary for _, summary in found]))
+        shown = texts.CaseOutput(titles, {}, lambda: contrasted([summary for _, summary in found]))
         files.write_data(texts.alone(found[0][0], shown, form), output)
     return FAILED if failed else DONE
 
@@ -133,7 +133,9 @@ def _summarized(outcome: CalculatedCase, at_most: int | None, duty: DutyFile | N
     return summary if duty is None else summary._replace(cycle=duty.of(results))
 
 
-def _shown(outcome: CalculatedCase, summarized: Callable[[CalculatedCase], Summary]) -> texts.Shown:
+def _shown(
+    outcome: CalculatedCase, summarized: Callable[[CalculatedCase], Summary]
+) -> texts.CaseOutput:
     """The summary of a case by itself."""
     summary = summarized(outcome)
 
@@ -147,4 +149,4 @@ def _shown(outcome: CalculatedCase, summarized: Callable[[CalculatedCase], Summa
 
         return document(summary)
 
-    return texts.Shown([summary.results.case.name or outcome.file], {}, tables, document)
+    return texts.CaseOutput([summary.results.case.name or outcome.file], {}, tables, document)

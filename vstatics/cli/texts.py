@@ -1,6 +1,6 @@
 """What a command shows of a case, as text in each format: alone, or one among several.
 
-A command says by `Shown` what it has; every format is made of that here. Writers are
+A command says by `CaseOutput` what it has; every format is made of that here. Writers are
 imported when they are needed.
 """
 
@@ -15,12 +15,12 @@ from vstatics.cli.formats import TextStyle
 from vstatics.tables.grid import Grid
 
 
-class Shown(NamedTuple):
+class CaseOutput(NamedTuple):
     """What there is to show of a case; nothing is made before it is asked for."""
 
     titles: Sequence[str]
     """Over tables."""
-    own: Mapping[str, Callable[[str | None], str | bytes]]
+    by_format: Mapping[str, Callable[[str | None], str | bytes]]
     """What is no table of `grids`, by format: a text, say. It is given the file of the case
     where this is one of several in a stream."""
     grids: Callable[[], Iterable[Grid]] | None = None
@@ -60,23 +60,23 @@ FRAMES = {
 }
 
 
-def alone(outcome: CalculatedCase, shown: Shown, form: OutputForm) -> bytes:
+def alone(outcome: CalculatedCase, shown: CaseOutput, form: OutputForm) -> bytes:
     """The text of a case by itself."""
-    if form.name in shown.own:
-        return _bytes(shown.own[form.name](None), form)
+    if form.name in shown.by_format:
+        return _bytes(shown.by_format[form.name](None), form)
     if form.name in ("json", "jsonl"):
         return _bytes(_json(outcome, shown, form) + "\n" * (form.name == "json"), form)
     return b"".join(_of_grids([_tables(outcome, shown, form)], form, several=False))
 
 
-def part(outcome: CalculatedCase, shown: Shown | None, form: OutputForm) -> bytes:
+def among_several(outcome: CalculatedCase, shown: CaseOutput | None, form: OutputForm) -> bytes:
     """The text of a case among several; one that failed has one in JSON only."""
     if form.name in ("json", "jsonl"):
         return _bytes(_json(outcome, shown, form), form)
     if shown is None:
         return b""
-    if form.name in shown.own:
-        made = _bytes(shown.own[form.name](outcome.file), form)
+    if form.name in shown.by_format:
+        made = _bytes(shown.by_format[form.name](outcome.file), form)
     elif form.is_text:
         made = alone(outcome, shown, form)
     else:
@@ -112,7 +112,7 @@ class _Tables(NamedTuple):
     grids: list[Grid]
 
 
-def _tables(outcome: CalculatedCase, shown: Shown, form: OutputForm) -> _Tables:
+def _tables(outcome: CalculatedCase, shown: CaseOutput, form: OutputForm) -> _Tables:
     assert shown.grids is not None, form.name  # noqa: S101 - the command has this format
     grids = [grid.with_digits(form.style.digits) for grid in shown.grids()]
     return _Tables(outcome.file, shown.titles, grids)
@@ -140,7 +140,7 @@ def _of_grids(cases: Iterable[_Tables], form: OutputForm, *, several: bool) -> I
             yield _bytes("\n" * bool(number) + writer.write(one.titles, one.grids), form)
 
 
-def _json(outcome: CalculatedCase, shown: Shown | None, form: OutputForm) -> str:
+def _json(outcome: CalculatedCase, shown: CaseOutput | None, form: OutputForm) -> str:
     """A case in JSON: lines without the last end, or one line with it."""
     from vstatics.writers import plain_json
 
