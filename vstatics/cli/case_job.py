@@ -21,8 +21,8 @@ class Done(NamedTuple):
     file: str
     problems: list[Problem]
     failed: bool = True
-    text: bytes = b""
-    """Its part of a stream."""
+    part: texts.Part = b""
+    """Of a stream."""
     stop: bool = False
     """Whether the others can't be written either."""
     left: str = ""

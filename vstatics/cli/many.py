@@ -178,7 +178,7 @@ def _follow(
     telling: Telling,
     *,
     beside_stdout: bool = False,
-) -> Iterator[bytes]:
+) -> Iterator[texts.Part]:
     """Tell and count what becomes of each case, and give its part of a stream."""
     quiet = telling.quiet
     with progress(count.total, "cases", beside_stdout=beside_stdout, quiet=quiet) as advance:
@@ -187,7 +187,7 @@ def _follow(
             files.show(telling.printed(done.problems))
             if done.stop:
                 raise _HaltedError
-            yield done.text
+            yield done.part
             count.add(done)
             advance(1)
             stop.check()

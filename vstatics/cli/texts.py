@@ -30,6 +30,18 @@ class CaseOutput(NamedTuple):
     """The lines of that in JSON, where they are not those of any data."""
 
 
+class CaseTables(NamedTuple):
+    """The tables of a case."""
+
+    file: str
+    titles: Sequence[str]
+    grids: list[Grid]
+
+
+Part = bytes | CaseTables
+"""Of a stream: a case as text, or as tables that become text with those of the others."""
+
+
 class Frame(NamedTuple):
     """What stands around the parts of a stream."""
 
@@ -69,8 +81,8 @@ def alone(outcome: CalculatedCase, shown: CaseOutput, form: OutputForm) -> bytes
     return b"".join(_of_grids([_tables(outcome, shown, form)], form, several=False))
 
 
-def among_several(outcome: CalculatedCase, shown: CaseOutput | None, form: OutputForm) -> bytes:
-    """The text of a case among several; one that failed has one in JSON only."""
+def among_several(outcome: CalculatedCase, shown: CaseOutput | None, form: OutputForm) -> Part:
+    """What a stream has of a case among several; one that failed is in JSON only."""
     if form.name in ("json", "jsonl"):
         return _bytes(_json(outcome, shown, form), form)
     if shown is None:
@@ -80,45 +92,33 @@ def among_several(outcome: CalculatedCase, shown: CaseOutput | None, form: Outpu
     elif form.is_text:
         made = alone(outcome, shown, form)
     else:
-        import pickle
-
-        return pickle.dumps(_tables(outcome, shown, form))
+        return _tables(outcome, shown, form)
     return (_bytes(f"==> {outcome.file} <==\n", form) if form.is_text else b"") + made
 
 
-def joined(parts: Iterable[bytes], form: OutputForm) -> Iterator[bytes]:
+def joined(parts: Iterable[Part], form: OutputForm) -> Iterator[bytes]:
     """The parts of all cases as one text, piece by piece; empty ones are left out."""
-    kept = filter(None, parts)
     frame = form.own_frame or FRAMES.get(form.name)
     if frame is None:
-        import pickle
-
-        tables = (pickle.loads(one) for one in kept)  # noqa: S301 - our own processes made it
+        tables = (one for one in parts if isinstance(one, CaseTables))
         yield from _of_grids(tables, form, several=True)
         return
     before = frame.first
-    for text in kept:
-        yield _bytes(before, form) + text
-        before = frame.between
+    for text in parts:
+        if text and isinstance(text, bytes):
+            yield _bytes(before, form) + text
+            before = frame.between
     if before != frame.first:
         yield _bytes(frame.last, form)
 
 
-class _Tables(NamedTuple):
-    """The tables of a case."""
-
-    file: str
-    titles: Sequence[str]
-    grids: list[Grid]
-
-
-def _tables(outcome: CalculatedCase, shown: CaseOutput, form: OutputForm) -> _Tables:
+def _tables(outcome: CalculatedCase, shown: CaseOutput, form: OutputForm) -> CaseTables:
     assert shown.grids is not None, form.name  # noqa: S101 - the command has this format
     grids = [grid.with_digits(form.style.digits) for grid in shown.grids()]
-    return _Tables(outcome.file, shown.titles, grids)
+    return CaseTables(outcome.file, shown.titles, grids)
 
 
-def _of_grids(cases: Iterable[_Tables], form: OutputForm, *, several: bool) -> Iterator[bytes]:
+def _of_grids(cases: Iterable[CaseTables], form: OutputForm, *, several: bool) -> Iterator[bytes]:
     """Tables in a format that has nothing else."""
     if form.name == "xlsx":
         from vstatics.tables import xlsx
