@@ -660,6 +660,8 @@ def test_a_link_that_has_a_number_is_told_from_a_speed_by_the_word_link() -> Non
     ("given", "said"),
     [
         ("1.05*FI", "expected the name of a link behind the `*`: engine, FL, FR"),
+        ("FL*1.05", "expected the factor before the link: `1.05*FL`"),
+        ("FL / 1.02", "expected the factor before the link: `1/1.02*FL`"),
         ("0*FL", "read a factor of 0"),
         ("2*FR", "given by itself"),
         ("2*300 Nm", "or one relative to the input speed; this is a torque"),

@@ -119,11 +119,9 @@ def renumbered(case: Transmission, new: Mapping[int, int]) -> Transmission:
 @given(trains(gears=2))
 def test_deck_yaml_and_json_of_a_case_give_one_result(case: Transmission) -> None:
     expected = solve(case)
-    written = {
-        "deck": deck.write(case),
-        "yaml": named.write_yaml(case),
-        "json": named.write_json(case),
-    }
+    written = {"yaml": named.write_yaml(case), "json": named.write_json(case)}
+    if not any(isinstance(one, SpeedOf) for gear in case.gears for one in gear.speeds.values()):
+        written["deck"] = deck.write(case)  # which has no place for speeds of other links
     for form, text in written.items():
         results = solve(read(text.encode(), "", form).case)  # type: ignore[arg-type]
         assert results.messages == expected.messages

@@ -94,6 +94,11 @@ class References:
             number = self._number(text[times.end() :].strip())
             if number is not None:
                 return SpeedOf(number, scalars.number(text[: times.start()].strip()))
+        ends = re.fullmatch(r"([^*/]+)([*/])(.+)", text)
+        if ends and self._number(ends[1].strip()) is not None:
+            name, factor = ends[1].strip(), ends[3].strip()
+            first = factor if ends[2] == "*" else f"1/{factor}"
+            raise ValueError(f"expected the factor before the link: `{first}*{name}`")
         behind = _behind(text)
         if self.links_known and behind.startswith("*") and not unit(behind)[0]:
             link = "the name of a link" if self.link_names else "`link` and its number"
