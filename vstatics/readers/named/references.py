@@ -96,8 +96,8 @@ class References:
                 return SpeedOf(number, scalars.number(text[: times.start()].strip()))
         ends = re.fullmatch(r"([^*/]+)([*/])(.+)", text)
         if ends and self._number(ends[1].strip()) is not None:
-            name, factor = ends[1].strip(), ends[3].strip()
-            first = factor if ends[2] == "*" else f"1/{factor}"
+            name, times = ends[1].strip(), ends[3].strip()
+            first = times if ends[2] == "*" else f"1/{times}"
             raise ValueError(f"expected the factor before the link: `{first}*{name}`")
         behind = _behind(text)
         if self.links_known and behind.startswith("*") and not unit(behind)[0]:
