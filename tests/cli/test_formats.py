@@ -67,7 +67,7 @@ def test_another_suffix_is_refused_before_anything_is_read(command: str) -> None
     said = vstatics(command, "nowhere.yaml", "-o", "new.xls")
     assert (said.status, said.out, names()) == (2, "", [])
     assert "new.xls: no format has this suffix here: expected" in said.err
-    assert ".json .jsonl .csv .md .tex .xlsx, or none for text" in said.err
+    assert ".json .jsonl .ndjson .csv .md .tex .xlsx, or none for text" in said.err
 
 
 @pytest.mark.parametrize(

@@ -21,9 +21,10 @@ from vstatics.jobs.alone import Alone
 from vstatics.jobs.finished_pieces import FinishedPieces
 from vstatics.jobs.pieces import Account, Segment
 from vstatics.sweep.chunk import STATUS, Chunk
-from vstatics.sweep.formats import format_of_name, npz, text
+from vstatics.sweep.formats import FORMATS, npz, text
 from vstatics.sweep.formats.npz import combined_crc
 from vstatics.sweep.output import Output, description
+from vstatics.tables.suffixes import format_of
 
 NUMBERS = st.floats(allow_nan=True, allow_infinity=True)
 HEADINGS = ('speeds["a, b",1]', "100% {x} ⚙", "it's nan: 1")
@@ -84,7 +85,7 @@ def test_check_sums_are_combined_as_zlib_does_it(first: bytes, second: bytes) ->
 
 def output(path: Path, *vary: str, **more: Any) -> Path:
     """The output of a sweep in pieces of 8 variants."""
-    form = format_of_name(path.name)
+    form = format_of(path.name, FORMATS)
     assert form is not None
     made = plan(*vary, piece=8, **more)
     with FinishedPieces(str(path)) as store:
@@ -216,4 +217,4 @@ def test_an_archive_of_many_gigabytes_is_laid_out_in_64_bits(tmp_path: Path) -> 
     [("a.csv", "csv"), ("a.CSV", "csv"), ("a.ndjson", "jsonl"), ("a.npz", "npz"), ("a.txt", None)],
 )
 def test_the_suffix_tells_the_format(name: str, expected: str | None) -> None:
-    assert format_of_name(name) == expected
+    assert format_of(name, FORMATS) == expected

@@ -15,23 +15,8 @@ from vstatics.errors import Problem, ReadError
 from vstatics.extras import missing
 from vstatics.jobs.files import STDOUT, is_stream
 from vstatics.statics.results import Language
+from vstatics.tables.suffixes import SUFFIXES, format_of, known, mismatch, suffix_of
 
-TEXT = (".txt", ".lst", ".out")
-SUFFIXES = {
-    "listing": (".lst", ".txt", ".out"),
-    "text": TEXT,
-    "json": (".json",),
-    "jsonl": (".jsonl",),
-    "csv": (".csv",),
-    "markdown": (".md",),
-    "latex": (".tex",),
-    "xlsx": (".xlsx",),
-    "html": (".html", ".htm"),
-    "svg": (".svg",),
-    "png": (".png",),
-    "pdf": (".pdf",),
-}
-"""Of each format; a result in a directory has the first."""
 TABLES = ("text", "json", "jsonl", "csv", "markdown", "latex", "xlsx")
 """The formats of a command with tables."""
 FULL = ("json", "jsonl", "csv")
@@ -98,13 +83,12 @@ class OutputOptions(NamedTuple):
             return self._checked(form, is_folder=False)
         if output.endswith("/") or os.path.isdir(output):  # noqa: PTH112
             return self._checked(form, is_folder=True)
-        told = format_of(output, self.formats)
+        suffix = suffix_of(output)
+        told = format_of(output, self.formats) if suffix else self.formats[0]
         if told is None and not is_stream(output):
             raise click.UsageError(f"{output}: {self._expected(several=several)}")
-        suffix = os.path.splitext(output)[1]  # noqa: PTH122
-        if told and form and suffix and told != form:
-            expected = " or ".join(SUFFIXES[form])
-            raise click.UsageError(f"-f {form} is not the format of {output}: expected {expected}")
+        if told and (message := mismatch(form, output)):
+            raise click.UsageError(f"-f {message}")
         if form is None and suffix:
             form = told
         is_folder = several and not (suffix or together or form == "jsonl" or is_stream(output))
@@ -126,10 +110,10 @@ class OutputOptions(NamedTuple):
         return Destination(chosen, self.output, self.style, is_folder)
 
     def _expected(self, *, several: bool) -> str:
-        known = " ".join(dict.fromkeys(end for form in self.formats for end in SUFFIXES[form]))
+        expected = " ".join(known(self.formats))
         plain = ", or none for text" * (self.formats[0] in ("text", "listing"))
         folder = "; a directory ends with /" * several
-        return f"no format has this suffix here: expected {known}{plain}{folder}"
+        return f"no format has this suffix here: expected {expected}{plain}{folder}"
 
 
 def each_by_itself(
@@ -148,18 +132,6 @@ def each_by_itself(
         message = f"{what} is of one case: expected a directory for several ({folder}/)"
         raise click.UsageError(message)
     return to
-
-
-def format_of(output: str, formats: Sequence[str]) -> str | None:
-    """The format that the suffix of a file tells, the first where there is none.
-
-    >>> format_of("a.JSON", TABLES), format_of("a", TABLES), format_of("a.b", TABLES)
-    ('json', 'text', None)
-    """
-    suffix = os.path.splitext(output)[1].lower()  # noqa: PTH122
-    if not suffix:
-        return formats[0]
-    return next((form for form in formats if suffix in SUFFIXES[form]), None)
 
 
 def options(*formats: str, says: str = "Format of the output") -> Callable[[Command], Command]:

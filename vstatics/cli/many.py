@@ -11,7 +11,6 @@ import click
 from vstatics.cli import files, texts
 from vstatics.cli.case_job import RULES, Done, calculate_and_write
 from vstatics.cli.exit_status import DONE, FAILED, stopped_by
-from vstatics.cli.formats import SUFFIXES
 from vstatics.cli.job import Job
 from vstatics.cli.progress import progress
 from vstatics.cli.targets import CaseTask, tasks
@@ -21,6 +20,7 @@ from vstatics.jobs.files import STDOUT, is_stream, unwritable
 from vstatics.jobs.finished_cases import FinishedCases
 from vstatics.jobs.stopping import Stop, StoppedError, stoppable
 from vstatics.jobs.workers import workers
+from vstatics.tables.suffixes import SUFFIXES
 
 
 class _HaltedError(Exception):

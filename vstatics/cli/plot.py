@@ -18,6 +18,7 @@ from vstatics.jobs.files import STDOUT, is_stream
 from vstatics.pictures import FORMATS, PICTURES, Format, render
 from vstatics.pictures.style import Style
 from vstatics.statics.results import Language
+from vstatics.tables.suffixes import known, suffix_of
 
 
 @click.command()
@@ -65,7 +66,7 @@ def plot(
     Exit status: 0 done; 1 a case is in error, a gear is tied up, or there is
     nothing to draw; 2 wrong use.
     """
-    if output != STDOUT and not os.path.splitext(output)[1] and len(cases) == 1:  # noqa: PTH122
+    if output != STDOUT and not suffix_of(output) and len(cases) == 1:
         _refuse_without_suffix(output)
     to = formats.each_by_itself(output, cases, FORMATS, "a picture")
     picture = partial(_shown, kind=kind, form=to.form, gears=gears, style=Style(lang, dark))
@@ -75,8 +76,10 @@ def plot(
 
 def _refuse_without_suffix(output: str) -> None:
     if not (is_stream(output) or output.endswith("/") or os.path.isdir(output)):  # noqa: PTH112
-        known = " ".join(f".{form}" for form in FORMATS)
-        raise click.UsageError(f"can't tell the format of {output}: expected a suffix of {known}")
+        expected = " ".join(known(FORMATS))
+        raise click.UsageError(
+            f"can't tell the format of {output}: expected a suffix of {expected}"
+        )
 
 
 def _shown(

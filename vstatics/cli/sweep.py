@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import os
 from collections.abc import Callable
 from dataclasses import replace
 from typing import Any, cast
@@ -22,8 +21,9 @@ from vstatics.errors import CaseError, ReadError
 from vstatics.jobs.files import is_stream
 from vstatics.sweep import build
 from vstatics.sweep.file import read_sweep_file
-from vstatics.sweep.formats import MOST_ROWS, SUFFIXES, TEXTS, Format, format_of_name
+from vstatics.sweep.formats import FORMATS, MOST_ROWS, TEXTS, Format
 from vstatics.sweep.options import OPTIONS, Option, SweepOptions, conflicts, says
+from vstatics.tables.suffixes import format_of, known, mismatch
 
 
 def declared(command: Command) -> Command:
@@ -151,19 +151,17 @@ def _checked(
         raise click.UsageError("--resume needs a file to go on with: -o FILE.")
     if scheduler and jobs > 1:
         raise click.UsageError("--jobs and --scheduler exclude one another.")
-    told = format_of_name(options.output or "")
+    told = format_of(options.output or "", FORMATS)
     form = cast("Format | None", options.format) or told
-    suffix = "" if to_stream else os.path.splitext(str(options.output))[1].lower()  # noqa: PTH122
-    if form and form != told and suffix and not (form in TEXTS and suffix in formats.TEXT):
-        expected = " or ".join(suffix for suffix, one in SUFFIXES.items() if one == form)
-        raise click.UsageError(
-            f"{spelled('format')} {form} is not the format of {options.output}: expected {expected}"
-        )
+    message = "" if to_stream else mismatch(form, str(options.output))
+    as_text = form in TEXTS and format_of(str(options.output), ["text"])
+    if message and not as_text:
+        raise click.UsageError(f"{spelled('format')} {message}")
     if to_stream and (form or "csv") not in TEXTS:
         raise click.UsageError(f"{form} can't go to a stream, expected a file: -o FILE")
     if form is None and not to_stream:
         raise click.UsageError(
             f"can't tell the format of {options.output}: expected a suffix of "
-            f"{' '.join(SUFFIXES)}, or --format"
+            f"{' '.join(known(FORMATS))}, or --format"
         )
     return form or "csv"

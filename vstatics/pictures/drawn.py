@@ -11,6 +11,7 @@ from vstatics.extras import require
 from vstatics.pictures import FORMATS, PICTURES, Format, picture, render
 from vstatics.pictures.style import Style
 from vstatics.statics.results import Language, Results, expect_results
+from vstatics.tables.suffixes import format_of, known
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -44,12 +45,11 @@ class Picture:
         ValueError
             For another suffix.
         """
-        form = os.path.splitext(os.fspath(path))[1].lower().removeprefix(".")  # noqa: PTH122
-        known = {one: one for one in FORMATS}
-        if form not in known:
-            suffixes = ", ".join(f".{one}" for one in FORMATS)
+        form = format_of(os.fspath(path), FORMATS)
+        if form is None:
+            suffixes = ", ".join(known(FORMATS))
             raise ValueError(f"a picture as {os.fspath(path)}: expected a suffix of {suffixes}")
-        data = self._as(known[form])
+        data = self._as(form)
         with open(path, "wb") as file:  # noqa: PTH123
             file.write(data)
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field, fields
 from typing import Any, Literal, NamedTuple, get_args
 
 from vstatics.model.transmission import IdleConvention
-from vstatics.sweep.formats import Format
+from vstatics.sweep.formats import FORMATS
 from vstatics.sweep.samples import METHODS
 from vstatics.sweep.texts import Text
 
@@ -61,7 +61,7 @@ class SweepOptions:
         "choice",
         "Format of the output; else told by the suffix, CSV on stdout.",
         short="-f",
-        choices=get_args(Format),
+        choices=FORMATS,
     )
     coast: bool | None = _option("flag")
     idle: str | None = _option("choice", choices=get_args(IdleConvention))

@@ -1,0 +1,62 @@
+"""The formats of outputs by the suffixes of their files."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from os.path import splitext
+from typing import TypeVar
+
+Form = TypeVar("Form", bound=str)
+
+SUFFIXES = {
+    "listing": (".lst", ".txt", ".out"),
+    "text": (".txt", ".lst", ".out"),
+    "json": (".json",),
+    "csv": (".csv",),
+    "jsonl": (".jsonl", ".ndjson"),
+    "npz": (".npz",),
+    "parquet": (".parquet",),
+    "markdown": (".md",),
+    "latex": (".tex",),
+    "xlsx": (".xlsx",),
+    "html": (".html", ".htm"),
+    "svg": (".svg",),
+    "png": (".png",),
+    "pdf": (".pdf",),
+}
+"""Of each format; a result in a directory has the first."""
+
+
+def suffix_of(file: str) -> str:
+    """The suffix of a file's name, in small letters."""
+    return splitext(file)[1].lower()  # noqa: PTH122 - pathlib costs start-up time
+
+
+def format_of(file: str, formats: Iterable[Form]) -> Form | None:
+    """Which of some formats the suffix of a file's name tells, if it does.
+
+    >>> format_of("a.NDJSON", ["json", "jsonl"]), format_of("a", ["text"])
+    ('jsonl', None)
+    """
+    suffix = suffix_of(file)
+    return next((form for form in formats if suffix in SUFFIXES[form]), None)
+
+
+def known(formats: Sequence[str]) -> list[str]:
+    """The suffixes of some formats.
+
+    >>> known(["listing", "csv"])
+    ['.lst', '.txt', '.out', '.csv']
+    """
+    return list(dict.fromkeys(suffix for form in formats for suffix in SUFFIXES[form]))
+
+
+def mismatch(form: str | None, file: str) -> str:
+    """What to say of a format that is not that of the suffix; nothing where all is well.
+
+    >>> mismatch("csv", "a.json"), mismatch("csv", "a.csv"), mismatch("csv", "a")
+    ('csv is not the format of a.json: expected .csv', '', '')
+    """
+    if not form or suffix_of(file) in ("", *SUFFIXES[form]):
+        return ""
+    return f"{form} is not the format of {file}: expected {' or '.join(SUFFIXES[form])}"
