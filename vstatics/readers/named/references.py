@@ -96,9 +96,9 @@ class References:
                 return SpeedOf(number, scalars.number(text[: times.start()].strip()))
         ends = re.fullmatch(r"([^*/]+)([*/])(.+)", text)
         if ends and self._number(ends[1].strip()) is not None:
-            name, times = ends[1].strip(), ends[3].strip()
-            first = times if ends[2] == "*" else f"1/{times}"
-            raise ValueError(f"expected the factor before the link: `{first}*{name}`")
+            link, given = ends[1].strip(), ends[3].strip()
+            first = given if ends[2] == "*" else f"1/{given}"
+            raise ValueError(f"expected the factor before the link: `{first}*{link}`")
         behind = _behind(text)
         if self.links_known and behind.startswith("*") and not unit(behind)[0]:
             link = "the name of a link" if self.link_names else "`link` and its number"
