@@ -333,3 +333,15 @@ max: efficiency[low]
     Path("sweep.yaml").write_text(text, encoding="utf-8")
     said = vstatics("sweep", "--file", "sweep.yaml")
     assert said.out.splitlines()[0] == 'variant,D.ratio,status,ETA[low],"slip_speeds[C,low]"'
+
+
+def test_headings_stay_as_they_are_where_that_is_asked_for(tmp_path: Path) -> None:
+    """A heading that begins as a formula does gets an apostrophe; in a file and on a stream."""
+    said = ("sweep", MZKT, "--vary", "D1.ratio=-3:-2:2", "--out", "-ratio[1]")
+    heads = []
+    for option in ((), ("--raw",)):
+        assert vstatics(*said, *option, "-o", tmp_path / "out.csv").status == 0
+        written = (tmp_path / "out.csv").read_text(encoding="utf-8")
+        assert vstatics(*said, *option).out == written
+        heads.append(written.splitlines()[0])
+    assert heads == ["variant,D1.ratio,status,'-ratio[1]", "variant,D1.ratio,status,-ratio[1]"]

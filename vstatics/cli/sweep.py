@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import replace
 from typing import Any, cast
 
 import click
@@ -115,8 +114,6 @@ def sweep(
         build.check_packages(options, form, scheduler)
         reading = arguments.read_one(options.case or "", input_format, telling)
         plan = build.plan(reading.case, options)
-        if raw:
-            plan = replace(plan, raw=True)
         if most_rows(plan) > MOST_ROWS.get(form, math.inf):
             message = f"{form} is for {MOST_ROWS[form]} rows at most, not for {most_rows(plan)}"
             raise click.UsageError(f"{message}: expected another format, or --best")
@@ -125,7 +122,14 @@ def sweep(
             status = DONE
         else:
             where = plan, form, options.output
-            status = run(*where, jobs=jobs, scheduler=scheduler, resume=resume, quiet=telling.quiet)
+            status = run(
+                *where,
+                jobs=jobs,
+                scheduler=scheduler,
+                raw=raw,
+                resume=resume,
+                quiet=telling.quiet,
+            )
         return status or (FAILED if telling.fails(reading.warnings) else DONE)
     except CaseError as error:  # is shown as what ends a reading
         raise ReadError(error.problems) from error

@@ -30,14 +30,16 @@ def run(
     *,
     jobs: int,
     scheduler: str | None,
+    raw: bool,
     resume: bool,
     quiet: bool,
 ) -> int:
     """Carry out a sweep; its exit status. A quiet one says what is not well, no more."""
     try:
         if output is None or is_stream(output):
-            return to_stream(plan, form, output, jobs, scheduler, quiet=quiet)
-        return to_file(plan, form, output, jobs, scheduler, resume=resume, quiet=quiet)
+            return to_stream(plan, form, output, jobs, scheduler, raw=raw, quiet=quiet)
+        to = plan, form, output, jobs, scheduler
+        return to_file(*to, raw=raw, resume=resume, quiet=quiet)
     finally:
         if isinstance(plan.variants, VariantTable):
             plan.variants.close()
@@ -50,6 +52,7 @@ def to_file(
     jobs: int,
     scheduler: str | None,
     *,
+    raw: bool,
     resume: bool,
     quiet: bool,
 ) -> int:
@@ -61,7 +64,7 @@ def to_file(
         check_room(plan, form, output, pieces)
         if resume and not (quiet or pieces.exists()) and os.path.exists(output):  # noqa: PTH110
             files.say(f"{output} may be of another sweep: every variant is calculated again")
-        written = Output(plan, form, pieces)
+        written = Output(plan, form, pieces, raw=raw)
         try:
             without = pieces.open(description(plan, form), plan.pieces, resume=resume)
             if without and not quiet:
@@ -105,13 +108,14 @@ def to_stream(
     jobs: int,
     scheduler: str | None,
     *,
+    raw: bool,
     quiet: bool,
 ) -> int:
     """Write rows to stdout, or to what is no file, as they come; the exit status."""
     from vstatics.cli.progress import progress
 
     began = time.perf_counter()
-    task = SweepTask(plan, form)
+    task = SweepTask(plan, form, raw=raw)
     done = 0
     try:
         with (

@@ -70,9 +70,11 @@ def column_types(plan: SweepPlan) -> list[ColumnType]:
 class Output:
     """The way of a sweep to its file; `store` is to be opened before."""
 
-    def __init__(self, plan: SweepPlan, form: Format, store: FinishedPieces) -> None:
-        """Take the pieces that the store has."""
-        self.task = SweepTask(plan, form, store.directory)
+    def __init__(
+        self, plan: SweepPlan, form: Format, store: FinishedPieces, *, raw: bool = False
+    ) -> None:
+        """Take the pieces that the store has; they are the same whether headings are raw."""
+        self.task = SweepTask(plan, form, store.directory, raw)
         self.store = store
 
     @property
@@ -149,7 +151,7 @@ class Output:
         plan, form = self.task.plan, self.task.form
         if form == "npz":
             return npz_layout(column_types(plan), accounts)
-        head = text.head(form, plan.names, plan.headings, raw=plan.raw)
+        head = text.head(form, plan.names, plan.headings, raw=self.task.raw)
         copies, place = [], len(head)
         for account in accounts:
             copies.append(Copy(account.piece, 0, place, account.length))
@@ -201,7 +203,7 @@ def stream(
     counts: Counter[str] = Counter()
     rows = 0
     items = tasks.items(task, range(plan.pieces), remote=workers.remote)
-    write(text.head(form, plan.names, plan.headings, raw=plan.raw))
+    write(text.head(form, plan.names, plan.headings, raw=task.raw))
     if plan.objectives:
         kept: list[Chunk] = []
         for _, calculated in workers.each(tasks.calculate, items, ordered=True):

@@ -42,8 +42,6 @@ class SweepPlan:
         So many at most. When not given 20 by one objective, all by several.
     piece : int
         Variants of a piece.
-    raw : bool
-        Whether headings in CSV stay as they are, also where a spreadsheet calculates them.
     """
 
     case: Transmission
@@ -53,7 +51,6 @@ class SweepPlan:
     objectives: tuple[Objective, ...] = ()
     best: int | None = None
     piece: int = PIECE
-    raw: bool = False
 
     @property
     def names(self) -> tuple[str, ...]:

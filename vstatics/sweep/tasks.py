@@ -25,6 +25,8 @@ class SweepTask(NamedTuple):
     plan: SweepPlan
     form: Format
     directory: str = ""
+    raw: bool = False
+    """Whether headings in CSV stay as they are, also where a spreadsheet calculates them."""
 
     def describe(self, item: object) -> str:
         """The variants of a piece, in words."""
