@@ -50,9 +50,8 @@ def test_the_suffix_tells_the_format(command: str, suffix: str) -> None:
     assert vstatics(command, ZF, "-o", f"new.{suffix}").all == ""
     expected = vstatics(command, ZF, "-f", FORMATS[suffix]).out
     assert Path(f"new.{suffix}").read_text(encoding="utf-8") == expected
-    assert expected[:1] in {"json": "{", "jsonl": "{", "md": "#", "tex": "\\"}.get(
-        suffix.lower(), expected[:1]
-    )
+    begins = {"json": "{\n", "jsonl": '{"', "csv": "table,", "md": "# ", "tex": "\\"}
+    assert expected.startswith(begins[suffix.lower()])
 
 
 @pytest.mark.parametrize("command", COMMANDS)
