@@ -461,13 +461,18 @@ def test_a_click_on_a_heading_sorts(
 def test_rows_that_are_set_in_are_sorted_below_their_own(
     tmp_path: Path, nasty_text: str, clicks: int
 ) -> None:
-    """The ring, the second link, is held: power enters by the first and leaves by the third."""
+    """The ring, the second link, is held: power enters by the first and leaves by the third.
+
+    Of the power that enters u/(u - 1), so less than all, goes through the teeth.
+    """
     click = "document.querySelectorAll('[data-gear]:not([hidden]) th [role=button]')[1].click()"
     file = tmp_path / "out.html"
     body = nasty_text.replace("</body>", f"<script>{f'{click};' * clicks}</script></body>")
     file.write_text(body, encoding="utf-8")
     names = list(in_browser(file.as_uri(), tmp_path).table("Gear low <1>"))
-    members = ["first: <b>in</b>", 'second: r"ing', "third: out'"]
-    upward = clicks == 1
-    assert names[-4:] == ["D&", *(members[::-1] if upward else members)]
-    assert names[:-4] == ["links", "<b>in</b>", "out'", "mechanisms"]
+    first, second, third = "first: <b>in</b>", 'second: r"ing', "third: out'"
+    as_written = [first, second, third, "teeth"]
+    downward = [first, "teeth", second, third]
+    expected = [as_written, downward[::-1], downward, as_written][clicks]
+    assert names[-5:] == ["D&", *expected]
+    assert names[:-5] == ["links", "<b>in</b>", "out'", "mechanisms"]
