@@ -131,9 +131,7 @@ def with_ones(seed: int) -> Transmission:
     )
 
 
-@pytest.mark.parametrize(
-    "seeds", [range(60), pytest.param(range(60, 800), marks=pytest.mark.slow)]
-)
+@pytest.mark.parametrize("seeds", [range(60), pytest.param(range(60, 800), marks=pytest.mark.slow)])
 def test_every_number_is_that_of_exact_arithmetic(seeds: range) -> None:
     for seed in seeds:
         case = with_ones(seed)
