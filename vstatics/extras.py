@@ -10,14 +10,16 @@ from vstatics.errors import CaseError, Problem
 __version__ = "0.1.0"
 
 EXTRAS = {
-    "pyarrow": "parquet",
-    "distributed": "dask",
-    "scipy": "sample",
+    "parquet": "pyarrow",
+    "dask": "distributed",
+    "sample": "scipy",
+    "torsion": "scipy",
     "pandas": "pandas",
-    "sympy": "formula",
-    "matplotlib": "plot",
-    "openpyxl": "xlsx",
+    "formula": "sympy",
+    "plot": "matplotlib",
+    "xlsx": "openpyxl",
 }
+"""By extra: the package that it brings."""
 
 
 @cache
@@ -45,28 +47,29 @@ def build() -> str:
     return digest.hexdigest()[:12]
 
 
-def missing(package: str, purpose: str) -> str:
+def missing(extra: str, purpose: str) -> str:
     """What to install for a purpose, or nothing where it is installed.
 
-    >>> missing("sympy", "the formula") in (
+    >>> missing("formula", "the formula") in (
     ...     "", 'the formula needs the package sympy: pip install "vstatics[formula]"')
     True
     """
     from importlib.util import find_spec
 
+    package = EXTRAS[extra]
     if find_spec(package) is not None:
         return ""
-    return f'{purpose} needs the package {package}: pip install "vstatics[{EXTRAS[package]}]"'
+    return f'{purpose} needs the package {package}: pip install "vstatics[{extra}]"'
 
 
-def require(package: str, purpose: str) -> None:
-    """Make sure that a package is there before anything is calculated.
+def require(extra: str, purpose: str) -> None:
+    """Make sure that the package of an extra is there before anything is calculated.
 
     Raises
     ------
     CaseError
         With the way to install it.
     """
-    message = missing(package, purpose)
+    message = missing(extra, purpose)
     if message:
         raise CaseError([Problem(message)])

@@ -105,7 +105,7 @@ class OutputOptions(NamedTuple):
             raise click.UsageError(f"--digits does not apply to {chosen}, which has all digits")
         if self.style.raw and chosen != "csv":
             raise click.UsageError("--raw is for CSV")
-        if chosen == "xlsx" and (message := missing("openpyxl", "XLSX")):
+        if chosen == "xlsx" and (message := missing("xlsx", "XLSX")):
             raise ReadError([Problem(message)])
         return Destination(chosen, self.output, self.style, is_folder)
 

@@ -96,7 +96,7 @@ def formula(
         If SymPy is not installed, the output speed is not determined or 0, or the formula
         would be too long.
     """
-    reason = missing("sympy", "the formula")
+    reason = missing("formula", "the formula")
     if reason:
         raise NoFormula(reason)
     case = own.case

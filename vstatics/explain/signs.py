@@ -34,9 +34,9 @@ class PowerSign(NamedTuple):
 
 def signs_of(state: GearState) -> list[PowerSign]:
     """The signs of a gear, by mechanism: equation (5) of docs/method.md."""
-    case, elements = state.case, len(state.case.shift_elements)
+    case = state.case
     speeds = [0.0, *map(plain, state.speeds)]
-    torques = map(plain, state.ideal.torques_with_drag.on_first_link[elements:-1])
+    torques = map(plain, state.ideal.torques_with_drag.on_first_link[case.among_devices])
     signs = []
     for place, (mechanism, torque) in enumerate(zip(case.mechanisms, torques, strict=True)):
         first, third = speeds[mechanism.first], speeds[mechanism.third]

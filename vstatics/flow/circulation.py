@@ -14,7 +14,7 @@ from typing import Literal, NamedTuple
 
 from vstatics.numerics.tolerances import CYCLE
 
-NodeKind = Literal["port", "link", "element", "mechanism", "drag"]
+NodeKind = Literal["port", "link", "element", "mechanism", "spring", "drag"]
 """An element is a shift element; a mechanism may be a drawn element."""
 
 

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from vstatics.errors import Problem
+from vstatics.errors import Problem, spoken
 from vstatics.model.fields import TransmissionFields
 from vstatics.model.gear_checks import of_gear, of_load
 from vstatics.model.part_checks import called, doubtful, of_element, of_link, of_mechanism
 from vstatics.model.parts import HOUSING, Mechanism, element_name, mechanism_name
+from vstatics.model.spring_checks import of_torsion, spring_ends
+from vstatics.model.springs import spring_name
 
 MOST_FREEWHEELS = 8
 """All sets of them are tried in every gear."""
@@ -25,6 +27,7 @@ def problems(case: TransmissionFields) -> Iterator[Problem]:
     yield from _freewheels(case)
     for number, mechanism in enumerate(case.mechanisms, 1):
         yield from of_mechanism(mechanism, ("mechanisms", number), case.links)
+    yield from of_torsion(case)
     yield from of_load(case.load, ())
     for number, gear in enumerate(case.gears, 1):
         path = ("gears", number)
@@ -88,21 +91,27 @@ def _not_drawn(case: TransmissionFields) -> list[tuple[int, Mechanism]]:
 
 def _sizes(case: TransmissionFields) -> Iterator[Problem]:
     """Sizes that devices can fill; so no case asks for more memory than its text holds."""
-    joined = 2 * len(case.shift_elements) + 3 * len(case.mechanisms)
-    if case.links < 2:
-        message = f"read {case.links}, expected at least 2 links (input and output)"
-        yield Problem(message, ("links",))
+    joined = 2 * len(case.shift_elements) + 3 * len(case.mechanisms) + spring_ends(case)
+    least = 1 if case.springs else 2
+    if case.links < least:
+        expected = "at least 1 link" if case.springs else "at least 2 links (input and output)"
+        yield Problem(f"read {case.links}, expected {expected}", ("links",))
     elif case.links > max(joined, 2):
         yield Problem(
-            f"read {case.links} links, but {len(case.shift_elements)} shift elements and "
-            f"{len(case.mechanisms)} mechanisms can join {joined} at most",
+            f"read {case.links} links, but {_counted(case)} can join {joined} at most",
             ("links",),
         )
     if case.link_names and len(case.link_names) != case.links:
         message = f"{case.links} links, but {len(case.link_names)} names of links"
         yield Problem(message, ("link_names",))
-    if not case.gears:
+    if not case.gears and not case.springs:
         yield Problem("there is no gear, expected at least one", ("gears",))
+
+
+def _counted(case: TransmissionFields) -> str:
+    """What can join links, in words."""
+    parts = [f"{len(case.shift_elements)} shift elements", f"{len(case.mechanisms)} mechanisms"]
+    return spoken(parts + ([f"{len(case.springs)} springs"] if case.springs else []))
 
 
 def _names(case: TransmissionFields) -> Iterator[Problem]:
@@ -114,6 +123,8 @@ def _names(case: TransmissionFields) -> Iterator[Problem]:
     yield from _distinct(elements, "shift_elements", "shift element")
     yield from _distinct(mechanisms, "mechanisms", "mechanism")
     yield from _distinct(gears, "gears", "gear")
+    springs = [spring.name or spring_name(n) for n, spring in enumerate(case.springs, 1)]
+    yield from _distinct(springs, "springs", "spring")
     for number, name in enumerate(case.link_names, 1):
         if name in ("0", "housing"):
             message = f"`{name}` is the housing, expected another name for link {number}"
@@ -169,7 +180,7 @@ def _ports(case: TransmissionFields) -> Iterator[Problem]:
     yield from of_link(case.input, ("input",), case.own_links, lowest=1)
     yield from of_link(case.main_output, ("output",), case.own_links, lowest=1)
     yield from _outputs(case)
-    if case.input == case.main_output:
+    if case.input == case.main_output and not (case.springs and case.links == 1):
         yield Problem(f"input and output are both link {called(case, case.input)}", ("output",))
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any, Literal, Protocol
@@ -10,6 +10,7 @@ from typing import Any, Literal, Protocol
 from vstatics.errors import Problem, listed, nearest, typed_number
 from vstatics.model.own import Member, OwnDevice, Planet
 from vstatics.model.parts import Direction, Gear, Load, Mechanism, ShiftElement, SpeedOf
+from vstatics.model.springs import Spring
 
 IdleConvention = Literal["published", "exact"]
 """Which sign an idle mechanism gets; see docs/method.md."""
@@ -56,6 +57,8 @@ class TransmissionFields:
     load: Load | None = None
     drawing: AnyDrawing | None = None
     outputs: Sequence[int] = ()
+    inertias: Mapping[int, float] = field(default_factory=dict)
+    springs: Sequence[Spring] = ()
     _lowered: AnyDrawing | None = field(default=None, repr=False, compare=False)
     """The drawing that the mechanisms were made from; with another one they are not its own."""
 
@@ -150,7 +153,14 @@ class TransmissionFields:
     def devices(self) -> list[str]:
         """Names of all devices in the order of the structural-distribution matrix."""
         elements = [element.name for element in self.shift_elements]
-        return elements + [mechanism.name for mechanism in self.mechanisms]
+        mechanisms = [mechanism.name for mechanism in self.mechanisms]
+        return [*elements, *mechanisms, *(spring.name for spring in self.springs)]
+
+    @property
+    def among_devices(self) -> slice:
+        """Where the mechanisms stand among the devices: shift elements before, springs behind."""
+        elements = len(self.shift_elements)
+        return slice(elements, elements + len(self.mechanisms))
 
 
 def _own_device(index: int, mechanism: Mechanism) -> OwnDevice:

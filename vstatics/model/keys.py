@@ -6,6 +6,7 @@ others refer to comes first.
 
 from __future__ import annotations
 
+from vstatics.model.elastic_keys import ELASTIC, SPRING
 from vstatics.model.parts import (
     DIRECTIONS,
     ELEMENT_KINDS,
@@ -68,6 +69,7 @@ ELEMENT = ByKey(
             limits={"exclusiveMinimum": 0},
             examples=("600 N*m",),
         ),
+        *ELASTIC,
     ),
     lambda links, **others: ShiftElement(*links, **others),
 )
@@ -109,6 +111,7 @@ MECHANISM = ByKey(
             "Ratio first link to planet, third link held; known by itself for a plain set.",
             limits={"not": {"const": 0}},
         ),
+        *ELASTIC,
     ),
     Mechanism,
 )
@@ -234,6 +237,18 @@ CASE = ByKey(
             required=True,
         ),
         KeyShape(
+            "inertias",
+            Numbers("link", Leaf("inertia"), {"minimum": 0}),
+            "Moments of inertia of links, in kg*m^2; those that are left out have none.",
+            examples=({"engine": 0.15},),
+        ),
+        KeyShape(
+            "springs",
+            ByName("spring", SPRING),
+            "Elastic devices in order, each under its name; with them a case may go without "
+            "mechanisms, links and gears.",
+        ),
+        KeyShape(
             "gears",
             ByName("gear", Either(ENGAGED, "engaged", GEAR)),
             "Gears in order, each under its name: what is engaged, or a mapping.",
@@ -242,3 +257,10 @@ CASE = ByKey(
         ),
     ),
 )
+
+
+def with_springs(case: ByKey) -> ByKey:
+    """The shape of a case that has springs: it may go without mechanisms and gears."""
+    free = {"mechanisms", "gears", "links"}
+    keys = (key._replace(required=key.required and key.name not in free) for key in case.keys)
+    return case._replace(keys=tuple(keys))

@@ -11,6 +11,8 @@ from collections.abc import Mapping, Sequence
 from types import MappingProxyType
 from typing import Any, Literal, NamedTuple, Self, get_args
 
+from vstatics.model.damping import NO_DAMPING, Damping
+
 HOUSING = 0
 KW_OF_RPM_NM = math.pi / 30 / 1000
 """1 N*m at 1 rpm, in kW."""
@@ -44,6 +46,10 @@ class ShiftElement(NamedTuple):
     capacity : float, optional
         Torque that it can carry, relative to the input torque of the case's load. Nothing
         is calculated with it but margins. [-]
+    stiffness : float, optional
+        When it is engaged, for vibration; rigid when not given. [N*m/rad]
+    damping : Damping or float
+        Beside the stiffness; a number is viscous. [N*m*s/rad]
     """
 
     first: int
@@ -52,6 +58,8 @@ class ShiftElement(NamedTuple):
     kind: ElementKind | Literal[""] = ""
     drag: float = 0.0
     capacity: float | None = None
+    stiffness: float | None = None
+    damping: Damping | float = NO_DAMPING
 
     @property
     def links(self) -> tuple[int, int]:
@@ -83,6 +91,11 @@ class Mechanism(NamedTuple):
         (ratio below 0, not -1) has ``(ratio + 1)/2``, any other has none. [-]
     name : str
         ``D`` and the number when not given.
+    stiffness : float, optional
+        Torque on its first link by the twist of its row (1, -u, u - 1), for vibration; rigid
+        when not given. [N*m/rad]
+    damping : Damping or float
+        Beside the stiffness; a number is viscous. [N*m*s/rad]
     """
 
     first: int
@@ -93,6 +106,8 @@ class Mechanism(NamedTuple):
     planet_ratio: float | None = None
     name: str = ""
     back_efficiency: float | None = None
+    stiffness: float | None = None
+    damping: Damping | float = NO_DAMPING
 
     @property
     def links(self) -> tuple[int, int, int]:

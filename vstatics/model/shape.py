@@ -21,6 +21,12 @@ LeafKind = Literal[
     "power",
     "relative_speed",
     "relative_torque",
+    "inertia",
+    "stiffness",
+    "compliance",
+    "damping",
+    "mass",
+    "length",
     "link",
     "element",
     "flag",
@@ -28,6 +34,9 @@ LeafKind = Literal[
 ]
 UNITS: Mapping[str, str] = {"speed": "rpm", "torque": "N*m", "power": "kW"}
 """Units of speeds, torques and powers that are not relative."""
+
+Measure = Literal["inertia", "stiffness", "compliance", "damping", "mass", "length"]
+"""What is given in SI, with its unit or without."""
 
 Limits: TypeAlias = Mapping[str, Any]
 """Words of JSON Schema for numbers, which the model checks in its own words."""
@@ -109,9 +118,9 @@ class ByKey(NamedTuple):
 
 
 class Either(NamedTuple):
-    """A record, or in its place a list, which is one of its keys and says all that is needed."""
+    """A record, or in its place a list or a number, which is one of its keys and says all."""
 
-    short: Ends | ListOf
+    short: Ends | ListOf | Leaf
     key: str
     record: ByKey
     written: bool = False

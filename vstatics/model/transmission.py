@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from vstatics.errors import CaseError, nearest, plural
 from vstatics.model.checks import problems
+from vstatics.model.damping import damping
 from vstatics.model.fields import AnyDrawing, IdleConvention, TransmissionFields
 from vstatics.model.part_checks import of_mechanism
 from vstatics.model.parts import (
@@ -21,6 +22,7 @@ from vstatics.model.parts import (
     element_name,
     mechanism_name,
 )
+from vstatics.model.springs import spring_name
 
 __all__ = [
     "HOUSING",
@@ -59,6 +61,11 @@ class Transmission(TransmissionFields):
     outputs : sequence of int
         All output links, where there are several: `output` is the first. The others are ports
         with a given speed or torque.
+    inertias : mapping of int to float
+        Of links; those that are left out have none. [kg*m^2]
+    springs : sequence of Spring
+        Elastic devices; with them a case may go without mechanisms, and without gears it has
+        one with nothing engaged.
 
     Raises
     ------
@@ -85,6 +92,8 @@ class Transmission(TransmissionFields):
             "mechanism": len(self.own_devices),
             "gear": len(self.gears),
         }
+        if self.springs:
+            parts["spring"] = len(self.springs)
         counts = (f"{count} {plural(what, count)}" for what, count in parts.items())
         name = f" {self.name!r}" if self.name else ""
         return f"<Transmission{name}: {', '.join(counts)}>"
@@ -169,6 +178,8 @@ def _completed(case: Transmission) -> dict[str, object]:
                 name=element.name or element_name(number, element),
                 drag=float(element.drag),
                 capacity=_capacity(element.capacity, case.load),
+                stiffness=_float(element.stiffness),
+                damping=damping(element.damping),
             )
             for number, element in enumerate(case.shift_elements, 1)
         ),
@@ -178,10 +189,25 @@ def _completed(case: Transmission) -> dict[str, object]:
                 efficiency=float(mechanism.efficiency),
                 name=mechanism.name or mechanism_name(number),
                 back_efficiency=_float(mechanism.back_efficiency),
+                stiffness=_float(mechanism.stiffness),
+                damping=damping(mechanism.damping),
             )
             for number, mechanism in enumerate(case.mechanisms, 1)
         ),
-        "gears": tuple(_gear(case, gear, number) for number, gear in enumerate(case.gears, 1)),
+        "gears": tuple(
+            _gear(case, gear, number) for number, gear in enumerate(case.gears or (Gear(),), 1)
+        ),
+        "inertias": {link: float(inertia) for link, inertia in case.inertias.items()},
+        "springs": tuple(
+            spring._replace(
+                twist=tuple(spring.form.items()),
+                stiffness=_float(spring.stiffness),
+                compliance=_float(spring.compliance),
+                damping=damping(spring.damping),
+                name=spring.name or spring_name(number),
+            )
+            for number, spring in enumerate(case.springs, 1)
+        ),
     }
 
 

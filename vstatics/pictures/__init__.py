@@ -70,7 +70,7 @@ def picture(results: Results, kind: str, style: Style, gears: Sequence[int] = ()
     CaseError
         If matplotlib is not installed, or the case has nothing that could be drawn.
     """
-    require("matplotlib", "a picture")
+    require("plot", "a picture")
     module = import_module(PICTURES[kind])
     with _settings(style):
         figure: Figure = module.draw(results, style, gears)

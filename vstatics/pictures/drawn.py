@@ -101,7 +101,7 @@ def plot(
     '<?xml'
     """
     expect_results(results, "plot")
-    require("matplotlib", "a picture")
+    require("plot", "a picture")
     if kind not in PICTURES:
         hint = nearest(kind, PICTURES) or f"; expected one of {', '.join(PICTURES)}"
         raise ValueError(f"there is no picture {kind!r}{hint}")

@@ -49,7 +49,7 @@ def state_of(results: Results, number: int) -> PictureState:
     ([0.0, 1.0, 0.0], [0, 1, 0, 3])
     """
     state = results.gear(number)
-    case, gear, first = state.case, state.gear, len(state.case.shift_elements)
+    case, gear = state.case, state.gear
     faults = [one for one in state.statuses if one.is_fault]
     if state.ideal.speeds.missing:
         faults.append(NOT_DETERMINED)
@@ -62,5 +62,5 @@ def state_of(results: Results, number: int) -> PictureState:
         [0.0, *map(plain, state.speeds)],
         joined_by_elements(case, gear),
         [one and state.calculable for one in state.search.idle],
-        [torque != 0 for torque in state.torques.on_first_link[first:-1]],
+        [torque != 0 for torque in state.torques.on_first_link[case.among_devices]],
     )

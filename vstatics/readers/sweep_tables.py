@@ -62,7 +62,7 @@ def _npz(data: bytes) -> dict[str, Any]:
 
 
 def _parquet(data: bytes) -> dict[str, Any]:
-    if message := missing("pyarrow", "Parquet"):
+    if message := missing("parquet", "Parquet"):
         raise ReadError([Problem(message)])
     import pyarrow as pa  # type: ignore[import-untyped]
     import pyarrow.parquet as pq  # type: ignore[import-untyped]

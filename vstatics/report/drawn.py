@@ -44,7 +44,7 @@ def pictures(results: Results) -> list[Drawn]:
     CaseError
         If matplotlib is not installed.
     """
-    require("matplotlib", "a picture")
+    require("plot", "a picture")
     return [_drawn(results, kind) for kind in PICTURES]
 
 

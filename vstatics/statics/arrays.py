@@ -14,7 +14,7 @@ Rows = Literal["links", "planets", "elements", "devices", "mechanisms", "torques
 
 `elements` are shift elements; `devices` mechanisms and drawn elements as the case names
 them; `mechanisms` those that the solver knows; `torques` shift elements, mechanisms or
-members of drawn elements, and the output; `meshes` those of a case that is drawn, with
+members of drawn elements, springs, and the output; `meshes` those of a case that is drawn, with
 planets as links; `one`: a value of the gear itself.
 """
 
@@ -91,7 +91,7 @@ def all_row_names(case: Transmission) -> dict[Rows, list[str]]:
         "elements": elements,
         "devices": devices,
         "mechanisms": mechanisms,
-        "torques": [*elements, *members, OUTPUT],
+        "torques": [*elements, *members, *(spring.name for spring in case.springs), OUTPUT],
         "meshes": meshes,
         "one": [],
     }

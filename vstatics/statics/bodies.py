@@ -1,10 +1,11 @@
-"""Links that turn as one piece: joined by engaged elements, and by mechanisms that can't turn."""
+"""Links that turn as one piece: joined by engaged elements, shafts, mechanisms that can't turn."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 from vstatics.model.own import OwnDevice
+from vstatics.model.springs import ends
 from vstatics.model.transmission import HOUSING, Gear, Mechanism, Transmission
 from vstatics.numerics.tolerances import UNCERTAIN
 from vstatics.numerics.traced import Number, absolute
@@ -16,7 +17,7 @@ Bodies = list[int]
 
 
 def joined_by_elements(case: Transmission, gear: Gear) -> Bodies:
-    """The bodies that the engaged elements make of the links.
+    """The bodies that the engaged elements, and springs as shafts, make of the links.
 
     >>> from vstatics.model.transmission import Mechanism, ShiftElement
     >>> case = Transmission(3, [ShiftElement(2), ShiftElement(3, 1)],
@@ -28,7 +29,14 @@ def joined_by_elements(case: Transmission, gear: Gear) -> Bodies:
     for number in gear.engaged:
         element = case.shift_elements[number - 1]
         join(bodies, element.first, element.second)
+    for links in _shafts(case):
+        join(bodies, *links)
     return bodies
+
+
+def _shafts(case: Transmission) -> Iterator[tuple[int, int]]:
+    """The ends of springs that are shafts: at mean speeds these are not twisted further."""
+    return filter(None, (ends(spring.twist) for spring in case.springs))
 
 
 def join(bodies: Bodies, *links: int) -> None:
@@ -45,9 +53,10 @@ def turning_as_one(case: Transmission, gear: Gear, speeds: Sequence[Number]) -> 
     Engaged elements join links, and devices in which nothing moves; what stands joins none.
     """
     bodies = list(range(case.links + 1))
-    ends: list[tuple[int, ...]] = [case.shift_elements[number - 1][:2] for number in gear.engaged]
-    ends += [_links(device) for device in case.own_devices if is_one_piece(device, speeds)]
-    for links in ends:
+    joined: list[tuple[int, ...]] = [case.shift_elements[number - 1][:2] for number in gear.engaged]
+    joined += _shafts(case)
+    joined += [_links(device) for device in case.own_devices if is_one_piece(device, speeds)]
+    for links in joined:
         if HOUSING not in links:
             join(bodies, *links)
     return bodies

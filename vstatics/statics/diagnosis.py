@@ -228,10 +228,10 @@ def _excess(results: Results, number: int, gear: Gear) -> Iterator[Said]:
     case, repeated, same = results.case, list[str](), list[str]()
     rows = matrix.speed_rows(case, gear, _columns(case))
     names = matrix.speed_row_names(case, gear)
-    mechanisms = len(case.mechanisms)
+    always = len(case.mechanisms) + len(case.springs)
     for involved, agrees in elimination.dependencies(rows):
-        engaged = [names[i] for i in involved if mechanisms <= i < mechanisms + len(gear.engaged)]
-        others = [names[i] for i in involved if i >= mechanisms + len(gear.engaged)]
+        engaged = [names[i] for i in involved if always <= i < always + len(gear.engaged)]
+        others = [names[i] for i in involved if i >= always + len(gear.engaged)]
         every = [names[i] for i in involved]
         conditions = spoken(engaged + others) or spoken(every)
         if not agrees:

@@ -147,7 +147,7 @@ def _conflict(variant: Variant, gear: Gear, nobody: Speeds) -> GearState:
         slips=[nan] * len(nobody.slips),
     )
     torques = Torques(
-        [nan] * (len(case.shift_elements) + len(case.mechanisms) + 1),
+        [nan] * (len(case.devices) + 1),
         dict.fromkeys(matrix.held_links(case, gear), nan),
         consistent=False,
     )

@@ -104,7 +104,7 @@ def _by_wheels(state: GearState, planet: Planet) -> Number:
 
 
 def _torques(state: GearState, *, lossy: bool) -> list[Number] | list[Number | Rest]:
-    """On shift elements, mechanisms or members of drawn elements, and the output."""
+    """On shift elements, mechanisms or members of drawn elements, springs, and the output."""
     torques = (state.lossy_torques if lossy else state.torques).on_first_link
     if state.case.drawing is None:
         return torques
@@ -113,7 +113,7 @@ def _torques(state: GearState, *, lossy: bool) -> list[Number] | list[Number | R
     return [
         *torques[:elements],
         *(torque for device in members for torque in device.values()),
-        torques[-1],
+        *torques[elements + len(state.case.mechanisms) :],
     ]
 
 

@@ -44,7 +44,8 @@ def _idle_with_torque(results: Results, number: int) -> Iterator[int]:
     case, is_idle = results.case, results.idle[number].tolist()
     if case.drawing is None and True not in is_idle:
         return
-    on_own = results.lossy_torques[number, len(case.shift_elements) : -1].tolist()
+    behind = len(case.springs) + 1
+    on_own = results.lossy_torques[number, len(case.shift_elements) : -behind].tolist()
     if case.drawing is None:
         marks = enumerate(zip(is_idle, on_own, strict=True))
         yield from (index for index, (idle, torque) in marks if idle and torque != 0)

@@ -57,7 +57,7 @@ def value(coefficient: Any) -> Any:
 
 
 def columns(case: Transmission, ratios: Sequence[Number]) -> list[Column]:
-    """Columns of the structural-distribution matrix, shift elements before mechanisms.
+    """Columns of the structural-distribution matrix: shift elements, mechanisms, springs.
 
     The housing has no row.
 
@@ -70,10 +70,11 @@ def columns(case: Transmission, ratios: Sequence[Number]) -> list[Column]:
         _without_housing((element.first, element.second), ON_ELEMENT)
         for element in case.shift_elements
     ]
-    return of_elements + [
+    of_mechanisms = [
         _without_housing(mechanism.links, on_mechanism(ratio))
         for mechanism, ratio in zip(case.mechanisms, ratios, strict=True)
     ]
+    return [*of_elements, *of_mechanisms, *(spring.form for spring in case.springs)]
 
 
 def _without_housing(links: Sequence[int], torques: Sequence[Coefficient]) -> Column:
@@ -90,7 +91,7 @@ def distribution_matrix(case: Transmission, ratios: ArrayLike | None = None) -> 
 
     Returns
     -------
-    ndarray, shape (..., links, shift elements + mechanisms)
+    ndarray, shape (..., links, shift elements + mechanisms + springs)
         Torque on each link per torque on the first link of each device. [-]
 
     Raises
@@ -110,7 +111,7 @@ def distribution_matrix(case: Transmission, ratios: ArrayLike | None = None) -> 
     own = [mechanism.ratio for mechanism in case.mechanisms]
     given = by_mechanism("ratios", own if ratios is None else ratios, len(own))
     elements = len(case.shift_elements)
-    matrix = np.zeros((*given.shape[:-1], 1 + case.links, elements + len(own)))
+    matrix = np.zeros((*given.shape[:-1], 1 + case.links, len(case.devices)))
     for number, element in enumerate(case.shift_elements):
         for link, torque in zip((element.first, element.second), ON_ELEMENT, strict=True):
             matrix[..., link, number] = torque
@@ -118,6 +119,9 @@ def distribution_matrix(case: Transmission, ratios: ArrayLike | None = None) -> 
     for number, (mechanism, u) in enumerate(zip(case.mechanisms, by_device, strict=True)):
         for link, torques in zip(mechanism.links, column(u), strict=True):
             matrix[..., link, elements + number] = torques
+    for number, spring in enumerate(case.springs, elements + len(own)):
+        for link, coefficient in spring.form.items():
+            matrix[..., link, number] = coefficient
     return matrix[..., 1:, :]
 
 
@@ -138,9 +142,10 @@ def by_mechanism(name: str, given: ArrayLike, mechanisms: int) -> Floats:
 def speed_rows(case: Transmission, gear: Gear, columns: Sequence[Column]) -> list[Equation]:
     """Equations for the link speeds of a gear; unknown ``link - 1`` is the link's speed.
 
-    The column of a mechanism, or of an engaged element, is its equation, ``w_f - u w_s +
-    (u - 1) w_h = 0`` and ``w_a - w_b = 0``; the input has speed 1; then one equation
-    for each further given speed (figure 3), a number or that of another link.
+    The column of a mechanism, of a spring, or of an engaged element, is its equation, ``w_f -
+    u w_s + (u - 1) w_h = 0`` and ``w_a - w_b = 0``: at mean speeds no twist grows. The input has
+    speed 1; then one equation for each further given speed (figure 3), a number or that of
+    another link.
     """
     elements = len(case.shift_elements)
     held = [columns[number - 1] for number in gear.engaged]
@@ -163,6 +168,7 @@ def speed_row_names(case: Transmission, gear: Gear) -> list[str]:
     """What each equation of `speed_rows` stands for."""
     return [
         *(mechanism.name for mechanism in case.mechanisms),
+        *(spring.name for spring in case.springs),
         *(case.shift_elements[number - 1].name for number in gear.engaged),
         INPUT_SPEED,
         *(f"the given speed of link {case.link_name(link)}" for link in gear.speeds),
@@ -170,10 +176,9 @@ def speed_row_names(case: Transmission, gear: Gear) -> list[str]:
 
 
 def loaded_devices(case: Transmission, gear: Gear) -> list[int]:
-    """Indices of the devices that can carry torque: engaged elements and mechanisms."""
+    """Indices of the devices that can carry torque: engaged elements, mechanisms, springs."""
     engaged = sorted(number - 1 for number in gear.engaged)
-    elements = len(case.shift_elements)
-    return engaged + list(range(elements, elements + len(case.mechanisms)))
+    return engaged + list(range(len(case.shift_elements), len(case.devices)))
 
 
 def held_links(case: Transmission, gear: Gear) -> list[int]:

@@ -11,7 +11,7 @@ from vstatics.statics.drag import Drag
 from vstatics.statics.matrix import external_torques, held_links
 from vstatics.statics.torques import Torques
 
-DeviceKind = Literal["element", "mechanism", "port", "drag"]
+DeviceKind = Literal["element", "mechanism", "spring", "port", "drag"]
 """`element`: a shift element; `mechanism`: also a drawn element; `drag`: of a link."""
 
 
@@ -20,7 +20,7 @@ class LinkPower(NamedTuple):
 
     kind: DeviceKind
     number: int
-    """Of the shift element, of the mechanism or drawn element, of the link of a port or drag."""
+    """Of the shift element, mechanism or drawn element, spring, of the link of a port or drag."""
     name: str
     member: str
     """Nothing for ports and drag of links, which have one link only."""
@@ -82,7 +82,7 @@ def device_powers(  # noqa: PLR0913
     members: Sequence[Mapping[str, Number]],
     drag: Drag,
 ) -> Iterator[LinkPower]:
-    """Of each member of engaged or dragging shift elements, and of mechanisms.
+    """Of each member of engaged or dragging shift elements, of mechanisms, and of springs.
 
     Parameters
     ----------
@@ -105,6 +105,12 @@ def device_powers(  # noqa: PLR0913
         for one in device.members:
             given = power(own_torques[one.name], with_housing[one.link]) if one.link else 0.0
             yield LinkPower("mechanism", number, device.name, one.name, one.link, given)
+    first = len(case.shift_elements) + len(case.mechanisms)
+    for number, spring in enumerate(case.springs, 1):
+        torque = torques.on_first_link[first + number - 1]
+        for link, part in spring.form.items():
+            given = power(part * torque, with_housing[link])
+            yield LinkPower("spring", number, spring.name, case.link_name(link), link, given)
 
 
 def drag_powers(case: Transmission, speeds: Sequence[Number], drag: Drag) -> Iterator[LinkPower]:

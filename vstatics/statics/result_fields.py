@@ -48,9 +48,9 @@ class ResultFields(NamedTuple):
     """(..., gears), ``w_input/w_output``. [-]"""
 
     torques: Floats
-    """(..., gears, shift elements + mechanisms + 1), on the first link of each; the last is
-    the output torque, given to the load. In place of a drawn element stand its members:
-    what their links give to them. Without losses. [-]"""
+    """(..., gears, shift elements + mechanisms + springs + 1), on the first link of each; the
+    last is the output torque, given to the load; of a spring it is its own torque. In place of
+    a drawn element stand its members: what their links give to them. Without losses. [-]"""
     holding_torques: Floats
     """(..., gears, links), the external torque that holds a given speed. [-]"""
 

@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from vstatics.model.springs import Spring
 from vstatics.model.transmission import Gear, Mechanism, ShiftElement, Transmission
 from vstatics.numerics import memory
 from vstatics.numerics.arrays import Floats
@@ -121,10 +122,11 @@ def _nothing(kind: type, shape: tuple[int, ...]) -> Any:
 
 WITHOUT_EFFECT: dict[type, frozenset[str]] = {
     Transmission: frozenset(
-        {"name", "description", "source", "link_names", "load", "drawing", "_lowered"}
+        {"name", "description", "source", "link_names", "load", "drawing", "_lowered", "inertias"}
     ),
-    ShiftElement: frozenset({"name", "capacity"}),
-    Mechanism: frozenset({"name"}),
+    ShiftElement: frozenset({"name", "capacity", "stiffness", "damping"}),
+    Mechanism: frozenset({"name", "stiffness", "damping"}),
+    Spring: frozenset({"name", "stiffness", "compliance", "damping"}),
     Gear: frozenset({"name", "load"}),
 }
 """Fields that no result depends on; a drawing acts through its devices, a load by its sign."""
@@ -138,11 +140,12 @@ def _kept(part: type, fields: Iterable[str], *left_out: str) -> Callable[[Any], 
 _OF_CASE = _kept(
     Transmission,
     (field.name for field in fields(Transmission)),
-    *("shift_elements", "mechanisms", "gears"),
+    *("shift_elements", "mechanisms", "springs", "gears"),
 )
 _OF_ELEMENT = _kept(ShiftElement, ShiftElement._fields)
 _OF_MECHANISM = _kept(Mechanism, Mechanism._fields, "ratio", "efficiency")
 """The numbers that are left out may vary: a plan takes them as its inputs."""
+_OF_SPRING = _kept(Spring, Spring._fields)
 _OF_GEAR = _kept(Gear, Gear._fields)
 
 
@@ -154,8 +157,9 @@ def _structure(case: Transmission) -> tuple[Hashable, ...]:
     """
     elements = tuple(map(_OF_ELEMENT, case.shift_elements))
     mechanisms = tuple(map(_OF_MECHANISM, case.mechanisms))
+    springs = tuple(map(_OF_SPRING, case.springs))
     drawn = () if case.drawing is None else tuple(case.drawing.devices)
-    return (*_OF_CASE(case), case.own_links, elements, mechanisms, drawn)
+    return (*_OF_CASE(case), case.own_links, elements, mechanisms, springs, drawn)
 
 
 def _conditions(case: Transmission, gear: Gear) -> tuple[Hashable, ...]:

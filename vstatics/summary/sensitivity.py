@@ -40,7 +40,6 @@ def sensitivities(results: Results) -> Floats:
     """
     alone = _without_torques(results)
     case = alone.case
-    elements = len(case.shift_elements)
     outputs = np.array([case.gear_output(gear) for gear in case.gears])
     states = [alone.gear(number) for number in range(1, len(outputs) + 1)]
     speeds = np.array([[0.0, *state.speeds] for state in states])
@@ -50,7 +49,7 @@ def sensitivities(results: Results) -> Floats:
     third = np.array([mechanism.third for mechanism in case.mechanisms], dtype=int)
     with np.errstate(all="ignore"):
         motion = speeds[:, first] - speeds[:, third]
-        relative = torques[:, elements:-1] * motion / output_power[:, np.newaxis]
+        relative = torques[:, case.among_devices] * motion / output_power[:, np.newaxis]
     # an idle one turns as one piece or carries nothing, which no internal ratio changes
     idle = np.array([state.search.idle for state in states])
     idle &= np.isfinite(alone.ratio)[:, np.newaxis]

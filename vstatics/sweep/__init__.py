@@ -103,7 +103,7 @@ def sweep(  # noqa: PLR0913 (as on the command line)
     for message in conflicts(said):
         raise ValueError(message)
     if sample is not None and method != "random":
-        require("scipy", f"the method {method}")
+        require("sample", f"the method {method}")
     arrays = dict(vary) if isinstance(vary, Mapping) else {}
     texts = [f"{name}={values}" for name, values in arrays.items() if isinstance(values, str)]
     if not isinstance(vary, Mapping):

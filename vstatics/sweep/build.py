@@ -40,13 +40,13 @@ def check_packages(options: SweepOptions, form: Format, scheduler: str | None) -
     CaseError
     """
     if form == "parquet":
-        require("pyarrow", "Parquet")
+        require("parquet", "Parquet")
     if form == "xlsx":
-        require("openpyxl", "XLSX")
+        require("xlsx", "XLSX")
     if scheduler is not None:
-        require("distributed", "--scheduler")
+        require("dask", "--scheduler")
     if options.sample is not None and options.method != "random":
-        require("scipy", f"--method {options.method or 'sobol'}")
+        require("sample", f"--method {options.method or 'sobol'}")
 
 
 def plan(

@@ -46,7 +46,7 @@ def write(
     """
     from vstatics.extras import require
 
-    require("openpyxl", "XLSX")
+    require("xlsx", "XLSX")
     from openpyxl import Workbook
 
     book = _Book(Workbook(write_only=True), several=several, digits=digits)

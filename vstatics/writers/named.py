@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, get_args
 
 from vstatics.elements.drawing import drawing_of
 from vstatics.errors import printable
@@ -18,10 +18,12 @@ from vstatics.model.shape import (
     Ends,
     Leaf,
     ListOf,
+    Measure,
     Numbers,
     Pair,
     Shape,
 )
+from vstatics.model.springs import spring_record
 from vstatics.model.transmission import SpeedOf, Transmission
 
 if TYPE_CHECKING:
@@ -60,6 +62,7 @@ def mapping(case: Transmission) -> dict[str, Any]:
     values["output"] = None if case.outputs or case.output == own else case.output
     for part in ("shift_elements", "mechanisms", "gears"):
         values[part] = {item.name: item for item in values[part]}
+    values["springs"] = {one.name: spring_record(one) for one in case.springs}
     order = _CASE if shape is CASE else _as_written(shape)
     return _Writer(links, ["", *values["shift_elements"]]).by_key(values, order)
 
@@ -190,7 +193,7 @@ _WRITERS: Mapping[type, Callable[[_Writer, Any, Any], Any]] = {
 """How what a shape describes is written."""
 
 _PLAIN: Mapping[str, Callable[[Any], Any]] = {
-    **dict.fromkeys(("number", "relative_speed", "relative_torque"), float),
+    **dict.fromkeys(("number", "relative_speed", "relative_torque", *get_args(Measure)), float),
     **dict.fromkeys(("text", "choice"), str),
     "flag": bool,
 }

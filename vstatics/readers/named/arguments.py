@@ -20,7 +20,7 @@ def arguments(values: dict[str, Any], walk: Walk) -> dict[str, Any]:
         walk.spots.tell(("output",), "read the housing, expected the link that drives the load")
     parts = {
         part: [item._replace(name=name) for name, item in values.get(part, {}).items()]
-        for part in ("shift_elements", "mechanisms", "gears")
+        for part in ("shift_elements", "mechanisms", "springs", "gears")
     }
     load = values.get("load", Load())
     common = Common(load, values["coast"], values.get("drag", {}))
@@ -45,5 +45,5 @@ def untold(unreadable: list[Path]) -> list[Path]:
 
     Links are counted against the devices, so these count too.
     """
-    devices = {("shift_elements",), ("mechanisms",)}
+    devices = {("shift_elements",), ("mechanisms",), ("springs",)}
     return [*unreadable, ("links",)] if devices.intersection(unreadable) else unreadable

@@ -11,59 +11,19 @@ from vstatics.elements.checks import hints, problems
 from vstatics.elements.drawing import Drawing
 from vstatics.elements.keys import DRAWN, element_of, with_elements
 from vstatics.errors import Path, Problem
-from vstatics.model.keys import CASE
 from vstatics.model.parts import Gear
-from vstatics.model.shape import ByKey, ByKind, ByName, Either, Ends, Leaf, ListOf, Shape
+from vstatics.model.shape import ByKey
 from vstatics.readers.named import nodes
 from vstatics.readers.named.arguments import arguments, untold
-from vstatics.readers.named.nodes import Listing, Node, Scalar, Spot, Spots, is_null, shown
+from vstatics.readers.named.joined_links import gathered_links, is_listed, joined_links
+from vstatics.readers.named.nodes import Spot, Spots, is_null, shown
 from vstatics.readers.named.walk import Walk
 from vstatics.readers.reading import Reading, finish
 
 _DRAWN = {"links", "link_names", "mechanisms", *(key.name for key in DRAWN)}
 
 
-def joined_links(root: nodes.Mapping) -> list[Scalar]:
-    """Every place of a document where an element, a mechanism or a shift element names a link.
-
-    In the order of the document, the housing apart.
-    """
-    keys = [key for key in with_elements(CASE).keys if isinstance(key.shape, ByName)]
-    devices = CASE._replace(keys=tuple(key for key in keys if key.name != "gears"))
-    named = (node for node in _links(root, devices) if isinstance(node, Scalar))
-    return [node for node in named if not is_null(node) and node.text not in ("0", "housing")]
-
-
-def _links(node: Node, shape: Shape) -> Iterator[Node]:  # noqa: C901 - a table
-    """What stands where a shape has a link; links of their own before those in lists."""
-    match node, shape:
-        case _, Leaf("link"):
-            yield node
-        case nodes.Mapping(entries), ByKey():
-            shapes = {key.name: key.shape for key in shape.keys}
-            inner = [(shapes[key.text], value) for key, value in entries if key.text in shapes]
-            for of, value in sorted(inner, key=lambda one: isinstance(one[0], ListOf)):
-                yield from _links(value, of)
-        case nodes.Mapping(entries), ByKind(records):
-            kinds = [v.text for key, v in entries if key.text == "kind" and isinstance(v, Scalar)]
-            known = [records[kind] for kind in kinds[:1] if kind in records]
-            for record in known or records.values():  # of no kind: as members of any
-                yield from _links(node, record)
-        case nodes.Mapping(entries), ByName(_, item):
-            for _, value in entries:
-                yield from _links(value, item)
-        case nodes.Mapping(), Either(record=record):
-            yield from _links(node, record)
-        case Listing(), Either(short=short):
-            yield from _links(node, short)
-        case Listing(items), Ends():
-            yield from items
-        case Listing(items), ListOf(item):
-            for value in items:
-                yield from _links(value, item)
-
-
-def read_drawing(root: nodes.Mapping, walk: Walk) -> Reading:
+def read_drawing(root: nodes.Mapping, walk: Walk, case: ByKey) -> Reading:
     """A case made of elements; they become mechanisms if nothing is wrong with them.
 
     Raises
@@ -73,12 +33,9 @@ def read_drawing(root: nodes.Mapping, walk: Walk) -> Reading:
     """
     spots = walk.spots
     given = {key.text for key, value in root.entries if not is_null(value)}
-    first = next((value for key, value in root.entries if key.text == "links"), None)
-    listed = first is not None and not is_null(first)  # a second one is not read
-    gathered = [] if listed else list(dict.fromkeys(node.text for node in joined_links(root)))
-    if gathered:
-        walk.references.set_link_names(gathered)
-    values = walk.read(Spot((), "", root), with_elements(CASE, required=True))
+    listed = is_listed(root)
+    gathered = [] if listed else gathered_links(root, walk)
+    values = walk.read(Spot((), "", root), with_elements(case, required=True))
     if not listed:
         values = {**values, "links": len(gathered)}
         spots.unreadable += [] if gathered else [("input",), ("output",)]
@@ -154,6 +111,7 @@ def loose_links(
     counts = Counter(node.text for node in found)
     carriers = {record.get("carrier") for record in values["elements"].values()}
     told = {values.get("input"), values.get("output"), *values.get("outputs", ())}
+    told.update(values.get("inertias", ()))
     for gear in gears:
         told.update((*gear.speeds, *gear.torques, *gear.drag, gear.input, gear.output))
     for number, name in enumerate(names, 1):

@@ -5,9 +5,10 @@ from __future__ import annotations
 from typing import Any
 
 from vstatics.errors import ReadError
-from vstatics.model.keys import CASE
+from vstatics.model.keys import CASE, with_springs
 from vstatics.model.shape import ByKey
 from vstatics.readers.named.arguments import arguments, untold
+from vstatics.readers.named.joined_links import gathered_links, is_listed
 from vstatics.readers.named.nodes import Found, Mapping, Node, Spot, Spots, decode, what
 from vstatics.readers.named.walk import Walk
 from vstatics.readers.reading import Reading, finish
@@ -55,14 +56,21 @@ def read_json(data: bytes, file: str) -> Reading:
 
 def _reading(root: Node, found: Found) -> Reading:
     """The case of a tree of nodes."""
-    expected = "a case: a mapping with `elements` or `mechanisms`, and `gears`"
+    expected = "a case: a mapping with `elements` or `mechanisms`, and `gears`, or with `springs`"
     root = _case(_mapping(root, found, expected))
     walk = Walk(Spots(found))
-    if any(key.text == "elements" for key, _ in root.entries):
+    given = {key.text for key, _ in root.entries}
+    shape = with_springs(CASE) if "springs" in given else CASE
+    if "elements" in given:
         from vstatics.readers.named.drawing import read_drawing  # others do without
 
-        return read_drawing(root, walk)
-    values = walk.read(Spot((), "", root), CASE)
+        return read_drawing(root, walk, shape)
+    gathered = []
+    if "springs" in given and not is_listed(root):
+        gathered = gathered_links(root, walk)
+    values = walk.read(Spot((), "", root), shape)
+    if gathered:
+        values["links"] = len(gathered)
     return finish(
         arguments(values, walk), found.problems, untold(walk.spots.unreadable), walk.spots.locate
     )

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from vstatics.elements.keys import with_elements
-from vstatics.model.keys import CASE
+from vstatics.model.keys import CASE, with_springs
 from vstatics.model.shape import (
     ByKey,
     ByKind,
@@ -23,6 +23,7 @@ from vstatics.model.shape import (
 )
 from vstatics.readers.named.measured import QUANTITY
 from vstatics.readers.named.scalars import LINK_NUMBER, NUMBER
+from vstatics.readers.named.si_units import WITH_UNIT
 
 Words = dict[str, Any]
 
@@ -45,9 +46,11 @@ _DEFINITIONS: dict[str, Words] = {
 
 _GIVEN: Words = {"not": {"type": "null"}}
 _WITHOUT_ELEMENTS: Words = {
-    "required": ["links", "mechanisms"],
-    "properties": {"links": _GIVEN, "mechanisms": _GIVEN},
+    "required": ["links", "mechanisms", "gears"],
+    "properties": {"links": _GIVEN, "mechanisms": _GIVEN, "gears": _GIVEN},
 }
+_ENOUGH = ({"required": ["elements", "gears"]}, _WITHOUT_ELEMENTS, {"required": ["springs"]})
+"""What a case is made of, at least."""
 
 
 def json_schema() -> Words:
@@ -57,13 +60,13 @@ def json_schema() -> Words:
 
     Examples
     --------
-    >>> json_schema()["required"]
-    ['gears']
+    >>> [one["required"] for one in json_schema()["anyOf"]]
+    [['elements', 'gears'], ['links', 'mechanisms', 'gears'], ['springs']]
     """
     schema = {
         "$schema": "https://json-schema.org/draft/2020-12/schema",
-        **_record(with_elements(CASE)),
-        "anyOf": [{"required": ["elements"]}, _WITHOUT_ELEMENTS],
+        **_record(with_elements(with_springs(CASE))),
+        "anyOf": list(_ENOUGH),
     }
     return {**schema, "$defs": _DEFINITIONS}
 
@@ -90,6 +93,8 @@ def _key(key: KeyShape) -> Words:
 
 def _optional(words: Words) -> Words:
     """An optional key without a value is not given."""
+    if "anyOf" in words:
+        return {**words, "anyOf": [*words["anyOf"], {"type": "null"}]}
     if "$ref" in words:
         reference = {"$ref": words.pop("$ref")}
         return {**words, "anyOf": [reference, {"type": "null"}]}
@@ -108,8 +113,8 @@ def _shape(shape: Shape) -> Words:  # noqa: PLR0911, C901 - a table
             least = {"minProperties": 1} if shape.kind == "gear" else {}
             return _by_name(_shape(shape.item)) | least
         case Links():
-            number: Words = {"type": ["integer", "string", "array"], "minimum": 2}
-            names: Words = {"items": _NAME, "minItems": 2, "uniqueItems": True}
+            number: Words = {"type": ["integer", "string", "array"], "minimum": 1}
+            names: Words = {"items": _NAME, "minItems": 1, "uniqueItems": True}
             return {**number, "pattern": LINK_NUMBER, **names}
         case Ends():
             return {"type": "array", "items": link, "minItems": shape.least, "maxItems": 2}
@@ -144,7 +149,7 @@ def _by_name(item: Words) -> Words:
     }
 
 
-def _leaf(shape: Leaf) -> Words:  # noqa: PLR0911 - a table
+def _leaf(shape: Leaf) -> Words:  # noqa: PLR0911, C901 - a table
     match shape.kind:
         case "number" | "link":
             return {"$ref": f"#/$defs/{shape.kind}"}
@@ -156,6 +161,8 @@ def _leaf(shape: Leaf) -> Words:  # noqa: PLR0911 - a table
             return {"type": ["number", "string"]}  # also the name of a link, with a factor
         case "relative_torque":
             return {"type": ["number", "string"], "pattern": f"{NUMBER}|{QUANTITY}"}
+        case "inertia" | "stiffness" | "compliance" | "damping" | "mass" | "length":
+            return {"type": ["number", "string"], "pattern": f"{NUMBER}|{WITH_UNIT}"}
         case "speed" | "torque" | "power":
             return {"type": "string", "pattern": QUANTITY}
         case "flag":

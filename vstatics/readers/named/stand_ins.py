@@ -14,6 +14,7 @@ from vstatics.model.shape import (
     LeafKind,
     Links,
     ListOf,
+    Measure,
     Pair,
     Shape,
 )
@@ -33,6 +34,12 @@ class LeafReading(NamedTuple):
     """Text -> value, where the text alone tells it."""
 
 
+def _in_si(text: str, measure: Measure) -> float:
+    from vstatics.readers.named.si_units import measured as in_si  # cases without masses do without
+
+    return in_si(text, measure)
+
+
 LEAVES: dict[LeafKind, LeafReading] = {
     "text": LeafReading("text", ""),
     "number": LeafReading("a number", 1.0, scalars.number),
@@ -43,6 +50,12 @@ LEAVES: dict[LeafKind, LeafReading] = {
     "power": LeafReading("a power with its unit", 1.0, partial(measured.quantity, kind="power")),
     "relative_speed": LeafReading("a speed", 0.0, partial(measured.relative, kind="speed")),
     "relative_torque": LeafReading("a torque", 0.0, partial(measured.relative, kind="torque")),
+    "inertia": LeafReading("an inertia", 1.0, partial(_in_si, measure="inertia")),
+    "stiffness": LeafReading("a stiffness", 1.0, partial(_in_si, measure="stiffness")),
+    "compliance": LeafReading("a compliance", 1.0, partial(_in_si, measure="compliance")),
+    "damping": LeafReading("a damping", 0.0, partial(_in_si, measure="damping")),
+    "mass": LeafReading("a mass", 1.0, partial(_in_si, measure="mass")),
+    "length": LeafReading("a length", 1.0, partial(_in_si, measure="length")),
     "link": LeafReading("a link", NO_LINK),
     "element": LeafReading("the name of a shift element", NO_ELEMENT),
     "flag": LeafReading("`true` or `false`", stand_in=False),

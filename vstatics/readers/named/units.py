@@ -101,7 +101,7 @@ def unit(text: str) -> tuple[Quantity | None, float]:
         if not factor or (at == 0 and factor[1] in ("-", ".")):
             return None, 1.0
         inverse = (factor[1] == "/") != (factor[3] == "-1")
-        for kind, up, down in _factors(factor[2]):
+        for kind, up, down in factors(factor[2]):
             kinds += [f"/{kind}" if inverse else kind]
             above, below = (above * down, below * up) if inverse else (above * up, below * down)
         at = factor.end()
@@ -114,7 +114,7 @@ def unit(text: str) -> tuple[Quantity | None, float]:
     return quantity, above / (below * divisor)
 
 
-def _factors(word: str) -> list[_Factor]:
+def factors(word: str) -> list[_Factor]:
     """What a word without signs is made of: N and m for `Nm`, nothing known for `Mm2`."""
     for end in range(len(word), 0, -1) if word != "1" else ():
         parts = [_factor(part) for part in (word[:end], word[end:]) if part]

@@ -147,7 +147,7 @@ class Walk:
         inner = spot._replace(path=(*spot.path, shape.key))
         if isinstance(spot.node, Mapping) or (is_null(spot.node) and not shape.record.required):
             made = self._by_key(spot, shape.record)
-        elif isinstance(spot.node, Listing) or isinstance(shape.short, Ends):
+        elif isinstance(spot.node, Listing) or not isinstance(shape.short, ListOf):
             made = shape.record.make(**{shape.key: self.read(inner, shape.short)})
         else:
             keys = spoken(quoted(key.name) for key in shape.record.keys)

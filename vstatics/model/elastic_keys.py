@@ -1,0 +1,89 @@
+"""The keys of what is elastic: springs, and devices that are rigid but for vibration."""
+
+from __future__ import annotations
+
+from vstatics.model.damping import damping_fault, damping_of
+from vstatics.model.shape import NUMBER, ByKey, Either, Ends, KeyShape, Leaf, Numbers
+from vstatics.model.springs import spring_fault, spring_of
+
+DAMPING = Either(
+    Leaf("damping"),
+    "viscous",
+    ByKey(
+        "Damping",
+        "Viscous damping, or that of a material, which is a part of the elastic torque.",
+        (
+            KeyShape(
+                "viscous",
+                Leaf("damping"),
+                "Torque by rate of twist, in N*m*s/rad.",
+                default=0,
+                limits={"minimum": 0},
+            ),
+            KeyShape(
+                "ratio",
+                NUMBER,
+                "Damping ratio of a mode in which nothing else is twisted, half the loss factor.",
+                limits={"minimum": 0},
+                examples=(0.02,),
+            ),
+            KeyShape(
+                "loss_factor",
+                NUMBER,
+                "Damping torque as a part of the elastic one, at any frequency.",
+                default=0,
+                limits={"minimum": 0},
+            ),
+        ),
+        damping_of,
+        damping_fault,
+    ),
+    written=True,
+)
+"""Of what is elastic."""
+_ABOVE_0 = {"exclusiveMinimum": 0}
+_DAMPING = KeyShape("damping", DAMPING, "Damping beside its stiffness, in N*m*s/rad.")
+
+ELASTIC = (
+    KeyShape(
+        "stiffness",
+        Leaf("stiffness"),
+        "For vibration: torque on its first link by the twist of its own row, in N*m/rad; rigid "
+        "when not given.",
+        limits=_ABOVE_0,
+        examples=(9e4,),
+    ),
+    _DAMPING,
+)
+"""Of devices that are rigid but for vibration."""
+
+SPRING = ByKey(
+    "Spring",
+    "An elastic device: torque by twist.",
+    (
+        KeyShape(
+            "links",
+            Ends(least=1),
+            "Of a shaft: its twist is the angle of the first link less that of the second; one "
+            "link alone is joined to the housing.",
+            examples=(["engine", "disc"],),
+        ),
+        KeyShape(
+            "twist",
+            Numbers("link", NUMBER),
+            "In place of links: any sum of angles, by coefficients.",
+            examples=({"pinion": 1, "wheel": -1, "casing": -1},),
+        ),
+        KeyShape("stiffness", Leaf("stiffness"), "In N*m/rad.", limits=_ABOVE_0),
+        KeyShape(
+            "compliance",
+            Leaf("compliance"),
+            "In place of the stiffness, in rad/(N*m).",
+            limits=_ABOVE_0,
+            examples=(84e-5,),
+        ),
+        _DAMPING,
+    ),
+    spring_of,
+    spring_fault,
+)

@@ -1,0 +1,68 @@
+"""Links of a case that lists none: they are gathered from what joins them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from vstatics.elements.keys import with_elements
+from vstatics.model.keys import CASE
+from vstatics.model.shape import ByKey, ByKind, ByName, Either, Ends, Leaf, ListOf, Numbers, Shape
+from vstatics.readers.named import nodes
+from vstatics.readers.named.nodes import Listing, Node, Scalar, is_null
+from vstatics.readers.named.walk import Walk
+
+
+def is_listed(root: nodes.Mapping) -> bool:
+    """Whether a document has a list of links, or their number; a second one is not read."""
+    first = next((value for key, value in root.entries if key.text == "links"), None)
+    return first is not None and not is_null(first)
+
+
+def gathered_links(root: nodes.Mapping, walk: Walk) -> list[str]:
+    """The links in the order in which devices name them; the walk is told, if there are any."""
+    names = list(dict.fromkeys(node.text for node in joined_links(root)))
+    if names:
+        walk.references.set_link_names(names)
+    return names
+
+
+def joined_links(root: nodes.Mapping) -> list[Scalar]:
+    """Every place of a document where an element, a mechanism or a shift element names a link.
+
+    In the order of the document, the housing apart.
+    """
+    keys = [key for key in with_elements(CASE).keys if isinstance(key.shape, ByName)]
+    devices = CASE._replace(keys=tuple(key for key in keys if key.name != "gears"))
+    named = (node for node in _links(root, devices) if isinstance(node, Scalar))
+    return [node for node in named if not is_null(node) and node.text not in ("0", "housing")]
+
+
+def _links(node: Node, shape: Shape) -> Iterator[Node]:  # noqa: C901, PLR0912 - a table
+    """What stands where a shape has a link; links of their own before those in lists."""
+    match node, shape:
+        case _, Leaf("link"):
+            yield node
+        case nodes.Mapping(entries), ByKey():
+            shapes = {key.name: key.shape for key in shape.keys}
+            inner = [(shapes[key.text], value) for key, value in entries if key.text in shapes]
+            for of, value in sorted(inner, key=lambda one: isinstance(one[0], ListOf)):
+                yield from _links(value, of)
+        case nodes.Mapping(entries), ByKind(records):
+            kinds = [v.text for key, v in entries if key.text == "kind" and isinstance(v, Scalar)]
+            known = [records[kind] for kind in kinds[:1] if kind in records]
+            for record in known or records.values():  # of no kind: as members of any
+                yield from _links(node, record)
+        case nodes.Mapping(entries), ByName(_, item):
+            for _, value in entries:
+                yield from _links(value, item)
+        case nodes.Mapping(), Either(record=record):
+            yield from _links(node, record)
+        case Listing(), Either(short=short):
+            yield from _links(node, short)
+        case Listing(items), Ends():
+            yield from items
+        case nodes.Mapping(entries), Numbers("link"):
+            yield from (key for key, _ in entries)
+        case Listing(items), ListOf(item):
+            for value in items:
+                yield from _links(value, item)

@@ -1,0 +1,192 @@
+"""Units of inertias, stiffnesses, compliances, dampings, masses and lengths, with any exponents."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
+
+from vstatics.model.shape import Measure
+from vstatics.readers.named.arithmetic import ARITHMETIC, calculated, expected
+from vstatics.readers.named.units import LONGEST, factors
+
+WITH_UNIT = rf"^{ARITHMETIC}[*·]? *[1A-Za-zА-я°/(][-A-Za-zА-я0-9*·⋅×./^() ²³⁴⁻¹]{{0,39}}$"
+"""A number with its unit, as a pattern for ECMAScript."""
+
+_Dimension = tuple[int, int, int, int]
+"""Exponents of kg, m, s, rad."""
+
+UNIT_OF: dict[Measure, str] = {
+    "inertia": "kg*m^2",
+    "stiffness": "N*m/rad",
+    "compliance": "rad/(N*m)",
+    "damping": "N*m*s/rad",
+    "mass": "kg",
+    "length": "m",
+}
+"""What bare numbers are in."""
+_MEASURES: dict[Measure, tuple[_Dimension, ...]] = {
+    "inertia": ((1, 2, 0, 0),),
+    "stiffness": ((1, 2, -2, -1),),
+    "compliance": ((-1, -2, 2, 1), (-1, -2, 2, 0)),
+    "damping": ((1, 2, -1, -1), (1, 2, -1, 0)),
+    "mass": ((1, 0, 0, 0),),
+    "length": ((0, 1, 0, 0),),
+}
+"""With the radian, or without where nothing else is meant; N*m alone is a torque."""
+_OTHERS: dict[_Dimension, str] = {
+    (1, 2, -2, 0): "torque",
+    (1, 2, -3, 0): "power",
+    (0, 0, -1, 1): "speed",
+    (1, 1, -2, 0): "force",
+} | {forms[0]: measure for measure, forms in _MEASURES.items()}
+"""What a wrong unit measures."""
+
+
+class _Base(NamedTuple):
+    dimension: _Dimension
+    above: float
+    below: float = 1.0
+    """Its size in SI is their ratio."""
+
+
+_NOTHING: _Dimension = (99, 99, 99, 99)
+_MASS = (1, 0, 0, 0)
+_BASES: dict[str, tuple[_Dimension, float]] = {
+    "force": ((1, 1, -2, 0), 1),
+    "length": ((0, 1, 0, 0), 1),
+    "angle": ((0, 0, 0, 1), 2 * math.pi),
+    "time": ((0, 0, 1, 0), 60),
+    "speed": ((0, 0, -1, 1), math.pi / 30),
+    "power": ((1, 2, -3, 0), 1000),
+}
+"""By what `units` knows: its dimension, and its unit there in SI."""
+_GRAVITY = 9.80665
+_GRAMS = {
+    "g": _Base(_MASS, 1, 1000),
+    "г": _Base(_MASS, 1, 1000),
+    "kg": _Base(_MASS, 1),
+    "кг": _Base(_MASS, 1),
+    "t": _Base(_MASS, 1000),
+    "т": _Base(_MASS, 1000),
+}
+_POUNDS = frozenset(("lb", "lbs", "pound", "pounds", "oz", "ounce", "ounces"))
+"""Units of force to `units`, of mass here where that gives what is asked for."""
+_TOKEN = re.compile(r" *(?:([*·.×⋅/()-]|1(?= */))|([^\W\d_]+|°))")
+_EXPONENT = re.compile(r"(?:\^|\*\*)?\(?(-?[1-4])\)?(?![0-9])")
+_SUPERSCRIPTS = str.maketrans("²³⁴⁻¹", "234-1")
+
+
+def measured(text: str, measure: Measure) -> float:
+    """A number in SI, bare or with its unit.
+
+    Raises
+    ------
+    ValueError
+        With what was expected.
+
+    Examples
+    --------
+    >>> measured("84e-5", "compliance"), measured("150 kg*cm^2", "inertia")
+    (0.00084, 0.015)
+    >>> measured("1 N*m/deg", "stiffness"), measured("2 rad/(kN*m)", "compliance")
+    (57.2957..., 0.002)
+    """
+    if not any(sign in "0123456789" for sign in text):
+        raise ValueError(expected(text))
+    value, behind = calculated(text)
+    if not behind:
+        return value
+    for lb_is_mass in (True, False):
+        dimension, above, below = _unit(behind, lb_is_mass=lb_is_mass)
+        if dimension in _MEASURES[measure]:
+            value = value * above / below
+            if not math.isfinite(value):
+                raise ValueError(f"expected {_a(measure)} that is not so large")
+            return value
+    other = _OTHERS.get(dimension)
+    told = f"; this is {_a(other)}" if other else " (with a decimal point)" * ("," in behind)
+    unit = UNIT_OF[measure]
+    raise ValueError(f"expected {_a(measure)} in {unit}, bare or with its unit{told}")
+
+
+def _a(noun: str) -> str:
+    return f"an {noun}" if noun == "inertia" else f"a {noun}"
+
+
+def _unit(text: str, *, lb_is_mass: bool) -> tuple[_Dimension, float, float]:
+    """What a unit is made of, and its size in SI as a ratio; nothing known if it is not read."""
+    total, above, below = [0, 0, 0, 0], 1.0, 1.0
+    try:
+        for word, exponent in _powers(text.translate(_SUPERSCRIPTS).replace(" per ", "/")):
+            for place, base in enumerate(_bases(word, lb_is_mass=lb_is_mass)):
+                times = exponent if place == 0 else math.copysign(1, exponent)
+                total = [a + int(times) * b for a, b in zip(total, base.dimension, strict=True)]
+                up, down = (base.above, base.below)[:: 1 if times > 0 else -1]
+                above, below = above * up ** abs(times), below * down ** abs(times)
+    except (ValueError, OverflowError, ZeroDivisionError):
+        return _NOTHING, 1.0, 1.0
+    return (total[0], total[1], total[2], total[3]), above, below
+
+
+def _powers(text: str) -> Iterator[tuple[str, int]]:
+    """Words of a unit with their exponents; what stands in brackets behind `/` divides."""
+    if len(text) > LONGEST:
+        raise ValueError
+    at, signs, sign = 0, [1], 1
+    while at < len(text):
+        token = _TOKEN.match(text, at)
+        if not token:
+            raise ValueError
+        at = token.end()
+        match token[1]:
+            case "/":
+                sign = -1
+            case "(":
+                signs.append(signs[-1] * sign)
+                sign = 1
+            case ")":
+                if len(signs) == 1:
+                    raise ValueError
+                signs.pop()
+                sign = 1
+            case None:
+                power = _EXPONENT.match(text, at)
+                at = power.end() if power else at
+                yield token[2], signs[-1] * sign * (int(power[1]) if power else 1)
+                sign = 1
+    if len(signs) > 1:
+        raise ValueError
+
+
+def _bases(word: str, *, lb_is_mass: bool) -> list[_Base]:
+    """What a word is made of, the last first, to which an exponent belongs: m and N for `Nm`."""
+    if lb_is_mass and word.casefold() in _POUNDS:
+        [(_, above, below)] = factors(word)
+        return [_Base(_MASS, above / _GRAVITY, below)]
+    whole = factors(word)
+    if not _known(whole):
+        for end in range(len(word), 0, -1):
+            head, tail = word[:end], word[end:]
+            rest = factors(tail) if tail else []
+            if not _known(rest):
+                continue
+            if head in _GRAMS:
+                return [*map(_base, reversed(rest)), _GRAMS[head]]
+            if _known(factors(head)):
+                whole = [*factors(head), *rest]
+                break
+    return list(map(_base, reversed(whole)))
+
+
+def _known(parts: Sequence[tuple[str, float, float]]) -> bool:
+    return all(kind != "?" for kind, _, _ in parts)
+
+
+def _base(factor: tuple[str, float, float]) -> _Base:
+    kind, above, below = factor
+    dimension, times = _BASES.get(kind, (_NOTHING, 1.0))
+    if (below / times).is_integer():  # so rad, s and W are exactly 1
+        return _Base(dimension, above, below / times)
+    return _Base(dimension, above * times, below)
