@@ -6,7 +6,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Literal, NamedTuple
 
-from vstatics.elements.kinds import KINDS, Kind
+from vstatics.elements.kinds import KINDS, Kind, Planetary
+from vstatics.model.damping import NO_DAMPING, Damping, damping
 from vstatics.model.parts import HOUSING, Mechanism
 
 Losses = Literal["meshes", "reduced"]
@@ -36,6 +37,24 @@ class CentralWheel(NamedTuple):
     rim: str
 
 
+class PlanetMass(NamedTuple):
+    """One planet of a set.
+
+    Parameters
+    ----------
+    inertia : float
+        About its own axis. [kg*m^2]
+    mass : float
+        [kg]
+    radius : float
+        Of its pin around the axis of the set; needed with a mass. [m]
+    """
+
+    inertia: float = 0.0
+    mass: float = 0.0
+    radius: float = 0.0
+
+
 @dataclass(frozen=True)
 class Element:
     """A typical element: what a drawing shows as one thing.
@@ -63,6 +82,13 @@ class Element:
         Of a `planet_group`.
     meshes : sequence of pairs of rims
         Of a `planet_group`: planets that mesh with one another.
+    stiffness : float, optional
+        Of an element that becomes one mechanism: torque on its first member by the twist of the
+        mechanism's row, for vibration; rigid when not given. [N*m/rad]
+    damping : Damping or float
+        Beside the stiffness; a number is viscous. [N*m*s/rad]
+    planet_masses : mapping of planet to PlanetMass
+        Of each of the `planets`, for vibration.
     """
 
     name: str
@@ -76,11 +102,25 @@ class Element:
     rims: Mapping[str, Mapping[str, int]] = field(default_factory=dict)
     wheels: Sequence[CentralWheel] = ()
     meshes: Sequence[tuple[str, str]] = ()
+    stiffness: float | None = None
+    damping: Damping | float = NO_DAMPING
+    planet_masses: Mapping[str, PlanetMass] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        """Make a damping of a number."""
+        object.__setattr__(self, "damping", damping(self.damping))
 
     @property
     def shape(self) -> Kind:
         """What its kind is made of."""
         return KINDS[self.kind]
+
+    @property
+    def planet_names(self) -> tuple[str, ...]:
+        """Names of its planets, those of a group under `rims`; none of what has no planets."""
+        if isinstance(self.shape, Planetary):
+            return tuple(self.rims or self.shape.planets)
+        return ("planet",) if "planet" in self.shape.toothed else ()
 
     def link(self, member: str) -> int:
         """The link of a member, the housing where it has none."""

@@ -10,9 +10,11 @@ from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, get_args
 
-from vstatics.elements.element import CentralWheel, Element, Losses
+from vstatics.elements.element import CentralWheel, Element, Losses, PlanetMass
 from vstatics.elements.kinds import GROUP, KINDS, Kind, Simple
 from vstatics.elements.mesh_efficiency import MeshEfficiency
+from vstatics.model.damping import NO_DAMPING
+from vstatics.model.elastic_keys import ELASTIC
 from vstatics.model.parts import HOUSING
 from vstatics.model.shape import (
     COUNT,
@@ -26,10 +28,12 @@ from vstatics.model.shape import (
     Leaf,
     ListOf,
     Pair,
+    Shape,
 )
 
 _WHEELS = (("suns", False), ("rings", True))
 _EFFICIENCY = {"exclusiveMinimum": 0, "maximum": 1}
+_NOT_NEGATIVE = {"minimum": 0}
 _MESHES = {
     "external": "Two external wheels.",
     "internal": "A wheel in a ring.",
@@ -49,6 +53,29 @@ _KIND = KeyShape("kind", TEXT, "What the element is.")
 _COMMON = (
     KeyShape("efficiency", NUMBER, "As one mechanism, its third member held.", limits=_EFFICIENCY),
     KeyShape("mesh_efficiency", MESH_EFFICIENCY, "Of this element's meshes."),
+    *ELASTIC,
+)
+_PLANET_MASS = ByKey(
+    "Planet",
+    "Inertia and mass of one planet, for vibration.",
+    (
+        KeyShape(
+            "inertia",
+            Leaf("inertia"),
+            "About its own axis, in kg*m^2.",
+            default=0,
+            limits=_NOT_NEGATIVE,
+        ),
+        KeyShape("mass", Leaf("mass"), "In kg.", default=0, limits=_NOT_NEGATIVE),
+        KeyShape(
+            "radius",
+            Leaf("length"),
+            "Of its pin around the axis of the set, in m; needed with a mass.",
+            default=0,
+            limits=_NOT_NEGATIVE,
+        ),
+    ),
+    PlanetMass,
 )
 _PLANETS = KeyShape("planets", COUNT, "Planets, or sets of meshed planets, around the axis.")
 
@@ -68,11 +95,23 @@ def _record(name: str, kind: Kind) -> ByKey:
     if isinstance(kind, Simple):
         leaf = COUNT if kind.size == "teeth" else NUMBER
         size = KeyShape(kind.size, _toothed(kind, leaf), "Of the wheels.", not kind.optional_teeth)
-        common = (_WORM,) if name == "worm" else _COMMON
-        common = (_PLANETS, *common) if name == "bevel" else common
+        common = (_WORM, *ELASTIC) if name == "worm" else _COMMON
+        common = (_PLANETS, *common, _planet(("planet",))) if name == "bevel" else common
         return ByKey(name, kind.description, (_KIND, *members, size, *common))
     size = KeyShape("teeth", _toothed(kind, COUNT), "Of wheels and planets.", required=True)
-    return ByKey(name, kind.description, (_KIND, *members, size, _PLANETS, *_COMMON))
+    last = _planet(tuple(kind.planets))
+    return ByKey(name, kind.description, (_KIND, *members, size, _PLANETS, *_COMMON, last))
+
+
+def _planet(names: Sequence[str] = ()) -> KeyShape:
+    """The key of planets' masses: of the one that there is, else by their names."""
+    shape: Shape = ByName("planet", _PLANET_MASS)
+    if len(names) == 1:
+        shape = _PLANET_MASS
+    elif names:
+        keys = tuple(KeyShape(name, _PLANET_MASS, f"One {name} planet.") for name in names)
+        shape = ByKey("Planets", "Masses of planets, by their names.", keys)
+    return KeyShape("planet", shape, "Of one of the `planets`.")
 
 
 def _toothed(kind: Kind, leaf: Leaf) -> ByKey:
@@ -126,6 +165,7 @@ _GROUP = ByKey(
         KeyShape("meshes", ListOf(Pair("rim")), "Pairs of rims of planets that mesh."),
         _PLANETS,
         *_COMMON,
+        _planet(),
     ),
 )
 
@@ -162,6 +202,9 @@ def record_of(element: Element) -> dict[str, Any]:
         "mesh_efficiency": element.mesh_efficiency,
         "rims": element.rims,
         "meshes": element.meshes,
+        "stiffness": element.stiffness,
+        "damping": element.damping,
+        "planet": _masses(element),
     }
     for key, internal in _WHEELS:
         record[key] = [wheel for wheel in element.wheels if wheel.internal == internal]
@@ -170,12 +213,21 @@ def record_of(element: Element) -> dict[str, Any]:
     return record
 
 
+def _masses(element: Element) -> Mapping[str, PlanetMass] | PlanetMass | None:
+    """Masses of planets as they are written: that of the only one without its name."""
+    masses = element.planet_masses
+    if element.kind == GROUP or len(element.planet_names) > 1:
+        return dict(masses)
+    return next(iter(masses.values()), None)
+
+
 def element_of(name: str, record: Mapping[str, Any], link_names: Sequence[str]) -> Element:
     """The element of a record; wheels of a group of planets are called by the case's own links."""
     kind = record["kind"]
     efficiency, back = record.get("efficiency"), None
     if isinstance(efficiency, dict):
         efficiency, back = efficiency["worm"], efficiency["wheel"]
+    masses = record.get("planet", {})
     return Element(
         name,
         kind,
@@ -188,6 +240,9 @@ def element_of(name: str, record: Mapping[str, Any], link_names: Sequence[str]) 
         record.get("rims", {}),
         tuple(_wheels(record, link_names)),
         tuple(map(tuple, record.get("meshes", ()))),
+        record.get("stiffness"),
+        record.get("damping", NO_DAMPING),
+        {"planet": masses} if isinstance(masses, PlanetMass) else masses,
     )
 
 

@@ -57,7 +57,7 @@ def parts(drawing: DrawingFields) -> list[DrawnPart]:
     drawn: list[DrawnPart] = []
     last = drawing.links
     for element in drawing.elements:
-        part = _part(element, drawing, last)
+        part = part_of(element, drawing, last)
         last += len(part.planet_links)
         drawn.append(part)
     return [*drawn, *map(_given, drawing.mechanisms)]
@@ -78,7 +78,8 @@ def at_meshes(element: Element, group: PlanetGroup, drawing: DrawingFields) -> b
     return drawing.losses == "meshes"
 
 
-def _part(element: Element, drawing: DrawingFields, last: int) -> DrawnPart:
+def part_of(element: Element, drawing: DrawingFields, last: int) -> DrawnPart:
+    """What an element becomes; planets that are links count on from the last link."""
     per_mesh = MeshEfficiency(**{**drawing.mesh_efficiency, **element.mesh_efficiency})
     if isinstance(element.shape, Simple):
         return DrawnPart(element.name, element, (_simple(element, element.shape, per_mesh),), {})
@@ -105,6 +106,8 @@ def _simple(element: Element, kind: Simple, per_mesh: MeshEfficiency) -> Lowered
         back_efficiency=element.back_efficiency,
         planet_ratio=-between[0] / element.teeth[kind.toothed[0]] if between else None,
         name=element.name,
+        stiffness=element.stiffness,
+        damping=element.damping,
     )
     return Lowered(mechanism, (first, second, third))
 
@@ -148,6 +151,8 @@ def _reduced(element: Element, group: PlanetGroup, per_mesh: MeshEfficiency) -> 
                     efficiency=element.efficiency or efficiency,
                     planet_ratio=_to_planet(group, wheel, ratio),
                     name=element.name + name,
+                    stiffness=element.stiffness,
+                    damping=element.damping,
                 )
                 yield Lowered(mechanism, (wheel.member, reference.member, "carrier"))
 

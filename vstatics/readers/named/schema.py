@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, get_args
 
 from vstatics.elements.keys import with_elements
+from vstatics.model.elastic_keys import DAMPING
 from vstatics.model.keys import CASE, with_springs
 from vstatics.model.shape import (
     ByKey,
@@ -16,6 +17,7 @@ from vstatics.model.shape import (
     Leaf,
     Links,
     ListOf,
+    Measure,
     Numbers,
     Pair,
     Shape,
@@ -23,10 +25,11 @@ from vstatics.model.shape import (
 )
 from vstatics.readers.named.measured import QUANTITY
 from vstatics.readers.named.scalars import LINK_NUMBER, NUMBER
-from vstatics.readers.named.si_units import WITH_UNIT
+from vstatics.readers.named.si_units import UNIT_OF, WITH_UNIT
 
 Words = dict[str, Any]
 
+_DAMPING = "any_damping"
 _NAME: Words = {"type": ["string", "integer"], "minLength": 1}
 _DEFINITIONS: dict[str, Words] = {
     "link": {
@@ -45,11 +48,15 @@ _DEFINITIONS: dict[str, Words] = {
 }
 
 _GIVEN: Words = {"not": {"type": "null"}}
-_WITHOUT_ELEMENTS: Words = {
-    "required": ["links", "mechanisms", "gears"],
-    "properties": {"links": _GIVEN, "mechanisms": _GIVEN, "gears": _GIVEN},
-}
-_ENOUGH = ({"required": ["elements", "gears"]}, _WITHOUT_ELEMENTS, {"required": ["springs"]})
+_TWO_LINKS: Words = {"minimum": 2, "minItems": 2}
+_ENOUGH: tuple[Words, ...] = (
+    {"required": ["elements", "gears"], "properties": {"links": _TWO_LINKS}},
+    {
+        "required": ["links", "mechanisms", "gears"],
+        "properties": {"links": {**_GIVEN, **_TWO_LINKS}, "mechanisms": _GIVEN, "gears": _GIVEN},
+    },
+    {"required": ["springs"], "properties": {"springs": {**_GIVEN, "minProperties": 1}}},
+)
 """What a case is made of, at least."""
 
 
@@ -68,7 +75,22 @@ def json_schema() -> Words:
         **_record(with_elements(with_springs(CASE))),
         "anyOf": list(_ENOUGH),
     }
-    return {**schema, "$defs": _DEFINITIONS}
+    measures = {name: _measure(name) for name in get_args(Measure)}
+    damping = {"anyOf": [_reference("damping"), _record(DAMPING.record)]}
+    return {**schema, "$defs": {**_DEFINITIONS, **measures, _DAMPING: damping}}
+
+
+def _measure(name: Measure) -> Words:
+    return {
+        "title": name.capitalize(),
+        "description": f"Bare in {UNIT_OF[name]}, or with its unit.",
+        "type": ["number", "string"],
+        "pattern": f"{NUMBER}|{WITH_UNIT}",
+    }
+
+
+def _reference(name: str) -> Words:
+    return {"$ref": f"#/$defs/{name}"}
 
 
 def _record(shape: ByKey) -> Words:
@@ -105,7 +127,7 @@ def _optional(words: Words) -> Words:
 
 
 def _shape(shape: Shape) -> Words:  # noqa: PLR0911, C901 - a table
-    link: Words = {"$ref": "#/$defs/link"}
+    link = _reference("link")
     match shape:
         case ByKey():
             return _record(shape)
@@ -118,6 +140,8 @@ def _shape(shape: Shape) -> Words:  # noqa: PLR0911, C901 - a table
             return {**number, "pattern": LINK_NUMBER, **names}
         case Ends():
             return {"type": "array", "items": link, "minItems": shape.least, "maxItems": 2}
+        case Either() if shape is DAMPING:
+            return _reference(_DAMPING)  # it stands in many places
         case Either():
             return {"anyOf": [_shape(shape.short), _record(shape.record)]}
         case ListOf():
@@ -149,20 +173,27 @@ def _by_name(item: Words) -> Words:
     }
 
 
-def _leaf(shape: Leaf) -> Words:  # noqa: PLR0911, C901 - a table
+def _leaf(shape: Leaf) -> Words:  # noqa: PLR0911 - a table
     match shape.kind:
-        case "number" | "link":
-            return {"$ref": f"#/$defs/{shape.kind}"}
+        case (
+            "number"
+            | "link"
+            | "inertia"
+            | "stiffness"
+            | "compliance"
+            | "damping"
+            | "mass"
+            | "length"
+        ):
+            return _reference(shape.kind)
         case "share":
-            return {"$ref": "#/$defs/number", "minimum": 0}
+            return {**_reference("number"), "minimum": 0}
         case "count":
             return {"type": ["integer", "string"], "minimum": 1, "pattern": LINK_NUMBER}
         case "relative_speed":
             return {"type": ["number", "string"]}  # also the name of a link, with a factor
         case "relative_torque":
             return {"type": ["number", "string"], "pattern": f"{NUMBER}|{QUANTITY}"}
-        case "inertia" | "stiffness" | "compliance" | "damping" | "mass" | "length":
-            return {"type": ["number", "string"], "pattern": f"{NUMBER}|{WITH_UNIT}"}
         case "speed" | "torque" | "power":
             return {"type": "string", "pattern": QUANTITY}
         case "flag":
