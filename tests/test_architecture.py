@@ -23,6 +23,7 @@ ROOMS = (
     "jobs",
     "tables",
     "readers",
+    "torsion",
     "sweep",
     "writers",
     "flow",

@@ -1,0 +1,1 @@
+"""The transmission as a torsional system: masses, springs, natural frequencies."""
