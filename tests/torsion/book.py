@@ -1,0 +1,52 @@
+"""Schemes with the parameters of printed tables, which stand in the JSON files beside this one."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+from vstatics.torsion.chain import Chain, ChainSpring
+from vstatics.torsion.scheme import SchemeSpring, TorsionScheme
+
+TENTH = 0.1
+"""A heading "J*10" means that a tenth of the printed number is J."""
+
+
+def table(name: str) -> Any:
+    """A printed table."""
+    return json.loads((Path(__file__).parent / f"{name}.json").read_text(encoding="utf-8"))
+
+
+def chain(inertias: Sequence[float], compliances: Sequence[float], unit: float = 1e-5) -> Chain:
+    """A chain with inertias J*10 and compliances in a unit [rad/(N*m)]; masses 1, 2, ..."""
+    names = tuple(str(number) for number, _ in enumerate(inertias, 1))
+    springs = [
+        ChainSpring(f"{number}-{number + 1}", compliance * unit)
+        for number, compliance in enumerate(compliances, 1)
+    ]
+    return Chain(names, tuple(inertia * TENTH for inertia in inertias), tuple(springs))
+
+
+def scheme(
+    inertias: Sequence[float], springs: Sequence[Mapping[str, Any]], unit: float
+) -> TorsionScheme:
+    """A scheme with inertias [kg*m^2], and twists by numbers of masses from 1."""
+    return TorsionScheme(
+        tuple(str(number) for number, _ in enumerate(inertias, 1)),
+        tuple(inertias),
+        tuple(
+            SchemeSpring(
+                f"s{number}",
+                {int(mass) - 1: a for mass, a in spring["twist"].items()},
+                spring["compliance"] * unit,
+            )
+            for number, spring in enumerate(springs, 1)
+        ),
+    )
+
+
+def percent(found: float, printed: float) -> float:
+    """How far a number is from a printed one. [%]."""
+    return abs(found / printed - 1) * 100
