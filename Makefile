@@ -17,7 +17,7 @@ test: .venv/dev.stamp ## the fast tests, on all cores (under two minutes)
 	$(BIN)/pytest -q -n $(TEST_JOBS) -m "not slow"
 
 test-slow: .venv/dev.stamp ## the slow tests; those that disturb or time processes one by one
-	$(BIN)/pytest -q -n $(TEST_JOBS) -m "slow and not alone"
+	$(BIN)/pytest -q -n $(TEST_JOBS) --dist loadgroup -m "slow and not alone"
 	$(BIN)/pytest -q -n 0 -m "slow and alone"
 
 test-oldest: .venv-oldest/stamp ## the fast tests with the oldest versions allowed (Python 3.11)

@@ -8,7 +8,7 @@ from hypothesis import settings
 
 # The same examples every time, so that a run that fails fails again; new ones are tried
 # with --hypothesis-profile=default.
-settings.register_profile("repeatable", derandomize=True, deadline=None)
+settings.register_profile("repeatable", derandomize=True, deadline=None, max_examples=40)
 settings.load_profile("repeatable")
 
 
@@ -38,6 +38,12 @@ def frozen() -> None:
     """Whatever lives by now lives to the end: the collector need not go through it again."""
     gc.collect()
     gc.freeze()
+
+
+@pytest.fixture
+def without_pictures(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Reports have none: they take the most time."""
+    monkeypatch.setattr("vstatics.report.drawn.PICTURES", {})
 
 
 @pytest.fixture

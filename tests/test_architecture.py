@@ -53,6 +53,7 @@ def modules() -> dict[str, Path]:
     return found
 
 
+@cache
 def imported(name: str) -> set[str]:
     """The modules of the package that a module imports: anywhere in it, for types too."""
     found: set[str] = set()
@@ -106,6 +107,7 @@ def test_only_the_command_line_and_the_report_draw() -> None:
             assert room(name) in ("pictures", "report", "cli"), name
 
 
+@cache
 def called(path: Path) -> set[str]:
     """What a module calls, as it stands there."""
     return {

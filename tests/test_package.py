@@ -170,6 +170,7 @@ def test_a_picture_is_shown_as_svg_and_saved_by_its_suffix(tmp_path: Path) -> No
         vstatics.plot(results, "lever", gear="X")
 
 
+@pytest.mark.usefixtures("without_pictures")
 def test_a_report_is_written_whole(tmp_path: Path) -> None:
     path = tmp_path / "box.html"
     vstatics.write_report(vstatics.solve(vstatics.load(MZKT)), path)

@@ -88,6 +88,10 @@ class Done(NamedTuple):
         return f"exit status {self.status}\n{self.printed}"
 
 
+ONE = pytest.mark.xdist_group("wheel")
+"""Tests for one process: the wheel is built once, and so is its environment."""
+
+
 @pytest.fixture(scope="module")
 def wheel(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Path:
     given = request.config.getoption("--wheel")
@@ -157,6 +161,7 @@ def test_extras_are_those_of_the_project_and_are_tried() -> None:
     assert extras == set(re.findall(r"^\| `(\w+)` \|", section, re.MULTILINE))
 
 
+@ONE
 @pytest.mark.slow
 def test_wheel_has_every_file_of_the_package(wheel: Path) -> None:
     package = ROOT / "vstatics"
@@ -166,6 +171,7 @@ def test_wheel_has_every_file_of_the_package(wheel: Path) -> None:
     assert packed == {name for name in files if "__pycache__" not in name}
 
 
+@ONE
 @pytest.mark.slow
 def test_wheel_does_the_daily_work_without_extras(fresh: Fresh) -> None:
     (fresh.folder / "case.yaml").unlink(missing_ok=True)
@@ -176,6 +182,7 @@ def test_wheel_does_the_daily_work_without_extras(fresh: Fresh) -> None:
     assert f"version {__version__}" in fresh.run("vstatics --version").printed
 
 
+@ONE
 @pytest.mark.slow
 def test_what_an_extra_brings_is_refused_in_one_line(fresh: Fresh) -> None:
     for extra, commands in REFUSED.items():
@@ -186,6 +193,7 @@ def test_what_an_extra_brings_is_refused_in_one_line(fresh: Fresh) -> None:
             assert line.endswith(asks_for(extra)), f"{command}: {done}"
 
 
+@ONE
 @pytest.mark.slow
 def test_what_is_left_out_without_an_extra_is_said(fresh: Fresh) -> None:
     for extra, commands in LESS.items():

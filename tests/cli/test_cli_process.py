@@ -124,7 +124,7 @@ def test_closed_streams_are_told() -> None:
     assert shell("vstatics run nowhere.dat 2>&-")[0] == 1
 
 
-@pytest.mark.parametrize("encoding", ["ascii", "cp1251"])
+@pytest.mark.parametrize("encoding", ["ascii", pytest.param("cp1251", marks=pytest.mark.slow)])
 def test_results_are_utf_8_whatever_python_is_told(encoding: str, tmp_path: Path) -> None:
     (tmp_path / "ru.yaml").write_text(RUSSIAN, encoding="utf-8")
     for arguments in (["run", "--lang", "ru"], ["run", "-f", "json"], ["run", "-f", "csv"]):
@@ -157,13 +157,26 @@ def test_a_terminal_shows_what_a_pipe_gets(variables: dict[str, str]) -> None:
     assert "\x1b" not in shown
 
 
-@pytest.mark.parametrize("command", ["", *COMMANDS])
+HELP_HAS = r"\n  Examples?(, in CI)?:\n    vstatics "
+
+
+@pytest.mark.parametrize(
+    "command",
+    ["", *(pytest.param(one, marks=[pytest.mark.slow] * (one != "run")) for one in COMMANDS)],
+)
 def test_help_has_examples_and_fits_a_terminal(command: str) -> None:
     for flag in ("--help", "-h"):
         shown = on_terminal(*command.split(), flag)
-        assert re.search(r"\n  Examples?(, in CI)?:\n    vstatics ", shown)
+        assert re.search(HELP_HAS, shown)
         assert max(map(len, shown.splitlines())) <= 80
         assert "\x1b" not in shown
+
+
+@pytest.mark.parametrize("command", ["", *COMMANDS])
+def test_help_has_examples_and_is_one_by_either_option(command: str) -> None:
+    shown = vstatics(*command.split(), "--help").out
+    assert re.search(HELP_HAS, shown)
+    assert vstatics(*command.split(), "-h").out == shown
 
 
 @pytest.mark.parametrize(

@@ -108,7 +108,7 @@ gears: {R: {}}
     assert "not kept: that gear R is in conflict" in said.err
 
 
-@settings(max_examples=24)
+@settings(max_examples=15)
 @given(transmissions(ANY_NUMBER, follow=False))
 def test_any_case_is_one_case_in_all_formats(case: Transmission) -> None:
     assert read(named.write_yaml(case).encode(), "", "yaml").case == case

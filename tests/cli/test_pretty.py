@@ -29,7 +29,13 @@ def words(text: str) -> set[str]:
     return {word.strip(",;") for word in text.split() if re.search(r"[^\W\d]", word)}
 
 
-@pytest.mark.parametrize("case", SHIPPED, ids=lambda path: path.name)
+@pytest.mark.parametrize(
+    "case",
+    [
+        pytest.param(case, id=case.name, marks=[pytest.mark.slow] * (number % 4 > 0))
+        for number, case in enumerate(SHIPPED)
+    ],
+)
 def test_lines_fit_and_words_are_whole_at_every_width(
     case: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

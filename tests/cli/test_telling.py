@@ -35,6 +35,7 @@ def _here(files: Path) -> None:
 QUIET_FAILURE = "neutral.yaml: error: 1 warning, which --strict makes fail; without -q it is told\n"
 
 
+@pytest.mark.usefixtures("without_pictures")
 @pytest.mark.parametrize("command", READING)
 def test_a_warning_is_printed_unless_quiet_and_fails_if_strict(command: str) -> None:
     call = [*READING[command], WARNED]
@@ -60,6 +61,7 @@ def test_errors_are_printed_whoever_is_quiet(command: str, case: str) -> None:
     assert "warning" not in said.err
 
 
+@pytest.mark.usefixtures("without_pictures")
 @pytest.mark.parametrize("command", READING)
 def test_a_note_does_not_fail_and_is_told_by_check_alone(command: str) -> None:
     said = vstatics(*READING[command], NOTED, "--strict")

@@ -652,7 +652,7 @@ def test_1_to_8_is_reverse_with_7_stopped_where_8_is_slower_than_7(z: Teeth) -> 
 
 
 @given(z=any_teeth())
-@settings(max_examples=15)
+@settings(max_examples=6)
 def test_the_program_has_these_signs_and_ratios_too(z: Teeth) -> None:
     document = group_case(z)
     found = ratios(solved(document))

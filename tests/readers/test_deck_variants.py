@@ -6,7 +6,7 @@ import random
 from collections.abc import Iterator
 
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tests.commands import MZKT
@@ -51,6 +51,7 @@ def same_as_alone(before: str, text: str) -> None:
     assert outcome(text) == alone
 
 
+@settings(max_examples=20)
 @given(transmissions(follow=False), st.randoms(use_true_random=False))
 def test_a_deck_of_other_numbers_is_read_as_alone(case: Transmission, rng: random.Random) -> None:
     others = [

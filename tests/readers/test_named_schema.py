@@ -187,7 +187,7 @@ def test_bad_documents_are_refused_by_both(name: str) -> None:
     assert not VALIDATOR.is_valid(document)
 
 
-@settings(max_examples=30)
+@settings(max_examples=20)
 @given(transmissions())
 def test_written_cases_are_valid(case: Transmission) -> None:
     document = json.loads(json.dumps(mapping(case)))

@@ -150,12 +150,6 @@ def nasty(nasty_text: str) -> Page:
     return Page(nasty_text)
 
 
-@pytest.fixture
-def without_pictures(monkeypatch: pytest.MonkeyPatch) -> None:
-    """They take the most time."""
-    monkeypatch.setattr("vstatics.report.drawn.PICTURES", {})
-
-
 def test_the_page_carries_the_result(zf: Page) -> None:
     expected = output("run", CASES / "zf-8hp70.yaml")
     assert {**zf.data, "file": "zf-8hp70.yaml"} == expected
@@ -332,7 +326,10 @@ def test_gears_without_numbers_say_why(tmp_path: Path, text: str, status: int, w
     assert messages == shown.data["messages"]
 
 
-@pytest.mark.parametrize("name", ["ravigneaux-aod.yaml", "self-locking.yaml"])
+@pytest.mark.parametrize(
+    "name",
+    [pytest.param("ravigneaux-aod.yaml", marks=pytest.mark.slow), "self-locking.yaml"],
+)
 def test_cases_of_every_kind_have_their_page(name: str) -> None:
     shown = Page(report(CASES / name))
     assert {**shown.data, "file": name} == output("run", CASES / name)

@@ -16,7 +16,10 @@ from tests.statics.differential import texts, train
 from vstatics import Gear, load, solve
 
 
-@pytest.mark.parametrize("name", [name for name in NASTY if name.startswith("turned")])
+@pytest.mark.parametrize(
+    "name",
+    ["turned", pytest.param("turned, idle convention crosses u = 1", marks=pytest.mark.slow)],
+)
 def test_a_sign_is_turned_also_in_a_train_too_large_to_try_all_signs(name: str) -> None:
     """Eleven pairs before a train of three: its efficiency times .97**11."""
     case = replace(NASTY[name], gears=[Gear()], input=NASTY[name].gear_input(NASTY[name].gears[0]))

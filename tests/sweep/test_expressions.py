@@ -276,7 +276,7 @@ def test_the_deepest_expression_can_be_calculated_and_sent() -> None:
 # Columns
 
 
-@settings(max_examples=30)
+@settings(max_examples=15)
 @given(transmissions())
 def test_every_mechanism_can_be_named(case: Transmission) -> None:
     names = [mechanism.name for mechanism in case.mechanisms]

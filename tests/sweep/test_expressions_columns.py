@@ -99,7 +99,7 @@ def test_columns_hold_what_their_headings_say() -> None:
         np.testing.assert_array_equal(column, value(heading))
 
 
-@settings(max_examples=45)
+@settings(max_examples=20)
 @given(transmissions(), st.sampled_from(list(ARRAYS)))
 def test_each_heading_reads_back_as_its_column_whatever_the_names(
     case: Transmission, table: str

@@ -107,7 +107,7 @@ def test_lost_is_what_a_deck_cannot_keep() -> None:
     ]
 
 
-@settings(max_examples=40)
+@settings(max_examples=25)
 @given(transmissions(ANY_NUMBER, follow=False), st.sampled_from(["en", "ru"]))
 def test_any_case_reads_back_the_same(case: Transmission, lang: Literal["en", "ru"]) -> None:
     assert read_back(case, lang) == replace(case, description="", source="")

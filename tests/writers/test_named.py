@@ -25,7 +25,7 @@ def differential(**other: object) -> Transmission:
     return Transmission(**{**parts, **other})  # type: ignore[arg-type]
 
 
-@settings(max_examples=40)
+@settings(max_examples=25)
 @given(transmissions(ANY_NUMBER))
 @example(differential(description="\x85 \u2028 \u2029 \ufeff \x00 \x1b \t\r\n \r"))
 @example(differential(description="\n", source=" \n x\n\n"))

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import asyncio
 import logging
+import time
 import warnings
 from collections.abc import Iterable, Iterator
 from importlib import import_module
@@ -82,9 +84,11 @@ class Cluster(Workers):
                 continue
             raise self._problem(f"worker {worker} {message}")
 
-    def _loss(self) -> ReadError:
-        """Who went away: Dask tells both losses alike."""
-        if self._client.status != "running":
+    def _loss(self, error: Exception) -> ReadError:
+        """Who went away: Dask may tell both losses alike, then the scheduler is asked."""
+        client = self._client
+        told = getattr(error, "reason", None) == "scheduler-connection-lost"
+        if told or client.status != "running" or not client.sync(_answers, client):
             return self._problem("the connection to the scheduler is lost")
         return self._problem("all workers are lost, or all that were there in the beginning")
 
@@ -121,8 +125,8 @@ class Cluster(Workers):
                     yield done.pop(turn if ordered else next(iter(done)))
                     turn += 1
                 fill()
-        except OSError:
-            raise self._loss() from None
+        except OSError as error:
+            raise self._loss(error) from None
 
     def _result(self, future: Any, item: object) -> Any:
         """The result of a future, of this build: a worker may have joined since they were asked.
@@ -144,8 +148,8 @@ class Cluster(Workers):
         except CaseError:
             raise
         except Exception as error:
-            if type(error).__name__ in LOST:
-                raise self._loss() from None
+            if type(error).__name__ in LOST or self._client.status != "running":
+                raise self._loss(error) from None
             self._check_builds()
             if type(error).__name__ == "KilledWorker":
                 message = "the workers that were at it died, one after the other"
@@ -158,6 +162,17 @@ def _silence() -> None:
     for name in logging.root.manager.loggerDict:
         if name.partition(".")[0] in ("distributed", "tornado", "asyncio"):
             logging.getLogger(name).setLevel(logging.CRITICAL)
+
+
+async def _answers(client: Any) -> bool:
+    """Whether the scheduler answers; that it is gone the client may not know yet."""
+    asked = asyncio.ensure_future(client.scheduler.ncores(workers=None))
+    end = time.monotonic() + PATIENCE
+    while client.status == "running" and not asked.done() and time.monotonic() < end:
+        await asyncio.wait([asked], timeout=0.1)
+    asked.cancel()
+    answers = await asyncio.gather(asked, return_exceptions=True)
+    return client.status == "running" and not isinstance(answers[0], BaseException)
 
 
 class _Held:
