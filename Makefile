@@ -13,11 +13,17 @@ help: ## list the targets
 run: .venv/compiled.stamp ## calculate the published case (another: make run CASE=file)
 	@$(BIN)/vstatics run "$(CASE)"
 
-test: .venv/dev.stamp ## the fast tests, on all cores (under two minutes)
+test: .venv/dev.stamp ## the fast tests, on all cores (a minute and a half)
 	$(BIN)/pytest -q -n $(TEST_JOBS) -m "not slow"
 
-test-slow: .venv/dev.stamp ## the slow tests; those that disturb or time processes one by one
-	$(BIN)/pytest -q -n $(TEST_JOBS) --dist loadgroup -m "slow and not alone"
+test-slow: ## the slow tests: test-beside, then test-alone
+	$(MAKE) test-beside
+	$(MAKE) test-alone
+
+test-beside: .venv/dev.stamp ## the slow tests that others do not disturb, on all cores
+	$(BIN)/pytest -q -n $(TEST_JOBS) -m "slow and not alone"
+
+test-alone: .venv/dev.stamp ## the slow tests that disturb or time processes, one by one
 	$(BIN)/pytest -q -n 0 -m "slow and alone"
 
 test-oldest: .venv-oldest/stamp ## the fast tests with the oldest versions allowed (Python 3.11)
@@ -70,4 +76,4 @@ clean: ## remove what make has made
 	touch $@
 
 .DEFAULT_GOAL := help
-.PHONY: help run test test-slow test-oldest coverage lint types golden schema bench dist clean
+.PHONY: help run test test-slow test-beside test-alone test-oldest coverage lint types golden schema bench dist clean

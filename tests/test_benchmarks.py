@@ -29,7 +29,6 @@ SIMPLE = ["differential.yaml", "mzkt7922.dat", "simpson.yaml", "two-stage.yaml",
 
 pytestmark = [
     pytest.mark.slow,
-    pytest.mark.alone,
     pytest.mark.skipif(COMPILER is None, reason="there is no C compiler"),
 ]
 

@@ -88,10 +88,6 @@ class Done(NamedTuple):
         return f"exit status {self.status}\n{self.printed}"
 
 
-ONE = pytest.mark.xdist_group("wheel")
-"""Tests for one process: the wheel is built once, and so is its environment."""
-
-
 @pytest.fixture(scope="module")
 def wheel(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Path:
     given = request.config.getoption("--wheel")
@@ -161,9 +157,7 @@ def test_extras_are_those_of_the_project_and_are_tried() -> None:
     assert extras == set(re.findall(r"^\| `(\w+)` \|", section, re.MULTILINE))
 
 
-@ONE
-@pytest.mark.slow
-def test_wheel_has_every_file_of_the_package(wheel: Path) -> None:
+def has_every_file_of_the_package(wheel: Path) -> None:
     package = ROOT / "vstatics"
     files = {str(path.relative_to(ROOT)) for path in package.rglob("*") if path.is_file()}
     with zipfile.ZipFile(wheel) as archive:
@@ -171,9 +165,7 @@ def test_wheel_has_every_file_of_the_package(wheel: Path) -> None:
     assert packed == {name for name in files if "__pycache__" not in name}
 
 
-@ONE
-@pytest.mark.slow
-def test_wheel_does_the_daily_work_without_extras(fresh: Fresh) -> None:
+def does_the_daily_work_without_extras(fresh: Fresh) -> None:
     (fresh.folder / "case.yaml").unlink(missing_ok=True)
     for command in WORKS:
         done = fresh.run(command)
@@ -182,9 +174,7 @@ def test_wheel_does_the_daily_work_without_extras(fresh: Fresh) -> None:
     assert f"version {__version__}" in fresh.run("vstatics --version").printed
 
 
-@ONE
-@pytest.mark.slow
-def test_what_an_extra_brings_is_refused_in_one_line(fresh: Fresh) -> None:
+def refuses_in_one_line_what_an_extra_brings(fresh: Fresh) -> None:
     for extra, commands in REFUSED.items():
         for command in commands:
             done = fresh.run(command)
@@ -193,12 +183,19 @@ def test_what_an_extra_brings_is_refused_in_one_line(fresh: Fresh) -> None:
             assert line.endswith(asks_for(extra)), f"{command}: {done}"
 
 
-@ONE
-@pytest.mark.slow
-def test_what_is_left_out_without_an_extra_is_said(fresh: Fresh) -> None:
+def says_what_is_left_out_without_an_extra(fresh: Fresh) -> None:
     for extra, commands in LESS.items():
         for command in commands:
             done = fresh.run(command)
             assert done.status == 0, f"{command}: {done}"
             assert asks_for(extra) in done.printed.replace('\\"', '"'), f"{command}: {done}"
             assert "Traceback" not in done.printed
+
+
+@pytest.mark.slow
+def test_the_wheel_in_a_fresh_environment(wheel: Path, fresh: Fresh) -> None:
+    """One test, so that processes of pytest do not each make a wheel and an environment."""
+    has_every_file_of_the_package(wheel)
+    does_the_daily_work_without_extras(fresh)
+    refuses_in_one_line_what_an_extra_brings(fresh)
+    says_what_is_left_out_without_an_extra(fresh)

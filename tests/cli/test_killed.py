@@ -131,33 +131,30 @@ STATUSES = {
 }
 
 
-@pytest.fixture(scope="module")
-def whole(tmp_path_factory: pytest.TempPathFactory) -> dict[str, tuple[dict[str, bytes], float]]:
+def whole(work: Work, folder: Path) -> tuple[dict[str, bytes], float]:
     """What undisturbed work gives, and how long it takes [s]."""
-    found = {}
-    for number, (name, work) in enumerate(WORKS.items()):
-        folder = tmp_path_factory.mktemp("whole") / str(number)
-        prepare(folder)
-        began = time.monotonic()
-        status, said = end(begin(work, folder))
-        assert status == 0, said
-        found[name] = made(work, folder), time.monotonic() - began
-        assert left(folder) == []
-    return found
+    prepare(folder)
+    began = time.monotonic()
+    status, said = end(begin(work, folder))
+    assert status == 0, said
+    assert left(folder) == []
+    return made(work, folder), time.monotonic() - began
 
 
 def test_work_that_is_killed_and_resumed_is_that_of_undisturbed_work(
-    whole: dict[str, tuple[dict[str, bytes], float]],
-    tmp_path: Path,
-    request: pytest.FixtureRequest,
+    tmp_path: Path, request: pytest.FixtureRequest
 ) -> None:
     """Up to three times in a row, then it is let alone; the bytes are the same."""
     kills = int(request.config.getoption("--kills"))
     choose = random.Random(kills)  # noqa: S311
     told: Counter[str] = Counter()
+    undisturbed: dict[str, tuple[dict[str, bytes], float]] = {}
     while sum(told[way] for way in WAYS) < kills:
         name = choose.choice(list(WORKS))
-        work, (expected, seconds) = WORKS[name], whole[name]
+        work = WORKS[name]
+        if name not in undisturbed:
+            undisturbed[name] = whole(work, tmp_path / f"whole {len(undisturbed)}")
+        expected, seconds = undisturbed[name]
         folder = tmp_path / str(told.total())
         prepare(folder)
         for _ in range(choose.randint(1, 3)):

@@ -17,8 +17,9 @@ import pytest
 
 import vstatics
 from tests.commands import environment
-from tests.sweep.sweeps import CASE_TEXT, begin, end, finished, names, wait_for
+from tests.sweep.sweeps import CASE_TEXT, begin, end, finished, wait_for
 from vstatics.extras import build
+from vstatics.jobs import cluster as workers
 
 pytest.importorskip("distributed")
 pytestmark = [pytest.mark.slow, pytest.mark.alone]
@@ -176,13 +177,17 @@ def test_a_worker_with_another_build_is_refused_also_when_it_joins_late(
     )
 
 
-def test_a_scheduler_that_is_not_there_is_told(tmp_path: Path) -> None:
-    (tmp_path / "box.yaml").write_text(CASE_TEXT, encoding="utf-8")
-    for address, words in {
-        "tcp://127.0.0.1:1": "no Dask scheduler answers there",
-        "nonsense://x": "is no address of a scheduler, expected tcp://HOST:PORT",
-    }.items():
-        status, said = end(begin(*SWEEP, "-o", "o.csv", "--scheduler", address, cwd=tmp_path))
-        assert (status, said.startswith(f"{address}: error: {words}")) == (1, True)
-        assert len(said.splitlines()) <= 2
-    assert names(tmp_path) == ["box.yaml"]
+def test_who_was_lost_is_asked_where_dask_does_not_know_it_yet(cluster: Cluster) -> None:
+    """The client has not seen the end of its connection; losing workers ends none."""
+    with workers.Cluster("state", str, cluster.address) as made:
+        assert "all workers are lost" in str(made._loss(OSError()))
+        cluster.scheduler.kill()
+        assert "the connection to the scheduler is lost" in str(made._loss(OSError()))
+
+
+def test_a_scheduler_that_came_back_was_lost(cluster: Cluster) -> None:
+    """Dask connects again, but what was under way is cancelled."""
+    cancelled = Exception("cancelled")
+    cancelled.reason = "scheduler-connection-lost"  # type: ignore[attr-defined]
+    with workers.Cluster("state", str, cluster.address) as made:
+        assert "the connection to the scheduler is lost" in str(made._loss(cancelled))

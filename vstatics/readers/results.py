@@ -41,7 +41,7 @@ def _read_json(text: str, file: str) -> list[WrittenResult]:
     try:
         content = json.loads(text)
     except json.JSONDecodeError as error:
-        if error.msg == "Extra data" and text.startswith("{"):
+        if _is_lines(text, error):
             return _read_lines(text, file)
         raise _fail(f"no JSON: {error.msg}", file, error.lineno, error.colno) from None
     except (RecursionError, ValueError) as error:
@@ -52,12 +52,26 @@ def _read_json(text: str, file: str) -> list[WrittenResult]:
     return [_report(document, file, number) for number, document in enumerate(documents, 1)]
 
 
+def _is_lines(text: str, error: json.JSONDecodeError) -> bool:
+    """Whether what is no JSON is JSON lines, of which one may be broken.
+
+    The first object ends in its line, or objects begin in more lines than one.
+    """
+    if text.lstrip()[:1] != "{":
+        return False
+    ended = error.msg == "Extra data" and "\n" not in text[: error.pos].strip()
+    begun = [line for line in text.split("\n") if line[:1] == "{" != line.strip()]
+    return ended or len(begun) > 1
+
+
 def _read_lines(text: str, file: str) -> list[WrittenResult]:
-    """JSON lines: a result each."""
-    results = []
-    for number, line in enumerate(filter(str.strip, text.split("\n")), 1):
+    """JSON lines: a result each; empty lines do not count as results."""
+    results: list[WrittenResult] = []
+    for number, line in enumerate(text.split("\n"), 1):
+        if not line.strip():
+            continue
         try:
-            results.append(_report(json.loads(line), file, number))
+            results.append(_report(json.loads(line), file, len(results) + 1, number))
         except json.JSONDecodeError as error:
             raise _fail(f"no JSON: {error.msg}", file, number, error.colno) from None
         except (RecursionError, ValueError) as error:
@@ -65,9 +79,10 @@ def _read_lines(text: str, file: str) -> list[WrittenResult]:
     return results
 
 
-def _report(document: Any, file: str, number: int) -> WrittenResult:
+def _report(document: Any, file: str, number: int, line: int = 0) -> WrittenResult:
     if not isinstance(document, dict):
-        raise _fail(f"result {number} is no JSON object; expected one of `vstatics run`", file)
+        message = f"result {number} is no JSON object; expected one of `vstatics run`"
+        raise _fail(message, file, line)
     if "errors" in document:
         return WrittenResult({}, None, printed=False, errors=True, file=_file(document))
     tables = {}
@@ -80,10 +95,10 @@ def _report(document: Any, file: str, number: int) -> WrittenResult:
                 tables[key] = [[_from_json(value) for value in row] for row in rows_of_table]
             except (TypeError, ValueError, OverflowError):
                 message = f"{key} of result {number} is no table of numbers"
-                raise _fail(message, file) from None
+                raise _fail(message, file, line) from None
     if not tables:
         known = ", ".join(quantity.key for quantity in QUANTITIES[:3])
-        raise _fail(f"result {number} has none of the tables {known}, ...", file)
+        raise _fail(f"result {number} has none of the tables {known}, ...", file, line)
     case = _case(json.dumps(document.get("case")), "json")
     rows = _row_names(document.get("rows"), tables)
     return WrittenResult(tables, case, printed=False, rows=rows, file=_file(document))

@@ -174,7 +174,7 @@ def _table(
         for column, (one, two) in enumerate(zip(row, other, strict=True)):
             if not is_same(one, two, atol, rtol):
                 place = names.table, names.row(number), names.column(column)
-                yield Difference(*place, _shown(one), _shown(two))
+                yield Difference(*place, shown(one.value), shown(two.value))
 
 
 def is_same(one: Figure, two: Figure, atol: float, rtol: float) -> bool:
@@ -185,5 +185,6 @@ def is_same(one: Figure, two: Figure, atol: float, rtol: float) -> bool:
     return abs(one.value - two.value) <= slack + atol + rtol * abs(two.value)
 
 
-def _shown(figure: Figure) -> str:
-    return "no value" if math.isnan(figure.value) else repr(figure.value)
+def shown(value: float) -> str:
+    """A number in the words of a difference; NaN stands for no number."""
+    return "no value" if math.isnan(value) else repr(value)

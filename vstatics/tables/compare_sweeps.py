@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Container, Iterator, Sequence
 
 from vstatics.errors import plural
-from vstatics.tables.compare import ATOL, RTOL, is_same
+from vstatics.tables.compare import ATOL, RTOL, is_same, shown
 from vstatics.tables.figures import Figure, WrittenSweep
 from vstatics.tables.quantities import BY_NAME
 
@@ -52,7 +52,7 @@ def sweep_differences(
             (number, found[name][here[number]], wanted[name][there[number]]) for number in both
         )
         told = [
-            f"variant {number}, {name}: {one!r}, expected {other!r}".replace("nan", "no value")
+            f"variant {number}, {name}: {shown(one)}, expected {shown(other)}"
             for number, one, other in pairs
             if not is_same(Figure(one), Figure(other), atol, rtol)
         ]

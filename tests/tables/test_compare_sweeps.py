@@ -1,0 +1,16 @@
+"""Differences of sweeps, in words."""
+
+from __future__ import annotations
+
+import math
+
+from vstatics.tables.compare_sweeps import sweep_differences
+from vstatics.tables.figures import WrittenSweep
+
+
+def test_a_name_stays_whatever_is_in_it() -> None:
+    """NaN is told as no value, a gear that is named so is not."""
+    name = "ratio[nan banana]"
+    sweeps = [WrittenSweep([1], ["ok"], {name: [value]}) for value in (math.nan, 2.5)]
+    assert list(sweep_differences(*sweeps)) == [f"variant 1, {name}: no value, expected 2.5"]
+    assert list(sweep_differences(*sweeps[::-1])) == [f"variant 1, {name}: 2.5, expected no value"]
