@@ -25,7 +25,7 @@ from vstatics.numerics.entries import (
     row_of,
 )
 from vstatics.numerics.tolerances import PIVOT
-from vstatics.numerics.traced import Number, absolute, is_traced
+from vstatics.numerics.traced import Number, absolute, first, is_traced
 
 
 class Solution(NamedTuple):
@@ -76,6 +76,20 @@ def solve(
     if consistent:
         values = run.values(unknowns, sums)
     return Solution(values, consistent, unknowns - len(run.pivots), len(run.left))
+
+
+def in_free_unknowns(equations: Sequence[Equation], unknowns: int) -> list[dict[int, float]]:
+    """The solutions of homogeneous equations: each unknown by those that are left free.
+
+    Examples
+    --------
+    >>> in_free_unknowns([{0: 1.0, 1: 2.5, 2: -3.5}], 3)
+    [{0: 1.0}, {1: 1.0}, {0: 0.285714..., 1: 0.714285...}]
+    """
+    run = _Elimination([row_of(equation, FLOATS) for equation in equations], FLOATS)
+    known = run.by_free_unknowns(unknowns)
+    rows = [known[unknown] for unknown in range(unknowns)]
+    return [{column: first(entry[0]) for column, entry in row.items()} for row in rows]
 
 
 def dependencies(equations: Sequence[Equation]) -> Iterator[tuple[list[int], bool]]:
@@ -130,8 +144,8 @@ class _Elimination:
         """Whether no row says that zero is something else."""
         return not any(RIGHT in row for row in self.left)
 
-    def values(self, unknowns: int, sums: Sequence[Mapping[int, Number]]) -> list[Number]:
-        """Back substitution: each unknown and sum, NaN where it hangs on a free unknown."""
+    def by_free_unknowns(self, unknowns: int) -> dict[int, Row]:
+        """Back substitution: each unknown as a sum of free ones and of the right-hand side."""
         pivots = {column for column, _, _ in self.pivots}
         known: dict[int, Row] = {
             column: {column: EXACTLY_ONE} for column in range(unknowns) if column not in pivots
@@ -142,6 +156,11 @@ class _Elimination:
                 if other >= 0:
                     self._subtract(total, factor, known[other])
             known[column] = {c: self.arithmetic.quotient(e, pivot) for c, e in total.items()}
+        return known
+
+    def values(self, unknowns: int, sums: Sequence[Mapping[int, Number]]) -> list[Number]:
+        """Each unknown and sum, NaN where it hangs on a free unknown."""
+        known = self.by_free_unknowns(unknowns)
         wanted = [known[column] for column in range(unknowns)]
         for terms in sums:
             summed: Row = {}

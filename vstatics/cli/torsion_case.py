@@ -1,0 +1,82 @@
+"""What the commands of `vstatics torsion` share: a case in, texts of it out."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from typing import Any
+
+from vstatics.cli import cases as arguments
+from vstatics.cli import files, texts
+from vstatics.cli.cases import CalculatedCase
+from vstatics.cli.formats import Destination, OutputOptions
+from vstatics.cli.telling import Telling
+from vstatics.errors import Problem
+from vstatics.extras import require
+from vstatics.model.transmission import Transmission
+from vstatics.readers.reading import Reading
+from vstatics.tables.grid import Grid
+from vstatics.writers.plain_json import plain_data
+
+
+def needs_scipy() -> None:
+    """Refuse where the extra is not installed, before anything is read.
+
+    Raises
+    ------
+    CaseError
+    """
+    require("torsion", "vstatics torsion")
+
+
+def gear_names(case: Transmission, asked: Sequence[str]) -> list[str]:
+    """The gears that are asked for, each once; all where none is.
+
+    Raises
+    ------
+    BadParameter
+        If there is no such gear.
+    """
+    return [case.gears[index].name for index in arguments.gear_indices(case, asked)]
+
+
+def located(reading: Reading, texts_by_gear: Iterable[tuple[str, str, str]]) -> Iterator[Problem]:
+    """Messages as problems at the places of their gears.
+
+    Parameters
+    ----------
+    texts_by_gear : iterable of tuple
+        The name of a gear, a severity, a text.
+    """
+    numbers = {gear.name: number for number, gear in enumerate(reading.case.gears, 1)}
+    for name, severity, message in texts_by_gear:
+        place = reading.locate(Problem("", ("gears", numbers[name]))).place
+        yield Problem(f"gear {name}: {message}", (), place, severity)  # type: ignore[arg-type]
+
+
+def show(
+    file: str,
+    to: Destination,
+    title: str,
+    grids: Callable[[], Iterable[Grid]],
+    document: Callable[[], dict[str, Any]],
+) -> None:
+    """Write what a command has of one case, in the format that is asked for."""
+    shown = texts.CaseOutput([title], {}, grids, lambda: plain_data(document()))
+    form = texts.OutputForm(to.form, to.style)
+    files.write_data(texts.alone(CalculatedCase(file, None, []), shown, form), to.output)
+
+
+def tell(problems: Sequence[Problem], telling: Telling, file: str) -> None:
+    """Print problems on stderr."""
+    files.show(telling.printed(problems))
+    files.show(telling.quiet_failure(problems, file))
+
+
+def one_text(wanted: OutputOptions, inputs: Sequence[str]) -> Destination:
+    """Where the result goes; a directory is for several, of which there are none."""
+    to = wanted.destination(inputs)
+    if to.is_folder:
+        import click
+
+        raise click.UsageError(f"one case gives one text: expected -o FILE, not {to.output}")
+    return to

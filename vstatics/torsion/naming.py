@@ -1,0 +1,34 @@
+"""Torques by the names that results have: of shift elements, mechanisms or members, springs."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from vstatics.model.transmission import Transmission
+from vstatics.numerics.arrays import Floats
+from vstatics.statics.matrix import column
+
+
+def own_torques(case: Transmission, by_device: Mapping[str, Floats]) -> dict[str, Floats]:
+    """Torques of devices by the rows of `torques` in results; an open element has 0.
+
+    Parameters
+    ----------
+    by_device : mapping
+        On the first link of each engaged element, mechanism and spring, by its name. [N*m]
+    """
+    like = np.zeros_like(next(iter(by_device.values()), np.zeros(0)))
+    named = {one.name: by_device.get(one.name, like) for one in case.shift_elements}
+    springs = {spring.name: by_device[spring.name] for spring in case.springs}
+    if case.drawing is None:
+        return named | {one.name: by_device[one.name] for one in case.mechanisms} | springs
+    for device in case.own_devices:
+        for member in device.members:
+            parts = [
+                column(case.mechanisms[index].ratio)[place] * by_device[case.mechanisms[index].name]
+                for index, place in member.places
+            ]
+            named[f"{device.name}.{member.name}"] = np.sum(parts, axis=0)
+    return named | springs
