@@ -27,7 +27,9 @@ from typing import TYPE_CHECKING, Any
 
 from vstatics.errors import CaseError, Place, Problem, ReadError, VstaticsError
 from vstatics.extras import __version__
+from vstatics.model.damping import Damping
 from vstatics.model.parts import Load
+from vstatics.model.springs import Spring
 from vstatics.model.transmission import Gear, Mechanism, ShiftElement, Transmission
 from vstatics.readers import from_dict, load, loads
 from vstatics.statics.matrix import distribution_matrix
@@ -48,6 +50,7 @@ if TYPE_CHECKING:
 
 __all__ = [
     "CaseError",
+    "Damping",
     "Drawing",
     "Element",
     "Gear",
@@ -60,6 +63,7 @@ __all__ = [
     "ReadError",
     "Results",
     "ShiftElement",
+    "Spring",
     "Transmission",
     "VstaticsError",
     "__version__",

@@ -25,7 +25,7 @@ from vstatics.numerics.entries import (
     row_of,
 )
 from vstatics.numerics.tolerances import PIVOT
-from vstatics.numerics.traced import Number, absolute, first, is_traced
+from vstatics.numerics.traced import Number, absolute, is_traced
 
 
 class Solution(NamedTuple):
@@ -84,12 +84,12 @@ def in_free_unknowns(equations: Sequence[Equation], unknowns: int) -> list[dict[
     Examples
     --------
     >>> in_free_unknowns([{0: 1.0, 1: 2.5, 2: -3.5}], 3)
-    [{0: 1.0}, {1: 1.0}, {0: 0.285714..., 1: 0.714285...}]
+    [{1: -2.5, 2: 3.5}, {1: 1.0}, {2: 1.0}]
     """
     run = _Elimination([row_of(equation, FLOATS) for equation in equations], FLOATS)
     known = run.by_free_unknowns(unknowns)
     rows = [known[unknown] for unknown in range(unknowns)]
-    return [{column: first(entry[0]) for column, entry in row.items()} for row in rows]
+    return [{column: float(entry[0]) for column, entry in row.items()} for row in rows]  # type: ignore[arg-type] # no traced number
 
 
 def dependencies(equations: Sequence[Equation]) -> Iterator[tuple[list[int], bool]]:

@@ -75,7 +75,7 @@ def damped_modes(system: TorsionalSystem, split: Coordinates, modes: NaturalMode
     return DampedModes(chosen[_order(chosen)], chosen)
 
 
-class _Found(NamedTuple):
+class _EigenPairs(NamedTuple):
     eigenvalues: Complex
     shapes: Complex
     """Shape (modes, eigenvalues): by natural modes, each of length 1 in the mass norm."""
@@ -83,7 +83,7 @@ class _Found(NamedTuple):
 
 def _eigenvalues(
     system: TorsionalSystem, split: Coordinates, modes: NaturalModes, viscous: Floats
-) -> _Found:
+) -> _EigenPairs:
     """Of a state of modal coordinates, their speeds, and massless motions that are damped.
 
     In natural modes M is 1 and K is diagonal. A massless motion y that is damped follows by
@@ -105,7 +105,7 @@ def _eigenvalues(
     order = _order(values)
     shapes = vectors[:count, order]
     lengths = np.linalg.norm(shapes, axis=0)
-    return _Found(values[order], shapes / np.where(lengths, lengths, 1.0))
+    return _EigenPairs(values[order], shapes / np.where(lengths, lengths, 1.0))
 
 
 def _state(stiffness: Floats, resistance: Floats, count: int) -> Floats:

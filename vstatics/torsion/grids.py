@@ -19,7 +19,7 @@ def modes_grids(gears: Sequence[GearModes]) -> Iterator[Grid]:
     >>> case = Transmission(2, [], [], [], springs=[shaft], inertias={1: 2.0, 2: 2.0})
     >>> tables = list(modes_grids(modes(case)))
     >>> tables[0].texts
-    [['1', '1', '10.000', '1.592', '.000', '1.592', '1', 'shaft 100%; 1 50%']]
+    [['1', '1', '10.000', '1.592', '.000', '1.592', '1', 'shaft 100%; 2 50%']]
     >>> [table.title for table in tables[1:]]
     ['Gear 1: amplitudes of links', ..., 'Gear 1: shares of elastic energy']
     """

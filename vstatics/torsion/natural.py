@@ -72,7 +72,8 @@ def elastic_basis(system: TorsionalSystem, split: Coordinates) -> Floats:
     if not following.shape[1]:
         return following
     _, triangle = linalg.qr(speeds @ following, mode="economic")
-    apart, _ = linalg.lapack.dtrtri(triangle)
+    inverse, _ = linalg.lapack.dtrtri(triangle)
+    apart: Floats = inverse
     rigid, *_ = linalg.lstsq(following, split.rigid) if split.rigid.size else (None,)
     if rigid is None:
         return following @ apart

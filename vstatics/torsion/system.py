@@ -20,7 +20,7 @@ from vstatics.torsion.body import Body
 from vstatics.torsion.planets import planet_bodies
 
 
-class Device(NamedTuple):
+class TorsionalDevice(NamedTuple):
     """A device that holds links together, rigidly or not."""
 
     name: str
@@ -42,7 +42,7 @@ class TorsionalSystem(NamedTuple):
         How many are the case's own.
     bodies : sequence of Body
         A body for each own link, also where its inertia is 0; then planets.
-    devices : sequence of Device
+    devices : sequence of TorsionalDevice
         Engaged shift elements, mechanisms, springs.
     link_inertias : sequence of float
         Of all links, with the shares that they have of planets; some may be below 0. [kg*m^2]
@@ -51,16 +51,16 @@ class TorsionalSystem(NamedTuple):
     names: tuple[str, ...]
     own: int
     bodies: tuple[Body, ...]
-    devices: tuple[Device, ...]
+    devices: tuple[TorsionalDevice, ...]
     link_inertias: tuple[float, ...]
 
     @property
-    def elastic(self) -> list[Device]:
+    def elastic(self) -> list[TorsionalDevice]:
         """The devices with a stiffness."""
         return [device for device in self.devices if device.stiffness is not None]
 
     @property
-    def rigid(self) -> list[Device]:
+    def rigid(self) -> list[TorsionalDevice]:
         """The devices without."""
         return [device for device in self.devices if device.stiffness is None]
 
@@ -98,18 +98,20 @@ def torsional_system(case: Transmission, gear: Gear) -> TorsionalSystem:
     )
 
 
-def _devices(case: Transmission, gear: Gear) -> Iterator[Device]:
+def _devices(case: Transmission, gear: Gear) -> Iterator[TorsionalDevice]:
     by_device = columns(case, [mechanism.ratio for mechanism in case.mechanisms])
     engaged = set(gear.engaged)
     for number, element in enumerate(case.shift_elements, 1):
         if number in engaged:
             twist = _form(by_device[number - 1])
-            yield Device(element.name, twist, element.stiffness, damping(element.damping))
+            yield TorsionalDevice(element.name, twist, element.stiffness, damping(element.damping))
     for mechanism, column in zip(case.mechanisms, by_device[case.among_devices], strict=True):
         twist = _form(column)
-        yield Device(mechanism.name, twist, mechanism.stiffness, damping(mechanism.damping))
+        yield TorsionalDevice(
+            mechanism.name, twist, mechanism.stiffness, damping(mechanism.damping)
+        )
     for spring, column in zip(case.springs, by_device[case.among_devices.stop :], strict=True):
-        yield Device(spring.name, _form(column), spring.rate, damping(spring.damping))
+        yield TorsionalDevice(spring.name, _form(column), spring.rate, damping(spring.damping))
 
 
 def _form(column: Column) -> dict[int, float]:
