@@ -27,6 +27,8 @@ LeafKind = Literal[
     "damping",
     "mass",
     "length",
+    "si_torque",
+    "si_speed",
     "link",
     "element",
     "flag",
@@ -35,7 +37,9 @@ LeafKind = Literal[
 UNITS: Mapping[str, str] = {"speed": "rpm", "torque": "N*m", "power": "kW"}
 """Units of speeds, torques and powers that are not relative."""
 
-Measure = Literal["inertia", "stiffness", "compliance", "damping", "mass", "length"]
+Measure = Literal[
+    "inertia", "stiffness", "compliance", "damping", "mass", "length", "torque", "speed"
+]
 """What is given in SI, with its unit or without."""
 
 Limits: TypeAlias = Mapping[str, Any]
@@ -48,6 +52,8 @@ class Leaf(NamedTuple):
 
     kind: LeafKind
     choices: tuple[str, ...] = ()
+    infinite: bool = False
+    """Whether a number may be `.inf`."""
 
 
 class Links(NamedTuple):

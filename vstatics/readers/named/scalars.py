@@ -15,6 +15,9 @@ NUMBER = rf"^{ARITHMETIC}$"
 LINK_NUMBER = "^(0|[1-9][0-9]*)$"
 """Plain digits; `010` would be 8 to some readers of YAML."""
 
+INFINITE = frozenset((".inf", ".Inf", ".INF", "+.inf", "+.Inf", "+.INF"))
+"""As YAML 1.1 and 1.2 write it."""
+
 _LINK_NUMBER = re.compile(LINK_NUMBER.removesuffix("$") + r"\Z")
 _MOST_DIGITS = 9
 

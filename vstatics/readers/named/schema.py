@@ -186,6 +186,8 @@ def _leaf(shape: Leaf) -> Words:  # noqa: PLR0911 - a table
             | "length"
         ):
             return _reference(shape.kind)
+        case "si_torque" | "si_speed":
+            return _reference(shape.kind.removeprefix("si_"))
         case "share":
             return {**_reference("number"), "minimum": 0}
         case "count":

@@ -1,4 +1,4 @@
-"""Units of inertias, stiffnesses, compliances, dampings, masses and lengths, with any exponents."""
+"""Units of inertias, stiffnesses, compliances and whatever else is in SI, with any exponents."""
 
 from __future__ import annotations
 
@@ -24,6 +24,8 @@ UNIT_OF: dict[Measure, str] = {
     "damping": "N*m*s/rad",
     "mass": "kg",
     "length": "m",
+    "torque": "N*m",
+    "speed": "rad/s",
 }
 """What bare numbers are in."""
 _MEASURES: dict[Measure, tuple[_Dimension, ...]] = {
@@ -33,12 +35,12 @@ _MEASURES: dict[Measure, tuple[_Dimension, ...]] = {
     "damping": ((1, 2, -1, -1), (1, 2, -1, 0)),
     "mass": ((1, 0, 0, 0),),
     "length": ((0, 1, 0, 0),),
+    "torque": ((1, 2, -2, 0),),
+    "speed": ((0, 0, -1, 1),),
 }
 """With the radian, or without where nothing else is meant; N*m alone is a torque."""
 _OTHERS: dict[_Dimension, str] = {
-    (1, 2, -2, 0): "torque",
     (1, 2, -3, 0): "power",
-    (0, 0, -1, 1): "speed",
     (1, 1, -2, 0): "force",
 } | {forms[0]: measure for measure, forms in _MEASURES.items()}
 """What a wrong unit measures."""

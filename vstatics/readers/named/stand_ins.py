@@ -56,6 +56,8 @@ LEAVES: dict[LeafKind, LeafReading] = {
     "damping": LeafReading("a damping", 0.0, partial(_in_si, measure="damping")),
     "mass": LeafReading("a mass", 1.0, partial(_in_si, measure="mass")),
     "length": LeafReading("a length", 1.0, partial(_in_si, measure="length")),
+    "si_torque": LeafReading("a torque", 1.0, partial(_in_si, measure="torque")),
+    "si_speed": LeafReading("a speed", 1.0, partial(_in_si, measure="speed")),
     "link": LeafReading("a link", NO_LINK),
     "element": LeafReading("the name of a shift element", NO_ELEMENT),
     "flag": LeafReading("`true` or `false`", stand_in=False),

@@ -6,6 +6,7 @@ stands in the document, and leaves a stand-in where nothing can be read.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from typing import Any
 
@@ -256,4 +257,5 @@ class Walk:
                     hint = self.spots.found.hint(node.text, shape.choices)
                     raise ValueError(f"expected {spoken(map(quoted, shape.choices), 'or')}{hint}")
                 return node.text
-        return LEAVES[shape.kind].parse(node.text)
+        infinite = shape.infinite and node.plain and node.text in scalars.INFINITE
+        return math.inf if infinite else LEAVES[shape.kind].parse(node.text)
