@@ -184,9 +184,9 @@ def _leaf(shape: Leaf) -> Words:  # noqa: PLR0911 - a table
             | "damping"
             | "mass"
             | "length"
+            | "si_torque"
+            | "si_speed"
         ):
-            return _reference(shape.kind)
-        case "si_torque" | "si_speed":
             return _reference(shape.kind.removeprefix("si_"))
         case "share":
             return {**_reference("number"), "minimum": 0}
