@@ -17,14 +17,14 @@ import contextlib
 import os
 import sys
 from collections.abc import Iterator
-from importlib import import_module
 from typing import Any
 
 import click
 
 from vstatics.cli import files
 from vstatics.cli.exit_status import DONE, FAILED, WRONG_USE, stopped_by
-from vstatics.errors import ReadError, nearest, printable, quoted
+from vstatics.cli.lazy_group import LazyGroup
+from vstatics.errors import ReadError, printable
 from vstatics.extras import __version__, build
 from vstatics.jobs.stopping import Stop, StoppedError, stoppable
 
@@ -37,6 +37,7 @@ COMMANDS = {
     "flow": ("vstatics.cli.flow", "Show where the power goes, what is lost, what circulates."),
     "summary": ("vstatics.cli.summary", "Ratios, steps, spread, transitions, largest values."),
     "explain": ("vstatics.cli.explain", "Write out the equations and the ratio of a gear."),
+    "torsion": ("vstatics.cli.torsion", "The transmission as a torsional system."),
     "plot": ("vstatics.cli.plot", "Draw a picture of a case: SVG, PNG or PDF."),
     "report": ("vstatics.cli.report", "Write a case and its results as one page of HTML."),
     "check": ("vstatics.cli.check", "Report problems of the input, and the conditions per gear."),
@@ -46,8 +47,10 @@ COMMANDS = {
 """Module and summary of each command; a module is imported when its command is called."""
 
 
-class Commands(click.Group):
-    """A group that imports a command when it is called."""
+class Commands(LazyGroup):
+    """The commands, and the exit status of each."""
+
+    modules = COMMANDS
 
     def make_context(self, *values: Any, **named: Any) -> click.Context:
         """As click does; messages are safe to print."""
@@ -80,33 +83,6 @@ class Commands(click.Group):
 
             files.show([unexpected(f"vstatics {ctx.invoked_subcommand}", error)])
         return FAILED
-
-    def list_commands(self, ctx: click.Context) -> list[str]:  # noqa: ARG002
-        """All names, in the order of use."""
-        return list(COMMANDS)
-
-    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:  # noqa: ARG002
-        """The command of that name."""
-        if cmd_name not in COMMANDS:
-            return None
-        module, _ = COMMANDS[cmd_name]
-        command: click.Command = getattr(import_module(module), cmd_name)
-        return command
-
-    def resolve_command(
-        self, ctx: click.Context, args: list[str]
-    ) -> tuple[str | None, click.Command | None, list[str]]:
-        """As click does; a name that is none gets the nearest one as a hint."""
-        name = args[0]
-        if name in COMMANDS or name.startswith("-"):
-            return super().resolve_command(ctx, args)
-        hint = nearest(name, COMMANDS) or f"; commands are {', '.join(COMMANDS)}"
-        raise click.UsageError(f"there is no command {quoted(name)}{hint}", ctx)
-
-    def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:  # noqa: ARG002
-        """List the commands without importing them."""
-        with formatter.section("Commands"):
-            formatter.write_dl([(name, summary) for name, (_, summary) in COMMANDS.items()])
 
 
 @contextlib.contextmanager
