@@ -38,7 +38,7 @@ UNITS: Mapping[str, str] = {"speed": "rpm", "torque": "N*m", "power": "kW"}
 """Units of speeds, torques and powers that are not relative."""
 
 Measure = Literal[
-    "inertia", "stiffness", "compliance", "damping", "mass", "length", "torque", "speed"
+    "inertia", "stiffness", "compliance", "damping", "mass", "length", "si_torque", "si_speed"
 ]
 """What is given in SI, with its unit or without."""
 

@@ -82,7 +82,7 @@ def json_schema() -> Words:
 
 def _measure(name: Measure) -> Words:
     return {
-        "title": name.capitalize(),
+        "title": name.removeprefix("si_").capitalize(),
         "description": f"Bare in {UNIT_OF[name]}, or with its unit.",
         "type": ["number", "string"],
         "pattern": f"{NUMBER}|{WITH_UNIT}",
@@ -187,7 +187,7 @@ def _leaf(shape: Leaf) -> Words:  # noqa: PLR0911 - a table
             | "si_torque"
             | "si_speed"
         ):
-            return _reference(shape.kind.removeprefix("si_"))
+            return _reference(shape.kind)
         case "share":
             return {**_reference("number"), "minimum": 0}
         case "count":

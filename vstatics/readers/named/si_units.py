@@ -24,8 +24,8 @@ UNIT_OF: dict[Measure, str] = {
     "damping": "N*m*s/rad",
     "mass": "kg",
     "length": "m",
-    "torque": "N*m",
-    "speed": "rad/s",
+    "si_torque": "N*m",
+    "si_speed": "rad/s",
 }
 """What bare numbers are in."""
 _MEASURES: dict[Measure, tuple[_Dimension, ...]] = {
@@ -35,8 +35,8 @@ _MEASURES: dict[Measure, tuple[_Dimension, ...]] = {
     "damping": ((1, 2, -1, -1), (1, 2, -1, 0)),
     "mass": ((1, 0, 0, 0),),
     "length": ((0, 1, 0, 0),),
-    "torque": ((1, 2, -2, 0),),
-    "speed": ((0, 0, -1, 1),),
+    "si_torque": ((1, 2, -2, 0),),
+    "si_speed": ((0, 0, -1, 1),),
 }
 """With the radian, or without where nothing else is meant; N*m alone is a torque."""
 _OTHERS: dict[_Dimension, str] = {
@@ -113,7 +113,8 @@ def measured(text: str, measure: Measure) -> float:
     raise ValueError(f"expected {_a(measure)} in {unit}, bare or with its unit{told}")
 
 
-def _a(noun: str) -> str:
+def _a(kind: str) -> str:
+    noun = kind.removeprefix("si_")
     return f"an {noun}" if noun == "inertia" else f"a {noun}"
 
 
