@@ -7,6 +7,7 @@ import click
 from vstatics.cli.lazy_group import LazyGroup
 
 COMMANDS = {
+    "modes": ("vstatics.cli.torsion_modes", "Natural frequencies and shapes in every gear."),
     "dump": ("vstatics.cli.torsion_dump", "The largest torque when the clutch is dumped."),
 }
 

@@ -99,6 +99,23 @@ class TransmissionFields:
         hint = nearest(str(asked), names) or f"; gears are {listed(names, 12)}"
         raise ValueError(f"no gear {asked!r}{hint}")
 
+    def link_number(self, asked: int | str) -> int:
+        """The number of one of the case's own links: the one of a name, else the one of a number.
+
+        Raises
+        ------
+        ValueError
+            If there is none; it tells the nearest name.
+        """
+        names = list(self.link_names[: self.own_links])
+        if str(asked) in names:
+            return names.index(str(asked)) + 1
+        number = typed_number(str(asked), len(names))
+        if number:
+            return number
+        hint = nearest(str(asked), names) or f"; links are {listed(names, 12)}"
+        raise ValueError(f"no link {str(asked)!r}{hint}")
+
     def gear_input(self, gear: Gear) -> int:
         """The input link of a gear."""
         return gear.input or self.input
