@@ -6,7 +6,7 @@ stiff or heavy anything is: so a soft support is not taken for a rigid motion.
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
 from scipy import linalg
@@ -81,9 +81,16 @@ def _own_places(motions: Floats) -> list[int]:
     return [int(link) for link in order[: motions.shape[1]]]
 
 
-def form_values(form: Form, shapes: Floats) -> Floats:
+Values = TypeVar("Values", bound=np.ndarray[Any, np.dtype[Any]])
+"""Real or complex amplitudes."""
+
+
+def form_values(form: Form, shapes: Values) -> Values:
     """A form of the angles of links, of shape (modes,) for shapes of (links, modes)."""
-    return sum((part * shapes[link] for link, part in form.items()), np.zeros(shapes.shape[1:]))
+    total = np.zeros(shapes.shape[1:], shapes.dtype)
+    for link, part in form.items():
+        total += part * shapes[link]
+    return total  # type: ignore[return-value] # of the same kind
 
 
 def rows(forms: list[Form], system: TorsionalSystem) -> Floats:

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import Any
 
 import numpy as np
 
 from vstatics.model.transmission import Transmission
-from vstatics.numerics.arrays import Floats
 from vstatics.statics.matrix import column
+from vstatics.torsion.coordinates import Values
 
 
-def own_torques(case: Transmission, by_device: Mapping[str, Floats]) -> dict[str, Floats]:
+def own_torques(case: Transmission, by_device: Mapping[str, Values]) -> dict[str, Values]:
     """Torques of devices by the rows of `torques` in results; an open element has 0.
 
     Parameters
@@ -19,8 +20,8 @@ def own_torques(case: Transmission, by_device: Mapping[str, Floats]) -> dict[str
     by_device : mapping
         On the first link of each engaged element, mechanism and spring, by its name. [N*m]
     """
-    like = np.zeros_like(next(iter(by_device.values()), np.zeros(0)))
-    named = {one.name: by_device.get(one.name, like) for one in case.shift_elements}
+    nothing: Any = np.zeros_like(next(iter(by_device.values()), np.zeros(0)))
+    named = {one.name: by_device.get(one.name, nothing) for one in case.shift_elements}
     springs = {spring.name: by_device[spring.name] for spring in case.springs}
     if case.drawing is None:
         return named | {one.name: by_device[one.name] for one in case.mechanisms} | springs
