@@ -6,6 +6,8 @@ from typing import Any
 
 from hypothesis import strategies as st
 
+from vstatics.model.damping import Damping
+from vstatics.model.springs import Spring, between
 from vstatics.model.transmission import (
     HOUSING,
     Gear,
@@ -40,11 +42,16 @@ TEXTS = st.one_of(
 
 @st.composite
 def transmissions(
-    draw: st.DrawFn, numbers: st.SearchStrategy[float] = MODERATE, *, follow: bool = True
+    draw: st.DrawFn,
+    numbers: st.SearchStrategy[float] = MODERATE,
+    *,
+    follow: bool = True,
+    torsional: bool = False,
 ) -> Transmission:
     """Valid transmissions whose ratios, speeds and torques come out of `numbers`.
 
-    With `follow` some given speeds are those of other links, which a deck has no place for.
+    With `follow` some given speeds are those of other links; with `torsional` there may be
+    springs, inertias and elastic devices, too: a deck has no place for these.
     """
     elements, mechanisms = draw(st.integers(0, 4)), draw(st.integers(0, 4))
     links = draw(st.integers(2, min(max(2 * elements + 3 * mechanisms, 2), 7)))
@@ -53,7 +60,7 @@ def transmissions(
     gears = draw(st.integers(1, 4))
     gear_names = draw(_names(gears))
     first, output = draw(_ends(links))
-    return Transmission(
+    case = Transmission(
         links=links,
         link_names=link_names if len(link_names) == links else (),
         shift_elements=[
@@ -74,6 +81,41 @@ def transmissions(
         name=draw(st.one_of(st.just(""), NAMES)),
         description=draw(TEXTS),
         source=draw(TEXTS),
+    )
+    return draw(_with_torsion(case, numbers)) if torsional else case
+
+
+@st.composite
+def _with_torsion(
+    draw: st.DrawFn, case: Transmission, numbers: st.SearchStrategy[float]
+) -> Transmission:
+    """The same with springs, inertias and elastic devices, where names of devices differ."""
+    names = {device.casefold() for device in case.devices}
+    if len(names) < len(case.devices):
+        return case
+    positive = st.floats(1e-300, 1e300)
+    links = st.integers(1, case.links)
+    shafts = links.map(between) | _ends(case.links).map(lambda e: between(*e))
+    twists = shafts | st.dictionaries(links, numbers.filter(bool), min_size=1)
+    dampings = st.floats(0, 1e300).map(Damping) | st.floats(0, 8).map(lambda r: Damping(0.0, r))
+    springs = [
+        Spring(
+            draw(twists),
+            **{draw(st.sampled_from(("stiffness", "compliance"))): draw(positive)},
+            damping=draw(dampings),
+            name=name,
+        )
+        for name in draw(st.lists(NAMES, max_size=3, unique=True))
+        if name.casefold() not in names
+    ]
+    elastic: st.SearchStrategy[dict[str, Any]] = st.just({}) | st.fixed_dictionaries(
+        {"stiffness": positive, "damping": dampings}
+    )
+    return case.replace(
+        springs=springs,
+        inertias=draw(st.dictionaries(links, st.floats(0, 1e300), max_size=3)),
+        shift_elements=[one._replace(**draw(elastic)) for one in case.shift_elements],
+        mechanisms=[one._replace(**draw(elastic)) for one in case.mechanisms],
     )
 
 

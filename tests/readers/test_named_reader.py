@@ -13,6 +13,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from tests.readers.spring_faults import FAULTS as SPRING_FAULTS
 from vstatics.errors import Problem, ReadError
 from vstatics.model.shape import COUNT, TEXT, ByKey, KeyShape, ListOf
 from vstatics.model.transmission import Gear, Mechanism, ShiftElement, SpeedOf, Transmission
@@ -202,6 +203,7 @@ FAULTS = [
     ("single-quotes.json", 2, 3, "not JSON: read ''links'', expected a key in double quotes"),
     ("tab-in-text.json", 2, 13, "not JSON: Invalid control character"),
     ("trailing-comma.json", 5, 37, "not JSON: read ']', expected a value"),
+    *SPRING_FAULTS,
 ]
 
 DIFFERENTIAL = """\

@@ -119,6 +119,28 @@ GOOD: dict[str, Change] = {
     ),
     "drag": lambda c: c["gears"]["1"].update(drag={"5": 0.1}, open_drag={"F2": "1/50", "T3": 0}),
     "worm": lambda c: c["mechanisms"]["D1"].update(back_efficiency=0),
+    "inertias": lambda c: c.update(inertias={"1": 0.15, "5": "150 kg*cm^2", "6": "84e-5"}),
+    "springs": lambda c: c.update(
+        springs={
+            "shaft": {"links": [1, 2], "compliance": 84e-5, "damping": 3.2},
+            "support": {"links": [4], "stiffness": "9 kN*m/rad", "damping": {"ratio": 0.02}},
+            "axle": {"twist": {"1": 1, "3": "-1/2", "4": -1}, "stiffness": "9e4"},
+        }
+    ),
+    "springs alone": lambda c: (
+        c.clear(),
+        c.update(springs={"s": {"links": ["a"], "stiffness": 3}}),
+    ),
+    "springs without gears": lambda c: (
+        c.pop("gears"),
+        c.update(springs={"s": {"links": [1, 2], "stiffness": 3}}),
+    ),
+    "no springs": lambda c: c.update(springs={}, inertias={}),
+    "springs null": lambda c: c.update(springs=None, inertias=None),
+    "elastic devices": lambda c: (
+        c["shift_elements"].update(T1={"links": [2], "stiffness": 1e5, "damping": {"viscous": 3}}),
+        c["mechanisms"]["D1"].update(stiffness=9e4, damping={"loss_factor": 0.1}),
+    ),
     "texts": lambda c: c.update(name=7922, description="two\nlines", source=""),
 }
 
@@ -169,6 +191,24 @@ BAD: dict[str, Change] = {
     "engaged not a list": lambda c: c["gears"]["1"].update(engaged="T1"),
     "engaged twice": lambda c: c["gears"]["1"].update(engaged=["T1", "T1"]),
     "speeds a list": lambda c: c["gears"]["1"].update(speeds=[1]),
+    "no springs and no gears": lambda c: (c.pop("gears"), c.update(springs={})),
+    "springs null and no gears": lambda c: (c.pop("gears"), c.update(springs=None)),
+    "springs a list": lambda c: c.update(springs=[]),
+    "a spring a number": lambda c: c.update(springs={"s": 474}),
+    "stiffness 0": lambda c: c.update(springs={"s": {"links": [1], "stiffness": 0}}),
+    "compliance below 0": lambda c: c.update(springs={"s": {"links": [1], "compliance": -1}}),
+    "damping below 0": lambda c: c.update(
+        springs={"s": {"links": [1], "stiffness": 1, "damping": {"ratio": -1}}}
+    ),
+    "damping a list": lambda c: c.update(
+        springs={"s": {"links": [1], "stiffness": 1, "damping": [1]}}
+    ),
+    "a spring of no links": lambda c: c.update(springs={"s": {"links": [], "stiffness": 1}}),
+    "a twist of words": lambda c: c.update(springs={"s": {"twist": {"1": "up"}, "stiffness": 1}}),
+    "an inertia below 0": lambda c: c.update(inertias={"1": -1}),
+    "an inertia a word": lambda c: c.update(inertias={"1": "heavy"}),
+    "inertias a list": lambda c: c.update(inertias=[1, 2]),
+    "stiffness of a mechanism 0": lambda c: c["mechanisms"]["D1"].update(stiffness=0),
     "torque a word": lambda c: c["gears"]["1"].update(torques={"5": "large"}),
 }
 
@@ -188,7 +228,7 @@ def test_bad_documents_are_refused_by_both(name: str) -> None:
 
 
 @settings(max_examples=20)
-@given(transmissions())
+@given(transmissions(torsional=True))
 def test_written_cases_are_valid(case: Transmission) -> None:
     document = json.loads(json.dumps(mapping(case)))
     assert VALIDATOR.is_valid(document)

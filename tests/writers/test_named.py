@@ -26,7 +26,7 @@ def differential(**other: object) -> Transmission:
 
 
 @settings(max_examples=25)
-@given(transmissions(ANY_NUMBER))
+@given(transmissions(ANY_NUMBER, torsional=True))
 @example(differential(description="\x85 \u2028 \u2029 \ufeff \x00 \x1b \t\r\n \r"))
 @example(differential(description="\n", source=" \n x\n\n"))
 @example(differential(description="a long one " * 100, source="long " * 100 + "\nand two lines"))

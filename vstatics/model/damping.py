@@ -56,6 +56,8 @@ def damping_fault(
     >>> damping_fault(ratio=0.02, loss_factor=0.1)
     'read several of `viscous`, `ratio` and `loss_factor`, expected one of them'
     """
+    if ratio is not None and ratio < 0:
+        return f"read a ratio of {ratio:g}, expected one of 0 or more"
     if bool(viscous) + (ratio is not None) + bool(loss_factor) < 2:
         return ""
     return "read several of `viscous`, `ratio` and `loss_factor`, expected one of them"

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from vstatics.errors import Path, Problem
 from vstatics.model.damping import Damping
 from vstatics.model.fields import TransmissionFields
 from vstatics.model.part_checks import called, of_link
 from vstatics.model.parts import HOUSING, element_name, mechanism_name
-from vstatics.model.springs import Spring, spring_name
+from vstatics.model.springs import Spring, ends, spring_name
 
 
 def of_torsion(case: TransmissionFields) -> Iterator[Problem]:
@@ -22,7 +22,7 @@ def of_torsion(case: TransmissionFields) -> Iterator[Problem]:
         yield from of_elastic(element.stiffness, element.damping, ("shift_elements", number))
     for number, mechanism in enumerate(case.mechanisms, 1):
         yield from of_elastic(mechanism.stiffness, mechanism.damping, ("mechanisms", number))
-    if case.springs:
+    if _is_torsional(case):
         yield from _of_names(case)
 
 
@@ -38,20 +38,23 @@ def _of_spring(case: TransmissionFields, spring: Spring, path: Path) -> Iterator
     if len(twist) < len(spring.twist):
         link = next(iter(twist))
         message = f"joins link {called(case, link)} to itself, expected two different links"
-        yield Problem(message, path)
+        yield Problem(message, (*path, "second"))
         return
+    shaft = ends(twist)
     for link, part in twist.items():
-        yield from of_link(link, (*path, "twist", link), case.own_links)
+        place = ("second" if link == shaft[1] else "first",) if shaft else ("twist", link)
+        yield from of_link(link, (*path, *place), case.own_links)
         if not math.isfinite(part) or (part == 0 and link != HOUSING):
             message = f"read {part:g}, expected a finite coefficient other than 0"
-            yield Problem(message, (*path, "twist", link))
+            yield Problem(message, (*path, *place))
     if not any(link != HOUSING for link in twist):
         message = "the twist is empty, expected at least one link with its coefficient"
         yield Problem(message, (*path, "twist"))
     given = (spring.stiffness, spring.compliance)
-    if given.count(None) != 1:
-        read = "neither" if given.count(None) == 2 else "both"
-        yield Problem(f"read {read}, expected either `stiffness` or `compliance`", path)
+    if given.count(None) == 2:
+        yield Problem("there is no `stiffness` and no `compliance`, expected one of them", path)
+    elif None not in given:
+        yield Problem("read both `stiffness` and `compliance`, expected one of them", path)
     if spring.compliance is not None:
         yield from above_0(spring.compliance, "a compliance", (*path, "compliance"))
     yield from of_elastic(spring.stiffness, spring.damping, path, always=True)
@@ -65,16 +68,18 @@ def of_elastic(
         yield from above_0(stiffness, "a stiffness", (*path, "stiffness"))
     viscous, loss_factor = damping if isinstance(damping, Damping) else (damping, 0.0)
     here = (*path, "damping")
-    yield from not_negative(viscous, "a damping", here)
-    yield from not_negative(loss_factor, "a loss factor", here)
+    yield from not_negative(viscous, "a damping", (*here, "viscous"))
+    yield from not_negative(loss_factor, "a loss factor", (*here, "loss_factor"))
     if (viscous or loss_factor) and stiffness is None and not always:
         yield Problem("there is a damping without `stiffness`: what is rigid can't be damped", here)
 
 
 def above_0(number: float, what: str, path: Path) -> Iterator[Problem]:
     """A finite number above 0."""
-    if not 0 < number < math.inf or not 0 < 1 / number < math.inf:
+    if not 0 < number < math.inf:
         yield Problem(f"read {number:g}, expected {what} above 0", path)
+    elif 1 / number == math.inf:
+        yield Problem(f"read {number:g}, expected {what} that is not so small", path)
 
 
 def not_negative(number: float, what: str, path: Path) -> Iterator[Problem]:
@@ -84,21 +89,44 @@ def not_negative(number: float, what: str, path: Path) -> Iterator[Problem]:
 
 
 def _of_names(case: TransmissionFields) -> Iterator[Problem]:
-    """Torques are told by names of devices, so springs are called like nothing else."""
+    """Torques and energies are told by names, so everything that has one is called otherwise."""
     taken: dict[str, str] = {}
     for number, element in enumerate(case.shift_elements, 1):
-        taken[element.name or element_name(number, element)] = "shift element"
-    for number, mechanism in enumerate(case.mechanisms, 1):
-        name = mechanism.name or mechanism_name(number)
-        if taken.get(name) == "shift element":
-            path: Path = ("mechanisms", number)
-            yield Problem(f"`{name}` is the name of a shift element too, expected another", path)
-        taken[name] = "mechanism"
+        taken[element.name or element_name(number, element)] = "a shift element"
+    rows: dict[str, str] = {}
+    for what, name, path, members in _devices(case):
+        if name in taken:
+            message = f"`{name}` is the name of {taken[name]} too, expected another"
+            yield Problem(message, path)
+        taken.setdefault(name, what)
+        rows |= {f"{name}.{member}": f"a member of {name}" for member in members}
     names = [spring.name or spring_name(number) for number, spring in enumerate(case.springs, 1)]
     for number, name in enumerate(names, 1):
-        if name in taken:
-            message = f"`{name}` is the name of a {taken[name]} too, expected another"
+        if other := taken.get(name) or rows.get(name):
+            message = f"`{name}` is the name of {other} too, expected another"
             yield Problem(message, ("springs", number))
+
+
+def _devices(case: TransmissionFields) -> Iterator[tuple[str, str, Path, Sequence[str]]]:
+    """Mechanisms and drawn elements: what each is, its name, its path, names of its members."""
+    if case.drawing is None:
+        for number, mechanism in enumerate(case.mechanisms, 1):
+            name = mechanism.name or mechanism_name(number)
+            yield "a mechanism", name, ("mechanisms", number), ()
+        return
+    given = len(case.drawing.devices) - len(case.drawing.mechanisms)
+    for number, device in enumerate(case.drawing.devices):
+        what = "an element" if number < given else "a mechanism"
+        members = [member.name for member in device.members]
+        members += [planet.name.removeprefix(f"{device.name}.") for planet in device.planets]
+        yield what, device.name, ("mechanisms", device.mechanisms[0] + 1), members
+
+
+def _is_torsional(case: TransmissionFields) -> bool:
+    """Whether anything is there for vibration."""
+    elastic = [element.stiffness for element in case.shift_elements]
+    elastic += [mechanism.stiffness for mechanism in case.mechanisms]
+    return bool(case.springs or case.inertias) or any(one is not None for one in elastic)
 
 
 def spring_ends(case: TransmissionFields) -> int:

@@ -85,7 +85,7 @@ def spring_of(
     links: tuple[int, int] | None = None, twist: Mapping[int, float] | None = None, **others: Any
 ) -> Spring:
     """A spring by the keys of a case: a shaft's links, or any twist."""
-    return Spring(between(*links) if links else twist or between(HOUSING), **others)
+    return Spring(between(*links) if links else twist or (), **others)
 
 
 def spring_fault(

@@ -6,7 +6,7 @@ from typing import Any
 
 from vstatics.errors import Path
 from vstatics.model.keys import CASE
-from vstatics.model.parts import HOUSING, Load
+from vstatics.model.parts import HOUSING, Gear, Load
 from vstatics.readers.named.relative import Common, relative
 from vstatics.readers.named.walk import Walk
 
@@ -22,6 +22,8 @@ def arguments(values: dict[str, Any], walk: Walk) -> dict[str, Any]:
         part: [item._replace(name=name) for name, item in values.get(part, {}).items()]
         for part in ("shift_elements", "mechanisms", "springs", "gears")
     }
+    if (parts["springs"] or ("springs",) in walk.spots.unreadable) and not parts["gears"]:
+        parts["gears"] = [Gear()]  # so that drag of the case has a place
     load = values.get("load", Load())
     common = Common(load, values["coast"], values.get("drag", {}))
     elements, gears = relative(parts["shift_elements"], parts["gears"], common, walk.spots)

@@ -2,21 +2,18 @@
 
 from __future__ import annotations
 
-from collections import Counter
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from typing import Any
+from collections.abc import Callable, Iterator, Sequence
 
 from vstatics.elements import teeth
 from vstatics.elements.checks import hints, problems
 from vstatics.elements.drawing import Drawing
 from vstatics.elements.keys import DRAWN, element_of, with_elements
 from vstatics.errors import Path, Problem
-from vstatics.model.parts import Gear
 from vstatics.model.shape import ByKey
 from vstatics.readers.named import nodes
 from vstatics.readers.named.arguments import arguments, untold
-from vstatics.readers.named.joined_links import gathered_links, is_listed, joined_links
-from vstatics.readers.named.nodes import Spot, Spots, is_null, shown
+from vstatics.readers.named.joined_links import gathered_links, is_listed, loose_links
+from vstatics.readers.named.nodes import Spot, Spots, is_null
 from vstatics.readers.named.walk import Walk
 from vstatics.readers.reading import Reading, finish
 
@@ -94,31 +91,3 @@ def _locator(spots: Spots, drawing: Drawing) -> Callable[[Problem], Problem]:
         return spots.locate(problem)
 
     return locate
-
-
-def loose_links(
-    root: nodes.Mapping,
-    values: Mapping[str, Any],
-    names: Sequence[str],
-    gears: Sequence[Gear],
-    spots: Spots,
-) -> Iterator[Problem]:
-    """Links that one thing only joins, where the document has no list of links.
-
-    A carrier may turn freely, so it is told only if its name looks mistyped.
-    """
-    found = joined_links(root)
-    counts = Counter(node.text for node in found)
-    carriers = {record.get("carrier") for record in values["elements"].values()}
-    told = {values.get("input"), values.get("output"), *values.get("outputs", ())}
-    told.update(values.get("inertias", ()))
-    for gear in gears:
-        told.update((*gear.speeds, *gear.torques, *gear.drag, gear.input, gear.output))
-    for number, name in enumerate(names, 1):
-        others = [*(other for other in names if other != name), "housing"]
-        hint = spots.found.hint(name, others)
-        if counts[name] == 1 and number not in told and (hint or number not in carriers):
-            node = next(node for node in found if node.text == name)
-            message = f"link `{shown(name)}` is joined to nothing else{hint}"
-            place = spots.found.source.place(node.line, node.column)
-            yield Problem(message, (), place, "warning")

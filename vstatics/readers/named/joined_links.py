@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
 
 from vstatics.elements.keys import with_elements
+from vstatics.errors import Problem
 from vstatics.model.keys import CASE
+from vstatics.model.parts import Gear
 from vstatics.model.shape import ByKey, ByKind, ByName, Either, Ends, Leaf, ListOf, Numbers, Shape
 from vstatics.readers.named import nodes
-from vstatics.readers.named.nodes import Listing, Node, Scalar, is_null
+from vstatics.readers.named.nodes import Listing, Node, Scalar, Spots, is_null, shown
 from vstatics.readers.named.walk import Walk
 
 
@@ -16,6 +20,14 @@ def is_listed(root: nodes.Mapping) -> bool:
     """Whether a document has a list of links, or their number; a second one is not read."""
     first = next((value for key, value in root.entries if key.text == "links"), None)
     return first is not None and not is_null(first)
+
+
+def has_springs(root: nodes.Mapping) -> bool:
+    """Whether springs are listed, so that a case may go without most other things."""
+    first = next((value for key, value in root.entries if key.text == "springs"), None)
+    return not (
+        first is None or is_null(first) or (isinstance(first, nodes.Mapping) and not first.entries)
+    )
 
 
 def gathered_links(root: nodes.Mapping, walk: Walk) -> list[str]:
@@ -35,6 +47,36 @@ def joined_links(root: nodes.Mapping) -> list[Scalar]:
     devices = CASE._replace(keys=tuple(key for key in keys if key.name != "gears"))
     named = (node for node in _links(root, devices) if isinstance(node, Scalar))
     return [node for node in named if not is_null(node) and node.text not in ("0", "housing")]
+
+
+def loose_links(
+    root: nodes.Mapping,
+    values: Mapping[str, Any],
+    names: Sequence[str],
+    gears: Sequence[Gear],
+    spots: Spots,
+) -> Iterator[Problem]:
+    """Links that one thing only joins, where the document has no list of links.
+
+    A carrier may turn freely, so it is told only if its name looks mistyped.
+    """
+    found = joined_links(root)
+    counts = Counter(node.text for node in found)
+    elements = values.get("elements", {})
+    carriers = {record.get("carrier") for record in elements.values()}
+    outputs = [values.get("output"), *values.get("outputs", ())]
+    told = {values.get("input"), *(outputs if any(outputs) else [len(names)])}
+    told.update(values.get("inertias", ()))
+    for gear in gears:
+        told.update((*gear.speeds, *gear.torques, *gear.drag, gear.input, gear.output))
+    for number, name in enumerate(names, 1):
+        others = [*(other for other in names if other != name), "housing"]
+        hint = spots.found.hint(name, others)
+        if counts[name] == 1 and number not in told and (hint or number not in carriers):
+            node = next(node for node in found if node.text == name)
+            message = f"link `{shown(name)}` is joined to nothing else{hint}"
+            place = spots.found.source.place(node.line, node.column)
+            yield Problem(message, (), place, "warning")
 
 
 def _links(node: Node, shape: Shape) -> Iterator[Node]:  # noqa: C901, PLR0912 - a table

@@ -4,11 +4,16 @@ from __future__ import annotations
 
 from typing import Any
 
-from vstatics.errors import ReadError
+from vstatics.errors import Problem, ReadError
 from vstatics.model.keys import CASE, with_springs
 from vstatics.model.shape import ByKey
 from vstatics.readers.named.arguments import arguments, untold
-from vstatics.readers.named.joined_links import gathered_links, is_listed
+from vstatics.readers.named.joined_links import (
+    gathered_links,
+    has_springs,
+    is_listed,
+    loose_links,
+)
 from vstatics.readers.named.nodes import Found, Mapping, Node, Spot, Spots, decode, what
 from vstatics.readers.named.walk import Walk
 from vstatics.readers.reading import Reading, finish
@@ -60,20 +65,23 @@ def _reading(root: Node, found: Found) -> Reading:
     root = _case(_mapping(root, found, expected))
     walk = Walk(Spots(found))
     given = {key.text for key, _ in root.entries}
-    shape = with_springs(CASE) if "springs" in given else CASE
+    springs = has_springs(root)
+    shape = with_springs(CASE) if springs else CASE
     if "elements" in given:
         from vstatics.readers.named.drawing import read_drawing  # others do without
 
         return read_drawing(root, walk, shape)
-    gathered = []
-    if "springs" in given and not is_listed(root):
-        gathered = gathered_links(root, walk)
+    gathers = springs and not is_listed(root)
+    gathered = gathered_links(root, walk) if gathers else []
     values = walk.read(Spot((), "", root), shape)
-    if gathered:
-        values["links"] = len(gathered)
-    return finish(
-        arguments(values, walk), found.problems, untold(walk.spots.unreadable), walk.spots.locate
-    )
+    parts = arguments(values, walk)
+    loose: list[Problem] = []
+    if gathers:
+        parts["links"] = len(gathered)
+        loose += loose_links(root, values, gathered, parts["gears"], walk.spots)
+        walk.spots.unreadable += [] if gathered else [("links",), ("input",), ("output",)]
+    locate = walk.spots.locate
+    return finish(parts, [*found.problems, *loose], untold(walk.spots.unreadable), locate)
 
 
 def _mapping(root: Node, found: Found, expected: str) -> Mapping:

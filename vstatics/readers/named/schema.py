@@ -49,13 +49,18 @@ _DEFINITIONS: dict[str, Words] = {
 
 _GIVEN: Words = {"not": {"type": "null"}}
 _TWO_LINKS: Words = {"minimum": 2, "minItems": 2}
+_NOT_EMPTY: Words = {"minProperties": 1}
 _ENOUGH: tuple[Words, ...] = (
-    {"required": ["elements", "gears"], "properties": {"links": _TWO_LINKS}},
+    {"required": ["elements", "gears"], "properties": {"links": _TWO_LINKS, "gears": _NOT_EMPTY}},
     {
         "required": ["links", "mechanisms", "gears"],
-        "properties": {"links": {**_GIVEN, **_TWO_LINKS}, "mechanisms": _GIVEN, "gears": _GIVEN},
+        "properties": {
+            "links": {**_GIVEN, **_TWO_LINKS},
+            "mechanisms": _GIVEN,
+            "gears": {**_GIVEN, **_NOT_EMPTY},
+        },
     },
-    {"required": ["springs"], "properties": {"springs": {**_GIVEN, "minProperties": 1}}},
+    {"required": ["springs"], "properties": {"springs": {**_GIVEN, **_NOT_EMPTY}}},
 )
 """What a case is made of, at least."""
 
@@ -132,8 +137,7 @@ def _shape(shape: Shape) -> Words:  # noqa: PLR0911, C901 - a table
         case ByKey():
             return _record(shape)
         case ByName():
-            least = {"minProperties": 1} if shape.kind == "gear" else {}
-            return _by_name(_shape(shape.item)) | least
+            return _by_name(_shape(shape.item))
         case Links():
             number: Words = {"type": ["integer", "string", "array"], "minimum": 1}
             names: Words = {"items": _NAME, "minItems": 1, "uniqueItems": True}

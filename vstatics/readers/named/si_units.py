@@ -8,10 +8,10 @@ from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from vstatics.model.shape import Measure
-from vstatics.readers.named.arithmetic import ARITHMETIC, calculated, expected
+from vstatics.readers.named.arithmetic import ARITHMETIC, calculated
 from vstatics.readers.named.units import LONGEST, factors
 
-WITH_UNIT = rf"^{ARITHMETIC}[*·]? *[1A-Za-zА-я°/(][-A-Za-zА-я0-9*·⋅×./^() ²³⁴⁻¹]{{0,39}}$"
+WITH_UNIT = rf"^{ARITHMETIC}[*·]? *[1A-Za-zА-я°/(][-A-Za-zА-я°0-9*·⋅×./^() ²³⁴⁻¹]{{0,39}}$"
 """A number with its unit, as a pattern for ECMAScript."""
 
 _Dimension = tuple[int, int, int, int]
@@ -76,7 +76,7 @@ _GRAMS = {
 _POUNDS = frozenset(("lb", "lbs", "pound", "pounds", "oz", "ounce", "ounces"))
 """Units of force to `units`, of mass here where that gives what is asked for."""
 _TOKEN = re.compile(r" *(?:([*·.×⋅/()-]|1(?= */))|([^\W\d_]+|°))")
-_EXPONENT = re.compile(r"(?:\^|\*\*)?\(?(-?[1-4])\)?(?![0-9])")
+_EXPONENT = re.compile(r"(?:\^|\*\*)?(\()?(-?[1-4])(?(1)\))(?![0-9])")
 _SUPERSCRIPTS = str.maketrans("²³⁴⁻¹", "234-1")
 
 
@@ -95,8 +95,9 @@ def measured(text: str, measure: Measure) -> float:
     >>> measured("1 N*m/deg", "stiffness"), measured("2 rad/(kN*m)", "compliance")
     (57.2957..., 0.002)
     """
+    in_unit = f"expected {_a(measure)} in {UNIT_OF[measure]}, bare or with its unit"
     if not any(sign in "0123456789" for sign in text):
-        raise ValueError(expected(text))
+        raise ValueError(in_unit)
     value, behind = calculated(text)
     if not behind:
         return value
@@ -109,8 +110,7 @@ def measured(text: str, measure: Measure) -> float:
             return value
     other = _OTHERS.get(dimension)
     told = f"; this is {_a(other)}" if other else " (with a decimal point)" * ("," in behind)
-    unit = UNIT_OF[measure]
-    raise ValueError(f"expected {_a(measure)} in {unit}, bare or with its unit{told}")
+    raise ValueError(in_unit + told)
 
 
 def _a(kind: str) -> str:
@@ -157,7 +157,7 @@ def _powers(text: str) -> Iterator[tuple[str, int]]:
             case None:
                 power = _EXPONENT.match(text, at)
                 at = power.end() if power else at
-                yield token[2], signs[-1] * sign * (int(power[1]) if power else 1)
+                yield token[2], signs[-1] * sign * (int(power[2]) if power else 1)
                 sign = 1
     if len(signs) > 1:
         raise ValueError

@@ -44,6 +44,8 @@ from vstatics.readers.named.references import NO_ELEMENT, NO_LINK, References
 from vstatics.readers.named.stand_ins import LEAVES, stand_in, values_before
 
 _ENDS = ("first", "second")
+_SHORT: dict[type[Shape], type[Node]] = {ListOf: Listing, Leaf: Scalar}
+"""What stands in place of a record, so that it is not the record that is missed."""
 
 
 class Walk:
@@ -133,6 +135,7 @@ class Walk:
         if not isinstance(node, Listing) or not shape.least <= len(node.items) <= 2:
             read = f"a list of {len(node.items)}" if isinstance(node, Listing) else ""
             one = " or one: [first]" if shape.least == 1 else ""
+            self.spots.unreadable += [(*spot.path[:-1], end) for end in _ENDS]
             return self._refuse(spot, shape, f"expected two links: [first, second]{one}", read)
         inner = [
             spot.item(member, number, item)
@@ -148,12 +151,17 @@ class Walk:
         inner = spot._replace(path=(*spot.path, shape.key))
         if isinstance(spot.node, Mapping) or (is_null(spot.node) and not shape.record.required):
             made = self._by_key(spot, shape.record)
-        elif isinstance(spot.node, Listing) or not isinstance(shape.short, ListOf):
+        elif isinstance(shape.short, Ends) or isinstance(spot.node, _SHORT[type(shape.short)]):
             made = shape.record.make(**{shape.key: self.read(inner, shape.short)})
         else:
             keys = spoken(quoted(key.name) for key in shape.record.keys)
-            expected = f"expected a list of {shape.short.kind}, or a mapping with {keys}"
-            return self._refuse(spot, shape, expected)
+            short = shape.short
+            one = (
+                LEAVES[short.kind].expected
+                if isinstance(short, Leaf)
+                else f"a list of {short.kind}"
+            )
+            return self._refuse(spot, shape, f"expected {one}, or a mapping with {keys}")
         if inner.path in self.spots.unreadable:
             self.spots.unreadable.append(spot.path)
         return made
@@ -180,6 +188,8 @@ class Walk:
             number = self.read(inner, shape.item)
             if place != nobody:
                 values[place] = number
+        if node.entries and not values:
+            self.spots.unreadable.append(spot.path)
         return values
 
     def _shares(self, spot: Spot, shape: Shares) -> Any:
