@@ -8,6 +8,9 @@ from vstatics.cli.lazy_group import LazyGroup
 
 COMMANDS = {
     "modes": ("vstatics.cli.torsion_modes", "Natural frequencies and shapes in every gear."),
+    "reduce": ("vstatics.cli.torsion_reduce", "Inertias and compliances on one link."),
+    "simplify": ("vstatics.cli.torsion_simplify", "Fewer masses, the same low frequencies."),
+    "response": ("vstatics.cli.torsion_response", "Amplitudes and torques by orders and speeds."),
     "dump": ("vstatics.cli.torsion_dump", "The largest torque when the clutch is dumped."),
 }
 
@@ -24,5 +27,7 @@ def torsion() -> None:
 
     \b
     Examples:
+      vstatics torsion modes box.yaml
+      vstatics torsion response box.yaml --at engine --orders 2,4 --speed 600:3000:241
       vstatics torsion dump dump.yaml
     """

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import Any
 
+import click
+
 from vstatics.cli import cases as arguments
 from vstatics.cli import files, texts
 from vstatics.cli.cases import CalculatedCase
@@ -37,6 +39,20 @@ def gear_names(case: Transmission, asked: Sequence[str]) -> list[str]:
         If there is no such gear.
     """
     return [case.gears[index].name for index in arguments.gear_indices(case, asked)]
+
+
+def link_name(case: Transmission, asked: str, option: str) -> str:
+    """The name of the link that an option asks for.
+
+    Raises
+    ------
+    BadParameter
+        If there is none; it tells the nearest name.
+    """
+    try:
+        return case.link_name(case.link_number(asked))
+    except ValueError as error:
+        raise click.BadParameter(str(error), param_hint=option) from None
 
 
 def located(reading: Reading, texts_by_gear: Iterable[tuple[str, str, str]]) -> Iterator[Problem]:
@@ -76,7 +92,5 @@ def one_text(wanted: OutputOptions, inputs: Sequence[str]) -> Destination:
     """Where the result goes; a directory is for several, of which there are none."""
     to = wanted.destination(inputs)
     if to.is_folder:
-        import click
-
         raise click.UsageError(f"one case gives one text: expected -o FILE, not {to.output}")
     return to

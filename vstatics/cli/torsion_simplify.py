@@ -1,0 +1,134 @@
+"""`vstatics torsion simplify`: a scheme with fewer masses and the same low frequencies."""
+
+from __future__ import annotations
+
+import click
+
+from vstatics import readers
+from vstatics.cli import cases as arguments
+from vstatics.cli import files
+from vstatics.cli.cases import gear_number
+from vstatics.cli.exit_status import DONE, FAILED
+from vstatics.cli.formats import Destination, TextStyle
+from vstatics.cli.telling import Telling
+from vstatics.cli.torsion_case import located, needs_scipy, show, tell
+from vstatics.errors import CaseError, Problem, ReadError, of_file
+from vstatics.model.transmission import Transmission
+
+RULES = ("partial", "r", "b", "u")
+
+
+@click.command()
+@click.argument("case", type=click.Path())
+@click.option("--gear", required=True, metavar="G", help="The gear, by its name or number.")
+@click.option(
+    "--links",
+    "frequencies",
+    type=click.IntRange(1),
+    required=True,
+    metavar="N",
+    help="How many natural frequencies remain.",
+)
+@click.option(
+    "--rule",
+    type=click.Choice(RULES),
+    help="partial: by systems of one and two masses, of a chain; r, b, u: by systems of one "
+    "mass, whose inertia is shared by K, by K^2, or not at all. Else partial for a chain, r "
+    "for any other.",
+)
+@click.option("--remove", metavar="A,B", help="These masses first, in this order.")
+@click.option(
+    "-f",
+    "--format",
+    "form",
+    type=click.Choice(("text", "json", "csv")),
+    default="text",
+    show_default=True,
+    help="Format of the steps.",
+)
+@click.option(
+    "-o",
+    "--output",
+    type=click.Path(),
+    metavar="FILE",
+    help="Write the scheme as a case: YAML or JSON.",
+)
+@arguments.input_format
+@arguments.telling
+def simplify(
+    case: str,
+    gear: str,
+    frequencies: int,
+    rule: str | None,
+    remove: str | None,
+    form: str,
+    output: str | None,
+    input_format: readers.Format | None,
+    telling: Telling,
+) -> int:
+    """Simplify the scheme of a gear of CASE, reduced to the input; - is standard input.
+
+    Step by step the partial system with the highest frequency is taken out, so that the
+    lowest frequencies hardly change. It warns where a kept one is above half of a partial
+    frequency.
+
+    \b
+    Examples:
+      vstatics torsion simplify box.yaml --gear 1 --links 3
+      vstatics torsion simplify box.yaml --gear 1 --links 3 -o simple.yaml
+
+    \b
+    Exit status: 0 done; 1 the case is in error or has no such scheme; 2 wrong use.
+    """
+    written = _format_of(output, case)
+    needs_scipy()
+    from vstatics.torsion.documents import simplification_document
+    from vstatics.torsion.gear_scheme import gear_scheme
+    from vstatics.torsion.scheme_case import scheme_case
+    from vstatics.torsion.simplification import simplify as simplified
+    from vstatics.torsion.simplification_grids import simplification_grids
+
+    reading = arguments.read_one(case, input_format, telling)
+    own = reading.case
+    chosen = own.gears[gear_number(own, gear) - 1]
+    scheme = gear_scheme(own, chosen)
+    if isinstance(scheme, str):
+        raise ReadError(list(located(reading, [(chosen.name, "error", scheme)])))
+    removed = [name.strip() for name in remove.split(",")] if remove else []
+    try:
+        found = simplified(scheme, frequencies, rule, removed)  # type: ignore[arg-type] # a choice
+    except CaseError as error:
+        raise ReadError([of_file(case, one.message) for one in error.problems]) from None
+    problems = [Problem(one.message, severity=one.severity) for one in found.warnings]
+    tell(
+        [of_file(case, one.message)._replace(severity="warning") for one in problems], telling, case
+    )
+    if output is not None:
+        ends = [own.link_name(end) for end in (own.gear_input(chosen), own.gear_output(chosen))]
+        made = scheme_case(found.scheme, own.name, ends, chosen.name)
+        files.write_output(_text(made, written), output)
+    show(
+        case,
+        Destination(form, None, TextStyle()),
+        own.name,
+        lambda: simplification_grids(found),
+        lambda: simplification_document(own.name, chosen.name, found),
+    )
+    return FAILED if telling.fails([*reading.warnings, *problems]) else DONE
+
+
+def _format_of(output: str | None, case: str) -> str:
+    """What the scheme is written in."""
+    if output is None:
+        return ""
+    files.spare([case], output)
+    form = readers.format_of_name(output)
+    if form not in ("yaml", "json"):
+        raise click.UsageError(f"{output}: expected a case in YAML or JSON, .yaml or .json")
+    return form
+
+
+def _text(case: Transmission, form: str) -> str:
+    from vstatics.writers import named
+
+    return named.write_yaml(case) if form == "yaml" else named.write_json(case)
