@@ -1,0 +1,82 @@
+"""Torsional systems to test with: cases of random trains, and matrices made by hand."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+from hypothesis import strategies as st
+
+from vstatics import Damping, Gear, Mechanism, ShiftElement, Spring, Transmission
+
+Array = np.ndarray[Any, np.dtype[Any]]
+
+
+def chain(
+    inertias: list[float], stiffnesses: list[float], dampings: list[float] | None = None
+) -> Transmission:
+    """Masses in a row, a shaft between each two."""
+    given = dampings or [0.0] * len(stiffnesses)
+    springs = [
+        Spring({n: 1, n + 1: -1}, stiffness=c, damping=d, name=f"shaft {n}")
+        for n, (c, d) in enumerate(zip(stiffnesses, given, strict=True), 1)
+    ]
+    links = len(inertias)
+    return Transmission(
+        links, [], [], [], springs=springs, inertias=dict(enumerate(inertias, 1)), output=links
+    )
+
+
+def matrices(case: Transmission) -> tuple[Array, Array, Array]:
+    """M, K and D of a case of springs alone, by the definition of the source (section 1)."""
+    size = case.links
+    mass = np.diag([case.inertias.get(n, 0.0) for n in range(1, size + 1)])
+    stiffness, resistance = np.zeros((size, size)), np.zeros((size, size))
+    for spring in case.springs:
+        row = np.zeros(size)
+        for link, part in spring.form.items():
+            row[link - 1] = part
+        assert isinstance(spring.damping, Damping)
+        stiffness += spring.rate * np.outer(row, row)
+        resistance += spring.damping.viscous * np.outer(row, row)
+    return mass, stiffness, resistance
+
+
+@st.composite
+def branched(draw: st.DrawFn, *, damped: bool = False) -> Transmission:
+    """Any springs between any links, some of four members, some to the housing."""
+    links = draw(st.integers(2, 7))
+    size = st.floats(0.1, 10.0)
+    springs = [
+        Spring({n: 1, draw(st.integers(1, n - 1)): -1}, stiffness=draw(size), name=f"tree {n}")
+        for n in range(2, links + 1)
+    ]
+    for number in range(draw(st.integers(0, 3))):
+        members = draw(
+            st.dictionaries(st.integers(1, links), st.sampled_from((-1.5, -1, 0.5, 1)), min_size=1)
+        )
+        springs.append(Spring(members, stiffness=draw(size), name=f"form {number}"))
+    if damped:
+        springs = [one._replace(damping=draw(st.floats(0.0, 0.3))) for one in springs]
+        springs[0] = springs[0]._replace(damping=0.05)
+    inertias = {n: draw(size) for n in range(1, links + 1)}
+    return Transmission(links, [], [], [], springs=springs, inertias=inertias, output=links)
+
+
+def with_planetary_set(**others: Any) -> Transmission:
+    """Engine, elastic shaft, sun; the ring on a spring to the housing; carrier, shaft, vehicle."""
+    given: Mapping[str, Any] = {
+        "shift_elements": [ShiftElement(2, 3, name="C")],
+        "mechanisms": [Mechanism(2, 3, 4, ratio=-2.5, name="P")],
+        "gears": [Gear([], name="low"), Gear([1], name="direct")],
+        "springs": [
+            Spring({1: 1, 2: -1}, stiffness=900.0, name="in"),
+            Spring({3: 1}, stiffness=4000.0, name="ring mount"),
+            Spring({4: 1, 5: -1}, stiffness=2500.0, name="out"),
+        ],
+        "inertias": {1: 0.2, 2: 0.01, 3: 0.05, 4: 0.03, 5: 4.0},
+        "output": 5,
+        **others,
+    }
+    return Transmission(5, **given)
