@@ -141,7 +141,7 @@ def _damped_massless(split: Coordinates, damped: Floats, stiff: Floats) -> Float
     rank = int(np.sum(sizes > REAL * sizes.max(initial=0.0)))
     moved = split.massless @ directions[:rank].T
     quiet = split.massless @ directions[rank:].T
-    if not quiet.shape[1]:
+    if not (quiet.shape[1] and moved.shape[1]):
         return moved
     following, *_ = linalg.lstsq(stiff @ quiet, stiff @ moved)
     slow: Floats = moved - quiet @ following

@@ -84,8 +84,9 @@ def elastic_basis(system: TorsionalSystem, split: Coordinates) -> Floats:
 
 def _followed(system: TorsionalSystem, split: Coordinates) -> Floats:
     """How massless motions follow those with inertia, by the elastic torques on them."""
-    if not split.massless.shape[1]:
-        return np.zeros((0, split.heavy.shape[1]))
+    counts = split.massless.shape[1], split.heavy.shape[1]
+    if 0 in counts:
+        return np.zeros(counts)
     twists = weighted_twists(system)
     order = np.argsort(-np.abs(twists).max(axis=1), kind="stable")  # stiff rows first, for QR
     found, *_ = linalg.lstsq(
