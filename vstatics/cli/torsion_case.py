@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import contextmanager
 from typing import Any
 
 import click
@@ -12,8 +13,8 @@ from vstatics.cli import files, texts
 from vstatics.cli.cases import CalculatedCase
 from vstatics.cli.formats import Destination, OutputOptions
 from vstatics.cli.telling import Telling
-from vstatics.errors import Problem
-from vstatics.extras import require
+from vstatics.errors import CaseError, Problem, ReadError, of_file
+from vstatics.extras import missing
 from vstatics.model.transmission import Transmission
 from vstatics.readers.reading import Reading
 from vstatics.tables.grid import Grid
@@ -25,9 +26,32 @@ def needs_scipy() -> None:
 
     Raises
     ------
-    CaseError
+    ReadError
     """
-    require("torsion", "vstatics torsion")
+    if message := missing("torsion", "vstatics torsion"):
+        raise ReadError([Problem(message)])
+
+
+@contextmanager
+def problems_of(reading: Reading) -> Iterator[None]:
+    """Tell problems of a case at their places in its file.
+
+    Raises
+    ------
+    ReadError
+    """
+    try:
+        yield
+    except CaseError as error:
+        raise ReadError([_placed(one, reading) for one in error.problems]) from None
+
+
+def _placed(problem: Problem, reading: Reading) -> Problem:
+    """A problem at its place; one of what was asked for is of the file as a whole."""
+    located = reading.locate(problem)
+    if problem.path or located.place is None:
+        return located
+    return of_file(located.place.file, problem.message)
 
 
 def gear_names(case: Transmission, asked: Sequence[str]) -> list[str]:
@@ -77,7 +101,7 @@ def show(
     document: Callable[[], dict[str, Any]],
 ) -> None:
     """Write what a command has of one case, in the format that is asked for."""
-    shown = texts.CaseOutput([title], {}, grids, lambda: plain_data(document()))
+    shown = texts.CaseOutput([title or file], {}, grids, lambda: plain_data(document()))
     form = texts.OutputForm(to.form, to.style)
     files.write_data(texts.alone(CalculatedCase(file, None, []), shown, form), to.output)
 

@@ -10,7 +10,15 @@ from vstatics.cli import formats
 from vstatics.cli.exit_status import DONE, FAILED
 from vstatics.cli.formats import OutputOptions
 from vstatics.cli.telling import Telling
-from vstatics.cli.torsion_case import gear_names, located, needs_scipy, one_text, show, tell
+from vstatics.cli.torsion_case import (
+    gear_names,
+    located,
+    needs_scipy,
+    one_text,
+    problems_of,
+    show,
+    tell,
+)
 
 
 @click.command()
@@ -61,7 +69,8 @@ def modes(
     from vstatics.torsion.grids import modes_grids
 
     reading = arguments.read_one(case, input_format, telling)
-    found = modes_of(reading.case, gear_names(reading.case, gears), count=count, coast=coast)
+    with problems_of(reading):
+        found = modes_of(reading.case, gear_names(reading.case, gears), count=count, coast=coast)
     faults = [(one.name, "error", one.error) for one in found if one.error]
     doubts = [(one.name, "warning", text) for one in found for text in one.warnings]
     problems = list(located(reading, [*faults, *doubts]))

@@ -144,8 +144,8 @@ def _speeds(text: str) -> Floats:
 
     parts = text.split(":")
     if len(parts) != 3:
-        return np.array(_numbers(text, "--speed", "a speed above 0, or A:B:N"))
-    first, last = _numbers(",".join(parts[:2]), "--speed", "a speed above 0")
+        return np.array(_numbers(text, "--speed", "a speed of 0 or more, or A:B:N", least=0.0))
+    first, last = _numbers(",".join(parts[:2]), "--speed", "a speed of 0 or more", least=0.0)
     count = parts[2].strip()
     if not (count.isascii() and count.isdigit() and 1 < int(count[:9]) <= MOST_SPEEDS):
         message = f"read {count[:20]!r}, expected how many speeds, from 2 to {MOST_SPEEDS}"
@@ -153,14 +153,16 @@ def _speeds(text: str) -> Floats:
     return Steps(first, last, int(count))[np.arange(int(count))]
 
 
-def _numbers(text: str, option: str, expected: str) -> Sequence[float]:
+def _numbers(
+    text: str, option: str, expected: str, least: float = math.ulp(0.0)
+) -> Sequence[float]:
     found = []
     for part in text.split(","):
         try:
             value = float(part)
         except ValueError:
             value = math.nan
-        if not 0 < value < math.inf:
+        if not least <= value < math.inf:
             raise click.BadParameter(f"read {part[:20]!r}, expected {expected}", param_hint=option)
         found.append(value)
     return found

@@ -11,8 +11,9 @@ from vstatics.cli.cases import gear_number
 from vstatics.cli.exit_status import DONE, FAILED
 from vstatics.cli.formats import Destination, TextStyle
 from vstatics.cli.telling import Telling
-from vstatics.cli.torsion_case import located, needs_scipy, show, tell
-from vstatics.errors import CaseError, Problem, ReadError, of_file
+from vstatics.cli.torsion_case import located, needs_scipy, problems_of, show, tell
+from vstatics.errors import Problem, ReadError, of_file, spoken
+from vstatics.model.damping import damping
 from vstatics.model.transmission import Transmission
 
 RULES = ("partial", "r", "b", "u")
@@ -95,11 +96,9 @@ def simplify(
     if isinstance(scheme, str):
         raise ReadError(list(located(reading, [(chosen.name, "error", scheme)])))
     removed = [name.strip() for name in remove.split(",")] if remove else []
-    try:
+    with problems_of(reading):
         found = simplified(scheme, frequencies, rule, removed)  # type: ignore[arg-type] # a choice
-    except CaseError as error:
-        raise ReadError([of_file(case, one.message) for one in error.problems]) from None
-    problems = [Problem(one.message, severity=one.severity) for one in found.warnings]
+    problems = [*found.warnings, *_lost(own)]
     tell(
         [of_file(case, one.message)._replace(severity="warning") for one in problems], telling, case
     )
@@ -126,6 +125,17 @@ def _format_of(output: str | None, case: str) -> str:
     if form not in ("yaml", "json"):
         raise click.UsageError(f"{output}: expected a case in YAML or JSON, .yaml or .json")
     return form
+
+
+def _lost(case: Transmission) -> list[Problem]:
+    """What a scheme does not have: its dampings are viscous."""
+    names = [one.name for one in case.springs if damping(one.damping).loss_factor]
+    names += [one.name for one in case.mechanisms if damping(one.damping).loss_factor]
+    names += [one.name for one in case.shift_elements if damping(one.damping).loss_factor]
+    if not names:
+        return []
+    message = f"the loss factor of {spoken(names)} is left out: a scheme has viscous damping only"
+    return [Problem(message, severity="warning")]
 
 
 def _text(case: Transmission, form: str) -> str:

@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.errors import spoken
+from vstatics.errors import CaseError, Problem, spoken
 from vstatics.model.transmission import Gear, Transmission
 from vstatics.numerics.arrays import Floats
 from vstatics.numerics.tolerances import TIE
@@ -20,7 +20,7 @@ from vstatics.torsion.naming import own_torques
 from vstatics.torsion.natural import NaturalModes, natural_modes
 from vstatics.torsion.nodes import count_nodes
 from vstatics.torsion.state import vibrating
-from vstatics.torsion.system import TorsionalSystem
+from vstatics.torsion.system import TorsionalSystem, torsional_system
 from vstatics.torsion.torques import Balance, balance, torques
 
 Named = Mapping[str, float]
@@ -129,6 +129,8 @@ def modes(
     ------
     ValueError
         If there is no such gear.
+    CaseError
+        If nothing has an inertia.
 
     Examples
     --------
@@ -146,6 +148,9 @@ def modes(
     {'1': 1.0, '2': -1.0, '3': 0.333333333}
     """
     numbers = [case.gear_number(one) for one in gears or range(1, len(case.gears) + 1)]
+    if not any(body.inertia for body in torsional_system(case, case.gears[0]).bodies):
+        message = "nothing has an inertia, so nothing vibrates; expected `inertias` of links"
+        raise CaseError([Problem(message, ("inertias",))])
     if coast is not None and coast != case.coast:
         case = replace(case, coast=coast)
     if count is None and case.own_links > SOME_LINKS:
@@ -242,6 +247,8 @@ def _of_mode(by_name: Mapping[str, Floats], mode: int) -> dict[str, float]:
 
 
 def _warnings(system: TorsionalSystem, split: Coordinates, held: Balance) -> Iterator[str]:
+    if not system.elastic:
+        yield "nothing is elastic; expected `springs`, or a `stiffness` of a device that takes part"
     names = [name for name, loose in zip(system.names, split.undetermined, strict=True) if loose]
     if names:
         verb = "has" if len(names) == 1 else "have"

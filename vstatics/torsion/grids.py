@@ -5,7 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 
 from vstatics.tables.grid import Cell, Column, Grid, Row, exact, text, whole
+from vstatics.tables.numbers import fixed
 from vstatics.torsion.gear_modes import GearModes, Mode
+
+SMALL = 0.0005
+"""Parts of 1 that are below are not told apart from 0, but with all digits in JSON and CSV."""
 
 
 def modes_grids(gears: Sequence[GearModes]) -> Iterator[Grid]:
@@ -28,13 +32,14 @@ def modes_grids(gears: Sequence[GearModes]) -> Iterator[Grid]:
     for gear in gears:
         if gear.modes:
             of = f"Gear {gear.name}"
-            yield _by_mode(gear, f"{of}: amplitudes of links", "link", lambda mode: mode.shape)
+            title = f"{of}: amplitudes of links"
+            yield _by_mode(gear, title, "link", lambda mode: mode.shape, _part)
             title = f"{of}: torques of devices at these amplitudes [N*m/rad]"
             yield _by_mode(gear, title, "torque of", lambda mode: mode.torques)
             title = f"{of}: shares of kinetic energy"
-            yield _by_mode(gear, title, "link", lambda mode: mode.kinetic)
+            yield _by_mode(gear, title, "link", lambda mode: mode.kinetic, _part)
             title = f"{of}: shares of elastic energy"
-            yield _by_mode(gear, title, "device", lambda mode: mode.elastic)
+            yield _by_mode(gear, title, "device", lambda mode: mode.elastic, _part)
 
 
 def _damped(gears: Sequence[GearModes]) -> Iterator[Grid]:
@@ -74,10 +79,20 @@ def _largest(shares: Mapping[str, float]) -> str:
 
 
 def _by_mode(
-    gear: GearModes, title: str, heading: str, values: Callable[[Mode], Mapping[str, float]]
+    gear: GearModes,
+    title: str,
+    heading: str,
+    values: Callable[[Mode], Mapping[str, float]],
+    cell: Callable[[float], Cell] = exact,
 ) -> Grid:
     """A row for each link or device, a column for each mode."""
     by_mode = [values(mode) for mode in gear.modes]
     headings = [f"{number}: {mode.omega:.4g}" for number, mode in enumerate(gear.modes, 1)]
-    rows: list[Row] = [[name, *(exact(one[name]) for one in by_mode)] for name in by_mode[0]]
+    rows: list[Row] = [[name, *(cell(one[name]) for one in by_mode)] for name in by_mode[0]]
     return Grid(title, [text(heading), *map(Column, headings)], rows)
+
+
+def _part(value: float) -> Cell:
+    """A part of 1: what is small beside it is .000."""
+    cell = exact(value)
+    return cell._replace(text=fixed(value)) if abs(value) < SMALL else cell

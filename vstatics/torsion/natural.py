@@ -50,6 +50,8 @@ def natural_modes(system: TorsionalSystem, split: Coordinates) -> NaturalModes:
     """
     basis = elastic_basis(system, split)
     twists = weighted_twists(system) @ basis
+    if not twists.size:
+        return NaturalModes(np.zeros(0), basis)
     _, omegas, vectors = linalg.svd(twists, full_matrices=True, lapack_driver="gesvd")
     count = basis.shape[1]
     every = np.zeros(count)
@@ -69,8 +71,8 @@ def elastic_basis(system: TorsionalSystem, split: Coordinates) -> Floats:
     """
     following = split.heavy - split.massless @ _followed(system, split)
     speeds = weighted_bodies(system)
-    if not following.shape[1]:
-        return following
+    if not following.shape[1] or not system.elastic:
+        return following[:, :0]
     _, triangle = linalg.qr(speeds @ following, mode="economic")
     inverse, _ = linalg.lapack.dtrtri(triangle)
     apart: Floats = inverse

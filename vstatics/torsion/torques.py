@@ -74,6 +74,8 @@ def torques(
         for link, part in device.twist.items():
             acting[link] -= part * torque
         found[device.name] = torque
+    if not shapes.shape[1]:
+        return dict.fromkeys((device.name for device in system.devices), np.zeros(0))
     if system.rigid:
         scale = np.abs(acting).max(axis=0, initial=0.0)
         solved, *_ = linalg.lstsq(balance.columns, acting / np.where(scale, scale, 1.0))
