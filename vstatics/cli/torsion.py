@@ -12,6 +12,8 @@ COMMANDS = {
     "simplify": ("vstatics.cli.torsion_simplify", "Fewer masses, the same low frequencies."),
     "response": ("vstatics.cli.torsion_response", "Amplitudes and torques by orders and speeds."),
     "dump": ("vstatics.cli.torsion_dump", "The largest torque when the clutch is dumped."),
+    "identify": ("vstatics.cli.torsion_measured", "Compliances from a measured frequency."),
+    "damping": ("vstatics.cli.torsion_measured", "Dampings from logarithmic decrements."),
 }
 
 

@@ -31,7 +31,8 @@ def corrected(compliances: ByDevice, calculated: float, measured: float) -> dict
     >>> corrected({"shaft": 0.01}, 22.0, 20.0)
     {'shaft': 0.0121...}
     """
-    factor = (calculated / measured) ** 2
+    ratio = calculated / measured
+    factor = ratio * ratio
     return {name: compliance * factor for name, compliance in compliances.items()}
 
 

@@ -9,6 +9,7 @@ import numpy as np
 
 from vstatics.torsion.cycle import summed
 from vstatics.torsion.gear_modes import GearModes, Mode
+from vstatics.torsion.measured import Damped, Identified
 from vstatics.torsion.reduction import GearReduction
 from vstatics.torsion.response import GearResponse, OrderResponse
 from vstatics.torsion.simplification import Simplification
@@ -127,4 +128,33 @@ def simplification_document(name: str, gear: str, found: Simplification) -> dict
         "rule": found.rule,
         "steps": [one._asdict() for one in found.steps],
         "warnings": [one.message for one in found.warnings],
+    }
+
+
+def identified_document(
+    name: str, gear: str, mode: int, measured: float, made: Identified
+) -> dict[str, Any]:
+    """What follows from the frequency of a mode that was measured [rad/s]."""
+    return {
+        "format": "vstatics-identification",
+        "version": VERSION,
+        "case": name,
+        "gear": gear,
+        "mode": mode,
+        "measured": measured,
+        **made._asdict(),
+    }
+
+
+def damped_document(name: str, gear: str, mode: int, made: Damped) -> dict[str, Any]:
+    """Dampings from decrements."""
+    values = {key: value for key, value in made._asdict().items() if key != "notes"}
+    return {
+        "format": "vstatics-damping",
+        "version": VERSION,
+        "case": name,
+        "gear": gear,
+        "mode": mode,
+        **values,
+        "messages": made.notes,
     }

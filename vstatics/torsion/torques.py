@@ -67,6 +67,8 @@ def torques(
     dict of str to ndarray, shape (modes,)
         [N*m]
     """
+    if not shapes.shape[1]:
+        return {device.name: np.zeros(0) for device in system.devices}
     found: dict[str, Floats] = {}
     acting = np.asarray(system.link_inertias)[:, None] * shapes * omegas**2
     for device in system.elastic:
