@@ -29,6 +29,11 @@ class Coordinates(NamedTuple):
     """Of each link: whether it takes part in a motion with neither inertia nor resistance."""
 
     @property
+    def modes(self) -> int:
+        """How many modes there are that are not rigid."""
+        return self.free.shape[1] - self.massless.shape[1] - self.rigid.shape[1]
+
+    @property
     def heavy(self) -> Floats:
         """Shape (links, n - m): motions that with the massless ones make up all."""
         count = self.massless.shape[1]

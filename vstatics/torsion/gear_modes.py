@@ -167,19 +167,22 @@ def _gear_modes(case: Transmission, gear: Gear, count: int | None) -> GearModes:
     damped = None
     if any(device.damping for device in system.elastic):
         damped = damped_modes(system, split, natural)
+    warnings = list(_warnings(system, split, held))
+    if damped and len(natural.omegas) < split.modes:
+        part = f"the first {len(natural.omegas)} of {split.modes} modes"
+        warnings.append(f"the damped vibration is calculated from {part} alone")
     told = NaturalModes(natural.omegas[:count], natural.shapes[:, :count])
     return GearModes(
         gear.name,
         split.rigid.shape[1],
         list(_named(case, system, split, held, told, damped)),
         [] if damped is None else [complex(one) for one in damped.eigenvalues],
-        list(_warnings(system, split, held)),
+        warnings,
     )
 
 
 def _natural(system: TorsionalSystem, split: Coordinates, count: int | None) -> NaturalModes:
-    elastic = split.free.shape[1] - split.massless.shape[1] - split.rigid.shape[1]
-    if count is not None and len(system.names) > MANY and count < elastic // 2:
+    if count is not None and len(system.names) > MANY and count < split.modes // 2:
         return lowest_modes(system, split, count)
     return natural_modes(system, split)
 
