@@ -9,7 +9,6 @@ from __future__ import annotations
 from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
-from scipy import linalg
 
 from vstatics.numerics.arrays import Booleans, Floats
 from vstatics.numerics.motions import Form, free_motions, values_of
@@ -39,6 +38,8 @@ class Coordinates(NamedTuple):
         count = self.massless.shape[1]
         if not count:
             return self.free
+        from scipy import linalg  # most systems do without
+
         part, *_ = linalg.lstsq(self.free, self.massless)
         _, _, order = linalg.qr(part.T, mode="economic", pivoting=True)
         chosen: Floats = self.free[:, np.sort(order[count:])]
@@ -82,6 +83,8 @@ def _own_places(motions: Floats) -> list[int]:
     """Links by which some motions are known: where these are held there is none of them."""
     if not motions.shape[1]:
         return []
+    from scipy import linalg
+
     _, _, order = linalg.qr(motions.T, mode="economic", pivoting=True)
     return [int(link) for link in order[: motions.shape[1]]]
 

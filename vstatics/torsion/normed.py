@@ -1,0 +1,128 @@
+"""The elastic devices of a system in motions of modal mass 1: all that its frequencies need.
+
+With these motions the natural frequencies are the singular values of the twists, each by the
+root of its stiffness, as in `natural`. Here it is done with stacks of small matrices, for many
+inertias and stiffnesses at once.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from vstatics.numerics.arrays import Floats
+from vstatics.numerics.motions import values_of
+from vstatics.torsion.coordinates import Coordinates
+from vstatics.torsion.system import TorsionalSystem
+
+SMALL = 1e-4
+"""A square below this part of the largest one has lost digits that its root has not."""
+
+
+class NormedTwists(NamedTuple):
+    """Twists of the elastic devices by motions of a system.
+
+    Attributes
+    ----------
+    heavy : ndarray, shape (..., devices, modes)
+        By motions of modal mass 1, orthogonal in M to each other and to rigid ones. The leading
+        axes are those of the inertias. [1/sqrt(kg*m^2)]
+    massless : ndarray, shape (devices, massless motions)
+    """
+
+    heavy: Floats
+    massless: Floats
+
+
+def normed_twists(system: TorsionalSystem, split: Coordinates, inertias: Floats) -> NormedTwists:
+    """The twists of a system, for other inertias of its bodies.
+
+    Parameters
+    ----------
+    inertias : ndarray, shape (..., bodies)
+        0 where they are 0 in the system, and nowhere else. [kg*m^2]
+
+    Examples
+    --------
+    Two masses on a shaft, for two inertias of the second:
+
+    >>> from vstatics import Spring, Transmission
+    >>> from vstatics.torsion.coordinates import coordinates
+    >>> from vstatics.torsion.system import torsional_system
+    >>> shaft = Spring({1: 1, 2: -1}, stiffness=100.0)
+    >>> case = Transmission(2, [], [], [], springs=[shaft], inertias={1: 2.0, 2: 2.0})
+    >>> system = torsional_system(case, case.gears[0])
+    >>> inertias = np.array([[2.0, 2.0], [2.0, 0.5]])
+    >>> np.abs(normed_twists(system, coordinates(system), inertias).heavy) ** 2
+    array([[[1. ]],
+    <BLANKLINE>
+           [[2.5]]])
+    """
+    heavy, links = split.heavy, len(system.names)
+    bodies = values_of([body.form for body in system.bodies], links) @ heavy
+    devices = values_of([device.twist for device in system.elastic], links)
+    triangle = _triangle(np.sqrt(inertias)[..., None] * bodies)
+    apart = np.eye(heavy.shape[1])
+    if rigid := split.rigid.shape[1]:
+        every = np.hstack([heavy, split.massless])
+        by_heavy = np.linalg.lstsq(every, split.rigid, rcond=None)[0][: heavy.shape[1]]
+        turned, _ = np.linalg.qr(triangle @ by_heavy, mode="complete")
+        apart = turned[..., rigid:]
+    return NormedTwists(
+        (devices @ heavy) @ np.linalg.solve(triangle, apart), devices @ split.massless
+    )
+
+
+def natural_frequencies(twists: NormedTwists, stiffnesses: Floats, first: int = 0) -> Floats:
+    """The frequencies of systems of other stiffnesses.
+
+    Parameters
+    ----------
+    stiffnesses : ndarray, shape (variants, devices)
+        [N*m/rad]
+    first : int
+        The lowest mode that has to be accurate, from 0.
+
+    Returns
+    -------
+    ndarray, shape (variants, modes)
+        Ascending. [rad/s]
+    """
+    rows = triangular(twists, stiffnesses)
+    massless = twists.massless.shape[1]
+    rows = rows[..., massless:, massless:] if massless else rows
+    squares = np.linalg.eigvalsh(rows.swapaxes(-1, -2) @ rows)
+    omegas: Floats = np.sqrt(np.maximum(squares, 0.0))
+    lossy = ~(squares[:, first] > SMALL * squares[:, -1])
+    if lossy.any():
+        omegas[lossy] = np.linalg.svd(rows[lossy], compute_uv=False)[:, ::-1]
+    return omegas
+
+
+def triangular(twists: NormedTwists, stiffnesses: Floats) -> Floats:
+    """Twists by the roots of stiffnesses, massless motions first: where there are any, triangular.
+
+    Then what is right of and below the massless motions is left when they follow the others in
+    balance of their torques. Stiff devices come first, which an elimination by rows needs.
+
+    Returns
+    -------
+    ndarray, shape (variants, rows, massless motions + modes)
+    """
+    roots = np.sqrt(stiffnesses)[..., None]
+    heavy: Floats = roots * twists.heavy
+    if not twists.massless.shape[1]:
+        return heavy
+    massless = np.broadcast_to(
+        roots * twists.massless, (*heavy.shape[:-1], twists.massless.shape[1])
+    )
+    both = np.concatenate([massless, heavy], axis=-1)
+    order = np.argsort(-np.abs(both).max(axis=-1), axis=-1)
+    ordered: Floats = np.take_along_axis(both, order[..., None], axis=-2)
+    return _triangle(ordered)
+
+
+def _triangle(matrices: Floats) -> Floats:
+    triangle: Floats = np.asarray(np.linalg.qr(matrices, mode="r"))  # one array, not two
+    return triangle

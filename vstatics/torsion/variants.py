@@ -1,0 +1,169 @@
+"""Natural frequencies of many variants of a system, other in stiffnesses and inertias.
+
+What the forms of links decide, free and rigid motions, is found once for all variants. Where one
+stiffness alone varies its secular equation is solved for all of them (`secular`), else stacks
+of small matrices (`normed`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+
+import numpy as np
+
+from vstatics.numerics.arrays import Floats, Integers
+from vstatics.torsion.coordinates import coordinates
+from vstatics.torsion.normed import natural_frequencies, normed_twists
+from vstatics.torsion.secular import squares_with_device
+from vstatics.torsion.system import TorsionalSystem
+from vstatics.torsion.without_device import without
+
+NUMBERS = 2**17
+"""Of the matrices that are solved at once, so that they stay near the processor."""
+
+Varied = Mapping[int, Floats]
+"""By the place of a device, or of a body: its numbers, of shape (variants,)."""
+
+
+def variant_frequencies(
+    system: TorsionalSystem,
+    modes: Sequence[int],
+    *,
+    stiffnesses: Varied,
+    inertias: Varied,
+    variants: int,
+) -> Floats:
+    """Natural frequencies of a system with other stiffnesses and inertias.
+
+    Parameters
+    ----------
+    system : TorsionalSystem
+    modes : sequence of int
+        Which, from 0, of those that are not rigid.
+    stiffnesses : mapping of int to ndarray, shape (variants,)
+        Of elastic devices, by their places in `TorsionalSystem.elastic`; above 0. [N*m/rad]
+    inertias : mapping of int to ndarray, shape (variants,)
+        Of bodies, by their places in `TorsionalSystem.bodies`; 0 or more. [kg*m^2]
+    variants : int
+        Their number.
+
+    Returns
+    -------
+    ndarray, shape (variants, len(modes))
+        NaN where there are fewer modes. [rad/s]
+
+    Examples
+    --------
+    Two masses of 2 on a shaft, ``omega^2 = c (1/2 + 1/J)``:
+
+    >>> from vstatics import Spring, Transmission
+    >>> from vstatics.torsion.system import torsional_system
+    >>> shaft = Spring({1: 1, 2: -1}, stiffness=100.0)
+    >>> case = Transmission(2, [], [], [], springs=[shaft], inertias={1: 2.0, 2: 2.0})
+    >>> system = torsional_system(case, case.gears[0])
+    >>> c, inertia = np.array([100.0, 200.0]), np.array([2.0, 0.5])
+    >>> variant_frequencies(system, [0, 1], stiffnesses={0: c}, inertias={1: inertia}, variants=2)
+    array([[10.        ,         nan],
+           [22.36067977,         nan]])
+    """
+    found = np.full((variants, len(modes)), np.nan)
+    for rows in _alike(inertias, variants):
+        some = {place: numbers[rows] for place, numbers in inertias.items()}
+        others = {place: numbers[rows] for place, numbers in stiffnesses.items()}
+        found[rows] = _of_one_structure(system, modes, others, some, len(rows))
+    return found
+
+
+def _alike(inertias: Varied, variants: int) -> Iterator[Integers]:
+    """Variants in which the same bodies have an inertia: their motions split alike."""
+    every = np.arange(variants)
+    if all(numbers.all() for numbers in inertias.values()):
+        yield every
+        return
+    patterns = np.column_stack([numbers > 0 for numbers in inertias.values()])
+    _, kinds = np.unique(patterns, axis=0, return_inverse=True)
+    for kind in range(int(kinds.max()) + 1):
+        yield every[kinds.reshape(-1) == kind]
+
+
+def _of_one_structure(
+    system: TorsionalSystem,
+    modes: Sequence[int],
+    stiffnesses: Varied,
+    inertias: Varied,
+    variants: int,
+) -> Floats:
+    """The frequencies of variants in which the same bodies have an inertia."""
+    stiff = _Numbers([device.stiffness or 0.0 for device in system.elastic], stiffnesses)
+    heavy = _Numbers([body.inertia for body in system.bodies], inertias)
+    bodies = [
+        body._replace(inertia=inertia)
+        for body, inertia in zip(system.bodies, heavy.first.tolist(), strict=True)
+    ]
+    alike = _Alike(system._replace(bodies=tuple(bodies)), stiff, heavy)
+    existing = [mode for mode in modes if mode < alike.count]
+    found = np.full((variants, len(modes)), np.nan)
+    if existing:
+        places = [index for index, mode in enumerate(modes) if mode in existing]
+        found[:, places] = alike.frequencies(existing, variants)
+    return found
+
+
+class _Numbers:
+    """Numbers of devices or bodies: those of the first variant, and what is other in others."""
+
+    def __init__(self, own: Sequence[float], varied: Varied) -> None:
+        self.first = np.array(own)
+        for place, numbers in varied.items():
+            self.first[place] = numbers[0]
+        self.varied = {p: numbers for p, numbers in varied.items() if (numbers != numbers[0]).any()}
+
+    def rows(self, start: int, stop: int) -> Floats:
+        """All numbers of some variants: of one, if they are the same for all."""
+        if not self.varied:
+            return self.first[None]
+        rows = np.tile(self.first, (stop - start, 1))
+        for place, numbers in self.varied.items():
+            rows[:, place] = numbers[start:stop]
+        return rows
+
+
+class _Alike:
+    """Variants of a system that split alike."""
+
+    def __init__(self, system: TorsionalSystem, stiff: _Numbers, heavy: _Numbers) -> None:
+        self.system, self.stiff, self.heavy = system, stiff, heavy
+        self.split = coordinates(system)
+
+    @property
+    def count(self) -> int:
+        """How many modes there are."""
+        free, massless, rigid = self.split.free, self.split.massless, self.split.rigid
+        return int(free.shape[1] - massless.shape[1] - rigid.shape[1])
+
+    def frequencies(self, modes: Sequence[int], variants: int) -> Floats:
+        """Of shape (variants, modes), or (1, modes) if they are the same in all."""
+        if not self.heavy.varied and len(self.stiff.varied) == 1:
+            [(device, numbers)] = self.stiff.varied.items()
+            base = without(self.system, self.split, self.stiff.first, device)
+            if base is None:  # the device carries no torque
+                return self._of_matrices(modes, 1)
+            squares = [
+                squares_with_device(base.poles, 1 / numbers + base.slack, mode) for mode in modes
+            ]
+            return np.sqrt(squares).T
+        varied = self.heavy.varied or self.stiff.varied
+        return self._of_matrices(modes, variants if varied else 1)
+
+    def _of_matrices(self, modes: Sequence[int], variants: int) -> Floats:
+        """A few thousand matrices at a time."""
+        system, split, heavy = self.system, self.split, self.heavy
+        same = None if heavy.varied else normed_twists(system, split, heavy.first)
+        step = max(NUMBERS // (len(self.stiff.first) * split.free.shape[1]), 1)
+        found = []
+        for start in range(0, variants, step):
+            stop = min(start + step, variants)
+            twists = same or normed_twists(system, split, heavy.rows(start, stop))
+            omegas = natural_frequencies(twists, self.stiff.rows(start, stop), min(modes))
+            found.append(omegas[:, modes])
+        return np.concatenate(found)
