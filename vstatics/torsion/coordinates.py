@@ -30,7 +30,7 @@ class Coordinates(NamedTuple):
     @property
     def modes(self) -> int:
         """How many modes there are that are not rigid."""
-        return self.free.shape[1] - self.massless.shape[1] - self.rigid.shape[1]
+        return len(self.free.T) - len(self.massless.T) - len(self.rigid.T)
 
     @property
     def heavy(self) -> Floats:
