@@ -83,6 +83,24 @@ def test_a_train_of_two_mechanisms_on_one_casing_has_one_reaction() -> None:
     assert found.inertias["4"] == pytest.approx(5.0 / 25)
 
 
+def test_a_frame_behind_the_casing_is_scaled_as_the_casing() -> None:
+    i = 3.0
+    case = Transmission(
+        4, [], [Mechanism(1, 2, 3, i, stiffness=800.0)], [], output=2,
+        inertias={1: 0.2, 2: 3.0, 3: 0.4, 4: 8.0},
+        springs=[Spring({3: 1, 4: -1}, stiffness=70.0, name="mount"),
+                 Spring({4: 1}, stiffness=900.0, name="frame")],
+    )  # fmt: skip
+    [found] = reduce(case, 1)
+    assert found.inertias == pytest.approx({"1": 0.2, "2": 3 / 9, "3": 0.4 / 4, "4": 8 / 4})
+    expected = {"D1": 1 / 800, "mount": 4 / 70, "frame": 4 / 900}
+    assert found.compliances == pytest.approx(expected)
+    scheme = gear_scheme(case, case.gears[0])
+    assert isinstance(scheme, TorsionScheme)
+    omegas = [mode.omega for mode in modes(case)[0].modes]
+    assert natural_frequencies(scheme) == pytest.approx(omegas, rel=1e-11)
+
+
 def test_what_does_not_turn_with_the_link_has_no_value() -> None:
     case = Transmission(
         4, [ShiftElement(2, 3, name="C")], [], [Gear([]), Gear([1])], output=4,

@@ -185,7 +185,26 @@ def scales(system: TorsionalSystem, to: int, ends: tuple[int, int]) -> Scales | 
         else (1 / speed if speed else None)
         for link, speed in enumerate(speeds)
     ]
+    _pass_on(system, by_link, standing)
     return Scales(speeds, by_link)
+
+
+def _pass_on(system: TorsionalSystem, by_link: list[float | None], standing: set[int]) -> None:
+    """Scale what stands behind a link that takes the reaction, as a frame behind a casing.
+
+    So in the twist of the device between the two both have coefficients of the same size.
+    """
+    between = [
+        device.twist
+        for device in system.devices
+        if len(device.twist) == 2 and standing.issuperset(device.twist)
+    ]
+    for _ in between:
+        for (one, a), (other, b) in (twist.items() for twist in between):
+            for near, far, factor in ((one, other, b / a), (other, one, a / b)):
+                scale = by_link[near]
+                if scale and not by_link[far]:
+                    by_link[far] = scale * factor
 
 
 def _by(row: Floats, own: Floats) -> float | None:
