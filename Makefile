@@ -42,7 +42,7 @@ types: .venv/dev.stamp ## mypy --strict
 golden: .venv/dev.stamp ## rewrite tests/golden; fails where something changed
 	$(BIN)/pytest -q -n 0 tests/test_golden.py --regenerate
 
-schema: .venv/run.stamp ## rewrite schemas/ from the declarations
+schema: .venv/dev.stamp ## rewrite schemas/ from the declarations
 	$(BIN)/python -m vstatics.cli.schemas schemas
 
 bench: .venv/dev.stamp ## all figures of docs/performance.md (needs a C compiler, 5 minutes)

@@ -14,13 +14,19 @@ from vstatics.torsion.reduction import GearReduction
 from vstatics.torsion.response import GearResponse, OrderResponse
 from vstatics.torsion.simplification import Simplification
 
+MODES = "vstatics-modes"
+REDUCTION = "vstatics-reduction"
+RESPONSE = "vstatics-response"
+SIMPLIFICATION = "vstatics-simplification"
+IDENTIFICATION = "vstatics-identification"
+DAMPING = "vstatics-damping"
 VERSION = 1
 
 
 def modes_document(name: str, gears: Sequence[GearModes]) -> dict[str, Any]:
     """The modes of gears of a case, by its name; a gear that has none says why."""
     return {
-        "format": "vstatics-modes",
+        "format": MODES,
         "version": VERSION,
         "case": name,
         "gears": [
@@ -56,7 +62,7 @@ def _mode(mode: Mode) -> dict[str, Any]:
 def reduction_document(name: str, to: str, gears: Sequence[GearReduction]) -> dict[str, Any]:
     """Inertias and compliances of gears on one link, by its name."""
     return {
-        "format": "vstatics-reduction",
+        "format": REDUCTION,
         "version": VERSION,
         "case": name,
         "to": to,
@@ -74,7 +80,7 @@ def response_document(
 ) -> dict[str, Any]:
     """Forced vibration of gears: moduli over the speeds [rpm]."""
     return {
-        "format": "vstatics-response",
+        "format": RESPONSE,
         "version": VERSION,
         "case": name,
         "at": at,
@@ -121,7 +127,7 @@ def _sum(gear: GearResponse) -> dict[str, Any]:
 def simplification_document(name: str, gear: str, found: Simplification) -> dict[str, Any]:
     """The steps to a simpler scheme."""
     return {
-        "format": "vstatics-simplification",
+        "format": SIMPLIFICATION,
         "version": VERSION,
         "case": name,
         "gear": gear,
@@ -136,7 +142,7 @@ def identified_document(
 ) -> dict[str, Any]:
     """What follows from the frequency of a mode that was measured [rad/s]."""
     return {
-        "format": "vstatics-identification",
+        "format": IDENTIFICATION,
         "version": VERSION,
         "case": name,
         "gear": gear,
@@ -150,7 +156,7 @@ def damped_document(name: str, gear: str, mode: int, made: Damped) -> dict[str, 
     """Dampings from decrements."""
     values = {key: value for key, value in made._asdict().items() if key != "notes"}
     return {
-        "format": "vstatics-damping",
+        "format": DAMPING,
         "version": VERSION,
         "case": name,
         "gear": gear,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 
 from vstatics.tables.grid import Cell, Column, Grid, Row, exact, text, whole
@@ -22,24 +23,25 @@ def modes_grids(gears: Sequence[GearModes]) -> Iterator[Grid]:
     >>> shaft = Spring({1: 1, 2: -1}, stiffness=100.0, name="shaft")
     >>> case = Transmission(2, [], [], [], springs=[shaft], inertias={1: 2.0, 2: 2.0})
     >>> tables = list(modes_grids(modes(case)))
-    >>> tables[0].texts
-    [['1', '1', '10.000', '1.592', '.000', '1.592', '1', 'shaft 100%; 2 50%']]
-    >>> [table.title for table in tables[1:]]
+    >>> [table.title for table in tables[:3]]
+    ['Rigid modes', 'Natural frequencies', 'Where most of the energy is']
+    >>> tables[1].texts
+    [['1', '1', '10.000', '1.592', '.000', '1.592', '1']]
+    >>> [table.title for table in tables[3:]]
     ['Gear 1: amplitudes of links', ..., 'Gear 1: shares of elastic energy']
     """
-    yield _frequencies(gears)
+    yield _rigid(gears)
+    if any(gear.modes for gear in gears):
+        yield _frequencies(gears)
+        yield _most(gears)
     yield from _damped(gears)
     for gear in gears:
         if gear.modes:
-            of = f"Gear {gear.name}"
-            title = f"{of}: amplitudes of links"
-            yield _by_mode(gear, title, "link", lambda mode: mode.shape, _part)
-            title = f"{of}: torques of devices at these amplitudes [N*m/rad]"
-            yield _by_mode(gear, title, "torque of", lambda mode: mode.torques)
-            title = f"{of}: shares of kinetic energy"
-            yield _by_mode(gear, title, "link", lambda mode: mode.kinetic, _part)
-            title = f"{of}: shares of elastic energy"
-            yield _by_mode(gear, title, "device", lambda mode: mode.elastic, _part)
+            yield _by_mode(gear, "link", "amplitudes of links", lambda mode: mode.shape, _part)
+            torques = "torques of devices at these amplitudes [N*m/rad]"
+            yield _by_mode(gear, "torque of", torques, lambda mode: mode.torques)
+            yield _by_mode(gear, "link", "shares of kinetic energy", lambda m: m.kinetic, _part)
+            yield _by_mode(gear, "device", "shares of elastic energy", lambda m: m.elastic, _part)
 
 
 def _damped(gears: Sequence[GearModes]) -> Iterator[Grid]:
@@ -52,36 +54,52 @@ def _damped(gears: Sequence[GearModes]) -> Iterator[Grid]:
         yield Grid("Eigenvalues of damped vibration", columns, rows, key="damped")
 
 
-_HEADINGS = ("mode", "omega [rad/s]", "frequency [Hz]", "damping ratio", "damped [Hz]", "nodes")
+def _rigid(gears: Sequence[GearModes]) -> Grid:
+    """How many modes are rigid, or why there is none."""
+    rows: list[Row] = [
+        [gear.name, whole(math.nan if gear.error else gear.rigid_modes)] for gear in gears
+    ]
+    columns = [text("gear"), Column("rigid modes")]
+    if any(gear.error for gear in gears):
+        rows = [[*row, gear.error] for row, gear in zip(rows, gears, strict=True)]
+        columns.append(text("note"))
+    return Grid("Rigid modes", columns, rows, key="rigid")
+
+
+_HEADINGS = ("mode", "omega [rad/s]", "frequency [Hz]", "damping [-]", "damped [Hz]", "nodes")
 
 
 def _frequencies(gears: Sequence[GearModes]) -> Grid:
     rows: list[Row] = []
     for gear in gears:
-        note = gear.error or f"{gear.rigid_modes} rigid"
-        rows += [[gear.name, *[Cell("")] * len(_HEADINGS), note]] if not gear.modes else []
         for number, mode in enumerate(gear.modes, 1):
             numbers = mode.omega, mode.frequency, mode.damping_ratio, mode.damped_frequency
-            cells = [whole(number), *map(exact, numbers), whole(mode.nodes)]
-            rows.append([gear.name, *cells, _most(mode)])
-    columns = [text("gear"), *map(Column, _HEADINGS), text("most of its energy")]
+            rows.append([gear.name, whole(number), *map(exact, numbers), whole(mode.nodes)])
+    columns = [text("gear"), *map(Column, _HEADINGS)]
     return Grid("Natural frequencies", columns, rows, key="frequencies")
 
 
-def _most(mode: Mode) -> str:
-    """Where most of the elastic and of the kinetic energy is."""
-    return "; ".join(_largest(shares) for shares in (mode.elastic, mode.kinetic) if shares)
+def _most(gears: Sequence[GearModes]) -> Grid:
+    """The device and the link with the largest shares in each mode."""
+    rows: list[Row] = [
+        [gear.name, whole(number), *_largest(mode.elastic), *_largest(mode.kinetic)]
+        for gear in gears
+        for number, mode in enumerate(gear.modes, 1)
+    ]
+    columns = [text("gear"), Column("mode")]
+    columns += [text("device"), Column("share"), text("link"), Column("share")]
+    return Grid("Where most of the energy is", columns, rows, key="energy")
 
 
-def _largest(shares: Mapping[str, float]) -> str:
-    name = max(shares, key=lambda one: shares[one])
-    return f"{name} {shares[name]:.0%}"
+def _largest(shares: Mapping[str, float]) -> Row:
+    name = max(shares, key=lambda one: shares[one], default="")
+    return [name, exact(shares.get(name))]
 
 
 def _by_mode(
     gear: GearModes,
-    title: str,
     heading: str,
+    what: str,
     values: Callable[[Mode], Mapping[str, float]],
     cell: Callable[[float], Cell] = exact,
 ) -> Grid:
@@ -89,7 +107,8 @@ def _by_mode(
     by_mode = [values(mode) for mode in gear.modes]
     headings = [f"{number}: {mode.omega:.4g}" for number, mode in enumerate(gear.modes, 1)]
     rows: list[Row] = [[name, *(cell(one[name]) for one in by_mode)] for name in by_mode[0]]
-    return Grid(title, [text(heading), *map(Column, headings)], rows)
+    columns = [text(heading), *map(Column, headings)]
+    return Grid(f"Gear {gear.name}: {what}", columns, rows, group=what.partition(" at ")[0])
 
 
 def _part(value: float) -> Cell:

@@ -20,7 +20,7 @@ def largest_grids(gears: Sequence[GearResponse]) -> Iterator[Grid]:
     --------
     >>> one = GearResponse("1", np.array([600.0]))
     >>> [grid.title for grid in largest_grids([one])]
-    ['Resonances']
+    ['Resonances: none at these speeds']
     """
     yield _resonances(gears)
     for gear in gears:
@@ -44,7 +44,8 @@ def speed_grids(gears: Sequence[GearResponse]) -> Iterator[Grid]:
                 columns = [Column("speed [rpm]"), *map(Column, values)]
                 sizes = np.abs(np.array([gear.speeds, *values.values()]))
                 rows: list[Row] = [list(map(exact, line)) for line in sizes.T.tolist()]
-                yield Grid(f"Gear {gear.name}, order {order.order:g}: {title}", columns, rows)
+                name = f"Gear {gear.name}, order {order.order:g}: {title}"
+                yield Grid(name, columns, rows, group=title.partition(" [")[0])
 
 
 def _quantities(
@@ -70,7 +71,8 @@ def _resonances(gears: Sequence[GearResponse]) -> Grid:
     ]
     rows += [[gear.name, "", "", gear.error] for gear in gears if gear.error]
     columns = [text("gear"), Column("order"), Column("mode"), Column("speed [rpm]")]
-    return Grid("Resonances", columns, rows, key="resonances")
+    title = "Resonances" if rows else "Resonances: none at these speeds"
+    return Grid(title, columns, rows, key="resonances")
 
 
 def sum_grids(gears: Sequence[GearResponse]) -> Iterator[Grid]:
@@ -86,4 +88,5 @@ def sum_grids(gears: Sequence[GearResponse]) -> Iterator[Grid]:
             headings = "largest over a cycle", "at [rpm]", "RMS", "at [rpm]"
             columns = [text("name"), *map(Column, headings)]
             if rows:
-                yield Grid(f"Gear {gear.name}, all orders: {title}", columns, rows)
+                name = f"Gear {gear.name}, all orders: {title}"
+                yield Grid(name, columns, rows, group=f"all orders, {title.partition(' of ')[0]}")
