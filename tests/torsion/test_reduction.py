@@ -101,6 +101,20 @@ def test_a_frame_behind_the_casing_is_scaled_as_the_casing() -> None:
     assert natural_frequencies(scheme) == pytest.approx(omegas, rel=1e-11)
 
 
+def test_a_ring_gear_on_the_casing_takes_the_reaction_with_it() -> None:
+    """The casing takes ``1 - 3*4`` of a torque at the engine: of the set and of the final drive."""
+    case = Transmission(
+        5, [ShiftElement(2, 5, name="brake")],
+        [Mechanism(1, 2, 3, -2.0, name="set"), Mechanism(3, 4, 5, 4.0, stiffness=900.0)],
+        [Gear([1])], output=4, inertias={1: 0.2, 4: 3.0, 5: 0.5},
+        springs=[Spring({5: 1}, compliance=0.01, name="mount")],
+    )  # fmt: skip
+    [found] = reduce(case, 1)
+    assert found.merged == {"2": ["5"]}
+    assert found.inertias["2"] == pytest.approx(0.5 / 11**2)
+    assert found.compliances["mount"] == pytest.approx(0.01 * 11**2)
+
+
 def test_what_does_not_turn_with_the_link_has_no_value() -> None:
     case = Transmission(
         4, [ShiftElement(2, 3, name="C")], [], [Gear([]), Gear([1])], output=4,

@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given, settings
 
 from tests.torsion.systems import branched, chain, matrices, with_planetary_set
-from vstatics import Damping, ReadError, Spring, Transmission
+from vstatics import Damping, Mechanism, ReadError, Spring, Transmission
 from vstatics.torsion.cycle import summed
 from vstatics.torsion.gear_modes import modes
 from vstatics.torsion.response import RAD_PER_RPM, Harmonic, response
@@ -97,6 +97,62 @@ def test_an_undamped_system_that_is_hit_exactly_has_no_value() -> None:
     assert np.isnan(gear.orders[0].torques["mount"]).tolist() == [True, False]
     [damped] = response(one_mass(1.0), 1, [Harmonic(1.0)], [hit])
     assert abs(damped.orders[0].amplitudes["1"][0]) == pytest.approx(1 / 40)
+
+
+def test_a_part_without_damping_that_is_hit_exactly_has_no_value() -> None:
+    """Two pairs of masses apart from each other, of which one is damped."""
+    shafts = [
+        Spring({1: 1, 2: -1}, stiffness=150.0, name="s"),
+        Spring({3: 1, 4: -1}, stiffness=50.0, damping=0.1, name="t"),
+    ]
+    case = Transmission(4, [], [], [], springs=shafts, inertias={1: 1.0, 2: 2.0, 3: 1.0, 4: 1.0})
+    omegas = [mode.omega for mode in modes(case)[0].modes]
+    assert omegas == pytest.approx([10.0, 15.0])
+    for at in (1, 3):
+        [gear] = response(case, at, [Harmonic(1.0)], np.array(omegas) / RAD_PER_RPM)
+        assert np.isnan(gear.orders[0].amplitudes["1"]).tolist() == [False, True]
+
+
+def test_a_mass_that_stands_still_at_its_own_frequency() -> None:
+    """An absorber: the mass on which the torque acts stands, at ``c = J w^2`` of the other."""
+    spring = Spring({1: 1, 2: -1}, stiffness=64.0, name="absorber")
+    case = Transmission(2, [], [], [], springs=[spring], inertias={1: 1.0, 2: 1.0})
+    [gear] = response(case, 1, [Harmonic(1.0)], [8.0 / RAD_PER_RPM])
+    assert abs(gear.orders[0].amplitudes["1"][0]) < 1e-15
+    assert gear.orders[0].amplitudes["2"][0] == pytest.approx(-1 / 64)
+    assert gear.orders[0].torques["absorber"][0] == pytest.approx(1.0)
+
+
+def test_a_link_that_nothing_resists_has_no_value_and_its_device_no_torque() -> None:
+    case = Transmission(
+        4, [], [Mechanism(3, 4, 0, 2.0, name="loose")], [], inertias={1: 1.0, 2: 2.0},
+        springs=[Spring({1: 1, 2: -1}, stiffness=150.0, name="s")],
+    )  # fmt: skip
+    [gear] = response(case, 1, [Harmonic(1.0)], [100.0])
+    assert np.isnan(gear.orders[0].amplitudes["3"][0])
+    assert gear.orders[0].torques["loose"][0] == 0
+    assert response(case, 3, [Harmonic(1.0)], [100.0])[0].error.startswith("link 3 has no inertia")
+
+
+def test_many_speeds_are_solved_piece_by_piece(monkeypatch: pytest.MonkeyPatch) -> None:
+    case, speeds = with_planetary_set(), np.linspace(10, 5000, 50)
+    [whole, _] = response(case, 1, [Harmonic(2.0)], speeds)
+    monkeypatch.setattr("vstatics.torsion.response.ENTRIES", 40)
+    [pieces, _] = response(case, 1, [Harmonic(2.0)], speeds)
+    for name, values in whole.orders[0].amplitudes.items():
+        np.testing.assert_allclose(pieces.orders[0].amplitudes[name], values, rtol=1e-12)
+
+
+@pytest.mark.filterwarnings("error")
+@pytest.mark.parametrize("speed", [1e-300, 1e300])
+def test_absurd_speeds_have_no_value(speed: float) -> None:
+    [gear, _] = response(with_planetary_set(), 1, [Harmonic(speed)], [speed])
+    assert np.isnan(gear.orders[0].amplitudes["1"]).all()
+
+
+def test_orders_far_apart_meet_in_every_phase() -> None:
+    found = summed([0.5, 2_000_000.5], [np.array([3.0 + 0j]), np.array([-4j])])
+    assert found.largest[0] == pytest.approx(7)
 
 
 def test_the_largest_value_of_several_orders() -> None:

@@ -17,6 +17,8 @@ LONGEST = 720
 """Revolutions of a cycle; orders that have no such cycle in common meet in every phase."""
 POINTS = 32
 """By period of the highest order, from where the largest value is found by Newton's rule."""
+MOST_POINTS = 1_000_000
+"""Orders that need more, far apart from each other, meet in every phase, too."""
 
 
 class Sum(NamedTuple):
@@ -50,7 +52,7 @@ def summed(orders: Sequence[float], amplitudes: Sequence[Complex]) -> Sum:
     sizes = np.abs(stacked)
     rms = np.sqrt((sizes**2).sum(axis=0) / 2)
     cycle = _cycle(orders)
-    if cycle is None:
+    if cycle is None or POINTS * max(orders) * cycle > MOST_POINTS:
         return Sum(sizes.sum(axis=0), rms)
     count = math.ceil(POINTS * max(orders) * cycle)
     angles = 2 * math.pi * cycle * np.arange(count) / count

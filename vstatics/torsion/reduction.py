@@ -218,11 +218,17 @@ def _by(row: Floats, own: Floats) -> float | None:
 def _reaction(
     system: TorsionalSystem, link: int, to: int, ends: tuple[int, int], standing: set[int]
 ) -> float | None:
-    """How far the link `to` turns with one that stands, when that is let go and an end is held."""
+    """How far the link `to` turns with one that stands, when that is let go and an end is held.
+
+    What is rigidly joined to it is let go with it, as a ring gear that is held by the casing.
+    """
+    group = next((set(one) for one in joined_links(system) if link in one), {link})
     kept = [
         device.twist
         for device in system.devices
-        if not (link in device.twist and standing.issuperset(device.twist))
+        if group.isdisjoint(device.twist)
+        or not standing.issuperset(device.twist)
+        or (device.stiffness is None and group.issuperset(device.twist))
     ]
     found = []
     for end in ends:

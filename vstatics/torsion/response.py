@@ -11,17 +11,19 @@ from numpy.typing import NDArray
 
 from vstatics.model.damping import damping
 from vstatics.model.transmission import Gear, Transmission
-from vstatics.numerics.arrays import Floats
+from vstatics.numerics.arrays import Booleans, Floats
 from vstatics.numerics.tolerances import NOISE
 from vstatics.torsion.coordinates import Coordinates, coordinates, form_values, rows
 from vstatics.torsion.naming import own_torques
-from vstatics.torsion.natural import natural_modes
+from vstatics.torsion.natural import NaturalModes, natural_modes
 from vstatics.torsion.state import vibrating
 from vstatics.torsion.system import TorsionalSystem
 from vstatics.torsion.torques import balance
 
 Complex = NDArray[np.complex128]
 RAD_PER_RPM = math.pi / 30
+ENTRIES = 1_000_000
+"""Of the matrices that are solved at once."""
 
 
 class Harmonic(NamedTuple):
@@ -131,18 +133,32 @@ def _gear_response(
         return GearResponse(gear.name, speeds, error=system)
     split = coordinates(system)
     if split.undetermined[at] or not split.free[at].any():
-        why = "stands still" if not split.free[at].any() else "has no inertia and no resistance"
+        why = "has no inertia and no resistance" if split.undetermined[at] else "stands still"
         return GearResponse(gear.name, speeds, error=f"link {system.names[at]} {why}")
-    omegas = natural_modes(system, split).omegas
+    natural = natural_modes(system, split)
+    undamped = natural.omegas[_are_undamped(system, natural)]
     found = []
     for one in harmonics:
-        excited = one.order * RAD_PER_RPM * speeds
-        amplitudes = _amplitudes(system, split, at, excited, omegas)
-        amplitudes *= one.amplitude * np.exp(1j * one.phase)
-        by_device = _torques(system, at, excited, amplitudes, one)
+        with np.errstate(over="ignore", invalid="ignore"):  # of absurd speeds: there is no value
+            excited = one.order * RAD_PER_RPM * speeds
+            amplitudes = _amplitudes(system, split, at, excited, undamped)
+            amplitudes *= one.amplitude * np.exp(1j * one.phase)
+            by_device = _torques(system, at, excited, amplitudes, one)
+        amplitudes[split.undetermined] = np.nan
         links = dict(zip(system.names[: system.own], amplitudes, strict=False))
         found.append(OrderResponse(one.order, links, own_torques(case, by_device)))
-    return GearResponse(gear.name, speeds, found, _resonances(omegas, harmonics, speeds))
+    return GearResponse(gear.name, speeds, found, _resonances(natural.omegas, harmonics, speeds))
+
+
+def _are_undamped(system: TorsionalSystem, natural: NaturalModes) -> Booleans:
+    """Of each mode, whether nothing takes energy from it."""
+    resisted = np.zeros(natural.omegas.shape)
+    stored = np.zeros(natural.omegas.shape)
+    for device in system.elastic:
+        energy = form_values(device.twist, natural.shapes) ** 2
+        stored += (device.stiffness or 0.0) * energy
+        resisted += (device.stiffness or 0.0) * energy * bool(device.damping)
+    return resisted <= NOISE * stored
 
 
 def _resonances(omegas: Floats, harmonics: Sequence[Harmonic], speeds: Floats) -> list[Resonance]:
@@ -157,26 +173,42 @@ def _resonances(omegas: Floats, harmonics: Sequence[Harmonic], speeds: Floats) -
 
 
 def _amplitudes(
-    system: TorsionalSystem, split: Coordinates, at: int, excited: Floats, omegas: Floats
+    system: TorsionalSystem, split: Coordinates, at: int, excited: Floats, undamped: Floats
 ) -> Complex:
-    """Of all links under 1 N*m, of shape (links, speeds) [rad]."""
-    mass, stiffness, resistance, hysteresis = _matrices(system, split.free)
-    undamped = not resistance.any() and not hysteresis.any()
-    found = np.full((len(system.names), len(excited)), np.nan, complex)
-    hit = (excited == 0) & (split.rigid.shape[1] > 0)
-    if undamped:
-        near = np.abs(excited[:, None] - omegas) <= NOISE * omegas
-        hit |= near.any(axis=1)
+    """Of all links under 1 N*m, of shape (links, speeds) [rad].
+
+    There is none where an undamped mode is hit, or all turn as one at a speed of 0.
+    """
+    hit = np.any(np.abs(excited[:, None] - undamped) <= NOISE * undamped, axis=1)
+    hit |= (excited == 0) & (split.rigid.shape[1] > 0)
     asked = np.flatnonzero(~hit)
-    omega = excited[asked][:, None, None]
-    dynamic = stiffness + 1j * (omega * resistance + np.sign(omega) * hysteresis) - omega**2 * mass
-    scale = 1 / np.sqrt(np.abs(np.diagonal(dynamic, axis1=1, axis2=2)))
-    scaled = dynamic * scale[:, :, None] * scale[:, None, :]
-    force = (split.free[at] * scale)[:, :, None].astype(complex)
-    solved = np.linalg.solve(scaled, force)[:, :, 0] * scale
-    found[:, asked] = split.free @ solved.T
-    found[split.undetermined] = np.nan
+    matrices = _matrices(system, split.free)
+    found = np.full((len(system.names), len(excited)), np.nan, complex)
+    pieces = math.ceil(len(asked) * split.free.shape[1] ** 2 / ENTRIES)
+    for part in np.array_split(asked, max(1, pieces)):
+        found[:, part] = split.free @ _solved(matrices, split.free[at], excited[part]).T
     return found
+
+
+def _solved(
+    matrices: tuple[Floats, Floats, Floats, Floats], forces: Floats, omegas: Floats
+) -> Complex:
+    """Amplitudes of free motions, of shape (speeds, motions)."""
+    mass, stiffness, resistance, hysteresis = matrices
+    omega = omegas[:, None, None]
+    dynamic = stiffness + 1j * (omega * resistance + np.sign(omega) * hysteresis) - omega**2 * mass
+    sizes = np.diag(stiffness) + omegas[:, None] ** 2 * np.diag(mass)
+    scale = 1 / np.sqrt(np.where(sizes, sizes, 1.0))
+    scaled = dynamic * scale[:, :, None] * scale[:, None, :]
+    forced = (forces * scale)[:, :, None].astype(complex)
+    try:
+        solved: Complex = np.linalg.solve(scaled, forced)
+    except np.linalg.LinAlgError:  # one of them is singular
+        if len(omegas) == 1:
+            return np.full(scale.shape, np.nan, complex)
+        each = [_solved(matrices, forces, omegas[[n]]) for n in range(len(omegas))]
+        return np.concatenate(each)
+    return solved[:, :, 0] * scale
 
 
 def _matrices(system: TorsionalSystem, free: Floats) -> tuple[Floats, Floats, Floats, Floats]:
