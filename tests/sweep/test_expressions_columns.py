@@ -112,7 +112,7 @@ def test_each_heading_reads_back_as_its_column_whatever_the_names(
     cells = columns.parts[0].cells
     for heading, (gear, row) in zip(columns.headings, cells, strict=True):
         (again,) = read_columns(heading, case, []).parts
-        assert again.expression.node == (table, gear, row if rows else None, bool(rows))
+        assert again.expression.node == (table, gear, row if rows else None, len(rows))
 
 
 def test_columns_of_the_published_gearbox_are_the_published_numbers() -> None:

@@ -83,7 +83,7 @@ def test_a_table_as_people_write_it(text: str) -> None:
 
 def test_columns_stand_in_any_order_and_names_may_be_odd() -> None:
     table = read('1.ratio,"D.2=x.ratio",D1.efficiency\n3,2,1\n')
-    assert [target.mechanism for target in table.targets] == [2, 1, 0]
+    assert [target.owner for target in table.targets] == [2, 1, 0]
     assert table.block(0, 1).tolist() == [[3, 2, 1]]
     assert rows("D1.ratio\n-2\n-3\n") == [[-2], [-3]]
 
@@ -101,7 +101,7 @@ def test_what_can_be_no_ratio_is_left_to_the_result() -> None:
         ("\n1\n", 1, 1, "read an empty line"),
         ("D1.ratio\n", 0, 0, "there is no variant, expected a line of numbers"),
         ("D1.ratio\n\n \n", 0, 0, "there is no variant"),
-        ("variant\n1\n", 1, 1, "no column is a number of a mechanism"),
+        ("variant\n1\n", 1, 1, "no column is a number of the case"),
         ("D1.ratio, D1.ratoi\n1,2\n", 1, 14, "read `ratoi`, expected `ratio` or `efficiency`; did"),
         ("D1.ratio,D4.ratio\n1,2\n", 1, 10, "there is no mechanism `D4`"),
         ("varaint,D1.ratio\n1,2\n", 1, 1, "did you mean `variant`?"),

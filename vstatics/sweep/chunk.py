@@ -17,7 +17,8 @@ import numpy as np
 from vstatics.numerics.arrays import Booleans, Floats, Integers
 from vstatics.statics import status
 from vstatics.statics.results import Results
-from vstatics.statics.solve import impossible, solve
+from vstatics.statics.solve import solve
+from vstatics.sweep.block_tables import BlockTables, block_tables, possible_numbers
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -25,7 +26,6 @@ if TYPE_CHECKING:
     from vstatics.jobs.pieces import Account
     from vstatics.model.transmission import Transmission
     from vstatics.sweep.plan import SweepPlan
-    from vstatics.sweep.targets import Quantity, Target
 
 Codes = np.ndarray[Any, np.dtype[np.uint8]]
 
@@ -107,7 +107,7 @@ def calculate(plan: SweepPlan, start: int, stop: int) -> Chunk:
     Chunk
         With a row for each variant that passed the plan's condition.
     """
-    own = solve(plan.case)
+    own = solve(plan.case) if plan.asks_for_results else None
     parts = [_block(plan, own, *ends) for ends in blocks(plan.case, start, stop)]
     return joined(parts)
 
@@ -146,18 +146,17 @@ def variant_bytes(case: Transmission) -> int:
     return len(case.gears) * (8 * numbers + elements + 2 * mechanisms + 6)
 
 
-def _block(plan: SweepPlan, own: Results, start: int, stop: int) -> Chunk:
+def _block(plan: SweepPlan, own: Results | None, start: int, stop: int) -> Chunk:
     """The rows of a block; the plan's condition is asked before columns are made."""
-    case, targets = plan.case, plan.variants.targets
     values = plan.variants.block(start, stop)
-    numbers, invalid = _numbers(case, targets, values)
-    results = solve(case, ratios=numbers.get("ratio"), efficiencies=numbers.get("efficiency"))
-    status = _status(results, own)
+    possible, invalid = possible_numbers(plan.case, plan.variants.targets, values)
+    tables = block_tables(plan, possible)
+    status = _status(tables, own, len(values))
     status[invalid] = INVALID
     with np.errstate(all="ignore"):
-        columns = _existing(plan.columns(results, values), invalid)
-        objectives = _existing(plan.objective_values(results, values), invalid)
-        passed = None if plan.where is None else plan.where(results, values).astype(np.bool_)
+        columns = _existing(plan.columns(tables, values), invalid)
+        objectives = _existing(plan.objective_values(tables, values), invalid)
+        passed = None if plan.where is None else plan.where(tables, values).astype(np.bool_)
     counts = np.bincount(status, minlength=len(STATUS)).tolist()
     chunk = Chunk(
         start,
@@ -176,40 +175,19 @@ def _block(plan: SweepPlan, own: Results, start: int, stop: int) -> Chunk:
     return chunk if passed.all() else chunk.rows(passed)
 
 
-def _own(case: Transmission, quantity: Quantity, count: int) -> Floats:
-    """The case's own numbers, (mechanisms, variants): each mechanism's lie together."""
-    numbers = np.empty((len(case.mechanisms), count))
-    numbers.T[:] = [getattr(mechanism, quantity) for mechanism in case.mechanisms]
-    return numbers
-
-
-def _numbers(
-    case: Transmission, targets: tuple[Target, ...], values: Floats
-) -> tuple[dict[Quantity, Floats], Booleans]:
-    """What `vstatics.solve` takes of a block, (variants, mechanisms), and who is invalid.
-
-    An invalid variant has the case's own number where its own can be none.
-    """
-    quantities = {target.quantity for target in targets} or {"ratio"}
-    numbers = {quantity: _own(case, quantity, len(values)) for quantity in quantities}
-    invalid = np.zeros(len(values), dtype=np.bool_)
-    for column, target in enumerate(targets):
-        mechanism, varied = case.mechanisms[target.mechanism], values[:, column]
-        wrong = impossible(target.quantity, varied)
-        numbers[target.quantity][target.mechanism] = varied
-        if wrong.any():
-            own = getattr(mechanism, target.quantity)
-            numbers[target.quantity][target.mechanism][wrong] = own
-            invalid |= wrong
-    return {quantity: table.T for quantity, table in numbers.items()}, invalid
-
-
-def _status(results: Results, own: Results) -> Codes:
+def _status(tables: BlockTables, own: Results | None, variants: int) -> Codes:
     """The worst that can be said of the gears of each variant.
 
-    Whole arrays are asked first: most often nothing is to be said of any variant.
+    Whole arrays are asked first: most often nothing is to be said of any variant. Where modes
+    alone are asked for it is said of the gears that are asked for.
     """
-    status = np.zeros(len(results.ratio), dtype=np.uint8)
+    status = np.zeros(variants, dtype=np.uint8)
+    results, modes = tables
+    if results is None or own is None:
+        if modes is not None:
+            status[modes.tied_up] = TIED_UP
+            status[modes.conflict] = CONFLICT
+        return status
     unlike = ((results.missing > 0) & (own.missing == 0), ~results.balanced & own.balanced)
     for code, said in (
         *((OPEN, wrong) for wrong in unlike),

@@ -11,9 +11,10 @@ import numpy as np
 
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Floats
-from vstatics.statics.results import Results
 from vstatics.sweep.expressions import Expression
 from vstatics.sweep.expressions.columns import OutputColumns
+from vstatics.sweep.expressions.names import Tables
+from vstatics.sweep.frequencies import OMEGA
 from vstatics.sweep.selection import Objective
 from vstatics.sweep.variants import Variants
 
@@ -71,14 +72,41 @@ class SweepPlan:
         """The first variant of a piece, and the one behind its last."""
         return piece * self.piece, min((piece + 1) * self.piece, self.variants.count)
 
-    def objective_values(self, results: Results, values: Floats) -> Floats:
+    @property
+    def expressions(self) -> Iterator[Expression]:
+        """All that is asked of a variant."""
+        yield from (part.expression for part in self.columns.parts)
+        yield from (objective.expression for objective in self.objectives)
+        if self.where is not None:
+            yield self.where
+
+    @property
+    def asks_for_results(self) -> bool:
+        """Whether the results of statics are asked for: unless all that is asked is of modes."""
+        tables = {part.table for one in self.expressions for part in one.selections}
+        return tables != {OMEGA}
+
+    @property
+    def modes(self) -> dict[int, list[int]]:
+        """The natural frequencies that are asked for: index of a gear -> indices of modes."""
+        asked: dict[int, set[int]] = {}
+        for expression in self.expressions:
+            for part in expression.selections:
+                if part.table == OMEGA:
+                    gears = range(len(self.case.gears)) if part.gear is None else [part.gear]
+                    every = range(part.rows) if part.row is None else [part.row]
+                    for gear in gears:
+                        asked.setdefault(gear, set()).update(every)
+        return {gear: sorted(modes) for gear, modes in sorted(asked.items())}
+
+    def objective_values(self, tables: Tables, values: Floats) -> Floats:
         """(variants, objectives): each is better the smaller it is.
 
         To as many digits as are written, so that rounding prefers nobody.
         """
         objectives = np.empty((len(values), len(self.objectives)))
         for column, objective in enumerate(self.objectives):
-            objectives[:, column] = objective.sign * rounded(objective.expression(results, values))
+            objectives[:, column] = objective.sign * rounded(objective.expression(tables, values))
         return objectives
 
     def fingerprint(self, *more: str) -> str:

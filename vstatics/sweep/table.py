@@ -141,7 +141,9 @@ def _header(head: bytes, file: str, case: Transmission) -> _Columns:
     if not line.strip():
         raise refusal("read an empty line, expected names such as D1.ratio", Place(file, 1, 1))
     separator = ";" if line.count(";") > line.count(",") else ","
-    names, targets, chosen = [], [], []
+    names: list[str] = []
+    targets: list[Target] = []
+    chosen: list[int] = []
     problems: list[Problem] = []
     for index, (name, column) in enumerate(_cells(line, separator)):
         if len(problems) >= MOST_PROBLEMS:
@@ -159,13 +161,13 @@ def _header(head: bytes, file: str, case: Transmission) -> _Columns:
                 problem._replace(message=problem.message + hint) for problem in error.problems
             ]
             continue
-        if varied in targets:
+        if varied.number in [one.number for one in targets]:
             message = f"{varied.name} has a column already, expected each number once"
             problems.append(Problem(message, place=place))
         targets.append(varied)
         chosen.append(index)
     if not (targets or problems):
-        message = "no column is a number of a mechanism, expected names such as D1.ratio"
+        message = "no column is a number of the case, expected names such as D1.ratio"
         problems.append(Problem(message, place=Place(file, 1, 1, line)))
     if problems:
         raise ReadError(problems)

@@ -1,30 +1,47 @@
-"""Which number of which mechanism is varied: "D1.ratio", "#3.efficiency"."""
+"""Which number of the case is varied: "D1.ratio", "#3.efficiency", "shaft.stiffness"."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from typing import Literal, NamedTuple, get_args
 
-from vstatics.errors import Place, Problem, ReadError, nearest, quoted, typed_number
+from vstatics.errors import Place, Problem, ReadError, listed, nearest, quoted, spoken, typed_number
 from vstatics.model.transmission import Transmission
 from vstatics.readers.deck.places import LISTS
+from vstatics.sweep.own_numbers import damping_of, devices_of, has_vibration, stiffness_of
 from vstatics.tables.names import no_row, rows_called, several
 
-Quantity = Literal["ratio", "efficiency"]
-QUANTITIES: tuple[Quantity, ...] = get_args(Quantity)
-ALIASES: Mapping[str, Quantity] = {LISTS["mechanisms", one]: one for one in QUANTITIES}
+OfMechanism = Literal["ratio", "efficiency"]
+OfDevice = Literal["stiffness", "compliance", "damping"]
+Quantity = OfMechanism | OfDevice | Literal["inertia"]
+Owner = Literal["mechanisms", "devices", "links"]
+"""What has a number: devices are shift elements, mechanisms and springs."""
+
+OF_MECHANISM: tuple[OfMechanism, ...] = get_args(OfMechanism)
+OF_DEVICE: tuple[OfDevice, ...] = get_args(OfDevice)
+OWNERS: Mapping[Quantity, Owner] = {
+    **dict.fromkeys(OF_MECHANISM, "mechanisms"),
+    **dict.fromkeys(OF_DEVICE, "devices"),
+    "inertia": "links",
+}
+ALIASES: Mapping[str, Quantity] = {LISTS["mechanisms", one]: one for one in OF_MECHANISM}
 """What the deck calls them, IAB and ETAI."""
-NAMES: Mapping[str, Quantity] = {**{one: one for one in QUANTITIES}, **ALIASES}
+NAMES: Mapping[str, Quantity] = {**{one: one for one in OWNERS}, **ALIASES}
 
 
 class Target(NamedTuple):
-    """A number of a mechanism that is varied."""
+    """A number of the case that is varied."""
 
     name: str
-    """With the case's own name of the mechanism: `D1.ratio`."""
-    mechanism: int
-    """Index of the mechanism, from 0."""
+    """With the case's own name of what has it: `D1.ratio`."""
+    owner: int
+    """Index, from 0: of a mechanism; for what is elastic in `Transmission.devices`; of a link."""
     quantity: Quantity
+
+    @property
+    def number(self) -> tuple[int, str]:
+        """What two have in common that vary the same: a compliance is a stiffness, too."""
+        return self.owner, "stiffness" if self.quantity == "compliance" else self.quantity
 
 
 def target(text: str, case: Transmission, place: Place | None = None) -> Target:
@@ -34,8 +51,9 @@ def target(text: str, case: Transmission, place: Place | None = None) -> Target:
     ----------
     text : str
         The name of a mechanism, or `#` and its number, then `.ratio` or `.efficiency`, in a
-        deck `.IAB` or `.ETAI`. The name may stand in quotes; a bare number is taken as a name
-        first. A drawn element alone is its only mechanism.
+        deck `.IAB` or `.ETAI`; an elastic device, then `.stiffness`, `.compliance` or
+        `.damping`; a link, then `.inertia`. The name may stand in quotes; a bare number is taken
+        as a name first. A drawn element alone is its only mechanism.
     case : Transmission
     place : Place, optional
         Where the text begins, for messages.
@@ -50,47 +68,113 @@ def target(text: str, case: Transmission, place: Place | None = None) -> Target:
     >>> from vstatics.model.transmission import Gear, Mechanism, Transmission
     >>> case = Transmission(3, [], [Mechanism(1, 2, 3, -2.5, name="front")], [Gear()])
     >>> target("front.efficiency", case)
-    Target(name='front.efficiency', mechanism=0, quantity='efficiency')
+    Target(name='front.efficiency', owner=0, quantity='efficiency')
     >>> target("#1.ratio", case).name
     'front.ratio'
     """
     begin = len(text) - len(text.lstrip())
-    name, dot, quantity = map(str.strip, text.strip().rpartition("."))
-    if not case.mechanisms:
+    name, dot, read = map(str.strip, text.strip().rpartition("."))
+    known = {quantity: owner for quantity, owner in OWNERS.items() if _usable(owner, case)}
+    if not known:
         raise refusal("the case has no mechanisms, so there is nothing to vary", place, begin)
     if not dot or not name:
-        known = [f"{mechanism.name}.{part}" for mechanism in case.mechanisms for part in QUANTITIES]
-        hint = nearest(text.strip(), known) or f"; such as `{known[0]}`"
-        expected = "a mechanism, then `.ratio` or `.efficiency`"
-        raise refusal(f"read {shown(text)}, expected {expected}{hint}", place, begin)
-    found = _mechanisms(name.rstrip(), case)
+        raise refusal(_no_number(text, known, case), place, begin)
+    at = begin + len(name) + 1
+    name = name.rstrip()
+    if read not in NAMES:
+        expected = [one for one, owner in known.items() if len(_found(name, owner, case)) == 1]
+        if not expected:
+            raise refusal(_not_one(name, next(iter(known)), case), place, begin)
+        message = f"read {shown(read)}, expected {spoken(map(quoted, expected), 'or')}"
+        raise refusal(message + nearest(read, [*expected, *ALIASES]), place, at)
+    quantity = NAMES[read]
+    found = _found(name, OWNERS[quantity], case)
     if len(found) != 1:
-        raise refusal(_not_one(name.rstrip(), found, case), place, begin)
-    if quantity not in NAMES:
-        hint = nearest(quantity, NAMES)
-        message = f"read {shown(quantity)}, expected `ratio` or `efficiency`{hint}"
-        raise refusal(message, place, begin + len(name) + 1)
-    index, varied = found[0], NAMES[quantity]
-    return Target(f"{case.mechanisms[index].name}.{varied}", index, varied)
+        raise refusal(_not_one(name, quantity, case), place, begin)
+    if quantity == "damping" and damping_of(devices_of(case)[found[0]]).loss_factor:
+        message = f"{quoted(name)} is damped by a ratio or a loss factor, expected N*m*s/rad there"
+        raise refusal(message, place, begin)
+    return Target(f"{_names(OWNERS[quantity], case)[found[0]]}.{quantity}", found[0], quantity)
 
 
-def _mechanisms(name: str, case: Transmission) -> list[int]:
-    """Indices of mechanisms by their name, or that of a drawn element, else by their number."""
-    found = rows_called(name, "mechanisms", case)
+def _usable(owner: Owner, case: Transmission) -> Sequence[str]:
+    """The names of what a case has that can be varied: of devices those that are elastic."""
+    names = _names(owner, case)
+    if owner == "devices":
+        devices = zip(names, devices_of(case), strict=True)
+        return [name for name, device in devices if stiffness_of(device) is not None]
+    return names if owner == "mechanisms" or has_vibration(case) else []
+
+
+def _names(owner: Owner, case: Transmission) -> Sequence[str]:
+    """The names of all mechanisms, devices, or links."""
+    if owner == "mechanisms":
+        return [mechanism.name for mechanism in case.mechanisms]
+    return case.devices if owner == "devices" else case.link_names[: case.own_links]
+
+
+def _found(name: str, owner: Owner, case: Transmission) -> list[int]:
+    """Indices of what a name means, or else a number; only elastic ones of the devices."""
+    found = _called(name, owner, case)
     if not found and len(name) > 2 and name[0] == name[-1] and name[0] in "\"'":
-        found = rows_called(name[1:-1], "mechanisms", case)
-    number = typed_number(name.removeprefix("#"), len(case.mechanisms))
-    return found or ([] if number is None else [number - 1])
+        found = _called(name[1:-1], owner, case)
+    number = typed_number(name.removeprefix("#"), len(_names(owner, case)))
+    found = found or ([] if number is None else [number - 1])
+    if owner == "devices":
+        devices = devices_of(case)
+        found = [index for index in found if stiffness_of(devices[index]) is not None]
+    return found
 
 
-def _not_one(name: str, found: Sequence[int], case: Transmission) -> str:
-    """What to say of a name that no mechanism has, or several of one element."""
-    names = [mechanism.name for mechanism in case.mechanisms]
-    if found:
-        return several(name, found, names, "mechanisms")
-    if name.startswith("#"):
-        return f"read {shown(name)}, expected the number of a mechanism, #1 to #{len(names)}"
-    return no_row(name, "mechanisms", names)
+def _called(name: str, owner: Owner, case: Transmission) -> list[int]:
+    """Indices of what has a name; a drawn element is its mechanisms."""
+    if owner != "devices":
+        return rows_called(name, owner, case)
+    first = case.among_devices.start
+    of_elements = [first + index for index in rows_called(name, "mechanisms", case)]
+    others = [index for index, device in enumerate(case.devices) if device == name]
+    return sorted({*of_elements, *others})
+
+
+def _no_number(text: str, known: Mapping[Quantity, Owner], case: Transmission) -> str:
+    """What to say of a text without a point."""
+    expected = "; or ".join(
+        f"{words}, then {spoken([f'`.{one}`' for one, of in known.items() if of == owner], 'or')}"
+        for owner, words in _WORDS.items()
+        if owner in known.values()
+    )
+    names = [f"{name}.{one}" for one, owner in known.items() for name in _usable(owner, case)]
+    hint = nearest(text.strip(), names) or f"; such as `{names[0]}`"
+    return f"read {shown(text)}, expected {expected}{hint}"
+
+
+_WORDS: Mapping[Owner, str] = {
+    "mechanisms": "a mechanism",
+    "devices": "an elastic device",
+    "links": "a link",
+}
+
+
+def _not_one(name: str, quantity: Quantity, case: Transmission) -> str:
+    """What to say of a name that nothing has that can be varied, or several parts of a device."""
+    owner = OWNERS[quantity]
+    names, usable, called = _names(owner, case), _usable(owner, case), _called(name, owner, case)
+    if not usable:
+        without = {"mechanisms": "has no mechanisms", "devices": "has nothing that is elastic"}
+        what = without.get(owner, "has no inertias, and nothing that is elastic")
+        return f"the case {what}, so there is no {quantity} to vary"
+    numbered = typed_number(name.removeprefix("#"), len(names))
+    if name.startswith("#") and numbered is None:
+        what = _WORDS[owner].replace("an elastic", "a")
+        return f"read {shown(name)}, expected the number of {what}, #1 to #{len(names)}"
+    if owner == "devices" and (called or numbered):
+        return f"{quoted(name)} is rigid: give it a `stiffness` in the case, so that it can vary"
+    if called:
+        return several(name, called, names, owner)
+    if owner == "devices":
+        hint = nearest(name, usable)
+        return f"there is no elastic device {quoted(name)}, expected one of {listed(usable)}{hint}"
+    return no_row(name, owner, names)
 
 
 def refusal(message: str, place: Place | None, offset: int = 0) -> ReadError:

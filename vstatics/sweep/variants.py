@@ -220,17 +220,17 @@ def checked_targets(variations: Iterable[Variation]) -> tuple[Target, ...]:
     ReadError
         If a number is varied twice or has no values.
     """
-    seen: set[Target] = set()
+    seen: set[tuple[int, str]] = set()
     problems = []
     targets = []
     for target, values, place in variations:
-        if target in seen:
+        if target.number in seen:
             message = f"{target.name} is varied twice, expected each number once"
             problems.append(Problem(message, place=place))
         if not isinstance(values, Span) and not len(values):
             message = f"{target.name} has no values, expected at least one"
             problems.append(Problem(message, place=place))
-        seen.add(target)
+        seen.add(target.number)
         targets.append(target)
     if problems:
         raise ReadError(problems)

@@ -35,7 +35,7 @@ class Span(NamedTuple):
 
 
 class Variation(NamedTuple):
-    """A number of a mechanism, and the values that it takes."""
+    """A number of the case, and the values that it takes."""
 
     target: Target
     values: Floats | Steps | Span

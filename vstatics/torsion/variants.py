@@ -101,7 +101,7 @@ def _of_one_structure(
         for body, inertia in zip(system.bodies, heavy.first.tolist(), strict=True)
     ]
     alike = _Alike(system._replace(bodies=tuple(bodies)), stiff, heavy)
-    existing = [mode for mode in modes if mode < alike.count]
+    existing = [mode for mode in modes if mode < alike.split.modes]
     found = np.full((variants, len(modes)), np.nan)
     if existing:
         places = [index for index, mode in enumerate(modes) if mode in existing]
@@ -134,12 +134,6 @@ class _Alike:
     def __init__(self, system: TorsionalSystem, stiff: _Numbers, heavy: _Numbers) -> None:
         self.system, self.stiff, self.heavy = system, stiff, heavy
         self.split = coordinates(system)
-
-    @property
-    def count(self) -> int:
-        """How many modes there are."""
-        free, massless, rigid = self.split.free, self.split.massless, self.split.rigid
-        return int(free.shape[1] - massless.shape[1] - rigid.shape[1])
 
     def frequencies(self, modes: Sequence[int], variants: int) -> Floats:
         """Of shape (variants, modes), or (1, modes) if they are the same in all."""

@@ -15,7 +15,7 @@ of --out of it.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple, TypeAlias
 
@@ -23,15 +23,15 @@ import numpy as np
 
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Floats
-from vstatics.statics.results import Results
 from vstatics.sweep.expressions.evaluation import FUNCTIONS, REDUCTIONS, evaluate
 from vstatics.sweep.expressions.excerpt import Excerpt
 from vstatics.sweep.expressions.grammar import Applied, Tree, parse
-from vstatics.sweep.expressions.names import OPERANDS, Name, SweepNames, value_of
+from vstatics.sweep.expressions.names import OPERANDS, Name, Selection, SweepNames, Tables, value_of
 from vstatics.sweep.expressions.operands import Constant, DottedName, TableName
+from vstatics.sweep.frequencies import OMEGA
 from vstatics.sweep.targets import Target
 from vstatics.tables.quantities import BY_NAME
-from vstatics.tables.rows import ROWS, table_rows
+from vstatics.tables.rows import ROWS
 
 Node: TypeAlias = Name | Constant | Applied
 
@@ -63,13 +63,13 @@ class Expression:
     row: str = ""
     table: str = ""
 
-    def __call__(self, results: Results, values: Floats) -> Floats:
+    def __call__(self, tables: Tables, values: Floats) -> Floats:
         """Calculate it.
 
         Parameters
         ----------
-        results : Results
-            Of arrays of variants.
+        tables : Tables
+            `Results` of arrays of variants, or what else has tables of them.
         values : ndarray, shape (variants, targets)
             The varied numbers. [-]
 
@@ -80,13 +80,24 @@ class Expression:
         """
         all_of_them = slice(None)
         gears, rows = (0 if axis is None else all_of_them for axis in (self.gears, self.rows))
-        own_axes: Floats = self.spread(results, values)[..., gears, rows]
+        own_axes: Floats = self.spread(tables, values)[..., gears, rows]
         return own_axes
 
-    def spread(self, results: Results, values: Floats) -> Floats:
+    def spread(self, tables: Tables, values: Floats) -> Floats:
         """As when called, but always of shape (variants, gears or 1, rows or 1)."""
-        calculated = evaluate(self.node, lambda name: value_of(name, results, values))
+        calculated = evaluate(self.node, lambda name: value_of(name, tables, values))
         return np.broadcast_to(calculated, (*values.shape[:-1], *calculated.shape[-2:]))
+
+    @property
+    def selections(self) -> Iterator[Selection]:
+        """All parts of tables that it asks for."""
+        nodes: list[Node] = [self.node]
+        while nodes:
+            node = nodes.pop()
+            if isinstance(node, Selection):
+                yield node
+            elif isinstance(node, Applied):
+                nodes += node.operands
 
     @property
     def per(self) -> str:
@@ -136,10 +147,15 @@ def read_expression(
         source.part.strip(),
         node,
         tuple(names.gears) if per_gear else None,
-        tuple(table_rows(table, case)) if table else None,
-        ROWS[BY_NAME[table].rows].one if table else "",
+        tuple(names.rows(table)) if table else None,
+        _row(table) if table else "",
         tree.name if isinstance(tree, TableName) else "",
     )
+
+
+def _row(table: str) -> str:
+    """What a row of a table is."""
+    return "mode" if table == OMEGA else ROWS[BY_NAME[table].rows].one
 
 
 class _Resolved(NamedTuple):
@@ -159,7 +175,7 @@ def _resolve(tree: Tree, names: SweepNames) -> _Resolved:
         return _Resolved(names.number(tree))
     if isinstance(tree, TableName):
         part = names.table(tree)
-        has_rows = part.has_rows and part.row is None
+        has_rows = part.rows and part.row is None
         return _Resolved(part, part.gear is None, part.table if has_rows else "")
     name, operands = tree.name, [_resolve(operand, names) for operand in tree.operands]
     if name in ("abs", "sum") and len(operands) > 1:
@@ -170,11 +186,12 @@ def _resolve(tree: Tree, names: SweepNames) -> _Resolved:
         return _Resolved(node)
     tables = [operand.table for operand in operands if operand.table]
     for other in tables[1:]:
-        one, two = BY_NAME[tables[0]].rows, BY_NAME[other].rows
-        if table_rows(tables[0], names.case) != table_rows(other, names.case):
+        one, two = _row(tables[0]), _row(other)
+        unlike = (one == "mode") != (two == "mode")
+        if unlike or names.rows(tables[0]) != names.rows(other):
             message = (
-                f"`{tables[0]}` has one value per {ROWS[one].one} and `{other}` one per "
-                f"{ROWS[two].one}, so `{name}` can't pair them: pick a row, or use min, max or sum"
+                f"`{tables[0]}` has one value per {one} and `{other}` one per {two}, so `{name}` "
+                "can't pair them: pick a row, or use min, max or sum"
             )
             raise names.source.error(message, tree.at)
     per_gear = any(operand.per_gear for operand in operands)

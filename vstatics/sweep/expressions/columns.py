@@ -13,14 +13,13 @@ from vstatics.errors import Problem, ReadError
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Floats
 from vstatics.readers.named.nodes import MOST_PROBLEMS
-from vstatics.statics.results import Results
 from vstatics.sweep.expressions import Expression, read_expression
 from vstatics.sweep.expressions.evaluation import FUNCTIONS
 from vstatics.sweep.expressions.excerpt import Excerpt
 from vstatics.sweep.expressions.grammar import Applied
-from vstatics.sweep.expressions.names import Selection, VariedNumber
+from vstatics.sweep.expressions.names import Selection, Tables, VariedNumber, written_rows
 from vstatics.sweep.targets import Target
-from vstatics.tables.rows import table_rows, written
+from vstatics.tables.rows import written
 
 OPTION = "--out"
 
@@ -50,13 +49,13 @@ class OutputColumns:
     headings: tuple[str, ...]
     parts: tuple[ColumnGroup, ...]
 
-    def __call__(self, results: Results, values: Floats) -> Floats:
+    def __call__(self, tables: Tables, values: Floats) -> Floats:
         """Calculate all columns.
 
         Parameters
         ----------
-        results : Results
-            Of an array of variants.
+        tables : Tables
+            `Results` of an array of variants, or what else has tables of them.
         values : ndarray, shape (variants, targets)
             The varied numbers. [-]
 
@@ -68,7 +67,7 @@ class OutputColumns:
         columns = np.empty((len(self.headings), len(values))).T
         column = 0
         for expression, cells in self.parts:
-            table = expression.spread(results, values)
+            table = expression.spread(tables, values)
             for gear, row in cells:
                 columns[:, column] = table[:, gear, row]
                 column += 1
@@ -165,7 +164,7 @@ def _headings(
     call = isinstance(node, Applied) and node.name in FUNCTIONS
     before = text if call else f"({text})"
     if isinstance(node, Selection):  # a heading tells the row and gear that were picked, too
-        gears, rows = [gear.name for gear in case.gears], table_rows(node.table, case)
+        gears, rows = [gear.name for gear in case.gears], written_rows(node.table, case)
         own_gear, own_row, before = node.gear, node.row, expression.table
     for row in range(len(expression.rows or ("",))):
         for gear in range(len(expression.gears or ("",))):

@@ -1,19 +1,22 @@
-"""What the names in an expression of a sweep mean: tables, rows, gears, numbers of mechanisms."""
+"""What the names in an expression of a sweep mean: tables, rows, gears, numbers of the case."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any, NamedTuple, TypeAlias
+from functools import cached_property
+from typing import Any, NamedTuple, Protocol, TypeAlias
 
 from vstatics.errors import quoted, typed_number
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Floats
 from vstatics.statics.arrays import Rows
 from vstatics.statics.physical import known_units, lacking_load
-from vstatics.statics.results import Results
 from vstatics.sweep.expressions.evaluation import FUNCTIONS
 from vstatics.sweep.expressions.excerpt import Excerpt
+from vstatics.sweep.expressions.grammar import Applied
 from vstatics.sweep.expressions.operands import Constant, DottedName, Subscript, TableName
+from vstatics.sweep.frequencies import OMEGA, mode_names
+from vstatics.sweep.own_numbers import own_number
 from vstatics.sweep.targets import Target, target
 from vstatics.tables.names import nearest_quantity, no_row, rows_called, several
 from vstatics.tables.quantities import BY_NAME
@@ -31,7 +34,8 @@ class Selection(NamedTuple):
     """None for all gears."""
     row: int | None
     """None for all rows, or where the table has none."""
-    has_rows: bool
+    rows: int
+    """How many there are; 0: the table has one value per gear."""
 
 
 class VariedNumber(NamedTuple):
@@ -43,21 +47,34 @@ class VariedNumber(NamedTuple):
 Name: TypeAlias = Selection | VariedNumber
 
 
-def value_of(name: Name, results: Results, varied: Floats) -> Floats:
+class Tables(Protocol):
+    """What has tables: `Results`, or what a sweep calculates of a block of variants."""
+
+    def existing(self, name: str) -> Floats:
+        """A table of shape (..., gears[, rows]), with NaN where there is nothing to be said."""
+
+
+def value_of(name: Name, tables: Tables, varied: Floats) -> Floats:
     """The values of what a name stands for, shape (..., gears or 1, rows or 1).
 
     Floats are views of the results, whatever their strides; marks are copied to floats.
     """
     if isinstance(name, VariedNumber):
         return varied[..., name.column, None, None]
-    table: Any = results.existing(name.table)
-    if not name.has_rows:
+    table: Any = tables.existing(name.table)
+    if not name.rows:
         table = table[..., None]
-    gears, rows = (
-        slice(None) if index is None else slice(index, index + 1) for index in (name.gear, name.row)
-    )
+    gears = slice(None) if name.gear is None else slice(name.gear, name.gear + 1)
+    rows = slice(name.rows or 1) if name.row is None else slice(name.row, name.row + 1)
     values: Floats = table[..., gears, rows].astype(float, copy=False)
     return values
+
+
+def written_rows(table: str, case: Transmission) -> Sequence[str]:
+    """The names of all rows that a table may have, also in a variant that has more modes."""
+    if table == OMEGA:
+        return [str(number) for number in range(1, len(case.link_names) + 1)]
+    return table_rows(table, case)
 
 
 class SweepNames:
@@ -69,7 +86,7 @@ class SweepNames:
     >>> case = Transmission(3, [], [Mechanism(1, 2, 3, -2.5)], [Gear(), Gear()])
     >>> names = SweepNames(Excerpt("losses[D1, :]", "--out"), case, [])
     >>> names.table(TableName("losses", (Subscript("D1", 7), Subscript(":", 11)), 0))
-    Selection(table='losses', gear=None, row=0, has_rows=True)
+    Selection(table='losses', gear=None, row=0, rows=1)
     """
 
     def __init__(self, source: Excerpt, case: Transmission, targets: Sequence[Target]) -> None:
@@ -78,16 +95,20 @@ class SweepNames:
         self.targets = targets
         self.gears = [gear.name for gear in case.gears]
 
-    def number(self, name: DottedName) -> VariedNumber | Constant:
-        """A number of a mechanism: varied, or else the case's own."""
+    def number(self, name: DottedName) -> VariedNumber | Applied | Constant:
+        """A number of the case: varied, or else its own; a compliance by a varied stiffness."""
         found = target(name.written, self.case, self.source.place(name.at))
         for column, varied in enumerate(self.targets):
-            if varied[1:] == found[1:]:
-                return VariedNumber(column)
-        return Constant(getattr(self.case.mechanisms[found.mechanism], found.quantity))
+            if varied.number == found.number:
+                number = VariedNumber(column)
+                same = varied.quantity == found.quantity
+                return number if same else Applied("/", (Constant(1.0), number), name.at, 1)
+        return Constant(own_number(self.case, found.owner, found.quantity))
 
     def table(self, read: TableName) -> Selection:
         """A table, or a part of it."""
+        if read.name == OMEGA:
+            return self._frequency(read)
         known = BY_NAME.get(read.name)
         if known is None:
             raise self.source.error(self._no_table(read.name), read.at)
@@ -97,8 +118,8 @@ class SweepNames:
         if known.unit and known.unit not in known_units(self.case):
             raise self.source.error(lacking_load(read.name, known.unit), read.at)
         kind, subscripts, row = known.rows, list(read.subscripts), None
+        rows = self.rows(known.name)
         if kind != "one":
-            rows = table_rows(known.name, self.case)
             if not rows:
                 message = f"the case has no {ROWS[kind].all}, so `{read.name}` is empty"
                 raise self.source.error(message, read.at)
@@ -108,7 +129,35 @@ class SweepNames:
             parts = "[gear]" if kind == "one" else f"[{ROWS[kind].one}, gear]"
             message = f"read one part too many, expected {read.name}{parts}"
             raise self.source.error(message, subscripts[0].at)
-        return Selection(known.name, gear, row, kind != "one")
+        return Selection(known.name, gear, row, len(rows))
+
+    def rows(self, table: str) -> Sequence[str]:
+        """The names of a table's rows in the case; none if it has one value per gear."""
+        return self._modes if table == OMEGA else table_rows(table, self.case)
+
+    @cached_property
+    def _modes(self) -> list[str]:
+        return mode_names(self.case, self.targets)
+
+    def _frequency(self, read: TableName) -> Selection:
+        """Natural frequencies; a mode that the case has not may be one of a variant."""
+        if not self._modes:
+            message = "the case has no natural mode in any gear, so there is no `omega`: it takes "
+            message += "inertias, and springs or a stiffness between them"
+            raise self.source.error(message, read.at)
+        subscripts, mode = list(read.subscripts), None
+        if subscripts and subscripts[0].written != ":":
+            written, most = subscripts[0].written, written_rows(OMEGA, self.case)
+            number = typed_number(written.removeprefix("#"), len(most))
+            if number is None:
+                message = f"read {quoted(written)}, expected the number of a mode, 1 to {most[-1]}"
+                raise self.source.error(message, subscripts[0].at)
+            mode = number - 1
+        gear = self._index(subscripts[1], self.gears, "one") if len(subscripts) > 1 else None
+        if len(subscripts) > 2:
+            message = "read one part too many, expected omega[mode, gear]"
+            raise self.source.error(message, subscripts[2].at)
+        return Selection(OMEGA, gear, mode, len(self._modes))
 
     def _index(self, subscript: Subscript, names: Sequence[str], kind: Rows) -> int | None:
         """What a subscript stands for: by its name first, then by its number; None for all."""
@@ -152,5 +201,8 @@ class SweepNames:
         elif name in [element.name for element in case.shift_elements]:
             hint = f"; `{name}` is a shift element: in brackets, as in torques[{name}]"
         else:
-            hint = nearest_quantity(name, FUNCTIONS) or "; such as ratio, efficiency, speeds[C1]"
+            hint = (
+                nearest_quantity(name, (*FUNCTIONS, OMEGA))
+                or "; such as ratio, efficiency, speeds[C1]"
+            )
         return f"there is no table {quoted(name)}{hint}"
