@@ -94,8 +94,8 @@ def _of_one_structure(
     variants: int,
 ) -> Floats:
     """The frequencies of variants in which the same bodies have an inertia."""
-    stiff = _Numbers([device.stiffness or 0.0 for device in system.elastic], stiffnesses)
-    heavy = _Numbers([body.inertia for body in system.bodies], inertias)
+    stiff = _VariedNumbers([device.stiffness or 0.0 for device in system.elastic], stiffnesses)
+    heavy = _VariedNumbers([body.inertia for body in system.bodies], inertias)
     bodies = [
         body._replace(inertia=inertia)
         for body, inertia in zip(system.bodies, heavy.first.tolist(), strict=True)
@@ -109,7 +109,7 @@ def _of_one_structure(
     return found
 
 
-class _Numbers:
+class _VariedNumbers:
     """Numbers of devices or bodies: those of the first variant, and what is other in others."""
 
     def __init__(self, own: Sequence[float], varied: Varied) -> None:
@@ -131,7 +131,9 @@ class _Numbers:
 class _Alike:
     """Variants of a system that split alike."""
 
-    def __init__(self, system: TorsionalSystem, stiff: _Numbers, heavy: _Numbers) -> None:
+    def __init__(
+        self, system: TorsionalSystem, stiff: _VariedNumbers, heavy: _VariedNumbers
+    ) -> None:
         self.system, self.stiff, self.heavy = system, stiff, heavy
         self.split = coordinates(system)
 
