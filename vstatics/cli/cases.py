@@ -201,11 +201,12 @@ def read_one(file: str, input_format: readers.Format | None, telling: Telling) -
         If it can't be read; with the problems to print.
     """
     try:
-        reading = readers.read(*files.read_input(file), input_format)
+        data, name = files.read_input(file)
+        reading = readers.read(data, name, input_format)
     except ReadError as error:
         raise ReadError(telling.printed(error.problems)) from None
     files.show(telling.printed(reading.warnings))
-    files.show(telling.quiet_failure(reading.warnings, file))
+    files.show(telling.quiet_failure(reading.warnings, name))
     return reading
 
 

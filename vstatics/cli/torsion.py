@@ -30,6 +30,7 @@ def torsion() -> None:
     \b
     Examples:
       vstatics torsion modes box.yaml
-      vstatics torsion response box.yaml --at engine --orders 2,4 --speed 600:3000:241
+      vstatics torsion reduce box.yaml --to engine
+      vstatics torsion response box.yaml --at engine --orders 2 --speed 600:3000:9
       vstatics torsion dump dump.yaml
     """

@@ -93,6 +93,11 @@ def located(reading: Reading, texts_by_gear: Iterable[tuple[str, str, str]]) -> 
         yield Problem(f"gear {name}: {message}", (), place, severity)  # type: ignore[arg-type]
 
 
+def file_name(file: str) -> str:
+    """How a file is spoken of that the command was given."""
+    return files.STDIN_NAME if file == files.STDIN else file
+
+
 def show(
     file: str,
     to: Destination,
@@ -101,15 +106,16 @@ def show(
     document: Callable[[], dict[str, Any]],
 ) -> None:
     """Write what a command has of one case, in the format that is asked for."""
-    shown = texts.CaseOutput([title or file], {}, grids, lambda: plain_data(document()))
+    name = file_name(file)
+    shown = texts.CaseOutput([title or name], {}, grids, lambda: plain_data(document()))
     form = texts.OutputForm(to.form, to.style)
-    files.write_data(texts.alone(CalculatedCase(file, None, []), shown, form), to.output)
+    files.write_data(texts.alone(CalculatedCase(name, None, []), shown, form), to.output)
 
 
 def tell(problems: Sequence[Problem], telling: Telling, file: str) -> None:
     """Print problems on stderr."""
     files.show(telling.printed(problems))
-    files.show(telling.quiet_failure(problems, file))
+    files.show(telling.quiet_failure(problems, file_name(file)))
 
 
 def one_text(wanted: OutputOptions, inputs: Sequence[str]) -> Destination:

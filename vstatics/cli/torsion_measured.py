@@ -130,11 +130,11 @@ def identify(
     \b
     Examples:
       vstatics torsion identify box.yaml --gear 3 --omega 27.4
-      vstatics torsion identify box.yaml --gear 3 --omega 27.4 --decrement 1.06 -f json
+      vstatics torsion identify box.yaml --gear 3 --omega 27.4 --decrement 1.06
 
     \b
-    Exit status: 0 done; 1 the case is in error, or the gear is tied up or has no mode;
-    2 wrong use.
+    Exit status: 0 done; 1 the case is in error, or the gear is tied up or has
+    no mode; 2 wrong use.
     """
     to = one_text(wanted, [case])
     needs_scipy()
@@ -192,11 +192,11 @@ def damping(
     \b
     Examples:
       vstatics torsion damping box.yaml --gear 1 --decrements shaft=.03,damper=.2
-      vstatics torsion damping box.yaml --gear 1 --decrements 'final drive=.1' --omega 83.3
+      vstatics torsion damping box.yaml --gear 1 --decrements shaft=.1 --omega 83
 
     \b
-    Exit status: 0 done; 1 the case is in error, or the gear is tied up or has no mode;
-    2 wrong use.
+    Exit status: 0 done; 1 the case is in error, or the gear is tied up or has
+    no mode; 2 wrong use.
     """
     to = one_text(wanted, [case])
     needs_scipy()

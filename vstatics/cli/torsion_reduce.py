@@ -49,7 +49,8 @@ def reduce(
       vstatics torsion reduce box.yaml --to propshaft --gear 1 -f json
 
     \b
-    Exit status: 0 done; 1 the case is in error or a gear can't be reduced; 2 wrong use.
+    Exit status: 0 done; 1 the case is in error or a gear can't be reduced;
+    2 wrong use.
     """
     to_file = one_text(wanted, [case])
     needs_scipy()

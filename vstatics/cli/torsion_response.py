@@ -84,8 +84,8 @@ def response(
 
     \b
     Examples:
-      vstatics torsion response box.yaml --at engine --orders 2,4 --speed 600:3000:241
-      vstatics torsion response box.yaml --at engine --torque engine.csv --speed 600:3000:241 --sum
+      vstatics torsion response box.yaml --at engine --orders 2 --speed 600:3000:9
+      vstatics torsion response box.yaml --at engine --torque m.csv --speed 900
 
     \b
     Exit status: 0 done; 1 the case is in error or a gear is tied up; 2 wrong use.

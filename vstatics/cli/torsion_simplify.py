@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import csv
+
 import click
 
 from vstatics import readers
@@ -11,7 +13,14 @@ from vstatics.cli.cases import gear_number
 from vstatics.cli.exit_status import DONE, FAILED
 from vstatics.cli.formats import Destination, TextStyle
 from vstatics.cli.telling import Telling
-from vstatics.cli.torsion_case import located, needs_scipy, problems_of, show, tell
+from vstatics.cli.torsion_case import (
+    file_name,
+    located,
+    needs_scipy,
+    problems_of,
+    show,
+    tell,
+)
 from vstatics.errors import Problem, ReadError, of_file, spoken
 from vstatics.model.damping import damping
 from vstatics.model.transmission import Transmission
@@ -37,7 +46,7 @@ RULES = ("partial", "r", "b", "u")
     "mass, whose inertia is shared by K, by K^2, or not at all. Else partial for a chain, r "
     "for any other.",
 )
-@click.option("--remove", metavar="A,B", help="These masses first, in this order.")
+@click.option("--remove", metavar="A,B", help="These masses first, in this order; a name with commas in double quotes.")
 @click.option(
     "-f",
     "--format",
@@ -79,7 +88,8 @@ def simplify(
       vstatics torsion simplify box.yaml --gear 1 --links 3 -o simple.yaml
 
     \b
-    Exit status: 0 done; 1 the case is in error or has no such scheme; 2 wrong use.
+    Exit status: 0 done; 1 the case is in error or has no such scheme;
+    2 wrong use.
     """
     written = _format_of(output, case)
     needs_scipy()
@@ -95,13 +105,13 @@ def simplify(
     scheme = gear_scheme(own, chosen)
     if isinstance(scheme, str):
         raise ReadError(list(located(reading, [(chosen.name, "error", scheme)])))
-    removed = [name.strip() for name in remove.split(",")] if remove else []
+    removed = [] if remove is None else _names(remove)
     with problems_of(reading):
         found = simplified(scheme, frequencies, rule, removed)  # type: ignore[arg-type] # a choice
     problems = [*found.warnings, *_lost(own)]
-    tell(
-        [of_file(case, one.message)._replace(severity="warning") for one in problems], telling, case
-    )
+    file = file_name(case)
+    doubts = [of_file(file, one.message)._replace(severity="warning") for one in problems]
+    tell(doubts, telling, case)
     if output is not None:
         ends = [own.link_name(end) for end in (own.gear_input(chosen), own.gear_output(chosen))]
         made = scheme_case(found.scheme, own.name, ends, chosen.name)
@@ -125,6 +135,12 @@ def _format_of(output: str | None, case: str) -> str:
     if form not in ("yaml", "json"):
         raise click.UsageError(f"{output}: expected a case in YAML or JSON, .yaml or .json")
     return form
+
+
+def _names(written: str) -> list[str]:
+    """Names with commas between them; one that has commas stands in double quotes."""
+    [row] = csv.reader([written.replace("\n", " ")], skipinitialspace=True) if written else [[""]]
+    return [name.strip() for name in row]
 
 
 def _lost(case: Transmission) -> list[Problem]:

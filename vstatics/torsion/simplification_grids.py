@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 
 from vstatics.tables.grid import Column, Grid, Row, exact, text
 from vstatics.torsion.simplification import Simplification
@@ -31,7 +31,8 @@ def simplification_grids(found: Simplification) -> Iterator[Grid]:
         for step in found.steps
     ]
     columns = [text("step"), *map(Column, headings)]
-    yield Grid(f"Steps, by rule {found.rule}", columns, rows, key="steps")
+    title = f"Steps, by rule {found.rule}" + ": none" * (not rows)
+    yield Grid(title, columns, rows, key="steps")
     scheme = found.scheme
     masses: list[Row] = [
         [name, exact(inertia, 6)]
@@ -41,10 +42,20 @@ def simplification_grids(found: Simplification) -> Iterator[Grid]:
     springs: list[Row] = [
         [
             spring.name,
-            " ".join(f"{part:+.4g}*{scheme.names[mass]}" for mass, part in spring.twist.items()),
+            _form(spring.twist, scheme.names),
             exact(spring.compliance, 6),
         ]
         for spring in scheme.springs
     ]
     heading = [text("spring"), text("twist"), Column("compliance [rad/(N*m)]")]
     yield Grid("Springs", heading, springs, key="springs")
+
+
+def _form(twist: Mapping[int, float], names: Sequence[str]) -> str:
+    """A twist by the angles of masses.
+
+    >>> _form({0: 1.0, 2: -2.5}, ["a", "b", "c"])
+    '1*a -2.5*c'
+    """
+    parts = (f"{part:+.4g}*{names[mass]}" for mass, part in twist.items())
+    return " ".join(parts).removeprefix("+")
