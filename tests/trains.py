@@ -7,13 +7,14 @@ that coincidences happen (-1, 2, 1/2).
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Container, Sequence
 from dataclasses import replace
 from random import Random
 
 from hypothesis import strategies as st
 
 from tests.oracle.systems import Speeds
+from vstatics.model.springs import Spring
 from vstatics.model.transmission import Gear, Mechanism, ShiftElement, SpeedOf, Transmission
 
 Links = tuple[int, int, int]
@@ -212,6 +213,25 @@ def regular_trains(*, gears: int = 1, coast: bool | None = None) -> st.SearchStr
 def no_losses(case: Transmission) -> Transmission:
     """The same train with all efficiencies 1."""
     return replace(case, mechanisms=[m._replace(efficiency=1.0) for m in case.mechanisms])
+
+
+def on_springs(case: Transmission, chosen: Container[int] | None = None) -> Transmission:
+    """The train in which springs stand for loss-free mechanisms: their rows as twists.
+
+    Parameters
+    ----------
+    chosen : container of int, optional
+        Indices of mechanisms; all when not given. Their losses are left out.
+    """
+    kept, springs = [], []
+    for number, one in enumerate(case.mechanisms):
+        row = zip(one.links, (1.0, -one.ratio, one.ratio - 1), strict=True)
+        twist = {link: part for link, part in row if link and part}
+        if twist and (chosen is None or number in chosen):
+            springs.append(Spring(twist, stiffness=9e4, name=one.name))
+        else:
+            kept.append(one if twist else one._replace(efficiency=1.0))
+    return replace(case, mechanisms=kept, springs=springs)
 
 
 def shown(case: Transmission) -> str:

@@ -37,7 +37,16 @@ from tests.statics.batches import (
     with_numbers,
 )
 from tests.trains import is_regular, no_losses, random_train, seeded
-from vstatics import Gear, Mechanism, Results, ShiftElement, Transmission, solve
+from vstatics import (
+    Damping,
+    Gear,
+    Mechanism,
+    Results,
+    ShiftElement,
+    Spring,
+    Transmission,
+    solve,
+)
 from vstatics.model.parts import Load
 from vstatics.model.transmission import IdleConvention
 from vstatics.numerics.arrays import Floats
@@ -553,6 +562,8 @@ KEYED = Transmission(
     [Mechanism(1, 2, 3, -2.0, 0.97, 0.5, "P", 0.9)],
     [Gear([1], torques={2: 0.5}, drag={1: 0.1}, open_drag={2: 0.1})],
     output=3,
+    springs=[Spring({3: 1, 4: -1}, stiffness=9e4, damping=3, name="S")],
+    inertias={1: 0.15},
 )
 OTHER: dict[type, dict[str, object]] = {
     ShiftElement: {
@@ -562,6 +573,8 @@ OTHER: dict[type, dict[str, object]] = {
         "kind": "freewheel",
         "drag": 0.5,
         "capacity": 2.0,
+        "stiffness": 9e4,
+        "damping": Damping(3.0),
     },
     Mechanism: {
         "first": 4,
@@ -572,6 +585,15 @@ OTHER: dict[type, dict[str, object]] = {
         "name": "X",
         "planet_ratio": 0.25,
         "back_efficiency": 0.5,
+        "stiffness": 9e4,
+        "damping": Damping(3.0),
+    },
+    Spring: {
+        "twist": ((3, 1.0), (4, -2.0)),
+        "stiffness": 1.0,
+        "compliance": 1.0,
+        "damping": Damping(5.0),
+        "name": "X",
     },
     Gear: {
         "engaged": (),
@@ -598,12 +620,13 @@ OTHER: dict[type, dict[str, object]] = {
         "coast": True,
         "link_names": ("a", "b", "c", "d"),
         "load": Load(100.0, 9.0),
+        "inertias": {1: 0.5},
     },
 }
 """Another value of each field; what is made of parts or of a drawing is tried elsewhere."""
 VARIED = {"ratio", "efficiency"}
 """Of a mechanism: a plan takes them as its inputs."""
-ELSEWHERE = {"shift_elements", "mechanisms", "gears", "drawing", "_lowered"}
+ELSEWHERE = {"shift_elements", "mechanisms", "springs", "gears", "drawing", "_lowered"}
 
 
 def with_field(part: type, name: str) -> Transmission:
@@ -613,7 +636,12 @@ def with_field(part: type, name: str) -> Transmission:
         made = copy.copy(KEYED)
         object.__setattr__(made, name, value)
         return made
-    where = {ShiftElement: "shift_elements", Mechanism: "mechanisms", Gear: "gears"}[part]
+    where = {
+        ShiftElement: "shift_elements",
+        Mechanism: "mechanisms",
+        Spring: "springs",
+        Gear: "gears",
+    }[part]
     first, *others = getattr(KEYED, where)
     made = copy.copy(KEYED)
     object.__setattr__(made, where, (first._replace(**{name: value}), *others))
@@ -639,7 +667,7 @@ def test_a_plan_serves_no_case_that_differs_in_a_field(part: type, name: str) ->
 
 def test_every_field_is_tried() -> None:
     """A new field fails here until it has a line above."""
-    for part in (ShiftElement, Mechanism, Gear):
+    for part in (ShiftElement, Mechanism, Spring, Gear):
         assert set(OTHER[part]) == set(part._fields)
     own = {one.name for one in fields(Transmission)}
     assert set(OTHER[Transmission]) == own - ELSEWHERE

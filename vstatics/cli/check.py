@@ -43,6 +43,8 @@ def conditions(file: str, results: Results) -> Grid:
         counts[0] = _count(drawing.links, "link")
         counts[2] = f"{_count(len(drawing.elements), 'element')} as {counts[2]}"
         counts[2] += f" and {_count(planets, 'planet')}" * bool(planets)
+    if case.springs:
+        counts.insert(3, _count(len(case.springs), "spring"))
     names = [element.name for element in case.shift_elements]
     rows = []
     states = zip(

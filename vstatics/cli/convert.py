@@ -9,16 +9,25 @@ from vstatics.cli import cases as arguments
 from vstatics.cli import files
 from vstatics.cli.exit_status import DONE, FAILED
 from vstatics.cli.telling import Telling
+from vstatics.errors import CaseError, ReadError, of_file
 from vstatics.model.transmission import Transmission
 from vstatics.statics.solve import solve
 
 
 def write(case: Transmission, output_format: readers.Format) -> tuple[str, list[str]]:
-    """A case as text, and what the format cannot keep of it."""
+    """A case as text, and what the format cannot keep of it.
+
+    Raises
+    ------
+    CaseError
+        If what is left of it in the format would be another case.
+    """
     if output_format == "deck":
         from vstatics.writers.deck import lost
         from vstatics.writers.deck import write as write_deck
+        from vstatics.writers.deck_limits import check_deck
 
+        check_deck(case)
         results = solve(case)
         conflicts = [
             f"that gear {gear.name} is in conflict: a deck does without the freewheel"
@@ -55,7 +64,8 @@ def convert(
     Numbers and names are kept to the last digit; torques and speeds with a unit are
     written relative to the load. A deck has mechanisms in place of elements, and
     freewheels are engaged where they hold. What the format cannot keep is listed, and
-    the exit status is 1.
+    the exit status is 1. A deck of a case with springs, inertias or stiffnesses is not
+    written at all.
 
     \b
     Examples:
@@ -70,7 +80,10 @@ def convert(
             "or --to"
         )
     reading = arguments.read_one(source, input_format, telling)
-    text, lost = write(reading.case, wanted)
+    try:
+        text, lost = write(reading.case, wanted)
+    except CaseError as error:
+        raise ReadError([of_file(source, str(error))]) from error
     files.write_output(text, target)
     for what in lost:
         files.say(f"{target}: not kept: {what}")

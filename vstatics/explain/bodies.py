@@ -20,12 +20,14 @@ SHIFTED = 0.05
 
 
 class Structure(NamedTuple):
-    """The bodies of a gear, and the mechanisms that its speeds need."""
+    """The bodies of a gear, and the mechanisms and springs that its speeds need."""
 
     body: Sequence[int]
     """By link, the housing first: the first of the links that it turns with."""
     needed: Sequence[int]
     """Indices of mechanisms whose equations the others do not imply."""
+    springs: Sequence[int]
+    """Indices of springs of which this is true."""
 
 
 class OwnLinks(NamedTuple):
@@ -68,8 +70,8 @@ def on_own_links(case: Transmission) -> OwnLinks:
 def structure(own: OwnLinks, gear: Gear) -> Structure:
     """The bodies of a gear: links whose speeds are one whatever the ratios are.
 
-    Two links are one body if the equations of mechanisms and engaged elements leave no
-    other difference than 0, also with all ratios a little shifted.
+    Two links are one body if the equations of mechanisms, springs and engaged elements leave
+    no other difference than 0, also with all ratios a little shifted.
 
     Parameters
     ----------
@@ -104,11 +106,16 @@ def structure(own: OwnLinks, gear: Gear) -> Structure:
     for (one, other), value in zip(pairs, solution.values[case.links :], strict=True):
         if value == 0:
             body[one] = min(body[one], body[other])
-    return Structure(body, [number for number in numbers if number < len(ratios)])
+    last = len(ratios) + len(case.springs)
+    return Structure(
+        body,
+        [number for number in numbers if number < len(ratios)],
+        [number - len(ratios) for number in numbers if len(ratios) <= number < last],
+    )
 
 
 def _rows(case: Transmission, gear: Gear, ratios: Sequence[float]) -> list[Equation]:
-    """Equations of mechanisms, then of engaged elements."""
+    """Equations of mechanisms, then of springs, then of engaged elements."""
     plain = gear._replace(speeds={})
     rows = matrix.speed_rows(case, plain, matrix.columns(case, ratios))[:-1]
     return [{column: value for column, value in row.items() if column != RIGHT} for row in rows]

@@ -120,12 +120,15 @@ def torque_system(  # noqa: PLR0913 - all of them make the equations
 def _column(case: Transmission, device: int, names: Names) -> Iterator[tuple[int, str]]:
     """Links of a device, the housing apart, each with its coefficient in symbols."""
     elements = case.shift_elements
-    if device < len(elements):
+    number = device - len(elements)
+    if number < 0:
         element = elements[device]
         column = [(element.first, "1"), (element.second, "-1")]
-    else:
-        number = device - len(elements)
+    elif number < len(case.mechanisms):
         ratio = names.ratios[number]
         links = case.mechanisms[number].links
         column = list(zip(links, ("1", f"-{ratio}", f"{ratio} - 1"), strict=True))
+    else:
+        form = case.springs[number - len(case.mechanisms)].form
+        column = [(link, f"{part:g}") for link, part in form.items()]
     return ((link, symbol) for link, symbol in column if link != HOUSING)

@@ -14,6 +14,7 @@ from vstatics.explain.formula import Formula, formula, symbols_of
 from vstatics.explain.names import Names, names_of
 from vstatics.explain.shares import NoFormula
 from vstatics.explain.signs import PowerSign, signs_of
+from vstatics.model.springs import ends
 from vstatics.model.transmission import HOUSING, Gear
 from vstatics.numerics.arrays import Floats
 from vstatics.numerics.traced import plain
@@ -30,7 +31,7 @@ class Together(NamedTuple):
     stands: bool
     """The housing is one of them."""
     elements: Sequence[str]
-    """The engaged elements that join them."""
+    """The engaged elements that join them, and springs that are shafts."""
 
 
 class Explanation(NamedTuple):
@@ -45,7 +46,7 @@ class Explanation(NamedTuple):
     rows: Sequence[str]
     """Links, planets too where losses are calculated at meshes."""
     columns: Sequence[str]
-    """Devices that can carry torque: engaged elements and mechanisms."""
+    """Devices that can carry torque: engaged elements, mechanisms and springs."""
     matrix: Floats
     """(rows, columns): their structural-distribution matrix. [-]"""
     speeds: System
@@ -178,6 +179,9 @@ def _together(own: OwnLinks, gear: Gear, bodies: Structure) -> Iterator[Together
         if len(links) > 1:
             names = [case.link_name(link) for link in links if link != HOUSING]
             engaged = [one.name for one in elements if bodies.body[one.first] == body]
+            for spring in case.springs:
+                shaft = ends(spring.twist)
+                engaged += [spring.name] * (shaft is not None and bodies.body[shaft[0]] == body)
             yield Together(names, body == HOUSING, engaged)
 
 

@@ -49,6 +49,7 @@ def names_of(case: Transmission) -> Names:
         [
             *(f"M{subscript(name)}" for name in elements),
             *(f"M{name}" for name in mechanisms),
+            *(f"M{subscript(spring.name)}" for spring in case.springs),
             OUTPUT,
         ],
         ["0", *(f"T{subscript(name)}" for name in case.link_names)],

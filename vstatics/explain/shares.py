@@ -7,10 +7,12 @@ given speed are eliminated.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from fractions import Fraction
 from typing import Any
 
 from vstatics.explain.bodies import OwnLinks, Structure
+from vstatics.model.springs import Spring
 from vstatics.model.transmission import HOUSING
 from vstatics.statics.matrix import column
 from vstatics.statics.status import NEUTRAL
@@ -42,9 +44,9 @@ def shares(
     )
     if output in given:
         return {output: fractions.one}
-    rows = [
-        row for n in structure.needed if (row := _row(own, n, structure.body, ratios, fractions))
-    ]
+    rows = [_row(own, n, structure.body, ratios, fractions) for n in structure.needed]
+    rows += [_of_spring(own.case.springs[n], structure.body, fractions) for n in structure.springs]
+    rows = [row for row in rows if row]
     while unknown := {body for row in rows for body in row} - {output, *given}:
         counts = Counter(body for row in rows for body in row)
         body = min(unknown, key=lambda one: (counts[one], one))
@@ -68,8 +70,30 @@ def _row(
     ratio = ratios[number]
     if own.is_fixed(number):
         ratio = fractions(int(mechanism.ratio))
+    return _in_bodies(zip(mechanism.links, column(ratio), strict=True), body, fractions)
+
+
+def _of_spring(spring: Spring, body: Sequence[Body], fractions: Any) -> Row:
+    """That of a spring, whose twist does not grow; its coefficients are numbers as typed."""
+    parts = {link: _as_typed(part) for link, part in spring.form.items()}
+    exact = [(n, fractions(one.numerator) / one.denominator) for n, one in parts.items()]
+    return _in_bodies(exact, body, fractions)
+
+
+def _as_typed(number: float) -> Fraction:
+    """The fraction that a person meant by a number.
+
+    >>> _as_typed(1 / 3), _as_typed(-4.1)
+    (Fraction(1, 3), Fraction(-41, 10))
+    """
+    short = Fraction(number).limit_denominator(1000)
+    return short if float(short) == number else Fraction(repr(number))
+
+
+def _in_bodies(column: Iterable[tuple[int, Any]], body: Sequence[Body], fractions: Any) -> Row:
+    """The coefficients of links, those of one body added."""
     row: Row = {}
-    for link, factor in zip(mechanism.links, column(ratio), strict=True):
+    for link, factor in column:
         if body[link] != HOUSING:
             row[body[link]] = row.get(body[link], fractions.zero) + fractions.one * factor
     return {one: factor for one, factor in row.items() if factor}

@@ -107,6 +107,8 @@ def _losses(one: Explanation, digits: int | None) -> Iterator[str]:
     """The signs, and the torque equations with ratios that have losses in them."""
     if one.torques is None or all(map(math.isnan, one.torques.values.values())):
         return
+    if not one.signs and not _drags(one):  # springs alone
+        return
     yield from (
         "",
         "Torques with losses: u eta^x in place of u; x = +1 where power enters a",

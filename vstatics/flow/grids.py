@@ -16,6 +16,7 @@ from vstatics.tables.numbers import fixed
 SECTIONS: Mapping[NodeKind, str] = {
     "link": "links",
     "mechanism": "mechanisms",
+    "spring": "springs",
     "element": "shift elements",
     "drag": "drag of links",
 }
@@ -24,9 +25,10 @@ CONVENTION = "~"
 
 
 def power_grid(flow: GearFlow) -> Grid:
-    """The power through each link, mechanism and shift element; with a load in kW, too.
+    """The power through each link, mechanism, spring and shift element; with a load in kW, too.
 
-    Below a mechanism stand the power of its members, and that of its teeth. Whatever has
+    Below a mechanism stand the power of its members, and that of its teeth; the members, too,
+    below a spring of more than two. Whatever has
     no power is left out. There are no rows where the ideal flow does not exist. A gear with
     powers that are divided by convention has a last column that marks them.
 
@@ -54,8 +56,10 @@ def power_grid(flow: GearFlow) -> Grid:
         for node in nodes:
             rows.append(_of_node(flow, node))
             levels.append(2)
-            if kind == "mechanism":
+            if kind in ("mechanism", "spring"):
                 below = [*_of_members(flow, node), *_of_teeth(flow, node)]
+                if kind == "spring" and len(below) < 3:  # a shaft: what enters leaves
+                    below = []
                 rows += [row for _, row in below]
                 levels += [level for level, _ in below]
     return Grid(f"Gear {flow.gear}", columns, rows, levels)
@@ -144,13 +148,13 @@ def _of_node(flow: GearFlow, node: Node) -> list[Cell | str]:
 
 
 def _of_members(flow: GearFlow, node: Node) -> Iterator[tuple[int, list[Cell | str]]]:
-    """Power of each member of a mechanism, but those that are the housing."""
+    """Power of each member of a mechanism or a spring, but those that are the housing."""
     assert flow.ideal is not None  # noqa: S101 - for mypy
     lossy = {} if flow.lossy is None else _by_member(flow.lossy, node)
     for (member, link), power in _by_member(flow.ideal, node).items():
         if link != "housing":
             powers = power, lossy.get((member, link), math.nan)
-            yield 3, _row(flow, f"{member}: {link}", powers)
+            yield 3, _row(flow, link if member == link else f"{member}: {link}", powers)
 
 
 def _of_teeth(flow: GearFlow, node: Node) -> Iterator[tuple[int, list[Cell | str]]]:

@@ -13,12 +13,12 @@ from vstatics.flow.circulation import Edge, Node
 from vstatics.flow.cycles import edges_on_cycles
 from vstatics.flow.exchange import links_of
 from vstatics.model.transmission import HOUSING
-from vstatics.statics.bodies import is_one_piece
+from vstatics.statics.bodies import is_one_piece, turns_as_one
 from vstatics.statics.state import GearState
 
 
 def pieces_of(state: GearState) -> dict[Node, int]:
-    """What turns as one piece: links, the engaged elements and devices that join them."""
+    """What turns as one piece: links, the engaged elements, devices and springs between them."""
     case, bodies = state.case, state.bodies
     piece = {node: bodies[link] for link, node in links_of(state).items()}
     for number in state.engaged:
@@ -29,13 +29,16 @@ def pieces_of(state: GearState) -> dict[Node, int]:
         links = [member.link for member in device.members]
         if HOUSING not in links and is_one_piece(device, state.speeds):
             piece[Node("mechanism", number, device.name)] = bodies[links[0]]
+    for number, spring in enumerate(case.springs, 1):
+        if turns_as_one(spring, state.speeds):
+            piece[Node("spring", number, spring.name)] = bodies[next(iter(spring.form))]
     return piece
 
 
 def divided_by_convention(
     state: GearState, bearing: Container[Node], flows: Iterable[Sequence[Edge]]
 ) -> set[Node]:
-    """Mechanisms, shift elements and links of a gear whose power a convention decides.
+    """Devices and links of a gear whose power a convention decides.
 
     In what turns as one piece these are: the devices on a cycle, since of two ways statics
     does not say which bears how much; a mechanism that nothing but its speeds
@@ -81,3 +84,6 @@ def _members(state: GearState) -> Iterator[tuple[Node, Node]]:
         elif node.kind == "mechanism":
             for member in case.own_devices[node.number - 1].members:
                 yield node, links[member.link]
+        elif node.kind == "spring":
+            for link in case.springs[node.number - 1].form:
+                yield node, links[link]

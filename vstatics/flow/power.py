@@ -1,8 +1,8 @@
-"""Where the power goes in every gear: through links, shift elements and mechanisms.
+"""Where the power goes in every gear: through links, shift elements, mechanisms and springs.
 
 The power of a gear is a directed graph. Its nodes are links, shift elements that are
-engaged (or drag), mechanisms or drawn elements, ports by which power enters and leaves,
-and the drag of links; its edges are what they exchange. The housing has no power.
+engaged (or drag), mechanisms or drawn elements, springs, ports by which power enters and
+leaves, and the drag of links; its edges are what they exchange. The housing has no power.
 """
 
 from __future__ import annotations

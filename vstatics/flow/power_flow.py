@@ -17,7 +17,8 @@ class MemberPower(NamedTuple):
 
     device: Node
     member: str
-    """``first`` or ``second`` of a shift element; that of a mechanism or a drawn element."""
+    """``first`` or ``second`` of a shift element; that of a mechanism or a drawn element; of a
+    spring the name of the link."""
     link: str
     power: float
     """NaN where it is not determined. [-]"""
@@ -34,7 +35,7 @@ class PowerFlow(NamedTuple):
     forward: tuple[Edge, ...]
     """The edges less all loops: what is transmitted, a graph without cycles."""
     members: tuple[MemberPower, ...]
-    """Of every shift element that is engaged or drags, and of every mechanism."""
+    """Of every shift element that is engaged or drags, of every mechanism and every spring."""
     throughput: Mapping[Node, float]
     """What enters a node; of a port what passes it. NaN where it is not determined. [-]"""
     losses: Mapping[Node, float]

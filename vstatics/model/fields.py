@@ -174,6 +174,11 @@ class TransmissionFields:
         return [*elements, *mechanisms, *(spring.name for spring in self.springs)]
 
     @property
+    def has_own_rows(self) -> bool:
+        """Whether rows of results have names that no deck tells: of elements, of springs."""
+        return self.drawing is not None or bool(self.springs)
+
+    @property
     def among_devices(self) -> slice:
         """Where the mechanisms stand among the devices: shift elements before, springs behind."""
         elements = len(self.shift_elements)

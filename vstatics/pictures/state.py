@@ -30,11 +30,14 @@ class PictureState(NamedTuple):
     speeds: Sequence[float]
     """By link, the housing first; NaN where it is free. [-]"""
     joined: Bodies
-    """By link, the housing first: the least of the links that engaged elements join to it."""
+    """By link, the housing first: the least of the links that engaged elements, and springs
+    as shafts, join to it."""
     is_idle: Sequence[bool]
     """By mechanism: whether it transmits no power, as far as the gear exists."""
     is_loaded: Sequence[bool]
     """By mechanism: whether it carries torque, or one that is not known."""
+    loaded_springs: Sequence[bool]
+    """By spring: the same."""
 
 
 def state_of(results: Results, number: int) -> PictureState:
@@ -53,6 +56,7 @@ def state_of(results: Results, number: int) -> PictureState:
     faults = [one for one in state.statuses if one.is_fault]
     if state.ideal.speeds.missing:
         faults.append(NOT_DETERMINED)
+    torques = state.torques.on_first_link
     return PictureState(
         case.gear_input(gear),
         case.gear_output(gear),
@@ -62,5 +66,6 @@ def state_of(results: Results, number: int) -> PictureState:
         [0.0, *map(plain, state.speeds)],
         joined_by_elements(case, gear),
         [one and state.calculable for one in state.search.idle],
-        [torque != 0 for torque in state.torques.on_first_link[case.among_devices]],
+        [torque != 0 for torque in torques[case.among_devices]],
+        [torque != 0 for torque in torques[case.among_devices.stop : -1]],
     )

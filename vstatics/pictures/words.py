@@ -33,6 +33,7 @@ ELEMENTS = {
     "chain": "цепь",
     "belt": "ремень",
     "shaft": "вал",
+    "spring": "пружина",
 }
 """Members of elements and their kinds."""
 

@@ -8,11 +8,15 @@ from typing import Any
 from vstatics.elements.drawing import Drawing, drawing_of
 from vstatics.model.parts import ShiftElement
 from vstatics.model.transmission import HOUSING, Transmission
+from vstatics.report.given_springs import elastic_columns, torsion_grids
 from vstatics.statics.results import Results
 from vstatics.tables.grid import Cell, Column, Grid, exact, text, words
 from vstatics.tables.html import Markup, table, terms
 
-_NAMED = ("name", "description", "source", "shift_elements", "elements", "mechanisms", "gears")
+_NAMED = (
+    *("name", "description", "source", "shift_elements", "elements", "mechanisms", "gears"),
+    *("inertias", "springs"),
+)
 """What has a place of its own on the page."""
 _LABELS = {"idle": "sign of idle mechanisms", "coast": "coasting"}
 
@@ -33,6 +37,7 @@ def given(
         yield table(_mechanisms(case).with_digits(digits))
     if case.shift_elements:
         yield table(_shift_elements(case).with_digits(digits))
+    yield from map(table, torsion_grids(case))
     yield table(_gears(results, mapping["gears"]))
 
 
@@ -57,6 +62,8 @@ def _mechanisms(case: Transmission) -> Grid:
     more = {heading: values for heading, values in more.items() if {*values} != {None}}
     columns = [text("mechanism"), text("first"), text("second"), text("third")]
     columns += [Column(heading) for heading in ("ratio", "efficiency", *more)]
+    elastic = elastic_columns(mechanisms)
+    columns += elastic
     rows = [
         [
             Cell(one.name),
@@ -64,6 +71,7 @@ def _mechanisms(case: Transmission) -> Grid:
             Cell(case.link_name(one.third) if one.third else "-"),
             *(exact(value, 4) for value in (one.ratio, one.efficiency)),
             *(exact(values[place], 4) for values in more.values()),
+            *(cells[place] for cells in elastic.values()),
         ]
         for place, one in enumerate(mechanisms)
     ]
@@ -79,6 +87,8 @@ def _shift_elements(case: Transmission) -> Grid:
     capacity = any(one.capacity is not None for one in elements)
     columns += [Column("drag, by the input torque")] * drag
     columns += [Column("capacity, by the input torque")] * capacity
+    elastic = elastic_columns(elements)
+    columns += elastic
     rows = [
         [
             Cell(one.name),
@@ -86,8 +96,9 @@ def _shift_elements(case: Transmission) -> Grid:
             *(Cell(case.link_name(link)) for link in (one.first, one.second)),
             *[exact(one.drag, 4)] * drag,
             *[exact(one.capacity)] * capacity,
+            *(cells[place] for cells in elastic.values()),
         ]
-        for one in elements
+        for place, one in enumerate(elements)
     ]
     return Grid("Shift elements", columns, rows)
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 
 from vstatics.model.own import OwnDevice
-from vstatics.model.springs import ends
+from vstatics.model.springs import Spring, ends
 from vstatics.model.transmission import HOUSING, Gear, Mechanism, Transmission
-from vstatics.numerics.tolerances import UNCERTAIN
+from vstatics.numerics.tolerances import TIE, UNCERTAIN
 from vstatics.numerics.traced import Number, absolute
 from vstatics.statics.matrix import column
 from vstatics.statics.speeds import is_tie
@@ -50,11 +50,12 @@ def join(bodies: Bodies, *links: int) -> None:
 def turning_as_one(case: Transmission, gear: Gear, speeds: Sequence[Number]) -> Bodies:
     """The bodies of a gear by its speeds.
 
-    Engaged elements join links, and devices in which nothing moves; what stands joins none.
+    Engaged elements join links, and devices and springs in which nothing moves; what stands
+    joins none.
     """
     bodies = list(range(case.links + 1))
     joined: list[tuple[int, ...]] = [case.shift_elements[number - 1][:2] for number in gear.engaged]
-    joined += _shafts(case)
+    joined += [tuple(one.form) for one in case.springs if turns_as_one(one, speeds)]
     joined += [_links(device) for device in case.own_devices if is_one_piece(device, speeds)]
     for links in joined:
         if HOUSING not in links:
@@ -66,6 +67,21 @@ def is_one_piece(device: OwnDevice, speeds: Sequence[Number]) -> bool:
     """Whether all members of a device turn alike, so that nothing in it moves."""
     with_housing = [0.0, *speeds]
     first, *others = (with_housing[link] for link in _links(device))
+    size = absolute(first)
+    return all(is_tie(absolute(first - other), size, absolute(other)) for other in others)
+
+
+def turns_as_one(spring: Spring, speeds: Sequence[Number]) -> bool:
+    """Whether all links of a spring turn alike, and would not twist it at any speed.
+
+    >>> between_three = Spring({1: 1, 2: -0.5, 3: -0.5}, stiffness=1)
+    >>> turns_as_one(between_three, [2.0, 2.0, 2.0]), turns_as_one(between_three, [2.0, 3.0, 1.0])
+    (True, False)
+    """
+    first, *others = (speeds[link - 1] for link in spring.form)
+    parts = list(spring.form.values())
+    if abs(sum(parts)) > TIE * max(map(abs, parts)):
+        return False
     size = absolute(first)
     return all(is_tie(absolute(first - other), size, absolute(other)) for other in others)
 

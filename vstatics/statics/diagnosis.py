@@ -232,8 +232,9 @@ def _excess(results: Results, number: int, gear: Gear) -> Iterator[Said]:
     for involved, agrees in elimination.dependencies(rows):
         engaged = [names[i] for i in involved if always <= i < always + len(gear.engaged)]
         others = [names[i] for i in involved if i >= always + len(gear.engaged)]
+        springs = [names[i] for i in involved if len(case.mechanisms) <= i < always]
         every = [names[i] for i in involved]
-        conditions = spoken(engaged + others) or spoken(every)
+        conditions = spoken(engaged + springs + others if engaged or others else every)
         if not agrees:
             given = [n for n in others if n != matrix.INPUT_SPEED]
             cures = [
@@ -243,6 +244,8 @@ def _excess(results: Results, number: int, gear: Gear) -> Iterator[Said]:
             cure = " or ".join(filter(None, cures))
             if not cure:
                 conditions, cure = spoken(every), "check which links these join and their ratios"
+            if springs:
+                cure += f"; {spoken(springs)} can't give way here, only in `vstatics torsion`"
             yield _error(
                 f"{TIED_UP.english}: {conditions} contradict each other, so the input can't "
                 f"turn as given; {cure}"

@@ -51,7 +51,7 @@ def sensitivities(results: Results) -> Floats:
         motion = speeds[:, first] - speeds[:, third]
         relative = torques[:, case.among_devices] * motion / output_power[:, np.newaxis]
     # an idle one turns as one piece or carries nothing, which no internal ratio changes
-    idle = np.array([state.search.idle for state in states])
+    idle = np.array([state.search.idle for state in states], dtype=bool)
     idle &= np.isfinite(alone.ratio)[:, np.newaxis]
     relative = np.where(idle, 0.0, relative)
     return np.where(np.isfinite(relative), relative + 0.0, np.nan)

@@ -142,7 +142,7 @@ def blocks(case: Transmission, start: int, stop: int) -> Iterator[tuple[int, int
 def variant_bytes(case: Transmission) -> int:
     """About how much memory the results of a variant take."""
     elements, mechanisms = len(case.shift_elements), len(case.mechanisms)
-    numbers = 3 * case.links + 3 * elements + 5 * mechanisms + 11
+    numbers = 3 * case.links + 3 * elements + 5 * mechanisms + 2 * len(case.springs) + 11
     return len(case.gears) * (8 * numbers + elements + 2 * mechanisms + 6)
 
 

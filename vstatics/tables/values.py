@@ -12,6 +12,7 @@ from vstatics.statics.physical import known_units
 from vstatics.statics.results import Results
 from vstatics.tables.quantities import RELATIVE, WITH_UNITS
 from vstatics.tables.quantity import Quantity, Table
+from vstatics.tables.spring_words import among_springs
 
 
 def tables(results: Results) -> list[Table]:
@@ -30,7 +31,8 @@ def tables(results: Results) -> list[Table]:
     gears = [gear.name for gear in case.gears]
     names = all_row_names(case)
     filled = []
-    for quantity in (*_existing(RELATIVE, results), *with_units(results)):
+    shown = [*_existing(RELATIVE, results), *with_units(results)]
+    for quantity in map(among_springs, shown) if case.springs else shown:
         if quantity.columns == "devices":
             matrix = distribution_matrix(case) + 0.0
             filled.append(Table(quantity, case.link_names, case.devices, matrix))

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from vstatics.model.parts import element_name, mechanism_name
+from vstatics.model.springs import Spring
 from vstatics.model.transmission import SpeedOf, Transmission
 from vstatics.statics.results import Language
 from vstatics.tables.numbers import exponent
@@ -13,6 +14,7 @@ from vstatics.tables.numbers import exponent
 if TYPE_CHECKING:
     from vstatics.model.shape import ByKey
 
+SPRINGS = "Springs, their twists by links (no deck has them: take the YAML or JSON of the case):"
 RUSSIAN = {
     "STRUCTURE": "СТРУКТУРА",
     "Shift elements, first links:": "Первые звенья элементов управления:",
@@ -30,6 +32,7 @@ RUSSIAN = {
         "Механизмы с заданным отношением к сателлиту:"
     ),
     "Ratios from the first link to the planet:": "Отношения от первого звена к сателлиту:",
+    SPRINGS: "Пружины, их закрутки по звеньям (в колоде их нет: нужен YAML или JSON):",
     "GEARS": "ПЕРЕДАЧИ",
     "Engaged elements in each gear:": "Сколько элементов включено на каждой передаче:",
     "Their numbers, a line for each gear:": "Их номера, строка на каждую передачу:",
@@ -67,7 +70,9 @@ KEPT = {
 def write(case: Transmission, lang: Language = "en") -> str:
     """The case as a deck, which reads back as an equal case; see `lost`.
 
-    Of a case with speeds of other links a deck can tell only `Results.with_numbers_only`.
+    Of a case with speeds of other links a deck can tell only `Results.with_numbers_only`. A
+    case with springs is told by names that no reader of decks takes: it says so; see
+    `deck_limits`.
 
     Parameters
     ----------
@@ -149,6 +154,16 @@ def _structure(case: Transmission) -> Iterator[str]:
         yield "Ratios from the first link to the planet:"
         yield "UAQ(K),K=1,KNM:"
         yield _row("", map(exponent, planets.values()))
+    if case.springs:
+        yield SPRINGS
+        yield f"KSPR= {len(case.springs)}"
+        yield from map(_spring, case.springs)
+
+
+def _spring(spring: Spring) -> str:
+    """A line of its coefficients by links, and its name: `SPRING .1000E+01*1 -.1000E+01*2: S`."""
+    form = (f"{exponent(part)}*{link}" for link, part in spring.form.items())
+    return f"SPRING {' '.join(form)}: {spring.name}"
 
 
 def _gears(case: Transmission) -> Iterator[str]:

@@ -2,7 +2,7 @@
 
 Rows and columns are as printed there, under the same names and index lists; the
 program's own tables follow. The report starts with the deck of its case, so it is
-itself a deck that can be run again.
+itself a deck that can be run again, but for a case with springs.
 """
 
 from __future__ import annotations
@@ -52,7 +52,7 @@ def write(results: Results, lang: Language = "en", digits: int = DIGITS) -> str:
     ]
     if results.case.coast:
         lines.append(COASTING.text(lang))
-    named = results.case.drawing is not None
+    named = results.case.has_own_rows
     for table in tables(results):
         for heading, indices, part in _parts(table, results.case):
             mark = " (1)" if part.quantity.kind is bool else ""  # of what is so
@@ -92,7 +92,7 @@ def _indices(quantity: Quantity, rows: str = "") -> str:
 def _rows(table: Table, digits: int, *, named: bool) -> list[str]:
     """Rows of equal fields: 7 wide with three digits, 3 wide for whole numbers, or wider.
 
-    Where the case is drawn each row ends with its name.
+    Where the case is drawn, or has springs, each row ends with its name.
     """
     decimals, width = (digits, digits + 4) if table.quantity.kind is float else (0, 3)
     rows = fixed_rows(table.values.tolist(), width, decimals)

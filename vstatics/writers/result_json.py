@@ -41,7 +41,7 @@ def document(results: Results) -> dict[str, Any]:
         "gears": [gear.name for gear in case.gears],
     }
     shown = tables(results)
-    if case.drawing is not None:
+    if case.has_own_rows:
         result["rows"] = {t.quantity.key: list(t.rows) for t in shown if t.quantity.rows != "one"}
     for table in shown:
         quantity = table.quantity

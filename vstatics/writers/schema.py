@@ -35,7 +35,7 @@ def json_schema(of_case: Schema) -> Schema:
             "type": "object",
             "additionalProperties": texts,
             "description": "Names of the rows of each table, for a case that is drawn: its own "
-            "links and elements, planets, members, meshes.",
+            "links and elements, planets, members, meshes; and for one with springs.",
         },
     }
     properties |= {quantity.key: _table(quantity) for quantity in QUANTITIES}

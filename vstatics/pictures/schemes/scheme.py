@@ -3,36 +3,45 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from types import MappingProxyType
 from typing import NamedTuple
 
 from vstatics.elements.drawing import parts_of
 from vstatics.elements.element import Element
 from vstatics.model.parts import ELEMENT_KINDS
+from vstatics.model.springs import Spring, ends
 from vstatics.model.transmission import HOUSING, Gear, Mechanism, ShiftElement, Transmission
 from vstatics.pictures.state import PictureState
 
 
 class Device(NamedTuple):
-    """A mechanism, an element with teeth, or a shift element, and the links that it joins."""
+    """A mechanism, an element with teeth, a spring, a shift element, and what it joins."""
 
     name: str
     kind: str
-    """``mechanism``, a kind of element, or a kind of shift element."""
+    """``mechanism``, ``spring``, a kind of element, or a kind of shift element."""
     members: dict[str, int]
     """Their links; 0 is the housing."""
     numbers: tuple[int, ...]
-    """Its mechanisms, or the shift element itself, as indices."""
+    """Its mechanisms, or the shift element or spring itself, as indices."""
     element: Element | None = None
     """With its teeth, where it was drawn."""
     ratio: float = math.nan
     """Of a mechanism. [-]"""
+    labels: Mapping[str, str] = MappingProxyType({})
+    """What is written of members, where it is not what they are called."""
 
     @property
     def is_shift_element(self) -> bool:
         """Whether it is engaged and released."""
         return self.kind in ELEMENT_KINDS
+
+    @property
+    def is_coupling(self) -> bool:
+        """Whether it stands on the line between two links, or a link and the housing."""
+        return self.is_shift_element or (self.kind == "spring" and "second" in self.members)
 
     @property
     def links(self) -> set[int]:
@@ -41,8 +50,8 @@ class Device(NamedTuple):
 
     @property
     def is_on_housing(self) -> bool:
-        """Whether it joins one link to the housing: a brake, a support."""
-        return len(self.links) == 1 and (self.is_shift_element or self.kind == "held")
+        """Whether it joins one link to the housing: a brake, a support, a spring."""
+        return len(self.links) == 1 and (self.is_coupling or self.kind == "held")
 
 
 class SchemePort(NamedTuple):
@@ -101,7 +110,11 @@ def scheme_of(case: Transmission) -> Scheme:
     [('D1', {'1': 1, '2': 2, '3': 3}), ('T1', {'first': 2, 'second': 0})]
     """
     count = case.own_links
-    devices = [*_mechanisms(case), *_shift_elements(case.shift_elements)]
+    devices = [
+        *_mechanisms(case),
+        *_shift_elements(case.shift_elements),
+        *(_spring(number, spring, case) for number, spring in enumerate(case.springs)),
+    ]
     ports = dict.fromkeys(
         port
         for gear in case.gears
@@ -154,6 +167,17 @@ def _shift_elements(elements: Sequence[ShiftElement]) -> list[Device]:
     ]
 
 
+def _spring(number: int, spring: Spring, case: Transmission) -> Device:
+    """A shaft between its ends; any other as a box, on which its coefficients stand."""
+    shaft = ends(spring.twist)
+    if shaft is not None:
+        members = dict(zip(("first", "second"), shaft, strict=True))
+        return Device(spring.name, "spring", members, (number,))
+    members = {case.link_name(link): link for link in spring.form}
+    labels = {case.link_name(link): f"{part:.5g}" for link, part in spring.form.items()}
+    return Device(spring.name, "spring", members, (number,), labels=labels)
+
+
 def _ports(first: int, last: int, gear: Gear) -> list[SchemePort]:
     further = dict.fromkeys([*gear.speeds, *gear.torques])
     return [
@@ -173,6 +197,9 @@ def scheme_state(scheme: Scheme, state: PictureState) -> SchemeState:
         if device.is_shift_element:
             carries = device.numbers[0] + 1 in state.gear.engaged
             (engaged if carries else idle).add(place)
+        elif device.kind == "spring":
+            carries = state.loaded_springs[device.numbers[0]]
+            idle.update([] if carries else [place])
         else:
             carries = any(state.is_loaded[number] for number in device.numbers)
             rests = all(state.is_idle[number] for number in device.numbers)

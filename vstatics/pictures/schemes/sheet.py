@@ -1,4 +1,4 @@
-"""What all schemes draw alike: paper, title, wires, ends, clutches and brakes."""
+"""What all schemes draw alike: paper, title, wires, ends, clutches, brakes and springs."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ BESIDE = 14.0
 """From a brake to its name. [pt]"""
 PLATE = 9.0
 """Half the length of a plate. [pt]"""
-SPLIT = {"freewheel": 6.0, "dog_clutch": 4.0}
+SPLIT = {"freewheel": 6.0, "dog_clutch": 4.0, "spring": 9.0}
 """Half the length along the line, where it is not that of plates. [pt]"""
 
 
@@ -138,14 +138,14 @@ def _ends(sheet: Sheet) -> None:
 
 
 def brake_width(device: Device) -> float:
-    """Of a brake or a support in the row, with its name."""
-    if not device.is_shift_element:
+    """Of a brake, a support or a spring in the row, with its name."""
+    if not device.is_coupling:
         return 24.0
     return width_of(wrapped(device.name), bold=True) + BESIDE + 18
 
 
 def clutch_item(index: int, device: Device, sides: tuple[int, ...]) -> Item:
-    """A clutch, whose wires may come from these sides."""
+    """A clutch or a spring, whose wires may come from these sides."""
     width = max(width_of(wrapped(device.name), bold=True) + 14, 34.0)
     one, other = device.members.values()
     variants = [
@@ -158,7 +158,7 @@ def clutch_item(index: int, device: Device, sides: tuple[int, ...]) -> Item:
 
 
 def coupling(pen: Pen, kind: str, ends: tuple[Point, Point], color: str, *, closed: bool) -> None:
-    """A shift element on a level or upright line, from its first link to its second."""
+    """A shift element or a spring on a level or upright line, from its first link to its second."""
     start, end = ends
     middle = (start[0] + end[0]) / 2, (start[1] + end[1]) / 2
     length = abs(end[0] - start[0]) + abs(end[1] - start[1])
@@ -170,6 +170,10 @@ def coupling(pen: Pen, kind: str, ends: tuple[Point, Point], color: str, *, clos
     half = SPLIT.get(kind, 3.0)
     pen.line(start, at(-half, 0), color=color)
     pen.line(at(half, 0), end, color=color)
+    if kind == "spring":
+        turns = [(half * (step / 4 - 1), 6.0 * (1, -1)[step % 2]) for step in range(1, 8)]
+        pen.line(at(-half, 0), *(at(*turn) for turn in turns), at(half, 0), color=color)
+        return
     if kind == "freewheel":
         fill = color if closed else pen.style.paper
         pen.shape([at(-half, 6), at(-half, -6), at(half, 0)], fill=fill, edge=color)
@@ -187,7 +191,7 @@ def coupling(pen: Pen, kind: str, ends: tuple[Point, Point], color: str, *, clos
 
 
 def draw_clutch(sheet: Sheet, index: int) -> None:
-    """A clutch between two links, its name below."""
+    """A clutch or a spring between two links, its name below."""
     device, color = sheet.scheme.devices[index], sheet.color(index)
     closed = index in sheet.state.engaged
     first, second = sorted(sheet.taps(index), key=lambda tap: tap.wire != device.members["first"])
@@ -197,13 +201,13 @@ def draw_clutch(sheet: Sheet, index: int) -> None:
 
 
 def draw_brake(sheet: Sheet, index: int) -> None:
-    """A brake, a freewheel or a support at the housing, its name beside it."""
+    """A brake, a freewheel, a spring or a support at the housing, its name beside it."""
     device, color = sheet.scheme.devices[index], sheet.color(index)
     tap = next(tap for tap in sheet.taps(index) if tap.reach != "row")
     start = sheet.placement.edge(tap.side)
     ends = (tap.x, start), (tap.x, start + tap.side * BAND)
     sheet.pen.ground(ends[1], tap.side, color)
-    if not device.is_shift_element:
+    if not device.is_coupling:
         sheet.pen.line(*ends, color=color)
         return
     closed = index in sheet.state.engaged
@@ -218,7 +222,7 @@ def draw_devices(sheet: Sheet, draw_mechanism: Callable[[Sheet, int], None]) -> 
     for index, device in enumerate(sheet.scheme.devices):
         if device.is_on_housing:
             draw_brake(sheet, index)
-        elif device.is_shift_element:
+        elif device.is_coupling:
             draw_clutch(sheet, index)
         else:
             draw_mechanism(sheet, index)

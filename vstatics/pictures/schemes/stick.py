@@ -146,13 +146,13 @@ def _element_item(index: int, device: Device, glyphs: list[Glyph], style: Style)
 
 
 def _item(index: int, device: Device, style: Style) -> Item:
-    """A shift element, a support, or a mechanism that is given as such."""
+    """A shift element, a support, a spring, or a mechanism that is given as such."""
     if device.is_on_housing:
         (link,) = device.links
         drum = [Tap(link, ABOVE, 12.0, "edge")]
         shaft = [Tap(link, BELOW, 12.0), Tap(link, ABOVE, 12.0, "pass")]
         return Item(index, [brake_width(device)] * 2, [drum, shaft])
-    if device.is_shift_element:
+    if device.is_coupling:
         return clutch_item(index, device, (ABOVE, BELOW))
     return replace(box_item(index, device, (ABOVE, BELOW), style), rank=index)
 

@@ -74,14 +74,14 @@ def _item(index: int, device: Device, style: Style) -> Item:
     if device.is_on_housing:
         (link,) = device.links
         return Item(index, [brake_width(device)], [[Tap(link, 0, 12.0, "edge")]])
-    if device.is_shift_element:
+    if device.is_coupling:
         return clutch_item(index, device, (0,))
     return box_item(index, device, (0,), style)
 
 
 def box_item(index: int, device: Device, sides: tuple[int, ...], style: Style) -> Item:
     """A mechanism as a box with its members at the top and at the bottom."""
-    slot = max(width_of(word(member, style), SMALL) for member in device.members) + 9
+    slot = max(width_of(member_text(device, one, style), SMALL) for one in device.members) + 9
     name = width_of(wrapped(device.name, LETTERS), bold=True)
     inner = max(name, width_of(word(device.kind, style), SMALL), 60.0) + 10
     variants: list[list[Tap]] = [[]]
@@ -94,6 +94,13 @@ def box_item(index: int, device: Device, sides: tuple[int, ...], style: Style) -
             for side in own
         ]
     return Item(index, [inner] * len(variants), variants, slot=slot)
+
+
+def member_text(device: Device, member: str, style: Style) -> str:
+    """What stands in a box beside the wire of a member."""
+    if member in device.labels:
+        return device.labels[member].replace("-", "−")
+    return word(member, style)
 
 
 def _note(device: Device, style: Style) -> str:
@@ -118,7 +125,7 @@ def draw_box(sheet: Sheet, index: int) -> None:
         y -= 0.95 * HEIGHT
     pen.text(((left + right) / 2, y), _note(device, pen.style), color=color, size=SMALL)
     for tap in sheet.taps(index):
-        text = word(tap.label, pen.style)
+        text = member_text(device, tap.label, pen.style)
         pen.text((tap.x, tap.side * (HALF - 8)), text, color=color, size=SMALL)
         if tap.reach == "none":
             end = tap.x, tap.side * (HALF + 8)

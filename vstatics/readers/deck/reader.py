@@ -14,13 +14,14 @@ from vstatics.model.transmission import Gear, Mechanism, ShiftElement
 from vstatics.readers.deck.encodings import texts
 from vstatics.readers.deck.fields import Fields
 from vstatics.readers.deck.numbers import integer, real
-from vstatics.readers.deck.text import scan
+from vstatics.readers.deck.text import SPRINGS, scan
 from vstatics.readers.deck.variants import KnownDeck, known_deck
 from vstatics.readers.reading import Reading, Source, finish
 
 _known: KnownDeck | None = None
 """The last deck that was read in full without a word."""
 
+NO_SPRINGS = "0: a deck has no springs; take the YAML or JSON of this case"
 NAMED = {"J": "link", "F": "shift element", "D": "mechanism", "P": "gear", "T": "title"}
 
 
@@ -93,6 +94,7 @@ def _parts(fields: Fields) -> dict[str, Any]:
         "D": fields.size("KG", "mechanisms", 0),
         "P": fields.size("NP", "gears", 1),
     }
+    fields.optional(SPRINGS, 0, range(1), NO_SPRINGS)
     names = _names(fields, sizes)
     elements = fields.or_guess(sizes["F"], "NZF(I,1)", "shift_elements")
     mechanisms = fields.or_guess(sizes["D"], "NZD(I,1)", "mechanisms")

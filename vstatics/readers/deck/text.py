@@ -15,7 +15,9 @@ from vstatics.readers.deck.encodings import texts
 from vstatics.readers.reading import Source
 from vstatics.tables.quantities import PRINTED
 
-SCALARS = {"KJG", "KL", "KG", "KNM", "NP", "INP", "IOUT", "IDLE", "COAST"}
+SPRINGS = "KSPR"
+"""How many springs a case has: only listings tell it, of cases that no deck holds."""
+SCALARS = {"KJG", "KL", "KG", "KNM", "NP", "INP", "IOUT", "IDLE", "COAST", SPRINGS}
 """Fields of one value; they have no index list, and may share a line."""
 
 LISTS = {
