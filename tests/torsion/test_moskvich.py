@@ -1,0 +1,117 @@
+"""The shipped driveline of the Moskvich-412 against the tables of its book.
+
+Tsitovich, Algin, Vehicle dynamics (1981), tables 2.1 to 2.3 and 2.5, in table_2_5.json.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import pytest
+
+from tests.commands import CASES
+from tests.torsion.book import TENTH, percent, scheme, table
+from vstatics import Transmission, load
+from vstatics.torsion.gear_modes import GearModes, modes
+from vstatics.torsion.reduction import GearReduction, reduce
+from vstatics.torsion.scheme import natural_frequencies
+
+GEARS = ("1", "2", "3", "4")
+STATES = {"working": "", "at stop": " at stop"}
+"""Of the clutch damper, and what the gears of the case are called then."""
+SLIP = ("1", "at stop", 1)
+FREQUENCIES = 6
+
+
+@pytest.fixture(scope="module")
+def case() -> Transmission:
+    return load(CASES / "moskvich412.yaml")
+
+
+@pytest.fixture(scope="module")
+def printed() -> Any:
+    return table("table_2_5")
+
+
+@pytest.fixture(scope="module")
+def gears(case: Transmission) -> dict[str, GearModes]:
+    return {gear.name: gear for gear in modes(case)}
+
+
+@pytest.fixture(scope="module")
+def reduced(case: Transmission) -> list[GearReduction]:
+    return reduce(case, "input shaft", GEARS)
+
+
+def test_six_frequencies_in_every_gear(gears: dict[str, GearModes]) -> None:
+    counts = {(gear.rigid_modes, len(gear.modes)) for gear in gears.values()}
+    assert counts == {(1, FREQUENCIES)}
+
+
+def test_frequencies_of_table_2_5_from_own_values(
+    gears: dict[str, GearModes], printed: Any
+) -> None:
+    """Some more than from table 2.2, whose J_6 of gear II is 1.2 % off its own value."""
+    off = {
+        (gear, state, number): percent(mode.omega, omega)
+        for state, suffix in STATES.items()
+        for gear, row in zip(GEARS, printed["omega"][state], strict=True)
+        for number, (mode, omega) in enumerate(
+            zip(gears[gear + suffix].modes, row, strict=True), 1
+        )
+    }
+    assert len(off) == 48
+    assert {cell for cell, one in off.items() if one > 1.5} == {SLIP}
+    assert sum(one <= 0.2 for one in off.values()) >= 30
+
+
+def test_frequencies_of_table_2_5_from_the_scheme_of_table_2_2(printed: Any) -> None:
+    """Masses 1 to 4, the casing 5, wheels 6, vehicle 7; the axle is at 4, 6 and 5."""
+    off = {}
+    for state, first in printed["scheme"]["E1"].items():
+        for number, gear in enumerate(GEARS):
+            inertias = [one * TENTH for one in printed["scheme"]["J"][number]]
+            compliances = [first, *printed["scheme"]["E"][number]]
+            twists = ({1: 1, 2: -1}, {2: 1, 3: -1}, {3: 1, 4: -1}, {4: 1, 6: -1, 5: -1})
+            springs = [
+                {"twist": twist, "compliance": compliance}
+                for twist, compliance in zip(
+                    (*twists, {5: 1}, {6: 1, 7: -1}), compliances, strict=True
+                )
+            ]
+            found = natural_frequencies(scheme(inertias, springs, 1e-5))
+            for place, (omega, expected) in enumerate(
+                zip(found, printed["omega"][state][number], strict=True), 1
+            ):
+                off[gear, state, place] = percent(omega, expected)
+    assert len(off) == 48
+    assert {cell for cell, one in off.items() if one > 1.4} == {SLIP}
+    assert sum(one <= 0.2 for one in off.values()) >= 35
+
+
+@pytest.mark.parametrize(("quantity", "unit"), [("inertias", TENTH), ("compliances", 1e-5)])
+def test_reduced_values_of_tables_2_1_and_2_2(
+    reduced: list[GearReduction], printed: Any, quantity: str, unit: float
+) -> None:
+    off = {}
+    for gear, found in enumerate(reduced):
+        values = getattr(found, quantity)
+        for name, row in printed[quantity].items():
+            if row[gear] is None:
+                assert name not in values
+            else:
+                off[name, gear] = percent(values[name], row[gear] * unit)
+    assert len(off) == (28 if quantity == "inertias" else 20)
+    assert max(off.values()) < 1.2
+    assert sum(one > 0.5 for one in off.values()) <= 5
+
+
+def test_decrements_are_as_measured(gears: dict[str, GearModes], printed: Any) -> None:
+    """Table 2.3: within the coefficient of variation of the measurements."""
+    for gear, decrement, variation in zip(
+        GEARS, printed["decrement"], printed["variation"], strict=True
+    ):
+        ratio = gears[gear].modes[0].damping_ratio
+        found = 2 * math.pi * ratio / math.sqrt(1 - ratio**2)
+        assert found == pytest.approx(decrement, rel=variation)
