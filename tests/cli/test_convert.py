@@ -36,11 +36,16 @@ def kept(case: Transmission, form: str) -> Transmission:
     return replace(settled, shift_elements=plain, gears=gears, **bare)  # type: ignore[arg-type]
 
 
+def suffixes(case: Transmission) -> dict[str, str]:
+    """The formats that can hold a case; a deck has no springs."""
+    return {form: SUFFIXES[form] for form in KEEPS_ALL} if case.springs else SUFFIXES
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("path", SHIPPED, ids=lambda path: path.name)
 def test_a_shipped_case_goes_round_all_formats(path: Path, tmp_path: Path) -> None:
     case = library.load(path)
-    for form, suffix in SUFFIXES.items():
+    for form, suffix in suffixes(case).items():
         target = tmp_path / f"first{suffix}"
         said = vstatics("convert", path, target)
         expected = (
@@ -49,7 +54,7 @@ def test_a_shipped_case_goes_round_all_formats(path: Path, tmp_path: Path) -> No
         assert (said.status, said.out) == (1 if expected else 0, "")
         assert [line for line in said.err.splitlines() if "not kept" in line] == expected
         assert library.load(target) == kept(case, form)
-        for again, ending in SUFFIXES.items():
+        for again, ending in suffixes(case).items():
             second = tmp_path / f"second{ending}"
             vstatics("convert", target, second)
             assert library.load(second) == kept(library.load(target), again)

@@ -57,9 +57,7 @@ def test_frequencies_of_table_2_5_from_own_values(
         (gear, state, number): percent(mode.omega, omega)
         for state, suffix in STATES.items()
         for gear, row in zip(GEARS, printed["omega"][state], strict=True)
-        for number, (mode, omega) in enumerate(
-            zip(gears[gear + suffix].modes, row, strict=True), 1
-        )
+        for number, (mode, omega) in enumerate(zip(gears[gear + suffix].modes, row, strict=True), 1)
     }
     assert len(off) == 48
     assert {cell for cell, one in off.items() if one > 1.5} == {SLIP}
