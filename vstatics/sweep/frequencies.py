@@ -91,6 +91,8 @@ def frequencies(
 def mode_names(case: Transmission, targets: Sequence[Target]) -> list[str]:
     """The numbers of modes that a gear of the case has at most: as it is, or with varied inertias.
 
+    A gear that is tied up may have one in a variant.
+
     Raises
     ------
     CaseError
@@ -103,7 +105,7 @@ def mode_names(case: Transmission, targets: Sequence[Target]) -> list[str]:
     heavy = {target.owner + 1: 1.0 for target in targets if target.quantity == "inertia"}
     case = replace(case, inertias={**case.inertias, **heavy})
     systems = [vibrating(case, gear) for gear in case.gears]
-    counts = [coordinates(one).modes for one in systems if not isinstance(one, str)]
+    counts = [1 if isinstance(one, str) else coordinates(one).modes for one in systems]
     return [str(number) for number in range(1, max(counts, default=0) + 1)]
 
 

@@ -89,10 +89,10 @@ def target(text: str, case: Transmission, place: Place | None = None) -> Target:
         raise refusal(message + nearest(read, [*expected, *ALIASES]), place, at)
     quantity = NAMES[read]
     found = _found(name, OWNERS[quantity], case)
-    if len(found) != 1:
+    if quantity not in known or len(found) != 1:
         raise refusal(_not_one(name, quantity, case), place, begin)
     if quantity == "damping" and damping_of(devices_of(case)[found[0]]).loss_factor:
-        message = f"{quoted(name)} is damped by a ratio or a loss factor, expected N*m*s/rad there"
+        message = f"{quoted(name)} is damped by a ratio or loss factor: give N*m*s/rad to vary it"
         raise refusal(message, place, begin)
     return Target(f"{_names(OWNERS[quantity], case)[found[0]]}.{quantity}", found[0], quantity)
 
@@ -144,7 +144,8 @@ def _no_number(text: str, known: Mapping[Quantity, Owner], case: Transmission) -
         if owner in known.values()
     )
     names = [f"{name}.{one}" for one, owner in known.items() for name in _usable(owner, case)]
-    hint = nearest(text.strip(), names) or f"; such as `{names[0]}`"
+    own = [name for name in names if name.startswith(f"{text.strip()}.")]
+    hint = nearest(own[0] if own else text.strip(), names) or f"; such as `{names[0]}`"
     return f"read {shown(text)}, expected {expected}{hint}"
 
 

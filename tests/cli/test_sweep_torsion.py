@@ -1,0 +1,122 @@
+"""`vstatics sweep` of natural frequencies: every format, jobs, --resume, a table, a sweep file."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import openpyxl
+import pytest
+
+from tests.commands import vstatics
+
+CASE = """\
+links: [engine, disc, wheel]
+inertias: {engine: 0.15, disc: 0.01, wheel: 1.5}
+springs:
+  damper: {links: [engine, disc], compliance: 84e-5, damping: 3.2}
+  shaft: {links: [disc, wheel], stiffness: 9 kN*m/rad}
+"""
+OMEGA = "omega[1,1],omega[2,1]/omega[1,1]"
+
+
+@pytest.fixture(autouse=True)
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A folder, the current one, with three masses."""
+    (tmp_path / "box.yaml").write_text(CASE, encoding="utf-8")
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+def frequencies() -> list[float]:
+    """As `torsion modes` tells them."""
+    [gear] = json.loads(vstatics("torsion", "modes", "box.yaml", "-f", "json").out)["gears"]
+    return [mode["omega"] for mode in gear["modes"]]
+
+
+def test_the_numbers_are_those_of_torsion_modes() -> None:
+    low, high = frequencies()
+    said = vstatics(
+        "sweep", "box.yaml", "--vary", "damper.compliance=84e-5", "--out", OMEGA, "-f", "jsonl"
+    )
+    row = json.loads(said.out)
+    assert row["omega[1,1]"] == pytest.approx(low, rel=1e-11)
+    assert row["omega[2,1]/omega[1,1]"] == pytest.approx(high / low, rel=1e-11)
+
+
+@pytest.mark.parametrize("form", ["csv", "npz", "parquet", "xlsx", "md"])
+def test_every_format_with_any_number_of_jobs(form: str) -> None:
+    pytest.importorskip("pyarrow")
+    vary = "damper.stiffness=0:2000:5", "--vary", "disc.inertia=0,0.01"
+    for jobs in (1, 2):
+        said = vstatics(
+            "sweep",
+            "box.yaml",
+            "--vary",
+            *vary,
+            "--out",
+            OMEGA,
+            "--jobs",
+            jobs,
+            "-o",
+            f"{jobs}.{form}",
+        )
+        assert said.status == 0
+        assert "10 rows of 10 variants (2 invalid)" in said.err
+    if form != "xlsx":  # which has the time in it
+        assert Path(f"1.{form}").read_bytes() == Path(f"2.{form}").read_bytes()
+
+
+def test_npz_and_a_workbook_hold_the_numbers() -> None:
+    vary = ("sweep", "box.yaml", "--vary", "damper.stiffness=500,1000", "--out", "omega[1]")
+    assert vstatics(*vary, "-o", "out.npz").status == 0
+    assert vstatics(*vary, "-o", "out.xlsx").status == 0
+    with np.load("out.npz") as made:
+        assert made["damper.stiffness"].tolist() == [500, 1000]
+        omegas = made["omega[1,1]"].tolist()
+    sheet = openpyxl.load_workbook("out.xlsx").active
+    assert sheet is not None
+    rows = list(sheet.iter_rows(values_only=True))
+    assert [row[-1] for row in rows[-2:]] == pytest.approx(omegas)
+
+
+def test_a_table_of_variants_and_a_sweep_file() -> None:
+    Path("own.csv").write_text("wheel.inertia,shaft.stiffness\n1.5,9e3\n2,1e4\n", encoding="utf-8")
+    table = vstatics("sweep", "box.yaml", "--variants", "own.csv", "--out", "omega[1]")
+    Path("sweep.yaml").write_text(
+        "case: box.yaml\nzip: true\nout: omega[1]\n"
+        "vary: {wheel.inertia: [1.5, 2], shaft.stiffness: [9e3, 1e4]}\n",
+        encoding="utf-8",
+    )
+    file = vstatics("sweep", "--file", "sweep.yaml")
+    assert table.out == file.out
+    assert len(table.out.splitlines()) == 3
+    Path("own.csv").write_text("wheel.inertai\n1.5\n", encoding="utf-8")
+    wrong = vstatics("sweep", "box.yaml", "--variants", "own.csv", "--out", "omega[1]")
+    assert wrong.status == 1
+    assert "own.csv:1:7: error: read `inertai`, expected `inertia`" in wrong.err
+
+
+def test_the_best_and_a_condition() -> None:
+    """The ratio of the frequencies falls as the damper gets stiffer."""
+    said = vstatics(
+        "sweep", "box.yaml", "--vary", "damper.stiffness=200:2000:10", "--out", OMEGA,
+        "--where", "omega[1,1] > 60", "--max", "omega[2,1]/omega[1,1]", "--best", 1,
+    )  # fmt: skip
+    [row] = said.out.splitlines()[1:]
+    assert row.startswith("2,600,ok,64.")
+
+
+def test_no_variant_can_turn() -> None:
+    """The brake holds the second wheel, and so the input."""
+    Path("tied.yaml").write_text(
+        "links: 3\ninertias: {1: 1, 3: 1}\nsprings: {s: {links: [2, 3], stiffness: 5}}\n"
+        "shift_elements: {B: [2, housing]}\ngears: {low: [B]}\n"
+        "mechanisms: {pair: {first: 1, second: 2, third: housing, ratio: -2}}\n",
+        encoding="utf-8",
+    )
+    said = vstatics("sweep", "tied.yaml", "--vary", "s.stiffness=1,2", "--out", "omega")
+    assert said.status == 1
+    assert said.out.splitlines()[1:] == ["0,1,tied up,", "1,2,tied up,"]
+    assert "no variant has a solution" in said.err

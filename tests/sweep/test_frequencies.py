@@ -1,0 +1,260 @@
+"""Natural frequencies of sweeps: those of `torsion modes`, counted as there, and their gears."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from tests.sweep.sweeps import plan
+from tests.torsion.systems import Array, chain, with_planetary_set
+from vstatics import Gear, Mechanism, ShiftElement, Spring, Transmission, loads
+from vstatics.sweep import sweep
+from vstatics.sweep.chunk import STATUS, Chunk, calculate
+from vstatics.torsion.gear_modes import modes
+
+SHAFT = chain([0.2, 0.8], [500.0])
+"""Two masses: ``omega^2 = c (1/J1 + 1/J2)``, and a rigid mode that is not counted."""
+
+
+def named_chain() -> Transmission:
+    """Three masses with names, free at both ends."""
+    case = chain([0.15, 0.01, 1.5], [1190.0, 9000.0])
+    springs = [
+        one._replace(name=name) for one, name in zip(case.springs, ("damper", "shaft"), strict=True)
+    ]
+    return case.replace(springs=springs, link_names=("engine", "disc", "wheel"))
+
+
+def only(case: Transmission, *vary: Any, **options: Any) -> Chunk:
+    [made] = sweep(case, vary, **options)
+    return made
+
+
+def alone(case: Transmission, gear: int | str = 1) -> list[float]:
+    """The frequencies of a gear as `torsion modes` gives them."""
+    [found] = modes(case, [gear])
+    return [mode.omega for mode in found.modes]
+
+
+def with_spring(case: Transmission, name: str, stiffness: float) -> Transmission:
+    return case.replace(
+        springs=[
+            one._replace(stiffness=stiffness, compliance=None) if one.name == name else one
+            for one in case.springs
+        ]
+    )
+
+
+def statuses(made: Chunk) -> list[str]:
+    return [STATUS[code] for code in made.status]
+
+
+def test_two_masses_on_a_shaft() -> None:
+    made = only(SHAFT, "shaft 1.stiffness=100,400", "2.inertia=0.8,0.2", out="omega[1,1]")
+    expected = [math.sqrt(c * (1 / 0.2 + 1 / j)) for c in (100, 400) for j in (0.8, 0.2)]
+    np.testing.assert_allclose(made.columns[:, 0], expected, rtol=1e-13)
+    assert made.names == ("shaft 1.stiffness", "2.inertia")
+    assert statuses(made) == ["ok"] * 4
+
+
+def test_a_compliance_is_one_by_a_stiffness() -> None:
+    by_stiffness = only(named_chain(), "damper.stiffness=100,400", out="omega")
+    by_compliance = only(named_chain(), "damper.compliance=1/100,1/400", out="omega")
+    np.testing.assert_allclose(by_stiffness.columns, by_compliance.columns, rtol=1e-15)
+
+
+def elastic(spring: float = 900.0, clutch: float = 1e4, mechanism: float = 1e5) -> Transmission:
+    case = with_planetary_set(
+        shift_elements=[ShiftElement(2, 3, name="C", stiffness=clutch)],
+        mechanisms=[Mechanism(2, 3, 4, ratio=-2.5, name="P", stiffness=mechanism)],
+    )
+    return with_spring(case, "in", spring)
+
+
+@pytest.mark.parametrize(
+    ("device", "name"), [("in", "spring"), ("C", "clutch"), ("P", "mechanism")]
+)
+def test_a_spring_a_clutch_and_a_mechanism_may_be_elastic(device: str, name: str) -> None:
+    """Each as if the case gave it so; an open clutch has no stiffness."""
+    (made,) = sweep(elastic(), {f"{device}.stiffness": [2e3, 3e4]}, out="omega[1], omega[2]")
+    for [value], row in zip(made.values, made.columns, strict=True):
+        given = elastic(**{name: value})
+        expected = [alone(given, gear)[mode] for mode in (0, 1) for gear in ("low", "direct")]
+        np.testing.assert_allclose(row, expected, rtol=1e-9)
+
+
+def test_an_elastic_element_goes_by_its_name() -> None:
+    """A gear pair of 20 and 40 teeth between two masses: by ``u = -2`` J2 is J2/4 on link 1."""
+    text = """
+links: [in, out]
+inertias: {in: 0.2, out: 0.8}
+elements:
+  G: {kind: gear_pair, first: in, second: out, teeth: {first: 20, second: 40}, stiffness: 500}
+gears: {"1": {}}
+"""
+    made = only(loads(text), "G.stiffness=500,2000", out="omega[1,1], G.compliance")
+    expected = [math.sqrt(c * (1 / 0.2 + 4 / 0.8)) for c in (500, 2000)]
+    np.testing.assert_allclose(made.columns[:, 0], expected, rtol=1e-12)
+    np.testing.assert_allclose(made.columns[:, 1], [1 / 500, 1 / 2000])
+
+
+@pytest.mark.parametrize(
+    "options", [{}, {"zip": True}, {"sample": 12}, {"sample": 12, "method": "lhs"}]
+)
+def test_ratios_stiffnesses_and_inertias_together(options: dict[str, Any]) -> None:
+    """A grid, pairs and samples: each row as the case with its numbers."""
+    case = with_planetary_set()
+    span = "sample" in options
+    made = only(
+        case,
+        "P.ratio=-3:-2" + ("" if span else ":3"),
+        "out.stiffness=1000:5000" + ("" if span else ":3"),
+        "4.inertia=0:0.5" + ("" if span else ":3"),
+        out="omega[1], omega[4], ratio[low]",
+        **options,
+    )
+    assert made.headings == (
+        "omega[1,low]", "omega[1,direct]", "omega[4,low]", "omega[4,direct]", "ratio[low]"
+    )  # fmt: skip
+    for (ratio, stiffness, inertia), row in zip(made.values, made.columns, strict=True):
+        one = with_spring(case, "out", stiffness).replace(
+            mechanisms=[case.mechanisms[0]._replace(ratio=ratio)],
+            inertias={**case.inertias, 4: inertia},
+        )
+        expected = [
+            (alone(one, gear) + [math.nan] * 4)[mode]
+            for mode in (0, 3)
+            for gear in ("low", "direct")
+        ]
+        np.testing.assert_allclose(row, [*expected, 1 - ratio], rtol=1e-9)
+
+
+def test_an_expression_of_frequencies() -> None:
+    """The engine on the damper alone, and the disc between its two springs."""
+    out = "omega[2,1]/omega[1,1], (omega[1,1]/10)**2, max(omega), omega[#2,#1] - omega[2]"
+    made = only(named_chain(), "damper.stiffness=1190", out=out)
+    low, high = alone(named_chain())
+    np.testing.assert_allclose(made.columns[0], [high / low, low**2 / 100, high, 0], atol=1e-9)
+    assert made.headings[3] == "(omega[#2,#1] - omega[2])[1]"
+
+
+def test_conditions_and_the_best() -> None:
+    """``omega`` grows with the stiffness, so the least of those above 60 is the first above it."""
+    made = only(SHAFT, "shaft 1.stiffness=100:1000:10", out="omega", where="omega[1,1] > 60")
+    assert made.columns.min() > 60
+    assert len(made.variants) == sum(c * 6.25 > 3600 for c in range(100, 1001, 100))
+    best = plan(
+        "shaft 1.stiffness=100:1000:10", case=SHAFT, out="omega", max=["omega[1,1]"], best=1
+    )
+    chunk = calculate(best, 0, 10)
+    assert int(np.argmin(chunk.objectives[:, 0])) == 9
+
+
+def test_all_modes_and_all_gears_have_columns() -> None:
+    """All gears of the first mode, then of the second, as of any table."""
+    case = named_chain().replace(gears=[Gear(name="a"), Gear(name="2R")])
+    made = only(case, "wheel.inertia=1.5", out="omega, omega[1], omega[:,'2R']")
+    assert made.headings == (
+        "omega[1,a]", 'omega[1,"2R"]', "omega[2,a]", 'omega[2,"2R"]'
+    )  # fmt: skip
+    np.testing.assert_allclose(made.columns[0], np.repeat(alone(case), 2), rtol=1e-12)
+
+
+def test_there_is_none_where_a_variant_has_fewer_modes() -> None:
+    """Without the inertia of the disc two masses are left; a third mode there is never."""
+    made = only(named_chain(), "disc.inertia=0,0.01", out="omega[1,1], omega[2,1], omega[3,1]")
+    assert np.isnan(made.columns).tolist() == [[False, True, True], [False, False, True]]
+    assert statuses(made) == ["ok", "ok"]
+    kept = only(named_chain(), "disc.inertia=0,0.01", out="omega[1,1]", where="omega[2,1] > 0")
+    assert kept.variants.tolist() == [1]
+
+
+def test_inertias_that_are_varied_may_bring_modes() -> None:
+    case = named_chain().replace(inertias={1: 0.15, 3: 1.5})
+    assert only(case, "disc.inertia=0,0.01", out="omega").headings == ("omega[1,1]", "omega[2,1]")
+
+
+def test_what_no_case_can_have_is_invalid() -> None:
+    bad = [0.0, -1.0, math.nan, math.inf, 1e-310]
+    for name, wrong in (("damper.stiffness", bad), ("damper.compliance", bad)):
+        (made,) = sweep(named_chain(), {name: [500.0, *wrong]}, out="omega[1,1]")
+        assert statuses(made) == ["ok"] + ["invalid"] * 5
+        assert np.isnan(made.columns[1:]).all()
+    for name in ("damper.damping", "wheel.inertia"):
+        (made,) = sweep(named_chain(), {name: [0.0, 1.0, -1.0, math.nan]}, out="omega[1,1]")
+        assert statuses(made) == ["ok", "ok", "invalid", "invalid"]
+        assert not np.isnan(made.columns[:2]).any()
+
+
+def test_a_damping_changes_no_frequency() -> None:
+    """`omega` is that without damping; the damping itself may stand in an expression."""
+    made = only(named_chain(), "damper.damping=0,5", out="omega[1,1], damper.damping*2")
+    assert made.columns[0, 0] == made.columns[1, 0]
+    assert made.columns[:, 1].tolist() == [0, 10]
+
+
+def tied_up() -> Transmission:
+    """A brake and a gear pair hold the input in `held`, and the support is soft in both."""
+    return Transmission(
+        3,
+        [ShiftElement(2, name="B")],
+        [Mechanism(1, 2, 0, -2.0, name="pair")],
+        [Gear(name="free"), Gear([1], name="held")],
+        springs=[Spring({2: 1, 3: -1}, stiffness=100.0, name="shaft")],
+        inertias={1: 0.1, 2: 0.2, 3: 0.5},
+    )
+
+
+def test_a_tied_up_gear_has_none() -> None:
+    made = only(tied_up(), "shaft.stiffness=100,200", out="omega[1]")
+    assert statuses(made) == ["tied up"] * 2
+    assert np.isnan(made.columns[:, 1]).all()
+    np.testing.assert_allclose(made.columns[0, 0], alone(tied_up(), "free")[0], rtol=1e-12)
+
+
+def test_the_status_is_that_of_the_gears_that_are_asked_for() -> None:
+    """A soft support ties up the mean speeds, which is of no matter to vibration."""
+    assert statuses(only(tied_up(), "shaft.stiffness=100", out="omega[1,free]")) == ["ok"]
+    supported = SHAFT.replace(springs=[*SHAFT.springs, Spring({1: 1}, stiffness=1.0)])
+    assert statuses(only(supported, "S2.stiffness=1,2", out="omega[1,1]")) == ["ok", "ok"]
+    both = only(supported, "S2.stiffness=1,2", out="omega[1,1], ratio[1]")
+    assert statuses(both) == ["tied up", "tied up"]
+    assert not np.isnan(both.columns[:, 0]).any()
+
+
+def freewheeling() -> Transmission:
+    """A freewheel holds the carrier when the ring is driven forward through the set."""
+    return Transmission(
+        4,
+        [ShiftElement(3, 0, "F", "freewheel")],
+        [Mechanism(1, 2, 3, -2.5, name="P")],
+        [Gear(name="drive")],
+        output=4,
+        springs=[Spring({2: 1, 4: -1}, stiffness=800.0, name="shaft")],
+        inertias={1: 0.1, 2: 0.05, 3: 0.02, 4: 0.5},
+    )
+
+
+@pytest.mark.parametrize("coast", [False, True])
+def test_freewheels_hold_as_they_do_at_mean_speeds(coast: bool) -> None:
+    case = freewheeling()
+    ratios = [-3.0, -2.0, 2.5]
+    (made,) = sweep(case, {"P.ratio": ratios}, out="omega[1,1]", coast=coast)
+    for ratio, [omega] in zip(ratios, made.columns, strict=True):
+        one = replace(case, mechanisms=[case.mechanisms[0]._replace(ratio=ratio)], coast=coast)
+        assert [omega] == pytest.approx(alone(one)[:1] or [math.nan], rel=1e-9, nan_ok=True)
+
+
+def test_blocks_of_variants_give_what_one_gives() -> None:
+    """70,000 variants go through blocks and pieces; a few are calculated alone."""
+    chunks = list(sweep(named_chain(), "damper.stiffness=500:50000:70000", out="omega[1,1]"))
+    found: Array = np.concatenate([one.columns[:, 0] for one in chunks])
+    assert (np.diff(found) > 0).all()
+    for variant in (0, 20_000, 65_535, 65_536, 69_999):
+        value = 500 + 49_500 * variant / 69_999
+        expected = alone(with_spring(named_chain(), "damper", value))[0]
+        assert found[variant] == pytest.approx(expected, rel=1e-10)
