@@ -208,6 +208,26 @@ def test_equal_frequencies_are_listed_as_often_as_they_occur() -> None:
     assert abs(first @ np.diag([9.0, 2, 2, 2]) @ second) < 1e-12
 
 
+def test_what_stands_together_is_one_node() -> None:
+    """Wheels in antiphase on half-shafts: all between engine and differential stands, (2.2)."""
+    springs = [
+        Spring({1: 1, 2: -1}, stiffness=70.0, name="propshaft"),
+        Spring({2: 1, 3: -1}, stiffness=50.0, name="left"),
+        Spring({2: 1, 4: -1}, stiffness=50.0, name="right"),
+    ]
+    inertias = {1: 9.0, 2: 1.0, 3: 2.0, 4: 2.0}
+    gear = only(Transmission(4, [], [], [], springs=springs, inertias=inertias, output=4))
+    [antiphase] = [mode for mode in gear.modes if mode.omega == pytest.approx(5.0)]
+    assert antiphase.nodes == 1
+    axle = only(
+        Transmission(
+            3, [], [], [], output=2, inertias={1: 1.0, 2: 2.0, 3: 0.1},
+            springs=[Spring({1: 1, 2: -1, 3: -1}, stiffness=5.0), Spring({3: 1}, stiffness=9.0)],
+        )
+    )  # fmt: skip
+    assert axle.modes[0].nodes == 1
+
+
 def test_a_tie_of_the_largest_amplitude_goes_to_the_first_link() -> None:
     [mode] = only(chain([2.0, 2.0], [1.0])).modes
     assert mode.shape == pytest.approx({"1": 1.0, "2": -1.0}, abs=1e-15)

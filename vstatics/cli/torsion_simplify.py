@@ -46,7 +46,11 @@ RULES = ("partial", "r", "b", "u")
     "mass, whose inertia is shared by K, by K^2, or not at all. Else partial for a chain, r "
     "for any other.",
 )
-@click.option("--remove", metavar="A,B", help="These masses first, in this order; a name with commas in double quotes.")
+@click.option(
+    "--remove",
+    metavar="A,B",
+    help="These masses first, in this order; a name with commas in double quotes.",
+)
 @click.option(
     "-f",
     "--format",

@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from vstatics.numerics.arrays import Floats
+from vstatics.numerics.arrays import Booleans, Floats
+from vstatics.numerics.motions import Form
 from vstatics.numerics.tolerances import TIE
 from vstatics.torsion.coordinates import Coordinates
 from vstatics.torsion.system import TorsionalSystem
@@ -15,8 +16,9 @@ def count_nodes(system: TorsionalSystem, split: Coordinates, shapes: Floats) -> 
     """How many places stand still in each mode.
 
     An elastic device has a node in it where all terms of its twist pull the same way: of a
-    shaft, where its ends turn against each other. A link that an elastic device joins and that
-    could move is one by itself where it stands; what is rigidly joined to it is the same one.
+    shaft, where its ends turn against each other. Of a device that a link with the reaction
+    takes part in, such as a casing, the links count that turn when nothing vibrates. Links that
+    stand, though they could move, are one node together with those that devices join to them.
 
     Parameters
     ----------
@@ -26,12 +28,26 @@ def count_nodes(system: TorsionalSystem, split: Coordinates, shapes: Floats) -> 
     nodes = np.zeros(shapes.shape[1], np.intp)
     stands = np.abs(shapes) <= TIE
     moving = np.where(stands, 0.0, shapes)
+    turning = np.any(split.rigid != 0, axis=1)
     for device in system.elastic:
-        terms = np.array([part * moving[link] for link, part in device.twist.items()])
+        own = [link for link in device.twist if turning[link]]
+        links = own if len(own) > 1 else device.twist
+        terms = np.array([device.twist[link] * moving[link] for link in links])
         same = np.all(terms >= 0, axis=0) | np.all(terms <= 0, axis=0)
         nodes += same & (np.count_nonzero(terms, axis=0) > 1)
-    joined = sorted({link for device in system.elastic for link in device.twist})
-    movable = [link for link in joined if stands[link].any() and split.free[link].any()]
-    for link in {split.free[link].tobytes(): link for link in reversed(movable)}.values():
-        nodes += stands[link]
+    movable = np.any(split.free != 0, axis=1)
+    twists = [device.twist for device in system.devices]
+    for mode in np.flatnonzero(stands[movable].any(axis=0)):
+        nodes[mode] += _standing_groups(twists, stands[:, mode] & movable)
     return nodes
+
+
+def _standing_groups(twists: list[Form], stands: Booleans) -> int:
+    """How many groups of links stand, each joined by devices."""
+    group = list(range(len(stands)))
+    for twist in twists:
+        joined = {group[link] for link in twist if stands[link]}
+        if len(joined) > 1:
+            group = [min(joined) if one in joined else one for one in group]
+    touched = {link for twist in twists for link in twist}
+    return len({group[link] for link in touched if stands[link]})
