@@ -182,6 +182,6 @@ def test_a_mode_that_is_not_there() -> None:
 def test_a_gear_without_modes_is_told() -> None:
     with pytest.raises(CaseError, match=r"gears\[3\]: tied up"):
         identify(loads("input: disc\n" + DRIVELINE.replace(", stiffness: 1e5", "")), "both", 15.0)
-    text = "links: 2\nmechanisms: {D: {first: 1, second: 2, ratio: 3}}\ngears: {1: []}"
+    text = "inertias: {1: 1}\nlinks: 2\nmechanisms: {D: {first: 1, second: 2, ratio: 3}}\ngears: {1: []}"
     with pytest.raises(CaseError, match=r"gears\[1\]: nothing elastic joins inertias"):
         identify(loads(text), 1, 15.0)
