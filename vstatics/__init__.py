@@ -27,6 +27,7 @@ from typing import TYPE_CHECKING, Any
 
 from vstatics.errors import CaseError, Place, Problem, ReadError, VstaticsError
 from vstatics.extras import __version__
+from vstatics.model.clutch_dump import ClutchDump
 from vstatics.model.damping import Damping
 from vstatics.model.parts import Load
 from vstatics.model.springs import Spring
@@ -50,6 +51,7 @@ if TYPE_CHECKING:
 
 __all__ = [
     "CaseError",
+    "ClutchDump",
     "Damping",
     "Drawing",
     "Element",

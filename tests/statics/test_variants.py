@@ -38,6 +38,7 @@ from tests.statics.batches import (
 )
 from tests.trains import is_regular, no_losses, random_train, seeded
 from vstatics import (
+    ClutchDump,
     Damping,
     Gear,
     Mechanism,
@@ -621,6 +622,7 @@ OTHER: dict[type, dict[str, object]] = {
         "link_names": ("a", "b", "c", "d"),
         "load": Load(100.0, 9.0),
         "inertias": {1: 0.5},
+        "dump": ClutchDump([1], [2], [], [3], [4], M_C0=180.0, omega1=600.0),
     },
 }
 """Another value of each field; what is made of parts or of a drawing is tried elsewhere."""

@@ -200,8 +200,14 @@ def read_one(file: str, input_format: readers.Format | None, telling: Telling) -
     ReadError
         If it can't be read; with the problems to print.
     """
+    return read_data(*files.read_input(file), input_format, telling)
+
+
+def read_data(
+    data: bytes, name: str, input_format: readers.Format | None, telling: Telling
+) -> Reading:
+    """As `read_one`, of what was read from a file of that name."""
     try:
-        data, name = files.read_input(file)
         reading = readers.read(data, name, input_format)
     except ReadError as error:
         raise ReadError(telling.printed(error.problems)) from None

@@ -3,24 +3,31 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
-from typing import Any
+from collections.abc import Sequence
 
 import click
 
-from vstatics.cli import files, formats, texts
-from vstatics.cli.cases import CalculatedCase
-from vstatics.cli.exit_status import DONE
-from vstatics.cli.formats import OutputOptions
-from vstatics.tables.grid import Grid
+from vstatics import readers
+from vstatics.cli import cases as arguments
+from vstatics.cli import files, formats
+from vstatics.cli.exit_status import DONE, FAILED
+from vstatics.cli.formats import Destination, OutputOptions
+from vstatics.cli.telling import Telling
+from vstatics.cli.torsion_case import gear_names, located, needs_scipy, one_text, show, tell
+from vstatics.errors import CaseError, ReadError, of_file
+from vstatics.readers.reading import Reading
 from vstatics.torsion.dump import DumpTorque
+from vstatics.torsion.dump_document import (
+    FORMAT,
+    VERSION,
+    dump_document,
+    gear_document,
+    gears_document,
+)
 from vstatics.torsion.dump_given import Dump
 from vstatics.torsion.engagement import Engagement
 from vstatics.writers.documents import documents, head
-from vstatics.writers.plain_json import plain_data
 from vstatics.writers.record_schema import TEXT, Schema, list_of, record, schema_of
-
-FORMAT, VERSION = "vstatics-dump", 1
 
 
 def _rate(context: click.Context, parameter: click.Parameter, value: float | None) -> float | None:
@@ -38,8 +45,18 @@ def _rate(context: click.Context, parameter: click.Parameter, value: float | Non
     metavar="K",
     help="Also the dynamic factor of a clutch whose torque grows as 1 - exp(-K t), in 1/s.",
 )
+@arguments.some_gears
 @formats.options(*formats.TABLES)
-def dump(file: str, rate: float | None, wanted: OutputOptions) -> int:
+@arguments.input_format
+@arguments.telling
+def dump(
+    file: str,
+    rate: float | None,
+    gears: tuple[str, ...],
+    wanted: OutputOptions,
+    input_format: readers.Format | None,
+    telling: Telling,
+) -> int:
     """Tell the largest torque when the clutch is dumped; - is standard input.
 
     FILE is YAML with inertias on one shaft, J1 (engine), J2 (disc), J3 (transmission),
@@ -49,6 +66,12 @@ def dump(file: str, rate: float | None, wanted: OutputOptions) -> int:
     relative units. `J4: .inf` is for clamped wheels, `M_phi: .inf` for tyres that
     always grip.
 
+    Or FILE is a case with inertias, springs and `dump`, where J1 to J5 are lists of its
+    links. Numbers are those of the links: M_C0 on the first of J2, omega1 of the first of
+    J1, M_phi on the first of J4, of all wheels together. In each gear all is reduced to
+    the link `to`, else the first of J2, and so are the torques that are told. E is the
+    compliance from J2 to J5 held, by all that is elastic on the way.
+
     The formulas are those of Tsitovich and Algin (1981). Cases A: the clutch slips; B:
     it grabs; V: it grabs and breaks away again.
 
@@ -56,46 +79,85 @@ def dump(file: str, rate: float | None, wanted: OutputOptions) -> int:
     Examples:
       vstatics torsion dump dump.yaml
       vstatics torsion dump dump.yaml --rate 50 -f json | jq .max_torque
+      vstatics torsion dump box.yaml --gear 1
 
-    Exit status: 0 done; 1 the file is in error; 2 wrong use.
+    \b
+    Exit status: 0 done; 1 the file is in error, or a gear has no such torque; 2 wrong use.
     """
-    to = wanted.destination([file])
-    if to.is_folder:
-        raise click.UsageError(f"one file gives one text: expected -o FILE, not {to.output}")
-    from vstatics.torsion.dump_file import read_dump
+    to = one_text(wanted, [file])
+    from vstatics.torsion.dump_file import is_of_case
 
     data, name = files.read_input(file)
-    read = read_dump(data, name)
-    form = texts.OutputForm(to.form, to.style)
-    shown = output(name, read.given, read.torque(rate))
-    files.write_data(texts.alone(CalculatedCase(name, None, []), shown, form), to.output)
+    if input_format == "deck" or is_of_case(data, name):
+        needs_scipy()
+        reading = arguments.read_data(data, name, input_format, telling)
+        return _of_case(reading, file, gears, rate, to, telling)
+    if gears:
+        raise click.UsageError(f"--gear is for a case, but {name} has numbers alone")
+    _of_numbers(data, name, rate, to)
     return DONE
 
 
-def output(title: str, given: Dump, made: DumpTorque) -> texts.CaseOutput:
-    """What there is to show of a clutch that is dumped."""
+def _of_numbers(data: bytes, name: str, rate: float | None, to: Destination) -> None:
+    """A file of numbers."""
+    from vstatics.torsion.dump_file import read_dump
+    from vstatics.torsion.dump_grids import grids
 
-    def tables() -> Iterable[Grid]:
-        from vstatics.torsion.dump_grids import grids
-
-        return grids(given, made)
-
-    return texts.CaseOutput([title], {}, tables, lambda: document(made))
+    read = read_dump(data, name)
+    made = read.torque(rate)
+    show(name, to, name, lambda: grids(read.given, made), lambda: dump_document(made))
 
 
-def document(made: DumpTorque) -> dict[str, Any]:
-    """The largest torques as plain data."""
-    values = {**made._asdict(), "messages": list(map(str, made.messages))}
-    if made.engagement is None:
-        del values["engagement"]
-    plain: dict[str, Any] = plain_data({"format": FORMAT, "version": VERSION, **values})
-    return plain
+def _of_case(
+    reading: Reading,
+    file: str,
+    gears: Sequence[str],
+    rate: float | None,
+    to: Destination,
+    telling: Telling,
+) -> int:
+    """The gears of a case; one that is asked for alone is shown as a file of numbers is."""
+    from vstatics.torsion.dump_grids import gear_grids, gears_grids
+    from vstatics.torsion.gear_dump import gear_dumps
+
+    case = reading.case
+    names = gear_names(case, gears)
+    try:
+        found = gear_dumps(case, names, rate)
+    except CaseError as error:
+        raise ReadError([of_file(file, one.message) for one in error.problems]) from None
+    faults = list(located(reading, [(one.name, "error", one.error) for one in found if one.error]))
+    tell(faults, telling, file)
+    if gears and len(found) == 1:
+        show(file, to, case.name, lambda: gear_grids(found[0]), lambda: gear_document(found[0]))
+    else:
+        show(file, to, case.name, lambda: gears_grids(found), lambda: gears_document(found))
+    return FAILED if faults or telling.fails(reading.warnings) else DONE
 
 
 def json_schema() -> Schema:
-    """The schema of ``vstatics torsion dump -f json``."""
-    texts_ = list_of(TEXT)
-    values = schema_of(DumpTorque, engagement=schema_of(Engagement), messages=texts_)
-    properties = {**head(FORMAT, VERSION), **values["properties"]}
-    one = record(properties, optional=["engagement"])
-    return documents("dump", "A clutch that is dumped, of vstatics torsion dump", one)
+    """The schema of ``vstatics torsion dump -f json``: of numbers, of a gear, of several."""
+    torques = schema_of(DumpTorque, engagement=schema_of(Engagement), messages=list_of(TEXT))
+    in_gear = {"name": TEXT, "to": TEXT, "reduced": schema_of(Dump)}
+    one = {**torques["properties"], **in_gear}
+    needed = [name for name in torques["properties"] if name != "engagement"]
+    failed = record({"name": TEXT, "error": TEXT})
+    of_gear = record(one, optional=["engagement"])
+    gears = list_of({"if": {"required": ["error"]}, "then": failed, "else": of_gear})
+    start = head(FORMAT, VERSION)
+    properties = {**start, **one, "error": TEXT, "gears": gears}
+    forms = [["gears"], ["name", "error"], needed, [*needed, *in_gear]]
+    document = {
+        "type": "object",
+        "properties": properties,
+        "required": [*start],
+        "additionalProperties": False,
+        "oneOf": [_exactly(form, properties, [*start, "file", "engagement"]) for form in forms],
+    }
+    return documents("dump", "A clutch that is dumped, of vstatics torsion dump", document)
+
+
+def _exactly(form: Sequence[str], properties: Schema, free: Sequence[str]) -> Schema:
+    """These keys, and none of the others but those that are free."""
+    others = [name for name in properties if name not in {*form, *free}]
+    return {"required": [*form], "properties": dict.fromkeys(others, False)}

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from vstatics.errors import Problem, spoken
+from vstatics.model.dump_checks import of_dump
 from vstatics.model.fields import TransmissionFields
 from vstatics.model.gear_checks import of_gear, of_load
 from vstatics.model.part_checks import called, doubtful, of_element, of_link, of_mechanism
@@ -28,6 +29,7 @@ def problems(case: TransmissionFields) -> Iterator[Problem]:
     for number, mechanism in enumerate(case.mechanisms, 1):
         yield from of_mechanism(mechanism, ("mechanisms", number), case.links)
     yield from of_torsion(case)
+    yield from of_dump(case)
     yield from of_load(case.load, ())
     for number, gear in enumerate(case.gears, 1):
         path = ("gears", number)

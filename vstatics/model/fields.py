@@ -8,6 +8,7 @@ from functools import cached_property
 from typing import Any, Literal, Protocol
 
 from vstatics.errors import Problem, listed, nearest, typed_number
+from vstatics.model.clutch_dump import ClutchDump
 from vstatics.model.own import Member, OwnDevice, Planet
 from vstatics.model.parts import Direction, Gear, Load, Mechanism, ShiftElement, SpeedOf
 from vstatics.model.springs import Spring
@@ -59,6 +60,7 @@ class TransmissionFields:
     outputs: Sequence[int] = ()
     inertias: Mapping[int, float] = field(default_factory=dict)
     springs: Sequence[Spring] = ()
+    dump: ClutchDump | None = None
     _lowered: AnyDrawing | None = field(default=None, repr=False, compare=False)
     """The drawing that the mechanisms were made from; with another one they are not its own."""
 

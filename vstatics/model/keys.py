@@ -6,6 +6,7 @@ others refer to comes first.
 
 from __future__ import annotations
 
+from vstatics.model.dump_keys import DUMP
 from vstatics.model.elastic_keys import ELASTIC, SPRING
 from vstatics.model.parts import (
     DIRECTIONS,
@@ -255,6 +256,7 @@ CASE = ByKey(
             required=True,
             examples=({"low": ["C1", "B1"]},),
         ),
+        KeyShape("dump", DUMP, "A clutch that is dumped, for `vstatics torsion dump`."),
     ),
 )
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from vstatics.errors import CaseError, nearest, plural
 from vstatics.model.checks import problems
+from vstatics.model.clutch_dump import completed_dump
 from vstatics.model.damping import damping
 from vstatics.model.fields import AnyDrawing, IdleConvention, TransmissionFields
 from vstatics.model.part_checks import of_mechanism
@@ -66,6 +67,8 @@ class Transmission(TransmissionFields):
     springs : sequence of Spring
         Elastic devices; with them a case may go without mechanisms, and without gears it has
         one with nothing engaged.
+    dump : ClutchDump, optional
+        A clutch that is dumped.
 
     Raises
     ------
@@ -208,6 +211,7 @@ def _completed(case: Transmission) -> dict[str, object]:
             )
             for number, spring in enumerate(case.springs, 1)
         ),
+        "dump": completed_dump(case.dump),
     }
 
 

@@ -122,7 +122,10 @@ def _nothing(kind: type, shape: tuple[int, ...]) -> Any:
 
 WITHOUT_EFFECT: dict[type, frozenset[str]] = {
     Transmission: frozenset(
-        {"name", "description", "source", "link_names", "load", "drawing", "_lowered", "inertias"}
+        {
+            *("name", "description", "source", "link_names", "load"),
+            *("drawing", "_lowered", "inertias", "dump"),
+        }
     ),
     ShiftElement: frozenset({"name", "capacity", "stiffness", "damping"}),
     Mechanism: frozenset({"name", "stiffness", "damping"}),

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 from vstatics.errors import CaseError, ReadError
 from vstatics.model.shape import ByKey, KeyShape, Leaf, LeafKind
-from vstatics.readers.named.nodes import Spots
+from vstatics.readers.named.nodes import Mapping, Spots, decode
 from vstatics.readers.named.reader import read_document
 from vstatics.torsion.dump import DumpTorque, dump
 from vstatics.torsion.dump_given import UNBOUNDED, Dump, dump_problems
@@ -34,7 +34,12 @@ DUMP = ByKey(
     ),
     make=Dump,
 )
-EXPECTED = "a clutch that is dumped: a mapping with `J1` to `J5`, `E`, `M_C0`, `M_phi`, `omega1`"
+EXPECTED = (
+    "a clutch that is dumped: a mapping with `J1` to `J5`, `E`, `M_C0`, `M_phi`, `omega1`, or a "
+    "case with `dump`"
+)
+_OF_CASES = ("dump", "links", "mechanisms", "elements", "springs", "inertias", "gears", "format")
+"""Keys by which a document is known as a case, as long as it has no number of a clutch."""
 
 
 class DumpFile(NamedTuple):
@@ -55,6 +60,29 @@ class DumpFile(NamedTuple):
             return dump(self.given, rate)
         except CaseError as error:
             raise ReadError(map(self.spots.locate, error.problems)) from None
+
+
+def is_of_case(data: bytes, file: str) -> bool:
+    """Whether a document is a case, and no file of numbers alone.
+
+    Examples
+    --------
+    >>> is_of_case(b"{dump: {J1: [a]}, springs: {}}", "a.yaml"), is_of_case(b"J1: 1.9", "b.yaml")
+    (True, False)
+    """
+    from vstatics.readers import format_of
+    from vstatics.readers.named.yaml_nodes import yaml_tree  # yaml costs start-up time
+
+    form = format_of(file, data)
+    if form == "deck":
+        return True
+    try:
+        root = yaml_tree(decode(data, file, EXPECTED))
+    except ReadError:
+        return form == "json"
+    keys = {key.text for key, _ in root.entries} if isinstance(root, Mapping) else set()
+    numbers = {key.name for key in DUMP.keys}
+    return keys.isdisjoint(numbers) and not keys.isdisjoint(_OF_CASES)
 
 
 def read_dump(data: bytes, file: str) -> DumpFile:

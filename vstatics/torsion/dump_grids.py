@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 
 from vstatics.tables.grid import Column, Grid, Row, exact, text
 from vstatics.torsion.dump import DumpCase, DumpTorque
 from vstatics.torsion.dump_given import Dump
+from vstatics.torsion.gear_dump import GearDump
 
 HAPPENS: Mapping[DumpCase, str] = {
     "A1": "the clutch slips, the wheels are clamped",
@@ -45,3 +46,75 @@ def grids(given: Dump, made: DumpTorque) -> Iterator[Grid]:
     yield Grid(title, [text(""), Column("value"), text("unit")], rows, key="dump")
     if made.messages:
         yield Grid("Messages", [text("")], [[str(one)] for one in made.messages], key="messages")
+
+
+_UNITS = {
+    **dict.fromkeys(("J1", "J2", "J3", "J4", "J5"), "kg*m^2"),
+    "E": "rad/(N*m)",
+    "M_C0": "N*m",
+    "M_phi": "N*m",
+    "omega1": "rad/s",
+}
+
+
+def gear_grids(gear: GearDump) -> Iterator[Grid]:
+    """As `grids`, then what was reduced; of a gear that failed, why."""
+    if gear.made is not None and gear.given is not None:
+        yield from grids(gear.given, gear.made)
+    yield from _reduced([gear])
+    yield from _failed([gear])
+
+
+def gears_grids(gears: Sequence[GearDump]) -> Iterator[Grid]:
+    """The largest torques by gears, what was reduced, what is to be known.
+
+    Examples
+    --------
+    >>> from vstatics.torsion.dump import dump
+    >>> given = Dump(1.913, 0.0619, 0.0239, 0.091, 5.68, 429e-5, 532, 335, 156)
+    >>> for grid in gears_grids([GearDump("1", "propshaft", given, dump(given))]):
+    ...     print(grid.title, grid.texts[0][:2])
+    Clutch dump, on propshaft ['1', 'A3']
+    Reduced to propshaft ['J1 [kg*m^2]', '1.913']
+    """
+    made = [(gear.name, gear.made) for gear in gears if gear.made is not None]
+    headings = [
+        *("largest [N*m]", "simplified", "at the input shaft [N*m]", "simplified"),
+        "dynamic factor",
+    ]
+    rows: list[Row] = [
+        [
+            name,
+            one.case,
+            *map(exact, one[1:6]),
+            *([exact(one.engagement.factor)] if one.engagement else []),
+        ]
+        for name, one in made
+    ]
+    engaged = any(one.engagement for _, one in made)
+    columns = [text("gear"), text("case"), *map(Column, headings)]
+    columns += [Column("engaged at the rate")] * engaged
+    yield Grid(f"Clutch dump, on {gears[0].to}", columns, rows, key="dump")
+    yield from _reduced(gears)
+    messages: list[Row] = [[name, str(message)] for name, one in made for message in one.messages]
+    if messages:
+        yield Grid("Messages", [text("gear"), text("")], messages, key="messages")
+    yield from _failed(gears)
+
+
+def _reduced(gears: Sequence[GearDump]) -> Iterator[Grid]:
+    """What was reduced, a column for each gear."""
+    given = [(gear.name, gear.given) for gear in gears if gear.given is not None]
+    if given:
+        rows: list[Row] = [
+            [f"{name} [{unit}]", *(exact(getattr(one, name)) for _, one in given)]
+            for name, unit in _UNITS.items()
+        ]
+        columns = [text("gear"), *(Column(name) for name, _ in given)]
+        yield Grid(f"Reduced to {gears[0].to}", columns, rows, key="reduced")
+
+
+def _failed(gears: Sequence[GearDump]) -> Iterator[Grid]:
+    failed: list[Row] = [[gear.name, gear.error] for gear in gears if gear.error]
+    if failed:
+        yield Grid("No such torque", [text("gear"), text("why")], failed, key="errors")

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, get_args
 
 from vstatics.elements.drawing import drawing_of
 from vstatics.errors import printable
+from vstatics.model.clutch_dump import dump_record
 from vstatics.model.keys import CASE
 from vstatics.model.shape import (
     UNITS,
@@ -63,6 +64,7 @@ def mapping(case: Transmission) -> dict[str, Any]:
     for part in ("shift_elements", "mechanisms", "gears"):
         values[part] = {item.name: item for item in values[part]}
     values["springs"] = {one.name: spring_record(one) for one in case.springs}
+    values["dump"] = dump_record(case.dump)
     order = _CASE if shape is CASE else _as_written(shape)
     return _Writer(links, ["", *values["shift_elements"]]).by_key(values, order)
 

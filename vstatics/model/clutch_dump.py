@@ -1,0 +1,93 @@
+"""A clutch that is dumped, as a case tells it: which links are what, and what is given besides."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from typing import Any, NamedTuple
+
+MASSES = ("J1", "J2", "J3", "J4", "J5")
+NEEDED = ("J1", "J2", "J5")
+"""Those that have a link at least."""
+
+
+class ClutchDump(NamedTuple):
+    """The links that make up the masses of a clutch dump; numbers are those of the links.
+
+    Parameters
+    ----------
+    J1, J2, J3, J4, J5 : sequence of int
+        Links of the engine, the driven disc, the transmission, the wheels, the vehicle.
+    M_C0 : float
+        Torque at which the clutch breaks away, on the first link of J2. [N*m]
+    omega1 : float
+        Speed of the first link of J1 before. [rad/s]
+    M_phi : float
+        Torque at which the tyres lose their grip, on the first link of J4, or of J5 where J4
+        has none; infinite where they don't. [N*m]
+    E : float, optional
+        Compliance from J2 to J5, on the link `to`; from the elastic devices when not given.
+        [rad/(N*m)]
+    to : int, optional
+        Link to which all is reduced, on which the torques are told; the first of J2 when not
+        given.
+
+    Examples
+    --------
+    >>> ClutchDump([1], [2], [], [4], [5], M_C0=182, omega1=607).link
+    2
+    """
+
+    J1: Sequence[int]
+    J2: Sequence[int]
+    J3: Sequence[int]
+    J4: Sequence[int]
+    J5: Sequence[int]
+    M_C0: float
+    omega1: float
+    M_phi: float = math.inf
+    E: float | None = None
+    to: int | None = None
+
+    @property
+    def masses(self) -> Mapping[str, Sequence[int]]:
+        """The links of each mass."""
+        return {name: getattr(self, name) for name in MASSES}
+
+    @property
+    def link(self) -> int:
+        """To which all is reduced."""
+        return self.J2[0] if self.to is None else self.to
+
+
+def dump_of(
+    J3: Sequence[int] = (),  # noqa: N803
+    J4: Sequence[int] = (),  # noqa: N803
+    **others: Any,
+) -> ClutchDump:
+    """A clutch dump by the keys of a case."""
+    return ClutchDump(J3=J3, J4=J4, **others)
+
+
+def dump_record(dump: ClutchDump | None) -> dict[str, Any] | None:
+    """A clutch dump by the keys of a case; that something is infinite is not written."""
+    if dump is None:
+        return None
+    return {name: one for name, one in dump._asdict().items() if one != math.inf}
+
+
+def completed_dump(dump: ClutchDump | None) -> ClutchDump | None:
+    """A checked one with its numbers as floats."""
+    if dump is None:
+        return None
+    return dump._replace(
+        J1=tuple(dump.J1),
+        J2=tuple(dump.J2),
+        J3=tuple(dump.J3),
+        J4=tuple(dump.J4),
+        J5=tuple(dump.J5),
+        M_C0=float(dump.M_C0),
+        omega1=float(dump.omega1),
+        M_phi=float(dump.M_phi),
+        E=None if dump.E is None else float(dump.E),
+    )
