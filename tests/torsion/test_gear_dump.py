@@ -194,7 +194,7 @@ def test_numbers_that_give_no_torque_are_told() -> None:
 
 def test_a_case_without_a_dump() -> None:
     case = loads(car("ВАЗ-2101")).replace(dump=None)
-    with pytest.raises(CaseError, match=r"^there is no `dump`"):
+    with pytest.raises(CaseError, match=r"^dump: there is no `dump`"):
         gear_dumps(case)
     with pytest.raises(ValueError, match="no gear"):
         gear_dumps(loads(car("ВАЗ-2101")), ["7"])

@@ -13,8 +13,15 @@ from vstatics.cli import files, formats
 from vstatics.cli.exit_status import DONE, FAILED
 from vstatics.cli.formats import Destination, OutputOptions
 from vstatics.cli.telling import Telling
-from vstatics.cli.torsion_case import gear_names, located, needs_scipy, one_text, show, tell
-from vstatics.errors import CaseError, ReadError, of_file
+from vstatics.cli.torsion_case import (
+    gear_names,
+    located,
+    needs_scipy,
+    one_text,
+    problems_of,
+    show,
+    tell,
+)
 from vstatics.readers.reading import Reading
 from vstatics.torsion.dump import DumpTorque
 from vstatics.torsion.dump_document import (
@@ -122,10 +129,8 @@ def _of_case(
 
     case = reading.case
     names = gear_names(case, gears)
-    try:
+    with problems_of(reading):
         found = gear_dumps(case, names, rate)
-    except CaseError as error:
-        raise ReadError([of_file(file, one.message) for one in error.problems]) from None
     faults = list(located(reading, [(one.name, "error", one.error) for one in found if one.error]))
     tell(faults, telling, file)
     if gears and len(found) == 1:

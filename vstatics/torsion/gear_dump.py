@@ -79,7 +79,7 @@ def gear_dumps(
     """
     if case.dump is None:
         message = "there is no `dump`, expected the links of `J1` to `J5`, `M_C0` and `omega1`"
-        raise CaseError([Problem(message)])
+        raise CaseError([Problem(message, ("dump",))])
     numbers = [case.gear_number(one) for one in gears or range(1, len(case.gears) + 1)]
     return [_gear_dump(case, case.gears[number - 1], case.dump, rate) for number in numbers]
 

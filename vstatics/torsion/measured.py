@@ -183,7 +183,7 @@ def _of_mode(
     if found.error:
         raise CaseError([Problem(found.error, ("gears", at))])
     if not found.modes:
-        message = "nothing elastic joins inertias, so there is no mode to compare with"
+        message = "nothing elastic joins inertias, so there is no mode"
         raise CaseError([Problem(message, ("gears", at))])
     if number > len(found.modes):
         raise ValueError(f"no mode {number} in gear {found.name}; it has {len(found.modes)}")
