@@ -103,7 +103,7 @@ def test_a_case_without_a_dump_is_told(tmp_path: Path) -> None:
     file = tmp_path / "case.yaml"
     file.write_text(VAZ[: VAZ.index("dump:")], "utf-8")
     answer = vstatics("torsion", "dump", file)
-    assert f"{file}:2:1: error: dump: there is no `dump`" in answer.err
+    assert f"{file}:1:1: error: dump: there is no `dump`" in answer.err
 
 
 def test_what_is_wrong_in_a_case_is_told_with_its_place() -> None:
