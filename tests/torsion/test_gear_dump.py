@@ -6,8 +6,9 @@ import math
 
 import pytest
 
+from tests.commands import CASES
 from tests.torsion.table_3_8 import TABLE_3_8, Line
-from vstatics import CaseError, ClutchDump, loads
+from vstatics import CaseError, ClutchDump, load, loads
 from vstatics.torsion.dump import dump
 from vstatics.torsion.gear_dump import GearDump, gear_dumps
 
@@ -207,3 +208,20 @@ def test_links_may_be_numbers_in_python() -> None:
     made = ClutchDump(first, second, third, fourth, fifth, M_C0=142, omega1=586)
     [found] = gear_dumps(case.replace(dump=made), ["4"])
     assert found.to == "disc"
+
+
+@pytest.mark.parametrize(("gear", "ratio"), [("1", 3.49), ("2", 2.04), ("3", 1.33), ("4", 1.0)])
+def test_compliance_of_a_driveline_with_an_axle_on_springs(gear: str, ratio: float) -> None:
+    """The shipped Москвич-412: the sum of table 2.2, with that of the axle springs.
+
+    On the input shaft there, the propshaft here; with the clutch damper.
+    """
+    compliances = {
+        "1": (84, 167, 50, 1476, 1525, 211),
+        "2": (84, 62.4, 17.1, 503, 520, 72),
+        "3": (84, 28.3, 7.25, 214, 221, 30.6),
+        "4": (84, 17.7, 4.1, 121, 125, 17.3),
+    }[gear]
+    [found] = gear_dumps(load(CASES / "moskvich412.yaml"), [gear])
+    assert found.given is not None
+    assert pytest.approx(sum(compliances) * 1e-5 / ratio**2, rel=3e-3) == found.given.E
