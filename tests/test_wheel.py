@@ -23,6 +23,9 @@ from vstatics.templates import TEMPLATES
 ROOT = Path(__file__).parents[1]
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
 
+DUMPED = "{J1: 3, J2: .06, J3: .4, J4: .4, J5: 12, E: 71e-5, M_C0: 1020, M_phi: 1080, omega1: 135}"
+"""A clutch."""
+
 WORKS = (
     "vstatics --version",
     "vstatics new case.yaml",
@@ -41,6 +44,7 @@ WORKS = (
     "vstatics sweep case.yaml --vary P1.ratio=-3:-2 --sample 4 --method random",
     "vstatics sweep case.yaml --vary P1.ratio=-3:-2:3 -o out.npz",
     "python -m vstatics run result.json",
+    f"echo '{DUMPED}' | vstatics torsion dump - --rate 50",
     "@ vstatics.solve(case)._repr_html_()",
     "@ vstatics.explain_gear(vstatics.solve(case), 'low')",
     "@ vstatics.write_report(vstatics.solve(case), 'report.html')",
@@ -63,6 +67,18 @@ REFUSED = {
     "plot": (
         *(f"vstatics plot case.yaml --kind {kind} -o out.svg" for kind in PICTURES),
         "@ vstatics.plot(vstatics.solve(case), 'stick')",
+    ),
+    "torsion": tuple(
+        f"vstatics torsion {command}"
+        for command in (
+            "modes case.yaml",
+            "modes nowhere.yaml -f json -o out.json",
+            "reduce case.yaml --to 1",
+            "simplify case.yaml --gear low --links 2 -o out.yaml",
+            "response case.yaml --at 1 --orders 2 --speed 600:3000:9",
+            "identify case.yaml --gear low --omega 20",
+            "damping case.yaml --gear low --decrements shaft=.1",
+        )
     ),
     "xlsx": tuple(
         f"vstatics {command} case.yaml -o out.xlsx"
