@@ -68,17 +68,20 @@ REFUSED = {
         *(f"vstatics plot case.yaml --kind {kind} -o out.svg" for kind in PICTURES),
         "@ vstatics.plot(vstatics.solve(case), 'stick')",
     ),
-    "torsion": tuple(
-        f"vstatics torsion {command}"
-        for command in (
-            "modes case.yaml",
-            "modes nowhere.yaml -f json -o out.json",
-            "reduce case.yaml --to 1",
-            "simplify case.yaml --gear low --links 2 -o out.yaml",
-            "response case.yaml --at 1 --orders 2 --speed 600:3000:9",
-            "identify case.yaml --gear low --omega 20",
-            "damping case.yaml --gear low --decrements shaft=.1",
-        )
+    "torsion": (
+        "vstatics sweep case.yaml --vary P1.ratio=-3,-2 --out 'omega[1,low]'",
+        *(
+            f"vstatics torsion {command}"
+            for command in (
+                "modes case.yaml",
+                "modes nowhere.yaml -f json -o out.json",
+                "reduce case.yaml --to 1",
+                "simplify case.yaml --gear low --links 2 -o out.yaml",
+                "response case.yaml --at 1 --orders 2 --speed 600:3000:9",
+                "identify case.yaml --gear low --omega 20",
+                "damping case.yaml --gear low --decrements shaft=.1",
+            )
+        ),
     ),
     "xlsx": tuple(
         f"vstatics {command} case.yaml -o out.xlsx"
