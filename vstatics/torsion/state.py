@@ -38,8 +38,9 @@ def vibrating(case: Transmission, gear: Gear) -> TorsionalSystem | str:
     for involved, agrees in dependencies([*(device.twist for device in rigid), turning]):
         if not agrees:
             names = [rigid[index].name for index in involved if index < len(rigid)]
+            let = "lets" if len(names) == 1 else "let"
             return (
-                f"{TIED_UP.english}: {spoken(names)} let the input not turn; release one of the "
+                f"{TIED_UP.english}: {spoken(names)} {let} the input not turn; release one of the "
                 "engaged elements, or give a device a stiffness"
             )
     return system
