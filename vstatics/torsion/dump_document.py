@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from vstatics.torsion.dump import DumpTorque
-from vstatics.torsion.gear_dump import GearDump
+
+if TYPE_CHECKING:  # it needs scipy, which a file of numbers does not
+    from vstatics.torsion.gear_dump import GearDump
 
 FORMAT, VERSION = "vstatics-dump", 1
 HEAD = {"format": FORMAT, "version": VERSION}

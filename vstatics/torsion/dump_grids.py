@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING
 
 from vstatics.tables.grid import Column, Grid, Row, exact, text
 from vstatics.torsion.dump import DumpCase, DumpTorque
 from vstatics.torsion.dump_given import Dump
-from vstatics.torsion.gear_dump import GearDump
+
+if TYPE_CHECKING:  # it needs scipy, which a file of numbers does not
+    from vstatics.torsion.gear_dump import GearDump
 
 HAPPENS: Mapping[DumpCase, str] = {
     "A1": "the clutch slips, the wheels are clamped",
@@ -71,6 +74,7 @@ def gears_grids(gears: Sequence[GearDump]) -> Iterator[Grid]:
     Examples
     --------
     >>> from vstatics.torsion.dump import dump
+    >>> from vstatics.torsion.gear_dump import GearDump
     >>> given = Dump(1.913, 0.0619, 0.0239, 0.091, 5.68, 429e-5, 532, 335, 156)
     >>> for grid in gears_grids([GearDump("1", "propshaft", given, dump(given))]):
     ...     print(grid.title, grid.texts[0][:2])
