@@ -94,7 +94,8 @@ def _parts(fields: Fields) -> dict[str, Any]:
         "D": fields.size("KG", "mechanisms", 0),
         "P": fields.size("NP", "gears", 1),
     }
-    fields.optional(SPRINGS, 0, range(1), NO_SPRINGS)
+    if fields.optional(SPRINGS, 0, range(1), NO_SPRINGS) is None:
+        fields.hidden.append(("links",))  # they are counted against what joins them
     names = _names(fields, sizes)
     elements = fields.or_guess(sizes["F"], "NZF(I,1)", "shift_elements")
     mechanisms = fields.or_guess(sizes["D"], "NZD(I,1)", "mechanisms")

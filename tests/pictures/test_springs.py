@@ -1,0 +1,86 @@
+"""Springs in pictures of the scheme: they join what they join."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.pictures.test_schemes import overlaps
+from vstatics import Gear, Mechanism, ShiftElement, Spring, Transmission, solve
+from vstatics.elements import Drawing, Element, transmission
+from vstatics.model.springs import between
+from vstatics.pictures.schemes import stick, structure
+from vstatics.pictures.schemes.scheme import scheme_of, scheme_state
+from vstatics.pictures.state import state_of
+from vstatics.pictures.style import Style
+
+SPRINGS = [
+    Spring(between(1, 2), stiffness=1, name="damper"),
+    Spring(between(4), stiffness=1, name="mount"),
+    Spring({3: 1, 4: -4.1, 5: 3.1}, stiffness=1, name="axle"),
+]
+CASE = Transmission(
+    5,
+    [ShiftElement(2, 3, "C"), ShiftElement(3, 0, "B")],
+    [],
+    [Gear([1], name="on"), Gear([2], name="off")],
+    springs=SPRINGS,
+)
+
+
+def test_a_shaft_is_a_coupling_and_any_other_a_box_with_its_coefficients() -> None:
+    scheme = scheme_of(CASE)
+    shown = [(one.name, one.kind, one.members, one.is_coupling) for one in scheme.devices[2:]]
+    assert shown == [
+        ("damper", "spring", {"first": 1, "second": 2}, True),
+        ("mount", "spring", {"first": 4, "second": 0}, True),
+        ("axle", "spring", {"3": 3, "4": 4, "5": 5}, False),
+    ]
+    assert [one.is_on_housing for one in scheme.devices[2:]] == [False, True, False]
+    assert scheme.devices[4].labels == {"3": "1", "4": "-4.1", "5": "3.1"}
+    assert scheme.ends == ([1], [5])  # no other link ends in the air
+
+
+def test_a_spring_without_torque_is_pale() -> None:
+    scheme = scheme_of(CASE)
+    loaded, idle = (
+        {device.name for place, device in enumerate(scheme.devices) if place not in state.idle}
+        for state in (scheme_state(scheme, state_of(solve(CASE), n)) for n in (1, 2))
+    )
+    assert {"damper", "mount", "axle", "C"} <= loaded
+    assert idle == {"damper", "mount", "axle", "B"}  # the input stands: no torque is known
+
+
+@pytest.mark.parametrize("gears", [(), (1,), (2,)])
+def test_springs_can_be_read_in_the_structure(gears: tuple[int, ...]) -> None:
+    figure = structure.draw(solve(CASE), Style(), gears)
+    texts = [text.get_text() for text in figure.axes[0].texts if text.get_text()]
+    assert {"damper", "mount", "axle", "spring", "−4.1", "3.1", "1"} <= set(texts)
+    assert overlaps(figure) == []
+
+
+def test_springs_stand_beside_drawn_elements() -> None:
+    pair = Element("G", "gear_pair", {"first": 1, "second": 2}, {"first": 20, "second": 41})
+    springs = [Spring(between(2, 3), stiffness=1, name="half"), SPRINGS[1]._replace(twist={3: 2})]
+    case = transmission(Drawing(3, [pair]), gears=[Gear()], springs=springs[:1])
+    assert overlaps(stick.draw(solve(case), Style())) == []
+    case = transmission(Drawing(3, [pair]), gears=[Gear()], springs=springs)
+    texts = [text.get_text() for text in stick.draw(solve(case), Style()).axes[0].texts]
+    assert {"half", "mount", "2"} <= set(texts)
+
+
+def test_one_mass_on_a_spring_is_drawn() -> None:
+    case = Transmission(1, [], [], [], springs=[Spring(between(1), stiffness=3, name="s")])
+    figure = structure.draw(solve(case), Style("ru"))
+    assert [text.get_text() for text in figure.axes[0].texts if text.get_text()] == ["1", "s"]
+    boxed = case.replace(springs=[Spring({1: 2.0}, stiffness=3, name="s")])
+    figure = structure.draw(solve(boxed), Style("ru"))
+    assert "пружина" in [text.get_text() for text in figure.axes[0].texts]
+
+
+def test_a_shaft_and_a_mechanism_have_one_state() -> None:
+    """In the lever both ends of a shaft are joined to the input."""
+    mechanism = Mechanism(2, 3, 4, -2.0, name="set")
+    case = Transmission(
+        4, [ShiftElement(3)], [mechanism], [Gear([1])], springs=[Spring(between(1, 2), stiffness=1)]
+    )
+    assert state_of(solve(case), 1).joined == [0, 1, 1, 0, 4]
