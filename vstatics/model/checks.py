@@ -9,8 +9,13 @@ from vstatics.model.dump_checks import of_dump
 from vstatics.model.fields import TransmissionFields
 from vstatics.model.gear_checks import of_gear, of_load
 from vstatics.model.part_checks import called, doubtful, of_element, of_link, of_mechanism
-from vstatics.model.parts import HOUSING, Mechanism, element_name, mechanism_name
-from vstatics.model.spring_checks import of_torsion, spring_ends
+from vstatics.model.parts import (
+    HOUSING,
+    Mechanism,
+    ShiftElement,
+    element_name,
+    mechanism_name,
+)
 from vstatics.model.springs import spring_name
 
 MOST_FREEWHEELS = 8
@@ -28,7 +33,10 @@ def problems(case: TransmissionFields) -> Iterator[Problem]:
     yield from _freewheels(case)
     for number, mechanism in enumerate(case.mechanisms, 1):
         yield from of_mechanism(mechanism, ("mechanisms", number), case.links)
-    yield from of_torsion(case)
+    if _is_torsional(case):
+        from vstatics.model.spring_checks import of_torsion  # costs start-up time
+
+        yield from of_torsion(case)
     yield from of_dump(case)
     yield from of_load(case.load, ())
     for number, gear in enumerate(case.gears, 1):
@@ -38,6 +46,13 @@ def problems(case: TransmissionFields) -> Iterator[Problem]:
             yield from of_load(case.gear_load(gear), path)
     if case.idle not in ("exact", "published"):
         yield Problem(f"read {case.idle!r}, expected `exact` or `published`", ("idle",))
+
+
+def _is_torsional(case: TransmissionFields) -> bool:
+    """Whether anything is there for vibration."""
+    parts: list[ShiftElement | Mechanism] = [*case.shift_elements, *case.mechanisms]
+    elastic = (part.stiffness is not None or part.damping for part in parts)
+    return bool(case.springs or case.inertias) or any(elastic)
 
 
 def doubts(case: TransmissionFields) -> Iterator[Problem]:
@@ -93,7 +108,8 @@ def _not_drawn(case: TransmissionFields) -> list[tuple[int, Mechanism]]:
 
 def _sizes(case: TransmissionFields) -> Iterator[Problem]:
     """Sizes that devices can fill; so no case asks for more memory than its text holds."""
-    joined = 2 * len(case.shift_elements) + 3 * len(case.mechanisms) + spring_ends(case)
+    joined = 2 * len(case.shift_elements) + 3 * len(case.mechanisms)
+    joined += sum(len(spring.twist) for spring in case.springs)
     least = 1 if case.springs else 2
     if case.links < least:
         expected = "at least 1 link" if case.springs else "at least 2 links (input and output)"

@@ -14,7 +14,7 @@ from vstatics.model.springs import Spring, ends, spring_name
 
 
 def of_torsion(case: TransmissionFields) -> Iterator[Problem]:
-    """The inertias and springs of a case, and what is elastic of its devices."""
+    """The inertias and springs of a case, what is elastic of its devices, and their names."""
     yield from _of_inertias(case)
     for number, spring in enumerate(case.springs, 1):
         yield from _of_spring(case, spring, ("springs", number))
@@ -22,8 +22,7 @@ def of_torsion(case: TransmissionFields) -> Iterator[Problem]:
         yield from of_elastic(element.stiffness, element.damping, ("shift_elements", number))
     for number, mechanism in enumerate(case.mechanisms, 1):
         yield from of_elastic(mechanism.stiffness, mechanism.damping, ("mechanisms", number))
-    if _is_torsional(case):
-        yield from _of_names(case)
+    yield from _of_names(case)
 
 
 def _of_inertias(case: TransmissionFields) -> Iterator[Problem]:
@@ -120,15 +119,3 @@ def _devices(case: TransmissionFields) -> Iterator[tuple[str, str, Path, Sequenc
         members = [member.name for member in device.members]
         members += [planet.name.removeprefix(f"{device.name}.") for planet in device.planets]
         yield what, device.name, ("mechanisms", device.mechanisms[0] + 1), members
-
-
-def _is_torsional(case: TransmissionFields) -> bool:
-    """Whether anything is there for vibration."""
-    elastic = [element.stiffness for element in case.shift_elements]
-    elastic += [mechanism.stiffness for mechanism in case.mechanisms]
-    return bool(case.springs or case.inertias) or any(one is not None for one in elastic)
-
-
-def spring_ends(case: TransmissionFields) -> int:
-    """How many ends of devices springs have, for the links that they can join."""
-    return sum(len(spring.twist) for spring in case.springs)

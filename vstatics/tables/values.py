@@ -12,7 +12,6 @@ from vstatics.statics.physical import known_units
 from vstatics.statics.results import Results
 from vstatics.tables.quantities import RELATIVE, WITH_UNITS
 from vstatics.tables.quantity import Quantity, Table
-from vstatics.tables.spring_words import among_springs
 
 
 def tables(results: Results) -> list[Table]:
@@ -32,7 +31,11 @@ def tables(results: Results) -> list[Table]:
     names = all_row_names(case)
     filled = []
     shown = [*_existing(RELATIVE, results), *with_units(results)]
-    for quantity in map(among_springs, shown) if case.springs else shown:
+    if case.springs:
+        from vstatics.tables.spring_words import among_springs  # costs start-up time
+
+        shown = [*map(among_springs, shown)]
+    for quantity in shown:
         if quantity.columns == "devices":
             matrix = distribution_matrix(case) + 0.0
             filled.append(Table(quantity, case.link_names, case.devices, matrix))

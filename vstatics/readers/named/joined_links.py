@@ -12,7 +12,15 @@ from vstatics.model.keys import CASE
 from vstatics.model.parts import Gear
 from vstatics.model.shape import ByKey, ByKind, ByName, Either, Ends, Leaf, ListOf, Numbers, Shape
 from vstatics.readers.named import nodes
-from vstatics.readers.named.nodes import Listing, Node, Scalar, Spots, is_null, shown
+from vstatics.readers.named.nodes import (
+    MOST_HINTS,
+    Listing,
+    Node,
+    Scalar,
+    Spots,
+    is_null,
+    shown,
+)
 from vstatics.readers.named.walk import Walk
 
 
@@ -69,11 +77,14 @@ def loose_links(
     told.update(values.get("inertias", ()))
     for gear in gears:
         told.update((*gear.speeds, *gear.torques, *gear.drag, gear.input, gear.output))
-    for number, name in enumerate(names, 1):
+    loose = [n for n, name in enumerate(names, 1) if counts[name] == 1 and n not in told]
+    first = {node.text: node for node in reversed(found)}
+    for count, number in enumerate(loose):
+        name = names[number - 1]
         others = [*(other for other in names if other != name), "housing"]
-        hint = spots.found.hint(name, others)
-        if counts[name] == 1 and number not in told and (hint or number not in carriers):
-            node = next(node for node in found if node.text == name)
+        hint = spots.found.hint(name, others) if count < MOST_HINTS else ""
+        if hint or number not in carriers:
+            node = first[name]
             message = f"link `{shown(name)}` is joined to nothing else{hint}"
             place = spots.found.source.place(node.line, node.column)
             yield Problem(message, (), place, "warning")
