@@ -24,6 +24,7 @@ from tests.commands import (
 )
 from vstatics import __version__
 from vstatics.cli import COMMANDS
+from vstatics.cli.torsion import COMMANDS as TORSION
 from vstatics.extras import build
 
 RUSSIAN = NEUTRAL.replace("links: 3", "name: коробка\nlinks: 3").replace("low:", "низшая:")
@@ -160,9 +161,12 @@ def test_a_terminal_shows_what_a_pipe_gets(variables: dict[str, str]) -> None:
 HELP_HAS = r"\n  Examples?(, in CI)?:\n    vstatics "
 
 
+ALL = (*COMMANDS, *(f"torsion {one}" for one in TORSION))
+
+
 @pytest.mark.parametrize(
     "command",
-    ["", *(pytest.param(one, marks=[pytest.mark.slow] * (one != "run")) for one in COMMANDS)],
+    ["", *(pytest.param(one, marks=[pytest.mark.slow] * (one != "run")) for one in ALL)],
 )
 def test_help_has_examples_and_fits_a_terminal(command: str) -> None:
     for flag in ("--help", "-h"):
@@ -172,10 +176,11 @@ def test_help_has_examples_and_fits_a_terminal(command: str) -> None:
         assert "\x1b" not in shown
 
 
-@pytest.mark.parametrize("command", ["", *COMMANDS])
+@pytest.mark.parametrize("command", ["", *ALL])
 def test_help_has_examples_and_is_one_by_either_option(command: str) -> None:
     shown = vstatics(*command.split(), "--help").out
     assert re.search(HELP_HAS, shown)
+    assert max(map(len, shown.splitlines())) <= 80
     assert vstatics(*command.split(), "-h").out == shown
 
 

@@ -76,6 +76,21 @@ NAMES_A_FILE = (
     ("sweep", CASE, "--variants", ATTACK),
     ("sweep", "--file", ATTACK),
     ("sweep", CASE, "--vary", "D.ratio=-3:-2:3", "--scheduler", ATTACK),
+    ("torsion", ATTACK),
+    ("torsion", "modes", CASE),
+    ("torsion", "modes", CASE, "--gear", ATTACK),
+    ("torsion", "modes", CASE, "-o", f"{ATTACK}.d/no/a.json"),
+    ("torsion", "reduce", CASE, "--to", ATTACK),
+    ("torsion", "simplify", CASE, "--gear", ATTACK, "--links", "1"),
+    ("torsion", "simplify", CASE, "--gear", "low", "--links", "1", "--remove", ATTACK),
+    ("torsion", "simplify", CASE, "--gear", "low", "--links", "1", "-o", ATTACK),
+    ("torsion", "response", CASE, "--at", ATTACK, "--orders", "2", "--speed", "1"),
+    ("torsion", "response", CASE, "--at", "1", "--orders", ATTACK, "--speed", "1"),
+    ("torsion", "response", CASE, "--at", "1", "--orders", "2", "--speed", ATTACK),
+    ("torsion", "response", CASE, "--at", "1", "--torque", ATTACK, "--speed", "1"),
+    ("torsion", "identify", CASE, "--gear", ATTACK, "--omega", "1"),
+    ("torsion", "damping", CASE, "--gear", "low", "--decrements", f"{ATTACK}=.1"),
+    ("torsion", "dump", ATTACK),
     (ATTACK,),
     (f"--{ATTACK}",),
     *((command, f"--{ATTACK}") for command in COMMANDS),
@@ -166,6 +181,43 @@ def test_rows_of_results_are_compared_escaped() -> None:
     listing = vstatics("run", "box.yaml").out
     for word in ("low", "W", "ETA"):
         is_safe("compare", "-", "box.json", stdin=listing.replace(word, ATTACK))
+
+
+SPRING = "links: [a, b]\ninertias: {a: 1, b: 2}\nsprings: {s: {links: [a, b], stiffness: 9}}\n"
+HOSTILE = '"s\\e[2J\\u202E"'
+"""A name as YAML writes it."""
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        SPRING.replace("s: {", f"{HOSTILE}: {{"),
+        SPRING.replace("a: 1", f"{HOSTILE}: 1"),
+        SPRING.replace("a: 1", f"a: {HOSTILE}"),
+        SPRING.replace("[a, b], ", f"[a, {HOSTILE}], "),
+        SPRING.replace("links: [a, b], ", f"twist: {{a: 1, {HOSTILE}: -1}}, "),
+        SPRING.replace("stiffness: 9", f"stiffness: {HOSTILE}"),
+        SPRING.replace("stiffness: 9", f"{HOSTILE}: 9"),
+        SPRING.replace("stiffness: 9", f"stiffness: 9, damping: {{{HOSTILE}: 1}}"),
+        SPRING + f"gears: {{{HOSTILE}: {{}}}}\n",
+    ],
+)
+def test_a_vibrating_case_is_told_escaped(text: str) -> None:
+    assert ": error: " in is_safe("torsion", "modes", "-", stdin=text)
+    assert is_safe("torsion", "modes", "-", stdin=SPRING)
+
+
+@pytest.mark.parametrize("text", [f"{HOSTILE}: 1\n", f"J1: {HOSTILE}\n", f"{ATTACK}: 1\n"])
+def test_a_clutch_that_is_dumped_is_told_escaped(text: str) -> None:
+    assert ": error: " in is_safe("torsion", "dump", "-", stdin=text)
+
+
+@pytest.mark.parametrize("text", [f"{ATTACK}\n1\n", f"order,amplitude\n{ATTACK},1\n"])
+def test_a_table_of_torques_is_told_escaped(text: str) -> None:
+    Path("own.csv").write_text(text, encoding="utf-8")
+    Path("names.yaml").write_text(SPRING, encoding="utf-8")
+    call = ("torsion", "response", "names.yaml", "--at", "2", "--torque", "own.csv")
+    assert ": error: " in is_safe(*call, "--speed", "1")
 
 
 def test_a_duty_file_is_told_escaped() -> None:

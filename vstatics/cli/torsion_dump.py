@@ -89,7 +89,9 @@ def dump(
       vstatics torsion dump box.yaml --gear 1
 
     \b
-    Exit status: 0 done; 1 the file is in error, or a gear has no such torque; 2 wrong use.
+    \b
+    Exit status: 0 done; 1 the file is in error, or a gear has no such torque;
+    2 wrong use.
     """
     to = one_text(wanted, [file])
     from vstatics.torsion.dump_file import is_of_case

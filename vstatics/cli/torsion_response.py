@@ -90,7 +90,9 @@ def response(
     \b
     Exit status: 0 done; 1 the case is in error or a gear is tied up; 2 wrong use.
     """
-    to = one_text(wanted, [case, *([torque] if torque else [])])
+    inputs = [case, *([torque] if torque else [])]
+    arguments.check_streams(inputs)
+    to = one_text(wanted, inputs)
     needs_scipy()
     from vstatics.torsion.documents import response_document
     from vstatics.torsion.response import response as responses
