@@ -102,7 +102,7 @@ def test_a_gear_that_is_tied_up_is_told_with_its_place() -> None:
     text = "input: disc\n" + DRIVELINE.replace(", stiffness: 1e5", "")
     answer = said("identify", "--gear", "both", "--omega", "1", text=text)
     assert (answer.status, answer.out) == (1, "")
-    assert "<stdin>:15:26: error: gears.both: tied up" in answer.err
+    assert "<stdin>:15:26: error: gear both: tied up" in answer.err
 
 
 def test_a_case_without_anything_elastic_is_told() -> None:
@@ -114,4 +114,4 @@ gears: {1: []}
 """
     answer = said("damping", "--gear", "1", "--decrements", "D=.1", text=text)
     assert answer.status == 1
-    assert "<stdin>:4:9: error: gears.1: nothing elastic joins inertias" in answer.err
+    assert "<stdin>:4:9: error: gear 1: nothing elastic joins inertias" in answer.err

@@ -17,7 +17,8 @@ from vstatics.cli.cases import gear_number
 from vstatics.cli.exit_status import DONE, FAILED
 from vstatics.cli.formats import OutputOptions
 from vstatics.cli.telling import Telling
-from vstatics.cli.torsion_case import needs_scipy, one_text, problems_of, show
+from vstatics.cli.torsion_case import located, needs_scipy, one_text, problems_of, show
+from vstatics.errors import CaseError, ReadError
 from vstatics.model.transmission import Gear
 from vstatics.readers.reading import Reading
 
@@ -143,7 +144,7 @@ def identify(
 
     reading = arguments.read_one(case, input_format, telling)
     chosen = _gear(reading, gear)
-    with problems_of(reading), _right_use():
+    with _told(reading, chosen):
         made = identified(reading.case, chosen.name, omega, decrement, mode, coast=coast)
     name = reading.case.name
     show(
@@ -205,7 +206,7 @@ def damping(
 
     reading = arguments.read_one(case, input_format, telling)
     chosen = _gear(reading, gear)
-    with problems_of(reading), _right_use():
+    with _told(reading, chosen):
         made = damped(reading.case, chosen.name, decrements, omega, mode, coast=coast)
     name = reading.case.name
     show(
@@ -223,9 +224,15 @@ def _gear(reading: Reading, asked: str) -> Gear:
 
 
 @contextmanager
-def _right_use() -> Iterator[None]:
-    """A mode or device that is not there is wrong use."""
+def _told(reading: Reading, gear: Gear) -> Iterator[None]:
+    """What is wrong with the gear at its place; a mode or device that is not there: wrong use."""
     try:
         yield
+    except CaseError as error:
+        if error.problems[0].path[:1] != ("gears",):
+            with problems_of(reading):
+                raise
+        faults = [(gear.name, "error", one.message) for one in error.problems]
+        raise ReadError(list(located(reading, faults))) from None
     except ValueError as error:
         raise click.UsageError(str(error)) from None
