@@ -27,7 +27,6 @@ from typing import TYPE_CHECKING, Any
 
 from vstatics.errors import CaseError, Place, Problem, ReadError, VstaticsError
 from vstatics.extras import __version__
-from vstatics.model.clutch_dump import ClutchDump
 from vstatics.model.damping import Damping
 from vstatics.model.parts import Load
 from vstatics.model.springs import Spring
@@ -42,9 +41,10 @@ from vstatics.sweep import sweep
 
 if TYPE_CHECKING:
     from vstatics.elements.drawing import Drawing
-    from vstatics.elements.element import Element
+    from vstatics.elements.element import Element, PlanetMass
     from vstatics.explain.explanation import explain_gear
     from vstatics.flow.power import flows
+    from vstatics.model.clutch_dump import ClutchDump
     from vstatics.pictures.drawn import plot
     from vstatics.report import write_report
     from vstatics.summary import summarize
@@ -61,6 +61,7 @@ __all__ = [
     "Mechanism",
     "Message",
     "Place",
+    "PlanetMass",
     "Problem",
     "ReadError",
     "Results",
@@ -82,8 +83,10 @@ __all__ = [
 ]
 
 _LATER = {
+    "ClutchDump": "vstatics.model.clutch_dump",
     "Drawing": "vstatics.elements.drawing",
     "Element": "vstatics.elements.element",
+    "PlanetMass": "vstatics.elements.element",
     "explain_gear": "vstatics.explain.explanation",
     "flows": "vstatics.flow.power",
     "plot": "vstatics.pictures.drawn",

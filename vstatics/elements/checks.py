@@ -11,7 +11,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from itertools import product
 
-from vstatics.elements import elastic_checks, group_checks
+from vstatics.elements import group_checks
 from vstatics.elements.element import DrawingFields, Element
 from vstatics.elements.group import PlanetGroup, group_of
 from vstatics.elements.group_checks import MOST
@@ -32,7 +32,9 @@ def problems(drawing: DrawingFields) -> Iterator[Problem]:
         if not found and isinstance(element.shape, Planetary):
             found = [*group_checks.whole(element, path)]
             yield from found
-        if not found:
+        if not found and _is_torsional(element):
+            from vstatics.elements import elastic_checks  # costs start-up time
+
             yield from elastic_checks.whole(element, drawing, path)
 
 
@@ -114,7 +116,15 @@ def _problems(element: Element, path: Path) -> Iterator[Problem]:
     if element.planets is not None and element.planets < 1:
         message = f"read {element.planets}, expected the number of planets around the axis"
         yield Problem(message, (*path, "planets"))
-    yield from elastic_checks.of_torsion(element, path)
+    if _is_torsional(element):
+        from vstatics.elements import elastic_checks  # costs start-up time
+
+        yield from elastic_checks.of_torsion(element, path)
+
+
+def _is_torsional(element: Element) -> bool:
+    """Whether it has anything for vibration."""
+    return bool(element.stiffness is not None or element.damping or element.planet_masses)
 
 
 def _mesh_efficiency(efficiencies: Mapping[str, float], path: Path) -> Iterator[Problem]:

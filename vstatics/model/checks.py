@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from vstatics.errors import Problem, spoken
-from vstatics.model.dump_checks import of_dump
 from vstatics.model.fields import TransmissionFields
 from vstatics.model.gear_checks import of_gear, of_load
 from vstatics.model.part_checks import called, doubtful, of_element, of_link, of_mechanism
@@ -37,7 +36,10 @@ def problems(case: TransmissionFields) -> Iterator[Problem]:
         from vstatics.model.spring_checks import of_torsion  # costs start-up time
 
         yield from of_torsion(case)
-    yield from of_dump(case)
+    if case.dump is not None:
+        from vstatics.model.dump_checks import of_dump  # likewise
+
+        yield from of_dump(case)
     yield from of_load(case.load, ())
     for number, gear in enumerate(case.gears, 1):
         path = ("gears", number)

@@ -5,13 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Any, Literal, Protocol
+from typing import TYPE_CHECKING, Any, Literal, Protocol
 
 from vstatics.errors import Problem, listed, nearest, typed_number
-from vstatics.model.clutch_dump import ClutchDump
 from vstatics.model.own import Member, OwnDevice, Planet
 from vstatics.model.parts import Direction, Gear, Load, Mechanism, ShiftElement, SpeedOf
 from vstatics.model.springs import Spring
+
+if TYPE_CHECKING:  # who has none does without
+    from vstatics.model.clutch_dump import ClutchDump
 
 IdleConvention = Literal["published", "exact"]
 """Which sign an idle mechanism gets; see docs/method.md."""

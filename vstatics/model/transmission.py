@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Any
 
 from vstatics.errors import CaseError, nearest, plural
 from vstatics.model.checks import problems
-from vstatics.model.clutch_dump import completed_dump
 from vstatics.model.damping import damping
 from vstatics.model.fields import AnyDrawing, IdleConvention, TransmissionFields
 from vstatics.model.part_checks import of_mechanism
@@ -24,6 +23,9 @@ from vstatics.model.parts import (
     mechanism_name,
 )
 from vstatics.model.springs import spring_name
+
+if TYPE_CHECKING:
+    from vstatics.model.clutch_dump import ClutchDump
 
 __all__ = [
     "HOUSING",
@@ -211,7 +213,7 @@ def _completed(case: Transmission) -> dict[str, object]:
             )
             for number, spring in enumerate(case.springs, 1)
         ),
-        "dump": completed_dump(case.dump),
+        "dump": _dump(case.dump),
     }
 
 
@@ -228,6 +230,14 @@ def _gear(case: Transmission, gear: Gear, number: int) -> Gear:
         drag=_by_load(gear.drag, abs(torque)),
         open_drag=_by_load(gear.open_drag, abs(torque)),
     )
+
+
+def _dump(dump: ClutchDump | None) -> ClutchDump | None:
+    if dump is None:
+        return None
+    from vstatics.model.clutch_dump import completed_dump  # costs start-up time
+
+    return completed_dump(dump)
 
 
 def _by_load(numbers: Mapping[int, float], whole: float | None) -> dict[int, float]:

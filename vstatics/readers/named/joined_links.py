@@ -30,14 +30,6 @@ def is_listed(root: nodes.Mapping) -> bool:
     return first is not None and not is_null(first)
 
 
-def has_springs(root: nodes.Mapping) -> bool:
-    """Whether springs are listed, so that a case may go without most other things."""
-    first = next((value for key, value in root.entries if key.text == "springs"), None)
-    return not (
-        first is None or is_null(first) or (isinstance(first, nodes.Mapping) and not first.entries)
-    )
-
-
 def gathered_links(root: nodes.Mapping, walk: Walk) -> list[str]:
     """The links in the order in which devices name them; the walk is told, if there are any."""
     names = list(dict.fromkeys(node.text for node in joined_links(root)))

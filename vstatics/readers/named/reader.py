@@ -8,13 +8,16 @@ from vstatics.errors import Problem, ReadError
 from vstatics.model.keys import CASE, with_springs
 from vstatics.model.shape import ByKey
 from vstatics.readers.named.arguments import arguments, untold
-from vstatics.readers.named.joined_links import (
-    gathered_links,
-    has_springs,
-    is_listed,
-    loose_links,
+from vstatics.readers.named.nodes import (
+    Found,
+    Mapping,
+    Node,
+    Spot,
+    Spots,
+    decode,
+    is_null,
+    what,
 )
-from vstatics.readers.named.nodes import Found, Mapping, Node, Spot, Spots, decode, what
 from vstatics.readers.named.walk import Walk
 from vstatics.readers.reading import Reading, finish
 
@@ -65,13 +68,33 @@ def _reading(root: Node, found: Found) -> Reading:
     root = _case(_mapping(root, found, expected))
     walk = Walk(Spots(found))
     given = {key.text for key, _ in root.entries}
-    springs = has_springs(root)
+    springs = _has_springs(root)
     shape = with_springs(CASE) if springs else CASE
     if "elements" in given:
         from vstatics.readers.named.drawing import read_drawing  # others do without
 
         return read_drawing(root, walk, shape)
-    gathers = springs and not is_listed(root)
+    if springs:
+        return _with_springs(root, walk, shape)
+    values = walk.read(Spot((), "", root), shape)
+    return finish(
+        arguments(values, walk), found.problems, untold(walk.spots.unreadable), walk.spots.locate
+    )
+
+
+def _has_springs(root: Mapping) -> bool:
+    """Whether springs are listed, so that a case may go without most other things."""
+    first = next((value for key, value in root.entries if key.text == "springs"), None)
+    if first is None or is_null(first):
+        return False
+    return not isinstance(first, Mapping) or bool(first.entries)
+
+
+def _with_springs(root: Mapping, walk: Walk, shape: ByKey) -> Reading:
+    """A case without elements, whose springs may tell its links."""
+    from vstatics.readers.named.joined_links import gathered_links, is_listed, loose_links
+
+    gathers = not is_listed(root)
     gathered = gathered_links(root, walk) if gathers else []
     values = walk.read(Spot((), "", root), shape)
     parts = arguments(values, walk)
@@ -80,8 +103,8 @@ def _reading(root: Node, found: Found) -> Reading:
         parts["links"] = len(gathered)
         loose += loose_links(root, values, gathered, parts["gears"], walk.spots)
         walk.spots.unreadable += [] if gathered else [("links",), ("input",), ("output",)]
-    locate = walk.spots.locate
-    return finish(parts, [*found.problems, *loose], untold(walk.spots.unreadable), locate)
+    problems = [*walk.spots.found.problems, *loose]
+    return finish(parts, problems, untold(walk.spots.unreadable), walk.spots.locate)
 
 
 def _mapping(root: Node, found: Found, expected: str) -> Mapping:
