@@ -54,6 +54,14 @@ def test_of_a_branched_scheme_there_are_matrices() -> None:
         assert len(step["inertias"]) == count
 
 
+@pytest.mark.parametrize(
+    ("form", "begins"),
+    [("jsonl", '{"format": '), ("markdown", "# two gears\n"), ("latex", "\\noindent")],
+)
+def test_steps_in_other_formats(form: str, begins: str) -> None:
+    assert said("simplify", *OF_GOOD, "-f", form, text=GOOD).out.startswith(begins)
+
+
 def test_steps_as_tables() -> None:
     made = document("simplify", *OF_GOOD, text=GOOD)["steps"]
     found = tables(said("simplify", *OF_GOOD, "-f", "csv", text=GOOD).out)
@@ -167,7 +175,7 @@ def test_what_the_scheme_does_not_have(options: tuple[str, ...], words: str) -> 
         ("--gear", "direct"),
         *((*OF_GOOD, "--links", one) for one in ("0", "-1", "1.5", "nan", "inf", "", "1e3")),
         (*OF_GOOD, "--rule", "x"),
-        *((*OF_GOOD, "-f", one) for one in ("xlsx", "markdown", "yaml")),
+        *((*OF_GOOD, "-f", one) for one in ("xlsx", "yaml", "")),
         *((*OF_GOOD, "-o", one) for one in ("new.csv", "new.dat", "new", "new/")),
     ],
 )

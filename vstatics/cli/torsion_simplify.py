@@ -11,7 +11,7 @@ from vstatics.cli import cases as arguments
 from vstatics.cli import files
 from vstatics.cli.cases import gear_number
 from vstatics.cli.exit_status import DONE, FAILED
-from vstatics.cli.formats import Destination, TextStyle
+from vstatics.cli.formats import TABLES, Destination, TextStyle
 from vstatics.cli.telling import Telling
 from vstatics.cli.torsion_case import (
     file_name,
@@ -26,6 +26,8 @@ from vstatics.model.damping import damping
 from vstatics.model.transmission import Transmission
 
 RULES = ("partial", "r", "b", "u")
+FORMS = [form for form in TABLES if form != "xlsx"]
+"""Of the steps, which are printed."""
 
 
 @click.command()
@@ -55,7 +57,7 @@ RULES = ("partial", "r", "b", "u")
     "-f",
     "--format",
     "form",
-    type=click.Choice(("text", "json", "csv")),
+    type=click.Choice(FORMS),
     default="text",
     show_default=True,
     help="Format of the steps.",
