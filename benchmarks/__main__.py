@@ -13,8 +13,8 @@ from pathlib import Path
 
 from common import compiled, machine
 
-NAMES = ("variants", "spread", "sizes", "decks", "long_sweeps", "startup")
-WITHOUT_PEER = ("long_sweeps", "startup")
+NAMES = ("variants", "spread", "sizes", "decks", "long_sweeps", "torsion", "startup")
+WITHOUT_PEER = ("long_sweeps", "torsion", "startup")
 PLACE = "<!-- bench: {} -->\n"
 END = "<!-- end of bench -->"
 
