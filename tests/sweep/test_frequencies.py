@@ -133,6 +133,41 @@ def test_ratios_stiffnesses_and_inertias_together(options: dict[str, Any]) -> No
         np.testing.assert_allclose(row, [*expected, 1 - ratio], rtol=1e-9)
 
 
+def two_sets() -> Transmission:
+    """Two sets with common sun and carrier: with equal ratios their rings turn as one."""
+    return Transmission(
+        5,
+        [ShiftElement(4, 0, name="B")],
+        [Mechanism(1, 2, 3, -2.0, name="one"), Mechanism(1, 4, 3, -3.0, name="two")],
+        [Gear([1], name="held"), Gear(name="free")],
+        output=3,
+        springs=[
+            Spring({2: 1, 4: -1}, stiffness=700.0, name="rings"),
+            Spring({3: 1, 5: -1}, stiffness=900.0, name="out"),
+        ],
+        inertias={1: 0.1, 2: 0.05, 5: 0.8},
+    )
+
+
+@pytest.mark.parametrize("mode", [1, 2, 3])
+def test_ratios_at_which_the_links_are_joined_otherwise(mode: int) -> None:
+    """Ratios that all differ go together; 1, and two that are equal, change what is free."""
+    rng = np.random.default_rng(mode)
+    one = np.append(rng.uniform(-4, -2, 70), [1.0, 1.0, -2.5, -2.5, 1 + 1e-15])
+    two = np.append(rng.uniform(-4, -2, 70), [-2.0, 1.0, -2.5, -2.6, -2.0])
+    inertia = np.append(rng.uniform(0, 1, 74), 0.0)
+    table = {"one.ratio": one, "two.ratio": two, "5.inertia": inertia}
+    (made,) = sweep(two_sets(), variants=table, out=f"omega[{mode}]")
+    for row, ratios, heavy in zip(made.columns, zip(one, two, strict=True), inertia, strict=True):
+        sets = [
+            given._replace(ratio=ratio)
+            for given, ratio in zip(two_sets().mechanisms, ratios, strict=True)
+        ]
+        case = two_sets().replace(mechanisms=sets, inertias={**two_sets().inertias, 5: heavy})
+        expected = [(alone(case, gear) + [math.nan] * 3)[mode - 1] for gear in ("held", "free")]
+        np.testing.assert_allclose(row, expected, rtol=1e-9)
+
+
 def test_an_expression_of_frequencies() -> None:
     """The engine on the damper alone, and the disc between its two springs."""
     out = "omega[2,1]/omega[1,1], (omega[1,1]/10)**2, max(omega), omega[#2,#1] - omega[2]"

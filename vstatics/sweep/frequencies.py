@@ -13,8 +13,9 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from vstatics.extras import require
-from vstatics.model.transmission import Transmission
+from vstatics.model.transmission import HOUSING, Transmission
 from vstatics.numerics.arrays import Booleans, Floats, Integers
+from vstatics.statics.matrix import column
 from vstatics.statics.status import CONFLICT
 from vstatics.sweep.targets import OF_MECHANISM, Target
 
@@ -23,6 +24,8 @@ if TYPE_CHECKING:
 
 OMEGA = "omega"
 """The name of the table. [rad/s]"""
+FEW = 64
+"""Where fewer variants than these have the same ratios they are solved with those of others."""
 
 Asked = Mapping[int, Sequence[int]]
 """Index of a gear -> indices of modes, of those that are not rigid."""
@@ -73,19 +76,24 @@ def frequencies(
     from vstatics.torsion.state import vibrating
 
     count = 1 + max((mode for modes in asked.values() for mode in modes), default=-1)
-    found = np.full((len(values), len(case.gears), count), np.nan)
+    omegas = np.full((len(values), len(case.gears), count), np.nan)
     tied_up, conflict = np.zeros((2, len(values)), np.bool_)
-    for rows in _of_one_structure(case, targets, values):
-        some = values[rows]
-        one = _with_ratios(case, targets, some[0])
-        for gear, modes in asked.items():
+    kinds = _structures(case, targets, values)
+    many = kinds.max(initial=0) * FEW > len(values) and not case.freewheels
+    for gear, modes in asked.items():
+        left = np.arange(len(values))
+        if many:
+            omegas[:, gear, modes], safe = _by_ratios(case, targets, values, gear, modes)
+            left = left[~safe]
+        for rows in _alike(kinds, left):
+            one = _with_ratios(case, targets, values[rows[0]])
             system = vibrating(one, one.gears[gear])
             if isinstance(system, str):
                 (conflict if system.startswith(CONFLICT.english) else tied_up)[rows] = True
             else:
-                omegas = _of_gear(case, system, targets, some, modes)
-                found[rows[:, np.newaxis], gear, modes] = omegas
-    return Frequencies(found, tied_up, conflict)
+                found = _of_gear(case, system, targets, values[rows], modes)
+                omegas[rows[:, np.newaxis], gear, modes] = found
+    return Frequencies(omegas, tied_up, conflict)
 
 
 def mode_names(case: Transmission, targets: Sequence[Target]) -> list[str]:
@@ -109,20 +117,23 @@ def mode_names(case: Transmission, targets: Sequence[Target]) -> list[str]:
     return [str(number) for number in range(1, max(counts, default=0) + 1)]
 
 
-def _of_one_structure(
-    case: Transmission, targets: Sequence[Target], values: Floats
-) -> Iterator[Integers]:
-    """Variants with the same ratios; where there are freewheels, with the same efficiencies too."""
+def _structures(case: Transmission, targets: Sequence[Target], values: Floats) -> Integers:
+    """A number for each variant: one for equal ratios, with freewheels also efficiencies."""
     deciding = ("ratio", "efficiency") if case.freewheels else ("ratio",)
     columns = [place for place, target in enumerate(targets) if target.quantity in deciding]
     numbers = values[:, columns]
     if not len(values) or (numbers == numbers[0]).all():
-        yield np.arange(len(values))
-        return
+        return np.zeros(len(values), np.int64)
     _, kinds = np.unique(numbers, axis=0, return_inverse=True)
-    order = np.argsort(kinds.reshape(-1), kind="stable")
-    ends = np.flatnonzero(np.diff(kinds.reshape(-1)[order])) + 1
-    yield from np.split(order, ends)
+    return kinds.reshape(-1)
+
+
+def _alike(kinds: Integers, rows: Integers) -> Iterator[Integers]:
+    """The variants among some that are of one kind."""
+    if not len(rows):
+        return
+    order = rows[np.argsort(kinds[rows], kind="stable")]
+    yield from np.split(order, np.flatnonzero(np.diff(kinds[order])) + 1)
 
 
 def _with_ratios(case: Transmission, targets: Sequence[Target], values: Floats) -> Transmission:
@@ -135,6 +146,37 @@ def _with_ratios(case: Transmission, targets: Sequence[Target], values: Floats) 
     return case.with_numbers(mechanisms)
 
 
+def _by_ratios(
+    case: Transmission,
+    targets: Sequence[Target],
+    values: Floats,
+    gear: int,
+    modes: Sequence[int],
+) -> tuple[Floats, Booleans]:
+    """The frequencies of a gear where nearly all ratios differ, and which of them are found."""
+    from vstatics.torsion.other_ratios import VariedSystem, frequencies_of_ratios
+    from vstatics.torsion.state import vibrating
+
+    one = _with_ratios(case, targets, values[0])
+    system = vibrating(one, one.gears[gear])
+    if isinstance(system, str):
+        return np.full((len(values), len(modes)), np.nan), np.zeros(len(values), np.bool_)
+    twists = {}
+    for target, ratios in zip(targets, values.T, strict=True):
+        if target.quantity == "ratio":
+            mechanism = case.mechanisms[target.owner]
+            rows = np.zeros((len(values), len(system.names)))
+            for link, part in zip(mechanism.links, column(ratios), strict=True):
+                if link != HOUSING:
+                    rows[:, link - 1] += part
+            place = [device.name for device in system.devices].index(mechanism.name)
+            twists[place] = rows
+    turning = one.gear_input(one.gears[gear]) - 1
+    others = _elastic_and_heavy(case, system, targets, values)
+    varied = VariedSystem(system, turning, twists, *others)
+    return frequencies_of_ratios(varied, modes, len(values))
+
+
 def _of_gear(
     case: Transmission,
     system: TorsionalSystem,
@@ -142,9 +184,19 @@ def _of_gear(
     values: Floats,
     modes: Sequence[int],
 ) -> Floats:
-    """The frequencies of a gear, of shape (variants, modes); what is open has no stiffness."""
+    """The frequencies of a gear, of shape (variants, modes)."""
     from vstatics.torsion.variants import variant_frequencies
 
+    stiffnesses, inertias = _elastic_and_heavy(case, system, targets, values)
+    return variant_frequencies(
+        system, modes, stiffnesses=stiffnesses, inertias=inertias, variants=len(values)
+    )
+
+
+def _elastic_and_heavy(
+    case: Transmission, system: TorsionalSystem, targets: Sequence[Target], values: Floats
+) -> tuple[dict[int, Floats], dict[int, Floats]]:
+    """Varied stiffnesses and inertias by their places; what is open in a gear has none."""
     places = {device.name: place for place, device in enumerate(system.elastic)}
     stiffnesses, inertias = {}, {}
     for target, numbers in zip(targets, values.T, strict=True):
@@ -153,8 +205,6 @@ def _of_gear(
         elif target.quantity in ("stiffness", "compliance"):
             place = places.get(case.devices[target.owner])
             if place is not None:
-                stiff = target.quantity == "stiffness"
-                stiffnesses[place] = numbers if stiff else 1 / numbers
-    return variant_frequencies(
-        system, modes, stiffnesses=stiffnesses, inertias=inertias, variants=len(values)
-    )
+                is_stiffness = target.quantity == "stiffness"
+                stiffnesses[place] = numbers if is_stiffness else 1 / numbers
+    return stiffnesses, inertias

@@ -20,6 +20,27 @@ SMALL = 1e-4
 """A square below this part of the largest one has lost digits that its root has not."""
 
 
+class Split(NamedTuple):
+    """Forms of links by the motions of a system, split as `Coordinates` has them.
+
+    Each may have leading axes: of variants in which links are joined otherwise.
+
+    Attributes
+    ----------
+    bodies : ndarray, shape (..., bodies, heavy motions)
+    twists : ndarray, shape (..., devices, heavy motions)
+    massless : ndarray, shape (..., devices, massless motions)
+        Twists.
+    rigid : ndarray, shape (..., heavy motions, rigid motions)
+        What of the heavy motions is in the rigid ones.
+    """
+
+    bodies: Floats
+    twists: Floats
+    massless: Floats
+    rigid: Floats
+
+
 class NormedTwists(NamedTuple):
     """Twists of the elastic devices by motions of a system.
 
@@ -28,7 +49,7 @@ class NormedTwists(NamedTuple):
     heavy : ndarray, shape (..., devices, modes)
         By motions of modal mass 1, orthogonal in M to each other and to rigid ones. The leading
         axes are those of the inertias. [1/sqrt(kg*m^2)]
-    massless : ndarray, shape (devices, massless motions)
+    massless : ndarray, shape (..., devices, massless motions)
     """
 
     heavy: Floats
@@ -60,18 +81,26 @@ def normed_twists(system: TorsionalSystem, split: Coordinates, inertias: Floats)
            [[2.5]]])
     """
     heavy, links = split.heavy, len(system.names)
-    bodies = values_of([body.form for body in system.bodies], links) @ heavy
     devices = values_of([device.twist for device in system.elastic], links)
-    triangle = _triangle(np.sqrt(inertias)[..., None] * bodies)
-    apart = np.eye(heavy.shape[1])
-    if rigid := split.rigid.shape[1]:
-        every = np.hstack([heavy, split.massless])
-        by_heavy = np.linalg.lstsq(every, split.rigid, rcond=None)[0][: heavy.shape[1]]
-        turned, _ = np.linalg.qr(triangle @ by_heavy, mode="complete")
-        apart = turned[..., rigid:]
-    return NormedTwists(
-        (devices @ heavy) @ np.linalg.solve(triangle, apart), devices @ split.massless
+    every = np.hstack([heavy, split.massless])
+    by_every: Floats = np.asarray(np.linalg.lstsq(every, split.rigid, rcond=None)[0])
+    parts = Split(
+        values_of([body.form for body in system.bodies], links) @ heavy,
+        devices @ heavy,
+        devices @ split.massless,
+        by_every[: heavy.shape[1]],
     )
+    return of_split(parts, inertias)
+
+
+def of_split(split: Split, inertias: Floats) -> NormedTwists:
+    """The same of forms by motions, with leading axes of these or of the inertias."""
+    triangle = _triangle(np.sqrt(inertias)[..., None] * split.bodies)
+    apart = np.eye(triangle.shape[-1])
+    if rigid := split.rigid.shape[-1]:
+        turned, _ = np.linalg.qr(triangle @ split.rigid, mode="complete")
+        apart = turned[..., rigid:]
+    return NormedTwists(split.twists @ np.linalg.solve(triangle, apart), split.massless)
 
 
 def natural_frequencies(twists: NormedTwists, stiffnesses: Floats, first: int = 0) -> Floats:
@@ -90,7 +119,7 @@ def natural_frequencies(twists: NormedTwists, stiffnesses: Floats, first: int = 
         Ascending. [rad/s]
     """
     rows = triangular(twists, stiffnesses)
-    massless = twists.massless.shape[1]
+    massless = twists.massless.shape[-1]
     rows = rows[..., massless:, massless:] if massless else rows
     squares = np.linalg.eigvalsh(rows.swapaxes(-1, -2) @ rows)
     omegas: Floats = np.sqrt(np.maximum(squares, 0.0))
@@ -112,10 +141,10 @@ def triangular(twists: NormedTwists, stiffnesses: Floats) -> Floats:
     """
     roots = np.sqrt(stiffnesses)[..., None]
     heavy: Floats = roots * twists.heavy
-    if not twists.massless.shape[1]:
+    if not twists.massless.shape[-1]:
         return heavy
     massless = np.broadcast_to(
-        roots * twists.massless, (*heavy.shape[:-1], twists.massless.shape[1])
+        roots * twists.massless, (*heavy.shape[:-1], twists.massless.shape[-1])
     )
     both = np.concatenate([massless, heavy], axis=-1)
     order = np.argsort(-np.abs(both).max(axis=-1), axis=-1)
