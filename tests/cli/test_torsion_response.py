@@ -10,7 +10,7 @@ import pytest
 
 from tests.cli.torsional import GOOD, document, said, tables
 from vstatics import loads
-from vstatics.torsion.response import Harmonic, response
+from vstatics.torsion.forced import Harmonic, response
 
 AT = ("--at", "engine")
 SPEED = ("--speed", "600:1000:5")

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from vstatics.torsion.dump import DumpCase
+from vstatics.torsion.clutch import DumpCase
 from vstatics.torsion.dump_given import Dump
 
 

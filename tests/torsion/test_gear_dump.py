@@ -9,7 +9,7 @@ import pytest
 from tests.commands import CASES
 from tests.torsion.table_3_8 import TABLE_3_8, Line
 from vstatics import CaseError, ClutchDump, load, loads
-from vstatics.torsion.dump import dump
+from vstatics.torsion.clutch import dump
 from vstatics.torsion.gear_dump import GearDump, gear_dumps
 
 CARS = {

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 
 import pytest
 
-from tests.torsion.test_damping import TABLE_2_4, TABLE_P2_1
+from tests.torsion.test_decrements import TABLE_2_4, TABLE_P2_1
 from vstatics import CaseError, Spring, Transmission, loads
 from vstatics.torsion.gear_modes import Mode, modes
 from vstatics.torsion.measured import Identified, damping, identify

@@ -7,7 +7,7 @@ import pytest
 from tests.torsion.systems import with_planetary_set
 from vstatics import Gear, Mechanism, ShiftElement, Spring, Transmission
 from vstatics.torsion.gear_modes import modes
-from vstatics.torsion.gear_scheme import gear_scheme
+from vstatics.torsion.reduced_scheme import gear_scheme
 from vstatics.torsion.reduction import NO_REACTION, reduce
 from vstatics.torsion.scheme import TorsionScheme, natural_frequencies
 

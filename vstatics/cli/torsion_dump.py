@@ -23,7 +23,7 @@ from vstatics.cli.torsion_case import (
     tell,
 )
 from vstatics.readers.reading import Reading
-from vstatics.torsion.dump import DumpTorque
+from vstatics.torsion.clutch import DumpTorque
 from vstatics.torsion.dump_document import (
     FORMAT,
     VERSION,

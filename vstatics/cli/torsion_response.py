@@ -26,7 +26,7 @@ from vstatics.cli.torsion_case import (
 
 if TYPE_CHECKING:
     from vstatics.numerics.arrays import Floats
-    from vstatics.torsion.response import Harmonic
+    from vstatics.torsion.forced import Harmonic
 
 MOST_SPEEDS = 100_000
 
@@ -95,7 +95,7 @@ def response(
     to = one_text(wanted, inputs)
     needs_scipy()
     from vstatics.torsion.documents import response_document
-    from vstatics.torsion.response import response as responses
+    from vstatics.torsion.forced import response as responses
     from vstatics.torsion.response_grids import largest_grids, speed_grids, sum_grids
 
     harmonics, speeds = _harmonics(orders, torque), _speeds(speed)
@@ -118,7 +118,7 @@ def response(
 
 def _harmonics(orders: str | None, torque: str | None) -> list[Harmonic]:
     """What excites: by the table, or of 1 N*m."""
-    from vstatics.torsion.response import Harmonic
+    from vstatics.torsion.forced import Harmonic
     from vstatics.torsion.torque_table import read_torque_table
 
     asked = None if orders is None else _numbers(orders, "--orders", "an order above 0")

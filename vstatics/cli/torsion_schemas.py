@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from vstatics.torsion import documents as made
+from vstatics.torsion.forced import Resonance
 from vstatics.torsion.gear_modes import GearModes, Mode
 from vstatics.torsion.measured import Damped, Identified
 from vstatics.torsion.reduction import GearReduction
-from vstatics.torsion.response import Resonance
 from vstatics.torsion.simplification import SimplificationRule, SimplificationStep
 from vstatics.writers.documents import documents, head
 from vstatics.writers.record_schema import NUMBER, TEXT, Schema, list_of, record, schema_of

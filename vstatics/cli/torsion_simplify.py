@@ -100,7 +100,7 @@ def simplify(
     written = _format_of(output, case)
     needs_scipy()
     from vstatics.torsion.documents import simplification_document
-    from vstatics.torsion.gear_scheme import gear_scheme
+    from vstatics.torsion.reduced_scheme import gear_scheme
     from vstatics.torsion.scheme_case import scheme_case
     from vstatics.torsion.simplification import simplify as simplified
     from vstatics.torsion.simplification_grids import simplification_grids

@@ -8,10 +8,10 @@ from typing import Any
 import numpy as np
 
 from vstatics.torsion.cycle import summed
+from vstatics.torsion.forced import GearResponse, OrderResponse
 from vstatics.torsion.gear_modes import GearModes, Mode
 from vstatics.torsion.measured import Damped, Identified
 from vstatics.torsion.reduction import GearReduction
-from vstatics.torsion.response import GearResponse, OrderResponse
 from vstatics.torsion.simplification import Simplification
 
 MODES = "vstatics-modes"

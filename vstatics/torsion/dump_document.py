@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
-from vstatics.torsion.dump import DumpTorque
+from vstatics.torsion.clutch import DumpTorque
 
 if TYPE_CHECKING:  # it needs scipy, which a file of numbers does not
     from vstatics.torsion.gear_dump import GearDump

@@ -8,7 +8,7 @@ from vstatics.errors import CaseError, ReadError
 from vstatics.model.shape import ByKey, KeyShape, Leaf, LeafKind
 from vstatics.readers.named.nodes import Mapping, Spots, decode
 from vstatics.readers.named.reader import read_document
-from vstatics.torsion.dump import DumpTorque, dump
+from vstatics.torsion.clutch import DumpTorque, dump
 from vstatics.torsion.dump_given import UNBOUNDED, Dump, dump_problems
 
 

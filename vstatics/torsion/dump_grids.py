@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from vstatics.tables.grid import Column, Grid, Row, exact, text
-from vstatics.torsion.dump import DumpCase, DumpTorque
+from vstatics.torsion.clutch import DumpCase, DumpTorque
 from vstatics.torsion.dump_given import Dump
 
 if TYPE_CHECKING:  # it needs scipy, which a file of numbers does not
@@ -73,7 +73,7 @@ def gears_grids(gears: Sequence[GearDump]) -> Iterator[Grid]:
 
     Examples
     --------
-    >>> from vstatics.torsion.dump import dump
+    >>> from vstatics.torsion.clutch import dump
     >>> from vstatics.torsion.gear_dump import GearDump
     >>> given = Dump(1.913, 0.0619, 0.0239, 0.091, 5.68, 429e-5, 532, 335, 156)
     >>> for grid in gears_grids([GearDump("1", "propshaft", given, dump(given))]):

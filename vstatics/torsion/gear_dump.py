@@ -13,7 +13,7 @@ from vstatics.errors import CaseError, Problem, spoken
 from vstatics.model.clutch_dump import NEEDED, ClutchDump
 from vstatics.model.transmission import Gear, Transmission
 from vstatics.statics.result_fields import Message
-from vstatics.torsion.dump import DumpTorque, dump
+from vstatics.torsion.clutch import DumpTorque, dump
 from vstatics.torsion.dump_given import Dump
 from vstatics.torsion.path_compliance import path_compliance
 from vstatics.torsion.reduction import scales

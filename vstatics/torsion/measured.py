@@ -13,8 +13,8 @@ from typing import NamedTuple
 from vstatics.errors import CaseError, Problem, listed, nearest, quoted, spoken
 from vstatics.model.damping import damping as damping_of
 from vstatics.model.transmission import Transmission
-from vstatics.torsion import damping as formulas
-from vstatics.torsion.damping import ByDevice
+from vstatics.torsion import decrements as formulas
+from vstatics.torsion.decrements import ByDevice
 from vstatics.torsion.gear_modes import Mode, modes
 from vstatics.torsion.state import vibrating
 from vstatics.torsion.system import TorsionalDevice

@@ -10,7 +10,7 @@ import numpy as np
 from vstatics.numerics.arrays import Floats
 from vstatics.tables.grid import Cell, Column, Grid, Row, exact, text, whole
 from vstatics.torsion.cycle import summed
-from vstatics.torsion.response import Complex, GearResponse
+from vstatics.torsion.forced import Complex, GearResponse
 
 
 def largest_grids(gears: Sequence[GearResponse]) -> Iterator[Grid]:

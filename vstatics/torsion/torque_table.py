@@ -8,7 +8,7 @@ import math
 from vstatics.errors import Problem, ReadError, listed
 from vstatics.readers.named.nodes import decode
 from vstatics.readers.reading import Source
-from vstatics.torsion.response import Harmonic
+from vstatics.torsion.forced import Harmonic
 
 _HEADINGS = {
     "order": ("order", 1.0),

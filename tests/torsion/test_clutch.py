@@ -10,7 +10,7 @@ import pytest
 from tests.torsion.stick_slip import first_peak
 from tests.torsion.table_3_8 import TABLE_3_8, Line
 from vstatics.errors import CaseError
-from vstatics.torsion.dump import dump
+from vstatics.torsion.clutch import dump
 from vstatics.torsion.dump_given import Dump
 
 HELD_TWICE = Dump(20.2, 0.49, 0.606, 2.54, 32.9, 1.208e-3, 4207, 3258, 47.2)

@@ -11,8 +11,8 @@ from hypothesis import given, settings
 from tests.torsion.systems import branched, chain, matrices, with_planetary_set
 from vstatics import Damping, Mechanism, ReadError, Spring, Transmission
 from vstatics.torsion.cycle import summed
+from vstatics.torsion.forced import RAD_PER_RPM, Harmonic, response
 from vstatics.torsion.gear_modes import modes
-from vstatics.torsion.response import RAD_PER_RPM, Harmonic, response
 from vstatics.torsion.torque_table import read_torque_table
 
 SPEEDS = np.array([100.0, 300.0, 1000.0])
@@ -137,7 +137,7 @@ def test_a_link_that_nothing_resists_has_no_value_and_its_device_no_torque() -> 
 def test_many_speeds_are_solved_piece_by_piece(monkeypatch: pytest.MonkeyPatch) -> None:
     case, speeds = with_planetary_set(), np.linspace(10, 5000, 50)
     [whole, _] = response(case, 1, [Harmonic(2.0)], speeds)
-    monkeypatch.setattr("vstatics.torsion.response.ENTRIES", 40)
+    monkeypatch.setattr("vstatics.torsion.forced.ENTRIES", 40)
     [pieces, _] = response(case, 1, [Harmonic(2.0)], speeds)
     for name, values in whole.orders[0].amplitudes.items():
         np.testing.assert_allclose(pieces.orders[0].amplitudes[name], values, rtol=1e-12)

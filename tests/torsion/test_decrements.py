@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 import pytest
 
-from vstatics.torsion.damping import (
+from vstatics.torsion.decrements import (
     corrected,
     dampings,
     decrement,
