@@ -154,7 +154,7 @@ def _of_members(flow: GearFlow, node: Node) -> Iterator[tuple[int, list[Cell | s
     for (member, link), power in _by_member(flow.ideal, node).items():
         if link != "housing":
             powers = power, lossy.get((member, link), math.nan)
-            yield 3, _row(flow, link if member == link else f"{member}: {link}", powers)
+            yield 3, _row(flow, link if node.kind == "spring" else f"{member}: {link}", powers)
 
 
 def _of_teeth(flow: GearFlow, node: Node) -> Iterator[tuple[int, list[Cell | str]]]:
