@@ -53,6 +53,10 @@ def plot(
     structure    mechanisms as boxes, links as wires, clutches and brakes
     stick        the stick diagram of a case made of elements
     efficiency   efficiency by gear, with the losses of each mechanism
+    modes        natural modes of a gear, the first unless --gear says which:
+                 shapes over the links, shares of the energy
+    campbell     natural frequencies of each gear over the input speed, and
+                 where its orders meet them
 
     \b
     Examples:
@@ -60,7 +64,8 @@ def plot(
       vstatics plot gearbox.yaml --kind lever --gear 2 -o second.pdf
       cat gearbox.dat | vstatics plot - --kind efficiency -o losses.png --dark
 
-    Needs matplotlib: pip install "vstatics[plot]".
+    Needs matplotlib: pip install "vstatics[plot]"; modes and campbell need
+    scipy too: "vstatics[plot,torsion]".
 
     \b
     Exit status: 0 done; 1 a case is in error, a gear is tied up, or there is

@@ -28,7 +28,8 @@ def report(cases: tuple[str, ...], output: str, digits: int | None, settings: Ca
     largest values and all tables; a click on a heading sorts those of the results. It loads nothing
     from elsewhere, can be printed, and carries the result as JSON.
 
-    Pictures need matplotlib: pip install "vstatics[plot]". Without it the page has none.
+    Pictures need matplotlib, the section on vibration of a case with inertias and springs
+    scipy: pip install "vstatics[plot,torsion]". Without them the rest is written.
 
     \b
     Examples:
@@ -55,6 +56,8 @@ def _shown(outcome: CalculatedCase, digits: int | None, quiet: bool) -> texts.Ca
         material = gather(results, outcome.problems, digits)
         if material.without and not quiet:
             files.say(f"vstatics report: no pictures: {material.without}")
+        if material.vibration and material.vibration.without and not quiet:
+            files.say(f"vstatics report: no vibration: {material.vibration.without}")
         return page(material)
 
     return texts.CaseOutput([], {"html": html})

@@ -41,6 +41,8 @@ PICTURES = {
     "structure": "vstatics.pictures.schemes.structure",
     "stick": "vstatics.pictures.schemes.stick",
     "efficiency": "vstatics.pictures.efficiency",
+    "modes": "vstatics.pictures.modes",
+    "campbell": "vstatics.pictures.campbell",
 }
 """Kind of picture -> module."""
 
@@ -84,16 +86,16 @@ def render(
     return _written(picture(results, kind, style, gears), form, style)
 
 
-def sheets(results: Results, kind: str, style: Style) -> list[bytes]:
+def sheets(results: Results, kind: str, style: Style, gears: Sequence[int] = ()) -> list[bytes]:
     """A picture of a result as SVG; a long one in parts that fit a printed page.
 
     Parameters and errors as of `picture`.
     """
     module = import_module(PICTURES[kind])
     if not hasattr(module, "sheets"):
-        return [render(results, kind, "svg", style)]
+        return [render(results, kind, "svg", style, gears)]
     with _settings(style):
-        figures = module.sheets(results, style)
+        figures = module.sheets(results, style, gears)
     return [_written(figure, "svg", style) for figure in figures]
 
 

@@ -72,7 +72,7 @@ def plot(
     ----------
     results : Results
         Of one case.
-    kind : {"plan", "lever", "flow", "structure", "stick", "efficiency"}
+    kind : {"plan", "lever", "flow", "structure", "stick", "efficiency", "modes", "campbell"}
         What is drawn, as of ``vstatics plot --kind``.
     gear : int or str, optional
         Number from 1, or name, of the only gear that is shown.

@@ -77,13 +77,18 @@ def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> Figure:
     >>> [text.get_text() for text in figure.axes[0].texts if "circulates" in text.get_text()][-1]
     'circulates 1.000: 100.0% of the power in'
     """
-    every = flows(results)
-    return _figure(results, [every[gear - 1] for gear in gears] or every, style)
+    return _figure(results, _chosen(results, gears), style)
 
 
-def sheets(results: Results, style: Style) -> list[Figure]:
+def sheets(results: Results, style: Style, gears: Sequence[int] = ()) -> list[Figure]:
     """A figure for each gear."""
-    return [_figure(results, [flow], style) for flow in flows(results)]
+    return [_figure(results, [flow], style) for flow in _chosen(results, gears)]
+
+
+def _chosen(results: Results, gears: Sequence[int]) -> list[GearFlow]:
+    """Those of all gears, or of some."""
+    every = flows(results)
+    return [every[gear - 1] for gear in gears] or every
 
 
 def _figure(results: Results, chosen: Sequence[GearFlow], style: Style) -> Figure:

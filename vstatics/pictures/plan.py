@@ -43,24 +43,28 @@ def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> Figure:
     CaseError
         If there is no plan.
     """
-    case = results.case
+    return _figure(results.case, _chosen(results, gears), style)
+
+
+def sheets(results: Results, style: Style, gears: Sequence[int] = ()) -> list[Figure]:
+    """The plans of a case in figures that fit a printed page each; errors as of `draw`."""
+    drawn = _chosen(results, gears)
+    starts = range(0, len(drawn), ON_SHEET)
+    return [_figure(results.case, drawn[n : n + ON_SHEET], style) for n in starts]
+
+
+def _chosen(results: Results, gears: Sequence[int]) -> list[KinematicPlan]:
+    """All plans, or those that have one of some gears."""
     chosen = [
         plan
         for plan in plans(results)
         if not gears or {*gears} & {mark.gear for mark in plan.marks}
     ]
     if not chosen:
-        names = ", ".join(case.gears[gear - 1].name for gear in gears)
+        names = ", ".join(results.case.gears[gear - 1].name for gear in gears)
         problem = Problem(f"gear {names} is on no kinematic plan", ("gears", gears[0]))
         raise CaseError([problem])
-    return _figure(case, chosen, style)
-
-
-def sheets(results: Results, style: Style) -> list[Figure]:
-    """All plans of a case in figures that fit a printed page each; errors as of `plans`."""
-    drawn = plans(results)
-    starts = range(0, len(drawn), ON_SHEET)
-    return [_figure(results.case, drawn[n : n + ON_SHEET], style) for n in starts]
+    return chosen
 
 
 def _figure(case: Transmission, chosen: Sequence[KinematicPlan], style: Style) -> Figure:

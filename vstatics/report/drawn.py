@@ -36,8 +36,12 @@ class Drawn(NamedTuple):
     why: str = ""
 
 
+VIBRATING = ("modes", "campbell")
+"""Pictures of a section of their own."""
+
+
 def pictures(results: Results) -> list[Drawn]:
-    """All pictures of a case, in the order of `PICTURES`.
+    """All pictures of a case but those of vibration, in the order of `PICTURES`.
 
     Raises
     ------
@@ -45,15 +49,17 @@ def pictures(results: Results) -> list[Drawn]:
         If matplotlib is not installed.
     """
     require("plot", "a picture")
-    return [_drawn(results, kind) for kind in PICTURES]
+    return [picture_of(results, kind) for kind in PICTURES if kind not in VIBRATING]
 
 
-def _drawn(results: Results, kind: str) -> Drawn:
+def picture_of(results: Results, kind: str, gear: int | None = None) -> Drawn:
+    """A picture of a case, or of one gear by its number from 1."""
     try:
-        made = sheets(results, kind, Style())
+        made = sheets(results, kind, Style(), () if gear is None else (gear,))
     except CaseError as error:
         return Drawn(kind, [], " ".join(str(error).split()))
-    return Drawn(kind, [inline(svg, f"{kind}{n or ''}", kind) for n, svg in enumerate(made)])
+    own = kind if gear is None else f"{kind}-{gear}-"
+    return Drawn(kind, [inline(svg, f"{own}{n or ''}", kind) for n, svg in enumerate(made)])
 
 
 def palette(*, dark: bool) -> str:

@@ -9,6 +9,7 @@ from vstatics.errors import CaseError, Problem
 from vstatics.flow.power import flows
 from vstatics.flow.power_flow import GearFlow
 from vstatics.report.drawn import Drawn, pictures
+from vstatics.report.vibration import Vibration, vibration
 from vstatics.statics.result_fields import Message
 from vstatics.statics.results import Results
 from vstatics.summary import Summary, summarize
@@ -28,6 +29,8 @@ class Material(NamedTuple):
     """Of the input, then of the results."""
     without: str
     """Why there are no pictures at all, else nothing."""
+    vibration: Vibration | None = None
+    """Nothing if the case does not vibrate."""
     digits: int | None = None
     """After the point; None: those that suit a number."""
 
@@ -61,6 +64,7 @@ def gather(
         drawn,
         [*map(_told, others), *map(str, results.messages)],
         without,
+        vibration(results, has_pictures=not without),
         digits,
     )
 

@@ -6,18 +6,19 @@ import json
 from collections.abc import Iterator, Sequence
 from importlib.resources import files
 from typing import Any
-from urllib.parse import quote
 
 from vstatics.flow.grids import power_grid, remarks
 from vstatics.flow.power_flow import GearFlow
 from vstatics.report.drawn import palette
 from vstatics.report.gathering import Material
 from vstatics.report.given import given
+from vstatics.report.parts import chooser, figure, figures, of_gear
+from vstatics.report.vibration_parts import shown_vibration
 from vstatics.summary import Summary
 from vstatics.summary.grids import Marks, element_signs, grids
 from vstatics.tables.grid import Column, Grid
 from vstatics.tables.grids import of_results
-from vstatics.tables.html import Markup, joined, scrolled, table, tag, terms
+from vstatics.tables.html import Markup, joined, table, tag, terms
 
 POLICY = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'"
 """A browser loads nothing from anywhere."""
@@ -70,6 +71,8 @@ def _sections(material: Material) -> Iterator[tuple[str, Sequence[Markup]]]:
     yield "Input", list(given(results, material.document["case"], material.digits))
     yield "Pictures", list(_pictures(material))
     yield "Power flow", list(_power_flow(material))
+    if material.vibration:
+        yield "Vibration", list(shown_vibration(material.vibration, material.digits))
     yield "Shifts and largest values", [table(one) for one in others if one.title != SPREAD]
     yield "Results", [table(one.with_digits(material.digits)) for one in of_results(results)]
     conventions = material.document["conventions"].items()
@@ -113,38 +116,24 @@ def _pictures(material: Material) -> Iterator[Markup]:
     if material.without:
         yield tag("p", f"There are no pictures: {material.without}")
     for drawn in material.pictures:
-        if drawn.kind == BY_GEAR:
-            continue
-        name = drawn.kind.capitalize()
-        if drawn.why:
-            yield tag("p", f"{name}: not drawn. {drawn.why}")
-        for number, sheet in enumerate(drawn.sheets, 1):
-            several = f", {number} of {len(drawn.sheets)}" if len(drawn.sheets) > 1 else ""
-            yield _figure(f"{name}{several}", sheet)
+        if drawn.kind != BY_GEAR:
+            yield from figures(drawn, drawn.kind.capitalize())
 
 
 def _power_flow(material: Material) -> Iterator[Markup]:
     """Links to choose a gear by, then the gears; without a script all of them show."""
     flows = material.flows
-    links = (
-        tag("a", flow.gear, href=f"#{_gear_id(flow.gear)}", data_choose=flow.gear) for flow in flows
-    )
-    yield tag("nav", "Gear: ", *links, class_="chooser", aria_label="Gear")
+    yield chooser("gear", [flow.gear for flow in flows])
     drawn = [sheet for one in material.pictures if one.kind == BY_GEAR for sheet in one.sheets]
     for number, flow in enumerate(flows):
         shown = [*_power(flow, material.digits)]
         if drawn and flow.ideal is not None:
-            shown.insert(0, _figure(f"Power flow in gear {flow.gear}", drawn[number]))
-        yield tag("div", *shown, id=_gear_id(flow.gear), data_gear=flow.gear)
+            shown.insert(0, figure(f"Power flow in gear {flow.gear}", drawn[number]))
+        yield of_gear("gear", flow.gear, shown)
 
 
 BY_GEAR = "flow"
 """The picture that stands with the numbers of each gear."""
-
-
-def _gear_id(gear: str) -> str:
-    """The name of a gear as the end of an address, which has no blanks."""
-    return f"gear={quote(gear, safe='')}"
 
 
 def _power(flow: GearFlow, digits: int | None) -> Iterator[Markup]:
@@ -154,11 +143,6 @@ def _power(flow: GearFlow, digits: int | None) -> Iterator[Markup]:
         return
     yield table(power_grid(flow).with_digits(digits))
     yield tag("ul", *(tag("li", line.strip()) for line in remarks(flow, digits)))
-
-
-def _figure(name: str, picture: Markup) -> Markup:
-    """A picture with its name."""
-    return tag("figure", tag("figcaption", name), scrolled(picture, name))
 
 
 def _section(name: str, inner: Sequence[Markup]) -> Markup:

@@ -1,19 +1,19 @@
 "use strict";
 (() => {
-  // the gear whose power is shown: #gear=R at the end of the address
+  // the gear whose power and modes are shown: #gear=R or #modes=R at the end of the address
   const gears = [...document.querySelectorAll("[data-gear]")];
   const links = [...document.querySelectorAll("[data-choose]")];
 
   function asked() {
-    const hash = location.hash.slice(1);
-    if (!hash.startsWith("gear=")) return undefined;
-    let name = hash.slice(5);
-    try { name = decodeURIComponent(name); } catch { /* a % that stands for itself */ }
-    return gears.find((one) => one.dataset.gear === name);
+    const [section, end] = location.hash.slice(1).split(/=(.*)/s);
+    if (end === undefined) return undefined;
+    let name = end;
+    try { name = decodeURIComponent(end); } catch { /* a % that stands for itself */ }
+    return gears.find((one) => one.dataset.gear === name && one.id.startsWith(`${section}=`));
   }
 
   function choose(gear) {
-    for (const one of gears) one.hidden = one !== gear;
+    for (const one of gears) one.hidden = one.dataset.gear !== gear.dataset.gear;
     for (const link of links) {
       if (link.dataset.choose === gear.dataset.gear) link.setAttribute("aria-current", "true");
       else link.removeAttribute("aria-current");

@@ -1,0 +1,151 @@
+"""The section of the report on vibration: the numbers of the modes, and when there is none."""
+
+from __future__ import annotations
+
+import importlib.util
+from pathlib import Path
+
+import pytest
+
+from tests.commands import CASES, vstatics
+from tests.report.test_report import CHROMIUM, Page, in_browser, output, report, value, write
+
+DRIVELINE = """\
+name: little driveline
+links: [engine, sun, ring, carrier, wheel]
+load: {speed: 3000 rpm, torque: 100 N*m}
+inertias: {engine: 0.15, ring: 0.02, carrier: 0.01, wheel: 10}
+mechanisms: {set: {first: sun, second: ring, third: carrier, ratio: -78/30}}
+shift_elements: {B: [ring, housing], C: [sun, ring], D: [engine, housing]}
+springs:
+  damper: {links: [engine, sun], stiffness: 1200, damping: 3}
+  shaft: {links: [carrier, wheel], stiffness: 5000}
+gears: {low: [B], direct: [C]}
+"""
+
+
+def without(package: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    found = importlib.util.find_spec
+    monkeypatch.setattr(
+        importlib.util,
+        "find_spec",
+        lambda name, parent=None: None if name == package else found(name, parent),
+    )
+
+
+@pytest.fixture(scope="module")
+def text(tmp_path_factory: pytest.TempPathFactory) -> str:
+    return report(write(tmp_path_factory.mktemp("vibration"), DRIVELINE))
+
+
+@pytest.fixture(scope="module")
+def shown(text: str) -> Page:
+    return Page(text)
+
+
+def titles(page: Page) -> list[str]:
+    return [one.text for one in page.all("h2")]
+
+
+def test_frequencies_are_those_of_the_modes(shown: Page, tmp_path: Path) -> None:
+    found = output("torsion", "modes", write(tmp_path, DRIVELINE))["gears"]
+    table = shown.table("Natural frequencies by mode")
+    for gear in found:
+        row = table[gear["name"]]
+        assert value(row["rigid modes"]) == gear["rigid_modes"] == 1
+        numbers = [value(row[str(n)]) for n, _ in enumerate(gear["modes"], 1)]
+        assert numbers == [mode["frequency"] for mode in gear["modes"]]
+
+
+def test_each_gear_has_its_modes_and_all_have_a_campbell_diagram(shown: Page) -> None:
+    captions = [one.text for one in shown.all("figcaption")]
+    assert captions.count("Campbell diagram") == 1
+    for gear in ("low", "direct"):
+        assert captions.count(f"Natural modes in gear {gear}") == 1
+        assert len(shown.table(f"Gear {gear}: natural frequencies")) == 1  # rows named by the gear
+    labels = [one.attributes["aria-label"] for one in shown.all("svg")]
+    assert (labels.count("modes"), labels.count("campbell")) == (2, 1)
+    assert "Modes" not in captions
+
+
+def test_ids_are_unique(shown: Page) -> None:
+    ids = [one.attributes["id"] for one in shown.elements if "id" in one.attributes]
+    assert len(ids) == len(set(ids))
+    assert {"modes=low", "modes=direct", "gear=low", "gear=direct", "vibration"} <= set(ids)
+
+
+def test_a_gear_without_modes_says_why(tmp_path: Path) -> None:
+    tied = DRIVELINE.replace("direct: [C]", "both: [B, D]")
+    said = vstatics("report", write(tmp_path, tied), "-o", tmp_path / "out.html")
+    assert said.status == 1
+    page = Page((tmp_path / "out.html").read_text(encoding="utf-8"))
+    assert page.table("Natural frequencies by mode")["both"]["note"].text.startswith("tied up: ")
+    assert any(one.text.startswith("Gear both: tied up: ") for one in page.all("p"))
+
+
+@pytest.mark.usefixtures("without_pictures")
+@pytest.mark.parametrize(
+    "left_out",
+    [
+        "inertias: {engine: 0.15, ring: 0.02, carrier: 0.01, wheel: 10}\n",
+        DRIVELINE[DRIVELINE.index("springs:") : DRIVELINE.index("gears:")],
+    ],
+)
+def test_only_what_vibrates_has_the_section(left_out: str, tmp_path: Path) -> None:
+    assert "Vibration" in titles(Page(report(write(tmp_path, DRIVELINE))))
+    rest = DRIVELINE.replace(left_out, "")
+    if "springs" in left_out:
+        rest = rest.replace("[engine, sun, ring, carrier, wheel]", "[sun, ring, carrier]")
+        rest = rest.replace("engine: 0.15, ", "").replace(", wheel: 10", "")
+        rest = rest.replace(", D: [engine, housing]", "")
+    assert "Vibration" not in titles(Page(report(write(tmp_path, rest))))
+
+
+def test_without_scipy_the_rest_is_written_and_it_is_told(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    without("scipy", monkeypatch)
+    needs = 'the section on vibration needs the package scipy: pip install "vstatics[torsion]"'
+    said = vstatics("report", write(tmp_path, DRIVELINE), "-o", "-")
+    assert said.status == 0
+    assert f"no vibration: {needs}" in said.err
+    page = Page(said.out)
+    assert f"Left out: {needs}" in [one.text for one in page.all("p")]
+    assert page.table("Ratios, steps")["low"]["ratio"].text == "3.600"
+    assert vstatics("report", write(tmp_path, DRIVELINE), "-o", "-", "-q").err == ""
+
+
+def test_without_matplotlib_there_are_the_tables(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    without("matplotlib", monkeypatch)
+    page = Page(vstatics("report", write(tmp_path, DRIVELINE), "-o", "-").out)
+    assert set(page.table("Natural frequencies by mode")) == {"low", "direct"}
+    assert not page.all("svg")
+
+
+@pytest.mark.slow
+def test_a_shipped_driveline_has_its_page() -> None:
+    name = "moskvich412.yaml"
+    page = Page(report(CASES / name))
+    assert {**page.data, "file": name} == output("run", CASES / name)
+    gears = page.data["gears"]
+    captions = [one.text for one in page.all("figcaption")]
+    assert all(any(one.startswith(f"Natural modes in gear {g}") for one in captions) for g in gears)
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(CHROMIUM is None, reason="needs chromium")
+@pytest.mark.parametrize("end", ["#modes=direct", "#gear=direct"])
+def test_a_browser_shows_one_gear_in_both_sections(tmp_path: Path, text: str, end: str) -> None:
+    file = tmp_path / "out.html"
+    file.write_text(text, encoding="utf-8")
+    page = in_browser(file.as_uri() + end, tmp_path)
+    visible = [
+        one.attributes["id"]
+        for one in page.elements
+        if "data-gear" in one.attributes and "hidden" not in one.attributes
+    ]
+    assert visible == ["gear=direct", "modes=direct"]
+    chosen = [one.text for one in page.all("a") if one.attributes.get("aria-current")]
+    assert chosen == ["direct", "direct"]

@@ -1,0 +1,172 @@
+"""Links in a row with the devices between them."""
+
+from __future__ import annotations
+
+import math
+from typing import Any, NamedTuple
+
+from vstatics.pictures import labels
+from vstatics.pictures.labels import LEADER, Label, Panel
+from vstatics.pictures.mode_links import ModeDevice, ModeLinks
+from vstatics.pictures.style import Style
+
+PITCH = 26.0
+"""From link to link. [pt]"""
+LEAST, MOST = 130.0, 1600.0
+"""Width of all links. [pt]"""
+LEVEL = 19.0
+"""From level to level of devices. [pt]"""
+GROUND = 24.0
+"""From a link up to the housing. [pt]"""
+LONGEST = 110.0
+"""Names are wrapped to this length. [pt]"""
+KINETIC, ELASTIC = 0, 1
+"""Colours of links and springs, and of their energies."""
+SMALL = 6.5
+"""Of the numbers of springs. [pt]"""
+ROOMY = 18.0
+"""With less from link to link there are no numbers of springs. [pt]"""
+
+
+class Axis(NamedTuple):
+    """Where the links stand."""
+
+    panel: Panel
+    left: float
+    """[pt]"""
+    pitch: float
+    """[pt]"""
+
+    def at(self, place: float) -> float:
+        """The abscissa of a place in the row, from 0 [pt]."""
+        return self.left + (place + 0.5) * self.pitch
+
+
+def breadth(count: int) -> float:
+    """Width of so many links [pt]."""
+    return min(max(count * PITCH, LEAST), max(MOST, 2.0 * count))
+
+
+def springs(links: ModeLinks) -> list[str]:
+    """Names of elastic devices in the order of their numbers."""
+    return [device.name for device in links.devices if device.elastic]
+
+
+def _names(links: ModeLinks, pitch: float) -> list[tuple[int, str]]:
+    """Places and names; of many links only some, so that they have room."""
+    names = [labels.wrapped(name, LONGEST) for name in links.names]
+    highest = max(map(labels.height, names), default=0.0) + labels.GAP
+    every = math.ceil(highest / pitch) if len(names) * pitch >= MOST else 1
+    return [(place, name) for place, name in enumerate(names) if place % every == 0]
+
+
+def height(links: ModeLinks, pitch: float) -> float:
+    """Of the row with the names above it and the devices below it [pt]."""
+    up = max((labels.width(name) for _, name in _names(links, pitch)), default=0.0)
+    up += LEADER + labels.GAP
+    return up + _above(links) + _below(links)
+
+
+def _above(links: ModeLinks) -> float:
+    return GROUND if any(one.is_grounded for one in links.devices) else 8.0
+
+
+def _below(links: ModeLinks) -> float:
+    levels = (one.level for one in links.devices if not one.is_grounded)
+    return 10.0 + LEVEL * max(levels, default=0)
+
+
+def draw_links(axis: Axis, low: float, links: ModeLinks, style: Style) -> None:
+    """The row of links above an ordinate [pt]: names, springs, what is rigid."""
+    panel, y = axis.panel, low + _below(links)
+    strip = labels.Panel(panel.axes, panel.width, y + _above(links))
+    at = [Label(axis.at(place), name, style.ink) for place, name in _names(links, axis.pitch)]
+    _write_names(strip, panel, at)
+    count = 0
+    for device in links.devices:
+        count += device.elastic
+        _draw_device(axis, y, device, str(count) if device.elastic else "", style)
+    for place, heavy in enumerate(links.heavy):
+        _draw_dot(panel, (axis.at(place), y), heavy=heavy, style=style)
+
+
+def _write_names(strip: Panel, panel: Panel, names: list[Label]) -> None:
+    """Upright, each with a line to its link."""
+    sizes = [labels.height(one.text) + labels.GAP for one in names]
+    places = labels.spread([one.at for one in names], sizes, 0.0, panel.width)
+    for name, place in zip(names, places, strict=True):
+        ends = (name.at, strip.height), (place, strip.height + 0.6 * LEADER)
+        panel.line(*ends, color=name.colour, linewidth=0.5)
+        how: dict[str, Any] = {"rotation": 90, "ha": "center", "va": "bottom"}
+        panel.write(place, strip.height + 0.75 * LEADER, name.text, color=name.colour, **how)
+
+
+def _draw_device(axis: Axis, y: float, device: ModeDevice, mark: str, style: Style) -> None:
+    """A device: on the line, below it with a line to each of its links, or at the housing."""
+    panel = axis.panel
+    colour = style.colour(ELASTIC) if device.elastic else style.faint
+    look: dict[str, Any] = {"color": colour, "linewidth": 1.2 if device.elastic else 0.9}
+    half = min(8.0, 0.3 * axis.pitch)
+    if device.is_grounded:
+        _draw_ground(axis, y, device, mark, look)
+        return
+    level = y - LEVEL * device.level
+    for place in device.members if device.level else ():
+        panel.line((axis.at(place), y), (axis.at(place), level), **look)
+    ends = axis.at(device.members[0]), axis.at(device.members[-1])
+    if not device.elastic:
+        panel.line((ends[0], level), (ends[1], level), **look)
+        return
+    gaps = list(range(device.members[0], device.members[-1]))
+    middle = axis.at(gaps[len(gaps) // 2] + 0.5)
+    panel.line((ends[0], level), (middle - half, level), **look)
+    panel.line(*_zigzag(middle, level, half), **look)
+    panel.line((middle + half, level), (ends[1], level), **look)
+    if axis.pitch >= ROOMY:
+        how: dict[str, Any] = {"ha": "center", "va": "top", "fontsize": SMALL, "color": colour}
+        panel.write(middle, level - 5.5, mark, **how)
+
+
+def _zigzag(x: float, y: float, half: float) -> list[tuple[float, float]]:
+    """The windings of a spring along a level line."""
+    turns = [(x + half * (step / 4 - 1), y + 3.5 * (1, -1)[step % 2]) for step in range(1, 8)]
+    return [(x - half, y), *turns, (x + half, y)]
+
+
+def _draw_ground(axis: Axis, y: float, device: ModeDevice, mark: str, look: Any) -> None:
+    """A spring from a link up to the housing."""
+    panel, link, top = axis.panel, axis.at(device.members[0]), y + GROUND - 6
+    x = link + 0.6 * axis.pitch * device.level
+    turns = [(x + turn - y, y + 11 + along - x) for along, turn in _zigzag(x, y, 7.0)]
+    panel.line((link, y), *turns, (x, top), **look)
+    panel.line((x - 5, top), (x + 5, top), **look)
+    for step in (-5, -1, 3):
+        panel.line((x + step, top), (x + step + 2.5, top + 3), **look)
+    if axis.pitch >= ROOMY:
+        panel.write(x + 6, y + 11, mark, va="center", fontsize=SMALL, color=look["color"])
+
+
+def draw_legend(panel: Panel, left: float, low: float, style: Style, *, elastic: bool) -> None:
+    """What the marks of the row mean, two lines above an ordinate [pt]."""
+    line = labels.height("")
+    for row, (english, russian) in enumerate(
+        (("rigid", "жёсткая связь"), ("elastic, by number", "упругая, с номером"))
+        if elastic
+        else (("without inertia", "без инерции"), ("with inertia", "с инерцией"))
+    ):
+        y = low + row * line
+        if not elastic:
+            _draw_dot(panel, (left + 8, y), heavy=bool(row), style=style)
+        elif row:
+            panel.line(*_zigzag(left + 8, y, 8.0), color=style.colour(ELASTIC), linewidth=1.2)
+        else:
+            panel.line((left, y), (left + 16, y), color=style.faint, linewidth=0.9)
+        panel.write(left + 22, y, style.text(english, russian), va="center", color=style.soft)
+
+
+def _draw_dot(panel: Panel, at: tuple[float, float], *, heavy: bool, style: Style) -> None:
+    """A link."""
+    look: dict[str, Any] = {"marker": "o", "markersize": 5.0 if heavy else 3.2, "zorder": 4}
+    fill = style.colour(KINETIC) if heavy else style.paper
+    edge = style.colour(KINETIC) if heavy else style.ink
+    panel.line(at, markerfacecolor=fill, markeredgecolor=edge, **look)

@@ -1,0 +1,88 @@
+"""The shape of a mode over the links in their row."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping
+from itertools import pairwise
+from typing import Any, NamedTuple
+
+from vstatics.pictures.labels import Panel, Point
+from vstatics.pictures.mode_links import ModeLinks
+from vstatics.pictures.mode_row import ELASTIC, KINETIC, SMALL, Axis
+from vstatics.pictures.style import Style
+
+Segment = tuple[Point, Point]
+
+
+class AmplitudeBand(NamedTuple):
+    """Where amplitudes are drawn."""
+
+    rest: float
+    """The ordinate of what stands. [pt]"""
+    unit: float
+    """The length of an amplitude of 1. [pt]"""
+
+    def at(self, amplitude: float) -> float:
+        """The ordinate of an amplitude [pt]."""
+        return self.rest + self.unit * amplitude
+
+
+def draw(
+    axis: Axis, band: AmplitudeBand, links: ModeLinks, shape: Mapping[str, float], style: Style
+) -> None:
+    """Amplitudes as bars from the line of rest, joined as the links are.
+
+    Parameters
+    ----------
+    shape : mapping of str to float
+        Amplitudes of links by their names, of 1 at most.
+    """
+    tips = [(axis.at(place), band.at(shape[name])) for place, name in enumerate(links.names)]
+    _draw_scale(axis, band, len(tips), style)
+    _draw_devices(axis.panel, tips, links, style)
+    colour = style.colour(KINETIC)
+    stems = [((x, band.rest), (x, y)) for x, y in tips]
+    _lines(axis.panel, stems, color=colour, linewidth=1.0, alpha=0.55)
+    for heavy, fill in ((True, colour), (False, style.paper)):
+        dots = [tip for tip, one in zip(tips, links.heavy, strict=True) if one == heavy]
+        look: dict[str, Any] = {"marker": "o", "markersize": 3.6, "zorder": 4}
+        if dots:
+            ink = {"markerfacecolor": fill, "markeredgecolor": colour}
+            axis.panel.line(*dots, linestyle="none", **look, **ink)
+
+
+def _draw_scale(axis: Axis, band: AmplitudeBand, count: int, style: Style) -> None:
+    """Lines at rest and at the largest amplitudes, and one for each link."""
+    start, end = axis.left, axis.at(count - 1) + 0.5 * axis.pitch
+    for amplitude, text in ((-1, "−1"), (0, "0"), (1, "+1")):
+        y = band.at(amplitude)
+        wide = 0.4 if amplitude else 0.8
+        axis.panel.line((start, y), (end, y), color=style.faint, linewidth=wide)
+        how: dict[str, Any] = {"ha": "right", "va": "center", "fontsize": SMALL}
+        axis.panel.write(start - 3, y, text, color=style.soft, **how)
+    low, high = band.at(-1), band.at(1)
+    upright = [((x, low), (x, high)) for x in map(axis.at, range(count))]
+    _lines(axis.panel, upright, color=style.faint, linewidth=0.3)
+
+
+def _draw_devices(panel: Panel, tips: list[Point], links: ModeLinks, style: Style) -> None:
+    """Lines between the links that devices join; dashed where a twist has more than two."""
+    rigid: list[Segment] = []
+    shafts: list[Segment] = []
+    others: list[Segment] = []
+    for device in links.devices:
+        pairs = [(tips[one], tips[other]) for one, other in pairwise(device.members)]
+        (rigid if not device.elastic else shafts if len(pairs) == 1 else others).extend(pairs)
+    colour = style.colour(ELASTIC)
+    _lines(panel, rigid, color=style.soft, linewidth=0.8)
+    _lines(panel, others, color=colour, linewidth=1.6, linestyle=(0, (3, 1.5)))
+    _lines(panel, shafts, color=colour, linewidth=1.6)
+
+
+def _lines(panel: Panel, segments: Iterable[Segment], **look: Any) -> None:
+    """Many lines at once."""
+    gap = (math.nan, math.nan)
+    places = [place for segment in segments for place in (*segment, gap)]
+    if places:
+        panel.line(*places, **look)

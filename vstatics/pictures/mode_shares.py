@@ -1,0 +1,99 @@
+"""Bars of the shares that links and devices have in the energy of a mode."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import NamedTuple
+
+from vstatics.pictures import labels
+from vstatics.pictures.labels import Panel
+from vstatics.pictures.style import Style
+
+FULL = 64.0
+"""Length of a bar of 100 %. [pt]"""
+THICK = 6.0
+"""[pt]"""
+PERCENT = 30.0
+"""For the number behind a bar. [pt]"""
+GAP = 6.0
+"""From a name to its bar, from a bar to its number. [pt]"""
+RIGHT = FULL + GAP + PERCENT
+"""From the start of a bar to its right. [pt]"""
+LONGEST = 110.0
+"""Names are wrapped to this width. [pt]"""
+MOST = 5
+"""So many bars at most, and one for the rest."""
+LEAST = 0.01
+"""Smaller shares are among the rest."""
+
+
+class Share(NamedTuple):
+    """A bar."""
+
+    name: str
+    part: float
+    """Of the energy. [-]"""
+
+
+def largest(shares: Mapping[str, float], marks: Mapping[str, str], style: Style) -> list[Share]:
+    """The largest shares of a mode, and what is left.
+
+    Parameters
+    ----------
+    marks : mapping of str to str
+        What stands before some of the names.
+
+    Examples
+    --------
+    >>> largest({"engine": 0.7, "disc": 0.004, "wheel": 0.296}, {}, Style())
+    [Share(name='engine', part=0.7), Share(name='wheel', part=0.296)]
+    >>> largest({"engine": 0.99, "wheel": 0.008, "disc": 0.002}, {"engine": "1"}, Style())
+    [Share(name='1 engine', part=0.99), Share(name='others', part=0.01)]
+    """
+    order = sorted(shares, key=lambda name: -shares[name])
+    shown = [name for name in order if shares[name] >= LEAST]
+    if len(shown) > MOST + 1:
+        shown = shown[:MOST]
+    found = []
+    for name in shown:
+        said = f"{marks[name]} {name}" if name in marks else name
+        found.append(Share(labels.wrapped(said, LONGEST), shares[name]))
+    rest = round(sum(shares.values()) - sum(one.part for one in found), 9)
+    if rest >= LEAST / 2:
+        found.append(Share(style.text("others", "прочие"), rest))
+    return found
+
+
+def height(shares: Sequence[Share]) -> float:
+    """Of the bars, one below another [pt]."""
+    return sum(labels.height(one.name) for one in shares)
+
+
+def width(shares: Sequence[Share]) -> float:
+    """Of the bars with their names and numbers [pt]."""
+    return max((labels.width(one.name) for one in shares), default=0.0) + GAP + RIGHT
+
+
+def draw(
+    panel: Panel,
+    right: float,
+    top: float,
+    shares: Sequence[Share],
+    look: Mapping[str, str],
+) -> None:
+    """Bars that end before an abscissa, from an ordinate downwards [pt].
+
+    Parameters
+    ----------
+    look : mapping
+        How the bars look, as matplotlib's patches do.
+    """
+    start, y = right - RIGHT, top
+    for one in shares:
+        middle = y - labels.height(one.name) / 2
+        how = {"va": "center", "linespacing": labels.LINE}
+        panel.write(start - GAP, middle, one.name, ha="right", **how)
+        length = FULL * one.part
+        panel.box((start, middle - THICK / 2), (length, THICK), linewidth=0, **look)
+        panel.write(start + length + GAP, middle, f"{100 * one.part:.0f}%", va="center")
+        y -= labels.height(one.name)
