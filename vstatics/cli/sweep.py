@@ -76,8 +76,10 @@ def sweep(
     """Calculate variants of CASE and write a table: a row each, or the best ones.
 
     VALUES are low:high:count, low:high:step=STEP, a list a,b,c, or low:high with
-    --sample. EXPR and LIST speak of tables by name: efficiency[1], speeds[C1,1],
-    max(abs(torques)), D1.ratio.
+    --sample. NAME is D1.ratio or .efficiency; of what is elastic shaft.stiffness,
+    .compliance or .damping; engine.inertia. EXPR and LIST speak of tables by name:
+    efficiency[1], speeds[C1,1], max(abs(torques)), D1.ratio; omega[2,1] is the
+    second natural frequency in gear 1.
 
     \b
     Examples:
@@ -86,6 +88,7 @@ def sweep(
                 --sample 100000 --max 'min(efficiency)' --best 10
       vstatics sweep box.yaml --vary D3.efficiency=.95,.97 --out losses[D3]
                 --where 'efficiency[1] > .95 and max(speeds) < 3'
+      vstatics sweep driveline.yaml --vary shaft.stiffness=1e3:1e4:91 --out omega[1]
       vstatics sweep --file sweep.yaml --jobs 8 --resume
 
     \b

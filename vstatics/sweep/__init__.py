@@ -47,7 +47,9 @@ def sweep(  # noqa: PLR0913 (as on the command line)
     case : Transmission
     vary : mapping of str to array_like or str, sequence of str, or str
         What is varied: ``{"D1.ratio": [-0.9, -0.8]}``, ``{"D1.ratio": "-0.9:-0.7:201"}``
-        or ``["D1.ratio=-0.9:-0.7:201"]``; a grid, whose last number runs fastest. [-]
+        or ``["D1.ratio=-0.9:-0.7:201"]``; a grid, whose last number runs fastest. Of what is
+        elastic or heavy: ``"shaft.stiffness"`` [N*m/rad], ``"shaft.compliance"`` [rad/(N*m)],
+        ``"shaft.damping"`` [N*m*s/rad], ``"engine.inertia"`` [kg*m^2].
     zip : bool
         Take the values in parallel, in place of a grid.
     sample : int, optional
