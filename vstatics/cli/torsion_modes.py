@@ -55,7 +55,7 @@ def modes(
 
     \b
     Examples:
-      vstatics torsion modes cases/driveline.yaml
+      vstatics torsion modes cases/moskvich412.yaml
       vstatics torsion modes box.yaml --gear 1 --modes 3
       vstatics torsion modes box.yaml -f json | jq '.gears[].modes[].omega'
 

@@ -113,6 +113,8 @@ def _draw_device(axis: Axis, y: float, device: ModeDevice, mark: str, style: Sty
     level = y - LEVEL * device.level
     for place in device.members if device.level else ():
         panel.line((axis.at(place), y), (axis.at(place), level), **look)
+    for place in device.members[1:-1]:  # else it might pass for a crossing
+        panel.line((axis.at(place), level), marker="o", markersize=2.4, color=colour)
     ends = axis.at(device.members[0]), axis.at(device.members[-1])
     if not device.elastic:
         panel.line((ends[0], level), (ends[1], level), **look)
