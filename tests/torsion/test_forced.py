@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given, settings
 
 from tests.torsion.systems import branched, chain, matrices, with_planetary_set
-from vstatics import Damping, Mechanism, ReadError, Spring, Transmission
+from vstatics import Damping, Gear, Mechanism, ReadError, ShiftElement, Spring, Transmission
 from vstatics.torsion.cycle import summed
 from vstatics.torsion.forced import RAD_PER_RPM, Harmonic, response
 from vstatics.torsion.gear_modes import modes
@@ -132,6 +132,15 @@ def test_a_link_that_nothing_resists_has_no_value_and_its_device_no_torque() -> 
     assert np.isnan(gear.orders[0].amplitudes["3"][0])
     assert gear.orders[0].torques["loose"][0] == 0
     assert response(case, 3, [Harmonic(1.0)], [100.0])[0].error.startswith("link 3 has no inertia")
+
+
+def test_an_open_element_has_a_torque_of_0_at_every_speed() -> None:
+    """Also where it is the only device."""
+    case = Transmission(2, [ShiftElement(1, 2, name="C")], [], [Gear()], inertias={1: 1.0, 2: 1.0})
+    [gear] = response(case, 1, [Harmonic(2.0)], SPEEDS)
+    assert gear.orders[0].torques["C"].tolist() == [0, 0, 0]
+    expected = -1 / (RAD_PER_RPM * 2 * SPEEDS) ** 2
+    np.testing.assert_allclose(gear.orders[0].amplitudes["1"].real, expected)
 
 
 def test_many_speeds_are_solved_piece_by_piece(monkeypatch: pytest.MonkeyPatch) -> None:

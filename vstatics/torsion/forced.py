@@ -138,6 +138,7 @@ def _gear_response(
     natural = natural_modes(system, split)
     undamped = natural.omegas[_are_undamped(system, natural)]
     found = []
+    nothing = np.zeros(speeds.shape, np.complex128)
     for one in harmonics:
         with np.errstate(over="ignore", invalid="ignore"):  # of absurd speeds: there is no value
             excited = one.order * RAD_PER_RPM * speeds
@@ -146,7 +147,7 @@ def _gear_response(
             by_device = _torques(system, at, excited, amplitudes, one)
         amplitudes[split.undetermined] = np.nan
         links = dict(zip(system.names[: system.own], amplitudes, strict=False))
-        found.append(OrderResponse(one.order, links, own_torques(case, by_device)))
+        found.append(OrderResponse(one.order, links, own_torques(case, by_device, nothing)))
     return GearResponse(gear.name, speeds, found, _resonances(natural.omegas, harmonics, speeds))
 
 

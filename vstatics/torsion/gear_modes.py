@@ -197,7 +197,9 @@ def _named(  # noqa: PLR0913, PLR0917
 ) -> Iterator[Mode]:
     """The modes by names, each with its largest amplitude 1."""
     shapes = natural.shapes / _largest(natural.shapes[: system.own])
-    by_device = own_torques(case, torques(system, held, shapes, natural.omegas))
+    by_device = own_torques(
+        case, torques(system, held, shapes, natural.omegas), np.zeros_like(natural.omegas)
+    )
     kinetic = _shares(
         [body.name for body in system.bodies],
         [body.inertia for body in system.bodies],
@@ -215,7 +217,7 @@ def _named(  # noqa: PLR0913, PLR0917
         s = complex(0, omega) if damped is None else complex(damped.of_modes[index])
         yield Mode(
             omega=omega,
-            damping_ratio=-s.real / abs(s) + 0.0,
+            damping_ratio=-s.real / abs(s) + 0.0 if s else 1.0,
             damped_frequency=s.imag / (2 * math.pi),
             shape=_of_mode(dict(zip(links, shapes, strict=False)), index),
             torques=_of_mode(by_device, index),

@@ -12,15 +12,18 @@ from vstatics.statics.matrix import column
 from vstatics.torsion.coordinates import Values
 
 
-def own_torques(case: Transmission, by_device: Mapping[str, Values]) -> dict[str, Values]:
+def own_torques(
+    case: Transmission, by_device: Mapping[str, Values], nothing: Any
+) -> dict[str, Values]:
     """Torques of devices by the rows of `torques` in results; an open element has 0.
 
     Parameters
     ----------
     by_device : mapping
         On the first link of each engaged element, mechanism and spring, by its name. [N*m]
+    nothing : ndarray
+        That of an open element: zeros.
     """
-    nothing: Any = np.zeros_like(next(iter(by_device.values()), np.zeros(0)))
     named = {one.name: by_device.get(one.name, nothing) for one in case.shift_elements}
     springs = {spring.name: by_device[spring.name] for spring in case.springs}
     if case.drawing is None:
