@@ -96,7 +96,7 @@ def normed_twists(system: TorsionalSystem, split: Coordinates, inertias: Floats)
 def of_split(split: Split, inertias: Floats) -> NormedTwists:
     """The same of forms by motions, with leading axes of these or of the inertias."""
     triangle = _triangle(np.sqrt(inertias)[..., None] * split.bodies)
-    apart = np.eye(triangle.shape[-1])
+    apart: Floats = np.broadcast_to(np.eye(triangle.shape[-1]), triangle.shape)
     if rigid := split.rigid.shape[-1]:
         turned, _ = np.linalg.qr(triangle @ split.rigid, mode="complete")
         apart = turned[..., rigid:]
