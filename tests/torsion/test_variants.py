@@ -147,3 +147,12 @@ def test_more_variants_than_are_solved_at_once() -> None:
     found = frequencies(system, dict.fromkeys(range(3), stiffness))
     expected = 2 * np.outer(np.sqrt(stiffness), [math.sin(k * math.pi / 8) for k in (1, 2, 3)])
     np.testing.assert_allclose(found[:, :3], expected, rtol=1e-12)
+
+
+def test_many_links_are_solved_one_by_one() -> None:
+    """A shaft of 400 equal masses, ``omega_k = 2 sqrt(c/J) sin(k pi/800)``; all inertias vary."""
+    system = system_of(chain([1.0] * 400, [1.0] * 399))
+    heavy = dict.fromkeys(range(400), np.array([1.0, 4.0]))
+    found = variant_frequencies(system, [0, 2], stiffnesses={}, inertias=heavy, variants=2)
+    expected = [[2 / j * math.sin(k * math.pi / 800) for k in (1, 3)] for j in (1, 2)]
+    np.testing.assert_allclose(found, expected, rtol=1e-9)

@@ -14,6 +14,9 @@ from vstatics.numerics.arrays import Booleans, Floats
 from vstatics.numerics.motions import Form, free_motions, values_of
 from vstatics.torsion.system import TorsionalSystem
 
+MANY = 300
+"""Links from which on all modes at once take longer than the lowest few."""
+
 
 class Coordinates(NamedTuple):
     """Motions of all links, by columns."""
@@ -31,6 +34,10 @@ class Coordinates(NamedTuple):
     def modes(self) -> int:
         """How many modes there are that are not rigid."""
         return len(self.free.T) - len(self.massless.T) - len(self.rigid.T)
+
+    def has_many_more(self, count: int) -> bool:
+        """Whether the lowest so many modes are found sooner by themselves than with all."""
+        return len(self.free) > MANY and count < self.modes // 2
 
     @property
     def heavy(self) -> Floats:

@@ -15,7 +15,7 @@ from vstatics.numerics.arrays import Floats
 from vstatics.numerics.tolerances import TIE
 from vstatics.torsion.coordinates import Coordinates, coordinates, form_values
 from vstatics.torsion.damped import DampedModes, damped_modes
-from vstatics.torsion.lowest import MANY, lowest_modes
+from vstatics.torsion.lowest import lowest_modes
 from vstatics.torsion.naming import own_torques
 from vstatics.torsion.natural import NaturalModes, natural_modes
 from vstatics.torsion.nodes import count_nodes
@@ -182,7 +182,7 @@ def _gear_modes(case: Transmission, gear: Gear, count: int | None) -> GearModes:
 
 
 def _natural(system: TorsionalSystem, split: Coordinates, count: int | None) -> NaturalModes:
-    if count is not None and len(system.names) > MANY and count < split.modes // 2:
+    if count is not None and split.has_many_more(count):
         return lowest_modes(system, split, count)
     return natural_modes(system, split)
 

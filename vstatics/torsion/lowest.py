@@ -10,9 +10,6 @@ from vstatics.torsion.coordinates import Coordinates
 from vstatics.torsion.natural import NaturalModes, weighted_bodies, weighted_twists
 from vstatics.torsion.system import TorsionalSystem
 
-MANY = 300
-"""Links from which on all modes at once take longer than the lowest few."""
-
 
 def lowest_modes(system: TorsionalSystem, split: Coordinates, count: int) -> NaturalModes:
     """The lowest modes that are not rigid, by Lanczos iteration about a point below 0.

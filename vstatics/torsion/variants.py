@@ -20,6 +20,9 @@ from vstatics.torsion.without_device import without
 
 NUMBERS = 2**17
 """Of the matrices that are solved at once, so that they stay near the processor."""
+SOME = 20
+"""All modes of many links, which a secular equation takes, cost as much as the lowest of so many
+times fewer variants than there are links."""
 
 Varied = Mapping[int, Floats]
 """By the place of a device, or of a body: its numbers, of shape (variants,)."""
@@ -118,6 +121,11 @@ class _VariedNumbers:
             self.first[place] = numbers[0]
         self.varied = {p: numbers for p, numbers in varied.items() if (numbers != numbers[0]).any()}
 
+    def of(self, variant: int) -> list[float]:
+        """All numbers of a variant."""
+        numbers: list[float] = self.rows(variant, variant + 1)[0].tolist()
+        return numbers
+
     def rows(self, start: int, stop: int) -> Floats:
         """All numbers of some variants: of one, if they are the same for all."""
         if not self.varied:
@@ -139,7 +147,13 @@ class _Alike:
 
     def frequencies(self, modes: Sequence[int], variants: int) -> Floats:
         """Of shape (variants, modes), or (1, modes) if they are the same in all."""
-        if not self.heavy.varied and len(self.stiff.varied) == 1:
+        variants = variants if self.heavy.varied or self.stiff.varied else 1
+        alone = not self.heavy.varied and len(self.stiff.varied) == 1
+        if self.split.has_many_more(max(modes) + 1) and not (
+            alone and variants * SOME > len(self.system.names)
+        ):
+            return np.array([self._lowest(variant, modes) for variant in range(variants)])
+        if alone:
             [(device, numbers)] = self.stiff.varied.items()
             base = without(self.system, self.split, self.stiff.first, device)
             if base is None:  # the device carries no torque
@@ -148,8 +162,22 @@ class _Alike:
                 squares_with_device(base.poles, 1 / numbers + base.slack, mode) for mode in modes
             ]
             return np.sqrt(squares).T
-        varied = self.heavy.varied or self.stiff.varied
-        return self._of_matrices(modes, variants if varied else 1)
+        return self._of_matrices(modes, variants)
+
+    def _lowest(self, variant: int, modes: Sequence[int]) -> Floats:
+        """Those of one variant of many links, by sparse matrices."""
+        from vstatics.torsion.lowest import lowest_modes  # which imports scipy
+
+        system = self.system
+        stiff, heavy = (iter(one.of(variant)) for one in (self.stiff, self.heavy))
+        devices = [
+            one if one.stiffness is None else one._replace(stiffness=next(stiff))
+            for one in system.devices
+        ]
+        bodies = [one._replace(inertia=next(heavy)) for one in system.bodies]
+        system = system._replace(devices=tuple(devices), bodies=tuple(bodies))
+        omegas: Floats = lowest_modes(system, self.split, max(modes) + 1).omegas[modes]
+        return omegas
 
     def _of_matrices(self, modes: Sequence[int], variants: int) -> Floats:
         """A few thousand matrices at a time."""
