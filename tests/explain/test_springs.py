@@ -53,6 +53,17 @@ def test_coefficients_of_a_twist_stand_in_the_formula_as_they_are_typed() -> Non
     assert text_of(Transmission(2, [], [], [Gear()], springs=[third])) == "3"
 
 
+def test_coefficients_that_cancel_but_for_rounding_are_0() -> None:
+    """1 - .95 - (1 - .95) on one body; what is left of it would hold the output."""
+    twist = {1: 1, 2: -0.95, 3: 0.95 - 1}
+    rest = Spring(twist, stiffness=9e4, name="rest")
+    shafts = [Spring(between(1, other), stiffness=9e4) for other in (2, 3)]
+    case = Transmission(3, [], [], [Gear()], springs=[rest, *shafts[:1]])
+    assert text_of(case) == "1"
+    case = Transmission(4, [], [Mechanism(1, 4, 0, 2, name="D")], [Gear()], springs=[rest, *shafts])
+    assert text_of(case) == "u_D"
+
+
 def test_the_equations_have_the_columns_of_springs() -> None:
     """A twist is a row of the speed equations and a column of the torque equations."""
     one = explain_gear(solve(BOX), "low")

@@ -6,8 +6,9 @@ given speed are eliminated.
 
 from __future__ import annotations
 
+import math
 from collections import Counter
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from typing import Any
 
@@ -17,6 +18,8 @@ from vstatics.model.transmission import HOUSING
 from vstatics.statics.matrix import column
 from vstatics.statics.status import NEUTRAL
 
+ROUNDED = 1e-13
+"""Coefficients of springs are typed, or calculated with rounding."""
 LARGEST = 400
 """A formula of more terms helps nobody, and takes long."""
 
@@ -70,33 +73,34 @@ def _row(
     ratio = ratios[number]
     if own.is_fixed(number):
         ratio = fractions(int(mechanism.ratio))
-    return _in_bodies(zip(mechanism.links, column(ratio), strict=True), body, fractions)
+    row: Row = {}
+    for link, factor in zip(mechanism.links, column(ratio), strict=True):
+        if body[link] != HOUSING:
+            row[body[link]] = row.get(body[link], fractions.zero) + fractions.one * factor
+    return {one: factor for one, factor in row.items() if factor}
 
 
 def _of_spring(spring: Spring, body: Sequence[Body], fractions: Any) -> Row:
     """That of a spring, whose twist does not grow; its coefficients are numbers as typed."""
-    parts = {link: _as_typed(part) for link, part in spring.form.items()}
-    exact = [(n, fractions(one.numerator) / one.denominator) for n, one in parts.items()]
-    return _in_bodies(exact, body, fractions)
+    sums: dict[Body, Fraction] = {}
+    for link, part in spring.form.items():
+        sums[body[link]] = sums.get(body[link], Fraction(0)) + _as_typed(part)
+    least = ROUNDED * max(map(abs, spring.form.values()))
+    return {
+        one: fractions(total.numerator) / total.denominator
+        for one, total in sums.items()
+        if one != HOUSING and abs(total) > least
+    }
 
 
 def _as_typed(number: float) -> Fraction:
     """The fraction that a person meant by a number.
 
-    >>> _as_typed(1 / 3), _as_typed(-4.1)
-    (Fraction(1, 3), Fraction(-41, 10))
+    >>> _as_typed(1 / 3), _as_typed(-4.1), _as_typed(0.95 - 1)
+    (Fraction(1, 3), Fraction(-41, 10), Fraction(-1, 20))
     """
     short = Fraction(number).limit_denominator(1000)
-    return short if float(short) == number else Fraction(repr(number))
-
-
-def _in_bodies(column: Iterable[tuple[int, Any]], body: Sequence[Body], fractions: Any) -> Row:
-    """The coefficients of links, those of one body added."""
-    row: Row = {}
-    for link, factor in column:
-        if body[link] != HOUSING:
-            row[body[link]] = row.get(body[link], fractions.zero) + fractions.one * factor
-    return {one: factor for one, factor in row.items() if factor}
+    return short if math.isclose(short, number, rel_tol=ROUNDED) else Fraction(repr(number))
 
 
 def _without(row: Row, body: Body, pivot: Row) -> Row:
