@@ -14,6 +14,7 @@ import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
+from tests.cli.test_springs import BOX, DRAWN, FOUR
 from tests.commands import CASES, MZKT, ROOT, environment, vstatics
 
 SECONDS = 2
@@ -24,7 +25,7 @@ DECKS = [MZKT.read_bytes(), vstatics("run", CASES / "power-split.yaml").out.enco
 YAMLS = [
     (CASES / name).read_bytes()
     for name in ("differential.yaml", "power-split.yaml", "mzkt7922.yaml")
-]
+] + [text.encode() for text in (BOX, DRAWN, FOUR)]
 JSONS = [vstatics("convert", MZKT, "-", "--to", "json").out.encode()]
 
 PIECES = (
@@ -127,6 +128,17 @@ HOSTILE: dict[str, tuple[str, bytes]] = {
     "many links in YAML": ("yaml", b"links: 1000000000\nmechanisms: {}\ngears: {a: {}}"),
     "huge ratio in YAML": ("yaml", YAML.replace("-2.5", "1e999999999").encode()),
     "fraction of huge numbers": ("yaml", YAML.replace("-2.5", "9" * 10**5 + "/3").encode()),
+    "a huge twist": ("yaml", FOUR.replace("b: 2", "b: 1e999").encode()),
+    "a spring of many links": ("yaml", FOUR.replace("[a, b]", f"[{'a, ' * 10**5}]").encode()),
+    "a stiffness of huge numbers": ("yaml", FOUR.replace("8}", "9" * 10**5 + "/3}").encode()),
+    "a unit of a spring without end": (
+        "yaml",
+        FOUR.replace("stiffness: 8", f"stiffness: 8 {'N*' * 10**5}m").encode(),
+    ),
+    "brackets in a unit": (
+        "yaml",
+        FOUR.replace("stiffness: 8", f"stiffness: 8 {'(' * 39}").encode(),
+    ),
     "powers of powers": ("yaml", f'load: {{torque: "1 N*m^3^3^3^3"}}\n{YAML}'.encode()),
     "powers of numbers": ("yaml", YAML.replace("-2.5", "10**10**10").encode()),
     "a unit without end": ("yaml", f"load: {{speed: 1 {'N*' * 10**6}m}}\n{YAML}".encode()),
