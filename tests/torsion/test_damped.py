@@ -98,5 +98,19 @@ def test_a_massless_link_between_a_damped_and_an_undamped_shaft() -> None:
     assert omegas(gear) == pytest.approx([math.sqrt(c1 * c2 / (c1 + c2) / j)])
 
 
+@pytest.mark.filterwarnings("error")
+def test_massless_links_whose_dampings_differ_by_many_powers_of_ten() -> None:
+    """One creeps alone, fast, behind a mass that hardly moves: ``s = -(c1 + c2)/d``."""
+    dampings = {2: 1e-9, 3: 1e12}
+    shafts = [Spring({1: 1, link: -1}, stiffness=1.0, name=f"shaft {link}") for link in dampings]
+    mounts = [
+        Spring({link: 1}, stiffness=3.0, damping=damping, name=f"mount {link}")
+        for link, damping in dampings.items()
+    ]
+    case = Transmission(3, [], [], [], springs=[*shafts, *mounts], inertias={1: 1e6})
+    *_, fast = only(case).damped
+    assert fast == pytest.approx(-4e9)
+
+
 def test_nothing_damped_has_no_eigenvalues_to_tell() -> None:
     assert only(mounted(0.0)).damped == []

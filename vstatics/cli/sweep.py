@@ -88,7 +88,7 @@ def sweep(
                 --sample 100000 --max 'min(efficiency)' --best 10
       vstatics sweep box.yaml --vary D3.efficiency=.95,.97 --out losses[D3]
                 --where 'efficiency[1] > .95 and max(speeds) < 3'
-      vstatics sweep driveline.yaml --vary shaft.stiffness=1e3:1e4:91 --out omega[1]
+      vstatics sweep box.yaml --vary shaft.stiffness=1e3:1e4:91 --out omega[1]
       vstatics sweep --file sweep.yaml --jobs 8 --resume
 
     \b

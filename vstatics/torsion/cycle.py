@@ -50,7 +50,8 @@ def summed(orders: Sequence[float], amplitudes: Sequence[Complex]) -> Sum:
     """
     stacked = np.array(amplitudes)
     sizes = np.abs(stacked)
-    rms = np.sqrt((sizes**2).sum(axis=0) / 2)
+    with np.errstate(over="ignore"):
+        rms = np.sqrt((sizes**2).sum(axis=0) / 2)
     cycle = _cycle(orders)
     if cycle is None or POINTS * max(orders) * cycle > MOST_POINTS:
         return Sum(sizes.sum(axis=0), rms)

@@ -117,11 +117,11 @@ def _state(stiffness: Floats, resistance: Floats, count: int) -> Floats:
     speeds = slice(size, size + count)
     matrix[fast, speeds] = np.eye(count)
     if size > count:
-        matrix[slow, :] = -linalg.solve(
-            resistance[slow, slow],
-            np.hstack([stiffness[slow, :], resistance[slow, fast]]),
-            assume_a="pos",
-        )
+        own = resistance[slow, slow]
+        scale = 1 / np.sqrt(np.diag(own))[:, None]  # dampings may differ by many powers of ten
+        right = np.hstack([stiffness[slow, :], resistance[slow, fast]])
+        solved = linalg.solve(own * scale * scale.T, scale * right, assume_a="pos")
+        matrix[slow, :] = -scale * solved
     matrix[speeds, :size] = -stiffness[fast, :]
     matrix[speeds, speeds] = -resistance[fast, fast]
     matrix[speeds, :] -= resistance[fast, slow] @ matrix[slow, :]
