@@ -34,7 +34,7 @@ def damping(given: Damping | float) -> Damping:
     >>> damping(3)
     Damping(viscous=3.0, loss_factor=0.0)
     """
-    return given if isinstance(given, Damping) else Damping(float(given))
+    return Damping(*map(float, given)) if isinstance(given, Damping) else Damping(float(given))
 
 
 def damping_of(
