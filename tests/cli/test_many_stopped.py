@@ -276,6 +276,7 @@ def test_a_bar_tells_rate_and_time_left(
     assert re.search(r"500/1000.*variants.* variants/s.*0:00:0", capsys.readouterr().err)
 
 
+@pytest.mark.slow
 def test_two_runs_do_not_write_one_directory() -> None:
     """Neither another one, nor one that would go on; other formats have a run of their own."""
     with running(*TO_DIRECTORY) as run:

@@ -93,6 +93,7 @@ def test_every_command_takes_every_case(command: str, form: str, cases: Path) ->
         assert said.status == int(name in TIED_UP), said.err
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", ["plan", "lever", "flow", "structure", "stick", "efficiency"])
 def test_every_picture_is_drawn_or_told_to_be_none(kind: str, cases: Path) -> None:
     nothing = {

@@ -85,6 +85,7 @@ def differing(one: PowerFlow, other: PowerFlow) -> set[str]:
     }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("path", CASES, ids=lambda path: path.name)
 def test_what_is_marked_is_what_the_two_conventions_disagree_about(path: Path) -> None:
     """`exact` and `published` differ in nothing but idle mechanisms with losses."""

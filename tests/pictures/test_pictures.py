@@ -95,6 +95,7 @@ def test_no_label_covers_another_in_any_shipped_case(name: str, kind: str) -> No
         assert overlaps(result(name), kind, style) == []
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("kind", "form"), list(zip(OURS, FORMATS, strict=True)))
 def test_the_same_case_gives_the_same_bytes(umdm: Results, kind: str, form: Format) -> None:
     assert render(umdm, kind, form, Style()) == render(umdm, kind, form, Style())

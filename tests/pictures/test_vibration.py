@@ -76,6 +76,7 @@ def test_no_label_covers_another(name: str, kind: str) -> None:
     assert overlaps(ODD[name], kind, style) == []
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize(("name", "style"), list(zip(SHIPPED, STYLES, strict=True)))
 def test_no_label_covers_another_in_shipped_cases(name: str, style: Style, kind: str) -> None:

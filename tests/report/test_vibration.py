@@ -47,6 +47,7 @@ def titles(page: Page) -> list[str]:
     return [one.text for one in page.all("h2")]
 
 
+@pytest.mark.slow
 def test_frequencies_are_those_of_the_modes(shown: Page, tmp_path: Path) -> None:
     found = output("torsion", "modes", write(tmp_path, DRIVELINE))["gears"]
     table = shown.table("Natural frequencies by mode")

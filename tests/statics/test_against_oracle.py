@@ -95,7 +95,7 @@ def test_the_nastiest_cases_agree(name: str) -> None:
 
 @pytest.mark.parametrize("regular", [False, True], ids=["any gears", "one input, one output"])
 def test_every_number_is_that_of_exact_arithmetic(*, regular: bool) -> None:
-    for seed in range(50):
+    for seed in range(25):
         case = random_train(seeded(seed), regular=regular)
         assert _disagreements(case) == [], (seed, shown(case))
 

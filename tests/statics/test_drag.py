@@ -220,7 +220,7 @@ def check_equilibrium(results: Results, number: int) -> None:
     assert (results.losses[number] * turn >= -1e-9 * size).all()
 
 
-@pytest.mark.parametrize("seed", range(15))
+@pytest.mark.parametrize("seed", range(6))
 def test_random_trains(seed: int) -> None:
     case, numbers = with_drag(seed), np.random.default_rng(seed)
     results = plainly(case)
@@ -238,6 +238,7 @@ def test_random_trains_are_worth_checking() -> None:
     assert sum(int(np.nan_to_num(one.drag_losses).astype(bool).sum()) for one in made) > 20
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(200, 212))
 def test_drag_freewheels_and_second_efficiencies_together(seed: int) -> None:
     rng, numbers = seeded(seed), np.random.default_rng(seed)

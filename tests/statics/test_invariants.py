@@ -19,7 +19,7 @@ from vstatics.numerics.arrays import Floats
 from vstatics.readers import read
 from vstatics.writers import deck, named
 
-RANDOM = settings(max_examples=32)
+RANDOM = settings(max_examples=16)
 CLOSE = {"rtol": 1e-8, "atol": 1e-8}
 ARRAYS = [name for name in Results._fields if name not in ("case", "messages")]
 

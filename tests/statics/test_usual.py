@@ -14,6 +14,7 @@ from vstatics.statics import diagnosis
 from vstatics.statics.usual import is_uncertain, usual_gears
 
 
+@pytest.mark.slow
 @given(transmissions())
 def test_of_a_usual_gear_nothing_else_is_said(case: Transmission) -> None:
     results = solve(case)

@@ -96,13 +96,13 @@ def check_random(seed: int, most: int, largest: int = 6) -> None:
     assert not disagreements(case, u, eta, some.tolist())
 
 
-@pytest.mark.parametrize("seed", range(24))
+@pytest.mark.parametrize("seed", range(8))
 def test_random_trains(seed: int) -> None:
     check_random(seed, most=6)
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("seed", range(1000, 1060))
+@pytest.mark.parametrize("seed", range(1000, 1076))
 def test_many_random_trains(seed: int) -> None:
     check_random(seed, most=30, largest=12)
 
@@ -121,6 +121,7 @@ def test_many_variants_of_shipped_cases(path: Path, kind: str) -> None:
     assert not disagreements(case, u, efficiencies(rng, case, 48, "some 1"), some)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("place", [2, 4])
 def test_ratios_near_those_that_make_a_train_singular(place: int) -> None:
     """Two sets on one pair of links: with equal ratios the output is held or free."""
@@ -202,6 +203,7 @@ def test_calls_in_any_order_give_the_same() -> None:
                 assert same(getattr(single, name), getattr(expected[number], name)[variant])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(6))
 def test_singles_that_come_often_stay_the_same(seed: int) -> None:
     """After a few calls a plan serves them; messages and numbers are those of the first."""
@@ -333,6 +335,7 @@ def test_one_extreme_variant_harms_no_other(size: float) -> None:
         assert not disagreements(case, u)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("count", [3, 40])
 @pytest.mark.parametrize("coast", [False, True])
 def test_trains_of_many_mechanisms(count: int, coast: bool) -> None:
@@ -403,6 +406,7 @@ def test_a_fixed_number_that_overflows_beside_others_that_vary() -> None:
     assert not disagreements(case, u)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("excess", [1e-15, 1e-14, 1e-13, 1e-12, 1e-10, 1e-8, 1e-7])
 def test_what_turns_as_one_piece_beside_a_fixed_number(excess: float) -> None:
     """(u - 1)/(u - 1) is 1 for all variants; how certain it is hangs on u all the same."""
@@ -527,6 +531,7 @@ def agree(found: Sequence[float], exact: Sequence[Fraction | None]) -> bool:
     )
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(300, 312))
 def test_variants_are_those_of_the_exact_oracle(seed: int) -> None:
     """Short decimals of both signs, so that coincidences happen, in rational arithmetic."""

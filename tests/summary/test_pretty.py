@@ -41,6 +41,7 @@ def gear_lines(text: str) -> list[str]:
     return lines[: next(place for place, line in enumerate(lines) if " port " in line)]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("path", sorted(CASES.iterdir()), ids=lambda path: path.name)
 def test_the_numbers_are_those_of_the_result(path: Path) -> None:
     text = shown(path)

@@ -65,7 +65,7 @@ def any_poles(draw: st.DrawFn) -> tuple[list[float], list[float], float]:
     return poles, weights, draw(decades)
 
 
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=80, deadline=None)
 @given(any_poles())
 def test_roots_are_enclosed_in_exact_fractions(
     given: tuple[list[float], list[float], float],
