@@ -11,7 +11,7 @@ import openpyxl
 import pytest
 
 from tests.cli.torsional import ASKED, BOX, CHAIN, GOOD, OF_GEARS, asked, document, said, tables
-from tests.commands import NEUTRAL, vstatics
+from tests.commands import CASES, NEUTRAL, vstatics
 from vstatics.cli.torsion import COMMANDS
 
 SIMPLIFY = ("simplify", "--gear", "direct", "--links", "2")
@@ -69,6 +69,18 @@ def test_tables_for_people_fit_a_terminal(command: str) -> None:
     shown = asked(command, text=GOOD).out
     assert max(map(len, shown.splitlines())) <= 80
     assert "\n\n" in shown
+
+
+@pytest.mark.parametrize("name", ["moskvich412", "driveline-8hp70"])
+def test_tables_of_shipped_cases_fit_a_terminal(name: str) -> None:
+    case = CASES / f"{name}.yaml"
+    for call in (
+        ("modes", "--gear", "1"),
+        ("response", "--at", "1", "--orders", "2,4,4.5,6", "--speed", "600:4000:9", "--sum"),
+        *([("dump", "--rate", "50")] if name == "moskvich412" else []),
+    ):
+        shown = vstatics("torsion", call[0], case, *call[1:]).out
+        assert max(map(len, shown.splitlines())) <= 80, call[0]
 
 
 def test_digits_are_those_asked_for() -> None:

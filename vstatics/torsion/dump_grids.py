@@ -60,6 +60,15 @@ _UNITS = {
 }
 
 
+_TORQUES = {
+    "max_torque": "largest torque [N*m]",
+    "max_torque_simplified": "largest torque, simplified [N*m]",
+    "input_shaft_torque": "at the input shaft [N*m]",
+    "input_shaft_torque_simplified": "at the input shaft, simplified [N*m]",
+    "dynamic_factor": "dynamic factor",
+}
+
+
 def gear_grids(gear: GearDump) -> Iterator[Grid]:
     """As `grids`, then what was reduced; of a gear that failed, why."""
     if gear.made is not None and gear.given is not None:
@@ -78,26 +87,18 @@ def gears_grids(gears: Sequence[GearDump]) -> Iterator[Grid]:
     >>> given = Dump(1.913, 0.0619, 0.0239, 0.091, 5.68, 429e-5, 532, 335, 156)
     >>> for grid in gears_grids([GearDump("1", "propshaft", given, dump(given))]):
     ...     print(grid.title, grid.texts[0][:2])
-    Clutch dump, on propshaft ['1', 'A3']
+    Clutch dump, on propshaft ['case', 'A3']
     Reduced to propshaft ['J1 [kg*m^2]', '1.913']
     """
     made = [(gear.name, gear.made) for gear in gears if gear.made is not None]
-    headings = [
-        *("largest [N*m]", "simplified", "at the input shaft [N*m]", "simplified"),
-        "dynamic factor",
+    rows: list[Row] = [["case", *(one.case for _, one in made)]]
+    rows += [
+        [told, *(exact(getattr(one, name)) for _, one in made)] for name, told in _TORQUES.items()
     ]
-    rows: list[Row] = [
-        [
-            name,
-            one.case,
-            *map(exact, one[1:6]),
-            *([exact(one.engagement.factor)] if one.engagement else []),
-        ]
-        for name, one in made
-    ]
-    engaged = any(one.engagement for _, one in made)
-    columns = [text("gear"), text("case"), *map(Column, headings)]
-    columns += [Column("engaged at the rate")] * engaged
+    if any(one.engagement for _, one in made):
+        factors = [one.engagement.factor if one.engagement else None for _, one in made]
+        rows.append(["dynamic factor, engaged at the rate", *map(exact, factors)])
+    columns = [text("gear"), *(Column(name) for name, _ in made)]
     yield Grid(f"Clutch dump, on {gears[0].to}", columns, rows, key="dump")
     yield from _reduced(gears)
     messages: list[Row] = [[name, str(message)] for name, one in made for message in one.messages]

@@ -25,8 +25,10 @@ def largest_grids(gears: Sequence[GearResponse]) -> Iterator[Grid]:
     yield _resonances(gears)
     for gear in gears:
         for title, by_name in _quantities(gear):
-            headings = [f"order {one.order:g}" for one in gear.orders]
-            columns = [Column(part) for heading in headings for part in (heading, "at [rpm]")]
+            orders = [f"{one.order:g}" for one in gear.orders]
+            columns = [
+                Column(part) for one in orders for part in (f"order {one}", f"{one} at [rpm]")
+            ]
             rows: list[Row] = []
             for name in by_name[0] if by_name else ():
                 cells = [_largest(gear.speeds, one[name]) for one in by_name]
@@ -65,7 +67,7 @@ def _largest(speeds: Floats, values: Floats | Complex) -> tuple[Cell, Cell]:
 
 def _resonances(gears: Sequence[GearResponse]) -> Grid:
     rows: list[Row] = [
-        [gear.name, exact(one.order, 1), whole(one.mode), exact(one.speed, 1)]
+        [gear.name, _as_asked(one.order), whole(one.mode), exact(one.speed, 1)]
         for gear in gears
         for one in gear.resonances
     ]
@@ -73,6 +75,11 @@ def _resonances(gears: Sequence[GearResponse]) -> Grid:
     columns = [text("gear"), Column("order"), Column("mode"), Column("speed [rpm]")]
     title = "Resonances" if rows else "Resonances: none at these speeds"
     return Grid(title, columns, rows, key="resonances")
+
+
+def _as_asked(order: float) -> Cell:
+    """An order as people write it: 2, 4.5."""
+    return Cell(f"{order:g}", order, kind=float)
 
 
 def sum_grids(gears: Sequence[GearResponse]) -> Iterator[Grid]:
