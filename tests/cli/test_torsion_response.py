@@ -119,7 +119,10 @@ def test_where_nothing_has_a_value_text_says_so() -> None:
     call = ("response", "--at", "mass", "--orders", "1", "--speed", repr(HIT))
     answer = said(*call, text=MASS)
     assert (answer.status, answer.err) == (0, "")
-    assert "mass        -         -\n" in answer.out
+    assert "mass        -           -\n" in answer.out
+    assert (
+        "Resonances\ngear  order  mode  speed [rpm]\n1         1     1        382.0\n" in answer.out
+    )
 
 
 @pytest.mark.parametrize(

@@ -170,7 +170,7 @@ def _resonances(omegas: Floats, harmonics: Sequence[Harmonic], speeds: Floats) -
         for one in harmonics
         for mode, omega in enumerate(omegas, 1)
     ]
-    return [one for one in met if low <= one.speed <= high]
+    return [one for one in met if low * (1 - NOISE) <= one.speed <= high * (1 + NOISE)]
 
 
 def _amplitudes(
