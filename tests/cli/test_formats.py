@@ -116,6 +116,7 @@ def test_without_openpyxl_a_workbook_is_refused_at_once(
 # several cases
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("command", COMMANDS)
 @pytest.mark.parametrize("suffix", ["json", "jsonl"])
 def test_several_cases_to_a_name_with_suffix_are_one_file(command: str, suffix: str) -> None:
@@ -130,6 +131,7 @@ def test_several_cases_to_a_name_with_suffix_are_one_file(command: str, suffix: 
     assert documents[2] == alone
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("command", ["flow", "explain"])
 def test_texts_of_several_cases_stand_below_their_names(command: str) -> None:
     said = vstatics(command, ZF, MZKT)
@@ -137,6 +139,7 @@ def test_texts_of_several_cases_stand_below_their_names(command: str) -> None:
     assert (said.status, said.out) == (0, "\n".join(apart))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("command", COMMANDS)
 def test_several_cases_to_a_directory_are_a_file_each(command: str) -> None:
     assert vstatics(command, ZF, MZKT, "-f", "json", "-o", "new/").status == 0
@@ -145,6 +148,7 @@ def test_several_cases_to_a_directory_are_a_file_each(command: str) -> None:
         assert written == vstatics(command, case, "-f", "json").out
 
 
+@pytest.mark.slow
 def test_several_cases_give_a_picture_and_a_page_each() -> None:
     cases = [CASES / name for name in ("differential.yaml", "wolfrom.yaml")]
     assert vstatics("plot", *cases, "--kind", "structure", "-o", "new/").status == 0
@@ -219,6 +223,7 @@ def test_a_workbook_of_a_case_has_a_sheet_for_each_table() -> None:
     assert found["idle"][1][1] in (True, False)
 
 
+@pytest.mark.slow
 def test_a_workbook_of_several_cases_has_the_file_of_each() -> None:
     vstatics("run", ZF, CASES / "zf-8hp70.yaml", MZKT, "-o", "new.xlsx")
     rows = sheets("new.xlsx")["gears"]

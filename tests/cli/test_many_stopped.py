@@ -101,6 +101,7 @@ TO_DIRECTORY = (*CASES, "-f", "json", "-o", "out")
 KEPT = "results are in out; the same command with --resume goes on"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("sent", "status"), [(signal.SIGINT, 130), (signal.SIGTERM, 143)], ids=["INT", "TERM"]
 )
@@ -119,6 +120,7 @@ def test_a_signal_leaves_what_is_finished(sent: signal.Signals, status: int) -> 
     assert process("run", *TO_DIRECTORY, cwd=Path.cwd())[0] == 0
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("sent", "status"), [(signal.SIGINT, 130), (signal.SIGTERM, 143)])
 def test_a_signal_ends_the_workers_too(sent: signal.Signals, status: int) -> None:
     """Cases behind the one that waits may be finished too; they were not told of yet."""
@@ -134,6 +136,7 @@ def test_a_signal_ends_the_workers_too(sent: signal.Signals, status: int) -> Non
     assert not any(map(is_alive, found))
 
 
+@pytest.mark.slow
 def test_a_stream_of_lines_is_whole_lines_and_a_file_is_not_there() -> None:
     with running(*CASES, "-f", "jsonl") as run:
         pipe = opened_for_reading()
@@ -162,6 +165,7 @@ def kill_the_reader(run: subprocess.Popen[bytes]) -> None:
     run.send_signal(signal.SIGCONT)
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(sys.platform != "linux", reason="looks into /proc")
 @pytest.mark.parametrize("jobs", [2, 3])
 def test_what_a_dead_worker_was_at_is_tried_once_more(jobs: int) -> None:
@@ -177,6 +181,7 @@ def test_what_a_dead_worker_was_at_is_tried_once_more(jobs: int) -> None:
     assert results == 5 * results[:1]
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(sys.platform != "linux", reason="looks into /proc")
 def test_a_case_at_which_two_workers_die_fails_and_the_others_go_on() -> None:
     with running(*TO_DIRECTORY, jobs=2) as run:
@@ -190,6 +195,7 @@ def test_a_case_at_which_two_workers_die_fails_and_the_others_go_on() -> None:
     assert names("out") == ["a.json", "b.json", "c.json", "d.json"]
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(sys.platform != "linux", reason="looks into /proc")
 def test_workers_do_not_outlive_the_run() -> None:
     with running(*TO_DIRECTORY, jobs=2) as run:
@@ -202,6 +208,7 @@ def test_workers_do_not_outlive_the_run() -> None:
         os.close(pipe)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("jobs", [1, 2])
 def test_a_full_disk_ends_the_run_with_one_message(jobs: int) -> None:
     """No file may be longer than 4096 bytes; the result of the published deck is."""
@@ -222,6 +229,7 @@ def test_a_full_disk_ends_the_run_with_one_message(jobs: int) -> None:
     assert names("out") == ["small.json"]
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="there is no /dev/full here")
 @pytest.mark.parametrize("form", ["json", "jsonl"])
 def test_a_stream_that_is_full_ends_the_run(form: str) -> None:
@@ -241,6 +249,7 @@ def plain(shown: str) -> str:
     return re.sub(r"\x1b\[[0-9;?]*[A-Za-z]", "", shown)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("variables", [{}, {"NO_COLOR": "1"}], ids=["colour", "NO_COLOR"])
 def test_a_bar_on_a_terminal_leaves_messages_whole(variables: dict[str, str]) -> None:
     Path("bad.yaml").write_text(BAD, encoding="utf-8")
@@ -254,6 +263,7 @@ def test_a_bar_on_a_terminal_leaves_messages_whole(variables: dict[str, str]) ->
     assert plain(shown).endswith(messages[messages.index("2 of 3 cases") :])
 
 
+@pytest.mark.slow
 def test_there_is_no_bar_between_results_on_a_terminal_nor_on_one_that_cannot() -> None:
     shown = on_terminal("run", "a.dat", "b.dat", cwd=Path.cwd())
     assert shown == process("run", "a.dat", "b.dat", cwd=Path.cwd())[1].decode()
@@ -261,6 +271,7 @@ def test_there_is_no_bar_between_results_on_a_terminal_nor_on_one_that_cannot() 
     assert shown == "2 of 2 cases calculated\n"
 
 
+@pytest.mark.slow
 def test_a_bar_tells_rate_and_time_left(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -293,6 +304,7 @@ def test_two_runs_do_not_write_one_directory() -> None:
     assert process("run", "a.dat", *TO_DIRECTORY[5:], "--coast", cwd=Path.cwd())[0] == 0
 
 
+@pytest.mark.slow
 def test_what_a_killed_run_was_writing_is_removed_by_the_next() -> None:
     """Not what a run into another format writes, or into a file of its own."""
     Path("out").mkdir()
@@ -303,6 +315,7 @@ def test_what_a_killed_run_was_writing_is_removed_by_the_next() -> None:
     assert names("out") == sorted([*own, "a.json"])
 
 
+@pytest.mark.slow
 def test_a_run_that_was_killed_holds_nothing_and_another_trusts_its_own_only() -> None:
     """To drive, killed; to coast, killed; to coast, resumed: all results are of the last."""
     for options in ((), ("--coast",)):

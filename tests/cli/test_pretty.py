@@ -29,6 +29,7 @@ def words(text: str) -> set[str]:
     return {word.strip(",;") for word in text.split() if re.search(r"[^\W\d]", word)}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "case",
     [

@@ -202,6 +202,7 @@ def test_a_sweep_over_ratios_has_torques_of_springs(cases: Path) -> None:
     ]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["four", "alone", "mass"])
 def test_a_report_is_made_of_springs_alone(name: str, cases: Path) -> None:
     done = vstatics("report", "-q", cases / f"{name}.yaml", "-o", cases / "page.html")
@@ -209,6 +210,7 @@ def test_a_report_is_made_of_springs_alone(name: str, cases: Path) -> None:
     assert ">Springs<" in (cases / "page.html").read_text(encoding="utf-8")
 
 
+@pytest.mark.slow
 def test_the_report_has_tables_of_springs_and_inertias(cases: Path) -> None:
     vstatics("report", "-q", cases / "box.yaml", "-o", cases / "box.html")
     page = (cases / "box.html").read_text(encoding="utf-8")

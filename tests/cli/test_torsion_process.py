@@ -58,6 +58,7 @@ def python(code: str) -> str:
     return done.stderr
 
 
+@pytest.mark.slow
 def test_commands_go_together_in_a_shell() -> None:
     folder = Path.cwd()
     line = f"cat {folder}/box.yaml | vstatics torsion simplify - --gear direct --links 3"

@@ -233,6 +233,7 @@ def stepped_internal(wheels: Sequence[str], teeth: Teeth) -> dict[str, Fraction]
     return {LETTERS[wheel]: by_hand[wheel]() for wheel in wheels}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("wheels", STEPPED, ids=" ".join)
 @given(data=st.data())
 @EXAMPLES
@@ -243,6 +244,7 @@ def test_set_with_stepped_planets(wheels: Sequence[str], data: st.DataObject) ->
     turns_as_willis_says(wheels_of("stepped", wheels, teeth), internal)
 
 
+@pytest.mark.slow
 @given(teeth=stepped_teeth(("sun", "ring2")))
 @EXAMPLES
 def test_sun_and_ring_on_stepped_planets_in_teeth(teeth: Teeth) -> None:
@@ -564,6 +566,7 @@ def test_carrier_held_a_set_loses_at_every_mesh(
     assert found["R to S, C held"] == pytest.approx(expected, rel=1e-9)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("wheels", STEPPED, ids=" ".join)
 def test_carrier_held_stepped_planets_lose_at_both_wheels(wheels: Sequence[str]) -> None:
     teeth = {"sun": 20, "sun2": 33, "ring": 97, "ring2": 83, "planet": 26, "planet2": 31}

@@ -114,6 +114,7 @@ def test_set_with_meshed_planets(teeth: Mapping[str, int], n: int) -> None:
     assert warned(element, "SRC") != can
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("wheels", STEPPED, ids=" ".join)
 @given(data=st.data())
 @EXAMPLES
@@ -212,6 +213,7 @@ def test_meshed_planets_go_in_where_the_difference_is_a_multiple_of_them() -> No
     assert "(ring - sun)/planets = 61/3 is not whole" in problem.message
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("planets", "formula"),
     [

@@ -98,6 +98,7 @@ def closes(side: PowerFlow) -> None:
     )
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("coast", [False, True])
 @pytest.mark.parametrize("path", CASES, ids=lambda path: path.name)
 def test_the_power_of_every_shipped_case_closes(path: Path, coast: bool) -> None:

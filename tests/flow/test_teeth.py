@@ -172,6 +172,7 @@ gears: {"1": {}}
     assert teeth(lossy) == pytest.approx({"three": 0.99})
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("coast", [False, True])
 @pytest.mark.parametrize("path", CASES, ids=lambda path: path.name)
 def test_every_mesh_loses_its_part_of_the_tooth_power(path: Path, coast: bool) -> None:

@@ -32,6 +32,7 @@ def doubled(state: str, item: int) -> tuple[str, int]:
     return state, 2 * item
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("jobs", [1, 2, 3])
 def test_every_item_is_done_once(jobs: int) -> None:
     with called(jobs) as made:
@@ -52,6 +53,7 @@ def together(folder: str, jobs: int) -> int:
     return os.getpid()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("jobs", [1, 2, 3])
 def test_so_many_processes_work_at_once(jobs: int, tmp_path: Path) -> None:
     with called(jobs, str(tmp_path)) as made:
@@ -60,12 +62,14 @@ def test_so_many_processes_work_at_once(jobs: int, tmp_path: Path) -> None:
     assert (os.getpid() in seen) == (jobs == 1)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("jobs", [1, 3])
 def test_order_is_kept_where_it_is_asked_for(jobs: int) -> None:
     with called(jobs) as made:
         assert [item for item, _ in made.each(doubled, range(30), ordered=True)] == list(range(30))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("ordered", [True, False])
 def test_only_a_few_items_are_under_way(ordered: bool) -> None:
     """However many there are: four for two processes, and the next one that is asked for."""
@@ -94,6 +98,7 @@ def wrong(_: str, item: int) -> int:
     return item
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("jobs", [1, 2])
 def test_an_error_names_the_item(jobs: int) -> None:
     with (
@@ -116,6 +121,7 @@ def dies_once(state: str, item: int) -> int:
     return item
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("ordered", [True, False])
 def test_a_process_that_dies_is_replaced_and_nothing_is_lost(ordered: bool, tmp_path: Path) -> None:
     with called(2, str(tmp_path)) as made:
@@ -131,11 +137,13 @@ def dies(_: str, item: int) -> int:
     return item
 
 
+@pytest.mark.slow
 def test_an_item_that_kills_every_process_is_given_up_by_its_name() -> None:
     with pytest.raises(CaseError, match=r"^item 5: the process died 3 times"), called(3) as made:
         list(made.each(dies, range(20)))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("stopped", [False, True], ids=["all is done", "nobody goes on"])
 def test_processes_end_with_what_called_them(stopped: bool, tmp_path: Path) -> None:
     with called(2, str(tmp_path)) as made:
@@ -149,6 +157,7 @@ def test_processes_end_with_what_called_them(stopped: bool, tmp_path: Path) -> N
     assert not [process for process in processes if Path(f"/proc/{process}").exists()]
 
 
+@pytest.mark.slow
 def test_a_caller_with_threads_does_not_fork() -> None:
     """A lock that another thread holds would stay locked in the forked process for ever."""
     done = threading.Event()
@@ -162,6 +171,7 @@ def test_a_caller_with_threads_does_not_fork() -> None:
         other.join()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("jobs", [1, 2])
 def test_results_that_nobody_took_do_not_come_later(jobs: int) -> None:
     with called(jobs) as made:

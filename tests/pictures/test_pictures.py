@@ -80,6 +80,7 @@ OURS = ("plan", "lever", "efficiency")
 STYLES = (Style(), Style("ru", dark=True))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", OURS)
 @pytest.mark.parametrize(("name", "style"), list(zip(QUICK, STYLES, strict=True)))
 def test_no_label_covers_another(name: str, style: Style, kind: str) -> None:

@@ -69,6 +69,7 @@ ODD = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("name", ODD)
 def test_no_label_covers_another(name: str, kind: str) -> None:

@@ -73,6 +73,7 @@ def told(data: bytes, form: str) -> None:
         assert run.status == 0 or re.search(r"(?m)^<stdin>:\d+:\d+: error: ", run.err)
 
 
+@pytest.mark.slow
 @settings(max_examples=50)
 @given(mutated(DECKS))
 @example(b"")
@@ -82,6 +83,7 @@ def test_no_deck_ends_in_a_traceback(data: bytes) -> None:
     told(data, "deck")
 
 
+@pytest.mark.slow
 @settings(max_examples=50)
 @given(mutated(YAMLS))
 @example(b"")
@@ -90,12 +92,14 @@ def test_no_yaml_ends_in_a_traceback(data: bytes) -> None:
     told(data, "yaml")
 
 
+@pytest.mark.slow
 @settings(max_examples=40)
 @given(mutated(JSONS))
 def test_no_json_ends_in_a_traceback(data: bytes) -> None:
     told(data, "json")
 
 
+@pytest.mark.slow
 @settings(max_examples=50)
 @given(st.binary(max_size=200) | mutated([*DECKS, *YAMLS, *JSONS]))
 def test_nothing_at_all_ends_in_a_traceback(data: bytes) -> None:
@@ -199,6 +203,7 @@ def test_hostile_input_is_refused_soon_and_in_little_memory(name: str, tmp_path:
     assert seconds < SECONDS
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("command", ["run", "check", "convert", "compare"])
 @pytest.mark.parametrize("path", [".", "nowhere.dat", "/dev/null", "x/y.yaml"])
 def test_what_is_no_file_is_told(command: str, path: str, tmp_path: Path) -> None:
@@ -209,6 +214,7 @@ def test_what_is_no_file_is_told(command: str, path: str, tmp_path: Path) -> Non
     assert " error: " in said.err
 
 
+@pytest.mark.slow
 def test_a_pipe_that_closes_in_the_middle_of_a_case_is_a_case_cut_off() -> None:
     read, write = os.pipe()
     with subprocess.Popen(

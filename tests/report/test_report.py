@@ -150,11 +150,13 @@ def nasty(nasty_text: str) -> Page:
     return Page(nasty_text)
 
 
+@pytest.mark.slow
 def test_the_page_carries_the_result(zf: Page) -> None:
     expected = output("run", CASES / "zf-8hp70.yaml")
     assert {**zf.data, "file": "zf-8hp70.yaml"} == expected
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["W", "WSAT", "WFRI", "AMLG", "AMLGP", "IX", "losses"])
 def test_tables_show_the_numbers_of_the_result(zf: Page, name: str) -> None:
     table = zf.table(BY_NAME[name].title)
@@ -163,6 +165,7 @@ def test_tables_show_the_numbers_of_the_result(zf: Page, name: str) -> None:
         assert [value(shown[gear]) for gear in zf.data["gears"]] == given
 
 
+@pytest.mark.slow
 def test_numbers_by_gear_are_those_of_the_result(zf: Page) -> None:
     table = zf.table("By gear")
     for name in ("ETA", "ratio", "power_balance", "consistent", "locked"):
@@ -170,6 +173,7 @@ def test_numbers_by_gear_are_those_of_the_result(zf: Page) -> None:
         assert shown == zf.data[name]
 
 
+@pytest.mark.slow
 def test_ratios_are_the_published_ones(zf: Page) -> None:
     """ZF 8HP70 as printed to three digits behind the point; see tests/published."""
     published = json.loads(Path("tests/published/zf-8hp70.json").read_text(encoding="utf-8"))
@@ -180,12 +184,14 @@ def test_ratios_are_the_published_ones(zf: Page) -> None:
     assert "Spread: 7.043, from gear 1 to gear 8." in [one.text for one in zf.all("p")]
 
 
+@pytest.mark.slow
 def test_dots_tell_the_engaged_elements(zf: Page) -> None:
     """As the source's table of shift elements has them; cases/zf-8hp70.yaml."""
     first = zf.table("Ratios, steps")["1"]
     assert [name for name in "ABCDE" if first[name].text == "●"] == ["A", "B", "C"]
 
 
+@pytest.mark.slow
 def test_the_summary_is_rounded_to_what_the_page_shows(zf: Page) -> None:
     given = output("summary", CASES / "zf-8hp70.yaml")
     table = zf.table("Ratios, steps")
@@ -201,6 +207,7 @@ def test_the_summary_is_rounded_to_what_the_page_shows(zf: Page) -> None:
         assert shown == pytest.approx(values, abs=5.1e-4)
 
 
+@pytest.mark.slow
 def test_powers_are_those_of_the_flow(zf: Page) -> None:
     for gear in output("flow", CASES / "zf-8hp70.yaml")["gears"]:
         table = zf.table(f"Gear {gear['gear']}")
@@ -213,6 +220,7 @@ def test_powers_are_those_of_the_flow(zf: Page) -> None:
                 assert value(table[loss["name"]]["loss"]) == loss["power"]
 
 
+@pytest.mark.slow
 def test_the_flow_marks_what_a_convention_divides(zf: Page) -> None:
     """In gear 6 the clutch E holds P3 as one piece; C and D stand in series with it."""
     table = zf.table("Gear 6")
@@ -231,6 +239,7 @@ def test_a_loop_that_may_not_be_in_the_metal_says_so() -> None:
     assert "(may not be in the metal: D7 and D8 share sun 1 and carrier):" in told[0]
 
 
+@pytest.mark.slow
 def test_each_gear_has_its_own_picture_of_the_flow(zf: Page) -> None:
     drawn = [one for one in zf.all("svg") if one.attributes["aria-label"] == "flow"]
     titles = [one.text for one in zf.all("figcaption") if one.text.startswith("Power flow")]
@@ -238,6 +247,7 @@ def test_each_gear_has_its_own_picture_of_the_flow(zf: Page) -> None:
     assert len(drawn) == len(titles)
 
 
+@pytest.mark.slow
 def test_many_plans_stand_on_several_sheets(zf: Page) -> None:
     """Each of them fits a printed page, which no long picture does."""
     sheets = [one for one in zf.all("svg") if one.attributes["aria-label"] == "plan"]
@@ -248,6 +258,7 @@ def test_many_plans_stand_on_several_sheets(zf: Page) -> None:
         assert high / wide < 29.7 / 21.0
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("which", ["zf", "nasty"])
 def test_nothing_comes_from_elsewhere(which: str, request: pytest.FixtureRequest) -> None:
     shown: Page = request.getfixturevalue(which)
@@ -260,6 +271,7 @@ def test_nothing_comes_from_elsewhere(which: str, request: pytest.FixtureRequest
     assert "url(" not in styles
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("which", ["zf", "nasty"])
 def test_ids_are_unique_and_references_have_their_target(
     which: str, request: pytest.FixtureRequest
@@ -326,6 +338,7 @@ def test_gears_without_numbers_say_why(tmp_path: Path, text: str, status: int, w
     assert messages == shown.data["messages"]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "name",
     [pytest.param("ravigneaux-aod.yaml", marks=pytest.mark.slow), "self-locking.yaml"],

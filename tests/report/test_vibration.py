@@ -75,6 +75,7 @@ def test_ids_are_unique(shown: Page) -> None:
     assert {"modes=low", "modes=direct", "gear=low", "gear=direct", "vibration"} <= set(ids)
 
 
+@pytest.mark.slow
 def test_a_gear_without_modes_says_why(tmp_path: Path) -> None:
     tied = DRIVELINE.replace("direct: [C]", "both: [B, D]")
     said = vstatics("report", write(tmp_path, tied), "-o", tmp_path / "out.html")
@@ -84,6 +85,7 @@ def test_a_gear_without_modes_says_why(tmp_path: Path) -> None:
     assert any(one.text.startswith("Gear both: tied up: ") for one in page.all("p"))
 
 
+@pytest.mark.slow
 @pytest.mark.usefixtures("without_pictures")
 @pytest.mark.parametrize(
     "left_out",
@@ -102,6 +104,7 @@ def test_only_what_vibrates_has_the_section(left_out: str, tmp_path: Path) -> No
     assert "Vibration" not in titles(Page(report(write(tmp_path, rest))))
 
 
+@pytest.mark.slow
 def test_without_scipy_the_rest_is_written_and_it_is_told(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:

@@ -29,6 +29,7 @@ EXTREME = st.sampled_from(
 )
 
 
+@pytest.mark.slow
 @settings(max_examples=60)
 @given(st.data(), st.sampled_from(["zf-8hp70", "umdm", "two-stage"]), st.integers(1, 3))
 def test_extreme_ratios_end_in_results(data: st.DataObject, name: str, variants: int) -> None:

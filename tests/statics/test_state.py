@@ -62,6 +62,7 @@ gears: {{1: {{engaged: [C1, C2]}}}}
         assert np.isnan(torques["R.small_sun"])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("coast", [False, True])
 @pytest.mark.parametrize("path", sorted(CASES.glob("*.yaml")), ids=lambda path: path.stem)
 def test_the_state_of_a_gear_is_what_the_arrays_say(path: Path, coast: bool) -> None:
