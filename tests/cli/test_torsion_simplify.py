@@ -184,12 +184,12 @@ def test_wrong_use(options: tuple[str, ...]) -> None:
     assert (answer.status, answer.out, names()) == (2, "", [])
 
 
-def test_a_link_that_rigid_devices_make_follow_two_others_is_told() -> None:
+def test_a_rigid_set_with_inertia_on_all_its_links_is_taken_out_first() -> None:
     text = GOOD.replace("direct: {engaged: [C, D]}", "low: {engaged: [C, B]}")
-    answer = said("simplify", "--gear", "low", "--links", "2", text=text)
-    assert (answer.status, answer.out) == (1, "")
-    assert "<stdin>:" in answer.err
-    assert "gear low: carrier: rigid devices make it follow several links" in answer.err
+    answer = said("simplify", "--gear", "low", "--links", "2", "-f", "json", text=text)
+    assert answer.status == 0
+    first, *others = json.loads(answer.out)["steps"]
+    assert all(first["partial_frequency"] > 1000 * one["partial_frequency"] for one in others)
 
 
 def test_an_error_of_the_output_leaves_what_was_there() -> None:

@@ -101,7 +101,7 @@ def test_every_number_is_that_of_exact_arithmetic(*, regular: bool) -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("block", range(4))
+@pytest.mark.parametrize("block", range(2))
 def test_every_number_is_that_of_exact_arithmetic_at_length(block: int) -> None:
     for seed in range(10_000 + 250 * block, 10_000 + 250 * (block + 1)):
         case = random_train(seeded(seed), regular=seed % 2 == 0)

@@ -467,7 +467,7 @@ def test_random_trains_with_given_torques_do_without_a_balance_only_if_they_must
 ) -> None:
     """About one of 300 has a set of freewheels that turns the output, but can't balance it."""
     seen = 0
-    for seed in range(1000):
+    for seed in range(400):
         case = replace(with_freewheels(seed), coast=coast)
         loaded = [gear for gear in case.gears if gear.torques and gear.output not in gear.speeds]
         for gear in loaded if case.freewheels else ():

@@ -267,7 +267,10 @@ def test_redundant_devices_have_no_torque_of_their_own() -> None:
         3, twice, [], [Gear([1, 2])], springs=springs, output=3, inertias={1: 2.0, 3: 8.0}
     )
     gear = only(case)
-    assert gear.warnings == ["the torque of C and D is not determined"]
+    told = (
+        "C and D: 1 device is in excess; the speeds agree, the torque of C and D is not determined"
+    )
+    assert gear.warnings == [told]
     assert math.isnan(gear.modes[0].torques["C"])
     assert gear.modes[0].torques["shaft 1"] == pytest.approx(50)
 

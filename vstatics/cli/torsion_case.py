@@ -54,6 +54,13 @@ def _placed(problem: Problem, reading: Reading) -> Problem:
     return of_file(located.place.file, problem.message)
 
 
+def coasting(reading: Reading, coast: bool | None) -> Reading:
+    """A case with the power as an option says; as it says itself where that says nothing."""
+    if coast in (None, reading.case.coast):
+        return reading
+    return reading._replace(case=reading.case.replace(coast=coast))
+
+
 def gear_names(case: Transmission, asked: Sequence[str]) -> list[str]:
     """The gears that are asked for, each once; all where none is.
 

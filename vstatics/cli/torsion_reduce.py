@@ -11,6 +11,7 @@ from vstatics.cli.exit_status import DONE, FAILED
 from vstatics.cli.formats import OutputOptions
 from vstatics.cli.telling import Telling
 from vstatics.cli.torsion_case import (
+    coasting,
     gear_names,
     link_name,
     located,
@@ -27,6 +28,7 @@ from vstatics.cli.torsion_case import (
 @arguments.some_gears
 @formats.options(*formats.TABLES)
 @arguments.input_format
+@arguments.coast
 @arguments.telling
 def reduce(
     case: str,
@@ -34,6 +36,7 @@ def reduce(
     gears: tuple[str, ...],
     wanted: OutputOptions,
     input_format: readers.Format | None,
+    coast: bool | None,
     telling: Telling,
 ) -> int:
     """Reduce inertias and compliances of CASE to one link, in every gear; - is standard input.
@@ -58,7 +61,7 @@ def reduce(
     from vstatics.torsion.reduction import reduce as reduced
     from vstatics.torsion.reduction_grids import reduction_grids
 
-    reading = arguments.read_one(case, input_format, telling)
+    reading = coasting(arguments.read_one(case, input_format, telling), coast)
     link = link_name(reading.case, to, "--to")
     found = reduced(reading.case, link, gear_names(reading.case, gears))
     faults = list(located(reading, [(one.name, "error", one.error) for one in found if one.error]))

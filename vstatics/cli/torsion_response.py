@@ -15,6 +15,7 @@ from vstatics.cli.exit_status import DONE, FAILED
 from vstatics.cli.formats import FULL, OutputOptions
 from vstatics.cli.telling import Telling
 from vstatics.cli.torsion_case import (
+    coasting,
     gear_names,
     link_name,
     located,
@@ -62,6 +63,7 @@ MOST_SPEEDS = 100_000
 @arguments.some_gears
 @formats.options(*formats.TABLES)
 @arguments.input_format
+@arguments.coast
 @arguments.telling
 def response(
     case: str,
@@ -73,6 +75,7 @@ def response(
     gears: tuple[str, ...],
     wanted: OutputOptions,
     input_format: readers.Format | None,
+    coast: bool | None,
     telling: Telling,
 ) -> int:
     """Calculate the forced vibration of CASE in every gear; - is standard input.
@@ -99,7 +102,7 @@ def response(
     from vstatics.torsion.response_grids import largest_grids, speed_grids, sum_grids
 
     harmonics, speeds = _harmonics(orders, torque), _speeds(speed)
-    reading = arguments.read_one(case, input_format, telling)
+    reading = coasting(arguments.read_one(case, input_format, telling), coast)
     link = link_name(reading.case, at, "--at")
     found = responses(reading.case, link, harmonics, speeds, gear_names(reading.case, gears))
     faults = list(located(reading, [(one.name, "error", one.error) for one in found if one.error]))

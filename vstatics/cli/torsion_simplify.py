@@ -14,6 +14,7 @@ from vstatics.cli.exit_status import DONE, FAILED
 from vstatics.cli.formats import TABLES, Destination, TextStyle
 from vstatics.cli.telling import Telling
 from vstatics.cli.torsion_case import (
+    coasting,
     file_name,
     located,
     needs_scipy,
@@ -70,6 +71,7 @@ FORMS = [form for form in TABLES if form != "xlsx"]
     help="Write the scheme as a case: YAML or JSON.",
 )
 @arguments.input_format
+@arguments.coast
 @arguments.telling
 def simplify(
     case: str,
@@ -80,6 +82,7 @@ def simplify(
     form: str,
     output: str | None,
     input_format: readers.Format | None,
+    coast: bool | None,
     telling: Telling,
 ) -> int:
     """Simplify the scheme of a gear of CASE, reduced to the input; - is standard input.
@@ -105,7 +108,7 @@ def simplify(
     from vstatics.torsion.simplification import simplify as simplified
     from vstatics.torsion.simplification_grids import simplification_grids
 
-    reading = arguments.read_one(case, input_format, telling)
+    reading = coasting(arguments.read_one(case, input_format, telling), coast)
     own = reading.case
     chosen = own.gears[gear_number(own, gear) - 1]
     scheme = gear_scheme(own, chosen)

@@ -9,9 +9,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.errors import CaseError, Problem, spoken
+from vstatics.errors import CaseError, Problem, plural, spoken
 from vstatics.model.transmission import Gear, Transmission
 from vstatics.numerics.arrays import Floats
+from vstatics.numerics.elimination import dependencies
 from vstatics.numerics.tolerances import TIE
 from vstatics.torsion.coordinates import Coordinates, coordinates, form_values
 from vstatics.torsion.damped import DampedModes, damped_modes
@@ -261,10 +262,13 @@ def _warnings(system: TorsionalSystem, split: Coordinates, held: Balance) -> Ite
             f"{spoken(names)} {verb} neither an inertia nor a device that resists: left out; give "
             "an inertia, or join the link"
         )
-    unknown = [
-        device.name
-        for device, known in zip(system.rigid, held.determined, strict=True)
-        if not known
-    ]
+    rigid = [device.name for device in system.rigid]
+    unknown = [name for name, known in zip(rigid, held.determined, strict=True) if not known]
     if unknown:
-        yield f"the torque of {spoken(unknown)} is not determined"
+        sets = [involved for involved, _ in dependencies([one.twist for one in system.rigid])]
+        what = "; ".join(spoken([rigid[index] for index in involved]) for involved in sets)
+        devices = f"{len(sets)} {plural('device', len(sets))} {'is' if len(sets) == 1 else 'are'}"
+        yield (
+            f"{what}: {devices} in excess; the speeds agree, the torque of {spoken(unknown)} is "
+            "not determined"
+        )

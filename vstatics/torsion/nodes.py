@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from vstatics.numerics.arrays import Booleans, Floats
 from vstatics.numerics.motions import Form
-from vstatics.numerics.tolerances import TIE
+from vstatics.numerics.tolerances import NOISE
 from vstatics.torsion.coordinates import Coordinates
 from vstatics.torsion.system import TorsionalSystem
 
@@ -18,7 +18,8 @@ def count_nodes(system: TorsionalSystem, split: Coordinates, shapes: Floats) -> 
     An elastic device has a node in it where all terms of its twist pull the same way: of a
     shaft, where its ends turn against each other. Of a device that a link with the reaction
     takes part in, such as a casing, the links count that turn when nothing vibrates. Links that
-    stand, though they could move, are one node together with those that devices join to them.
+    stand, though they could move, are one node together with those that devices join to them,
+    if there are links on two sides of them that move.
 
     Parameters
     ----------
@@ -26,7 +27,7 @@ def count_nodes(system: TorsionalSystem, split: Coordinates, shapes: Floats) -> 
         The largest amplitude of each is about 1.
     """
     nodes = np.zeros(shapes.shape[1], np.intp)
-    stands = np.abs(shapes) <= TIE
+    stands = np.abs(shapes) <= NOISE
     moving = np.where(stands, 0.0, shapes)
     turning = np.any(split.rigid != 0, axis=1)
     for device in system.elastic:
@@ -38,16 +39,20 @@ def count_nodes(system: TorsionalSystem, split: Coordinates, shapes: Floats) -> 
     movable = np.any(split.free != 0, axis=1)
     twists = [device.twist for device in system.devices]
     for mode in np.flatnonzero(stands[movable].any(axis=0)):
-        nodes[mode] += _standing_groups(twists, stands[:, mode] & movable)
+        nodes[mode] += _standing_groups(twists, stands[:, mode] & movable, ~stands[:, mode])
     return nodes
 
 
-def _standing_groups(twists: list[Form], stands: Booleans) -> int:
-    """How many groups of links stand, each joined by devices."""
+def _standing_groups(twists: list[Form], stands: Booleans, moves: Booleans) -> int:
+    """How many groups of links stand, each joined by devices, between links that move."""
     group = list(range(len(stands)))
     for twist in twists:
         joined = {group[link] for link in twist if stands[link]}
         if len(joined) > 1:
             group = [min(joined) if one in joined else one for one in group]
-    touched = {link for twist in twists for link in twist}
-    return len({group[link] for link in touched if stands[link]})
+    sides: dict[int, int] = {}
+    for twist in twists:
+        held = {group[link] for link in twist if stands[link]}
+        for one in held if any(moves[link] for link in twist) else ():
+            sides[one] = sides.get(one, 0) + 1
+    return sum(count > 1 for count in sides.values())

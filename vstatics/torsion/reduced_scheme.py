@@ -7,25 +7,29 @@ from collections.abc import Sequence
 import numpy as np
 from scipy import linalg
 
-from vstatics.errors import spoken
 from vstatics.model.damping import damping
 from vstatics.model.transmission import Gear, Transmission
 from vstatics.numerics.arrays import Floats
 from vstatics.numerics.motions import free_motions
 from vstatics.numerics.tolerances import TIE
+from vstatics.torsion.body import Body
 from vstatics.torsion.coordinates import form_values
 from vstatics.torsion.reduction import Scales, joined_links, scales
 from vstatics.torsion.scheme import SchemeSpring, TorsionScheme
 from vstatics.torsion.state import vibrating
 from vstatics.torsion.system import TorsionalDevice, TorsionalSystem
 
+STIFFER = 1e9
+"""A rigid set by the stiffest device of the gear."""
+
 
 def gear_scheme(case: Transmission, gear: Gear) -> TorsionScheme | str:
     """The scheme of a gear reduced to its input, or why it has none.
 
-    Rigidly joined links are one mass, under the name of the first; a link that rigid devices
-    make follow several others must have no inertia. What does not turn with the input is left
-    out, and so is a reaction where the ratio is 1.
+    Rigidly joined links are one mass, under the name of the first. A rigid set whose links all
+    have inertia and can move is taken as a spring that is stiffer than all others by far: its
+    partial frequency is the highest, so that simplification takes it out first. What does not
+    turn with the input is left out, and so is a reaction where the ratio is 1.
 
     Examples
     --------
@@ -42,6 +46,47 @@ def gear_scheme(case: Transmission, gear: Gear) -> TorsionScheme | str:
     if isinstance(system, str):
         return system
     ends = case.gear_input(gear) - 1, case.gear_output(gear) - 1
+    scheme = _scheme(system, ends)
+    if isinstance(scheme, list):
+        scheme = _scheme(_with_stiff_sets(system), ends)
+    if isinstance(scheme, list) or (
+        isinstance(scheme, TorsionScheme) and min(scheme.inertias, default=0.0) < 0
+    ):
+        return (
+            "rigid devices make bodies follow several links that can move apart, so they are no "
+            "masses by themselves; leave out their inertia, or give a device a stiffness"
+        )
+    return scheme
+
+
+def _with_stiff_sets(system: TorsionalSystem) -> TorsionalSystem:
+    """The system with springs in place of rigid devices of three links that can move apart.
+
+    Planets are shared by the links of their set, as these have speeds of their own then.
+    """
+    group = {link: one[0] for one in joined_links(system) for link in one}
+    free = free_motions([device.twist for device in system.rigid], len(system.names))
+    stiffness = STIFFER * max((one.stiffness or 0.0 for one in system.elastic), default=1.0)
+
+    def is_set(device: TorsionalDevice) -> bool:
+        return len({group.get(link, link) for link in device.twist if free[link].any()}) > 2
+
+    return system._replace(
+        bodies=tuple(
+            Body(name, {link: 1.0}, inertia)
+            for link, (name, inertia) in enumerate(
+                zip(system.names, system.link_inertias, strict=True)
+            )
+        ),
+        devices=tuple(
+            one._replace(stiffness=stiffness) if one.stiffness is None and is_set(one) else one
+            for one in system.devices
+        ),
+    )
+
+
+def _scheme(system: TorsionalSystem, ends: tuple[int, int]) -> TorsionScheme | str | list[str]:
+    """The scheme, why there is none, or the bodies that rigid devices make follow several."""
     found = scales(system, ends[0], ends)
     if isinstance(found, str):
         return found
@@ -50,11 +95,7 @@ def gear_scheme(case: Transmission, gear: Gear) -> TorsionScheme | str:
     masses = _independent(system, groups, free)
     following = _others_with_inertia(system, groups, masses)
     if following:
-        return (
-            f"{spoken(following)}: rigid devices make it follow several links that can move "
-            "apart, so it is no mass by itself; leave out its inertia, or give a device a "
-            "stiffness"
-        )
+        return following
     firsts = [group[0] for group in masses]
     own = np.array([found.scales[link] or np.nan for link in firsts])
     springs = [

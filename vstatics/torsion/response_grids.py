@@ -23,6 +23,7 @@ def largest_grids(gears: Sequence[GearResponse]) -> Iterator[Grid]:
     ['Resonances: none at these speeds']
     """
     yield _resonances(gears)
+    yield from _faults(gears)
     for gear in gears:
         for title, by_name in _quantities(gear):
             orders = [f"{one.order:g}" for one in gear.orders]
@@ -40,6 +41,7 @@ def largest_grids(gears: Sequence[GearResponse]) -> Iterator[Grid]:
 def speed_grids(gears: Sequence[GearResponse]) -> Iterator[Grid]:
     """A line for each speed, a column for each link or device, order by order."""
     yield _resonances(gears)
+    yield from _faults(gears)
     for gear in gears:
         for title, by_name in _quantities(gear):
             for order, values in zip(gear.orders, by_name, strict=True):
@@ -71,7 +73,6 @@ def _resonances(gears: Sequence[GearResponse]) -> Grid:
         for gear in gears
         for one in gear.resonances
     ]
-    rows += [[gear.name, "", "", gear.error] for gear in gears if gear.error]
     columns = [text("gear"), Column("order"), Column("mode"), Column("speed [rpm]")]
     title = "Resonances" if rows else "Resonances: none at these speeds"
     return Grid(title, columns, rows, key="resonances")
@@ -97,3 +98,10 @@ def sum_grids(gears: Sequence[GearResponse]) -> Iterator[Grid]:
             if rows:
                 name = f"Gear {gear.name}, all orders: {title}"
                 yield Grid(name, columns, rows, group=f"all orders, {title.partition(' of ')[0]}")
+
+
+def _faults(gears: Sequence[GearResponse]) -> Iterator[Grid]:
+    """Why gears have no response."""
+    rows: list[Row] = [[gear.name, gear.error] for gear in gears if gear.error]
+    if rows:
+        yield Grid("Notes", [text("gear"), text("note")], rows, key="notes")

@@ -9,6 +9,7 @@ from scipy import linalg
 
 from vstatics.numerics.arrays import Booleans, Floats
 from vstatics.numerics.elimination import dependencies
+from vstatics.numerics.tolerances import NOISE
 from vstatics.torsion.coordinates import form_values, rows
 from vstatics.torsion.system import TorsionalSystem
 
@@ -83,4 +84,12 @@ def torques(
         solved, *_ = linalg.lstsq(balance.columns, acting / np.where(scale, scale, 1.0))
         solved = np.where(balance.determined[:, None], solved * scale, np.nan)
         found |= dict(zip((device.name for device in system.rigid), solved, strict=True))
-    return {device.name: found[device.name] for device in system.devices}
+    if not found:
+        return found
+    largest = np.max([np.nan_to_num(np.abs(torque)) for torque in found.values()], axis=0)
+    return {
+        device.name: np.where(
+            np.abs(found[device.name]) <= NOISE * largest, 0.0, found[device.name]
+        )
+        for device in system.devices
+    }
