@@ -18,7 +18,7 @@ from vstatics.torsion.naming import own_torques
 from vstatics.torsion.natural import NaturalModes, natural_modes
 from vstatics.torsion.state import vibrating
 from vstatics.torsion.system import TorsionalSystem
-from vstatics.torsion.torques import balance
+from vstatics.torsion.torques import balance, with_rigid
 
 Complex = NDArray[np.complex128]
 RAD_PER_RPM = math.pi / 30
@@ -233,22 +233,12 @@ def _torques(
     system: TorsionalSystem, at: int, excited: Floats, amplitudes: Complex, given: Harmonic
 ) -> dict[str, Complex]:
     """On the first links of devices, of shape (speeds,) each [N*m]."""
-    found: dict[str, Complex] = {}
     acting = np.asarray(system.link_inertias)[:, None] * amplitudes * excited**2
     acting[at] += given.amplitude * np.exp(1j * given.phase)
+    elastic: dict[str, Complex] = {}
     for device in system.elastic:
         own = damping(device.damping)
         rate = device.stiffness or 0.0
-        complex_rate = rate + 1j * (
-            excited * own.viscous + np.sign(excited) * rate * own.loss_factor
-        )
-        torque = complex_rate * form_values(device.twist, amplitudes)
-        for link, part in device.twist.items():
-            acting[link] -= part * torque
-        found[device.name] = torque
-    if system.rigid:
-        held = balance(system)
-        solved = np.linalg.pinv(held.columns) @ acting
-        solved[~held.determined] = np.nan
-        found |= dict(zip((device.name for device in system.rigid), solved, strict=True))
-    return {device.name: found[device.name] for device in system.devices}
+        resisted = excited * own.viscous + np.sign(excited) * rate * own.loss_factor
+        elastic[device.name] = (rate + 1j * resisted) * form_values(device.twist, amplitudes)
+    return with_rigid(system, balance(system), acting, elastic)

@@ -12,7 +12,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from vstatics.numerics.tolerances import TIE
+from vstatics.torsion.body import Body
+from vstatics.torsion.coordinates import coordinates
+from vstatics.torsion.natural import natural_modes
+from vstatics.torsion.system import TorsionalDevice, TorsionalSystem
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 
@@ -63,9 +66,7 @@ def stiffness_matrix(scheme: TorsionScheme) -> Array:
 def natural_frequencies(scheme: TorsionScheme) -> tuple[float, ...]:
     """Natural frequencies without damping, ascending, without those of rigid motions.
 
-    They are the singular values of C^(1/2) A J^(-1/2), so no stiffness is squared away beside a
-    larger one. How many are rigid motions comes from the rank of the twists A. Masses without
-    inertia follow the others as they must: what they can take is projected out.
+    Masses without inertia follow the others.
 
     Returns
     -------
@@ -76,26 +77,19 @@ def natural_frequencies(scheme: TorsionScheme) -> tuple[float, ...]:
     --------
     >>> shaft = SchemeSpring("shaft", {0: 1.0, 1: -1.0}, 0.5)
     >>> natural_frequencies(TorsionScheme(("a", "b"), (1.0, 2.0), (shaft,)))
-    (1.7320508075688772,)
+    (1.732050807568877...,)
     """
-    rows, inertias = twists(scheme), np.array(scheme.inertias)
-    if not rows.size:
-        return ()
-    heavy, light = rows[:, inertias > 0], rows[:, inertias == 0]
-    root = np.array([spring.compliance for spring in scheme.springs])[:, None] ** -0.5
-    scaled = root * heavy / np.sqrt(inertias[inertias > 0])
-    taken = _rank(light)
-    if taken:
-        basis = np.linalg.svd(root * light, full_matrices=False)[0][:, :taken]
-        scaled -= basis @ (basis.T @ scaled)
-    values = np.linalg.svd(scaled, compute_uv=False) if scaled.size else np.zeros(0)
-    return tuple(values[: _rank(rows) - taken][::-1].tolist())
-
-
-def _rank(rows: Array) -> int:
-    """The rank of twists, each measured by its own length."""
-    if not rows.size:
-        return 0
-    lengths = np.linalg.norm(rows, axis=1, keepdims=True)
-    values = np.linalg.svd(rows / np.where(lengths > 0, lengths, 1), compute_uv=False)
-    return int(np.sum(values > TIE * values[0]))
+    system = TorsionalSystem(
+        scheme.names,
+        len(scheme.names),
+        tuple(
+            Body(name, {mass: 1.0}, inertia)
+            for mass, (name, inertia) in enumerate(zip(scheme.names, scheme.inertias, strict=True))
+        ),
+        tuple(
+            TorsionalDevice(spring.name, spring.twist, 1 / spring.compliance)
+            for spring in scheme.springs
+        ),
+        scheme.inertias,
+    )
+    return tuple(natural_modes(system, coordinates(system)).omegas.tolist())

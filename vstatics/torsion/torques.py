@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from collections.abc import Mapping
+from typing import Any, NamedTuple
 
 import numpy as np
-from scipy import linalg
 
 from vstatics.numerics.arrays import Booleans, Floats
 from vstatics.numerics.elimination import dependencies
 from vstatics.numerics.tolerances import NOISE
-from vstatics.torsion.coordinates import form_values, rows
+from vstatics.torsion.coordinates import Values, form_values, rows
 from vstatics.torsion.system import TorsionalSystem
 
 
@@ -68,28 +68,39 @@ def torques(
     dict of str to ndarray, shape (modes,)
         [N*m]
     """
-    if not shapes.shape[1]:
-        return {device.name: np.zeros(0) for device in system.devices}
-    found: dict[str, Floats] = {}
     acting = np.asarray(system.link_inertias)[:, None] * shapes * omegas**2
-    for device in system.elastic:
-        torque = (device.stiffness or 0.0) * form_values(device.twist, shapes)
-        for link, part in device.twist.items():
-            acting[link] -= part * torque
-        found[device.name] = torque
-    if not shapes.shape[1]:
-        return dict.fromkeys((device.name for device in system.devices), np.zeros(0))
-    if system.rigid:
-        scale = np.abs(acting).max(axis=0, initial=0.0)
-        solved, *_ = linalg.lstsq(balance.columns, acting / np.where(scale, scale, 1.0))
-        solved = np.where(balance.determined[:, None], solved * scale, np.nan)
-        found |= dict(zip((device.name for device in system.rigid), solved, strict=True))
-    if not found:
-        return found
-    largest = np.max([np.nan_to_num(np.abs(torque)) for torque in found.values()], axis=0)
-    return {
-        device.name: np.where(
-            np.abs(found[device.name]) <= NOISE * largest, 0.0, found[device.name]
-        )
-        for device in system.devices
+    own = {
+        device.name: (device.stiffness or 0.0) * form_values(device.twist, shapes)
+        for device in system.elastic
     }
+    found = with_rigid(system, balance, acting, own)
+    sizes = [np.nan_to_num(np.abs(torque)) for torque in found.values()]
+    largest = np.max(sizes, axis=0) if sizes else 0.0
+    return {
+        name: np.where(np.abs(torque) <= NOISE * largest, 0.0, torque)
+        for name, torque in found.items()
+    }
+
+
+def with_rigid(
+    system: TorsionalSystem, balance: Balance, acting: Values, elastic: Mapping[str, Values]
+) -> dict[str, Values]:
+    """Torques of all devices in their order, those of rigid ones from the balance of the links.
+
+    Parameters
+    ----------
+    acting : ndarray, shape (links, ...)
+        Torques of inertias and from outside, real or complex. [N*m]
+    elastic : mapping of str to ndarray
+        Torques of elastic devices. [N*m]
+    """
+    left = acting.copy()
+    for device in system.elastic:
+        for link, part in device.twist.items():
+            left[link] -= part * elastic[device.name]
+    found = dict(elastic)
+    if system.rigid:
+        solved: Any = np.linalg.pinv(balance.columns) @ left
+        solved[~balance.determined] = np.nan
+        found |= dict(zip((device.name for device in system.rigid), solved, strict=True))
+    return {device.name: found[device.name] for device in system.devices}
