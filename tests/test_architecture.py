@@ -24,6 +24,7 @@ ROOMS = (
     "tables",
     "readers",
     "torsion",
+    "simulation",
     "sweep",
     "writers",
     "flow",

@@ -28,6 +28,22 @@ GEAR_KINDS: tuple[GearKind, ...] = get_args(GearKind)
 ELEMENT_KINDS: tuple[ElementKind, ...] = get_args(ElementKind)
 
 
+class Friction(NamedTuple):
+    """The friction pack of a shift element: its capacity is by pressure.
+
+    ``capacity = pressure area radius surfaces mu(|slip|)``.
+    """
+
+    radius: float
+    """Mean radius of friction. [m]"""
+    area: float
+    """Of the piston. [m^2]"""
+    surfaces: int
+    """Pairs of friction surfaces."""
+    coefficient: tuple[tuple[float, float], ...]
+    """Slip [rad/s] in ascending order, each with its coefficient of friction [-]."""
+
+
 class ShiftElement(NamedTuple):
     """A clutch joins two links; a brake joins a link to the housing (0).
 
@@ -50,6 +66,10 @@ class ShiftElement(NamedTuple):
         When it is engaged, for vibration; rigid when not given. [N*m/rad]
     damping : Damping or float
         Beside the stiffness; a number is viscous. [N*m*s/rad]
+    static : float
+        Up to which part of its kinetic capacity it sticks, 1 or more. [-]
+    friction : Friction, optional
+        In a scenario its controls are then pressures.
     """
 
     first: int
@@ -60,6 +80,8 @@ class ShiftElement(NamedTuple):
     capacity: float | None = None
     stiffness: float | None = None
     damping: Damping | float = NO_DAMPING
+    static: float = 1.0
+    friction: Friction | None = None
 
     @property
     def links(self) -> tuple[int, int]:

@@ -30,6 +30,8 @@ class Spring(NamedTuple):
         A number is viscous. [N*m*s/rad]
     name : str
         ``S`` and the number when not given.
+    limit : float, optional
+        In a scenario its torque stays within it, the rest is slip, as of a tyre. [N*m]
 
     Examples
     --------
@@ -42,6 +44,7 @@ class Spring(NamedTuple):
     compliance: float | None = None
     damping: Damping | float = NO_DAMPING
     name: str = ""
+    limit: float | None = None
 
     @property
     def form(self) -> dict[int, float]:

@@ -1,0 +1,1 @@
+"""The same case in motion: what happens to it by a scenario."""

@@ -1,0 +1,111 @@
+"""What a simulation gives."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Literal, NamedTuple
+
+from vstatics.errors import Problem
+from vstatics.numerics.arrays import Floats
+from vstatics.statics.result_fields import Message
+
+EventKind = Literal["locks", "slips", "reverses", "impact"]
+
+
+class Event(NamedTuple):
+    """What happens to an element, or to a load, at an instant."""
+
+    time: float
+    """[s]"""
+    element: str
+    event: EventKind
+    energy: float = 0.0
+    """Lost at once, in an impact. [J]"""
+
+
+class Energy(NamedTuple):
+    """Where the work went. [J]"""
+
+    work: float
+    """Of outside torques."""
+    heat: Mapping[str, float]
+    """Of friction, by shift element, by link for its resistances."""
+    heat_per_area: Mapping[str, float]
+    """Of elements whose area is known. [J/m^2]"""
+    losses: Mapping[str, float]
+    """Of converters, dampers, drag, meshes, by name."""
+    kinetic: float
+    """Change."""
+    elastic: float
+    """Change."""
+    impact: float
+    """Lost at once."""
+    balance: float
+    """Work less all the rest."""
+
+
+class Peak(NamedTuple):
+    """The largest torque of a device, by magnitude."""
+
+    torque: float
+    """With its sign. [N*m]"""
+    time: float
+    """[s]"""
+
+
+class Reached(NamedTuple):
+    """When a link reached a speed."""
+
+    link: str
+    speed: float
+    """[rad/s]"""
+    time: float
+    """[s]; NaN: it did not"""
+    angle: float
+    """Through which it had turned. [rad]"""
+    distance: float
+    """On a road; NaN without one. [m]"""
+
+
+class Motion(NamedTuple):
+    """The course of a simulation.
+
+    Attributes
+    ----------
+    time : ndarray, shape (instants,)
+        Points of integration, events, multiples of a step; an instant of a jump stands
+        twice, the last is the duration. [s]
+    links, elements, devices : sequence of str
+        Names of the columns of `speeds`, of `slips`, of `torques`.
+    speeds : ndarray, shape (instants, links)
+        [rad/s]
+    slips : ndarray, shape (instants, elements)
+        Of shift elements: speed of the first link less that of the second. [rad/s]
+    torques : ndarray, shape (instants, devices)
+        Of shift elements, mechanisms, springs, converters: on the first link, given to the
+        device, so the integral of torque times slip is heat. [N*m]
+    heat : ndarray, shape (instants, elements)
+        Of shift elements up to an instant. [J]
+    events : sequence of Event
+    energy : Energy
+    peaks : mapping of str to Peak
+    reached : sequence of Reached
+    messages : sequence of Message
+    stopped : Problem, optional
+        Why the run ends before its duration.
+    """
+
+    time: Floats
+    links: tuple[str, ...]
+    elements: tuple[str, ...]
+    devices: tuple[str, ...]
+    speeds: Floats
+    slips: Floats
+    torques: Floats
+    heat: Floats
+    events: tuple[Event, ...]
+    energy: Energy
+    peaks: Mapping[str, Peak]
+    reached: tuple[Reached, ...] = ()
+    messages: tuple[Message, ...] = ()
+    stopped: Problem | None = None
