@@ -8,9 +8,9 @@ import weakref
 import numpy as np
 
 from vstatics.numerics.arrays import Floats
+from vstatics.readers.expressions.excerpt import Excerpt
+from vstatics.readers.expressions.grammar import Language, parse
 from vstatics.sweep.expressions.evaluation import FUNCTIONS, evaluate
-from vstatics.sweep.expressions.excerpt import Excerpt
-from vstatics.sweep.expressions.grammar import parse
 
 
 class Held:
@@ -26,7 +26,7 @@ def test_what_was_asked_for_values_is_free_at_once() -> None:
     """The memory of results is used again only when nothing holds them: not even a circle."""
     held = Held()
     free = weakref.ref(held)
-    tree = parse(Excerpt("max(t, 2) + t", "--where"), FUNCTIONS, "t")
+    tree = parse(Excerpt("max(t, 2) + t", "--where"), Language(FUNCTIONS, "t", "t"))
     gc.disable()
     try:
         assert evaluate(tree, held.values).item() == 3

@@ -7,7 +7,7 @@ from typing import Any
 
 from vstatics.explain.equations import System
 from vstatics.explain.explanation import Explanation
-from vstatics.explain.formula import Formula
+from vstatics.explain.formula import RatioFormula
 from vstatics.explain.sums import in_numbers, in_symbols
 from vstatics.model.transmission import Transmission
 from vstatics.writers.plain_json import plain_data
@@ -59,7 +59,7 @@ def _system(system: System) -> dict[str, Any]:
     return {"equations": equations, "values": system.values}
 
 
-def _formula(formula: Formula) -> dict[str, Any]:
+def _formula(formula: RatioFormula) -> dict[str, Any]:
     """Each symbol of the expression beside what it stands for."""
     symbols = [
         {"symbol": f"u{number}", **symbol._asdict()}

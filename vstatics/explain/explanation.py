@@ -10,7 +10,7 @@ import numpy as np
 
 from vstatics.explain.bodies import OwnLinks, Structure, on_own_links, structure
 from vstatics.explain.equations import System, speed_system, torque_system
-from vstatics.explain.formula import Formula, formula, symbols_of
+from vstatics.explain.formula import RatioFormula, formula, symbols_of
 from vstatics.explain.names import Names, names_of
 from vstatics.explain.shares import NoFormula
 from vstatics.explain.signs import PowerSign, signs_of
@@ -64,7 +64,7 @@ class Explanation(NamedTuple):
     """The speed of the input, as the equations call it."""
     output: str
     """That of the output."""
-    formula: Formula | None
+    formula: RatioFormula | None
     reason: str
     """Why there is no formula, or nothing."""
     ratio: float
@@ -159,7 +159,7 @@ def _torques(state: GearState, names: Names, matrix: Floats) -> tuple[System | N
 
 def _formula(
     state: GearState, names: Names, own: OwnLinks, bodies: Structure
-) -> tuple[Formula | None, str]:
+) -> tuple[RatioFormula | None, str]:
     """The formula, or why there is none."""
     try:
         ratio = formula(own, state.gear, names, symbols_of(state.case, names, own), bodies)

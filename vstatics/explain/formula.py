@@ -30,7 +30,7 @@ class Symbol(NamedTuple):
     """[-]"""
 
 
-class Formula(NamedTuple):
+class RatioFormula(NamedTuple):
     """A formula in symbols, and what it gives."""
 
     left: str
@@ -78,7 +78,7 @@ def symbols_of(case: Transmission, names: Names, own: OwnLinks) -> list[Symbol]:
 
 def formula(
     own: OwnLinks, gear: Gear, names: Names, symbols: Sequence[Symbol], structure: Structure
-) -> Formula:
+) -> RatioFormula:
     """The formula of a gear's ratio; where several speeds are given, of its output speed.
 
     Parameters
@@ -121,11 +121,11 @@ def formula(
     return _of_speed(names.speeds[output], list(parts.values()), speeds, symbols)
 
 
-def _of_ratio(ratio: Any, symbols: Sequence[Symbol]) -> Formula:
+def _of_ratio(ratio: Any, symbols: Sequence[Symbol]) -> RatioFormula:
     kept, [renamed] = _in_occurring([ratio], symbols)
     text = forms.fraction(renamed, forms.Notation([one.name for one in kept]))
     shared, shorter = _shared(renamed, kept)
-    return Formula(
+    return RatioFormula(
         left="i",
         text=text,
         expression=forms.fraction(renamed, forms.python(len(kept))),
@@ -139,12 +139,12 @@ def _of_ratio(ratio: Any, symbols: Sequence[Symbol]) -> Formula:
 
 def _of_speed(
     output: str, shares: Sequence[Any], speeds: Mapping[str, float], symbols: Sequence[Symbol]
-) -> Formula:
+) -> RatioFormula:
     kept, renamed = _in_occurring(shares, symbols)
     notation = forms.Notation([one.name for one in kept])
     unknowns = [f"w{number}" for number in range(1, len(speeds) + 1)]
     numbers = zip(renamed, speeds.values(), strict=True)
-    return Formula(
+    return RatioFormula(
         left=output,
         text=forms.weighted(renamed, list(speeds), notation),
         expression=forms.weighted(renamed, unknowns, forms.python(len(kept))),

@@ -5,7 +5,7 @@ from __future__ import annotations
 from vstatics.explain.document import FORMAT, VERSION
 from vstatics.explain.equations import Equation
 from vstatics.explain.explanation import Explanation
-from vstatics.explain.formula import Formula, Symbol
+from vstatics.explain.formula import RatioFormula, Symbol
 from vstatics.writers.documents import documents, head
 from vstatics.writers.record_schema import (
     NUMBER,
@@ -24,7 +24,7 @@ def json_schema() -> Schema:
     system = record({"equations": list_of(equation), "values": values})
     speed = record({"symbol": TEXT, "name": TEXT, "value": NUMBER})
     formula = schema_of(
-        Formula,
+        RatioFormula,
         symbols=list_of(schema_of(Symbol, symbol=TEXT)),
         speeds=list_of(speed),
     )

@@ -9,7 +9,7 @@ from textwrap import wrap
 
 from vstatics.explain.equations import System
 from vstatics.explain.explanation import Explanation
-from vstatics.explain.formula import Formula
+from vstatics.explain.formula import RatioFormula
 from vstatics.explain.signs import PowerSign
 from vstatics.explain.sums import INDENT, WIDTH, filled, in_numbers, in_symbols, listed
 from vstatics.tables.grid import Column, Grid
@@ -205,7 +205,7 @@ def _ratio(one: Explanation, digits: int | None) -> Iterator[str]:
         yield f"{ratio}{short(one.ratio, digits)}"
 
 
-def _agreement(one: Explanation, formula: Formula, digits: int | None) -> str:
+def _agreement(one: Explanation, formula: RatioFormula, digits: int | None) -> str:
     """Whether the formula gives what was calculated."""
     calculated = one.ratio if formula.left == "i" else one.speeds.values[one.output]
     if math.isclose(formula.value, calculated, rel_tol=1e-6, abs_tol=1e-12):

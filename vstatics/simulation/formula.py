@@ -1,22 +1,141 @@
-"""A formula of the time, and of the speed and angle of a link."""
+"""A formula of the time, and of the speed and angle of a link.
+
+The language is that of a sweep (`readers.expressions`), with ``^`` beside ``**``, and with
+functions of a number. A text becomes a tree, and the tree a function (`formula_code`).
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Collection, Iterator
+from functools import lru_cache
 from typing import NamedTuple
+
+from vstatics.errors import nearest, quoted, spoken
+from vstatics.readers.expressions.excerpt import Excerpt
+from vstatics.readers.expressions.grammar import Applied, Language, Tree, parse
+from vstatics.readers.expressions.operands import DottedName, TableName
+from vstatics.simulation.formula_code import FUNCTIONS, PI, VARIABLES, compiled
 
 
 class Formula(NamedTuple):
-    """A formula of t [s], and of speed [rad/s] and angle [rad] of the link itself."""
+    """A formula of t [s], and of speed [rad/s] and angle [rad] of the link itself.
+
+    Examples
+    --------
+    >>> formula = Formula("-1200*tanh(speed/0.05)")
+    >>> formula.variables, formula.function(0.0, 10.0, 0.0)
+    (frozenset({'speed'}), -1200.0)
+    >>> Formula("2 + 84e-5*t^2").function(100.0, 0.0, 0.0)
+    10.4
+    """
 
     text: str
 
     @property
     def variables(self) -> frozenset[str]:
-        """Which of t, speed and angle it has."""
-        raise NotImplementedError
+        """Which of t, speed and angle it has.
+
+        Raises
+        ------
+        ReadError
+            If the text is no formula.
+        """
+        return _variables(self.text)
 
     @property
     def function(self) -> Callable[[float, float, float], float]:
-        """Its value by t, speed and angle."""
-        raise NotImplementedError
+        """Its value by t, speed and angle; NaN or infinite where it has none.
+
+        Raises
+        ------
+        ReadError
+            If the text is no formula.
+        """
+        return _function(self.text)
+
+
+def read_formula(source: Excerpt, names: Collection[str] = VARIABLES) -> Formula:
+    """Read a formula.
+
+    Parameters
+    ----------
+    source : Excerpt
+    names : collection of str
+        What it may have of t, speed and angle.
+
+    Raises
+    ------
+    ReadError
+        With the place of what is wrong.
+
+    Examples
+    --------
+    >>> read_formula(Excerpt("3000*min(t/0.3, 1)", "FH"), ["t"])
+    Formula(text='3000*min(t/0.3, 1)')
+    >>> read_formula(Excerpt("3000*speed", "FH"), ["t"])
+    Traceback (most recent call last):
+    ...
+    vstatics.errors.ReadError: FH:1:6: error: read `speed`, expected a formula of t
+    """
+    _tree(source, names)
+    return Formula(source.part.strip())
+
+
+def _tree(source: Excerpt, names: Collection[str]) -> Tree:
+    """The tree of a formula in which only these names stand."""
+    operands = f"a number, {spoken(names, 'or')}, or a function such as {', '.join(FUNCTIONS)}"
+    tree = parse(source, Language(FUNCTIONS, operands, "t", caret=True))
+    for part in _parts(tree):
+        if isinstance(part, Applied):
+            _check_operands(part, source)
+        elif isinstance(part, DottedName):
+            message = f"read {quoted(part.written)}, expected {operands}"
+            raise source.error(message, part.at)
+        elif isinstance(part, TableName):
+            _check_name(part, names, source)
+    return tree
+
+
+def _check_operands(part: Applied, source: Excerpt) -> None:
+    if part.name in FUNCTIONS and part.name not in ("min", "max") and len(part.operands) > 1:
+        message = f"{part.name} of {len(part.operands)} parts, expected one, as in {part.name}(t)"
+        raise source.error(message, part.at)
+
+
+def _check_name(part: TableName, names: Collection[str], source: Excerpt) -> None:
+    name = part.name
+    if name == PI or name in names:
+        if part.subscripts:
+            message = f"read `[` behind `{name}`, expected {name} alone"
+            message += ": that of the link itself" if name in ("speed", "angle") else ""
+            raise source.error(message, part.at)
+        return
+    expected = f"expected a formula of {spoken(names)}"
+    hint = "" if name in VARIABLES else nearest(name, (*names, *FUNCTIONS, PI))
+    raise source.error(f"read {quoted(name)}, {expected}{hint}", part.at)
+
+
+def _parts(tree: Tree) -> Iterator[Tree]:
+    """All parts of a tree."""
+    waiting = [tree]
+    while waiting:
+        part = waiting.pop()
+        yield part
+        if isinstance(part, Applied):
+            waiting += reversed(part.operands)
+
+
+@lru_cache(maxsize=256)
+def _known(text: str) -> Tree:
+    return _tree(Excerpt(text, "formula"), VARIABLES)
+
+
+@lru_cache(maxsize=256)
+def _variables(text: str) -> frozenset[str]:
+    names = {part.name for part in _parts(_known(text)) if isinstance(part, TableName)}
+    return frozenset(names - {PI})
+
+
+@lru_cache(maxsize=256)
+def _function(text: str) -> Callable[[float, float, float], float]:
+    return compiled(_known(text))

@@ -24,7 +24,7 @@ class Event(NamedTuple):
 
 
 class Energy(NamedTuple):
-    """Where the work went. [J]"""
+    """Where the work went, in J."""
 
     work: float
     """Of outside torques."""

@@ -14,9 +14,9 @@ import numpy as np
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Floats, Integers
 from vstatics.numerics.fronts import scaled
+from vstatics.readers.expressions.excerpt import Excerpt
+from vstatics.readers.expressions.grammar import Applied
 from vstatics.sweep.expressions import Expression, read_expression
-from vstatics.sweep.expressions.excerpt import Excerpt
-from vstatics.sweep.expressions.grammar import Applied
 from vstatics.sweep.targets import Target
 
 

@@ -65,7 +65,7 @@ class Simplification(NamedTuple):
     warnings: tuple[Problem, ...]
 
 
-class _Reached(NamedTuple):
+class _SchemeReached(NamedTuple):
     """A scheme on the way, and how it came about."""
 
     system: PartialSystem
@@ -128,7 +128,9 @@ def simplify(
     return Simplification(rule, found, left, tuple(_warnings(found)))
 
 
-def _by_partial_systems(chain: Chain, steps: int, remove: Sequence[str]) -> Iterator[_Reached]:
+def _by_partial_systems(
+    chain: Chain, steps: int, remove: Sequence[str]
+) -> Iterator[_SchemeReached]:
     """The stages of a chain by systems of one and of two masses."""
     for step in range(steps):
         if step < len(remove):
@@ -137,12 +139,12 @@ def _by_partial_systems(chain: Chain, steps: int, remove: Sequence[str]) -> Iter
             system = _highest(partial_systems(chain))
         one, *other = system.masses
         chain = with_masses_merged(chain, one) if other else without_mass(chain, one)
-        yield _Reached(system, scheme_of(chain))
+        yield _SchemeReached(system, scheme_of(chain))
 
 
 def _by_masses(
     scheme: TorsionScheme, steps: int, rule: BranchRule, remove: Sequence[str]
-) -> Iterator[_Reached]:
+) -> Iterator[_SchemeReached]:
     """The stages of any scheme by systems of one mass."""
     for step in range(steps):
         systems = one_mass_systems(scheme)
@@ -155,7 +157,7 @@ def _by_masses(
             message = f"`{system.names[0]}` can't be removed: no device acts on it"
             raise CaseError([Problem(message)])
         scheme = without_branch_mass(scheme, mass, rule)
-        yield _Reached(system, scheme)
+        yield _SchemeReached(system, scheme)
 
 
 def _inner(scheme: TorsionScheme, systems: Sequence[PartialSystem]) -> list[PartialSystem]:
@@ -176,7 +178,7 @@ def _highest(systems: Sequence[PartialSystem]) -> PartialSystem:
     return next(one for one in systems if one.frequency >= highest * (1 - TIE))
 
 
-def _step(stage: _Reached, rule: SimplificationRule, *, is_chain: bool) -> SimplificationStep:
+def _step(stage: _SchemeReached, rule: SimplificationRule, *, is_chain: bool) -> SimplificationStep:
     """What is told of a stage."""
     system, scheme = stage
     heavy = without_massless(scheme)

@@ -6,7 +6,7 @@
 >>> ratio(solve(case), np.zeros(0))
 array(2.5)
 
-A text becomes a tree (`grammar`, that reads `operands` and knows no names), names become
+A text becomes a tree (`readers.expressions`), names become
 tables and numbers of the case (`names`), and the values are calculated on arrays
 (`evaluation`). All names are resolved when the text is read, so that a mistake is told before
 anything is calculated and an expression can go to other processes. `columns` makes the list
@@ -23,11 +23,11 @@ import numpy as np
 
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Floats
-from vstatics.sweep.expressions.evaluation import FUNCTIONS, REDUCTIONS, evaluate
-from vstatics.sweep.expressions.excerpt import Excerpt
-from vstatics.sweep.expressions.grammar import Applied, Tree, parse
-from vstatics.sweep.expressions.names import OPERANDS, Name, Selection, SweepNames, Tables, value_of
-from vstatics.sweep.expressions.operands import Constant, DottedName, TableName
+from vstatics.readers.expressions.excerpt import Excerpt
+from vstatics.readers.expressions.grammar import Applied, Tree, parse
+from vstatics.readers.expressions.operands import Constant, DottedName, TableName
+from vstatics.sweep.expressions.evaluation import REDUCTIONS, evaluate
+from vstatics.sweep.expressions.names import LANGUAGE, Name, Selection, SweepNames, Tables, value_of
 from vstatics.sweep.frequencies import OMEGA
 from vstatics.sweep.targets import Target
 from vstatics.tables.quantities import BY_NAME
@@ -140,7 +140,7 @@ def read_expression(
            [2.  , 1.2 ]])
     """
     source = Excerpt(text, option) if isinstance(text, str) else text
-    tree = parse(source, FUNCTIONS, OPERANDS)
+    tree = parse(source, LANGUAGE)
     names = SweepNames(source, case, targets)
     node, per_gear, table = _resolve(tree, names)
     return Expression(

@@ -12,11 +12,11 @@ import numpy as np
 from vstatics.errors import Problem, ReadError
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Floats
+from vstatics.readers.expressions.excerpt import Excerpt
+from vstatics.readers.expressions.grammar import Applied
 from vstatics.readers.named.nodes import MOST_PROBLEMS
 from vstatics.sweep.expressions import Expression, read_expression
 from vstatics.sweep.expressions.evaluation import FUNCTIONS
-from vstatics.sweep.expressions.excerpt import Excerpt
-from vstatics.sweep.expressions.grammar import Applied
 from vstatics.sweep.expressions.names import Selection, Tables, VariedNumber, written_rows
 from vstatics.sweep.targets import Target
 from vstatics.tables.rows import written

@@ -14,8 +14,8 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from vstatics.numerics.arrays import Booleans, Floats
-from vstatics.sweep.expressions.grammar import Applied
-from vstatics.sweep.expressions.operands import Constant
+from vstatics.readers.expressions.grammar import Applied
+from vstatics.readers.expressions.operands import Constant
 
 Values: TypeAlias = Floats | Booleans
 Function: TypeAlias = Callable[[Sequence[Values]], Values]
@@ -42,10 +42,10 @@ def evaluate(formula: Any, value_of: Callable[[Any], Floats]) -> Floats:
 
     Examples
     --------
-    >>> from vstatics.sweep.expressions.excerpt import Excerpt
-    >>> from vstatics.sweep.expressions.grammar import parse
-    >>> evaluate(parse(Excerpt("max(t, 2) + 1", "--where"), FUNCTIONS, "t"),
-    ...          lambda name: np.array([[1.0], [5.0]]))
+    >>> from vstatics.readers.expressions.excerpt import Excerpt
+    >>> from vstatics.readers.expressions.grammar import Language, parse
+    >>> tree = parse(Excerpt("max(t, 2) + 1", "--where"), Language(FUNCTIONS, "t", "t"))
+    >>> evaluate(tree, lambda name: np.array([[1.0], [5.0]]))
     array([[3.],
            [6.]])
     """

@@ -9,12 +9,12 @@ from typing import Any, NamedTuple, Protocol, TypeAlias
 from vstatics.errors import quoted, typed_number
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Floats
+from vstatics.readers.expressions.excerpt import Excerpt
+from vstatics.readers.expressions.grammar import Applied, Language
+from vstatics.readers.expressions.operands import Constant, DottedName, Subscript, TableName
 from vstatics.statics.arrays import Rows
 from vstatics.statics.physical import known_units, lacking_load
 from vstatics.sweep.expressions.evaluation import FUNCTIONS
-from vstatics.sweep.expressions.excerpt import Excerpt
-from vstatics.sweep.expressions.grammar import Applied
-from vstatics.sweep.expressions.operands import Constant, DottedName, Subscript, TableName
 from vstatics.sweep.frequencies import OMEGA, mode_names
 from vstatics.sweep.own_numbers import own_number
 from vstatics.sweep.targets import Target, target
@@ -22,8 +22,12 @@ from vstatics.tables.names import nearest_quantity, no_row, rows_called, several
 from vstatics.tables.quantities import BY_NAME
 from vstatics.tables.rows import ROWS, table_rows
 
-OPERANDS = "a number, a table such as ratio[1], a varied number such as D1.ratio, or a function"
-"""What an operand can be, for messages."""
+LANGUAGE = Language(
+    FUNCTIONS,
+    "a number, a table such as ratio[1], a varied number such as D1.ratio, or a function",
+    example="ratio",
+    instead="; rows and gears of a table go in [ ]",
+)
 
 
 class Selection(NamedTuple):

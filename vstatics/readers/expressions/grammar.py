@@ -2,7 +2,7 @@
 
 From the operator that binds least to the one that binds most::
 
-    or | and | not x | < <= > >= == != | + - | * / | -x +x | **
+    or | and | not x | < <= > >= == != | + - | * / | -x +x | ** (^)
 
 An operand is a number, a name (see `operands`), `(x)` or `function(x, ...)`. The parser climbs
 by precedence: an operand, then all operators behind it that bind at least as much as asked,
@@ -16,9 +16,9 @@ from collections.abc import Collection, Sequence
 from typing import Any, NamedTuple, TypeAlias
 
 from vstatics.errors import nearest, quoted
-from vstatics.sweep.expressions.excerpt import Excerpt
-from vstatics.sweep.expressions.mistakes import PYTHON, no_operand, no_operator
-from vstatics.sweep.expressions.operands import (
+from vstatics.readers.expressions.excerpt import Excerpt
+from vstatics.readers.expressions.mistakes import PYTHON, no_operand, no_operator
+from vstatics.readers.expressions.operands import (
     Constant,
     DottedName,
     TableName,
@@ -33,10 +33,13 @@ MOST_BRACKETS = 50
 """So many may be open at once."""
 MOST_DEPTH = 100
 """So many operations may stand one inside another, since trees are walked by recursion."""
+MOST_PARTS = 10_000
+"""So many parts a tree may have; what stands in a chain of comparisons counts twice."""
 
 _LOGIC = ("or", "and")
 _COMPARISONS = ("<", "<=", ">", ">=", "==", "!=")
-_LEVELS = (("or",), ("and",), ("not",), _COMPARISONS, ("+", "-"), ("*", "/"), ("-x",), ("**",))
+_POWERS = ("**", "^")
+_LEVELS = (("or",), ("and",), ("not",), _COMPARISONS, ("+", "-"), ("*", "/"), ("-x",), _POWERS)
 _BINDS = {sign: level for level, signs in enumerate(_LEVELS) for sign in signs}
 _PREFIXES = {"not": "not", "-": "-x", "+": "-x"}
 """Signs before an operand, and what they bind like."""
@@ -56,26 +59,50 @@ class Applied(NamedTuple):
     at: int
     depth: int
     """How many parts stand one inside another."""
+    parts: int = 1
+    """How many parts there are in all."""
 
 
 Tree: TypeAlias = Constant | TableName | DottedName | Applied
 
 
-def parse(source: Excerpt, functions: Collection[str], operands: str) -> Tree:
+class Language(NamedTuple):
+    """What a formula may have, and what messages say of it.
+
+    Parameters
+    ----------
+    functions : collection of str
+        Their names.
+    operands : str
+        What an operand can be: ``a number, or the time t``.
+    example : str
+        An operand: ``t``.
+    instead : str
+        What to say of a function that there is not and that resembles none.
+    caret : bool
+        Whether ``x^2`` is a power too; else it is told to write ``x**2``.
+    """
+
+    functions: Collection[str]
+    operands: str
+    example: str
+    instead: str = ""
+    caret: bool = False
+
+
+def parse(source: Excerpt, language: Language) -> Tree:
     """Read a formula.
 
     Parameters
     ----------
     source : Excerpt
-    functions : collection of str
-        Their names.
-    operands : str
-        What an operand can be, for messages: ``a number, or the time t``.
+    language : Language
 
     Returns
     -------
     Tree
-        A chain ``a < b < c`` has become ``a < b and b < c``.
+        A chain ``a < b < c`` has become ``a < b and b < c``, with one tree for both `b`;
+        ``x^2`` has become ``x**2``.
 
     Raises
     ------
@@ -84,24 +111,24 @@ def parse(source: Excerpt, functions: Collection[str], operands: str) -> Tree:
 
     Examples
     --------
-    >>> tree = parse(Excerpt("1 - ratio[2]**2", "--min"), ["abs"], "a number")
+    >>> tree = parse(Excerpt("1 - t[2]**2", "--min"), Language(["abs"], "a number", "t"))
     >>> tree.name, tree.operands[0], tree.operands[1].name, tree.operands[1].at
-    ('-', Constant(value=1.0), '**', 12)
+    ('-', Constant(value=1.0), '**', 8)
     """
     read = source.end - source.start
     if read > MOST_CHARACTERS:
         message = f"read {read} characters, expected {MOST_CHARACTERS} at most"
         raise source.error(message, source.start)
-    return _Parser(source, functions, operands).expression()
+    return _Parser(source, language).expression()
 
 
 class _Parser:
     """Goes through a text from the left to the right."""
 
-    def __init__(self, source: Excerpt, functions: Collection[str], operands: str) -> None:
+    def __init__(self, source: Excerpt, language: Language) -> None:
         self.source = source
-        self.functions = functions
-        self.operands = operands
+        self.language = language
+        self.binary = _BINARY if language.caret else _BINARY - {"^"}
         self.calls: list[bool] = []
         """Whether each open bracket is that of a function."""
         self.take("", source.start)
@@ -124,7 +151,7 @@ class _Parser:
             while (sign := self.operator()) in _LEVELS[level]:
                 signs.append((sign, self.at))
                 self.take(sign, self.at + len(sign))
-                behind = level if sign == "**" else level + 1  # a power goes from the right
+                behind = level if sign in _POWERS else level + 1  # a power goes from the right
                 operands.append(self.expression(behind, depth + 1))
             left = self.joined(operands, signs)
         return left
@@ -142,13 +169,17 @@ class _Parser:
             return self.operation("and", links, at) if len(links) > 1 else links[0]
         left = operands[0]
         for (sign, place), right in zip(signs, operands[1:], strict=True):
-            left = self.operation(sign, (left, right), place)
+            left = self.operation("**" if sign in _POWERS else sign, (left, right), place)
         return left
 
     def operation(self, name: str, operands: Sequence[Tree], at: int) -> Tree:
-        depth = 1 + max(one.depth if isinstance(one, Applied) else 1 for one in operands)
+        nodes = [one for one in operands if isinstance(one, Applied)]
+        depth = 1 + max([1, *(one.depth for one in nodes)])
         self.check_depth(depth, at)
-        return Applied(name, tuple(operands), at, depth)
+        parts = 1 + len(operands) - len(nodes) + sum(one.parts for one in nodes)
+        if parts > MOST_PARTS:
+            raise self.source.error("too many comparisons, one inside another", at)
+        return Applied(name, tuple(operands), at, depth, parts)
 
     def check_depth(self, depth: int, at: int) -> None:
         if depth > MOST_DEPTH:
@@ -162,7 +193,7 @@ class _Parser:
         if sign == ",":
             known = bool(self.calls) and self.calls[-1]
         else:
-            known = sign in _BINARY or (sign == ")" and bool(self.calls))
+            known = sign in self.binary or (sign == ")" and bool(self.calls))
         if known or self.at == self.source.end:
             return sign
         raise self.source.error(no_operator(self.source, self.at, sign, self.before), self.at)
@@ -181,7 +212,7 @@ class _Parser:
             return self.named(name, depth)
         read = found or read_number(self.source, self.at)
         if not read:
-            message = no_operand(self.source, self.at, sign, self.before, self.operands)
+            message = no_operand(self.source, self.at, sign, self.before, self.language.operands)
             raise self.source.error(message, self.at)
         if self.before in _WORDS and self.end_of_before == self.at:
             raise self.source.error(f"expected a blank behind {quoted(self.before)}", self.at)
@@ -216,22 +247,25 @@ class _Parser:
 
     def named(self, name: str, depth: int) -> Tree:
         """What begins with a name that has no point: a call, or a table."""
-        at, end = self.at, self.at + len(name)
+        at, end, language = self.at, self.at + len(name), self.language
         behind = self.source.end_of(_BLANK, end)
         call = self.source.has("(", behind)
-        if name in self.functions and call:
+        if name in language.functions and call:
             self.take(name, end)
             return self.operation(name, self.bracketed(depth + 1, call=True), at)
-        if name in self.functions:
-            message = f"`{name}` is a function, expected `(` behind it, such as {name}(ratio)"
+        if name in language.functions:
+            example = f"{name}({language.example})"
+            message = f"`{name}` is a function, expected `(` behind it, such as {example}"
             raise self.source.error(message, behind)
         if call:
-            hint = nearest(name, self.functions) or "; rows and gears of a table go in [ ]"
-            known = ", ".join(self.functions)
+            hint = nearest(name, language.functions) or language.instead
+            known = ", ".join(language.functions)
             message = f"there is no function {quoted(name)}, expected {known}{hint}"
             raise self.source.error(message, at)
         if name in PYTHON:
-            message = f"read `{name}`, which this language does not have; expected {self.operands}"
+            message = (
+                f"read `{name}`, which this language does not have; expected {language.operands}"
+            )
             raise self.source.error(message, at)
         subscripts, end = (
             read_subscripts(self.source, behind) if self.source.has("[", behind) else ((), end)

@@ -10,7 +10,7 @@ import re
 from typing import NamedTuple
 
 from vstatics.errors import quoted
-from vstatics.sweep.expressions.excerpt import Excerpt
+from vstatics.readers.expressions.excerpt import Excerpt
 from vstatics.tables.rows import DOTTED, NAME
 
 _NUMBER = re.compile(r"(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from vstatics.errors import quoted
-from vstatics.sweep.expressions.excerpt import Excerpt
+from vstatics.readers.expressions.excerpt import Excerpt
 
 ELSEWHERE = {
     "&&": "and",

@@ -1,0 +1,7 @@
+"""The language of formulas, for sweeps and scenarios: text -> tree, which knows no names.
+
+>>> from vstatics.readers.expressions.excerpt import Excerpt
+>>> from vstatics.readers.expressions.grammar import Language, parse
+>>> parse(Excerpt("1 + 2*t", "--where"), Language(["abs"], "a number or t", "t")).name
+'+'
+"""
