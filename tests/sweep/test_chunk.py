@@ -12,8 +12,9 @@ import pytest
 from tests.commands import CASES, MZKT
 from tests.sweep.sweeps import DIFFERENTIAL, plan
 from vstatics import Gear, Mechanism, ShiftElement, Transmission, load, solve
-from vstatics.sweep import chunk, sweep
-from vstatics.sweep.chunk import STATUS, calculate
+from vstatics.sweep import blocks, sweep
+from vstatics.sweep.blocks import calculate
+from vstatics.sweep.chunk import STATUS
 
 
 def test_numbers_are_those_of_the_case_solved_alone() -> None:
@@ -120,17 +121,17 @@ def test_chunks_come_in_order_and_join_to_the_whole(jobs: int) -> None:
 
 def test_blocks_are_of_a_size_that_the_case_tells() -> None:
     """MZKT has 6 gears: tens of megabytes hold about ten thousand of its variants."""
-    ends = list(chunk.blocks(load(MZKT), 65536, 131072))
+    ends = list(blocks.blocks(load(MZKT), 65536, 131072))
     assert ends[0][0] == 65536
     assert ends[-1][1] == 131072
     assert all(256 <= stop - start <= 16384 for start, stop in ends)
     assert all(one[1] == other[0] for one, other in pairwise(ends))
-    sizes = [(stop - start) * chunk.variant_bytes(load(MZKT)) for start, stop in ends]
-    assert max(sizes) <= chunk.BLOCK_BYTES
+    sizes = [(stop - start) * blocks.variant_bytes(load(MZKT)) for start, stop in ends]
+    assert max(sizes) <= blocks.BLOCK_BYTES
     results = solve(load(MZKT), ratios=np.tile([-0.8, 2.6, -2.461], (10, 1)))
     arrays = [array for array in results if isinstance(array, np.ndarray)]
     size = sum(array.nbytes for array in arrays) / 10
-    assert chunk.variant_bytes(load(MZKT)) == pytest.approx(size, rel=0.1)
+    assert blocks.variant_bytes(load(MZKT)) == pytest.approx(size, rel=0.1)
 
 
 def test_conventions_of_the_call_come_before_those_of_the_case() -> None:

@@ -13,7 +13,8 @@ from tests.sweep.sweeps import plan
 from tests.torsion.systems import Array, chain, with_planetary_set
 from vstatics import Gear, Mechanism, ShiftElement, Spring, Transmission, loads
 from vstatics.sweep import sweep
-from vstatics.sweep.chunk import STATUS, Chunk, calculate
+from vstatics.sweep.blocks import calculate
+from vstatics.sweep.chunk import STATUS, Chunk
 from vstatics.torsion.gear_modes import modes
 
 SHAFT = chain([0.2, 0.8], [500.0])

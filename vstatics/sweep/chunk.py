@@ -1,30 +1,25 @@
-"""A part of a sweep: from a plan and two numbers of variants to the rows between them.
+"""Rows of a sweep, and what can be said of each.
 
-Everything is calculated in blocks, so that the results of a block stay in tens of
-megabytes. Where blocks begin is told by the case and the part alone, never by who
-calculates it: the same build gives the same numbers for any number of jobs.
+Where blocks of variants begin is told by the plan alone, never by who calculates them: the
+same build gives the same numbers for any number of jobs.
 """
 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from itertools import pairwise
+from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
 from vstatics.numerics.arrays import Booleans, Floats, Integers
 from vstatics.statics import status
-from vstatics.statics.results import Results
-from vstatics.statics.solve import solve
-from vstatics.sweep.block_tables import BlockTables, block_tables, possible_numbers
 
 if TYPE_CHECKING:
     import pandas as pd
 
     from vstatics.jobs.pieces import Account
-    from vstatics.model.transmission import Transmission
+    from vstatics.sweep.expressions.names import Tables
     from vstatics.sweep.plan import SweepPlan
 
 Codes = np.ndarray[Any, np.dtype[np.uint8]]
@@ -33,9 +28,6 @@ _OF_GEARS = (status.NEUTRAL, status.UNDECIDED, status.LOCKED, status.TIED_UP, st
 STATUS = ("ok", *(one.name for one in _OF_GEARS), "invalid")
 """What can be said of a variant, the worse the later; a variant has the worst of its gears."""
 OPEN, UNDECIDED, LOCKED, TIED_UP, CONFLICT, INVALID = range(1, len(STATUS))
-
-BLOCK_BYTES = 32 * 2**20
-LEAST_BLOCK, MOST_BLOCK = 256, 16384
 
 
 class Chunk(NamedTuple):
@@ -93,23 +85,44 @@ class Chunk(NamedTuple):
         )
 
 
-def calculate(plan: SweepPlan, start: int, stop: int) -> Chunk:
-    """Calculate the variants from `start` up to `stop`.
+def rows_of(  # noqa: PLR0913 PLR0917 (what is known of a block)
+    plan: SweepPlan, start: int, values: Floats, status: Codes, tables: Tables, unknown: Booleans
+) -> Chunk:
+    """The rows of a block of variants, of those that pass the plan's condition.
 
     Parameters
     ----------
     plan : SweepPlan
-    start, stop : int
-        Numbers of variants, from 0; `stop` is not included.
-
-    Returns
-    -------
-    Chunk
-        With a row for each variant that passed the plan's condition.
+    start : int
+        The first variant.
+    values : ndarray, shape (variants, targets)
+        The varied numbers.
+    status : ndarray, shape (variants,)
+    tables : Tables
+        What was calculated of these variants.
+    unknown : ndarray, shape (variants,)
+        Of which variants nothing is known: they have NaN, and pass no condition.
     """
-    own = solve(plan.case) if plan.asks_for_results else None
-    parts = [_block(plan, own, *ends) for ends in blocks(plan.case, start, stop)]
-    return joined(parts)
+    with np.errstate(all="ignore"):
+        columns = _existing(plan.columns(tables, values), unknown)
+        objectives = _existing(plan.objective_values(tables, values), unknown)
+        passed = None if plan.where is None else plan.where(tables, values).astype(np.bool_)
+    counts = np.bincount(status, minlength=len(STATUS)).tolist()
+    chunk = Chunk(
+        start,
+        np.arange(start, start + len(values)),
+        values,
+        status,
+        columns,
+        objectives,
+        {name: count for name, count in zip(STATUS, counts, strict=True) if count},
+        plan.names,
+        plan.headings,
+    )
+    if passed is None:
+        return chunk
+    passed &= ~unknown
+    return chunk if passed.all() else chunk.rows(passed)
 
 
 def joined(parts: Sequence[Chunk]) -> Chunk:
@@ -131,82 +144,12 @@ def counted(parts: Iterable[Chunk | Account]) -> dict[str, int]:
     return dict(counts)
 
 
-def blocks(case: Transmission, start: int, stop: int) -> Iterator[tuple[int, int]]:
-    """The ends of the blocks of a part, of nearly equal size."""
-    most = min(max(BLOCK_BYTES // variant_bytes(case), LEAST_BLOCK), MOST_BLOCK)
-    number = -(-(stop - start) // most)
-    ends = [start + (stop - start) * block // number for block in range(number + 1)]
-    return pairwise(ends)
-
-
-def variant_bytes(case: Transmission) -> int:
-    """About how much memory the results of a variant take."""
-    elements, mechanisms = len(case.shift_elements), len(case.mechanisms)
-    numbers = 3 * case.links + 3 * elements + 5 * mechanisms + 2 * len(case.springs) + 11
-    return len(case.gears) * (8 * numbers + elements + 2 * mechanisms + 6)
-
-
-def _block(plan: SweepPlan, own: Results | None, start: int, stop: int) -> Chunk:
-    """The rows of a block; the plan's condition is asked before columns are made."""
-    values = plan.variants.block(start, stop)
-    possible, invalid = possible_numbers(plan.case, plan.variants.targets, values)
-    tables = block_tables(plan, possible)
-    status = _status(tables, own, len(values))
-    status[invalid] = INVALID
-    with np.errstate(all="ignore"):
-        columns = _existing(plan.columns(tables, values), invalid)
-        objectives = _existing(plan.objective_values(tables, values), invalid)
-        passed = None if plan.where is None else plan.where(tables, values).astype(np.bool_)
-    counts = np.bincount(status, minlength=len(STATUS)).tolist()
-    chunk = Chunk(
-        start,
-        np.arange(start, stop),
-        values,
-        status,
-        columns,
-        objectives,
-        {name: count for name, count in zip(STATUS, counts, strict=True) if count},
-        plan.names,
-        plan.headings,
-    )
-    if passed is None:
-        return chunk
-    passed &= ~invalid
-    return chunk if passed.all() else chunk.rows(passed)
-
-
-def _status(tables: BlockTables, own: Results | None, variants: int) -> Codes:
-    """The worst that can be said of the gears of each variant.
-
-    Whole arrays are asked first: most often nothing is to be said of any variant. Where modes
-    alone are asked for it is said of the gears that are asked for.
-    """
-    status = np.zeros(variants, dtype=np.uint8)
-    results, modes = tables
-    if results is None or own is None:
-        if modes is not None:
-            status[modes.tied_up] = TIED_UP
-            status[modes.conflict] = CONFLICT
-        return status
-    unlike = ((results.missing > 0) & (own.missing == 0), ~results.balanced & own.balanced)
-    for code, said in (
-        *((OPEN, wrong) for wrong in unlike),
-        (UNDECIDED, results.undecided),
-        (LOCKED, results.locked),
-        (TIED_UP, results.tied_up),
-        (CONFLICT, results.conflict),
-    ):
-        if said.any():
-            status[said.any(axis=1)] = code
-    return status
-
-
-def _existing(columns: Floats, invalid: Booleans) -> Floats:
-    """Columns without -0, with NaN for what is infinite or belongs to an invalid variant."""
+def _existing(columns: Floats, unknown: Booleans) -> Floats:
+    """Columns without -0, with NaN for what is infinite or of which nothing is known."""
     columns += 0.0
     infinite = np.isinf(columns)
     if infinite.any():
         columns[infinite] = np.nan
-    if invalid.any():
-        columns[invalid] = np.nan
+    if unknown.any():
+        columns[unknown] = np.nan
     return columns
