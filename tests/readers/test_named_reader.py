@@ -13,6 +13,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from tests.readers.friction_faults import FAULTS as FRICTION_FAULTS
 from tests.readers.spring_faults import FAULTS as SPRING_FAULTS
 from vstatics.errors import Problem, ReadError
 from vstatics.model.shape import COUNT, TEXT, ByKey, KeyShape, ListOf
@@ -204,6 +205,7 @@ FAULTS = [
     ("tab-in-text.json", 2, 13, "not JSON: Invalid control character"),
     ("trailing-comma.json", 5, 37, "not JSON: read ']', expected a value"),
     *SPRING_FAULTS,
+    *FRICTION_FAULTS,
 ]
 
 DIFFERENTIAL = """\

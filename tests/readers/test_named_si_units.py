@@ -1,4 +1,4 @@
-"""Units of inertias, stiffnesses, compliances, dampings, masses and lengths."""
+"""Units of inertias, stiffnesses, pressures and whatever else is in SI."""
 
 from __future__ import annotations
 
@@ -71,6 +71,36 @@ EXACT: dict[Measure, dict[Fraction, str]] = {
         GRAVITY: "kgf*m*s/rad|кгс*м*с",
         LBF_FT: "lbf*ft*s/rad|lb-ft-s",
     },
+    "area": {
+        Fraction(1): "m^2|m²|м^2|m*m",
+        Fraction(1, 10**4): "cm^2|cm²|см²",
+        Fraction(1, 10**6): "mm^2",
+        INCH**2: "in^2",
+    },
+    "pressure": {
+        Fraction(1): "Pa|Па|N/m^2|N/m²",
+        Fraction(100): "hPa|mbar",
+        Fraction(1000): "kPa|кПа",
+        Fraction(10**5): "bar|бар",
+        Fraction(10**6): "MPa|МПа|N/mm^2",
+        GRAVITY * 10**4: "kgf/cm^2|кгс/см²|kp/cm²",
+        POUND * GRAVITY / INCH**2: "psi|lbf/in^2|lb/in^2",
+    },
+    "time": {
+        Fraction(1): "s|sec|с",
+        Fraction(1, 1000): "ms|мс",
+        Fraction(60): "min",
+        Fraction(3600): "h",
+    },
+    "velocity": {
+        Fraction(1): "m/s|м/с|m*s^-1",
+        Fraction(1000, 3600): "km/h|км/ч",
+        FOOT: "ft/s",
+    },
+    "pump_factor": {
+        Fraction(1): "N*m*s^2|N*m*s^2/rad^2|Nms²|kg*m^2",
+        Fraction(1000): "kN*m*s^2",
+    },
 }
 """By size in SI: from the definitions of pound, foot and standard gravity."""
 OF_ANGLES: dict[Measure, dict[float, str]] = {
@@ -82,6 +112,14 @@ OF_ANGLES: dict[Measure, dict[float, str]] = {
     "compliance": {
         math.pi / 180: "deg/(N*m)|°/Nm",
         math.pi / 180 / 1000: "deg/(kN*m)|deg/kNm",
+    },
+    "angle": {
+        1.0: "rad|рад",
+        math.pi / 180: "deg|°",
+        2 * math.pi: "rev",
+    },
+    "pump_factor": {
+        (30 / math.pi) ** 2: "N*m/rpm^2",
     },
     "damping": {
         30 / math.pi: "N*m/rpm",
@@ -128,7 +166,7 @@ def test_decimal_units_are_exact(text: str, measure: Measure, number: float) -> 
 
 
 IN = {
-    measure: f"expected {'an' if measure == 'inertia' else 'a'} {measure} in {unit}, bare or with its unit"
+    measure: f"expected {'an' if measure in ('inertia', 'area', 'angle') else 'a'} {measure} in {unit}, bare or with its unit"
     for measure, unit in UNIT_OF.items()
 }  # fmt: skip
 
@@ -148,6 +186,9 @@ IN = {
         ("3 N*m/rad", "compliance", "; this is a stiffness"),
         ("3 N*m/rad", "damping", "; this is a stiffness"),
         ("3 N*m*s/rad", "stiffness", "; this is a damping"),
+        ("3 N*ms/rad", "time", "; this is a damping"),
+        ("3 bar", "area", "; this is a pressure"),
+        ("3 km/h", "time", "; this is a velocity"),
         ("0,15", "inertia", " (with a decimal point)"),
         ("0,15 kg*m^2", "inertia", " (with a decimal point)"),
         ("heavy", "inertia", ""),

@@ -3,17 +3,21 @@
 from __future__ import annotations
 
 import json
+import math
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 import vstatics as library
 from tests.commands import vstatics
-from vstatics.errors import ReadError
+from vstatics.errors import CaseError, ReadError
 from vstatics.model.damping import Damping
+from vstatics.model.parts import Friction
 from vstatics.model.springs import Spring
 from vstatics.model.transmission import Gear, Mechanism, ShiftElement, Transmission
 from vstatics.readers.named.reader import read_json, read_yaml
+from vstatics.writers.deck_limits import check_deck
 from vstatics.writers.named import mapping, write_json, write_yaml
 
 ISSUE = """
@@ -227,3 +231,56 @@ gears: {x: []}
     assert told == (
         "case.yaml:4:12: error: elements.G: `G` is the name of a shift element too, expected another"
     )
+
+
+FRICTION = """
+links: [in, a0, wheel, vehicle]
+inertias: {in: 3.6, a0: 0.2, vehicle: 41.2}
+shift_elements:
+  FH: {links: [in, a0], static: 6/5, friction: {radius: 100 mm, area: 60 cm^2, surfaces: 8,
+       coefficient: [[0, .12], [60 rpm, .1]]}}
+  FB: {links: [a0], friction: {radius: .1, area: 60e-4, surfaces: "8", coefficient: .12}}
+  FC: [in, a0]
+springs: {tyre: {links: [wheel, vehicle], stiffness: 4e4, limit: 3 kN*m}}
+mechanisms: {M: {first: a0, second: wheel, ratio: 4.1}}
+gears: {low: [FH]}
+"""
+
+
+def test_friction_and_limits() -> None:
+    case = loaded(FRICTION)
+    assert [element.static for element in case.shift_elements] == [1.2, 1, 1]
+    points = ((0.0, 0.12), (2 * math.pi, 0.1))
+    assert [element.friction for element in case.shift_elements] == [
+        Friction(0.1, 60 / 100**2, 8, points),
+        Friction(0.1, 0.006, 8, ((0.0, 0.12),)),
+        None,
+    ]
+    assert case.springs[0].limit == 3000
+    written = mapping(case)
+    assert written["shift_elements"]["FB"]["friction"]["coefficient"] == 0.12
+    assert written["springs"]["tyre"]["limit"] == 3000
+    assert loaded(write_yaml(case)) == case
+    assert read_json(write_json(case).encode(), "case.json").case == case
+
+
+def test_a_deck_has_no_friction() -> None:
+    with pytest.raises(CaseError, match=r"the static friction of FH, the friction of FH, FB"):
+        check_deck(loaded(FRICTION))
+
+
+@pytest.mark.parametrize(
+    ("changes", "said"),
+    [
+        ({"static": math.nan}, "static: read nan, expected 1 or more"),
+        ({"friction": Friction(0.1, 0.1, 1, ())}, "coefficient: there is no point"),
+        ({"friction": Friction(0.1, 0.1, 0, ((0, 0.1),))}, "surfaces: read 0, expected a whole"),
+        ({"friction": Friction(0.1, 0.1, 1, ((math.nan, 0.1),))}, "read nan, expected a slip"),
+        ({"friction": Friction(0.1, math.inf, 1, ((0, 0.1),))}, "area: read inf, expected an area"),
+    ],
+)
+def test_friction_that_can_not_be_is_refused(changes: dict[str, Any], said: str) -> None:
+    case = loaded(FRICTION)
+    first, *others = case.shift_elements
+    with pytest.raises(CaseError, match=said):
+        case.replace(shift_elements=[first._replace(**changes), *others])

@@ -48,7 +48,7 @@ from vstatics import (
     Transmission,
     solve,
 )
-from vstatics.model.parts import Load
+from vstatics.model.parts import Friction, Load
 from vstatics.model.transmission import IdleConvention
 from vstatics.numerics.arrays import Floats
 from vstatics.statics import variants
@@ -581,6 +581,8 @@ OTHER: dict[type, dict[str, object]] = {
         "capacity": 2.0,
         "stiffness": 9e4,
         "damping": Damping(3.0),
+        "static": 1.2,
+        "friction": Friction(0.1, 0.006, 8, ((0.0, 0.12),)),
     },
     Mechanism: {
         "first": 4,
@@ -600,6 +602,7 @@ OTHER: dict[type, dict[str, object]] = {
         "compliance": 1.0,
         "damping": Damping(5.0),
         "name": "X",
+        "limit": 3000.0,
     },
     Gear: {
         "engaged": (),

@@ -83,6 +83,13 @@ SPRING = ByKey(
             examples=(84e-5,),
         ),
         _DAMPING,
+        KeyShape(
+            "limit",
+            Leaf("si_torque"),
+            "In a scenario its torque stays within it, in N*m; the rest is slip, as of a tyre.",
+            limits=_ABOVE_0,
+            examples=("3000 N*m",),
+        ),
     ),
     spring_of,
     spring_fault,

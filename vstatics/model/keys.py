@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from vstatics.model.dump_keys import DUMP
 from vstatics.model.elastic_keys import ELASTIC, SPRING
+from vstatics.model.friction import FRICTION
 from vstatics.model.parts import (
     DIRECTIONS,
     ELEMENT_KINDS,
@@ -69,6 +70,19 @@ ELEMENT = ByKey(
             "for the margins of `vstatics summary`.",
             limits={"exclusiveMinimum": 0},
             examples=("600 N*m",),
+        ),
+        KeyShape(
+            "static",
+            NUMBER,
+            "In a scenario it sticks up to this part of the torque with which it slips.",
+            default=1,
+            limits={"minimum": 1},
+            examples=(1.2,),
+        ),
+        KeyShape(
+            "friction",
+            FRICTION,
+            "Its friction pack: in a scenario its controls are then pressures.",
         ),
         *ELASTIC,
     ),

@@ -47,6 +47,12 @@ def of_element(case: TransmissionFields, element: ShiftElement, path: Path) -> I
     if element.capacity is not None and not 0 < element.capacity < math.inf:
         message = f"read {element.capacity:g}, expected a torque above 0"
         yield Problem(message, (*path, "capacity"))
+    if not 1 <= element.static < math.inf:
+        yield Problem(f"read {element.static:g}, expected 1 or more", (*path, "static"))
+    if element.friction is not None:
+        from vstatics.model.friction import of_friction  # others do without
+
+        yield from of_friction(element.friction, (*path, "friction"))
 
 
 def of_drag(torque: float, element: ShiftElement | None, path: Path) -> Iterator[Problem]:

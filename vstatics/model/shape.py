@@ -29,6 +29,12 @@ LeafKind = Literal[
     "length",
     "si_torque",
     "si_speed",
+    "area",
+    "pressure",
+    "time",
+    "angle",
+    "velocity",
+    "pump_factor",
     "link",
     "element",
     "flag",
@@ -38,7 +44,20 @@ UNITS: Mapping[str, str] = {"speed": "rpm", "torque": "N*m", "power": "kW"}
 """Units of speeds, torques and powers that are not relative."""
 
 Measure = Literal[
-    "inertia", "stiffness", "compliance", "damping", "mass", "length", "si_torque", "si_speed"
+    "inertia",
+    "stiffness",
+    "compliance",
+    "damping",
+    "mass",
+    "length",
+    "si_torque",
+    "si_speed",
+    "area",
+    "pressure",
+    "time",
+    "angle",
+    "velocity",
+    "pump_factor",
 ]
 """What is given in SI, with its unit or without."""
 
@@ -154,6 +173,20 @@ class Pair(NamedTuple):
     kind: str
 
 
+class RowOf(NamedTuple):
+    """Values in a fixed order, in a list."""
+
+    items: tuple[Leaf, ...]
+    kind: str
+    """What messages call them: ``slip, coefficient``."""
+
+
+class ByPoints(NamedTuple):
+    """A number, or points in order of which it is the constant one: rows of two."""
+
+    row: RowOf
+
+
 class ByKind(NamedTuple):
     """A mapping whose other keys depend on its `kind`."""
 
@@ -161,7 +194,19 @@ class ByKind(NamedTuple):
 
 
 Shape: TypeAlias = (
-    Leaf | Links | Ends | Numbers | Shares | ByKey | Either | ByName | ListOf | Pair | ByKind
+    Leaf
+    | Links
+    | Ends
+    | Numbers
+    | Shares
+    | ByKey
+    | Either
+    | ByName
+    | ListOf
+    | Pair
+    | RowOf
+    | ByPoints
+    | ByKind
 )
 
 TEXT, NUMBER, LINK, FLAG = Leaf("text"), Leaf("number"), Leaf("link"), Leaf("flag")

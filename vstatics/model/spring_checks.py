@@ -57,6 +57,8 @@ def _of_spring(case: TransmissionFields, spring: Spring, path: Path) -> Iterator
     if spring.compliance is not None:
         yield from above_0(spring.compliance, "a compliance", (*path, "compliance"))
     yield from of_elastic(spring.stiffness, spring.damping, path, always=True)
+    if spring.limit is not None:
+        yield from above_0(spring.limit, "a torque", (*path, "limit"))
 
 
 def of_elastic(

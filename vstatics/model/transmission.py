@@ -13,6 +13,7 @@ from vstatics.model.fields import AnyDrawing, IdleConvention, TransmissionFields
 from vstatics.model.part_checks import of_mechanism
 from vstatics.model.parts import (
     HOUSING,
+    Friction,
     Gear,
     Load,
     Mechanism,
@@ -185,6 +186,8 @@ def _completed(case: Transmission) -> dict[str, object]:
                 capacity=_capacity(element.capacity, case.load),
                 stiffness=_float(element.stiffness),
                 damping=damping(element.damping),
+                static=float(element.static),
+                friction=_friction(element.friction),
             )
             for number, element in enumerate(case.shift_elements, 1)
         ),
@@ -210,6 +213,7 @@ def _completed(case: Transmission) -> dict[str, object]:
                 compliance=_float(spring.compliance),
                 damping=damping(spring.damping),
                 name=spring.name or spring_name(number),
+                limit=_float(spring.limit),
             )
             for number, spring in enumerate(case.springs, 1)
         ),
@@ -238,6 +242,14 @@ def _dump(dump: ClutchDump | None) -> ClutchDump | None:
     from vstatics.model.clutch_dump import completed_dump  # costs start-up time
 
     return completed_dump(dump)
+
+
+def _friction(friction: Friction | None) -> Friction | None:
+    if friction is None:
+        return None
+    from vstatics.model.friction import completed_friction  # costs start-up time
+
+    return completed_friction(friction)
 
 
 def _by_load(numbers: Mapping[int, float], whole: float | None) -> dict[int, float]:

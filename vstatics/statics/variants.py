@@ -127,9 +127,9 @@ WITHOUT_EFFECT: dict[type, frozenset[str]] = {
             *("drawing", "_lowered", "inertias", "dump"),
         }
     ),
-    ShiftElement: frozenset({"name", "capacity", "stiffness", "damping"}),
+    ShiftElement: frozenset({"name", "capacity", "stiffness", "damping", "static", "friction"}),
     Mechanism: frozenset({"name", "stiffness", "damping"}),
-    Spring: frozenset({"name", "stiffness", "compliance", "damping"}),
+    Spring: frozenset({"name", "stiffness", "compliance", "damping", "limit"}),
     Gear: frozenset({"name", "load"}),
 }
 """Fields that no result depends on; a drawing acts through its devices, a load by its sign."""

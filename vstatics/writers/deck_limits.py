@@ -39,11 +39,13 @@ def check_deck(case: Transmission) -> None:
 
 
 def _unheld(case: Transmission) -> Iterator[tuple[str, list[str]]]:
-    """What is left of a case for vibration, and of which parts."""
+    """What is left of a case for vibration and motion, and of which parts."""
     parts: list[ShiftElement | Mechanism] = [*case.shift_elements, *case.mechanisms]
     drawing = drawing_of(case)
     elements = drawing.elements if drawing else ()
     yield "inertia", [case.link_name(link) for link, one in case.inertias.items() if one]
     yield "stiffness", [part.name for part in parts if part.stiffness is not None]
     yield "damping", [part.name for part in parts if part.damping]
+    yield "static friction", [one.name for one in case.shift_elements if one.static != 1]
+    yield "friction", [one.name for one in case.shift_elements if one.friction is not None]
     yield "planet masses", [element.name for element in elements if element.planet_masses]

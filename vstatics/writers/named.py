@@ -15,6 +15,7 @@ from vstatics.model.shape import (
     ByKey,
     ByKind,
     ByName,
+    ByPoints,
     Either,
     Ends,
     Leaf,
@@ -22,6 +23,7 @@ from vstatics.model.shape import (
     Measure,
     Numbers,
     Pair,
+    RowOf,
     Shape,
 )
 from vstatics.model.springs import spring_record
@@ -177,6 +179,14 @@ class _Writer:
     def ends(self, value: Any, _: Ends) -> list[int | str]:
         return [self.links[link] for link in value]
 
+    def row(self, value: Any, shape: RowOf) -> list[Any]:
+        return [self.leaf(one, leaf) for one, leaf in zip(value, shape.items, strict=True)]
+
+    def by_points(self, value: Any, shape: ByPoints) -> Any:
+        """Points, or the number that holds everywhere."""
+        rows = [self.row(one, shape.row) for one in value]
+        return rows[0][1] if len(rows) == 1 and rows[0][0] == 0 else rows
+
     def pair(self, value: Any, _: Pair) -> list[str]:
         return [str(name) for name in value]
 
@@ -191,6 +201,8 @@ _WRITERS: Mapping[type, Callable[[_Writer, Any, Any], Any]] = {
     ListOf: _Writer.list_of,
     Ends: _Writer.ends,
     Pair: _Writer.pair,
+    RowOf: _Writer.row,
+    ByPoints: _Writer.by_points,
 }
 """How what a shape describes is written."""
 

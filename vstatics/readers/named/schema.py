@@ -11,6 +11,7 @@ from vstatics.model.shape import (
     ByKey,
     ByKind,
     ByName,
+    ByPoints,
     Either,
     Ends,
     KeyShape,
@@ -20,6 +21,7 @@ from vstatics.model.shape import (
     Measure,
     Numbers,
     Pair,
+    RowOf,
     Shape,
     Shares,
 )
@@ -30,6 +32,8 @@ from vstatics.readers.named.si_units import UNIT_OF, WITH_UNIT
 Words = dict[str, Any]
 
 _DAMPING = "any_damping"
+_IN_NO_CASE = frozenset(("pressure", "time", "angle", "velocity", "pump_factor"))
+"""Measures of scenarios alone."""
 _NAME: Words = {"type": ["string", "integer"], "minLength": 1}
 _DEFINITIONS: dict[str, Words] = {
     "link": {
@@ -80,7 +84,7 @@ def json_schema() -> Words:
         **_record(with_elements(with_springs(CASE))),
         "anyOf": list(_ENOUGH),
     }
-    measures = {name: _measure(name) for name in get_args(Measure)}
+    measures = {name: _measure(name) for name in get_args(Measure) if name not in _IN_NO_CASE}
     damping = {"anyOf": [_reference("damping"), _record(DAMPING.record)]}
     return {**schema, "$defs": {**_DEFINITIONS, **measures, _DAMPING: damping}}
 
@@ -131,7 +135,7 @@ def _optional(words: Words) -> Words:
     return {**words, "type": [*dict.fromkeys([*types, "null"])]}
 
 
-def _shape(shape: Shape) -> Words:  # noqa: PLR0911, C901 - a table
+def _shape(shape: Shape) -> Words:  # noqa: PLR0911, PLR0912, C901 - a table
     link = _reference("link")
     match shape:
         case ByKey():
@@ -153,6 +157,16 @@ def _shape(shape: Shape) -> Words:  # noqa: PLR0911, C901 - a table
             return {"type": "array", "items": _shape(shape.item), **unique}
         case Pair():
             return {"type": "array", "items": _NAME, "minItems": 2, "maxItems": 2}
+        case RowOf():
+            return {
+                "type": "array",
+                "prefixItems": list(map(_leaf, shape.items)),
+                "minItems": len(shape.items),
+                "maxItems": len(shape.items),
+            }
+        case ByPoints():
+            points = {"type": "array", "items": _shape(shape.row), "minItems": 1}
+            return {"anyOf": [_leaf(shape.row.items[-1]), points]}
         case ByKind():
             return {"oneOf": [_of_kind(kind, record) for kind, record in shape.records.items()]}
         case Numbers():
@@ -179,19 +193,6 @@ def _by_name(item: Words) -> Words:
 
 def _leaf(shape: Leaf) -> Words:  # noqa: PLR0911 - a table
     match shape.kind:
-        case (
-            "number"
-            | "link"
-            | "inertia"
-            | "stiffness"
-            | "compliance"
-            | "damping"
-            | "mass"
-            | "length"
-            | "si_torque"
-            | "si_speed"
-        ):
-            return _reference(shape.kind)
         case "share":
             return {**_reference("number"), "minimum": 0}
         case "count":
@@ -208,4 +209,6 @@ def _leaf(shape: Leaf) -> Words:  # noqa: PLR0911 - a table
             return {"enum": list(shape.choices)}
         case "element":
             return dict(_NAME)
-    return {"type": ["string", "number", "boolean"]}
+        case "text":
+            return {"type": ["string", "number", "boolean"]}
+    return _reference(shape.kind)  # a number, a link, a measure

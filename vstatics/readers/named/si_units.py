@@ -1,4 +1,4 @@
-"""Units of inertias, stiffnesses, compliances and whatever else is in SI, with any exponents."""
+"""Units of inertias, stiffnesses, pressures and whatever else is in SI, with any exponents."""
 
 from __future__ import annotations
 
@@ -26,6 +26,12 @@ UNIT_OF: dict[Measure, str] = {
     "length": "m",
     "si_torque": "N*m",
     "si_speed": "rad/s",
+    "area": "m^2",
+    "pressure": "Pa",
+    "time": "s",
+    "angle": "rad",
+    "velocity": "m/s",
+    "pump_factor": "N*m*s^2",
 }
 """What bare numbers are in."""
 _MEASURES: dict[Measure, tuple[_Dimension, ...]] = {
@@ -37,6 +43,12 @@ _MEASURES: dict[Measure, tuple[_Dimension, ...]] = {
     "length": ((0, 1, 0, 0),),
     "si_torque": ((1, 2, -2, 0),),
     "si_speed": ((0, 0, -1, 1),),
+    "area": ((0, 2, 0, 0),),
+    "pressure": ((1, -1, -2, 0),),
+    "time": ((0, 0, 1, 0),),
+    "angle": ((0, 0, 0, 1),),
+    "velocity": ((0, 1, -1, 0),),
+    "pump_factor": ((1, 2, 0, -2), (1, 2, 0, 0)),
 }
 """With the radian, or without where nothing else is meant; N*m alone is a torque."""
 _OTHERS: dict[_Dimension, str] = {
@@ -54,7 +66,7 @@ class _Base(NamedTuple):
 
 
 _NOTHING: _Dimension = (99, 99, 99, 99)
-_MASS = (1, 0, 0, 0)
+_MASS, _TIME = (1, 0, 0, 0), (0, 0, 1, 0)
 _BASES: dict[str, tuple[_Dimension, float]] = {
     "force": ((1, 1, -2, 0), 1),
     "length": ((0, 1, 0, 0), 1),
@@ -73,8 +85,22 @@ _GRAMS = {
     "t": _Base(_MASS, 1000),
     "т": _Base(_MASS, 1000),
 }
+_PASCALS = {
+    word: _Base((1, -1, -2, 0), above, below)
+    for words, above, below in (
+        ("Pa Па", 1, 1),
+        ("hPa гПа mbar мбар", 100, 1),
+        ("kPa кПа", 1000, 1),
+        ("MPa МПа", 10**6, 1),
+        ("bar бар", 10**5, 1),
+        ("psi", 45359237 * 980665 * 10**8, 10**8 * 10**5 * 254**2),  # lbf by an inch squared
+    )
+    for word in words.split()
+}
 _POUNDS = frozenset(("lb", "lbs", "pound", "pounds", "oz", "ounce", "ounces"))
 """Units of force to `units`, of mass here where that gives what is asked for."""
+_MILLISECONDS = frozenset(("ms", "msec", "мс"))
+"""Metre by second to `units`, a time here where that gives what is asked for."""
 _TOKEN = re.compile(r" *(?:([*·.×⋅/()-]|1(?= */))|([^\W\d_]+|°))")
 _EXPONENT = re.compile(r"(?:\^|\*\*)?(\()?(-?[1-4])(?(1)\))(?![0-9])")
 _SUPERSCRIPTS = str.maketrans("²³⁴⁻¹", "234-1")
@@ -101,8 +127,8 @@ def measured(text: str, measure: Measure) -> float:
     value, behind = calculated(text)
     if not behind:
         return value
-    for lb_is_mass in (True, False):
-        dimension, above, below = _unit(behind, lb_is_mass=lb_is_mass)
+    for of_words in (True, False):
+        dimension, above, below = _unit(behind, of_words=of_words)
         if dimension in _MEASURES[measure]:
             value = value * above / below
             if not math.isfinite(value):
@@ -114,16 +140,23 @@ def measured(text: str, measure: Measure) -> float:
 
 
 def _a(kind: str) -> str:
-    noun = kind.removeprefix("si_")
-    return f"an {noun}" if noun == "inertia" else f"a {noun}"
+    noun = kind.removeprefix("si_").replace("_", " ")
+    return f"an {noun}" if noun[0] in "aei" else f"a {noun}"
 
 
-def _unit(text: str, *, lb_is_mass: bool) -> tuple[_Dimension, float, float]:
-    """What a unit is made of, and its size in SI as a ratio; nothing known if it is not read."""
+def _unit(text: str, *, of_words: bool) -> tuple[_Dimension, float, float]:
+    """What a unit is made of, and its size in SI as a ratio; nothing known if it is not read.
+
+    Parameters
+    ----------
+    text : str
+    of_words : bool
+        Whether ``lb`` is a mass and ``ms`` a time, not a force and metre by second.
+    """
     total, above, below = [0, 0, 0, 0], 1.0, 1.0
     try:
         for word, exponent in _powers(text.translate(_SUPERSCRIPTS).replace(" per ", "/")):
-            for place, base in enumerate(_bases(word, lb_is_mass=lb_is_mass)):
+            for place, base in enumerate(_bases(word, of_words=of_words)):
                 times = exponent if place == 0 else math.copysign(1, exponent)
                 total = [a + int(times) * b for a, b in zip(total, base.dimension, strict=True)]
                 up, down = (base.above, base.below)[:: 1 if times > 0 else -1]
@@ -163,11 +196,15 @@ def _powers(text: str) -> Iterator[tuple[str, int]]:
         raise ValueError
 
 
-def _bases(word: str, *, lb_is_mass: bool) -> list[_Base]:
+def _bases(word: str, *, of_words: bool) -> list[_Base]:
     """What a word is made of, the last first, to which an exponent belongs: m and N for `Nm`."""
-    if lb_is_mass and word.casefold() in _POUNDS:
+    if of_words and word.casefold() in _POUNDS:
         [(_, above, below)] = factors(word)
         return [_Base(_MASS, above / _GRAVITY, below)]
+    if of_words and word in _MILLISECONDS:
+        return [_Base(_TIME, 1, 1000)]
+    if word in _PASCALS:
+        return [_PASCALS[word]]
     whole = factors(word)
     if not _known(whole):
         for end in range(len(word), 0, -1):

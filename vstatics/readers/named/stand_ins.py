@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 
 from vstatics.model.shape import (
     ByKey,
+    ByPoints,
     Either,
     Ends,
     Leaf,
@@ -16,6 +17,7 @@ from vstatics.model.shape import (
     ListOf,
     Measure,
     Pair,
+    RowOf,
     Shape,
 )
 from vstatics.readers.named import measured, scalars
@@ -58,6 +60,12 @@ LEAVES: dict[LeafKind, LeafReading] = {
     "length": LeafReading("a length", 1.0, partial(_in_si, measure="length")),
     "si_torque": LeafReading("a torque", 1.0, partial(_in_si, measure="si_torque")),
     "si_speed": LeafReading("a speed", 1.0, partial(_in_si, measure="si_speed")),
+    "area": LeafReading("an area", 1.0, partial(_in_si, measure="area")),
+    "pressure": LeafReading("a pressure", 0.0, partial(_in_si, measure="pressure")),
+    "time": LeafReading("a time", 0.0, partial(_in_si, measure="time")),
+    "angle": LeafReading("an angle", 0.0, partial(_in_si, measure="angle")),
+    "velocity": LeafReading("a velocity", 0.0, partial(_in_si, measure="velocity")),
+    "pump_factor": LeafReading("a pump factor", 1.0, partial(_in_si, measure="pump_factor")),
     "link": LeafReading("a link", NO_LINK),
     "element": LeafReading("the name of a shift element", NO_ELEMENT),
     "flag": LeafReading("`true` or `false`", stand_in=False),
@@ -82,6 +90,10 @@ def stand_in(shape: Shape) -> Any:  # noqa: PLR0911 - a table
             return ()
         case Pair():
             return ("", "")
+        case RowOf():
+            return tuple(map(stand_in, shape.items))
+        case ByPoints():
+            return (stand_in(shape.row),)
     return {}
 
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 from vstatics.errors import quoted, spoken
@@ -17,6 +18,7 @@ from vstatics.model.shape import (
     ByKey,
     ByKind,
     ByName,
+    ByPoints,
     Either,
     Ends,
     Leaf,
@@ -24,10 +26,11 @@ from vstatics.model.shape import (
     ListOf,
     Numbers,
     Pair,
+    RowOf,
     Shape,
     Shares,
 )
-from vstatics.readers.named import scalars
+from vstatics.readers.named import rows, scalars
 from vstatics.readers.named.entries import NO_MERGE, entries, is_merge, known_entries
 from vstatics.readers.named.nodes import (
     Listing,
@@ -65,6 +68,8 @@ class Walk:
             Leaf: self._leaf,
             ListOf: self._list_of,
             Pair: self._pair,
+            RowOf: partial(rows.read_row, self),
+            ByPoints: partial(rows.read_points, self),
             ByKind: self._by_kind,
         }
 
@@ -73,7 +78,8 @@ class Walk:
         self.spots.keep(spot)
         return self._readers[type(shape)](spot, shape)
 
-    def _refuse(self, spot: Spot, shape: Shape, expected: object, read: str = "") -> Any:
+    def refuse(self, spot: Spot, shape: Shape, expected: object, read: str = "") -> Any:
+        """A stand-in for what cannot be read, after the problem."""
         self.spots.refuse(spot, f"read {read or what(spot.node)}, {expected}")
         return stand_in(shape)
 
@@ -84,7 +90,7 @@ class Walk:
             given = known_entries(self.spots, spot, shape.keys)
         elif not is_null(node) or shape.required:
             expected = "expected a mapping with " + spoken(quoted(key.name) for key in shape.keys)
-            return self._refuse(spot, shape, expected)
+            return self.refuse(spot, shape, expected)
         values = values_before(shape)
         for key in shape.keys:
             if key.name in given:
@@ -101,7 +107,7 @@ class Walk:
         elements = shape.kind == "shift element"
         if not isinstance(spot.node, Mapping):
             self.references.elements_known &= not elements
-            return self._refuse(spot, shape, f"expected a mapping: a name for each {shape.kind}")
+            return self.refuse(spot, shape, f"expected a mapping: a name for each {shape.kind}")
         given = list(entries(self.spots, spot))
         if elements:
             self.references.set_elements(key.text for key, _ in given)
@@ -123,10 +129,10 @@ class Walk:
         try:
             links = scalars.link_number(node.text) if isinstance(node, Scalar) else None
         except ValueError as error:
-            return self._refuse(spot, shape, error)
+            return self.refuse(spot, shape, error)
         if links is None:
             expected = "expected the number of links or a list of their names"
-            return self._refuse(spot, shape, expected)
+            return self.refuse(spot, shape, expected)
         self.references.set_links(links)
         return links
 
@@ -136,7 +142,7 @@ class Walk:
             read = f"a list of {len(node.items)}" if isinstance(node, Listing) else ""
             one = " or one: [first]" if shape.least == 1 else ""
             self.spots.unreadable += [(*spot.path[:-1], end) for end in _ENDS]
-            return self._refuse(spot, shape, f"expected two links: [first, second]{one}", read)
+            return self.refuse(spot, shape, f"expected two links: [first, second]{one}", read)
         inner = [
             spot.item(member, number, item)
             for number, (member, item) in enumerate(zip(_ENDS, node.items, strict=False), 1)
@@ -161,7 +167,7 @@ class Walk:
                 if isinstance(short, Leaf)
                 else f"a list of {short.kind}"
             )
-            return self._refuse(spot, shape, f"expected {one}, or a mapping with {keys}")
+            return self.refuse(spot, shape, f"expected {one}, or a mapping with {keys}")
         if inner.path in self.spots.unreadable:
             self.spots.unreadable.append(spot.path)
         return made
@@ -170,7 +176,7 @@ class Walk:
         """Numbers by that which their keys refer to."""
         node = spot.node
         if not isinstance(node, Mapping):
-            return self._refuse(spot, shape, f"expected a mapping: a number for each {shape.by}")
+            return self.refuse(spot, shape, f"expected a mapping: a number for each {shape.by}")
         refer, nobody = self.references.link, NO_LINK
         if shape.by == "shift element":
             refer, nobody = self.references.element, NO_ELEMENT
@@ -195,7 +201,7 @@ class Walk:
     def _shares(self, spot: Spot, shape: Shares) -> Any:
         """Shares by names of gears, which no document can look up."""
         if not isinstance(spot.node, Mapping):
-            return self._refuse(spot, shape, "expected a share for each gear")
+            return self.refuse(spot, shape, "expected a share for each gear")
         shares: dict[str, float] = {}
         for key, value in spot.node.entries:
             gear = spot._replace(
@@ -210,7 +216,7 @@ class Walk:
     def _list_of(self, spot: Spot, shape: ListOf) -> Any:
         if not isinstance(spot.node, Listing):
             of = f" of {shape.kind}" if shape.kind else ""
-            return self._refuse(spot, shape, f"expected a list{of}")
+            return self.refuse(spot, shape, f"expected a list{of}")
         items = enumerate(spot.node.items, 1)
         return [self.read(spot.item(number, number, item), shape.item) for number, item in items]
 
@@ -218,7 +224,7 @@ class Walk:
         node = spot.node
         if not isinstance(node, Listing) or len(node.items) != 2:
             read = f"a list of {len(node.items)}" if isinstance(node, Listing) else ""
-            return self._refuse(spot, shape, f"expected two: [{shape.kind}, {shape.kind}]", read)
+            return self.refuse(spot, shape, f"expected two: [{shape.kind}, {shape.kind}]", read)
         items = enumerate(node.items, 1)
         return [self.read(spot.item(number, number, item), TEXT) for number, item in items]
 
@@ -226,7 +232,7 @@ class Walk:
         node = spot.node
         known = tuple(shape.records)
         if not isinstance(node, Mapping):
-            return self._refuse(spot, shape, "expected a mapping with `kind` and members")
+            return self.refuse(spot, shape, "expected a mapping with `kind` and members")
         given = [value for key, value in node.entries if key.text == "kind"]
         if not given:
             merged = next((key for key, _ in node.entries if is_merge(key)), None)
@@ -242,11 +248,11 @@ class Walk:
     def _leaf(self, spot: Spot, shape: Leaf) -> Any:
         node = spot.node
         if not isinstance(node, Scalar) or is_null(node):
-            return self._refuse(spot, shape, f"expected {LEAVES[shape.kind].expected}")
+            return self.refuse(spot, shape, f"expected {LEAVES[shape.kind].expected}")
         try:
             value = self._scalar(node, shape)
         except ValueError as error:
-            return self._refuse(spot, shape, error)
+            return self.refuse(spot, shape, error)
         if value == stand_in(shape) and shape.kind in ("link", "element"):
             self.spots.unreadable.append(spot.path)
         return value
