@@ -19,6 +19,8 @@ from vstatics.cli import main
 ROOT = Path(__file__).parents[1]
 CASES = ROOT / "cases"
 MZKT = CASES / "mzkt7922.dat"
+SHIPPED = sorted(path for path in CASES.iterdir() if path.is_file())
+"""All cases that come with the program; a folder beside them has scenarios."""
 
 NEUTRAL = """\
 links: 3

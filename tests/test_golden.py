@@ -15,13 +15,12 @@ from typing import Any
 
 import pytest
 
-from tests.commands import CASES, vstatics
+from tests.commands import CASES, SHIPPED, vstatics
 from vstatics.readers.results import read_results
 from vstatics.tables.compare import differences
 from vstatics.tables.quantities import QUANTITIES
 
 GOLDEN = Path(__file__).parent / "golden"
-SHIPPED = sorted(path for path in CASES.iterdir() if path.suffix in (".yaml", ".dat"))
 FORMATS = {"lst": "listing", "json": "json"}
 WRITTEN = {f"{path.name}.{suffix}": path for path in SHIPPED for suffix in FORMATS}
 NAMES_OF_TABLES = {quantity.key for quantity in QUANTITIES}

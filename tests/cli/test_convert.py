@@ -10,13 +10,12 @@ import pytest
 from hypothesis import given, settings
 
 import vstatics as library
-from tests.commands import CASES, MZKT, NEUTRAL, vstatics
+from tests.commands import MZKT, NEUTRAL, SHIPPED, vstatics
 from tests.strategies import ANY_NUMBER, transmissions
 from vstatics.model.transmission import Transmission
 from vstatics.readers import read
 from vstatics.writers import deck, named
 
-SHIPPED = sorted(path for path in CASES.iterdir() if path.suffix in (".yaml", ".dat"))
 SUFFIXES = {"deck": ".dat", "yaml": ".yaml", "json": ".json"}
 KEEPS_ALL = ("yaml", "json")
 

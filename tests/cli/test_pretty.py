@@ -8,9 +8,7 @@ from pathlib import Path
 import pytest
 from rich.cells import cell_len
 
-from tests.commands import CASES, MZKT, NEUTRAL, vstatics
-
-SHIPPED = sorted(path for path in CASES.iterdir() if path.suffix in (".yaml", ".dat"))
+from tests.commands import CASES, MZKT, NEUTRAL, SHIPPED, vstatics
 
 
 @pytest.fixture(autouse=True)

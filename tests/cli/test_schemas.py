@@ -11,11 +11,10 @@ from typing import Any
 import pytest
 from jsonschema import Draft202012Validator
 
-from tests.commands import BAD, CASES, ROOT, TIED_UP, vstatics
+from tests.commands import BAD, CASES, ROOT, SHIPPED, TIED_UP, vstatics
 from vstatics.cli.schemas import schemas, text
 
 SCHEMAS = ROOT / "schemas"
-SHIPPED = sorted(path for path in CASES.iterdir() if path.suffix in (".yaml", ".dat"))
 OF_COMMAND = {"run": "result", "flow": "flow", "summary": "summary", "explain": "explain"}
 
 

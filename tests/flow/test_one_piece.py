@@ -8,8 +8,8 @@ from pathlib import Path
 
 import pytest
 
-from tests.commands import vstatics
-from tests.flow.worked import CASES, only, solved
+from tests.commands import SHIPPED, vstatics
+from tests.flow.worked import only, solved
 from vstatics import Gear, Mechanism, ShiftElement, Transmission, load, solve
 from vstatics.flow.grids import power_grid
 from vstatics.flow.power import flows
@@ -86,7 +86,7 @@ def differing(one: PowerFlow, other: PowerFlow) -> set[str]:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("path", CASES, ids=lambda path: path.name)
+@pytest.mark.parametrize("path", SHIPPED, ids=lambda path: path.name)
 def test_what_is_marked_is_what_the_two_conventions_disagree_about(path: Path) -> None:
     """`exact` and `published` differ in nothing but idle mechanisms with losses."""
     if all(one.efficiency == 1 for one in solved(path, coast=False).case.mechanisms):

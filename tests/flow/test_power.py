@@ -8,7 +8,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tests.flow.worked import CASES, lost, only, sides, solved, through
+from tests.commands import SHIPPED
+from tests.flow.worked import lost, only, sides, solved, through
 from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
 from vstatics.flow.circulation import cancel
 from vstatics.flow.power import flows
@@ -100,7 +101,7 @@ def closes(side: PowerFlow) -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("coast", [False, True])
-@pytest.mark.parametrize("path", CASES, ids=lambda path: path.name)
+@pytest.mark.parametrize("path", SHIPPED, ids=lambda path: path.name)
 def test_the_power_of_every_shipped_case_closes(path: Path, coast: bool) -> None:
     """Conservation of energy, at each node and for the whole."""
     results = solved(path, coast=coast)
@@ -116,7 +117,7 @@ def test_the_power_of_every_shipped_case_closes(path: Path, coast: bool) -> None
 
 def test_members_of_drawn_elements_have_the_powers_of_the_printed_tables() -> None:
     """Planets are no links of the user: torques of AMLGP times speeds of W, by hand."""
-    results = solved(next(path for path in CASES if path.stem == "umdm"), coast=False)
+    results = solved(next(path for path in SHIPPED if path.stem == "umdm"), coast=False)
     found = {table.quantity.name: table for table in tables(results)}
     speeds, torques = (
         dict(zip(found[name].rows, found[name].values, strict=True))

@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 from hypothesis import given
 
-from tests.commands import vstatics
-from tests.flow.worked import CASES, only, sides, solved
+from tests.commands import SHIPPED, vstatics
+from tests.flow.worked import only, sides, solved
 from tests.trains import regular_trains, trains
 from vstatics import Gear, Mechanism, ShiftElement, Transmission, load, solve
 from vstatics.flow.grids import power_grid
@@ -63,7 +63,7 @@ def test_a_self_locking_train_has_many_times_the_input_power_in_its_teeth() -> N
     The ring that goes out turns at (u - 1)/u, against the carrier at -1/u; its torque is
     u/(u - 1). So 1/(u - 1) = 250 times the input power goes through the teeth.
     """
-    results = solved(next(path for path in CASES if path.stem == "self-locking"), coast=False)
+    results = solved(next(path for path in SHIPPED if path.stem == "self-locking"), coast=False)
     ideal = flows(results)[0].ideal
     assert ideal is not None
     assert list(teeth(ideal).values()) == [pytest.approx(250)]
@@ -77,7 +77,7 @@ def test_a_wolfrom_reducer_has_sixty_times_the_input_power_in_its_teeth() -> Non
     planet go I/(1 - I) = 1176/20 times the input power, by the sun 1 - w_c = 56/66, and by
     the held ring both together.
     """
-    results = solved(next(path for path in CASES if path.stem == "wolfrom"), coast=False)
+    results = solved(next(path for path in SHIPPED if path.stem == "wolfrom"), coast=False)
     [flow] = flows(results)
     ideal, _ = sides(flow)
     assert teeth(ideal) == pytest.approx(
@@ -174,7 +174,7 @@ gears: {"1": {}}
 
 @pytest.mark.slow
 @pytest.mark.parametrize("coast", [False, True])
-@pytest.mark.parametrize("path", CASES, ids=lambda path: path.name)
+@pytest.mark.parametrize("path", SHIPPED, ids=lambda path: path.name)
 def test_every_mesh_loses_its_part_of_the_tooth_power(path: Path, coast: bool) -> None:
     """Whichever way power goes: what enters the teeth, less eta of it, is lost."""
     results = solved(path, coast=coast)
@@ -190,7 +190,7 @@ def test_every_mesh_loses_its_part_of_the_tooth_power(path: Path, coast: bool) -
 
 @pytest.mark.parametrize("stem", ["umdm", "wolfrom", "ravigneaux-gf4a"])
 def test_losses_of_meshes_are_those_of_the_results(stem: str) -> None:
-    results = solved(next(path for path in CASES if path.stem == stem), coast=False)
+    results = solved(next(path for path in SHIPPED if path.stem == stem), coast=False)
     for number, flow in enumerate(flows(results)):
         _, lossy = sides(flow)
         found = [one.loss for one in lossy.teeth if one.mesh]

@@ -9,8 +9,6 @@ from vstatics import Results, Transmission, load, solve
 from vstatics.flow.power import flows
 from vstatics.flow.power_flow import GearFlow, PowerFlow
 
-CASES = sorted(path for path in (Path(__file__).parents[2] / "cases").iterdir())
-
 
 def only(case: Transmission) -> GearFlow:
     """The flow of a case of one gear."""

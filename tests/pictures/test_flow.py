@@ -12,7 +12,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.transforms import Bbox
 
-from tests.commands import LOCKED, NEUTRAL, TIED_UP
+from tests.commands import CASES, LOCKED, NEUTRAL, SHIPPED, TIED_UP
 from vstatics import Gear, Mechanism, Results, Transmission, load, solve
 from vstatics.flow.power import flows
 from vstatics.flow.power_flow import GearFlow, PowerFlow
@@ -23,12 +23,11 @@ from vstatics.pictures.flow_places import FlowLayout
 from vstatics.pictures.style import Style
 from vstatics.readers.named.reader import read_yaml
 
-CASES = sorted((Path(__file__).parents[2] / "cases").iterdir())
 SOME = ("zf-8hp70.yaml", "mercedes-9g.yaml", "toyota-p410.yaml", "self-locking.yaml")
 """A loop, two of them, several inputs and outputs, a gear locked by friction."""
 EACH = [
     pytest.param(path, id=path.name, marks=() if path.name in SOME else pytest.mark.slow)
-    for path in CASES
+    for path in SHIPPED
 ]
 
 
@@ -155,7 +154,7 @@ def test_a_loop_that_may_not_be_in_the_metal_says_so(
     language: Literal["en", "ru"], words: str
 ) -> None:
     """Mechanisms that share planets, as the case says of itself."""
-    results = solve(load(CASES[0].parent / "umdm-reduced.yaml"))
+    results = solve(load(CASES / "umdm-reduced.yaml"))
     figure = picture(results, "flow", Style(language), [5])
     assert words in drawn(figure)
     assert_readable(figure)
@@ -164,7 +163,7 @@ def test_a_loop_that_may_not_be_in_the_metal_says_so(
 @pytest.mark.parametrize("language", ["en", "ru"])
 def test_what_a_convention_divides_is_marked_and_named(language: Literal["en", "ru"]) -> None:
     """In gear 6 the clutch E holds P3 as one piece; C and D stand in series with it."""
-    results = solve(load(CASES[0].parent / "zf-8hp70.yaml"))
+    results = solve(load(CASES / "zf-8hp70.yaml"))
     figure = picture(results, "flow", Style(language), [6])
     told = drawn(figure)
     said = {"en": "by convention, as it turns as one piece", "ru": "условно: внутри одного целого"}
@@ -197,7 +196,7 @@ def test_a_gear_without_power_says_so(deck: str, words: str) -> None:
 
 
 def test_one_gear_alone_is_as_large_as_it_needs_to_be() -> None:
-    results = solve(load(CASES[0].parent / "zf-8hp70.yaml"))
+    results = solve(load(CASES / "zf-8hp70.yaml"))
     everything, reverse = (picture(results, "flow", Style(), gears) for gears in ([], [9]))
     assert "gear R" in drawn(reverse)
     assert "gear 1" not in drawn(reverse)

@@ -5,11 +5,11 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from tests.commands import CASES
+from tests.commands import CASES, SHIPPED
 from vstatics import Results, load, solve
 from vstatics.pictures.lever import levers
 
-SHIPPED = sorted(path.name for path in CASES.iterdir())
+NAMES = [path.name for path in SHIPPED]
 
 
 def result(name: str) -> Results:
@@ -26,7 +26,7 @@ def test_positions_on_a_lever_follow_from_the_teeth() -> None:
     )
 
 
-@pytest.mark.parametrize("name", SHIPPED)
+@pytest.mark.parametrize("name", NAMES)
 def test_speeds_are_linear_along_every_lever(name: str) -> None:
     """Willis: all speeds against the carrier are in the ratio of their positions."""
     results = result(name)

@@ -12,12 +12,12 @@ from typing import Any
 
 import pytest
 
-from tests.commands import CASES, LOCKED, NEUTRAL, TIED_UP, vstatics
+from tests.commands import CASES, LOCKED, NEUTRAL, SHIPPED, TIED_UP, vstatics
 from vstatics import Results, load, solve
 from vstatics.pictures import FORMATS, PICTURES, Format, picture, render
 from vstatics.pictures.style import Style
 
-SHIPPED = sorted(path.name for path in CASES.iterdir())
+NAMES = [path.name for path in SHIPPED]
 QUICK = ("mzkt7922.dat", "power-split.yaml")
 WITHOUT_PLAN = ("wheel-hub.yaml", "wolfrom.yaml")
 """One degree of freedom, and nothing that shifts."""
@@ -89,10 +89,10 @@ def test_no_label_covers_another(name: str, style: Style, kind: str) -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("kind", OURS)
-@pytest.mark.parametrize("name", SHIPPED[::3])
+@pytest.mark.parametrize("name", NAMES[::3])
 def test_no_label_covers_another_in_any_shipped_case(name: str, kind: str) -> None:
     if has_picture(kind, name):
-        style = STYLES[SHIPPED.index(name) % len(STYLES)]
+        style = STYLES[NAMES.index(name) % len(STYLES)]
         assert overlaps(result(name), kind, style) == []
 
 

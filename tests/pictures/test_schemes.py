@@ -24,7 +24,7 @@ from vstatics.pictures.style import Style
 from vstatics.statics.results import Results
 
 SHIPPED = Path(__file__).parents[2] / "cases"
-CASES = sorted(SHIPPED.glob("*"))
+CASES = sorted(path for path in SHIPPED.glob("*") if path.is_file())
 DRAWN = [case for case in CASES if "elements:" in case.read_text(encoding="utf-8").split()]
 FEW = {"mzkt7922.dat", "umdm.yaml", "wheel-hub.yaml"}
 """Cases of each kind for the fast tests: a deck, shared planets, held links."""

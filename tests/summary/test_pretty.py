@@ -11,7 +11,7 @@ import pytest
 from rich.console import Console
 
 import vstatics as library
-from tests.commands import CASES, MZKT, vstatics
+from tests.commands import MZKT, SHIPPED, vstatics
 from vstatics.summary.pretty import ASCII, DOTS, view
 
 FREEWHEEL = """
@@ -42,7 +42,7 @@ def gear_lines(text: str) -> list[str]:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("path", sorted(CASES.iterdir()), ids=lambda path: path.name)
+@pytest.mark.parametrize("path", SHIPPED, ids=lambda path: path.name)
 def test_the_numbers_are_those_of_the_result(path: Path) -> None:
     text = shown(path)
     document = json.loads(vstatics("run", path, "-f", "json").out)
