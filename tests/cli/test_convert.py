@@ -36,8 +36,9 @@ def kept(case: Transmission, form: str) -> Transmission:
 
 
 def suffixes(case: Transmission) -> dict[str, str]:
-    """The formats that can hold a case; a deck has no springs."""
-    return {form: SUFFIXES[form] for form in KEEPS_ALL} if case.springs else SUFFIXES
+    """The formats that can hold a case; a deck has no springs and no inertias."""
+    no_deck = case.springs or case.inertias
+    return {form: SUFFIXES[form] for form in KEEPS_ALL} if no_deck else SUFFIXES
 
 
 @pytest.mark.slow
