@@ -233,6 +233,58 @@ gears: {x: []}
     )
 
 
+def test_inertias_and_a_clutch_are_a_case() -> None:
+    case = loaded("inertias: {engine: 0.3, disc: 0.1}\nshift_elements: {C: [disc, engine]}")
+    assert list(case.link_names) == ["disc", "engine"]
+    assert (case.mechanisms, case.springs, case.gears) == ((), (), (Gear(name="1"),))
+    assert loaded(write_yaml(case)) == case
+    [told] = library.solve(case).messages
+    assert "1 condition missing for the speeds (neutral)" in told.text
+
+
+def test_links_with_inertia_alone_are_a_case() -> None:
+    assert list(loaded("inertias: {b: 1, a: 2}").link_names) == ["b", "a"]
+    assert loaded("inertias: {mass: 2}").links == 1
+    case = loaded("links: [engine, turbine, out]\ninertias: {engine: 1, turbine: 1, out: 9}")
+    assert case.links == 3
+    assert loaded(write_yaml(case)) == case
+
+
+def test_mechanisms_with_inertias_go_without_gears() -> None:
+    case = loaded("""
+inertias: {a: 1, b: 2}
+mechanisms: {M: {first: a, second: b, ratio: 2, stiffness: 9e4}}
+""")
+    assert library.solve(case).ratio.tolist() == [2.0]
+
+
+@pytest.mark.parametrize("nothing", ["inertias: {}", "inertias:", "inertias: ~"])
+def test_inertias_that_are_none_are_no_case(nothing: str) -> None:
+    assert messages(nothing) == [
+        f"case.yaml:1:1: error: `{key}` is missing" for key in ("links", "mechanisms", "gears")
+    ]
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("inertias: 3", "case.yaml:1:11: error: inertias: read '3', expected a mapping: a number"),
+        ("inertias: {a: x}", "case.yaml:1:15: error: inertias.a: read 'x', expected an inertia in"),
+        (
+            "links: 4\ninertias: {1: 3}",
+            "read 4 links, but 0 shift elements, 0 mechanisms and 1 inertias can join 1 at most",
+        ),
+        (
+            "inertias: {engine: 1, dics: 2}\nshift_elements: {C: [engine, disc]}",
+            "read 'dics', expected the name of a link or `housing`; did you mean `disc`?",
+        ),
+    ],
+)
+def test_a_fault_of_inertias_is_told_once(text: str, said: str) -> None:
+    [told] = [one for one in messages(text) if ": error: " in one]
+    assert said in told
+
+
 FRICTION = """
 links: [in, a0, wheel, vehicle]
 inertias: {in: 3.6, a0: 0.2, vehicle: 41.2}

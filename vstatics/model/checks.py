@@ -54,7 +54,12 @@ def _is_torsional(case: TransmissionFields) -> bool:
     """Whether anything is there for vibration."""
     parts: list[ShiftElement | Mechanism] = [*case.shift_elements, *case.mechanisms]
     elastic = (part.stiffness is not None or part.damping for part in parts)
-    return bool(case.springs or case.inertias) or any(elastic)
+    return _moves(case) or any(elastic)
+
+
+def _moves(case: TransmissionFields) -> bool:
+    """Whether it is a case by its springs or inertias alone."""
+    return bool(case.springs or case.inertias)
 
 
 def doubts(case: TransmissionFields) -> Iterator[Problem]:
@@ -111,10 +116,10 @@ def _not_drawn(case: TransmissionFields) -> list[tuple[int, Mechanism]]:
 def _sizes(case: TransmissionFields) -> Iterator[Problem]:
     """Sizes that devices can fill; so no case asks for more memory than its text holds."""
     joined = 2 * len(case.shift_elements) + 3 * len(case.mechanisms)
-    joined += sum(len(spring.twist) for spring in case.springs)
-    least = 1 if case.springs else 2
-    if case.links < least:
-        expected = "at least 1 link" if case.springs else "at least 2 links (input and output)"
+    joined += sum(len(spring.twist) for spring in case.springs) + len(case.inertias)
+    moves = _moves(case)
+    if case.links < (1 if moves else 2):
+        expected = "at least 1 link" if moves else "at least 2 links (input and output)"
         yield Problem(f"read {case.links}, expected {expected}", ("links",))
     elif case.links > max(joined, 2):
         yield Problem(
@@ -124,14 +129,15 @@ def _sizes(case: TransmissionFields) -> Iterator[Problem]:
     if case.link_names and len(case.link_names) != case.links:
         message = f"{case.links} links, but {len(case.link_names)} names of links"
         yield Problem(message, ("link_names",))
-    if not case.gears and not case.springs:
+    if not case.gears and not moves:
         yield Problem("there is no gear, expected at least one", ("gears",))
 
 
 def _counted(case: TransmissionFields) -> str:
     """What can join links, in words."""
     parts = [f"{len(case.shift_elements)} shift elements", f"{len(case.mechanisms)} mechanisms"]
-    return spoken(parts + ([f"{len(case.springs)} springs"] if case.springs else []))
+    parts += [f"{len(case.springs)} springs"] * bool(case.springs)
+    return spoken(parts + [f"{len(case.inertias)} inertias"] * bool(case.inertias))
 
 
 def _names(case: TransmissionFields) -> Iterator[Problem]:
@@ -200,7 +206,7 @@ def _ports(case: TransmissionFields) -> Iterator[Problem]:
     yield from of_link(case.input, ("input",), case.own_links, lowest=1)
     yield from of_link(case.main_output, ("output",), case.own_links, lowest=1)
     yield from _outputs(case)
-    if case.input == case.main_output and not (case.springs and case.links == 1):
+    if case.input == case.main_output and not (_moves(case) and case.links == 1):
         yield Problem(f"input and output are both link {called(case, case.input)}", ("output",))
 
 

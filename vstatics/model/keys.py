@@ -260,8 +260,8 @@ CASE = ByKey(
         KeyShape(
             "springs",
             ByName("spring", SPRING),
-            "Elastic devices in order, each under its name; with them a case may go without "
-            "mechanisms, links and gears.",
+            "Elastic devices in order, each under its name; with them or with inertias a case may "
+            "go without mechanisms, links and gears.",
         ),
         KeyShape(
             "gears",
@@ -275,8 +275,8 @@ CASE = ByKey(
 )
 
 
-def with_springs(case: ByKey) -> ByKey:
-    """The shape of a case that has springs: it may go without mechanisms and gears."""
+def with_masses(case: ByKey) -> ByKey:
+    """The shape of a case that has springs or inertias: it may go without the rest."""
     free = {"mechanisms", "gears", "links"}
     keys = (key._replace(required=key.required and key.name not in free) for key in case.keys)
     return case._replace(keys=tuple(keys))

@@ -22,7 +22,9 @@ def arguments(values: dict[str, Any], walk: Walk) -> dict[str, Any]:
         part: [item._replace(name=name) for name, item in values.get(part, {}).items()]
         for part in ("shift_elements", "mechanisms", "springs", "gears")
     }
-    if (parts["springs"] or ("springs",) in walk.spots.unreadable) and not parts["gears"]:
+    masses = ("springs", "inertias")
+    given = any(values.get(key) or (key,) in walk.spots.unreadable for key in masses)
+    if given and not parts["gears"]:
         parts["gears"] = [Gear()]  # so that drag of the case has a place
     load = values.get("load", Load())
     common = Common(load, values["coast"], values.get("drag", {}))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
 from vstatics.elements.keys import with_elements
@@ -23,6 +23,8 @@ from vstatics.readers.named.nodes import (
 )
 from vstatics.readers.named.walk import Walk
 
+_HEAVY = CASE._replace(keys=tuple(key for key in CASE.keys if key.name == "inertias"))
+
 
 def is_listed(root: nodes.Mapping) -> bool:
     """Whether a document has a list of links, or their number; a second one is not read."""
@@ -31,8 +33,12 @@ def is_listed(root: nodes.Mapping) -> bool:
 
 
 def gathered_links(root: nodes.Mapping, walk: Walk) -> list[str]:
-    """The links in the order in which devices name them; the walk is told, if there are any."""
-    names = list(dict.fromkeys(node.text for node in joined_links(root)))
+    """The links in the order in which devices name them; the walk is told, if there are any.
+
+    Without devices they are those that have inertias.
+    """
+    found = joined_links(root) or _named(_links(root, _HEAVY))
+    names = list(dict.fromkeys(node.text for node in found))
     if names:
         walk.references.set_link_names(names)
     return names
@@ -45,7 +51,12 @@ def joined_links(root: nodes.Mapping) -> list[Scalar]:
     """
     keys = [key for key in with_elements(CASE).keys if isinstance(key.shape, ByName)]
     devices = CASE._replace(keys=tuple(key for key in keys if key.name != "gears"))
-    named = (node for node in _links(root, devices) if isinstance(node, Scalar))
+    return _named(_links(root, devices))
+
+
+def _named(links: Iterable[Node]) -> list[Scalar]:
+    """Names of links, the housing apart."""
+    named = (node for node in links if isinstance(node, Scalar))
     return [node for node in named if not is_null(node) and node.text not in ("0", "housing")]
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from vstatics.errors import Problem, ReadError
-from vstatics.model.keys import CASE, with_springs
+from vstatics.model.keys import CASE, with_masses
 from vstatics.model.shape import ByKey
 from vstatics.readers.named.arguments import arguments, untold
 from vstatics.readers.named.nodes import (
@@ -64,34 +64,39 @@ def read_json(data: bytes, file: str) -> Reading:
 
 def _reading(root: Node, found: Found) -> Reading:
     """The case of a tree of nodes."""
-    expected = "a case: a mapping with `elements` or `mechanisms`, and `gears`, or with `springs`"
+    expected = (
+        "a case: a mapping with `elements` or `mechanisms`, and `gears`, or with `springs` or "
+        "`inertias`"
+    )
     root = _case(_mapping(root, found, expected))
     walk = Walk(Spots(found))
     given = {key.text for key, _ in root.entries}
-    springs = _has_springs(root)
-    shape = with_springs(CASE) if springs else CASE
+    masses = _has_masses(root)
+    shape = with_masses(CASE) if masses else CASE
     if "elements" in given:
         from vstatics.readers.named.drawing import read_drawing  # others do without
 
         return read_drawing(root, walk, shape)
-    if springs:
-        return _with_springs(root, walk, shape)
+    if masses:
+        return _with_masses(root, walk, shape)
     values = walk.read(Spot((), "", root), shape)
     return finish(
         arguments(values, walk), found.problems, untold(walk.spots.unreadable), walk.spots.locate
     )
 
 
-def _has_springs(root: Mapping) -> bool:
-    """Whether springs are listed, so that a case may go without most other things."""
-    first = next((value for key, value in root.entries if key.text == "springs"), None)
-    if first is None or is_null(first):
-        return False
-    return not isinstance(first, Mapping) or bool(first.entries)
+def _has_masses(root: Mapping) -> bool:
+    """Whether springs or inertias are listed, so that a case may go without the rest."""
+    return any(
+        key.text in ("springs", "inertias")
+        and not is_null(value)
+        and (not isinstance(value, Mapping) or bool(value.entries))
+        for key, value in root.entries
+    )
 
 
-def _with_springs(root: Mapping, walk: Walk, shape: ByKey) -> Reading:
-    """A case without elements, whose springs may tell its links."""
+def _with_masses(root: Mapping, walk: Walk, shape: ByKey) -> Reading:
+    """A case without elements, whose devices or inertias may tell its links."""
     from vstatics.readers.named.joined_links import gathered_links, is_listed, loose_links
 
     gathers = not is_listed(root)

@@ -6,7 +6,7 @@ from typing import Any, get_args
 
 from vstatics.elements.keys import with_elements
 from vstatics.model.elastic_keys import DAMPING
-from vstatics.model.keys import CASE, with_springs
+from vstatics.model.keys import CASE, with_masses
 from vstatics.model.shape import (
     ByKey,
     ByKind,
@@ -64,7 +64,10 @@ _ENOUGH: tuple[Words, ...] = (
             "gears": {**_GIVEN, **_NOT_EMPTY},
         },
     },
-    {"required": ["springs"], "properties": {"springs": {**_GIVEN, **_NOT_EMPTY}}},
+    *(
+        {"required": [key], "properties": {key: {**_GIVEN, **_NOT_EMPTY}}}
+        for key in ("springs", "inertias")
+    ),
 )
 """What a case is made of, at least."""
 
@@ -77,11 +80,11 @@ def json_schema() -> Words:
     Examples
     --------
     >>> [one["required"] for one in json_schema()["anyOf"]]
-    [['elements', 'gears'], ['links', 'mechanisms', 'gears'], ['springs']]
+    [['elements', 'gears'], ['links', 'mechanisms', 'gears'], ['springs'], ['inertias']]
     """
     schema = {
         "$schema": "https://json-schema.org/draft/2020-12/schema",
-        **_record(with_elements(with_springs(CASE))),
+        **_record(with_elements(with_masses(CASE))),
         "anyOf": list(_ENOUGH),
     }
     measures = {name: _measure(name) for name in get_args(Measure) if name not in _IN_NO_CASE}
