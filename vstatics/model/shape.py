@@ -87,10 +87,10 @@ class Ends(NamedTuple):
 
 
 class Numbers(NamedTuple):
-    """Links or shift elements with a number for each."""
+    """Links or shift elements with a number for each, or with what else it has in its place."""
 
     by: Literal["link", "shift element"]
-    item: Leaf
+    item: Shape
     limits: Limits = NO_LIMITS
 
 
@@ -164,7 +164,9 @@ class ListOf(NamedTuple):
 
     item: Shape
     kind: str = ""
-    """What messages call the items, and that each is the only one of its name."""
+    """What messages call the items."""
+    unique: bool = True
+    """Whether each, where it is of a kind, is the only one of its name."""
 
 
 class Pair(NamedTuple):
@@ -176,7 +178,7 @@ class Pair(NamedTuple):
 class RowOf(NamedTuple):
     """Values in a fixed order, in a list."""
 
-    items: tuple[Leaf, ...]
+    items: tuple[Shape, ...]
     kind: str
     """What messages call them: ``slip, coefficient``."""
 
@@ -185,6 +187,30 @@ class ByPoints(NamedTuple):
     """A number, or points in order of which it is the constant one: rows of two."""
 
     row: RowOf
+
+
+class Parsed(NamedTuple):
+    """A single value that a room reads itself."""
+
+    expected: str
+    parse: Callable[[str], Any]
+    """Text -> value; it raises ValueError with what was expected, or ReadError with the column."""
+    stand_in: Any
+
+
+class ByForm(NamedTuple):
+    """A single value, a list or a mapping, each with a shape of its own."""
+
+    expected: str
+    scalar: Leaf | Parsed
+    listing: ListOf
+    mapping: ByKey | None = None
+
+
+class OneOrMany(NamedTuple):
+    """One item, or several in a list; a list of lists of single values is one."""
+
+    item: ByForm
 
 
 class ByKind(NamedTuple):
@@ -205,6 +231,9 @@ Shape: TypeAlias = (
     | ListOf
     | Pair
     | RowOf
+    | Parsed
+    | ByForm
+    | OneOrMany
     | ByPoints
     | ByKind
 )

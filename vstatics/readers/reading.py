@@ -59,22 +59,25 @@ def finish(
         If there is any error, with all of them in the order of the text.
     """
     found = list(found)
-    hidden = set(unreadable)
-    above_hidden = {path[:length] for path in hidden for length in range(len(path))}
-
-    def is_certain(problem: Problem) -> bool:
-        """Whether no stand-in is above or below the part that the problem is about."""
-        path = problem.path
-        below_hidden = any(path[:length] in hidden for length in range(len(path) + 1))
-        return path not in above_hidden and not below_hidden
-
+    hidden = list(unreadable)
     try:
         case = Transmission(**parts)
     except CaseError as error:
-        found += [locate(problem) for problem in error.problems if is_certain(problem)]
+        found += [locate(one) for one in error.problems if is_certain(one.path, hidden)]
     else:
-        found += [locate(problem) for problem in doubts(case) if is_certain(problem)]
+        found += [locate(one) for one in doubts(case) if is_certain(one.path, hidden)]
     found.sort(key=lambda problem: problem.place[1:3] if problem.place else (0, 0))
     if any(problem.severity == "error" for problem in found):
         raise ReadError(found)
     return Reading(case, found, locate)
+
+
+def is_certain(path: Path, unreadable: Iterable[Path]) -> bool:
+    """Whether no stand-in is above or below the part that a problem is about.
+
+    >>> is_certain(("gears", 1), [("gears", 2)]), is_certain(("gears",), [("gears", 2)])
+    (True, False)
+    """
+    return not any(
+        path[: len(other)] == other or other[: len(path)] == path for other in unreadable
+    )

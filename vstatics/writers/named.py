@@ -171,7 +171,7 @@ class _Writer:
 
     def numbers(self, value: Any, shape: Numbers) -> dict[int | str, Any]:
         words = self.links if shape.by == "link" else self.elements
-        return {words[part]: self.leaf(number, shape.item) for part, number in value.items()}
+        return {words[part]: self.value(number, shape.item) for part, number in value.items()}
 
     def list_of(self, value: Any, shape: ListOf) -> list[Any]:
         return [self.value(item, shape.item) for item in value]
@@ -180,7 +180,7 @@ class _Writer:
         return [self.links[link] for link in value]
 
     def row(self, value: Any, shape: RowOf) -> list[Any]:
-        return [self.leaf(one, leaf) for one, leaf in zip(value, shape.items, strict=True)]
+        return [self.value(one, item) for one, item in zip(value, shape.items, strict=True)]
 
     def by_points(self, value: Any, shape: ByPoints) -> Any:
         """Points, or the number that holds everywhere."""

@@ -185,6 +185,15 @@ class Spots:
         """Remember a spot, or `node` as its place; the first one of a path counts."""
         self._spots.setdefault(spot.path, spot._replace(node=node or spot.node))
 
+    def has(self, path: Path) -> bool:
+        """Whether a part was read."""
+        return path in self._spots
+
+    def keys(self, path: Path) -> list[str]:
+        """The keys of a mapping that was read; none if there is none."""
+        node = self._spots[path].node if path in self._spots else None
+        return [key.text for key, _ in node.entries] if isinstance(node, Mapping) else []
+
     def complain(self, spot: Spot, message: str, node: Node | None = None) -> None:
         """Say what is wrong at a spot, or at a `node` of it."""
         at = node or spot.node

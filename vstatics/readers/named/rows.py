@@ -5,11 +5,13 @@ from __future__ import annotations
 from typing import Any, Protocol
 
 from vstatics.model.shape import ByPoints, RowOf, Shape
-from vstatics.readers.named.nodes import Listing, Mapping, Spot, is_null
+from vstatics.readers.named.nodes import Listing, Mapping, Spot, Spots, is_null
 
 
 class ReadsShapes(Protocol):
     """What the walk does for a row."""
+
+    spots: Spots
 
     def read(self, spot: Spot, shape: Shape) -> Any:
         """The value at a spot, or a stand-in after a problem."""

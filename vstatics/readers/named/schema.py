@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import Any, get_args
 
 from vstatics.elements.keys import with_elements
 from vstatics.model.elastic_keys import DAMPING
 from vstatics.model.keys import CASE, with_masses
 from vstatics.model.shape import (
+    ByForm,
     ByKey,
     ByKind,
     ByName,
@@ -20,7 +22,9 @@ from vstatics.model.shape import (
     ListOf,
     Measure,
     Numbers,
+    OneOrMany,
     Pair,
+    Parsed,
     RowOf,
     Shape,
     Shares,
@@ -92,6 +96,12 @@ def json_schema() -> Words:
     return {**schema, "$defs": {**_DEFINITIONS, **measures, _DAMPING: damping}}
 
 
+def document_schema(shape: ByKey, measures: Iterable[Measure]) -> Words:
+    """The JSON Schema of another document in YAML, in which these measures stand."""
+    schema = {"$schema": "https://json-schema.org/draft/2020-12/schema", **_record(shape)}
+    return {**schema, "$defs": {**_DEFINITIONS, **{name: _measure(name) for name in measures}}}
+
+
 def _measure(name: Measure) -> Words:
     return {
         "title": name.removeprefix("si_").capitalize(),
@@ -156,24 +166,32 @@ def _shape(shape: Shape) -> Words:  # noqa: PLR0911, PLR0912, C901 - a table
         case Either():
             return {"anyOf": [_shape(shape.short), _record(shape.record)]}
         case ListOf():
-            unique = {"uniqueItems": True} if shape.kind else {}
+            unique = {"uniqueItems": True} if shape.kind and shape.unique else {}
             return {"type": "array", "items": _shape(shape.item), **unique}
         case Pair():
             return {"type": "array", "items": _NAME, "minItems": 2, "maxItems": 2}
         case RowOf():
             return {
                 "type": "array",
-                "prefixItems": list(map(_leaf, shape.items)),
+                "prefixItems": list(map(_shape, shape.items)),
                 "minItems": len(shape.items),
                 "maxItems": len(shape.items),
             }
         case ByPoints():
             points = {"type": "array", "items": _shape(shape.row), "minItems": 1}
-            return {"anyOf": [_leaf(shape.row.items[-1]), points]}
+            return {"anyOf": [_shape(shape.row.items[-1]), points]}
+        case Parsed():
+            return {"type": ["number", "string"]}
+        case ByForm():
+            forms = (shape.scalar, shape.listing, shape.mapping)
+            return {"anyOf": [_shape(form) for form in forms if form is not None]}
+        case OneOrMany():
+            one = _shape(shape.item)
+            return {"anyOf": [*one["anyOf"], {"type": "array", "items": one, "minItems": 1}]}
         case ByKind():
             return {"oneOf": [_of_kind(kind, record) for kind, record in shape.records.items()]}
         case Numbers():
-            return _by_name({**_leaf(shape.item), **shape.limits})
+            return _by_name({**_shape(shape.item), **shape.limits})
         case Shares():
             return _by_name(_leaf(Leaf("share")))
         case Leaf():

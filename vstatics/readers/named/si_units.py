@@ -5,8 +5,9 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Iterator, Sequence
-from typing import NamedTuple
+from typing import NamedTuple, Self
 
+from vstatics.errors import spoken
 from vstatics.model.shape import Measure
 from vstatics.readers.named.arithmetic import ARITHMETIC, calculated
 from vstatics.readers.named.units import LONGEST, factors
@@ -137,6 +138,44 @@ def measured(text: str, measure: Measure) -> float:
     other = _OTHERS.get(dimension)
     told = f"; this is {_a(other)}" if other else " (with a decimal point)" * ("," in behind)
     raise ValueError(in_unit + told)
+
+
+class InUnit(float):
+    """A number in SI that knows what its unit measures."""
+
+    measure: Measure | None
+    """None: it is bare."""
+
+    def __new__(cls, value: float, measure: Measure | None) -> Self:
+        """Keep what it measures."""
+        made = super().__new__(cls, value)
+        made.measure = measure
+        return made
+
+
+def in_any_unit(text: str, measures: Sequence[Measure]) -> InUnit:
+    """A number in SI, bare or with a unit of one of several measures.
+
+    Raises
+    ------
+    ValueError
+        With what was expected.
+
+    Examples
+    --------
+    >>> in_any_unit("4 bar", ["si_torque", "pressure"]).measure, in_any_unit("4", ["time"]).measure
+    ('pressure', None)
+    """
+    units = spoken((UNIT_OF[measure] for measure in measures), "or")
+    fault = f"expected a number in {units}, bare or with its unit"
+    for measure in measures:
+        try:
+            value = measured(text, measure)
+        except ValueError as error:
+            fault = str(error) if len(measures) == 1 else fault
+            continue
+        return InUnit(value, measure if calculated(text).behind else None)
+    raise ValueError(fault)
 
 
 def _a(kind: str) -> str:

@@ -7,6 +7,7 @@ from functools import partial
 from typing import Any, NamedTuple
 
 from vstatics.model.shape import (
+    ByForm,
     ByKey,
     ByPoints,
     Either,
@@ -16,7 +17,9 @@ from vstatics.model.shape import (
     Links,
     ListOf,
     Measure,
+    OneOrMany,
     Pair,
+    Parsed,
     RowOf,
     Shape,
 )
@@ -73,7 +76,7 @@ LEAVES: dict[LeafKind, LeafReading] = {
 }
 
 
-def stand_in(shape: Shape) -> Any:  # noqa: PLR0911 - a table
+def stand_in(shape: Shape) -> Any:  # noqa: PLR0911, C901 - a table
     """What stands in for a value that cannot be read."""
     match shape:
         case Leaf():
@@ -86,7 +89,7 @@ def stand_in(shape: Shape) -> Any:  # noqa: PLR0911 - a table
             return _NO_LINKS
         case Links():
             return _MANY_LINKS
-        case ListOf():
+        case ListOf() | OneOrMany():
             return ()
         case Pair():
             return ("", "")
@@ -94,6 +97,10 @@ def stand_in(shape: Shape) -> Any:  # noqa: PLR0911 - a table
             return tuple(map(stand_in, shape.items))
         case ByPoints():
             return (stand_in(shape.row),)
+        case Parsed():
+            return shape.stand_in
+        case ByForm():
+            return stand_in(shape.scalar)
     return {}
 
 

@@ -15,6 +15,7 @@ from vstatics.errors import quoted, spoken
 from vstatics.model.parts import HOUSING
 from vstatics.model.shape import (
     TEXT,
+    ByForm,
     ByKey,
     ByKind,
     ByName,
@@ -25,12 +26,14 @@ from vstatics.model.shape import (
     Links,
     ListOf,
     Numbers,
+    OneOrMany,
     Pair,
+    Parsed,
     RowOf,
     Shape,
     Shares,
 )
-from vstatics.readers.named import rows, scalars
+from vstatics.readers.named import forms, rows, scalars
 from vstatics.readers.named.entries import NO_MERGE, entries, is_merge, known_entries
 from vstatics.readers.named.nodes import (
     Listing,
@@ -70,6 +73,9 @@ class Walk:
             Pair: self._pair,
             RowOf: partial(rows.read_row, self),
             ByPoints: partial(rows.read_points, self),
+            Parsed: partial(forms.read_parsed, self),
+            ByForm: partial(forms.read_form, self),
+            OneOrMany: partial(forms.read_one_or_many, self),
             ByKind: self._by_kind,
         }
 
