@@ -23,6 +23,18 @@ if TYPE_CHECKING:
     from vstatics.summary.duty_file import DutyFile
 
 
+def _torque(_context: click.Context, _option: click.Parameter, text: str | None) -> float:
+    """A torque in N*m, bare or with its unit."""
+    if text is None:
+        return 0.0
+    from vstatics.readers.named.si_units import measured
+
+    try:
+        return measured(text, "si_torque")
+    except ValueError as error:
+        raise click.BadParameter(f"read {text!r}, {error}") from None
+
+
 @click.command()
 @arguments.argument
 @formats.options(*formats.TABLES)
@@ -43,6 +55,12 @@ if TYPE_CHECKING:
     metavar="FILE",
     help="Mean efficiency of a duty cycle: YAML with `energy` or `time`, and a share by gear.",
 )
+@click.option(
+    "--output-torque",
+    callback=_torque,
+    metavar="TORQUE",
+    help="Outside torque on the output, for accelerations: -1200 or '-1200 N*m'.  [default: 0]",
+)
 @arguments.settings
 def summary(
     cases: tuple[str, ...],
@@ -50,6 +68,7 @@ def summary(
     combinations: bool,
     at_most: int,
     duty: str | None,
+    output_torque: float,
     settings: CaseOptions,
 ) -> int:
     """Ratios, steps, spread, transitions and largest values of each CASE; - is standard input.
@@ -81,7 +100,12 @@ def summary(
 
         cycle = read_duty(*files.read_input(duty))
     form = texts.OutputForm(to.form, to.style)
-    summarized = partial(_summarized, at_most=at_most if combinations else None, duty=cycle)
+    summarized = partial(
+        _summarized,
+        at_most=at_most if combinations else None,
+        duty=cycle,
+        output_torque=output_torque,
+    )
     if len(cases) == 1 or to.is_folder or to.form in ("json", "jsonl"):
         show = partial(_shown, summarized=summarized)
         return carry_out(Job("summary", settings, form, show), cases, to, others=others)
@@ -118,14 +142,16 @@ def _side_by_side(
     return FAILED if failed else DONE
 
 
-def _summarized(outcome: CalculatedCase, at_most: int | None, duty: DutyFile | None) -> Summary:
+def _summarized(
+    outcome: CalculatedCase, at_most: int | None, duty: DutyFile | None, output_torque: float
+) -> Summary:
     """The summary of a case; too many combinations are a problem of its file."""
     from vstatics.summary import summarize
 
     results = outcome.results
     assert results is not None  # noqa: S101 - of a case that has some
     try:
-        summary = summarize(results, at_most=at_most)
+        summary = summarize(results, at_most=at_most, output_torque=output_torque)
     except CaseError as error:
         raise ReadError(
             of_file(outcome.file, f"{problem.message}; see --at-most") for problem in error.problems

@@ -29,6 +29,7 @@ from vstatics.summary.combinations import Combination, combinations
 from vstatics.summary.design import Design, design
 from vstatics.summary.duty import Cycle
 from vstatics.summary.extremes import Largest, Margin, largest, margins
+from vstatics.summary.inertia import GearInertia, reduced_inertias
 from vstatics.summary.sensitivity import sensitivities
 from vstatics.summary.shifts import Transition, transitions
 
@@ -51,9 +52,13 @@ class Summary(NamedTuple):
     """If they were asked for."""
     cycle: Cycle | None = None
     """If there is a duty cycle."""
+    inertias: Sequence[GearInertia] = ()
+    """If anything has an inertia."""
 
 
-def summarize(results: Results, *, at_most: int | None = None) -> Summary:
+def summarize(
+    results: Results, *, at_most: int | None = None, output_torque: float = 0.0
+) -> Summary:
     """The summary of a case.
 
     Parameters
@@ -62,6 +67,8 @@ def summarize(results: Results, *, at_most: int | None = None) -> Summary:
         Of one case, not of arrays of variants.
     at_most : int, optional
         So many further combinations of shift elements may be tried; none when not given.
+    output_torque : float
+        Outside torque on the output, for accelerations; below 0 it resists. [N*m]
 
     Raises
     ------
@@ -77,4 +84,5 @@ def summarize(results: Results, *, at_most: int | None = None) -> Summary:
         sensitivities(results),
         margins(results),
         None if at_most is None else combinations(results, at_most),
+        inertias=reduced_inertias(results, output_torque),
     )

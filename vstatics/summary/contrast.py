@@ -18,7 +18,8 @@ from vstatics.summary.extremes import (
     overall,
     quantity,
 )
-from vstatics.summary.grids import other_combinations
+from vstatics.summary.grids import ACCELERATION, INERTIA, other_combinations
+from vstatics.summary.inertia import GearInertia
 from vstatics.tables.grid import Cell, Column, Grid, Row, exact, text, whole
 from vstatics.tables.quantity import headed
 
@@ -52,6 +53,8 @@ def contrasted(summaries: Sequence[Summary]) -> Iterator[Grid]:
     columns = [text("quantity")]
     for letter in letters(len(summaries)):
         columns += [Column(letter), text("where")]
+    if any(summary.inertias for summary in summaries):
+        yield _inertias(summaries)
     yield Grid("In all", columns, list(_in_all(summaries)), key="in all")
     for letter, summary in zip(letters(len(summaries)), summaries, strict=True):
         if summary.combinations is not None:
@@ -61,7 +64,7 @@ def contrasted(summaries: Sequence[Summary]) -> Iterator[Grid]:
 
 def _gears(summaries: Sequence[Summary]) -> Grid:
     lines = [{line.gear: line for line in summary.design.gears} for summary in summaries]
-    names: Sequence[str] = reduce(_in_order, map(list, lines), [])
+    names = _names(summaries)
     called = letters(len(summaries))
     quantities = "ratio", "step", "efficiency"
     headings = (f"{quantity} {letter}" for quantity in quantities for letter in called)
@@ -71,6 +74,29 @@ def _gears(summaries: Sequence[Summary]) -> Grid:
         values = zip(*((line.ratio, line.step, line.efficiency) for line in found), strict=True)
         rows.append([name, *(exact(value) for of_all in values for value in of_all)])
     return Grid("Gears", [text("gear"), *map(Column, headings)], rows, key="gears")
+
+
+def _names(summaries: Sequence[Summary]) -> Sequence[str]:
+    """The names of all gears."""
+    own = ([line.gear for line in summary.design.gears] for summary in summaries)
+    names: list[str] = reduce(_in_order, own, [])
+    return names
+
+
+def _inertias(summaries: Sequence[Summary]) -> Grid:
+    lines = [{one.gear: one for one in summary.inertias} for summary in summaries]
+    none = GearInertia("", math.nan, math.nan)
+    by_gear = {name: [by_name.get(name, none) for by_name in lines] for name in _names(summaries)}
+    shown = {INERTIA: "inertia", ACCELERATION: "acceleration"}
+    if all(math.isnan(one.acceleration) for found in by_gear.values() for one in found):
+        del shown[ACCELERATION]
+    headings = [f"{heading} {letter}" for heading in shown for letter in letters(len(summaries))]
+    rows: list[Row] = [
+        [name, *(exact(getattr(one, field)) for field in shown.values() for one in found)]
+        for name, found in by_gear.items()
+    ]
+    title = "Inertia at the input, acceleration of the input"
+    return Grid(title, [text("gear"), *map(Column, headings)], rows, key="inertia")
 
 
 def _in_order(first: Sequence[str], second: Sequence[str]) -> list[str]:

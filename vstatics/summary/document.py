@@ -33,7 +33,7 @@ def document(summary: Summary) -> dict[str, Any]:
         "sensitivity": dict(zip(mechanisms, summary.sensitivities.T.tolist(), strict=True)),
     }
     asked = {"duty": summary.cycle, "combinations": summary.combinations}
-    more = {"margins": summary.margins or None, **asked}
+    more = {"margins": summary.margins or None, "inertia": summary.inertias or None, **asked}
     made: dict[str, Any] = plain_data(
         always | {key: value for key, value in more.items() if value is not None}
     )

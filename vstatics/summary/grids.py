@@ -13,6 +13,7 @@ from vstatics.tables.grid import NO, YES, Cell, Column, Grid, Row, exact, text, 
 from vstatics.tables.ports import port_tables, ports_grid
 from vstatics.tables.quantity import UNITS, Quantity, headed
 
+INERTIA, ACCELERATION = "inertia, kg*m^2", "acceleration, rad/s^2"
 WITH_LOAD = " with load"
 """Ends the key of a table in units."""
 
@@ -38,6 +39,7 @@ def grids(summary: Summary) -> Iterator[Grid]:
         *_largest(summary),
         *_margins(summary),
         _duty(summary),
+        _inertias(summary),
         _sensitivities(summary),
     )
     yield from (grid for grid in tables if grid.rows)
@@ -188,3 +190,14 @@ def _duty(summary: Summary) -> Grid:
     total: Row = ["in all", exact(1.0), exact(summary.cycle.efficiency)]
     title = "Duty cycle: share of the input energy, efficiency"
     return Grid(title, columns, [*rows, total], key="duty")
+
+
+def _inertias(summary: Summary) -> Grid:
+    """Accelerations only where a load gives one."""
+    columns = [text("gear"), Column(INERTIA)]
+    rows: list[Row] = [[one.gear, exact(one.inertia)] for one in summary.inertias]
+    if any(math.isfinite(one.acceleration) for one in summary.inertias):
+        columns.append(Column(ACCELERATION))
+        for row, one in zip(rows, summary.inertias, strict=True):
+            row.append(exact(one.acceleration))
+    return Grid("Inertia at the input, acceleration of the input", columns, rows, key="inertia")

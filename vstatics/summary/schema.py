@@ -9,6 +9,7 @@ from vstatics.summary.design import GearLine
 from vstatics.summary.document import FORMAT, VERSION
 from vstatics.summary.duty import Cycle
 from vstatics.summary.extremes import Largest, Margin
+from vstatics.summary.inertia import GearInertia
 from vstatics.summary.shifts import Transition
 from vstatics.writers.documents import documents, head
 from vstatics.writers.ports import ports_schema
@@ -26,6 +27,7 @@ def json_schema() -> Schema:
     """The schema of ``vstatics summary -f json``."""
     sometimes: Schema = {
         "margins": schema_of(Sequence[Margin]),
+        "inertia": schema_of(Sequence[GearInertia]),
         "duty": schema_of(Cycle),
         "combinations": schema_of(Sequence[Combination]),
     }
