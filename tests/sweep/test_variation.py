@@ -63,7 +63,7 @@ def test_a_number_is_named_as_the_case_names_it(
     text: str, name: str, index: int, quantity: str
 ) -> None:
     assert target(text, CASE) == (name, index, quantity)
-    assert read_variation(f"{text}=1,2", CASE).target == (name, index, quantity)
+    assert read_variation(f"{text}=1,2", CASE).target == target(text, CASE)
 
 
 @pytest.mark.parametrize(

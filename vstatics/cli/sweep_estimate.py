@@ -8,7 +8,7 @@ import time
 
 from vstatics.errors import ReadError, of_file
 from vstatics.jobs.finished_pieces import FinishedPieces
-from vstatics.sweep import blocks
+from vstatics.sweep import calculation
 from vstatics.sweep.best import BEST
 from vstatics.sweep.formats import Format
 from vstatics.sweep.plan import SweepPlan
@@ -57,7 +57,7 @@ def _row_bytes(plan: SweepPlan, form: Format) -> float:
     last = max(plan.variants.count - ROWS, 0)
     starts = sorted({last * spot // (SPOTS - 1) for spot in range(SPOTS)})
     ends = ((start, min(start + ROWS, plan.variants.count)) for start in starts)
-    parts = [blocks.calculate(plan, *two) for two in ends]
+    parts = [calculation.calculate(plan, *two) for two in ends]
     length = sum(memoryview(one).nbytes for part in parts for one in data_of(form, part))
     return length / sum(len(part.variants) for part in parts)
 
@@ -73,10 +73,10 @@ def most_rows(plan: SweepPlan) -> int:
 def estimate(plan: SweepPlan, form: Format, jobs: int) -> str:
     """How many variants, how large, about how long, by a block of the sweep."""
     variants, columns = plan.variants.count, len(plan.names) + len(plan.headings) + 2
-    start, stop = _middle_block(plan)
-    blocks.calculate(plan, start, min(start + 100, stop))  # the first time costs more
+    start, stop = calculation.middle(plan)
+    calculation.calculate(plan, start, min(start + 100, stop))  # the first time costs more
     began = time.perf_counter()
-    rows = blocks.calculate(plan, start, stop)
+    rows = calculation.calculate(plan, start, stop)
     data = data_of(form, rows)
     seconds = (time.perf_counter() - began) / max(stop - start, 1) * variants
     part = len(rows.variants) / max(stop - start, 1)
@@ -96,13 +96,6 @@ def estimate(plan: SweepPlan, form: Format, jobs: int) -> str:
         "time": f"about {_duration(seconds / min(jobs, max(plan.pieces, 1)))}{processes}",
     }
     return "".join(f"{name:9} {value}\n" for name, value in lines.items())
-
-
-def _middle_block(plan: SweepPlan) -> tuple[int, int]:
-    """A block in the middle of the sweep."""
-    start, stop = plan.span(plan.pieces // 2)
-    ends = list(blocks.blocks(plan.case, start, stop))
-    return ends[len(ends) // 2]
 
 
 def _listed(names: list[str], most: int = 8) -> str:

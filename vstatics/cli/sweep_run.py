@@ -19,7 +19,9 @@ from vstatics.sweep.plan import SweepPlan
 from vstatics.sweep.tasks import SweepTask
 from vstatics.sweep.variants import VariantTable
 
-UNSOLVED = chunk.STATUS[-3:]
+UNSOLVED = [
+    chunk.STATUS[code] for code in (chunk.TIED_UP, chunk.CONFLICT, chunk.INVALID, chunk.STOPPED)
+]
 """A variant of this status has no solution at all."""
 
 

@@ -50,7 +50,7 @@ def possible_numbers(
 
 def block_tables(plan: SweepPlan, values: Floats) -> BlockTables:
     """What the plan asks for, of varied numbers that are possible."""
-    case, targets, asked = plan.case, plan.variants.targets, plan.modes
+    case, targets, asked = plan.case, plan.targets, plan.modes
     results = modes = None
     if plan.asks_for_results:
         numbers = _of_mechanisms(case, targets, values)

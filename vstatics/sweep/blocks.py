@@ -72,7 +72,7 @@ def variant_bytes(case: Transmission) -> int:
 def _block(plan: SweepPlan, own: Results | None, start: int, stop: int) -> Chunk:
     """The rows of a block."""
     values = plan.variants.block(start, stop)
-    possible, invalid = possible_numbers(plan.case, plan.variants.targets, values)
+    possible, invalid = possible_numbers(plan.case, plan.targets, values)
     tables = block_tables(plan, possible)
     status = _status(tables, own, len(values))
     status[invalid] = INVALID

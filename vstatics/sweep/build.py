@@ -17,9 +17,11 @@ from vstatics.sweep.formats import Format
 from vstatics.sweep.options import SweepOptions
 from vstatics.sweep.plan import SweepPlan
 from vstatics.sweep.samples import Method, Sample
+from vstatics.sweep.scenario import VariedScenario
+from vstatics.sweep.scenario_numbers import NumberPath
 from vstatics.sweep.selection import read_objective, read_where
+from vstatics.sweep.subjects import Subject, target_of
 from vstatics.sweep.table import load_table
-from vstatics.sweep.targets import target
 from vstatics.sweep.texts import Text, located
 from vstatics.sweep.variants import VariantGrid, Variants, VariantTable, Zip
 from vstatics.sweep.variation import Variation, read_variation
@@ -30,6 +32,7 @@ if TYPE_CHECKING:
 Read = TypeVar("Read")
 
 OUT = "ratio,efficiency"
+OUT_OF_RUNS = "heat,work"
 
 
 def check_packages(options: SweepOptions, form: Format, scheduler: str | None) -> None:
@@ -50,7 +53,7 @@ def check_packages(options: SweepOptions, form: Format, scheduler: str | None) -
 
 
 def plan(
-    case: Transmission,
+    subject: Subject,
     options: SweepOptions,
     *,
     arrays: Mapping[str, ArrayLike] | None = None,
@@ -60,7 +63,7 @@ def plan(
 
     Parameters
     ----------
-    case : Transmission
+    subject : Transmission or VariedScenario
     options : SweepOptions
     arrays : mapping of str to array_like, optional
         Further numbers to vary. [-]
@@ -74,10 +77,15 @@ def plan(
     CaseError
         If there can be no such sweep.
     """
-    case = _with_conventions(case, options)
-    variants = _table(case, table) if table is not None else _variants(case, options, arrays or {})
+    if isinstance(subject, Transmission):
+        subject = _with_conventions(subject, options)
+    variants: Variants
+    if table is not None:
+        variants = _table(subject, table)
+    else:
+        variants = _variants(subject, options, arrays or {})
     try:
-        return _with_expressions(case, options, variants)
+        return _with_expressions(subject, options, variants)
     except BaseException:
         if isinstance(variants, VariantTable):
             variants.close()
@@ -92,13 +100,11 @@ def _with_conventions(case: Transmission, options: SweepOptions) -> Transmission
     )
 
 
-def _variants(
-    case: Transmission, options: SweepOptions, arrays: Mapping[str, ArrayLike]
-) -> Variants:
+def _variants(subject: Subject, options: SweepOptions, arrays: Mapping[str, ArrayLike]) -> Variants:
     if options.variants is not None:
-        return load_table(options.variants, case)
+        return load_table(options.variants, subject)
     problems: list[Problem] = []
-    read = _all(options.vary, lambda text: read_variation(text, case), problems)
+    read = _all(options.vary, lambda text: read_variation(text, subject), problems)
     if problems:
         raise ReadError(problems)
     variations = [
@@ -106,7 +112,10 @@ def _variants(
             variation._replace(place=text.place(1) or variation.place)
             for variation, text in zip(read, options.vary, strict=True)
         ),
-        *(Variation(target(name, case), _list(name, values)) for name, values in arrays.items()),
+        *(
+            Variation(target_of(name, subject), _list(name, values))
+            for name, values in arrays.items()
+        ),
     ]
     if options.sample is not None:
         method = cast("Method", options.method or "sobol")
@@ -121,8 +130,8 @@ def _list(name: str, values: ArrayLike) -> np.ndarray[tuple[int], np.dtype[np.fl
     return array
 
 
-def _table(case: Transmission, columns: Mapping[str, ArrayLike]) -> VariantTable:
-    targets = [target(name, case) for name in columns]
+def _table(subject: Subject, columns: Mapping[str, ArrayLike]) -> VariantTable:
+    targets = [target_of(name, subject) for name in columns]
     arrays = [_list(name, values) for name, values in columns.items()]
     if len({len(array) for array in arrays}) != 1:
         lengths = ", ".join(f"{name} {len(a)}" for name, a in zip(columns, arrays, strict=True))
@@ -131,21 +140,34 @@ def _table(case: Transmission, columns: Mapping[str, ArrayLike]) -> VariantTable
     return VariantTable(targets, np.column_stack(arrays))
 
 
-def _with_expressions(case: Transmission, options: SweepOptions, variants: Variants) -> SweepPlan:
+def _with_expressions(subject: Subject, options: SweepOptions, variants: Variants) -> SweepPlan:
     targets = variants.targets
     problems: list[Problem] = []
 
     def read(texts: Iterable[Text], reader: Callable[..., Read], *more: str) -> list[Read]:
-        return _all(texts, lambda text: reader(text, case, targets, *more), problems)
+        return _all(texts, lambda text: reader(text, subject, targets, *more), problems)
 
-    columns = read([options.out or Text(OUT)], read_columns)
+    out = OUT if isinstance(subject, Transmission) else OUT_OF_RUNS
+    columns = read([options.out or Text(out)], read_columns)
     where = read(filter(None, [options.where]), read_where)
     least = read(options.min, read_objective, "--min")
     most = read(options.max, read_objective, "--max")
     if problems:
         raise ReadError(problems)
     condition = where[0] if where else None
-    return SweepPlan(case, variants, columns[0], condition, (*least, *most), options.best)
+    made = SweepPlan(subject, variants, columns[0], condition, (*least, *most), options.best)
+    if isinstance(subject, Transmission):
+        return made
+    return _of_runs(made, subject)
+
+
+def _of_runs(plan: SweepPlan, subject: VariedScenario) -> SweepPlan:
+    """A plan whose pieces are small, as runs take long; what is new in a document may be there."""
+    from vstatics.sweep.runs import piece_of_runs  # others need no simulation
+
+    paths = [path for path in plan.variants.targets if isinstance(path, NumberPath)]
+    subject.check_new(paths, plan.variants.block(0, 1)[0].tolist())
+    return replace(plan, piece=piece_of_runs(plan.variants.count))
 
 
 def _all(

@@ -19,15 +19,15 @@ if TYPE_CHECKING:
     import pandas as pd
 
     from vstatics.jobs.pieces import Account
-    from vstatics.sweep.expressions.names import Tables
+    from vstatics.sweep.expressions.selections import Tables
     from vstatics.sweep.plan import SweepPlan
 
 Codes = np.ndarray[Any, np.dtype[np.uint8]]
 
 _OF_GEARS = (status.NEUTRAL, status.UNDECIDED, status.LOCKED, status.TIED_UP, status.CONFLICT)
-STATUS = ("ok", *(one.name for one in _OF_GEARS), "invalid")
+STATUS = ("ok", *(one.name for one in _OF_GEARS), "invalid", "stopped")
 """What can be said of a variant, the worse the later; a variant has the worst of its gears."""
-OPEN, UNDECIDED, LOCKED, TIED_UP, CONFLICT, INVALID = range(1, len(STATUS))
+OPEN, UNDECIDED, LOCKED, TIED_UP, CONFLICT, INVALID, STOPPED = range(1, len(STATUS))
 
 
 class Chunk(NamedTuple):

@@ -57,7 +57,7 @@ def description(plan: SweepPlan, form: Format) -> dict[str, Any]:
 
 
 def column_types(plan: SweepPlan) -> list[ColumnType]:
-    """Names and types of the columns of the output."""
+    """NameFinder and types of the columns of the output."""
     number = np.dtype("<f8")
     return [
         ColumnType("variant", np.dtype("<i8")),

@@ -13,9 +13,11 @@ from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Floats
 from vstatics.sweep.expressions import Expression
 from vstatics.sweep.expressions.columns import OutputColumns
-from vstatics.sweep.expressions.names import Tables
+from vstatics.sweep.expressions.selections import Tables
 from vstatics.sweep.frequencies import OMEGA
 from vstatics.sweep.selection import Objective
+from vstatics.sweep.subjects import Subject
+from vstatics.sweep.targets import Target
 from vstatics.sweep.variants import Variants
 
 PIECE = 65536
@@ -29,8 +31,8 @@ class SweepPlan:
 
     Parameters
     ----------
-    case : Transmission
-        With the conventions to use (`coast`, `idle`).
+    subject : Transmission or VariedScenario
+        A case with the conventions to use (`coast`, `idle`).
     variants : Variants
         The numbered variants.
     columns : OutputColumns
@@ -45,13 +47,24 @@ class SweepPlan:
         Variants of a piece.
     """
 
-    case: Transmission
+    subject: Subject
     variants: Variants
     columns: OutputColumns
     where: Expression | None = None
     objectives: tuple[Objective, ...] = ()
     best: int | None = None
     piece: int = PIECE
+
+    @property
+    def case(self) -> Transmission:
+        """What is swept, where that is a case."""
+        assert isinstance(self.subject, Transmission)  # noqa: S101 - who asks knows it
+        return self.subject
+
+    @property
+    def targets(self) -> tuple[Target, ...]:
+        """What is varied of a case."""
+        return tuple(one for one in self.variants.targets if isinstance(one, Target))
 
     @property
     def names(self) -> tuple[str, ...]:

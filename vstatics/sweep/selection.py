@@ -11,13 +11,13 @@ from typing import Literal, NamedTuple
 
 import numpy as np
 
-from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Floats, Integers
 from vstatics.numerics.fronts import scaled
 from vstatics.readers.expressions.excerpt import Excerpt
 from vstatics.readers.expressions.grammar import Applied
 from vstatics.sweep.expressions import Expression, read_expression
-from vstatics.sweep.targets import Target
+from vstatics.sweep.subjects import Subject
+from vstatics.sweep.targets import Varied
 
 
 class Objective(NamedTuple):
@@ -28,7 +28,7 @@ class Objective(NamedTuple):
     """By which values are multiplied, so that smaller is better."""
 
 
-def read_where(text: str, case: Transmission, targets: Sequence[Target]) -> Expression:
+def read_where(text: str, subject: Subject, targets: Sequence[Varied]) -> Expression:
     """Read a condition; its values are 1 where it is true, else 0.
 
     Raises
@@ -46,12 +46,12 @@ def read_where(text: str, case: Transmission, targets: Sequence[Target]) -> Expr
     vstatics.errors.ReadError: --where:1:1: error: `ratio < 3` has one value per gear: \
 pick a gear, or use min, max or sum
     """
-    condition = _of_one(text, case, targets, "--where")
+    condition = _of_one(text, subject, targets, "--where")
     return Expression(condition.text, Applied("true", (condition.node,), 0, 0))
 
 
 def read_objective(
-    text: str, case: Transmission, targets: Sequence[Target], option: str
+    text: str, subject: Subject, targets: Sequence[Varied], option: str
 ) -> Objective:
     """Read what is to be small (`option` ``--min``) or large (``--max``).
 
@@ -60,13 +60,13 @@ def read_objective(
     ReadError
         With the place of what is wrong.
     """
-    expression = _of_one(text, case, targets, option)
+    expression = _of_one(text, subject, targets, option)
     return Objective(expression, -1 if option == "--max" else 1)
 
 
-def _of_one(text: str, case: Transmission, targets: Sequence[Target], option: str) -> Expression:
+def _of_one(text: str, subject: Subject, targets: Sequence[Varied], option: str) -> Expression:
     """An expression, if it has one value for each variant."""
-    expression = read_expression(text, case, targets, option)
+    expression = read_expression(text, subject, targets, option)
     if not expression.per:
         return expression
     parts = [f"a {name}" for name in expression.per.split(" and ")]

@@ -13,10 +13,10 @@ import numpy as np
 
 from vstatics.errors import Place, Problem, ReadError, nearest, of_file
 from vstatics.jobs.spool import Spool
-from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Floats
 from vstatics.readers.named.nodes import MOST_PROBLEMS
-from vstatics.sweep.targets import Target, refusal, shown, target
+from vstatics.sweep.subjects import Subject, target_of
+from vstatics.sweep.targets import Varied, refusal, shown
 from vstatics.sweep.variants import VariantTable
 from vstatics.sweep.variation import read_value
 from vstatics.tables.csv import unguarded
@@ -36,12 +36,12 @@ class _Columns(NamedTuple):
     file: str
     separator: str
     names: list[str]
-    targets: list[Target]
+    targets: list[Varied]
     chosen: list[int]
     """Which column holds each target."""
 
 
-def load_table(path: str, case: Transmission) -> VariantTable:
+def load_table(path: str, subject: Subject) -> VariantTable:
     """Read a table of variants from a file; see `read_table`.
 
     Raises
@@ -51,12 +51,12 @@ def load_table(path: str, case: Transmission) -> VariantTable:
     """
     try:
         with open(path, "rb") as opened:  # noqa: PTH123
-            return read_table(opened, path, case)
+            return read_table(opened, path, subject)
     except OSError as error:
         raise ReadError([of_file(path, f"can't be read: {error.strerror or error}")]) from None
 
 
-def read_table(opened: IO[bytes], file: str, case: Transmission) -> VariantTable:
+def read_table(opened: IO[bytes], file: str, subject: Subject) -> VariantTable:
     """Read a table of variants: CSV with names such as `D1.ratio` in its first line.
 
     Columns stand in any order; one of the name `variant` is passed over. Commas or
@@ -69,7 +69,7 @@ def read_table(opened: IO[bytes], file: str, case: Transmission) -> VariantTable
         Read once, in pieces.
     file : str
         Its name, for messages.
-    case : Transmission
+    subject : Transmission or VariedScenario
 
     Returns
     -------
@@ -92,7 +92,7 @@ def read_table(opened: IO[bytes], file: str, case: Transmission) -> VariantTable
     """
     pieces = _pieces(opened, file)
     head, _, first = next(pieces, b"").removeprefix(_BOM).partition(b"\n")
-    columns = _header(head, file, case)
+    columns = _header(head, file, subject)
     digest = hashlib.sha256()
     kept: list[Floats] = []
     spool: Spool | None = None
@@ -135,14 +135,14 @@ def _pieces(opened: IO[bytes], file: str) -> Iterator[bytes]:
         yield rest
 
 
-def _header(head: bytes, file: str, case: Transmission) -> _Columns:
+def _header(head: bytes, file: str, subject: Subject) -> _Columns:
     """The columns that the first line names."""
     line = _text(head, file, 1)
     if not line.strip():
         raise refusal("read an empty line, expected names such as D1.ratio", Place(file, 1, 1))
     separator = ";" if line.count(";") > line.count(",") else ","
     names: list[str] = []
-    targets: list[Target] = []
+    targets: list[Varied] = []
     chosen: list[int] = []
     problems: list[Problem] = []
     for index, (name, column) in enumerate(_cells(line, separator)):
@@ -154,7 +154,7 @@ def _header(head: bytes, file: str, case: Transmission) -> _Columns:
             continue
         place = Place(file, 1, column, line)
         try:
-            varied = target(name, case, place)
+            varied = target_of(name, subject, place)
         except ReadError as error:
             hint = nearest(name, [NUMBER_COLUMN])
             problems += [

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from typing import Literal, NamedTuple, get_args
+from collections.abc import Hashable, Mapping, Sequence
+from typing import Literal, NamedTuple, Protocol, get_args
 
 from vstatics.errors import Place, Problem, ReadError, listed, nearest, quoted, spoken, typed_number
 from vstatics.model.transmission import Transmission
@@ -27,6 +27,18 @@ OWNERS: Mapping[Quantity, Owner] = {
 ALIASES: Mapping[str, Quantity] = {LISTS["mechanisms", one]: one for one in OF_MECHANISM}
 """What the deck calls them, IAB and ETAI."""
 NAMES: Mapping[str, Quantity] = {**{one: one for one in OWNERS}, **ALIASES}
+
+
+class Varied(Protocol):
+    """A number that is varied, of a case or of a scenario."""
+
+    @property
+    def name(self) -> str:
+        """As it is written."""
+
+    @property
+    def number(self) -> Hashable:
+        """What two have in common that vary the same."""
 
 
 class Target(NamedTuple):

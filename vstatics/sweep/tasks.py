@@ -12,7 +12,7 @@ from vstatics.jobs import pieces
 from vstatics.jobs.alone import Workers
 from vstatics.jobs.pieces import Account, Copy
 from vstatics.jobs.workers import workers
-from vstatics.sweep import best, blocks
+from vstatics.sweep import best, calculation
 from vstatics.sweep.chunk import Chunk
 from vstatics.sweep.formats import TEXTS, Format, text
 from vstatics.sweep.plan import SweepPlan
@@ -67,7 +67,7 @@ def calculate(task: SweepTask, item: Item) -> Chunk:
     plan, piece = task.plan, _number(item)
     if isinstance(item, Portion):
         plan = replace(plan, variants=item.variants)
-    rows = blocks.calculate(plan, *plan.span(piece))
+    rows = calculation.calculate(plan, *plan.span(piece))
     return best.within(plan, rows) if plan.objectives else rows
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import math
-from collections.abc import Iterable
+from collections.abc import Hashable, Iterable
 from typing import Protocol
 
 import numpy as np
@@ -13,7 +13,7 @@ from vstatics.errors import CaseError, Problem, ReadError
 from vstatics.jobs.spool import Spool
 from vstatics.numerics.arrays import Floats
 from vstatics.sweep.steps import Steps
-from vstatics.sweep.targets import Target
+from vstatics.sweep.targets import Varied
 from vstatics.sweep.variation import MOST, Span, Variation
 
 
@@ -21,7 +21,7 @@ class Variants(Protocol):
     """What is varied, how many variants there are, and their numbers."""
 
     @property
-    def targets(self) -> tuple[Target, ...]:
+    def targets(self) -> tuple[Varied, ...]:
         """What the columns of a block stand for."""
 
     @property
@@ -53,6 +53,7 @@ class VariantGrid:
 
     Examples
     --------
+    >>> from vstatics.sweep.targets import Target
     >>> ratio, efficiency = Target("D1.ratio", 0, "ratio"), Target("D1.efficiency", 0, "efficiency")
     >>> grid = VariantGrid([Variation(ratio, Steps(-3, -2, 3)),
     ...              Variation(efficiency, np.array([0.95, 0.97]))])
@@ -129,7 +130,7 @@ class VariantTable:
 
     Parameters
     ----------
-    targets : iterable of Target
+    targets : iterable of Varied
         What the columns stand for.
     rows : ndarray, shape (variants, targets), or Spool
         In memory, or in a temporary file.
@@ -139,13 +140,14 @@ class VariantTable:
 
     Examples
     --------
+    >>> from vstatics.sweep.targets import Target
     >>> table = VariantTable([Target("D1.ratio", 0, "ratio")], np.array([[-2.0], [-3.0]]))
     >>> table.count, table.block(1, 2)
     (2, array([[-3.]]))
     """
 
     def __init__(
-        self, targets: Iterable[Target], rows: Floats | Spool, digest: str | None = None
+        self, targets: Iterable[Varied], rows: Floats | Spool, digest: str | None = None
     ) -> None:
         self.targets = tuple(targets)
         self._rows: Floats | Spool
@@ -180,6 +182,7 @@ class VariantTable:
 class VariantPart:
     """A few of many variants, with their own numbers, for a machine that has not the rest.
 
+    >>> from vstatics.sweep.targets import Target
     >>> table = VariantTable([Target("D1.ratio", 0, "ratio")], np.array([[-2.0], [-3.0], [-4.0]]))
     >>> VariantPart(table, 1, 3).block(2, 3)
     array([[-4.]])
@@ -212,7 +215,7 @@ def empty_block(variants: Variants, start: int, stop: int) -> Floats:
     return np.empty((stop - start, len(variants.targets)), order="F")
 
 
-def checked_targets(variations: Iterable[Variation]) -> tuple[Target, ...]:
+def checked_targets(variations: Iterable[Variation]) -> tuple[Varied, ...]:
     """What is varied.
 
     Raises
@@ -220,7 +223,7 @@ def checked_targets(variations: Iterable[Variation]) -> tuple[Target, ...]:
     ReadError
         If a number is varied twice or has no values.
     """
-    seen: set[tuple[int, str]] = set()
+    seen: set[Hashable] = set()
     problems = []
     targets = []
     for target, values, place in variations:
@@ -237,7 +240,7 @@ def checked_targets(variations: Iterable[Variation]) -> tuple[Target, ...]:
     return tuple(targets)
 
 
-def _listed(variations: list[Variation]) -> tuple[tuple[Target, ...], tuple[Floats | Steps, ...]]:
+def _listed(variations: list[Variation]) -> tuple[tuple[Varied, ...], tuple[Floats | Steps, ...]]:
     """What is varied, and over which values; a span has none."""
     targets = checked_targets(variations)
     listed: list[Floats | Steps] = []

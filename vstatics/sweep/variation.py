@@ -13,8 +13,10 @@ from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Floats
 from vstatics.readers.named.nodes import MOST_PROBLEMS
 from vstatics.readers.named.scalars import number as finite_number
+from vstatics.sweep.scenario_numbers import NumberPath, common_unit
 from vstatics.sweep.steps import Steps, stepped
-from vstatics.sweep.targets import NAMES, Target, behind, refusal, shown, target
+from vstatics.sweep.subjects import Subject, target_of
+from vstatics.sweep.targets import NAMES, Varied, behind, refusal, shown
 
 OPTION = "--vary"
 MOST = 2**63 - 1
@@ -22,6 +24,7 @@ MOST = 2**63 - 1
 FORMS = "START:STOP:COUNT, START:STOP:step=STEP or a list such as .95,.97"
 
 _ASSIGNED = re.compile(rf"(.*?\.(?:{'|'.join(NAMES)})\s*)=")
+_UNQUOTED = re.compile(r"(?:\"[^\"]*\"|'[^']*'|[^\"'=])*")
 _STEP = re.compile(r"\s*step\s*=")
 _COUNT = re.compile(r"[0-9]{1,19}")
 _NO_NUMBER = ("nan", "inf", "infinity")
@@ -37,14 +40,14 @@ class Span(NamedTuple):
 class Variation(NamedTuple):
     """A number of the case, and the values that it takes."""
 
-    target: Target
+    target: Varied
     values: Floats | Steps | Span
     """A list, or what gives `len(values)` and `values[indices]` like one; or a span."""
     place: Place | None = None
     """Where it was read, for messages."""
 
 
-def read_variation(text: str, case: Transmission, place: Place | None = None) -> Variation:
+def read_variation(text: str, subject: Subject, place: Place | None = None) -> Variation:
     """Read what is varied, and over which values.
 
     Parameters
@@ -55,7 +58,7 @@ def read_variation(text: str, case: Transmission, place: Place | None = None) ->
         `-0.9:-0.7:step=0.001` (the end is included if a step hits it),
         `.95,.97,-96/39` (a list),
         `-0.9:-0.7` (any number between, for samples).
-    case : Transmission
+    subject : Transmission or VariedScenario
     place : Place, optional
         Where the text begins; the first column of `--vary` when not given.
 
@@ -75,18 +78,32 @@ def read_variation(text: str, case: Transmission, place: Place | None = None) ->
     array([0.95, 0.97])
     """
     place = place or Place(OPTION, 1, 1, text)
-    assigned = _ASSIGNED.match(text)
-    end = assigned.end(1) if assigned else text.find("=")
+    end = _assigned(text, subject)
     if end < 0:
-        varied = target(text, case, place).name
-        message = f"read {shown(text)} without values, expected {varied}= and then {FORMS}"
+        name = target_of(text, subject, place).name
+        message = f"read {shown(text)} without values, expected {name}= and then {FORMS}"
         raise refusal(message, place, len(text.rstrip()))
-    varied_target = target(text[:end], case, place)
+    varied = target_of(text[:end], subject, place)
     begin, values = behind(place, end + 1), text[end + 1 :]
     if not values.strip():
         raise refusal(f"read no values, expected {FORMS}", begin)
+    if isinstance(varied, NumberPath) and not isinstance(subject, Transmission):
+        try:
+            values, unit = common_unit(values)
+        except ValueError as error:
+            raise refusal(str(error), begin) from None
+        varied = subject.in_unit(varied, unit, begin)
     read = _range(values, begin) if ":" in values else _list(values, begin)
-    return Variation(varied_target, read, place)
+    return Variation(varied, read, place)
+
+
+def _assigned(text: str, subject: Subject) -> int:
+    """Where the `=` behind a name stands; -1 if there is none."""
+    if isinstance(subject, Transmission):
+        assigned = _ASSIGNED.match(text)
+        return assigned.end(1) if assigned else text.find("=")
+    end = _UNQUOTED.match(text)
+    return end.end() if end and end.end() < len(text) else -1
 
 
 def read_value(text: str) -> float:

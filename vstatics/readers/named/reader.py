@@ -51,7 +51,7 @@ def read_yaml(data: bytes, file: str) -> Reading:
     from vstatics.readers.named.yaml_nodes import yaml_tree  # yaml costs start-up time
 
     found = decode(data, file)
-    return _reading(yaml_tree(found), found)
+    return read_case_tree(yaml_tree(found), found)
 
 
 def read_json(data: bytes, file: str) -> Reading:
@@ -59,11 +59,49 @@ def read_json(data: bytes, file: str) -> Reading:
     from vstatics.readers.named.json_nodes import json_tree  # json likewise
 
     found = decode(data, file)
-    return _reading(json_tree(found), found)
+    return read_case_tree(json_tree(found), found)
 
 
-def _reading(root: Node, found: Found) -> Reading:
-    """The case of a tree of nodes."""
+def case_tree(data: bytes, file: str) -> Node | None:
+    """The case in YAML or JSON as a tree of nodes; none in any other format.
+
+    Raises
+    ------
+    ReadError
+        If it is no such document.
+    """
+    from vstatics.readers import format_of
+
+    form = format_of(file, data)
+    if form == "json":
+        from vstatics.readers.named.json_nodes import json_tree
+
+        return _case_alone(json_tree(decode(data, file)))
+    if form == "yaml":
+        from vstatics.readers.named.yaml_nodes import yaml_tree
+
+        return _case_alone(yaml_tree(decode(data, file)))
+    return None
+
+
+def _case_alone(root: Node) -> Node:
+    return _case(root) if isinstance(root, Mapping) else root
+
+
+def read_case_tree(root: Node, found: Found) -> Reading:
+    """The case of a tree of nodes.
+
+    Parameters
+    ----------
+    root : Node
+    found : Found
+        The text, with what was found wrong in it so far.
+
+    Raises
+    ------
+    ReadError
+        With every problem that can be told from the others.
+    """
     expected = (
         "a case: a mapping with `elements` or `mechanisms`, and `gears`, or with `springs` or "
         "`inertias`"

@@ -26,12 +26,10 @@ from vstatics.numerics.arrays import Floats
 from vstatics.readers.expressions.excerpt import Excerpt
 from vstatics.readers.expressions.grammar import Applied, Tree, parse
 from vstatics.readers.expressions.operands import Constant, DottedName, TableName
-from vstatics.sweep.expressions.evaluation import REDUCTIONS, evaluate
-from vstatics.sweep.expressions.names import LANGUAGE, Name, Selection, SweepNames, Tables, value_of
-from vstatics.sweep.frequencies import OMEGA
-from vstatics.sweep.targets import Target
-from vstatics.tables.quantities import BY_NAME
-from vstatics.tables.rows import ROWS
+from vstatics.sweep.expressions.evaluation import LAST, REDUCTIONS, evaluate
+from vstatics.sweep.expressions.selections import Name, NameFinder, Selection, Tables, value_of
+from vstatics.sweep.subjects import Subject
+from vstatics.sweep.targets import Varied
 
 Node: TypeAlias = Name | Constant | Applied
 
@@ -106,7 +104,7 @@ class Expression:
 
 
 def read_expression(
-    text: str | Excerpt, case: Transmission, targets: Sequence[Target], option: str = ""
+    text: str | Excerpt, subject: Subject, targets: Sequence[Varied], option: str = ""
 ) -> Expression:
     """Read an expression.
 
@@ -114,10 +112,10 @@ def read_expression(
     ----------
     text : str or Excerpt
         All of a text, or a part of it.
-    case : Transmission
+    subject : Transmission or VariedScenario
         Whose names the text uses.
-    targets : sequence of Target
-        What is varied, in the order of the values; other numbers are those of the case.
+    targets : sequence of Varied
+        What is varied, in the order of the values; other numbers are the subject's own.
     option : str
         Where a whole text was given, for messages: ``--where``.
 
@@ -129,6 +127,7 @@ def read_expression(
     Examples
     --------
     >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
+    >>> from vstatics.sweep.targets import Target
     >>> case = Transmission(3, [ShiftElement(1, 2), ShiftElement(2, 0)],
     ...                     [Mechanism(1, 2, 3, -2.5, 0.96)], [Gear([1]), Gear([2])])
     >>> expression = read_expression("speeds[3] + 1", case, [Target("D1.ratio", 0, "ratio")])
@@ -140,22 +139,30 @@ def read_expression(
            [2.  , 1.2 ]])
     """
     source = Excerpt(text, option) if isinstance(text, str) else text
-    tree = parse(source, LANGUAGE)
-    names = SweepNames(source, case, targets)
+    names = names_of(source, subject, targets)
+    tree = parse(source, names.language)
     node, per_gear, table = _resolve(tree, names)
+    if per_gear and not names.gears:  # along time: what is left of it is the end
+        node, per_gear = Applied(LAST, (node,), 0, 1), False
     return Expression(
         source.part.strip(),
         node,
         tuple(names.gears) if per_gear else None,
         tuple(names.rows(table)) if table else None,
-        _row(table) if table else "",
+        names.row(table) if table else "",
         tree.name if isinstance(tree, TableName) else "",
     )
 
 
-def _row(table: str) -> str:
-    """What a row of a table is."""
-    return "mode" if table == OMEGA else ROWS[BY_NAME[table].rows].one
+def names_of(source: Excerpt, subject: Subject, targets: Sequence[Varied]) -> NameFinder:
+    """Who knows the names in a text."""
+    if isinstance(subject, Transmission):
+        from vstatics.sweep.expressions.names import SweepNames
+
+        return SweepNames(source, subject, targets)
+    from vstatics.sweep.expressions.motion_names import MotionNames
+
+    return MotionNames(source, subject, targets)
 
 
 class _Resolved(NamedTuple):
@@ -167,7 +174,7 @@ class _Resolved(NamedTuple):
     """A table whose rows it has, if it has rows."""
 
 
-def _resolve(tree: Tree, names: SweepNames) -> _Resolved:
+def _resolve(tree: Tree, names: NameFinder) -> _Resolved:
     """Ask what the names in a tree mean, and whether operands go together."""
     if isinstance(tree, Constant):
         return _Resolved(tree)
@@ -178,15 +185,20 @@ def _resolve(tree: Tree, names: SweepNames) -> _Resolved:
         has_rows = part.rows and part.row is None
         return _Resolved(part, part.gear is None, part.table if has_rows else "")
     name, operands = tree.name, [_resolve(operand, names) for operand in tree.operands]
-    if name in ("abs", "sum") and len(operands) > 1:
+    if name in ("abs", "sum", LAST) and len(operands) > 1:
         message = f"{name} of {len(operands)} parts, expected one, as in {name}(losses)"
         raise names.source.error(message, tree.at)
     node = Applied(name, tuple(operand.node for operand in operands), tree.at, tree.depth)
+    if name == LAST:
+        return _Resolved(node, per_gear=False, table=operands[0].table)
     if name in REDUCTIONS and len(operands) == 1:
+        if name == "sum" and operands[0].per_gear and not names.gears:
+            message = "a sum over all instants means nothing: take min, max or last"
+            raise names.source.error(message, tree.at)
         return _Resolved(node)
     tables = [operand.table for operand in operands if operand.table]
     for other in tables[1:]:
-        one, two = _row(tables[0]), _row(other)
+        one, two = names.row(tables[0]), names.row(other)
         unlike = (one == "mode") != (two == "mode")
         if unlike or names.rows(tables[0]) != names.rows(other):
             message = (

@@ -10,15 +10,15 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.errors import Problem, ReadError
-from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Floats
 from vstatics.readers.expressions.excerpt import Excerpt
 from vstatics.readers.expressions.grammar import Applied
 from vstatics.readers.named.nodes import MOST_PROBLEMS
-from vstatics.sweep.expressions import Expression, read_expression
-from vstatics.sweep.expressions.evaluation import FUNCTIONS
-from vstatics.sweep.expressions.names import Selection, Tables, VariedNumber, written_rows
-from vstatics.sweep.targets import Target
+from vstatics.sweep.expressions import Expression, names_of, read_expression
+from vstatics.sweep.expressions.evaluation import FUNCTIONS, LAST
+from vstatics.sweep.expressions.selections import NameFinder, Selection, Tables, VariedNumber
+from vstatics.sweep.subjects import Subject
+from vstatics.sweep.targets import Varied
 from vstatics.tables.rows import written
 
 OPTION = "--out"
@@ -74,7 +74,7 @@ class OutputColumns:
         return columns
 
 
-def read_columns(text: str, case: Transmission, targets: Sequence[Target]) -> OutputColumns:
+def read_columns(text: str, subject: Subject, targets: Sequence[Varied]) -> OutputColumns:
     """Read a list of expressions, separated by commas outside brackets.
 
     Each gives a column, or one for each gear and row that it has: all gears of the first
@@ -84,9 +84,9 @@ def read_columns(text: str, case: Transmission, targets: Sequence[Target]) -> Ou
     Parameters
     ----------
     text : str
-    case : Transmission
+    subject : Transmission or VariedScenario
         Whose names the text uses.
-    targets : sequence of Target
+    targets : sequence of Varied
         What is varied.
 
     Raises
@@ -105,6 +105,7 @@ def read_columns(text: str, case: Transmission, targets: Sequence[Target]) -> Ou
     >>> columns.headings[4:]
     ('abs(losses[D1])[1]', 'abs(losses[D1])["1R"]', 'ratio[2] - 1')
     """
+    names = names_of(Excerpt(text, OPTION), subject, targets)
     varied = {one.name for one in targets}
     known = set(varied)
     headings: list[str] = []
@@ -112,14 +113,14 @@ def read_columns(text: str, case: Transmission, targets: Sequence[Target]) -> Ou
     problems: list[Problem] = []
     for start, stop in _items(text):
         try:
-            expression = read_expression(Excerpt(text, OPTION, start, stop), case, targets)
+            expression = read_expression(Excerpt(text, OPTION, start, stop), subject, targets)
         except ReadError as error:
             problems += error.problems
             if len(problems) >= MOST_PROBLEMS:
                 break
             continue
         cells = []
-        for cell, heading in _headings(expression, case, targets):
+        for cell, heading in _headings(expression, names, targets):
             if heading in varied and not isinstance(expression.node, VariedNumber):
                 heading = f"({heading})"  # noqa: PLW2901 - it is not what is varied
             if heading not in known:
@@ -151,7 +152,7 @@ def _items(text: str) -> Iterator[tuple[int, int]]:
 
 
 def _headings(
-    expression: Expression, case: Transmission, targets: Sequence[Target]
+    expression: Expression, names: NameFinder, targets: Sequence[Varied]
 ) -> Iterator[tuple[tuple[int, int], str]]:
     """Gear and row of each column, and its heading."""
     node, text = expression.node, _BLANK.sub(" ", expression.text)
@@ -161,10 +162,12 @@ def _headings(
     gears: Sequence[str] = expression.gears or ()
     rows: Sequence[str] = expression.rows or ()
     own_gear = own_row = None
-    call = isinstance(node, Applied) and node.name in FUNCTIONS
+    if isinstance(node, Applied) and node.name == LAST and expression.table:
+        (node,) = node.operands
+    call = isinstance(node, Applied) and node.name in (*FUNCTIONS, LAST)
     before = text if call else f"({text})"
     if isinstance(node, Selection):  # a heading tells the row and gear that were picked, too
-        gears, rows = [gear.name for gear in case.gears], written_rows(node.table, case)
+        gears, rows = names.gears, names.written_rows(node.table)
         own_gear, own_row, before = node.gear, node.row, expression.table
     for row in range(len(expression.rows or ("",))):
         for gear in range(len(expression.gears or ("",))):

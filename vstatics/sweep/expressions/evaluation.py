@@ -23,6 +23,8 @@ Function: TypeAlias = Callable[[Sequence[Values]], Values]
 FUNCTIONS = ("min", "max", "abs", "sum")
 REDUCTIONS = ("min", "max", "sum")
 """Functions that make one number of all gears and rows of one operand."""
+LAST = "last"
+"""Of what runs along time, its value at the end; only of runs of a scenario."""
 
 
 def evaluate(formula: Any, value_of: Callable[[Any], Floats]) -> Floats:
@@ -140,5 +142,6 @@ _OPERATIONS: Mapping[str, Function] = {
     "abs": lambda operands: np.abs(_numbers(operands[0])),
     "min": _extreme(np.minimum, np.fmin),
     "max": _extreme(np.maximum, np.fmax),
+    LAST: lambda operands: _numbers(operands[0])[..., -1:, :],
     "sum": lambda operands: _over_all(_numbers(operands[0]), np.add.reduce, _sum_of_existing),
 }

@@ -4,20 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import cached_property
-from typing import Any, NamedTuple, Protocol, TypeAlias
 
 from vstatics.errors import quoted, typed_number
 from vstatics.model.transmission import Transmission
-from vstatics.numerics.arrays import Floats
 from vstatics.readers.expressions.excerpt import Excerpt
 from vstatics.readers.expressions.grammar import Applied, Language
 from vstatics.readers.expressions.operands import Constant, DottedName, Subscript, TableName
 from vstatics.statics.arrays import Rows
 from vstatics.statics.physical import known_units, lacking_load
 from vstatics.sweep.expressions.evaluation import FUNCTIONS
+from vstatics.sweep.expressions.selections import Selection, VariedNumber
 from vstatics.sweep.frequencies import OMEGA, mode_names
 from vstatics.sweep.own_numbers import own_number
-from vstatics.sweep.targets import Target, target
+from vstatics.sweep.targets import Target, Varied, target
 from vstatics.tables.names import nearest_quantity, no_row, rows_called, several
 from vstatics.tables.quantities import BY_NAME
 from vstatics.tables.rows import ROWS, table_rows
@@ -28,57 +27,6 @@ LANGUAGE = Language(
     example="ratio",
     instead="; rows and gears of a table go in [ ]",
 )
-
-
-class Selection(NamedTuple):
-    """A table of the results, or what is left of it."""
-
-    table: str
-    gear: int | None
-    """None for all gears."""
-    row: int | None
-    """None for all rows, or where the table has none."""
-    rows: int
-    """How many there are; 0: the table has one value per gear."""
-
-
-class VariedNumber(NamedTuple):
-    """A number that the sweep varies."""
-
-    column: int
-
-
-Name: TypeAlias = Selection | VariedNumber
-
-
-class Tables(Protocol):
-    """What has tables: `Results`, or what a sweep calculates of a block of variants."""
-
-    def existing(self, name: str) -> Floats:
-        """A table of shape (..., gears[, rows]), with NaN where there is nothing to be said."""
-
-
-def value_of(name: Name, tables: Tables, varied: Floats) -> Floats:
-    """The values of what a name stands for, shape (..., gears or 1, rows or 1).
-
-    Floats are views of the results, whatever their strides; marks are copied to floats.
-    """
-    if isinstance(name, VariedNumber):
-        return varied[..., name.column, None, None]
-    table: Any = tables.existing(name.table)
-    if not name.rows:
-        table = table[..., None]
-    gears = slice(None) if name.gear is None else slice(name.gear, name.gear + 1)
-    rows = slice(name.rows or 1) if name.row is None else slice(name.row, name.row + 1)
-    values: Floats = table[..., gears, rows].astype(float, copy=False)
-    return values
-
-
-def written_rows(table: str, case: Transmission) -> Sequence[str]:
-    """The names of all rows that a table may have, also in a variant that has more modes."""
-    if table == OMEGA:
-        return [str(number) for number in range(1, len(case.link_names) + 1)]
-    return table_rows(table, case)
 
 
 class SweepNames:
@@ -93,10 +41,11 @@ class SweepNames:
     Selection(table='losses', gear=None, row=0, rows=1)
     """
 
-    def __init__(self, source: Excerpt, case: Transmission, targets: Sequence[Target]) -> None:
+    def __init__(self, source: Excerpt, case: Transmission, targets: Sequence[Varied]) -> None:
         self.source = source
+        self.language = LANGUAGE
         self.case = case
-        self.targets = targets
+        self.targets = [one for one in targets if isinstance(one, Target)]
         self.gears = [gear.name for gear in case.gears]
 
     def number(self, name: DottedName) -> VariedNumber | Applied | Constant:
@@ -139,6 +88,16 @@ class SweepNames:
         """The names of a table's rows in the case; none if it has one value per gear."""
         return self._modes if table == OMEGA else table_rows(table, self.case)
 
+    def written_rows(self, table: str) -> Sequence[str]:
+        """The names of all rows that a table may have, also in a variant that has more modes."""
+        if table == OMEGA:
+            return [str(number) for number in range(1, len(self.case.link_names) + 1)]
+        return table_rows(table, self.case)
+
+    def row(self, table: str) -> str:
+        """What a row of a table is."""
+        return "mode" if table == OMEGA else ROWS[BY_NAME[table].rows].one
+
     @cached_property
     def _modes(self) -> list[str]:
         return mode_names(self.case, self.targets)
@@ -151,7 +110,7 @@ class SweepNames:
             raise self.source.error(message, read.at)
         subscripts, mode = list(read.subscripts), None
         if subscripts and subscripts[0].written != ":":
-            written, most = subscripts[0].written, written_rows(OMEGA, self.case)
+            written, most = subscripts[0].written, self.written_rows(OMEGA)
             number = typed_number(written.removeprefix("#"), len(most))
             if number is None:
                 message = f"read {quoted(written)}, expected the number of a mode, 1 to {most[-1]}"

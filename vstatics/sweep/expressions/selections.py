@@ -1,0 +1,86 @@
+"""What names in an expression stand for, and who knows them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any, NamedTuple, Protocol, TypeAlias
+
+from vstatics.numerics.arrays import Floats
+from vstatics.readers.expressions.excerpt import Excerpt
+from vstatics.readers.expressions.grammar import Applied, Language
+from vstatics.readers.expressions.operands import Constant, DottedName, TableName
+
+
+class Selection(NamedTuple):
+    """A table of the results, or what is left of it."""
+
+    table: str
+    gear: int | None
+    """None for all gears."""
+    row: int | None
+    """None for all rows, or where the table has none."""
+    rows: int
+    """How many there are; 0: the table has one value per gear."""
+
+
+class VariedNumber(NamedTuple):
+    """A number that the sweep varies."""
+
+    column: int
+
+
+Name: TypeAlias = Selection | VariedNumber
+
+
+class Tables(Protocol):
+    """What has tables: `Results`, or what a sweep calculates of a block of variants."""
+
+    def existing(self, name: str) -> Floats:
+        """A table of shape (..., gears[, rows]), with NaN where there is nothing to be said."""
+
+
+def value_of(name: Name, tables: Tables, varied: Floats) -> Floats:
+    """The values of what a name stands for, shape (..., gears or 1, rows or 1).
+
+    Floats are views of the results, whatever their strides; marks are copied to floats.
+    """
+    if isinstance(name, VariedNumber):
+        return varied[..., name.column, None, None]
+    table: Any = tables.existing(name.table)
+    if not name.rows:
+        table = table[..., None]
+    gears = slice(None) if name.gear is None else slice(name.gear, name.gear + 1)
+    rows = slice(name.rows or 1) if name.row is None else slice(name.row, name.row + 1)
+    values: Floats = table[..., gears, rows].astype(float, copy=False)
+    return values
+
+
+class NameFinder(Protocol):
+    """Finds what names in a text mean."""
+
+    @property
+    def source(self) -> Excerpt:
+        """The text."""
+
+    @property
+    def language(self) -> Language:
+        """What it may have."""
+
+    @property
+    def gears(self) -> Sequence[str]:
+        """The names along the first axis of tables; none if it is that of time."""
+
+    def number(self, name: DottedName) -> VariedNumber | Applied | Constant:
+        """A number of what is varied: varied, or else its own."""
+
+    def table(self, read: TableName) -> Selection:
+        """A table, or a part of it."""
+
+    def rows(self, table: str) -> Sequence[str]:
+        """The names of a table's rows; none if it has no rows."""
+
+    def written_rows(self, table: str) -> Sequence[str]:
+        """The names of all rows that a table may have in any variant."""
+
+    def row(self, table: str) -> str:
+        """What a row of a table is, such as ``link``."""

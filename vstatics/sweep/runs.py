@@ -1,0 +1,48 @@
+"""A part of a sweep of a scenario: each variant is a run."""
+
+from __future__ import annotations
+
+from contextlib import suppress
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from vstatics.errors import CaseError, ReadError
+from vstatics.sweep.chunk import INVALID, STOPPED, Chunk, joined, rows_of
+from vstatics.sweep.motion_tables import MotionTables
+from vstatics.sweep.scenario import VariedScenario
+from vstatics.sweep.scenario_numbers import NumberPath
+
+if TYPE_CHECKING:
+    from vstatics.sweep.plan import SweepPlan
+
+LEAST_PIECE, MOST_PIECES = 16, 4096
+"""Runs of a piece, which take about half a second; more where there were too many pieces."""
+
+
+def piece_of_runs(count: int) -> int:
+    """How many of so many runs are a piece.
+
+    >>> piece_of_runs(1000), piece_of_runs(10**6)
+    (16, 245)
+    """
+    return max(LEAST_PIECE, -(-count // MOST_PIECES))
+
+
+def calculate(plan: SweepPlan, subject: VariedScenario, start: int, stop: int) -> Chunk:
+    """Run the variants from `start` up to `stop`, one after the other."""
+    return joined([_row(plan, subject, number) for number in range(start, stop)])
+
+
+def _row(plan: SweepPlan, subject: VariedScenario, number: int) -> Chunk:
+    """The row of a variant, if it passes the plan's condition."""
+    values = plan.variants.block(number, number + 1)
+    paths = [path for path in plan.variants.targets if isinstance(path, NumberPath)]
+    motion, status = None, np.array([INVALID], dtype=np.uint8)
+    if np.isfinite(values).all():
+        with suppress(ReadError, CaseError):
+            motion = subject.run(paths, values[0].tolist())
+    if motion is not None:
+        status[0] = STOPPED if motion.stopped else 0
+    tables = MotionTables(None if status[0] else motion, subject.rows)
+    return rows_of(plan, number, values, status, tables, status > 0)
