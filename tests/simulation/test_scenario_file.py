@@ -155,7 +155,7 @@ FAULTS = [
     ("targets: {in: 50 km/h}", "4:11", "a velocity belongs to a link with a `road`"),
     ("samples: {x: {normal: [0, -1]}}", "4:23", "expected a standard deviation of 0 or more"),
     ("samples: {x: {normal: [0, 1], min: 3}}", "4:23", "expected one from min to max"),
-    ("samples: {x: {min: 3}}", "4:14", "expected one of `normal` or `uniform`"),
+    ("samples: {x: {min: 3}}", "4:14", "expected one of `normal`, `lognormal` or `uniform`"),
 ]
 
 

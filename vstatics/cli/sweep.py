@@ -15,6 +15,7 @@ from vstatics.cli.cases import Command
 from vstatics.cli.exit_status import DONE, FAILED
 from vstatics.cli.sweep_estimate import estimate, most_rows
 from vstatics.cli.sweep_run import run
+from vstatics.cli.sweep_subject import check_options, read_subject, spare
 from vstatics.cli.telling import Telling
 from vstatics.errors import CaseError, ReadError
 from vstatics.jobs.files import is_stream
@@ -115,8 +116,10 @@ def sweep(
 
     try:
         build.check_packages(options, form, scheduler)
-        reading = arguments.read_one(options.case or "", input_format, telling)
-        plan = build.plan(reading.case, options)
+        subject, warnings = read_subject(options.case or "", input_format, telling)
+        spare(subject, options.output)
+        check_options(subject, coast=options.coast, idle=options.idle)
+        plan = build.plan(subject, options)
         if most_rows(plan) > MOST_ROWS.get(form, math.inf):
             message = f"{form} is for {MOST_ROWS[form]} rows at most, not for {most_rows(plan)}"
             raise click.UsageError(f"{message}: expected another format, or --best")
@@ -133,7 +136,7 @@ def sweep(
                 resume=resume,
                 quiet=telling.quiet,
             )
-        return status or (FAILED if telling.fails(reading.warnings) else DONE)
+        return status or (FAILED if telling.fails(warnings) else DONE)
     except CaseError as error:  # is shown as what ends a reading
         raise ReadError(error.problems) from error
 

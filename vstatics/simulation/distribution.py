@@ -6,19 +6,62 @@ import math
 from collections.abc import Iterator
 from typing import NamedTuple
 
+import numpy as np
+
 from vstatics.errors import Path, Problem
+from vstatics.numerics.arrays import Floats
 
 
 class Distribution(NamedTuple):
-    """A normal distribution by mean and standard deviation, or a uniform one between two numbers.
+    """A normal distribution, a lognormal or a uniform one.
 
-    Numbers below `min` or above `max` are drawn again.
+    Parameters
+    ----------
+    normal : (float, float), optional
+        Mean and standard deviation.
+    lognormal : (float, float), optional
+        Mean and standard deviation of the natural logarithm.
+    uniform : (float, float), optional
+        The least number and the largest.
+    min, max : float, optional
+        Numbers beyond are these: an engine does not turn faster than its governor lets it.
     """
 
     normal: tuple[float, float] | None = None
+    lognormal: tuple[float, float] | None = None
     uniform: tuple[float, float] | None = None
     min: float | None = None
     max: float | None = None
+
+    def quantiles(self, parts: Floats) -> Floats:
+        """The numbers below which a part of all lies.
+
+        Parameters
+        ----------
+        parts : ndarray
+            From 0 to 1.
+
+        Examples
+        --------
+        >>> Distribution(normal=(262.0, 6.0), max=270.0).quantiles(np.array([0.5, 0.999]))
+        array([262., 270.])
+        >>> Distribution(uniform=(1.0, 3.0)).quantiles(np.array([0.25]))
+        array([1.5])
+        """
+        if self.uniform is not None:
+            least, largest = self.uniform
+            numbers: Floats = (1 - parts) * least + parts * largest
+        else:
+            from scipy.special import ndtri
+
+            mean, deviation = self.normal or self.lognormal or (0.0, 0.0)
+            numbers = mean + deviation * ndtri(np.clip(parts, _LEAST, 1 - _LEAST))
+            numbers = np.exp(numbers) if self.normal is None else numbers
+        return np.clip(numbers, self.min, self.max)
+
+
+_LEAST = 2.0**-53
+"""A normal distribution has no number for a part of 0."""
 
 
 def distribution_problems(one: Distribution, path: Path) -> Iterator[Problem]:
@@ -31,12 +74,14 @@ def distribution_problems(one: Distribution, path: Path) -> Iterator[Problem]:
     """
     least = -math.inf if one.min is None else one.min
     largest = math.inf if one.max is None else one.max
-    if one.normal is not None:
-        mean, deviation = one.normal
-        if deviation < 0:
-            message = f"read {deviation:g}, expected a standard deviation of 0 or more"
-            yield Problem(message, (*path, "normal"))
-        elif not least <= mean <= largest:
+    for key in ("normal", "lognormal"):
+        given = getattr(one, key)
+        if given is not None and given[1] < 0:
+            message = f"read {given[1]:g}, expected a standard deviation of 0 or more"
+            yield Problem(message, (*path, key))
+    if one.normal is not None and one.normal[1] >= 0:
+        mean = one.normal[0]
+        if not least <= mean <= largest:
             yield Problem(
                 f"read a mean of {mean:g}, expected one from min to max", (*path, "normal")
             )

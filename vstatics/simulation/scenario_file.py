@@ -141,6 +141,23 @@ def read_scenario(data: bytes, file: str) -> ScenarioDocument:
     return ScenarioDocument(root, found)
 
 
+def is_scenario(data: bytes, file: str) -> bool:
+    """Whether a document is a scenario: it has a `duration`, which no case has.
+
+    >>> is_scenario(b"{case: box.yaml, duration: 6}", "up.yaml"), is_scenario(b"links: 3", "x.yaml")
+    (True, False)
+    """
+    from vstatics.readers import format_of
+
+    if b"duration" not in data or format_of(file, data) == "deck":
+        return False
+    try:
+        root = read_scenario(data, file).root
+    except ReadError:
+        return False
+    return any(key.text == "duration" for key, _ in root.entries)
+
+
 def load_scenario_file(file: str, case: str | None = None) -> ScenarioFile:
     """Read the file of a scenario and that of its case.
 

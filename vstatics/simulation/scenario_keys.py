@@ -66,6 +66,7 @@ class GivenSamples(NamedTuple):
     """A distribution."""
 
     normal: tuple[float, float] | None = None
+    lognormal: tuple[float, float] | None = None
     uniform: tuple[float, float] | None = None
     min: float | None = None
     max: float | None = None
@@ -266,13 +267,18 @@ SAMPLES = ByKey(
             "Normal: mean and standard deviation.",
         ),
         KeyShape(
+            "lognormal",
+            RowOf((NUMBER, NUMBER), "mean, standard deviation"),
+            "Lognormal: mean and standard deviation of the logarithm.",
+        ),
+        KeyShape(
             "uniform", RowOf((ANYTHING, ANYTHING), "least, largest"), "Uniform between two numbers."
         ),
-        KeyShape("min", ANYTHING, "No number below is taken."),
-        KeyShape("max", ANYTHING, "No number above is taken."),
+        KeyShape("min", ANYTHING, "Numbers below are this one."),
+        KeyShape("max", ANYTHING, "Numbers above are this one."),
     ),
     GivenSamples,
-    _exactly_one("normal", "uniform"),
+    _exactly_one("normal", "lognormal", "uniform"),
 )
 
 SCENARIO = ByKey(

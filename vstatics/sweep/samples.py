@@ -12,9 +12,9 @@ import numpy as np
 
 from vstatics.errors import CaseError, Problem, nearest
 from vstatics.numerics.arrays import Floats
-from vstatics.sweep.steps import Steps
+from vstatics.simulation.distribution import Distribution
 from vstatics.sweep.variants import checked_targets, empty_block
-from vstatics.sweep.variation import MOST, Span, Variation
+from vstatics.sweep.variation import MOST, Span, Values, Variation
 
 Method = Literal["sobol", "lhs", "random"]
 METHODS: tuple[Method, ...] = get_args(Method)
@@ -29,7 +29,7 @@ _latin_lock = Lock()
 
 
 class Sample:
-    """Numbered variants drawn from ranges; of a list or of steps one value is picked.
+    """Numbered variants drawn from ranges or distributions; of a list one value is picked.
 
     The same seed gives the same variants in whatever blocks they are asked for. A larger
     sample by `sobol` or `random` begins with the smaller one; one by `lhs` does not.
@@ -112,8 +112,10 @@ def _complaints(sample: Sample) -> Iterator[str]:
         yield f"read the seed {sample.seed}, expected 0 or above"
 
 
-def _picked(values: Floats | Steps | Span, unit: Floats) -> Floats:
-    """Numbers from 0 up to 1 -> numbers of a range, or values of a list."""
+def _picked(values: Values, unit: Floats) -> Floats:
+    """Numbers from 0 up to 1 -> numbers of a range or a distribution, or values of a list."""
+    if isinstance(values, Distribution):
+        return values.quantiles(unit)
     if isinstance(values, Span):
         low, high = values
         drawn: Floats = np.clip((1 - unit) * low + unit * high, low, high)

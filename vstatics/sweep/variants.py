@@ -12,6 +12,7 @@ import numpy as np
 from vstatics.errors import CaseError, Problem, ReadError
 from vstatics.jobs.spool import Spool
 from vstatics.numerics.arrays import Floats
+from vstatics.simulation.distribution import Distribution
 from vstatics.sweep.steps import Steps
 from vstatics.sweep.targets import Varied
 from vstatics.sweep.variation import MOST, Span, Variation
@@ -230,7 +231,7 @@ def checked_targets(variations: Iterable[Variation]) -> tuple[Varied, ...]:
         if target.number in seen:
             message = f"{target.name} is varied twice, expected each number once"
             problems.append(Problem(message, place=place))
-        if not isinstance(values, Span) and not len(values):
+        if not isinstance(values, Span | Distribution) and not len(values):
             message = f"{target.name} has no values, expected at least one"
             problems.append(Problem(message, place=place))
         seen.add(target.number)
@@ -250,6 +251,9 @@ def _listed(variations: list[Variation]) -> tuple[tuple[Varied, ...], tuple[Floa
             span = f"{values.low:g}:{values.high:g}"
             message = f"{target.name}={span} has no count, expected one such as {span}:201"
             problems.append(Problem(f"{message}, or a sample", place=place))
+        elif isinstance(values, Distribution):
+            message = f"{target.name} has a distribution, expected values, or a sample"
+            problems.append(Problem(message, place=place))
         else:
             listed.append(values)
     if problems:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from typing import NamedTuple
+from typing import NamedTuple, TypeAlias
 
 import numpy as np
 
@@ -13,6 +13,7 @@ from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Floats
 from vstatics.readers.named.nodes import MOST_PROBLEMS
 from vstatics.readers.named.scalars import number as finite_number
+from vstatics.simulation.distribution import Distribution
 from vstatics.sweep.scenario_numbers import NumberPath, common_unit
 from vstatics.sweep.steps import Steps, stepped
 from vstatics.sweep.subjects import Subject, target_of
@@ -37,12 +38,15 @@ class Span(NamedTuple):
     high: float
 
 
+Values: TypeAlias = Floats | Steps | Span | Distribution
+"""A list, or what gives `len(values)` and `values[indices]` like one; what can only be drawn."""
+
+
 class Variation(NamedTuple):
     """A number of the case, and the values that it takes."""
 
     target: Varied
-    values: Floats | Steps | Span
-    """A list, or what gives `len(values)` and `values[indices]` like one; or a span."""
+    values: Values
     place: Place | None = None
     """Where it was read, for messages."""
 
