@@ -48,6 +48,8 @@ class Points(NamedTuple):
             return self.y[min(number, len(self.x) - 1)], 0.0
         left, right = self.x[number - 1 : number + 1]
         below, above = self.y[number - 1 : number + 1]
+        if below == above:
+            return below, 0.0
         slope = (above - below) / (right - left)
         return below - slope * left, slope
 

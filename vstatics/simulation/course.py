@@ -1,0 +1,375 @@
+"""A run from event to event."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from vstatics.errors import CaseError, Problem
+from vstatics.numerics.arrays import Floats
+from vstatics.simulation.equations import Equations
+from vstatics.simulation.impacts import impact
+from vstatics.simulation.laws import Points
+from vstatics.simulation.margins import Margins, Scales, Watch
+from vstatics.simulation.motion import Event
+from vstatics.simulation.pieces import Step, TooSmall, Tolerances, exactly, steps
+from vstatics.simulation.ports import Layout, States, capacity_at, programme_at
+from vstatics.simulation.record import Record
+from vstatics.simulation.selection import Instant, NoChoice, Selected, Selection, instant_of
+from vstatics.simulation.system import MotionSystem
+
+_SAMPLES = 8
+"""Instants of a step at which margins are looked at."""
+_NOISE = 1e-10
+"""A margin is below 0 by more than this part of what is large."""
+_MOST_AT_ONCE = 60
+"""Events within a moment, before it is told that there is no way on."""
+_MOST_EVENTS = 100_000
+
+
+class Stop(Exception):  # noqa: N818 - it never leaves the room
+    """A run that can't go on."""
+
+    def __init__(self, problem: Problem) -> None:
+        super().__init__(problem.message)
+        self.problem = problem
+
+
+class Found(NamedTuple):
+    """Where margins end."""
+
+    time: float
+    state: Floats
+    watches: tuple[Watch, ...]
+
+
+class Course:
+    """A run."""
+
+    def __init__(self, system: MotionSystem, record: Record, rtol: float) -> None:
+        self.system, self.record = system, record
+        self.layout = Layout(system)
+        self.selection = Selection(system, self.layout)
+        self.rtol = rtol
+        self.duration = system.scenario.duration
+        self.breaks = _breaks(system)
+        self.scales = Scales(1.0, 1.0)
+        self.latest = 0.0
+        self.at_once = 0
+
+    def run(self, at: Instant) -> None:
+        """Go to the end.
+
+        Raises
+        ------
+        Stop
+            With the time and the state, when there is no way on.
+        """
+        self.scales = _scales(self.system, at)
+        at = self._joined(at, None)
+        before: States | None = None
+        left: list[States] = []
+        met: list[int] = []
+        length: float | None = None
+        while True:
+            selected = self._selected(at, before, left, met)
+            states = selected.equations.states
+            self._tell(at.time, before, states)
+            end = next((time for time in self.breaks if time > at.time), self.duration)
+            found, length = self._to_event(selected, min(end, self.duration), length)
+            at = instant_of(selected.equations, found.time, found.state)
+            if found.time >= self.duration:
+                return
+            before, left, met = states, [], []
+            if found.watches:
+                self._count(found)
+                before = _stepped(states, found.watches)
+                left = [states]
+                met = [watch.index for watch in found.watches if watch.kind == "slip"]
+            self.scales = self.scales._replace(
+                speed=max(self.scales.speed, float(np.abs(at.speeds).max()))
+            )
+            at = self._joined(at, before)
+
+    def _count(self, found: Found) -> None:
+        close = found.time - self.latest <= 1e-11 * self.duration
+        self.at_once = self.at_once + 1 if close else 0
+        self.latest = found.time
+        if self.at_once > _MOST_AT_ONCE or len(self.record.events) > _MOST_EVENTS:
+            name = self._name(found.watches[0])
+            message = (
+                f"at {found.time:.9g} s {name} changes without end between sticking and slipping: "
+                "there is no state in which the run can go on"
+            )
+            raise Stop(Problem(message))
+
+    def _selected(
+        self, at: Instant, before: States | None, left: list[States], met: list[int]
+    ) -> Selected:
+        try:
+            try:
+                selected = self.selection.select(at, before, self.scales, left, met)
+            except NoChoice:
+                selected = self.selection.select(at, before, self.scales, (), met)
+        except NoChoice:
+            states, choices = self.selection.choices(at, before, self.scales, met)
+            names = [self._name_of(kind, index) for kind, index, _ in choices]
+            message = (
+                f"at {at.time:.9g} s there is no admissible state: neither sticking nor slipping "
+                f"fits for {', '.join(names) or 'the speeds as they are'}"
+            )
+            raise Stop(Problem(message)) from None
+        except CaseError as error:
+            raise Stop(error.problems[0]) from None
+        except np.linalg.LinAlgError:
+            message = f"at {at.time:.9g} s the equations of motion are singular"
+            raise Stop(Problem(message)) from None
+        if selected.jump is not None:
+            self.record.jumps(at.time, selected.jump)
+        return selected
+
+    def _to_event(
+        self, selected: Selected, end: float, length: float | None
+    ) -> tuple[Found, float | None]:
+        """Integrate to the next event, or to an end."""
+        equations, margins = selected.equations, selected.margins
+        if end <= equations.time:
+            return Found(end, selected.state, ()), length
+        tolerances = self._tolerances(equations)
+        self.record.begin(equations, margins, selected.state)
+        try:
+            for step in steps(equations, selected.state, end, tolerances, length):
+                found = self._event_in(step, equations, margins, tolerances)
+                if found is not None:
+                    self.record.step(step, found.time, found.state)
+                    return found, step.end - step.start
+                self.record.step(step, step.end, step.last)
+                length = step.end - step.start
+        except TooSmall:
+            time = self.record.time
+            message = (
+                f"at {time:.9g} s no step is small enough: a torque jumps with the speed or grows "
+                "without bound; dry friction of a load is a `resistance`"
+            )
+            raise Stop(Problem(message)) from None
+        return Found(end, step.last, ()), length
+
+    def _tolerances(self, equations: Equations) -> Tolerances:
+        relative = max(0.01 * self.rtol, 3e-14)
+        absolute = np.empty(equations.size)
+        speed, torque = self.scales
+        absolute[: equations.motions] = relative * speed
+        stiff = equations.ports.stiffness
+        absolute[equations.twists] = relative * torque / np.where(stiff > 0, stiff, 1.0)
+        absolute[equations.angles] = relative * speed * self.duration
+        absolute[equations.works.start :] = relative * self.record.energy_scale
+        return Tolerances(relative, absolute)
+
+    def _event_in(
+        self, step: Step, equations: Equations, margins: Margins, tolerances: Tolerances
+    ) -> Found | None:
+        """The first event in a step."""
+        if not margins.watches:
+            self.record.sample(step, np.array([step.end]), step.last[:, None], equations, margins)
+            return None
+        parts = np.linspace(0.0, 1.0, _SAMPLES + 1)[1:]
+        times = step.start + parts * (step.end - step.start)
+        times[-1] = step.end
+        states = step.between(times)
+        states[:, -1] = step.last
+        units = margins.units(self.scales)
+        last_time, last = step.start, margins.at(step.start, step.first)
+        for number, time in enumerate(times):
+            now = margins.at(float(time), states[:, number])
+            below = now < -_NOISE * units
+            if below.any():
+                self.record.sample(
+                    step, times[:number], states[:, :number], equations, margins
+                )
+                return self._located(
+                    step, equations, margins, tolerances, (last_time, last), (float(time), now)
+                )
+            last_time, last = float(time), now
+        self.record.sample(step, times, states, equations, margins)
+        return None
+
+    def _located(
+        self,
+        step: Step,
+        equations: Equations,
+        margins: Margins,
+        tolerances: Tolerances,
+        above: tuple[float, Floats],
+        under: tuple[float, Floats],
+    ) -> Found:
+        """The first place in an interval at which a margin is 0."""
+        from scipy.optimize import brentq
+
+        units = margins.units(self.scales)
+        places: list[tuple[float, int]] = []
+        for index in np.flatnonzero(under[1] < -_NOISE * units):
+            if not above[1][index] > 0:
+                places.append((above[0], int(index)))
+                continue
+
+            def margin(time: float, index: int = int(index)) -> float:
+                return float(margins.at(time, step.between(np.array([time]))[:, 0])[index])
+
+            if margin(above[0]) <= 0 or margin(under[0]) >= 0:
+                places.append((above[0] if margin(above[0]) <= 0 else under[0], int(index)))
+                continue
+            root = brentq(margin, above[0], under[0], xtol=1e-15 * max(1.0, under[0]), rtol=1e-15)
+            places.append((float(root), int(index)))
+        time, index = min(places)
+        state = exactly(equations, step, time, tolerances)
+        if time > step.start:
+            time, state = self._refined(step, equations, margins, tolerances, time, state, index)
+        close = 1e-11 * self.duration
+        watches = tuple(margins.watches[other] for at, other in places if at <= time + close)
+        watches = watches or (margins.watches[index],)
+        return Found(time, state, watches)
+
+    def _refined(
+        self,
+        step: Step,
+        equations: Equations,
+        margins: Margins,
+        tolerances: Tolerances,
+        time: float,
+        state: Floats,
+        index: int,
+    ) -> tuple[float, Floats]:
+        """The place by the state as it is at the end of a step, not between."""
+        near = 1e-7 * (step.end - step.start)
+        for _ in range(2):
+            now = float(margins.at(time, state)[index])
+            moved = state + near * equations.derivative(time, state)
+            slope = (float(margins.at(time + near, moved)[index]) - now) / near
+            if slope >= 0:
+                break
+            better = time - now / slope
+            if not step.start < better <= step.end or abs(better - time) > 0.1 * (
+                step.end - step.start
+            ):
+                break
+            if abs(better - time) < 1e-15 * max(1.0, time):
+                break
+            time, state = better, exactly(equations, step, better, tolerances)
+        return time, state
+
+    def _joined(self, at: Instant, before: States | None) -> Instant:
+        """The instant after what joins here has joined."""
+        system = self.system
+        rigid, joining = [], []
+        for index, contact in enumerate(system.contacts):
+            if contact.one_way or contact.while_open is not None:
+                continue
+            if math.isinf(capacity_at(contact, at.time)):
+                rigid.append(index)
+                slip = abs(float(contact.row @ at.speeds))
+                if slip > 1e-9 * self.scales.speed and (
+                    before is None or before.contacts[index] != "rigid"
+                ):
+                    joining.append(index)
+        if not joining:
+            return at
+        made = impact(system, at.speeds, rigid, joining)
+        for index, energy in zip(joining, made.energies, strict=True):
+            name = system.contacts[index].name
+            self.record.events.append(Event(at.time, name, "impact", energy))
+            self.record.impact += energy
+            self.record.joined.add(index)
+        return at._replace(speeds=made.speeds)
+
+    def _tell(self, time: float, before: States | None, states: States) -> None:
+        """List what changed."""
+        if before is not None:
+            for index, contact in enumerate(self.system.contacts):
+                if contact.is_drag or index in self.record.joined:
+                    continue
+                kind = _change(before.contacts[index], states.contacts[index])
+                if kind is not None:
+                    self.record.events.append(Event(time, contact.name, kind))
+            for index, spring in enumerate(self.system.springs):
+                kind = _change(before.springs[index], states.springs[index])
+                if kind is not None:
+                    self.record.events.append(Event(time, spring.name, kind))
+        self.record.joined.clear()
+
+    def _name_of(self, kind: str, index: int) -> str:
+        parts: dict[str, Sequence[object]] = {
+            "contact": self.system.contacts,
+            "mesh": self.system.meshes,
+            "spring": self.system.springs,
+        }
+        return str(getattr(parts[kind][index], "name", ""))
+
+    def _name(self, watch: Watch) -> str:
+        if watch.kind == "split":
+            return "what sticks"
+        if watch.kind in ("slip", "hold"):
+            return self._name_of("contact", watch.index)
+        if watch.kind in ("mesh", "flow", "cone"):
+            return self._name_of("mesh", watch.index)
+        if watch.kind in ("limit", "grip"):
+            return self._name_of("spring", watch.index)
+        return f"the torque on {self.system.names[self.system.outside[watch.index].link]}"
+
+
+def _stepped(states: States, watches: Sequence[Watch]) -> States:
+    """The states with the flows and pieces that an event gives."""
+    meshes, pieces = list(states.meshes), list(states.pieces)
+    for watch in watches:
+        if watch.kind == "flow":
+            speed, torque = meshes[watch.index]
+            meshes[watch.index] = speed + ("-" if torque == "+" else "+")
+        elif watch.kind == "piece":
+            pieces[watch.index] += watch.side
+    return states._replace(meshes=tuple(meshes), pieces=tuple(pieces))
+
+
+def _change(before: str, after: str) -> str | None:
+    """What an event is called."""
+    sticks = ("stick", "rigid")
+    if before in sticks and after not in sticks:
+        return "slips"
+    if before in ("+", "-") and after in sticks:
+        return "locks"
+    if before == "open" and after == "rigid":
+        return "locks"
+    if {before, after} == {"+", "-"}:
+        return "reverses"
+    return None
+
+
+def _breaks(system: MotionSystem) -> list[float]:
+    """Times at which something bends or jumps, in order [s]."""
+    times: set[float] = set()
+    for contact in system.contacts:
+        times.update(contact.programme.breaks())
+    for spring in system.springs:
+        times.update(spring.limit.breaks())
+    for one in system.outside:
+        if isinstance(one.law, Points) and one.law.over == "time":
+            times.update(one.law.x)
+    return sorted(time for time in times if 0 < time < system.scenario.duration)
+
+
+def _scales(system: MotionSystem, at: Instant) -> Scales:
+    """Speeds and torques that are large at the start."""
+    speed = max(1.0, float(np.abs(at.speeds).max(initial=0.0)))
+    torque = 1.0
+    times = [at.time, *_breaks(system)]
+    for contact in system.contacts:
+        held = [abs(capacity_at(contact, time)) for time in times]
+        torque = max([torque, *(one for one in held if math.isfinite(one))])
+    for spring in system.springs:
+        limit = abs(programme_at(spring.limit, at.time))
+        torque = max(torque, limit if math.isfinite(limit) else 0.0)
+    for one in system.outside:
+        if isinstance(one.law, Points):
+            torque = max(torque, *map(abs, one.law.y))
+    return Scales(speed, torque)

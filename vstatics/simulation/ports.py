@@ -1,0 +1,252 @@
+"""The torques of ports at an instant: by time, by their rates, by twists and angles.
+
+What is straight in time and rate stands in arrays, ``u = c0 + c1 t + s rate``; springs add
+``k e``; all else is a function that is asked one by one.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import NamedTuple
+
+import numpy as np
+
+from vstatics.numerics.arrays import Floats
+from vstatics.simulation.laws import Formula, Points, Road
+from vstatics.simulation.programme import Programme
+from vstatics.simulation.scenario import Converter
+from vstatics.simulation.system import AIR, GRAVITY, Contact, MotionSystem
+
+Torque = Callable[[float, float, float], float]
+"""By time [s], rate [rad/s] and angle [rad]."""
+
+
+class States(NamedTuple):
+    """What everything does between two events."""
+
+    contacts: tuple[str, ...]
+    """`open`, `stick`, `rigid`, or the sign of the slip."""
+    meshes: tuple[str, ...]
+    """As `MeshStates`."""
+    springs: tuple[str, ...]
+    """`stick`: it bends; else the sign of the torque at whose limit it slips; `open`."""
+    pieces: tuple[int, ...]
+    """The piece of points over a speed or an angle that each outside torque is on; else 0."""
+
+    @property
+    def held(self) -> tuple[bool, ...]:
+        """Of each contact, whether it sticks."""
+        return tuple(state in ("stick", "rigid") for state in self.contacts)
+
+
+class Layout:
+    """Which port is where, and what is integrated beside speeds."""
+
+    def __init__(self, system: MotionSystem) -> None:
+        self.outside = len(system.outside)
+        self.contacts = self.outside
+        self.springs = self.contacts + len(system.contacts)
+        self.pumps = self.springs + len(system.springs)
+        self.turbines = self.pumps + len(system.converters)
+        self.ports = self.turbines + len(system.converters)
+        angles = {one.link for one in system.outside if _needs_angle(one.law)}
+        self.angles = tuple(sorted(angles | {link - 1 for link in system.scenario.targets}))
+        """Indices of the links whose angles are followed."""
+
+
+def _needs_angle(law: object) -> bool:
+    if isinstance(law, Points):
+        return law.over == "angle"
+    return isinstance(law, Formula) and "angle" in law.variables
+
+
+def capacity_at(contact: Contact, time: float, slip: float = 0.0) -> float:
+    """The kinetic capacity of a contact [N*m] at a time, from there on."""
+    value = programme_at(contact.programme, time)
+    return value if contact.friction is None else value * friction_at(contact, slip)
+
+
+def programme_at(programme: Programme, time: float) -> float:
+    """The value of a programme at a time, from there on."""
+    curve = programme.curve
+    at = curve.at(time) if isinstance(curve, Points) else curve.function(time, 0.0, 0.0)
+    if at == 0 or programme.factor == 0:
+        return 0.0
+    return at * programme.factor
+
+
+def friction_at(contact: Contact, slip: float) -> float:
+    """The coefficient of friction at a slip."""
+    assert contact.friction is not None  # noqa: S101 - for mypy: asked where there is one
+    slips, values = zip(*contact.friction.coefficient, strict=True)
+    return Points(slips, values).at(abs(slip))
+
+
+class Ports:
+    """The torques of all ports while nothing changes its state, on one piece of time.
+
+    Parameters
+    ----------
+    system : MotionSystem
+    layout : Layout
+    states : States
+    time : float
+        At which the piece of time begins. [s]
+    """
+
+    def __init__(
+        self, system: MotionSystem, layout: Layout, states: States, time: float
+    ) -> None:
+        self.layout = layout
+        self.c0 = np.zeros(layout.ports)
+        self.c1 = np.zeros(layout.ports)
+        self.by_rate = np.zeros(layout.ports)
+        """Slope by the port's own rate. [N*m*s/rad]"""
+        self.by_angle: list[tuple[int, int, float]] = []
+        """Port, place of the angle, slope. [N*m/rad]"""
+        self.special: list[tuple[int, int, Torque]] = []
+        """Port, place of the angle or -1, its torque."""
+        self.converters = system.converters
+        self.senses_rate = np.zeros(layout.ports, dtype=bool)
+        """Ports whose torque changes with their rate."""
+        self.stiffness = np.array([one.stiffness for one in system.springs])
+        self.bends = np.array([state == "stick" for state in states.springs], dtype=bool)
+        self.elastic = np.where(self.bends, self.stiffness, 0.0)
+        for index, one in enumerate(system.outside):
+            place = layout.angles.index(one.link) if one.link in layout.angles else -1
+            self._outside(index, one.law, states.pieces[index], place, time)
+        for index, contact in enumerate(system.contacts):
+            self._contact(layout.contacts + index, contact, states.contacts[index], time)
+        for index, spring in enumerate(system.springs):
+            port, state = layout.springs + index, states.springs[index]
+            if state == "stick":
+                self.by_rate[port] = spring.viscous
+                self.senses_rate[port] = spring.viscous != 0
+            elif state != "open":
+                self._programme(port, spring.limit, 1.0 if state == "+" else -1.0, time)
+        for ports in (layout.pumps, layout.turbines):
+            self.senses_rate[ports : ports + len(system.converters)] = True
+        self.is_linear = not self.special and not self.converters
+
+    def torques(self, time: float, rates: Floats, twists: Floats, angles: Floats) -> Floats:
+        """Of all ports [N*m]."""
+        torques = self.c0 + self.c1 * time + self.by_rate * rates
+        layout = self.layout
+        if len(twists):
+            torques[layout.springs : layout.pumps] += self.elastic * twists
+        for port, place, slope in self.by_angle:
+            torques[port] += slope * angles[place]
+        for port, place, function in self.special:
+            angle = angles[place] if place >= 0 else 0.0
+            torques[port] = function(time, float(rates[port]), angle)
+        for index, converter in enumerate(self.converters):
+            pump, turbine = layout.pumps + index, layout.turbines + index
+            torques[pump], torques[turbine] = converter_torques(
+                converter, float(rates[pump]), float(rates[turbine])
+            )
+        return torques
+
+    def slopes(self, time: float, rates: Floats, angles: Floats, within: float) -> Floats:
+        """Change of the torques with time alone, and of springs with their rates [N*m/s]."""
+        slopes = self.c1.copy()
+        layout = self.layout
+        springs = slice(layout.springs, layout.pumps)
+        slopes[springs] += self.elastic * rates[springs]
+        for port, place, function in self.special:
+            angle = angles[place] if place >= 0 else 0.0
+            rate = float(rates[port])
+            later, now = (function(time + part * within, rate, angle) for part in (1.0, 0.0))
+            middle = function(time + 0.5 * within, rate, angle)
+            slopes[port] = (4 * middle - 3 * now - later) / within
+        return slopes
+
+    def _outside(
+        self, port: int, law: Points | Formula | Road, piece: int, place: int, time: float
+    ) -> None:
+        if isinstance(law, Road):
+            self.special.append((port, -1, _road(law)))
+            self.senses_rate[port] = law.drag_area != 0
+            if not law.drag_area:
+                self.special.pop()
+                self.c0[port] = -law.radius * law.mass * GRAVITY * law.slope
+        elif isinstance(law, Formula):
+            self.special.append((port, place, law.function))
+            self.senses_rate[port] = "speed" in law.variables
+        elif law.over == "time":
+            self.c0[port], self.c1[port] = law.piece(law.piece_at(time))
+        else:
+            value, slope = law.piece(piece)
+            self.c0[port] = value
+            if law.over == "speed":
+                self.by_rate[port] = slope
+                self.senses_rate[port] = len(law.x) > 1
+            else:
+                self.by_angle.append((port, place, slope))
+
+    def _contact(self, port: int, contact: Contact, state: str, time: float) -> None:
+        if state not in ("+", "-"):
+            return
+        sign = 1.0 if state == "+" else -1.0
+        if contact.one_way and state == "+":
+            self.c0[port] = contact.overrun_drag
+            return
+        if contact.friction is None or len(contact.friction.coefficient) == 1:
+            mu = 1.0 if contact.friction is None else friction_at(contact, 0.0)
+            self._programme(port, contact.programme, sign * mu, time)
+            return
+
+        def torque(at: float, slip: float, _angle: float) -> float:
+            return sign * capacity_at(contact, at, slip)
+
+        self.special.append((port, -1, torque))
+
+    def _programme(self, port: int, programme: Programme, sign: float, time: float) -> None:
+        curve, factor = programme.curve, sign * programme.factor
+        if isinstance(curve, Points):
+            value, slope = curve.piece(curve.piece_at(time))
+            self.c0[port] = factor * value if math.isfinite(value) else sign * value
+            self.c1[port] = factor * slope
+            return
+        function = curve.function
+
+        def torque(at: float, _rate: float, _angle: float) -> float:
+            return factor * function(at, 0.0, 0.0)
+
+        self.special.append((port, -1, torque))
+
+
+def _road(road: Road) -> Torque:
+    climb = road.radius * road.mass * GRAVITY * road.slope
+    air = road.radius**3 * AIR * road.drag_area / 2
+
+    def torque(_time: float, rate: float, _angle: float) -> float:
+        return -climb - air * rate * abs(rate)
+
+    return torque
+
+
+def converter_torques(converter: Converter, pump: float, turbine: float) -> tuple[float, float]:
+    """Torques that a converter takes from its pump and from its turbine, by their speeds.
+
+    ``M_P = lambda w_P |w_P|`` and ``-K M_P`` (Tsitovich, Algin, (1.38)); none with the pump
+    at rest.
+    """
+    if pump == 0:
+        return 0.0, 0.0
+    ratio = turbine / pump
+    factor, coefficient = converter_point(converter, ratio)
+    taken = coefficient * pump * abs(pump)
+    return taken, -factor * taken
+
+
+def converter_point(converter: Converter, ratio: float) -> tuple[float, float]:
+    """K and lambda at a ratio of speeds."""
+    points = converter.points
+    if ratio <= points[0][0]:
+        return points[0][1:]
+    for (i0, k0, l0), (i1, k1, l1) in zip(points, points[1:], strict=False):
+        if ratio < i1:
+            part = (ratio - i0) / (i1 - i0)
+            return k0 + part * (k1 - k0), l0 + part * (l1 - l0)
+    return points[-1][1:]

@@ -1,0 +1,339 @@
+"""What is kept of a run while it goes on, and the motion that is made of it."""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+from typing import NamedTuple
+
+import numpy as np
+
+from vstatics.errors import Problem
+from vstatics.numerics.arrays import Floats
+from vstatics.simulation.equations import Equations
+from vstatics.simulation.impacts import kinetic_energy
+from vstatics.simulation.laws import Points, Road
+from vstatics.simulation.margins import Margins
+from vstatics.simulation.motion import Energy, Event, Motion, Peak, Reached
+from vstatics.simulation.pieces import Step
+from vstatics.simulation.ports import Layout
+from vstatics.simulation.programme import Programme
+from vstatics.simulation.selection import Instant, Jump
+from vstatics.simulation.system import MotionSystem
+from vstatics.statics.result_fields import Message
+
+
+class Kept(NamedTuple):
+    """An instant that is kept."""
+
+    time: float
+    equations: Equations
+    margins: Margins
+    state: Floats
+
+
+class Record:
+    """A run so far."""
+
+    def __init__(self, system: MotionSystem, start: Instant, step: float | None) -> None:
+        self.system, self.start, self.every = system, start, step
+        self.layout = Layout(system)
+        self.events: list[Event] = []
+        self.impact = 0.0
+        self.joined: set[int] = set()
+        """Contacts that have just joined by an impact."""
+        self.messages: list[Message] = []
+        self.kept: list[Kept] = []
+        self.time = start.time
+        self.energy_scale = max(kinetic_energy(system, start.speeds), 1.0)
+        case = system.case
+        self.devices = (*case.devices, *(one.name for one in system.converters))
+        self.peaks = np.zeros(len(self.devices))
+        self.peak_times = np.zeros(len(self.devices))
+        self.targets = [
+            (link - 1, speed)
+            for link, speeds in system.scenario.targets.items()
+            for speed in speeds
+        ]
+        self.reached: dict[tuple[int, float], tuple[float, float]] = {}
+        self.shares: set[str] = set()
+        """Names of what shares a torque that nothing determines."""
+        self._current: tuple[Equations, Margins] | None = None
+
+    def jumps(self, time: float, jump: Jump) -> None:
+        """Twists that changed at once."""
+        self.impact += jump.energy
+        text = (
+            f"link {jump.link} has no inertia: at {time:.6g} s the torques on it jump, and it turns "
+            "at once to where they balance"
+        )
+        self.messages.append(Message("warning", text))
+
+    def begin(self, equations: Equations, margins: Margins, state: Floats) -> None:
+        """A piece begins."""
+        self._current = equations, margins
+        self.kept.append(Kept(equations.time, equations, margins, state))
+        self.time = equations.time
+        scale = max(
+            kinetic_energy(self.system, equations.speeds(equations.time, state)),
+            float(np.abs(state[equations.works]).max(initial=0.0)),
+        )
+        self.energy_scale = max(self.energy_scale, scale)
+        self._peak(np.array([equations.time]), state[:, None], equations, margins)
+
+    def step(self, step: Step, end: float, state: Floats) -> None:
+        """A step, or the part of it up to an event."""
+        assert self._current is not None  # noqa: S101 - a piece has begun
+        equations, margins = self._current
+        if self.every:
+            number = math.floor(step.start / self.every * (1 + 1e-12)) + 1
+            while number * self.every < end * (1 - 1e-12):
+                time = number * self.every
+                between = step.between(np.array([time]))[:, 0]
+                self.kept.append(Kept(time, equations, margins, between))
+                number += 1
+        self.kept.append(Kept(end, equations, margins, state))
+        self.time = end
+        self._peak(np.array([end]), state[:, None], equations, margins)
+        self._targets(step, end, state, equations)
+
+    def sample(
+        self, step: Step, times: Floats, states: Floats, equations: Equations, margins: Margins
+    ) -> None:
+        """Instants within a step, for peaks."""
+        if not len(times):
+            return
+        torques = self._peak(times, states, equations, margins)
+        if len(times) < 3:
+            return
+        sizes = np.abs(torques)
+        top = sizes.argmax(axis=0)
+        inner = (top > 0) & (top < len(times) - 1)
+        for device in np.flatnonzero(inner & (sizes.max(axis=0) >= np.abs(self.peaks) * 0.999)):
+            place = top[device]
+            x, y = times[place - 1 : place + 2], sizes[place - 1 : place + 2, device]
+            bend = (y[0] - 2 * y[1] + y[2])
+            if bend >= 0:
+                continue
+            at = x[1] + 0.5 * (y[0] - y[2]) / bend * (x[1] - x[0])
+            self._peak(np.array([at]), step.between(np.array([at])), equations, margins)
+
+    def _peak(
+        self, times: Floats, states: Floats, equations: Equations, margins: Margins
+    ) -> Floats:
+        """Note torques that are larger than before."""
+        torques = np.array(
+            [
+                self.device_torques(equations, margins, float(time), states[:, number])[0]
+                for number, time in enumerate(times)
+            ]
+        )
+        top = np.abs(torques).argmax(axis=0)
+        columns = np.arange(torques.shape[1])
+        largest = torques[top, columns]
+        larger = np.abs(largest) > np.abs(self.peaks)
+        self.peaks[larger] = largest[larger]
+        self.peak_times[larger] = times[top][larger]
+        return torques
+
+    def _targets(self, step: Step, end: float, state: Floats, equations: Equations) -> None:
+        """Note when links reach speeds that are asked for."""
+        for link, speed in self.targets:
+            if (link, speed) in self.reached:
+                continue
+
+            def short(time: float, link: int = link, speed: float = speed) -> float:
+                at = state if time == end else step.between(np.array([time]))[:, 0]
+                return float(equations.speeds(time, at)[link]) - speed
+
+            first, last = short(step.start), short(end)
+            if first == 0 or (first < 0) != (last < 0):
+                from scipy.optimize import brentq
+
+                time = step.start if first == 0 else float(brentq(short, step.start, end))
+                at = step.between(np.array([time]))[:, 0]
+                angle = float(at[equations.angles][self.layout.angles.index(link)])
+                self.reached[link, speed] = time, angle
+
+    def device_torques(
+        self, equations: Equations, margins: Margins, time: float, state: Floats
+    ) -> tuple[Floats, Floats]:
+        """Torques of all devices, and rates of all ports."""
+        rates, _ = equations.rates(time, state)
+        ports = equations.torques(time, state, rates)
+        held = equations.multipliers(ports)
+        if margins.shared:
+            held, _ = margins.split(time, held)
+        made = np.zeros(len(self.devices))
+        system, layout = self.system, self.layout
+        place = {(one.kind, one.index): row for row, one in enumerate(equations.structure.multipliers)}
+        for index, contact in enumerate(system.contacts):
+            if contact.element is None and contact.while_open is None:
+                continue
+            device = contact.element if contact.element is not None else contact.while_open
+            row = place.get(("contact", index))
+            torque = ports[layout.contacts + index] if row is None else held[row]
+            assert device is not None  # noqa: S101 - for mypy
+            made[device] += torque
+        for index, mesh in enumerate(system.meshes):
+            made[mesh.device] = held[index]
+        for index, spring in enumerate(system.springs):
+            made[spring.device] = ports[layout.springs + index]
+        count = len(self.devices) - len(system.converters)
+        made[count:] = ports[layout.pumps : layout.pumps + len(system.converters)]
+        return made, rates
+
+    def motion(self, stopped: Problem | None) -> Motion:
+        """All of it."""
+        system = self.system
+        elements = system.case.shift_elements
+        rows = np.array(
+            [_slip_row(one.first, one.second, len(system.names)) for one in elements]
+        ).reshape(len(elements), len(system.names))
+        times, speeds, torques, heat = [], [], [], []
+        for time, equations, margins, state in self.kept:
+            times.append(time)
+            speeds.append(equations.speeds(time, state))
+            torques.append(self.device_torques(equations, margins, time, state)[0])
+            heat.append(self._heat(equations, state))
+        kept = _different(times, speeds, torques)
+        at_links = np.array(speeds)[kept]
+        messages = [*self.messages, *self._share_messages()]
+        counted = Counter(messages)
+        return Motion(
+            np.array(times)[kept],
+            system.names,
+            tuple(one.name for one in elements),
+            self.devices,
+            at_links,
+            at_links @ rows.T,
+            np.array(torques)[kept],
+            np.array(heat)[kept],
+            tuple(self.events),
+            self._energy(),
+            {
+                name: Peak(float(torque), float(time))
+                for name, torque, time in zip(
+                    self.devices, self.peaks, self.peak_times, strict=True
+                )
+            },
+            tuple(self._reached()),
+            tuple(counted),
+            stopped,
+        )
+
+    def _share_messages(self) -> list[Message]:
+        found = []
+        seen: set[tuple[int, ...]] = set()
+        for _, equations, margins, _ in self.kept:
+            if not margins.shared:
+                continue
+            structure = equations.structure
+            sharing = tuple(
+                one.index
+                for row, one in enumerate(structure.multipliers)
+                if one.kind == "contact"
+                and self.system.contacts[one.index].element is not None
+                and np.abs(structure.redundant[row]).max() > 1e-6
+            )
+            if len(sharing) < 2 or sharing in seen:
+                continue
+            seen.add(sharing)
+            names = ", ".join(self.system.contacts[index].name for index in sharing)
+            text = (
+                f"{names} hold together more than is needed (first at {equations.time:.6g} s): how "
+                "they share the torque is open, shown is the split of least norm"
+            )
+            found.append(Message("note", text))
+        return found
+
+    def _heat(self, equations: Equations, state: Floats) -> Floats:
+        """Of shift elements [J]."""
+        works = state[equations.works]
+        made = np.zeros(len(self.system.case.shift_elements))
+        for index, contact in enumerate(self.system.contacts):
+            if contact.element is not None:
+                made[contact.element] += works[self.layout.contacts + index]
+        for index, spring in enumerate(self.system.springs):
+            if spring.element is not None:
+                made[spring.element] += state[equations.slipped][index]
+        return made
+
+    def _energy(self) -> Energy:
+        system, layout = self.system, self.layout
+        _, equations, _, state = self.kept[-1]
+        works = state[equations.works]
+        heat: dict[str, float] = {}
+        losses: dict[str, float] = {}
+        for index, contact in enumerate(system.contacts):
+            of = losses if contact.is_drag or contact.overrun_drag else heat
+            of[contact.name] = of.get(contact.name, 0.0) + float(works[layout.contacts + index])
+        for index, spring in enumerate(system.springs):
+            if spring.viscous:
+                lost = float(state[equations.damped][index])
+                losses[spring.name] = losses.get(spring.name, 0.0) + lost
+            if not _unlimited(spring.limit):
+                heat[spring.name] = float(state[equations.slipped][index])
+        for index, converter in enumerate(system.converters):
+            losses[converter.name] = float(
+                works[layout.pumps + index] + works[layout.turbines + index]
+            )
+        for index, mesh in enumerate(system.meshes):
+            if not mesh.lossless:
+                losses[mesh.name] = float(state[equations.meshed][index])
+        work = float(works[: layout.outside].sum())
+        kinetic = kinetic_energy(system, equations.speeds(self.time, state)) - kinetic_energy(
+            system, self.start.speeds
+        )
+        elastic = equations.elastic_energy(state) - float(
+            equations.ports.stiffness @ self.start.twists**2
+        ) / 2
+        rest = work - sum(heat.values()) - sum(losses.values()) - kinetic - elastic - self.impact
+        areas = {
+            one.name: one.friction.area * one.friction.surfaces
+            for one in system.contacts
+            if one.friction is not None
+        }
+        per_area = {name: heat[name] / area for name, area in areas.items()}
+        return Energy(work, heat, per_area, losses, kinetic, elastic, self.impact, rest)
+
+    def _reached(self) -> list[Reached]:
+        radius = {
+            link - 1: law.radius
+            for link, law in self.system.scenario.torques
+            if isinstance(law, Road)
+        }
+        made = []
+        for link, speed in self.targets:
+            time, angle = self.reached.get((link, speed), (math.nan, math.nan))
+            distance = angle * radius.get(link, math.nan)
+            made.append(Reached(self.system.names[link], speed, time, angle, distance))
+        return made
+
+
+def _slip_row(first: int, second: int, links: int) -> Floats:
+    row = np.zeros(links)
+    if first:
+        row[first - 1] += 1
+    if second:
+        row[second - 1] -= 1
+    return row
+
+
+def _different(times: list[float], speeds: list[Floats], torques: list[Floats]) -> list[int]:
+    """Which instants stand: an instant stands twice only where something jumps."""
+    kept: list[int] = []
+    for number, time in enumerate(times):
+        if kept and times[kept[-1]] == time:
+            last = kept[-1]
+            if np.allclose(speeds[last], speeds[number], rtol=1e-9, atol=1e-9) and np.allclose(
+                torques[last], torques[number], rtol=1e-9, atol=1e-9
+            ):
+                continue
+        kept.append(number)
+    return kept
+
+
+def _unlimited(limit: Programme) -> bool:
+    """Whether a spring never slips."""
+    return isinstance(limit.curve, Points) and all(map(math.isinf, limit.curve.y))

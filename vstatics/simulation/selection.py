@@ -1,0 +1,381 @@
+"""What sticks and what slips from an instant on.
+
+Of the admissible choices that with most sticking, then the one nearest to before: all that may
+stick is tried as sticking first, then with one of them slipping, and so on. A choice is admissible
+where no margin is below 0, and none that is 0 falls.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from itertools import combinations, product
+from typing import NamedTuple
+
+import numpy as np
+
+from vstatics.errors import CaseError
+from vstatics.numerics.arrays import Floats
+from vstatics.simulation.equations import Equations
+from vstatics.simulation.laws import Points
+from vstatics.simulation.margins import Margins, Scales, Watch
+from vstatics.simulation.ports import Layout, States, capacity_at, programme_at
+from vstatics.simulation.structure import Structures
+from vstatics.simulation.system import MotionSystem
+
+_AMPLE = 1e300
+_MOST_TRIED = 3000
+"""Choices, before it is told that there is none."""
+SMALL = 1e-9
+"""A speed or torque that is 0 but for rounding, by the largest of its kind."""
+
+
+class Instant(NamedTuple):
+    """Where everything is."""
+
+    time: float
+    """[s]"""
+    speeds: Floats
+    """Of links. [rad/s]"""
+    twists: Floats
+    angles: Floats
+    accounts: Floats
+    """Works and losses up to here. [J]"""
+
+
+class NoChoice(Exception):  # noqa: N818 - it never leaves the room
+    """No admissible choice."""
+
+
+class Jump(NamedTuple):
+    """Twists that change at once, along motions without inertia."""
+
+    link: str
+    energy: float
+    """Lost. [J]"""
+
+
+class Selected(NamedTuple):
+    """A choice, with the equations and the state that follow."""
+
+    equations: Equations
+    margins: Margins
+    state: Floats
+    jump: Jump | None = None
+
+
+Choice = tuple[str, int, tuple[str, ...]]
+"""`contact`, `mesh` or `spring`, its index, its states: the one that sticks first."""
+
+
+class Selection:
+    """Chooses what sticks and what slips in a system."""
+
+    def __init__(self, system: MotionSystem, layout: Layout) -> None:
+        self.system, self.layout = system, layout
+        self.structures = Structures(system)
+        loose = self.structures.of(
+            (False,) * len(system.contacts),
+            tuple("" for _ in system.meshes),
+        )
+        rows = np.array([one.row for one in system.contacts]).reshape(-1, len(system.names))
+        touched = np.abs(rows @ loose.light) if loose.light.size else np.zeros((len(rows), 1))
+        self.touched = touched.max(axis=1, initial=0.0) > SMALL
+        """Contacts whose slip can jump, since something without inertia moves along."""
+        self.within = 1e-7 * system.scenario.duration
+        """How far it is looked ahead. [s]"""
+
+    def select(
+        self,
+        at: Instant,
+        before: States | None,
+        scales: Scales,
+        left: Sequence[States] = (),
+        met: Sequence[int] = (),
+    ) -> Selected:
+        """The choice from an instant on.
+
+        Parameters
+        ----------
+        at : Instant
+        before : States, optional
+        scales : Scales
+        left : sequence of States
+            That can't be kept.
+        met : sequence of int
+            Indices of contacts whose slip ends here.
+
+        Raises
+        ------
+        NoChoice
+        CaseError
+            Of a link without inertia whose speed nothing determines.
+        """
+        base, choices = self.choices(at, before, scales, met)
+        fault: CaseError | None = None
+        for tried, states in enumerate(_ordered(base, choices, before)):
+            if tried >= _MOST_TRIED:
+                break
+            if states in left:
+                continue
+            try:
+                found = self._admissible(states, at, scales)
+            except CaseError as error:
+                fault = fault or error
+                continue
+            if found is not None and found.equations.states not in left:
+                return found
+        if fault is not None:
+            raise fault
+        raise NoChoice
+
+    def choices(
+        self,
+        at: Instant,
+        before: States | None,
+        scales: Scales,
+        met: Sequence[int] = (),
+    ) -> tuple[States, list[Choice]]:
+        """What is fixed by speeds and capacities, and what has a choice."""
+        choices: list[Choice] = []
+        contacts = [
+            self._contact(index, at, scales, choices, index in met)
+            for index in range(len(self.touched))
+        ]
+        meshes = [
+            self._mesh(index, at, before, scales, choices)
+            for index in range(len(self.system.meshes))
+        ]
+        springs = [
+            self._spring(index, at, scales, choices) for index in range(len(self.system.springs))
+        ]
+        pieces = tuple(self._piece(index, at, before) for index in range(len(self.system.outside)))
+        return States(tuple(contacts), tuple(meshes), tuple(springs), pieces), choices
+
+    def _contact(
+        self, index: int, at: Instant, scales: Scales, choices: list[Choice], met: bool
+    ) -> str:
+        contact = self.system.contacts[index]
+        slip = float(contact.row @ at.speeds)
+        capacity = capacity_at(contact, at.time, slip)
+        if contact.while_open is not None:
+            other = self._programme_of(contact.while_open, at.time)
+            if other != 0:
+                return "open"
+        if capacity == 0 and not contact.one_way:
+            return "open"
+        if not contact.row.any():
+            return "rigid"
+        if math.isinf(capacity) and not contact.one_way:
+            return "rigid"
+        sign = "+" if slip > 0 else "-"
+        if abs(slip) > SMALL * scales.speed and not (met or self.touched[index]):
+            return sign
+        if contact.one_way:
+            states = ("stick", "+") if math.isinf(capacity) else ("stick", "+", "-")
+        else:
+            states = ("stick", "+", "-") if sign == "+" else ("stick", "-", "+")
+        choices.append(("contact", index, states))
+        return "stick"
+
+    def _programme_of(self, element: int, time: float) -> float:
+        """Capacity of a shift element, wherever it stands."""
+        for contact in self.system.contacts:
+            if contact.element == element:
+                return programme_at(contact.programme, time)
+        for spring in self.system.springs:
+            if spring.element == element:
+                return programme_at(spring.limit, time)
+        return 0.0
+
+    def _mesh(
+        self,
+        index: int,
+        at: Instant,
+        before: States | None,
+        scales: Scales,
+        choices: list[Choice],
+    ) -> str:
+        mesh = self.system.meshes[index]
+        if mesh.lossless:
+            return ""
+        speed = float(mesh.slip @ at.speeds)
+        last = before.meshes[index] if before else ""
+        torque = last[1] if last not in ("", "stick") else "+"
+        if abs(speed) > SMALL * scales.speed:
+            return ("+" if speed > 0 else "-") + torque
+        choices.append(("mesh", index, ("stick", "+" + torque, "-" + torque)))
+        return "stick"
+
+    def _spring(self, index: int, at: Instant, scales: Scales, choices: list[Choice]) -> str:
+        spring = self.system.springs[index]
+        limit = programme_at(spring.limit, at.time)
+        if math.isinf(limit):
+            return "stick"
+        if limit == 0:
+            return "open"
+        torque = spring.stiffness * float(at.twists[index])
+        near = limit - SMALL * scales.torque
+        if spring.viscous:
+            choices.append(("spring", index, ("stick", "+", "-")))
+        elif abs(torque) >= near:
+            choices.append(("spring", index, ("stick", "+" if torque > 0 else "-")))
+        return "stick"
+
+    def _piece(self, index: int, at: Instant, before: States | None) -> int:
+        """The piece of points over a speed or an angle; at a corner it may be either side's."""
+        one = self.system.outside[index]
+        law = one.law
+        if not isinstance(law, Points) or law.over == "time":
+            return 0
+        if law.over == "speed":
+            value = float(at.speeds[one.link])
+        else:
+            value = float(at.angles[self.layout.angles.index(one.link)])
+        piece = law.piece_at(value)
+        if before is not None:
+            last = before.pieces[index]
+            low = -math.inf if last == 0 else law.x[last - 1]
+            high = math.inf if last == len(law.x) else law.x[last]
+            small = SMALL * max(1.0, abs(value))
+            if low - small <= value <= high + small:
+                return last
+        return piece
+
+    def _admissible(self, states: States, at: Instant, scales: Scales) -> Selected | None:
+        """A choice if it is admissible, with the flows of meshes and the pieces that go with it."""
+        tried: set[States] = set()
+        while states not in tried:
+            tried.add(states)
+            structure = self.structures.of(states.held, states.meshes)
+            equations = Equations(self.system, self.layout, structure, states, at.time)
+            state, jump = consistent(equations, state_of(equations, at), scales)
+            margins = Margins(equations)
+            failing = self._failing(margins, at.time, state, scales)
+            if not failing:
+                return Selected(equations, margins, state, jump)
+            states = _turned(states, failing) or states
+        return None
+
+    def _failing(
+        self, margins: Margins, time: float, state: Floats, scales: Scales
+    ) -> list[Watch] | None:
+        """What is below its margin, or at it and falling."""
+        now = margins.at(time, state)
+        now = np.where(np.isposinf(now), _AMPLE, now)
+        units = margins.units(scales)
+        below = ~(now >= -SMALL * units)
+        if below.any():
+            return [margins.watches[index] for index in np.flatnonzero(below)]
+        near = now <= SMALL * units
+        if not near.any():
+            return []
+        ahead = state + self.within * margins.equations.derivative(time, state)
+        then = margins.at(time + self.within, ahead)
+        falls = near & (then - now < -1e-12 * units)
+        return [margins.watches[index] for index in np.flatnonzero(falls)]
+
+
+def _turned(states: States, failing: Sequence[Watch]) -> States | None:
+    """The states with other flows of meshes and on other pieces; None if more than that fails."""
+    if any(watch.kind not in ("flow", "piece") for watch in failing):
+        failing = [watch for watch in failing if watch.kind == "flow"]
+    meshes, pieces = list(states.meshes), list(states.pieces)
+    for watch in failing:
+        if watch.kind == "flow":
+            speed, torque = meshes[watch.index]
+            meshes[watch.index] = speed + ("-" if torque == "+" else "+")
+        else:
+            pieces[watch.index] += watch.side
+    return states._replace(meshes=tuple(meshes), pieces=tuple(pieces)) if failing else None
+
+
+def consistent(
+    equations: Equations, state: Floats, scales: Scales
+) -> tuple[Floats, Jump | None]:
+    """The state with the twists that balance the torques where nothing heavy moves."""
+    if not equations.light or not equations.by_slope.shape[1]:
+        return state, None
+    time = equations.time
+    rates, _ = equations.rates(time, state)
+    torques = equations.torques(time, state, rates)
+    rest = equations.by_slope.T @ (equations.structure.balances @ torques)
+    if np.abs(rest).max() <= SMALL * scales.torque:
+        return state, None
+    motion = equations.along @ -np.linalg.solve(equations.stiff, rest)
+    turned = equations.structure.light_rates @ motion
+    made = state.copy()
+    made[equations.twists] += np.where(
+        equations.ports.bends, turned[equations.spring_ports], 0.0
+    )
+    given = torques * turned
+    given[equations.spring_ports] = 0.0
+    made[equations.works] += given
+    before, after = (equations.elastic_energy(one) for one in (state, made))
+    signs = np.ones(len(given))
+    signs[equations.layout.outside :] = -1.0
+    lost = float(signs @ given) - (after - before)
+    links = np.abs(equations.structure.light @ motion)
+    return made, Jump(equations.system.names[int(links.argmax())], lost)
+
+
+def state_of(equations: Equations, at: Instant) -> Floats:
+    """The state of equations at an instant."""
+    state = np.empty(equations.size)
+    state[: equations.motions] = equations.structure.free.T @ at.speeds
+    state[equations.twists] = at.twists
+    state[equations.angles] = at.angles
+    state[equations.works.start :] = at.accounts
+    return state
+
+
+def instant_of(equations: Equations, time: float, state: Floats) -> Instant:
+    """The instant that a state of equations stands for."""
+    return Instant(
+        time,
+        equations.speeds(time, state),
+        state[equations.twists].copy(),
+        state[equations.angles].copy(),
+        state[equations.works.start :].copy(),
+    )
+
+
+def _ordered(
+    base: States, choices: Sequence[Choice], before: States | None
+) -> Iterator[States]:
+    """All choices: most sticking first, then nearest to before."""
+    for count in range(len(choices) + 1):
+        tried = []
+        for slipping in combinations(range(len(choices)), count):
+            for signs in product(*(choices[index][2][1:] for index in slipping)):
+                changed = dict(zip(slipping, signs, strict=True))
+                states = _with(base, choices, changed)
+                tried.append((_distance(states, before), len(tried), states))
+                if len(tried) > _MOST_TRIED:
+                    break
+        for _, _, states in sorted(tried, key=lambda one: one[:2]):
+            yield states
+
+
+def _with(base: States, choices: Sequence[Choice], changed: dict[int, str]) -> States:
+    parts = {
+        "contact": list(base.contacts),
+        "mesh": list(base.meshes),
+        "spring": list(base.springs),
+    }
+    for number, state in changed.items():
+        kind, index, _ = choices[number]
+        parts[kind][index] = state
+    contacts, meshes, springs = (tuple(parts[kind]) for kind in ("contact", "mesh", "spring"))
+    return States(contacts, meshes, springs, base.pieces)
+
+
+def _distance(states: States, before: States | None) -> int:
+    """In how many things states differ from before."""
+    if before is None:
+        return 0
+    return sum(
+        one != other
+        for mine, others in zip(states[:3], before[:3], strict=True)
+        for one, other in zip(mine, others, strict=True)
+    )
