@@ -4,27 +4,22 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import NamedTuple
 
 import numpy as np
 
 from vstatics.errors import CaseError, Problem
-from vstatics.numerics.arrays import Floats
 from vstatics.simulation.equations import Equations
 from vstatics.simulation.impacts import impact
 from vstatics.simulation.laws import Points
-from vstatics.simulation.margins import Margins, Scales, Watch
-from vstatics.simulation.motion import Event
-from vstatics.simulation.pieces import Step, TooSmall, Tolerances, exactly, steps
+from vstatics.simulation.location import Finder, Found
+from vstatics.simulation.margins import Scales, Watch
+from vstatics.simulation.motion import Event, EventKind
+from vstatics.simulation.pieces import Tolerances, TooSmall, steps
 from vstatics.simulation.ports import Layout, States, capacity_at, programme_at
 from vstatics.simulation.record import Record
-from vstatics.simulation.selection import Instant, NoChoice, Selected, Selection, instant_of
+from vstatics.simulation.selection import Instant, NoChoice, Selected, Selection, instant_of, turned
 from vstatics.simulation.system import MotionSystem
 
-_SAMPLES = 8
-"""Instants of a step at which margins are looked at."""
-_NOISE = 1e-10
-"""A margin is below 0 by more than this part of what is large."""
 _MOST_AT_ONCE = 60
 """Events within a moment, before it is told that there is no way on."""
 _MOST_EVENTS = 100_000
@@ -36,14 +31,6 @@ class Stop(Exception):  # noqa: N818 - it never leaves the room
     def __init__(self, problem: Problem) -> None:
         super().__init__(problem.message)
         self.problem = problem
-
-
-class Found(NamedTuple):
-    """Where margins end."""
-
-    time: float
-    state: Floats
-    watches: tuple[Watch, ...]
 
 
 class Course:
@@ -86,9 +73,9 @@ class Course:
             before, left, met = states, [], []
             if found.watches:
                 self._count(found)
-                before = _stepped(states, found.watches)
+                before = turned(states, found.watches)
                 left = [states]
-                met = [watch.index for watch in found.watches if watch.kind == "slip"]
+                met = [watch.of for watch in found.watches if watch.kind == "slip"]
             self.scales = self.scales._replace(
                 speed=max(self.scales.speed, float(np.abs(at.speeds).max()))
             )
@@ -115,7 +102,7 @@ class Course:
             except NoChoice:
                 selected = self.selection.select(at, before, self.scales, (), met)
         except NoChoice:
-            states, choices = self.selection.choices(at, before, self.scales, met)
+            _, choices = self.selection.choices(at, before, self.scales, met)
             names = [self._name_of(kind, index) for kind, index, _ in choices]
             message = (
                 f"at {at.time:.9g} s there is no admissible state: neither sticking nor slipping "
@@ -140,9 +127,10 @@ class Course:
             return Found(end, selected.state, ()), length
         tolerances = self._tolerances(equations)
         self.record.begin(equations, margins, selected.state)
+        finder = Finder(equations, margins, tolerances, self.scales, self.record.sample)
         try:
             for step in steps(equations, selected.state, end, tolerances, length):
-                found = self._event_in(step, equations, margins, tolerances)
+                found = finder.event_in(step)
                 if found is not None:
                     self.record.step(step, found.time, found.state)
                     return found, step.end - step.start
@@ -167,98 +155,6 @@ class Course:
         absolute[equations.angles] = relative * speed * self.duration
         absolute[equations.works.start :] = relative * self.record.energy_scale
         return Tolerances(relative, absolute)
-
-    def _event_in(
-        self, step: Step, equations: Equations, margins: Margins, tolerances: Tolerances
-    ) -> Found | None:
-        """The first event in a step."""
-        if not margins.watches:
-            self.record.sample(step, np.array([step.end]), step.last[:, None], equations, margins)
-            return None
-        parts = np.linspace(0.0, 1.0, _SAMPLES + 1)[1:]
-        times = step.start + parts * (step.end - step.start)
-        times[-1] = step.end
-        states = step.between(times)
-        states[:, -1] = step.last
-        units = margins.units(self.scales)
-        last_time, last = step.start, margins.at(step.start, step.first)
-        for number, time in enumerate(times):
-            now = margins.at(float(time), states[:, number])
-            below = now < -_NOISE * units
-            if below.any():
-                self.record.sample(
-                    step, times[:number], states[:, :number], equations, margins
-                )
-                return self._located(
-                    step, equations, margins, tolerances, (last_time, last), (float(time), now)
-                )
-            last_time, last = float(time), now
-        self.record.sample(step, times, states, equations, margins)
-        return None
-
-    def _located(
-        self,
-        step: Step,
-        equations: Equations,
-        margins: Margins,
-        tolerances: Tolerances,
-        above: tuple[float, Floats],
-        under: tuple[float, Floats],
-    ) -> Found:
-        """The first place in an interval at which a margin is 0."""
-        from scipy.optimize import brentq
-
-        units = margins.units(self.scales)
-        places: list[tuple[float, int]] = []
-        for index in np.flatnonzero(under[1] < -_NOISE * units):
-            if not above[1][index] > 0:
-                places.append((above[0], int(index)))
-                continue
-
-            def margin(time: float, index: int = int(index)) -> float:
-                return float(margins.at(time, step.between(np.array([time]))[:, 0])[index])
-
-            if margin(above[0]) <= 0 or margin(under[0]) >= 0:
-                places.append((above[0] if margin(above[0]) <= 0 else under[0], int(index)))
-                continue
-            root = brentq(margin, above[0], under[0], xtol=1e-15 * max(1.0, under[0]), rtol=1e-15)
-            places.append((float(root), int(index)))
-        time, index = min(places)
-        state = exactly(equations, step, time, tolerances)
-        if time > step.start:
-            time, state = self._refined(step, equations, margins, tolerances, time, state, index)
-        close = 1e-11 * self.duration
-        watches = tuple(margins.watches[other] for at, other in places if at <= time + close)
-        watches = watches or (margins.watches[index],)
-        return Found(time, state, watches)
-
-    def _refined(
-        self,
-        step: Step,
-        equations: Equations,
-        margins: Margins,
-        tolerances: Tolerances,
-        time: float,
-        state: Floats,
-        index: int,
-    ) -> tuple[float, Floats]:
-        """The place by the state as it is at the end of a step, not between."""
-        near = 1e-7 * (step.end - step.start)
-        for _ in range(2):
-            now = float(margins.at(time, state)[index])
-            moved = state + near * equations.derivative(time, state)
-            slope = (float(margins.at(time + near, moved)[index]) - now) / near
-            if slope >= 0:
-                break
-            better = time - now / slope
-            if not step.start < better <= step.end or abs(better - time) > 0.1 * (
-                step.end - step.start
-            ):
-                break
-            if abs(better - time) < 1e-15 * max(1.0, time):
-                break
-            time, state = better, exactly(equations, step, better, tolerances)
-        return time, state
 
     def _joined(self, at: Instant, before: States | None) -> Instant:
         """The instant after what joins here has joined."""
@@ -311,27 +207,15 @@ class Course:
         if watch.kind == "split":
             return "what sticks"
         if watch.kind in ("slip", "hold"):
-            return self._name_of("contact", watch.index)
+            return self._name_of("contact", watch.of)
         if watch.kind in ("mesh", "flow", "cone"):
-            return self._name_of("mesh", watch.index)
+            return self._name_of("mesh", watch.of)
         if watch.kind in ("limit", "grip"):
-            return self._name_of("spring", watch.index)
-        return f"the torque on {self.system.names[self.system.outside[watch.index].link]}"
+            return self._name_of("spring", watch.of)
+        return f"the torque on {self.system.names[self.system.outside[watch.of].link]}"
 
 
-def _stepped(states: States, watches: Sequence[Watch]) -> States:
-    """The states with the flows and pieces that an event gives."""
-    meshes, pieces = list(states.meshes), list(states.pieces)
-    for watch in watches:
-        if watch.kind == "flow":
-            speed, torque = meshes[watch.index]
-            meshes[watch.index] = speed + ("-" if torque == "+" else "+")
-        elif watch.kind == "piece":
-            pieces[watch.index] += watch.side
-    return states._replace(meshes=tuple(meshes), pieces=tuple(pieces))
-
-
-def _change(before: str, after: str) -> str | None:
+def _change(before: str, after: str) -> EventKind | None:
     """What an event is called."""
     sticks = ("stick", "rigid")
     if before in sticks and after not in sticks:

@@ -100,7 +100,7 @@ class Equations:
         def rest(speeds: Floats) -> Floats:
             at = rates + structure.light_rates @ speeds
             torques = ports.torques(time, at, twists, angles)
-            left = self.by_torque.T @ (structure.balances @ torques)
+            left: Floats = self.by_torque.T @ (structure.balances @ torques)
             if not self.by_slope.shape[1]:
                 return left
             slopes = ports.slopes(time, at, angles, self.within)

@@ -1,7 +1,8 @@
 """What joins at once: speeds after an impact.
 
 Mechanisms, closed dogs and freewheels at their stop take impulses, friction does not: ``M (w+ - w)
-= -C p`` and ``C' w+ = 0``, so half of ``p C' w`` is lost. A freewheel takes an impulse one way only.
+= -C p`` and ``C' w+ = 0``, so half of ``p C' w`` is lost. A freewheel takes an impulse one way
+only.
 """
 
 from __future__ import annotations
@@ -56,10 +57,11 @@ def impact(
             pushed = (impulses[first:] <= scale).all()
             free = [index for index in wheels if index not in stopped]
             overrun = all(system.contacts[index].row @ after >= -small for index in free)
+            if best is None or (pushed and overrun):
+                energies = _energies(system, (speeds, after), impulses, rigid, joining)
+                best = Impact(after, energies, stopped)
             if pushed and overrun:
-                return _lost(system, speeds, after, impulses, rigid, joining, stopped)
-            if best is None:
-                best = _lost(system, speeds, after, impulses, rigid, joining, stopped)
+                return best
     assert best is not None  # noqa: S101 - there is one choice at least
     return best
 
@@ -71,19 +73,19 @@ def _projected(system: MotionSystem, speeds: Floats, rows: Floats) -> tuple[Floa
     reduced = free.T @ mass @ free
     motions = np.linalg.lstsq(reduced, free.T @ mass @ speeds, rcond=1e-13)[0]
     after: Floats = free @ motions
-    impulses = np.linalg.lstsq(rows.T, mass @ (speeds - after), rcond=1e-12)[0]
+    impulses = np.asarray(np.linalg.lstsq(rows.T, mass @ (speeds - after), rcond=1e-12)[0], float)
     return after, impulses
 
 
-def _lost(
+def _energies(
     system: MotionSystem,
-    before: Floats,
-    after: Floats,
+    change: tuple[Floats, Floats],
     impulses: Floats,
     rigid: Sequence[int],
     joining: Sequence[int],
-    stopped: tuple[int, ...],
-) -> Impact:
+) -> tuple[float, ...]:
+    """What each of the contacts that join takes, by its impulse and its slip before."""
+    before, after = change
     energy = kinetic_energy(system, before) - kinetic_energy(system, after)
     first = len(system.meshes)
     shares = [
@@ -91,8 +93,8 @@ def _lost(
         for place, index in enumerate(rigid)
         if index in joining
     ]
-    rest = (energy - sum(shares)) / len(shares) if shares else 0.0
-    return Impact(after, tuple(share + rest for share in shares), stopped)
+    rest = (energy - sum(shares)) / len(shares)
+    return tuple(share + rest for share in shares)
 
 
 def kinetic_energy(system: MotionSystem, speeds: Floats) -> float:

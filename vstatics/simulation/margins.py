@@ -24,7 +24,7 @@ class Watch(NamedTuple):
     """What a margin is of."""
 
     kind: Watched
-    index: int
+    of: int
     """Of the contact, mesh, spring or outside torque."""
     side: int = 1
     """The side on which it changes: the sign of the torque, or of the step to another piece."""
@@ -48,15 +48,11 @@ class Margins:
         layout, structure = equations.layout, equations.structure
         self.watches: list[Watch] = []
         self.is_torque: list[bool] = []
-        place = {
-            (one.kind, one.index): row for row, one in enumerate(structure.multipliers)
-        }
+        place = {(one.kind, one.of): row for row, one in enumerate(structure.multipliers)}
         self.slipping: list[tuple[int, float]] = []
         self.holding: list[tuple[Contact, int, int]] = []
         """Contact, its multiplier, and the side: +1 its upper limit, -1 its lower one."""
-        for index, (contact, state) in enumerate(
-            zip(system.contacts, states.contacts, strict=True)
-        ):
+        for index, state in enumerate(states.contacts):
             if state in ("+", "-"):
                 self.slipping.append((layout.contacts + index, 1.0 if state == "+" else -1.0))
                 self._watch("slip", index, torque=False)
@@ -65,7 +61,7 @@ class Margins:
         ):
             if state == "stick":
                 for side in (1, -1):
-                    if side == 1 and contact.one_way or math.isfinite(
+                    if (side == 1 and contact.one_way) or math.isfinite(
                         capacity_at(contact, equations.time)
                     ):
                         self.holding.append((contact, place["contact", index], side))
@@ -88,7 +84,7 @@ class Margins:
         system, states = self.equations.system, self.equations.states
         self.moving: list[tuple[int, float, float]] = []
         self.cones: list[tuple[int, int, float, float]] = []
-        for index, (mesh, state) in enumerate(zip(system.meshes, states.meshes, strict=True)):
+        for index, state in enumerate(states.meshes):
             if state not in ("", "stick"):
                 speed, torque = (1.0 if sign == "+" else -1.0 for sign in state)
                 self.moving.append((index, speed, torque))

@@ -58,20 +58,18 @@ def steps(
         state,
         end,
         rtol=tolerances.relative,
-        atol=tolerances.absolute,
+        atol=tolerances.absolute,  # type: ignore[arg-type] # it takes arrays
         first_step=first,
     )
     while solver.status == "running":
         start, before = solver.t, solver.y
         solver.step()
-        if solver.status == "failed" or not np.isfinite(solver.y).all():
+        if str(solver.status) == "failed" or not np.isfinite(solver.y).all():
             raise TooSmall
         yield Step(start, solver.t, before, solver.y, solver.dense_output())
 
 
-def exactly(
-    equations: Equations, step: Step, time: float, tolerances: Tolerances
-) -> Floats:
+def exactly(equations: Equations, step: Step, time: float, tolerances: Tolerances) -> Floats:
     """The state at a time within a step, as accurate as a step's end."""
     if time <= step.start:
         return step.first
@@ -83,7 +81,7 @@ def exactly(
         step.first,
         time,
         rtol=tolerances.relative,
-        atol=tolerances.absolute,
+        atol=tolerances.absolute,  # type: ignore[arg-type] # it takes arrays
         first_step=time - step.start,
     )
     while solver.status == "running":

@@ -8,12 +8,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
 
 from vstatics.numerics.arrays import Floats
-from vstatics.simulation.laws import Formula, Points, Road
+from vstatics.simulation.formula import Formula
+from vstatics.simulation.laws import Points, Road
 from vstatics.simulation.programme import Programme
 from vstatics.simulation.scenario import Converter
 from vstatics.simulation.system import AIR, GRAVITY, Contact, MotionSystem
@@ -95,9 +97,7 @@ class Ports:
         At which the piece of time begins. [s]
     """
 
-    def __init__(
-        self, system: MotionSystem, layout: Layout, states: States, time: float
-    ) -> None:
+    def __init__(self, system: MotionSystem, layout: Layout, states: States, time: float) -> None:
         self.layout = layout
         self.c0 = np.zeros(layout.ports)
         self.c1 = np.zeros(layout.ports)
@@ -245,7 +245,7 @@ def converter_point(converter: Converter, ratio: float) -> tuple[float, float]:
     points = converter.points
     if ratio <= points[0][0]:
         return points[0][1:]
-    for (i0, k0, l0), (i1, k1, l1) in zip(points, points[1:], strict=False):
+    for (i0, k0, l0), (i1, k1, l1) in pairwise(points):
         if ratio < i1:
             part = (ratio - i0) / (i1 - i0)
             return k0 + part * (k1 - k0), l0 + part * (l1 - l0)

@@ -64,7 +64,7 @@ def programmes(scenario: Scenario, engaged: tuple[int, ...]) -> list[Programme]:
         elif by_gear:
             shifted = _Shifted(number, element, scenario)
             try:
-                found.append(shifted.programme(number in engaged))
+                found.append(shifted.programme(engaged=number in engaged))
             except CaseError as error:
                 problems += error.problems
         else:
@@ -116,7 +116,7 @@ class _Shifted:
         self.anything = held is None or element.kind == "dog_clutch"
         self.capacity = math.inf if held is None or self.anything else held
 
-    def programme(self, engaged: bool) -> Programme:
+    def programme(self, *, engaged: bool) -> Programme:
         """Its capacity over time."""
         points = [(0.0, self.capacity if engaged else 0.0)]
         for index, shift in enumerate(sorted(self.scenario.shifts or ()), 1):

@@ -64,8 +64,8 @@ class Record:
         """Twists that changed at once."""
         self.impact += jump.energy
         text = (
-            f"link {jump.link} has no inertia: at {time:.6g} s the torques on it jump, and it turns "
-            "at once to where they balance"
+            f"link {jump.link} has no inertia: at {time:.6g} s the torques on it jump, and it "
+            "turns at once to where they balance"
         )
         self.messages.append(Message("warning", text))
 
@@ -112,7 +112,7 @@ class Record:
         for device in np.flatnonzero(inner & (sizes.max(axis=0) >= np.abs(self.peaks) * 0.999)):
             place = top[device]
             x, y = times[place - 1 : place + 2], sizes[place - 1 : place + 2, device]
-            bend = (y[0] - 2 * y[1] + y[2])
+            bend = y[0] - 2 * y[1] + y[2]
             if bend >= 0:
                 continue
             at = x[1] + 0.5 * (y[0] - y[2]) / bend * (x[1] - x[0])
@@ -166,7 +166,7 @@ class Record:
             held, _ = margins.split(time, held)
         made = np.zeros(len(self.devices))
         system, layout = self.system, self.layout
-        place = {(one.kind, one.index): row for row, one in enumerate(equations.structure.multipliers)}
+        place = {(one.kind, one.of): row for row, one in enumerate(equations.structure.multipliers)}
         for index, contact in enumerate(system.contacts):
             if contact.element is None and contact.while_open is None:
                 continue
@@ -230,10 +230,10 @@ class Record:
                 continue
             structure = equations.structure
             sharing = tuple(
-                one.index
+                one.of
                 for row, one in enumerate(structure.multipliers)
                 if one.kind == "contact"
-                and self.system.contacts[one.index].element is not None
+                and self.system.contacts[one.of].element is not None
                 and np.abs(structure.redundant[row]).max() > 1e-6
             )
             if len(sharing) < 2 or sharing in seen:
@@ -285,9 +285,10 @@ class Record:
         kinetic = kinetic_energy(system, equations.speeds(self.time, state)) - kinetic_energy(
             system, self.start.speeds
         )
-        elastic = equations.elastic_energy(state) - float(
-            equations.ports.stiffness @ self.start.twists**2
-        ) / 2
+        elastic = (
+            equations.elastic_energy(state)
+            - float(equations.ports.stiffness @ self.start.twists**2) / 2
+        )
         rest = work - sum(heat.values()) - sum(losses.values()) - kinetic - elastic - self.impact
         areas = {
             one.name: one.friction.area * one.friction.surfaces

@@ -139,7 +139,7 @@ class Selection:
         """What is fixed by speeds and capacities, and what has a choice."""
         choices: list[Choice] = []
         contacts = [
-            self._contact(index, at, scales, choices, index in met)
+            self._contact(index, at, scales, choices, met=index in met)
             for index in range(len(self.touched))
         ]
         meshes = [
@@ -153,14 +153,16 @@ class Selection:
         return States(tuple(contacts), tuple(meshes), tuple(springs), pieces), choices
 
     def _contact(
-        self, index: int, at: Instant, scales: Scales, choices: list[Choice], met: bool
+        self, index: int, at: Instant, scales: Scales, choices: list[Choice], *, met: bool
     ) -> str:
         contact = self.system.contacts[index]
         slip = float(contact.row @ at.speeds)
         capacity = capacity_at(contact, at.time, slip)
+        if capacity == 0:  # it may begin to rise here
+            capacity = capacity_at(contact, at.time + self.within, slip)
         if contact.while_open is not None:
-            other = self._programme_of(contact.while_open, at.time)
-            if other != 0:
+            times = at.time, at.time + self.within
+            if any(self._programme_of(contact.while_open, time) for time in times):
                 return "open"
         if capacity == 0 and not contact.one_way:
             return "open"
@@ -212,7 +214,7 @@ class Selection:
         limit = programme_at(spring.limit, at.time)
         if math.isinf(limit):
             return "stick"
-        if limit == 0:
+        if limit == 0 == programme_at(spring.limit, at.time + self.within):
             return "open"
         torque = spring.stiffness * float(at.twists[index])
         near = limit - SMALL * scales.torque
@@ -280,19 +282,22 @@ def _turned(states: States, failing: Sequence[Watch]) -> States | None:
     """The states with other flows of meshes and on other pieces; None if more than that fails."""
     if any(watch.kind not in ("flow", "piece") for watch in failing):
         failing = [watch for watch in failing if watch.kind == "flow"]
+    return turned(states, failing) if failing else None
+
+
+def turned(states: States, watches: Sequence[Watch]) -> States:
+    """The states with the other flow of each mesh that is watched, and on the next pieces."""
     meshes, pieces = list(states.meshes), list(states.pieces)
-    for watch in failing:
+    for watch in watches:
         if watch.kind == "flow":
-            speed, torque = meshes[watch.index]
-            meshes[watch.index] = speed + ("-" if torque == "+" else "+")
-        else:
-            pieces[watch.index] += watch.side
-    return states._replace(meshes=tuple(meshes), pieces=tuple(pieces)) if failing else None
+            state = meshes[watch.of]
+            meshes[watch.of] = state[0] + ("-" if state[1] == "+" else "+")
+        elif watch.kind == "piece":
+            pieces[watch.of] += watch.side
+    return states._replace(meshes=tuple(meshes), pieces=tuple(pieces))
 
 
-def consistent(
-    equations: Equations, state: Floats, scales: Scales
-) -> tuple[Floats, Jump | None]:
+def consistent(equations: Equations, state: Floats, scales: Scales) -> tuple[Floats, Jump | None]:
     """The state with the twists that balance the torques where nothing heavy moves."""
     if not equations.light or not equations.by_slope.shape[1]:
         return state, None
@@ -305,9 +310,7 @@ def consistent(
     motion = equations.along @ -np.linalg.solve(equations.stiff, rest)
     turned = equations.structure.light_rates @ motion
     made = state.copy()
-    made[equations.twists] += np.where(
-        equations.ports.bends, turned[equations.spring_ports], 0.0
-    )
+    made[equations.twists] += np.where(equations.ports.bends, turned[equations.spring_ports], 0.0)
     given = torques * turned
     given[equations.spring_ports] = 0.0
     made[equations.works] += given
@@ -340,12 +343,10 @@ def instant_of(equations: Equations, time: float, state: Floats) -> Instant:
     )
 
 
-def _ordered(
-    base: States, choices: Sequence[Choice], before: States | None
-) -> Iterator[States]:
+def _ordered(base: States, choices: Sequence[Choice], before: States | None) -> Iterator[States]:
     """All choices: most sticking first, then nearest to before."""
     for count in range(len(choices) + 1):
-        tried = []
+        tried: list[tuple[int, int, States]] = []
         for slipping in combinations(range(len(choices)), count):
             for signs in product(*(choices[index][2][1:] for index in slipping)):
                 changed = dict(zip(slipping, signs, strict=True))

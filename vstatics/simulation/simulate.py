@@ -96,5 +96,3 @@ def _largest(energy: Energy) -> float:
     """The largest of work, heat and changes of energies [J]."""
     heat = math.fsum(energy.heat.values())
     return max(abs(energy.work), heat, abs(energy.kinetic), abs(energy.elastic), energy.impact)
-
-

@@ -39,7 +39,7 @@ def widest(slack: Floats, directions: Floats) -> float:
     limits = np.hstack([-directions, np.ones((len(slack), 1))])
     bounds = [(None, None)] * count + [(None, 10.0)]
     made = linprog(goal, A_ub=limits, b_ub=slack / scale, bounds=bounds)
-    return float(made.x[-1]) * scale if made.success else float(slack.min())
+    return float(made.x[-1]) * scale if made.success and made.x is not None else float(slack.min())
 
 
 def _widest_along(slack: Floats, slopes: Floats) -> float:
@@ -49,9 +49,7 @@ def _widest_along(slack: Floats, slopes: Floats) -> float:
     if not len(rises) or not len(falls):
         level = slack[slopes == 0]
         return float(level.min()) if len(level) else np.inf
-    places = [
-        (slack[j] - slack[i]) / (slopes[i] - slopes[j]) for i in rises for j in falls
-    ]
+    places = [(slack[j] - slack[i]) / (slopes[i] - slopes[j]) for i in rises for j in falls]
     return max(best, *(float((slack + slopes * place).min()) for place in places))
 
 

@@ -64,9 +64,9 @@ def start_speeds(system: MotionSystem, gear: Gear | None) -> Floats:
         rows.append(np.eye(links)[link - 1])
         values.append(speed)
     matrix, wanted = np.array(rows).reshape(-1, links), np.array(values)
-    speeds = np.linalg.lstsq(matrix, wanted, rcond=1e-12)[0] if len(rows) else np.zeros(links)
+    speeds = np.linalg.lstsq(matrix, wanted, rcond=1e-12)[0] if rows else np.zeros(links)
     scale = max(1.0, float(np.abs(wanted).max(initial=0.0)))
-    if len(rows) and np.abs(matrix @ speeds - wanted).max() > _FITS * scale:
+    if rows and np.abs(matrix @ speeds - wanted).max() > _FITS * scale:
         raise CaseError([_contradiction(system, matrix, wanted, given)])
     open_still = null(matrix)
     if open_still.shape[1]:

@@ -34,7 +34,7 @@ class Multiplier(NamedTuple):
 
     kind: str
     """`mesh`: on the first link of a mechanism; `friction` of a mesh that sticks; `contact`."""
-    index: int
+    of: int
 
 
 class Structure:
@@ -90,7 +90,7 @@ class Structure:
 def _weight(system: MotionSystem, multiplier: Multiplier) -> float:
     if multiplier.kind == "mesh":
         return _FIRST
-    if multiplier.kind == "friction" or system.contacts[multiplier.index].is_drag:
+    if multiplier.kind == "friction" or system.contacts[multiplier.of].is_drag:
         return _LAST
     return 1.0
 

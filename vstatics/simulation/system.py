@@ -20,7 +20,8 @@ from vstatics.model.damping import damping
 from vstatics.model.parts import HOUSING, Friction, Mechanism
 from vstatics.model.transmission import Gear, Transmission
 from vstatics.numerics.arrays import Floats
-from vstatics.simulation.laws import Formula, Points, Resistance, Road, TorqueLaw, constant
+from vstatics.simulation.formula import Formula
+from vstatics.simulation.laws import Points, Resistance, Road, TorqueLaw, constant
 from vstatics.simulation.programme import Programme, drags, newton_metres
 from vstatics.simulation.scenario import Converter, Scenario
 from vstatics.statics.matrix import column
@@ -263,9 +264,7 @@ def _drag_contacts(case: Transmission, gear: Gear | None) -> list[Contact]:
                 continue
             row = _between(element.first, element.second, case.links)
             open_of = number - 1
-            found.append(
-                Contact(element.name, row, programme, is_drag=True, while_open=open_of)
-            )
+            found.append(Contact(element.name, row, programme, is_drag=True, while_open=open_of))
         else:
             row = _unit(number - 1, case.links)
             found.append(Contact(case.link_name(number), row, programme, is_drag=True))

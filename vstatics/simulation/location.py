@@ -1,0 +1,122 @@
+"""Where in a step a margin ends."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import NamedTuple
+
+import numpy as np
+
+from vstatics.numerics.arrays import Floats
+from vstatics.simulation.equations import Equations
+from vstatics.simulation.margins import Margins, Scales, Watch
+from vstatics.simulation.pieces import Step, Tolerances, exactly
+
+_SAMPLES = 8
+"""Instants of a step at which margins are looked at."""
+_NOISE = 1e-10
+"""A margin is below 0 by more than this part of what is large."""
+
+Sample = Callable[[Step, Floats, Floats, Equations, Margins], None]
+"""Takes instants of a step and their states."""
+
+
+class Found(NamedTuple):
+    """Where margins end."""
+
+    time: float
+    state: Floats
+    watches: tuple[Watch, ...]
+
+
+class Finder:
+    """Finds the events of a piece.
+
+    Parameters
+    ----------
+    equations, margins
+        Of the piece.
+    tolerances : Tolerances
+    scales : Scales
+    sample : callable
+        Is told of all instants that are looked at before an event.
+    """
+
+    def __init__(
+        self,
+        equations: Equations,
+        margins: Margins,
+        tolerances: Tolerances,
+        scales: Scales,
+        sample: Sample,
+    ) -> None:
+        self.equations, self.margins, self.tolerances = equations, margins, tolerances
+        self.sample = sample
+        self.noise = _NOISE * margins.units(scales)
+
+    def event_in(self, step: Step) -> Found | None:
+        """The first event in a step."""
+        times = np.linspace(step.start, step.end, _SAMPLES + 1)[1:]
+        states = step.between(times)
+        states[:, -1] = step.last
+        if not self.margins.watches:
+            self._tell(step, times, states)
+            return None
+        before = step.start, self.margins.at(step.start, step.first)
+        for number, time in enumerate(map(float, times)):
+            now = self.margins.at(time, states[:, number])
+            if (now < -self.noise).any():
+                self._tell(step, times[:number], states[:, :number])
+                return self._located(step, before, (time, now))
+            before = time, now
+        self._tell(step, times, states)
+        return None
+
+    def _tell(self, step: Step, times: Floats, states: Floats) -> None:
+        self.sample(step, times, states, self.equations, self.margins)
+
+    def _located(
+        self, step: Step, above: tuple[float, Floats], under: tuple[float, Floats]
+    ) -> Found:
+        """The first place in an interval at which a margin is 0."""
+        places = []
+        for index in map(int, np.flatnonzero(under[1] < -self.noise)):
+            begins = above[1][index] > 0
+            place = self._root(step, index, above[0], under[0]) if begins else above[0]
+            places.append((place, index))
+        time, index = min(places)
+        state = exactly(self.equations, step, time, self.tolerances)
+        if time > step.start:
+            time, state = self._refined(step, time, state, index)
+        close = 1e-11 * self.equations.system.scenario.duration
+        watches = [self.margins.watches[other] for at, other in places if at <= time + close]
+        return Found(float(time), state, tuple(watches) or (self.margins.watches[index],))
+
+    def _root(self, step: Step, index: int, first: float, last: float) -> float:
+        """Where a margin is 0 between two times."""
+        from scipy.optimize import brentq
+
+        def margin(time: float) -> float:
+            return float(self.margins.at(time, step.between(np.array([time]))[:, 0])[index])
+
+        if margin(first) <= 0:
+            return first
+        if margin(last) >= 0:
+            return last
+        return float(brentq(margin, first, last, xtol=1e-15 * max(1.0, last), rtol=1e-15))
+
+    def _refined(self, step: Step, time: float, state: Floats, index: int) -> tuple[float, Floats]:
+        """The place by the state as it is at the end of a step, not between."""
+        length = step.end - step.start
+        near = 1e-7 * length
+        for _ in range(2):
+            now = float(self.margins.at(time, state)[index])
+            ahead = state + near * self.equations.derivative(time, state)
+            slope = (float(self.margins.at(time + near, ahead)[index]) - now) / near
+            better = time - now / slope if slope < 0 else time
+            if abs(better - time) < 1e-15 * max(1.0, time):
+                break
+            if not step.start < better <= step.end or abs(better - time) > 0.1 * length:
+                break
+            time, state = better, exactly(self.equations, step, better, self.tolerances)
+        return time, state
