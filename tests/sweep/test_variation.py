@@ -14,6 +14,7 @@ from vstatics.errors import Place, ReadError
 from vstatics.model.transmission import Gear, Transmission
 from vstatics.numerics.arrays import Floats
 from vstatics.readers.named.nodes import MOST_PROBLEMS
+from vstatics.simulation.distribution import Distribution
 from vstatics.sweep.targets import target
 from vstatics.sweep.variation import Span, read_variation
 
@@ -21,7 +22,7 @@ from vstatics.sweep.variation import Span, read_variation
 def read(text: str) -> Floats:
     """The values of a text for D1.ratio."""
     values = read_variation(f"D1.ratio={text}", CASE).values
-    assert not isinstance(values, Span)
+    assert not isinstance(values, Span | Distribution)
     return values[np.arange(len(values))]
 
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, TypeVar, cast
 
 import numpy as np
 
-from vstatics.errors import CaseError, Problem, ReadError
+from vstatics.errors import CaseError, Problem, ReadError, of_file
 from vstatics.extras import require
 from vstatics.model.transmission import IdleConvention, Transmission
 from vstatics.readers.named.nodes import MOST_PROBLEMS
@@ -33,6 +33,8 @@ Read = TypeVar("Read")
 
 OUT = "ratio,efficiency"
 OUT_OF_RUNS = "heat,work"
+OF_SAMPLES = "abs(peaks),heat,losses,locks,work,kinetic,elastic,impact"
+"""Torques of devices are told without their sign, so that they have a mean."""
 
 
 def check_packages(options: SweepOptions, form: Format, scheduler: str | None) -> None:
@@ -159,6 +161,44 @@ def _with_expressions(subject: Subject, options: SweepOptions, variants: Variant
     if isinstance(subject, Transmission):
         return made
     return _of_runs(made, subject)
+
+
+def sample_plan(subject: VariedScenario, options: SweepOptions) -> SweepPlan:
+    """A plan of variants drawn from the distributions that a scenario has in `samples`.
+
+    Parameters
+    ----------
+    subject : VariedScenario
+    options : SweepOptions
+        With `sample`, the number of variants, and what else a plan takes.
+
+    Raises
+    ------
+    ReadError
+        If the scenario has none, or one of a number that it has not.
+    CaseError
+        If there can be no such plan.
+    """
+    samples = subject.own.samples
+    if not samples:
+        message = "the scenario has no `samples`: distributions by the paths of numbers"
+        raise ReadError([of_file(subject.scenario.file, message)])
+    problems: list[Problem] = []
+    variations: list[Variation] = []
+    for number, (path, distribution) in enumerate(samples.items(), 1):
+        place = subject.own.spots.place(("samples", number))
+        try:
+            variations.append(Variation(subject.target(path), distribution, place))
+        except ReadError as error:
+            problems += [
+                Problem(f"samples: {one.message}", ("samples", path), place)
+                for one in error.problems
+            ]
+    if problems:
+        raise ReadError(problems)
+    method = cast("Method", options.method or "random")
+    drawn = Sample(variations, options.sample or 1, method, options.seed or 0)
+    return _with_expressions(subject, replace(options, out=options.out or Text(OF_SAMPLES)), drawn)
 
 
 def _of_runs(plan: SweepPlan, subject: VariedScenario) -> SweepPlan:

@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
-from vstatics.errors import Place, nearest, quoted, typed_number
+from vstatics.errors import Place, nearest, quoted
 from vstatics.readers.named.arithmetic import calculated
 from vstatics.readers.named.node_paths import (
     Keys,
@@ -165,7 +165,7 @@ def _spelled_out(root: Node, keys: Keys) -> Node:
     key = _SPELLED[keys[0]].get(type(short)) if short else None
     if not (node and short and key):
         return root
-    if isinstance(short, Listing) and typed_number(keys[2], len(short.items)) is not None:
+    if isinstance(short, Listing) and keys[2].isdigit():
         return root
     whole = Mapping([(Scalar(key, short.line, short.column), short)], short.line, short.column)
     return _with(_at(root), keys[0], _with(_at(node), keys[1], whole))

@@ -25,6 +25,8 @@ _PART = re.compile(r"\"([^\"]*)\"|'([^']*)'|([^.\"']+)")
 _BARE = re.compile(r"\w+(?:[- ]\w+)*")
 _CALL = re.compile(r"[^\W\d]\w*\s*\(")
 _VARIABLES = ("t", "speed", "angle")
+_SIGNS = ("*", "+", "-", "^")
+"""No unit begins with one of these."""
 
 
 class PathPart(NamedTuple):
@@ -174,7 +176,7 @@ def number_of(node: Node) -> WrittenNumber:
         value, behind = calculated(node.text)
     except ValueError:
         raise ValueError(f"is {what(node)}, expected a number") from None
-    if behind in _VARIABLES or _CALL.search(behind):
+    if behind in _VARIABLES or behind[:1] in _SIGNS or _CALL.search(behind):
         raise ValueError(f"is a formula, {what(node)}, expected a number")
     return WrittenNumber(value, behind)
 

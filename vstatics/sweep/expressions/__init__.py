@@ -176,14 +176,8 @@ class _Resolved(NamedTuple):
 
 def _resolve(tree: Tree, names: NameFinder) -> _Resolved:
     """Ask what the names in a tree mean, and whether operands go together."""
-    if isinstance(tree, Constant):
-        return _Resolved(tree)
-    if isinstance(tree, DottedName):
-        return _Resolved(names.number(tree))
-    if isinstance(tree, TableName):
-        part = names.table(tree)
-        has_rows = part.rows and part.row is None
-        return _Resolved(part, part.gear is None, part.table if has_rows else "")
+    if not isinstance(tree, Applied):
+        return _named(tree, names)
     name, operands = tree.name, [_resolve(operand, names) for operand in tree.operands]
     if name in ("abs", "sum", LAST) and len(operands) > 1:
         message = f"{name} of {len(operands)} parts, expected one, as in {name}(losses)"
@@ -208,3 +202,14 @@ def _resolve(tree: Tree, names: NameFinder) -> _Resolved:
             raise names.source.error(message, tree.at)
     per_gear = any(operand.per_gear for operand in operands)
     return _Resolved(node, per_gear, tables[0] if tables else "")
+
+
+def _named(tree: Constant | DottedName | TableName, names: NameFinder) -> _Resolved:
+    """What a number or a name means."""
+    if isinstance(tree, TableName):
+        part = names.table(tree)
+        if not isinstance(part, Selection):
+            return _Resolved(part)
+        has_rows = part.rows and part.row is None
+        return _Resolved(part, part.gear is None, part.table if has_rows else "")
+    return _Resolved(tree if isinstance(tree, Constant) else names.number(tree))

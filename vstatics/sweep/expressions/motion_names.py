@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from vstatics.errors import listed, nearest, quoted, typed_number
+from vstatics.errors import Place, listed, nearest, quoted, typed_number
 from vstatics.readers.expressions.excerpt import Excerpt
 from vstatics.readers.expressions.grammar import Language
 from vstatics.readers.expressions.operands import Constant, DottedName, Subscript, TableName
@@ -38,16 +38,21 @@ class MotionNames:
     def number(self, name: DottedName) -> VariedNumber | Constant:
         """A number of the scenario or its case: varied, or else as it is written."""
         place = self.source.place(name.at)
-        found = self.subject.target(name.written, place)
+        return self._number(name.written, place)
+
+    def _number(self, written: str, place: Place) -> VariedNumber | Constant:
+        found = self.subject.target(written, place)
         for column, varied in enumerate(self.targets):
             if varied.number == found.number:
                 return VariedNumber(column)
         return Constant(self.subject.written_number(found, place))
 
-    def table(self, read: TableName) -> Selection:
-        """A table, or a part of it."""
+    def table(self, read: TableName) -> Selection | VariedNumber | Constant:
+        """A table, or a part of it; or the duration."""
         known = TABLES.get(read.name)
         if known is None:
+            if read.name == "duration" and not read.subscripts:
+                return self._number(read.name, self.source.place(read.at))
             raise self.source.error(self._no_table(read.name), read.at)
         gear = None if along_time(read.name) else 0
         subscripts = list(read.subscripts)
@@ -99,9 +104,10 @@ class MotionNames:
 
     def _no_table(self, name: str) -> str:
         """What to say of a name that is no table."""
-        hint = nearest(name, (*TABLES, *FUNCTIONS, LAST))
+        hint = ""
         for table in ("speeds", "heat", "torques"):
             if not hint and name in self.rows(table):
                 hint = f"; a name goes in brackets: {table}[{name}]"
+        hint = hint or nearest(name, (*TABLES, *FUNCTIONS, LAST))
         hint = hint or f", expected one of {listed(list(TABLES), 30)}"
         return f"a run has no table {quoted(name)}{hint}"

@@ -73,8 +73,8 @@ class NameFinder(Protocol):
     def number(self, name: DottedName) -> VariedNumber | Applied | Constant:
         """A number of what is varied: varied, or else its own."""
 
-    def table(self, read: TableName) -> Selection:
-        """A table, or a part of it."""
+    def table(self, read: TableName) -> Selection | VariedNumber | Constant:
+        """A table, or a part of it; or a number that has no point in its name."""
 
     def rows(self, table: str) -> Sequence[str]:
         """The names of a table's rows; none if it has no rows."""

@@ -1,0 +1,127 @@
+"""Tables of a run in expressions: what is asked of a motion that is written out by hand."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from tests.sweep.scenarios import subject
+from vstatics.errors import ReadError
+from vstatics.simulation.motion import Energy, Event, Motion, Peak, Reached
+from vstatics.sweep.expressions import read_expression
+from vstatics.sweep.expressions.columns import read_columns
+from vstatics.sweep.motion_tables import MotionTables
+
+SUBJECT = subject()
+MOTION = Motion(
+    np.array([0.0, 0.3, 0.6]),
+    ("sun", "ring", "carrier"),
+    ("brake", "lock-up"),
+    ("brake", "lock-up", "set"),
+    np.array([[50.0, -30.0, 0.0], [45.0, -5.0, 15.0], [60.0, 0.0, 24.0]]),
+    np.array([[-30.0, 80.0], [-5.0, 50.0], [0.0, 60.0]]),
+    np.array([[-120.0, 0.0, 40.0], [-120.0, 0.0, 50.0], [-20.0, 0.0, 45.0]]),
+    np.zeros((3, 2)),
+    (
+        Event(0.4, "brake", "locks"),
+        Event(0.5, "brake", "slips"),
+        Event(0.55, "brake", "locks"),
+        Event(0.2, "lock-up", "impact", 7.0),
+    ),
+    Energy(600.0, {"brake": 850.0}, {"brake": 2.5e5}, {"set": 3.0}, -260.0, 0.0, 7.0, 1e-9),
+    {"brake": Peak(-120.0, 0.1), "set": Peak(50.0, 0.3)},
+    (Reached("carrier", 10.0, 0.2, 1.0, 5.0), Reached("carrier", 20.0, 0.5, 4.0, math.nan)),
+)
+VALUES = np.zeros((1, 0))
+
+
+def value(text: str) -> float:
+    """The one value of an expression."""
+    tables = MotionTables(MOTION, SUBJECT.rows)
+    calculated = read_expression(text, SUBJECT, [], "--out")(tables, VALUES)
+    assert calculated.shape == (1,)
+    return float(calculated[0])
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("speeds[carrier]", 24.0),  # what runs along time is told at the end
+        ("last(speeds[carrier])", 24.0),
+        ("speeds[sun] - speeds[carrier]", 36.0),
+        ("max(speeds[sun] - speeds[carrier])", 50.0),
+        ("max(abs(slips[brake]))", 30.0),
+        ("max(slips)", 80.0),
+        ("min(torques[brake])", -120.0),
+        ("max(time*(speeds[carrier] < 20))", 0.3),
+        ("time", 0.6),
+        ("heat[brake]", 850.0),
+        ("heat[lock-up]", 0.0),
+        ("sum(heat)", 850.0),
+        ("heat_per_area[brake]/1000", 250.0),
+        ("losses[set]", 3.0),
+        ("peaks[brake]", -120.0),
+        ("max(abs(peaks))", 120.0),
+        ("peak_times[set]", 0.3),
+        ("locks[brake]", 0.4),
+        ("last_locks[#1]", 0.55),
+        ("breaks[brake]", 0.5),
+        ("reverses[brake]", math.nan),
+        ("impacts[2]", 0.2),
+        ("events[brake]", 3.0),
+        ('time_to["carrier 20"]', 0.5),
+        ("distance_to[#1]", 5.0),
+        ("work - kinetic - impact", 853.0),
+        ("balance", 1e-9),
+        ("heat[brake] > 800 and locks[brake] < .5", 1.0),
+        ("duration + controls.brake.1.2", 120.6),
+        ("mechanisms.set.ratio", -1.5),
+    ],
+)
+def test_expressions_speak_of_a_run(text: str, expected: float) -> None:
+    text = text.replace("[lock-up]", '["lock-up"]')
+    assert value(text) == pytest.approx(expected, rel=1e-12, nan_ok=True)
+
+
+def test_a_table_has_a_column_for_each_row() -> None:
+    columns = read_columns("speeds, heat, abs(peaks), work", SUBJECT, [])
+    assert columns.headings == (
+        "speeds[sun]",
+        "speeds[ring]",
+        "speeds[carrier]",
+        "heat[brake]",
+        'heat["lock-up"]',
+        "abs(peaks)[brake]",
+        'abs(peaks)["lock-up"]',
+        "abs(peaks)[set]",
+        "work",
+    )
+    made = columns(MotionTables(MOTION, SUBJECT.rows), VALUES)
+    expected = [60, 0, 24, 850, 0, 120, math.nan, 50, 600]
+    np.testing.assert_array_equal(made, [expected])
+    without = columns(MotionTables(None, SUBJECT.rows), VALUES)
+    assert np.isnan(without).all()
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("heet[brake]", "a run has no table `heet`; did you mean `heat`?"),
+        ("brake", "a run has no table `brake`; a name goes in brackets: heat[brake]"),
+        ("ratio[1]", "a run has no table `ratio`"),
+        ("heat[brak]", "there is no load `brak`, expected one of `brake`, `lock-up`"),
+        ("time_to[carrier]", "there are 2 target `carrier`, expected one of `carrier 10`"),
+        ("speeds[sun,1]", "read one part too many, expected speeds[link]"),
+        ("work[brake]", "`work` has no rows"),
+        ("sum(slips)", "a sum over all instants means nothing"),
+        ("speeds + heat", "`speeds` has one value per link and `heat` one per load"),
+        ("controls.brake.scale", "`controls.brake.scale` is not written in the document"),
+        ("duratio.x", "has a key `duratio`; did you mean `duration`?"),
+    ],
+)
+def test_mistakes_are_told(text: str, said: str) -> None:
+    with pytest.raises(ReadError) as caught:
+        read_expression(text, SUBJECT, [], "--out")
+    assert said in str(caught.value)

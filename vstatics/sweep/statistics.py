@@ -1,0 +1,89 @@
+"""What many variants have in common: means, deviations and quantiles of their columns."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from vstatics.numerics.arrays import Floats
+from vstatics.tables.grid import Column, Grid, Row, exact, text
+
+PARTS = (0.05, 0.5, 0.95)
+"""Of all variants that lie below a quantile."""
+
+
+class Statistics(NamedTuple):
+    """Of a column, over the variants in which it exists; NaN if there are too few of them."""
+
+    variants: int
+    mean: float
+    deviation: float
+    """Standard deviation, as of a sample: with one variant less in the denominator."""
+    least: float
+    quantiles: tuple[float, ...]
+    """By `PARTS`."""
+    largest: float
+
+
+def statistics(numbers: Floats) -> Statistics:
+    """The statistics of numbers, of which NaN are none.
+
+    Examples
+    --------
+    >>> found = statistics(np.array([1.0, 2.0, 3.0, np.nan]))
+    >>> found.variants, found.mean, found.deviation, found.quantiles[1]
+    (3, 2.0, 1.0, 2.0)
+    """
+    known = numbers[~np.isnan(numbers)]
+    if not len(known):
+        nothing = float("nan")
+        return Statistics(0, nothing, nothing, nothing, (nothing,) * len(PARTS), nothing)
+    deviation = float(np.std(known, ddof=1)) if len(known) > 1 else float("nan")
+    quantiles = tuple(np.quantile(known, PARTS).tolist())
+    least, largest = float(known.min()), float(known.max())
+    return Statistics(len(known), float(known.mean()), deviation, least, quantiles, largest)
+
+
+def columns_statistics(columns: Mapping[str, Floats]) -> dict[str, Statistics]:
+    """The statistics of columns, without those that are 0 or not there in all variants."""
+    return {
+        name: statistics(numbers)
+        for name, numbers in columns.items()
+        if np.nan_to_num(numbers).any()
+    }
+
+
+def statistics_grids(varied: Sequence[str], found: Mapping[str, Statistics]) -> Iterator[Grid]:
+    """A table of what was drawn, and one of what came of it."""
+    drawn = {name: one for name, one in found.items() if name in varied}
+    others = {name: one for name, one in found.items() if name not in varied}
+    for title, part, key in (("Drawn", drawn, "drawn"), ("Results", others, "results")):
+        if part:
+            yield _grid(title, part, key)
+
+
+def _grid(title: str, found: Mapping[str, Statistics], key: str) -> Grid:
+    heads = ("mean", "deviation", "least", *(f"{part:.0%}" for part in PARTS), "largest")
+    columns = [text(""), Column("variants"), *map(Column, heads)]
+    rows: list[Row] = []
+    for name, one in found.items():
+        numbers = (one.mean, one.deviation, one.least, *one.quantiles, one.largest)
+        rows.append([name, str(one.variants), *map(exact, numbers)])
+    return Grid(title, columns, rows, key=key)
+
+
+def statistics_document(found: Mapping[str, Statistics]) -> dict[str, dict[str, float]]:
+    """The same as plain data."""
+    return {
+        name: {
+            "variants": one.variants,
+            "mean": one.mean,
+            "deviation": one.deviation,
+            "least": one.least,
+            **{f"{part:.0%}": value for part, value in zip(PARTS, one.quantiles, strict=True)},
+            "largest": one.largest,
+        }
+        for name, one in found.items()
+    }
