@@ -11,7 +11,8 @@ b'<?xml'
 1
 
 A kind of picture is a function ``draw(results, style, gears) -> Figure`` in a module of
-its own, which is imported when its picture is asked for: matplotlib is an extra.
+its own, which is imported when its picture is asked for: matplotlib is an extra. Kinds that
+show a run take its motion, too.
 """
 
 from __future__ import annotations
@@ -30,6 +31,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from vstatics.pictures.style import Style
+    from vstatics.simulation.motion import Motion
 
 Format = Literal["svg", "png", "pdf"]
 FORMATS: tuple[Format, ...] = get_args(Format)
@@ -43,8 +45,11 @@ PICTURES = {
     "efficiency": "vstatics.pictures.efficiency",
     "modes": "vstatics.pictures.modes",
     "campbell": "vstatics.pictures.campbell",
+    "shift": "vstatics.pictures.shift",
 }
 """Kind of picture -> module."""
+OF_RUNS = ("shift", "plan")
+"""Kinds that show a run: ``draw(results, style, gears, motion)``."""
 
 DPI = 150
 """Of PNG. [1/inch]"""
@@ -57,7 +62,14 @@ _METADATA: dict[Format, dict[str, Any]] = {
 }
 
 
-def picture(results: Results, kind: str, style: Style, gears: Sequence[int] = ()) -> Figure:
+def picture(
+    results: Results,
+    kind: str,
+    style: Style,
+    gears: Sequence[int] = (),
+    *,
+    motion: Motion | None = None,
+) -> Figure:
     """A picture of the results of one case, as a figure of matplotlib.
 
     Parameters
@@ -66,6 +78,8 @@ def picture(results: Results, kind: str, style: Style, gears: Sequence[int] = ()
         One of `PICTURES`.
     gears : sequence of int, optional
         Numbers of the only gears that are to be shown, from 1.
+    motion : Motion, optional
+        A run of the case, for the kinds of `OF_RUNS`.
 
     Raises
     ------
@@ -75,28 +89,46 @@ def picture(results: Results, kind: str, style: Style, gears: Sequence[int] = ()
     require("plot", "a picture")
     module = import_module(PICTURES[kind])
     with _settings(style):
-        figure: Figure = module.draw(results, style, gears)
+        figure: Figure = module.draw(results, style, gears, *_run(kind, motion))
     return figure
 
 
-def render(
-    results: Results, kind: str, form: Format, style: Style, gears: Sequence[int] = ()
+def render(  # noqa: PLR0913 - what is drawn, and how
+    results: Results,
+    kind: str,
+    form: Format,
+    style: Style,
+    gears: Sequence[int] = (),
+    *,
+    motion: Motion | None = None,
 ) -> bytes:
     """A picture of a result as a file; parameters and errors as of `picture`."""
-    return _written(picture(results, kind, style, gears), form, style)
+    return _written(picture(results, kind, style, gears, motion=motion), form, style)
 
 
-def sheets(results: Results, kind: str, style: Style, gears: Sequence[int] = ()) -> list[bytes]:
+def sheets(
+    results: Results,
+    kind: str,
+    style: Style,
+    gears: Sequence[int] = (),
+    *,
+    motion: Motion | None = None,
+) -> list[bytes]:
     """A picture of a result as SVG; a long one in parts that fit a printed page.
 
     Parameters and errors as of `picture`.
     """
     module = import_module(PICTURES[kind])
     if not hasattr(module, "sheets"):
-        return [render(results, kind, "svg", style, gears)]
+        return [render(results, kind, "svg", style, gears, motion=motion)]
     with _settings(style):
-        figures = module.sheets(results, style, gears)
+        figures = module.sheets(results, style, gears, *_run(kind, motion))
     return [_written(figure, "svg", style) for figure in figures]
+
+
+def _run(kind: str, motion: Motion | None) -> tuple[()] | tuple[Motion | None]:
+    """The run, for a picture that can show one."""
+    return (motion,) if kind in OF_RUNS else ()
 
 
 def _written(figure: Figure, form: Format, style: Style) -> bytes:

@@ -16,13 +16,23 @@ from vstatics.tables.suffixes import format_of, known
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
+    from vstatics.simulation.motion import Motion
+
 
 class Picture:
     """A picture of the results of one case; a notebook shows it as SVG."""
 
-    def __init__(self, results: Results, kind: str, style: Style, gears: Sequence[int]) -> None:
+    def __init__(
+        self,
+        results: Results,
+        kind: str,
+        style: Style,
+        gears: Sequence[int],
+        motion: Motion | None = None,
+    ) -> None:
         """Keep what is to be drawn; it is drawn when it is shown or saved."""
         self._drawn = results, kind, style, gears
+        self._motion = motion
 
     def __repr__(self) -> str:
         """What it shows."""
@@ -35,7 +45,7 @@ class Picture:
     @property
     def figure(self) -> Figure:
         """The figure of matplotlib, to be changed."""
-        return picture(*self._drawn)
+        return picture(*self._drawn, motion=self._motion)
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write it to a file: SVG, PNG or PDF by the suffix.
@@ -55,14 +65,15 @@ class Picture:
 
     def _as(self, form: Format) -> bytes:
         results, kind, style, gears = self._drawn
-        return render(results, kind, form, style, gears)
+        return render(results, kind, form, style, gears, motion=self._motion)
 
 
-def plot(
+def plot(  # noqa: PLR0913 - all but the first by name
     results: Results,
     kind: str = "plan",
     *,
     gear: int | str | None = None,
+    motion: Motion | None = None,
     dark: bool = False,
     lang: Language = "en",
 ) -> Picture:
@@ -72,10 +83,13 @@ def plot(
     ----------
     results : Results
         Of one case.
-    kind : {"plan", "lever", "flow", "structure", "stick", "efficiency", "modes", "campbell"}
-        What is drawn, as of ``vstatics plot --kind``.
+    kind : str
+        What is drawn, as of ``vstatics plot --kind``: plan, lever, flow, structure, stick,
+        efficiency, modes, campbell, shift.
     gear : int or str, optional
         Number from 1, or name, of the only gear that is shown.
+    motion : Motion, optional
+        A run of the case, for the kinds `shift` and `plan`.
     dark : bool, optional
         Light on dark.
     lang : {"en", "ru"}, optional
@@ -106,4 +120,4 @@ def plot(
         hint = nearest(kind, PICTURES) or f"; expected one of {', '.join(PICTURES)}"
         raise ValueError(f"there is no picture {kind!r}{hint}")
     gears = () if gear is None else (results.case.gear_number(gear),)
-    return Picture(results, kind, Style(lang, dark), gears)
+    return Picture(results, kind, Style(lang, dark), gears, motion)

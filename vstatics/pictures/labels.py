@@ -11,6 +11,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.font_manager import FontProperties
 from matplotlib.patches import Rectangle
+from matplotlib.ticker import MaxNLocator
 
 from vstatics.pictures.style import FONT, SIZE
 
@@ -196,6 +197,16 @@ class Panel(NamedTuple):
             y = start + 0.65 * LEADER * way
             turned = {"rotation": 90} if upright else {}
             self.write(place, y, label.text, color=label.colour, **aligned, **turned)
+
+
+def ticks(low: float, high: float, most: int) -> list[float]:
+    """Round numbers between two, for a scale.
+
+    >>> ticks(-35.0, 2.0, 5)
+    [-30.0, -20.0, -10.0, 0.0]
+    """
+    found = MaxNLocator(most).tick_values(low, high)
+    return [float(one) for one in found if low <= one <= high]
 
 
 def figure(wide: float, high: float) -> Figure:

@@ -13,9 +13,11 @@ from vstatics.model.transmission import HOUSING, Transmission
 from vstatics.numerics.tolerances import SAME
 from vstatics.pictures import labels
 from vstatics.pictures.labels import LEADER, Label, Panel
+from vstatics.pictures.plan_course import draw_paths, draw_time, high_of, right_of, visited
 from vstatics.pictures.rays import KinematicPlan, plans
 from vstatics.pictures.style import TITLE, Style, number
 from vstatics.pictures.words import title
+from vstatics.simulation.motion import Motion
 from vstatics.statics.results import Results
 from vstatics.statics.status import OUTPUT_STANDS
 
@@ -31,26 +33,35 @@ RIGHT = 48.0
 """For the ordinates. [pt]"""
 SIDE_BY_SIDE = 2
 """At most so many plans in a row: they can be read on a printed page."""
-ON_SHEET = 6
+ON_SHEET, ON_SHEET_WITH_RUN = 6, 4
 """So many plans fit one."""
 
 
-def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> Figure:
+def draw(
+    results: Results, style: Style, gears: Sequence[int] = (), motion: Motion | None = None
+) -> Figure:
     """Draw all plans of a case, or those that have one of some gears.
+
+    With a run those on which it is at any time are drawn, and its course through them.
 
     Raises
     ------
     CaseError
         If there is no plan.
     """
-    return _figure(results.case, _chosen(results, gears), style)
+    return _figure(results.case, _chosen(results, gears), style, motion)
 
 
-def sheets(results: Results, style: Style, gears: Sequence[int] = ()) -> list[Figure]:
+def sheets(
+    results: Results, style: Style, gears: Sequence[int] = (), motion: Motion | None = None
+) -> list[Figure]:
     """The plans of a case in figures that fit a printed page each; errors as of `draw`."""
     drawn = _chosen(results, gears)
-    starts = range(0, len(drawn), ON_SHEET)
-    return [_figure(results.case, drawn[n : n + ON_SHEET], style) for n in starts]
+    if motion is not None:
+        drawn = [plan for plan, _ in visited(results.case, drawn, motion)]
+    on_sheet = ON_SHEET if motion is None else ON_SHEET_WITH_RUN
+    starts = range(0, len(drawn), on_sheet)
+    return [_figure(results.case, drawn[n : n + on_sheet], style, motion) for n in starts]
 
 
 def _chosen(results: Results, gears: Sequence[int]) -> list[KinematicPlan]:
@@ -67,9 +78,13 @@ def _chosen(results: Results, gears: Sequence[int]) -> list[KinematicPlan]:
     return chosen
 
 
-def _figure(case: Transmission, chosen: Sequence[KinematicPlan], style: Style) -> Figure:
-    """Some plans, one beside and below another."""
-    layout = _layout(case, chosen, style)
+def _figure(
+    case: Transmission, chosen: Sequence[KinematicPlan], style: Style, motion: Motion | None
+) -> Figure:
+    """Some plans, one beside and below another, with a run if there is one."""
+    runs = dict(enumerate(visited(case, chosen, motion))) if motion is not None else {}
+    chosen = [plan for plan, _ in runs.values()] or chosen
+    layout = _layout(case, chosen, style, motion)
     wide, high = layout.size
     figure = labels.figure(wide, high)
     how: dict[str, Any] = {"ha": "center", "va": "top", "fontsize": TITLE}
@@ -77,8 +92,17 @@ def _figure(case: Transmission, chosen: Sequence[KinematicPlan], style: Style) -
     for place, plan in enumerate(chosen):
         row, column = divmod(place, layout.columns)
         left = column * wide / layout.columns + layout.left
-        bottom = high - layout.title_high - (row + 1) * layout.up + BELOW
-        _draw_plan(labels.panel(figure, left, bottom, WIDE, HIGH), case, plan, style)
+        bottom = high - layout.title_high - (row + 1) * layout.up + layout.below
+        panel = labels.panel(figure, left, bottom, WIDE, HIGH)
+        _draw_plan(panel, case, plan, style)
+        if motion is not None:
+            _, run = runs[place]
+            draw_paths(panel, plan, run, style)
+            under = labels.panel(
+                figure, left, bottom - layout.below + MARGIN, WIDE, high_of(motion)
+            )
+            under.axes.set_xlim(panel.axes.get_xlim())
+            draw_time(under, plan, run, motion, style)
     return figure
 
 
@@ -90,12 +114,16 @@ class _PlanLayout(NamedTuple):
     """Of the labels of rays."""
     up: float
     """A plan with all its labels."""
+    below: float
+    """What of it stands below the axes."""
     title: str
     title_high: float
     size: tuple[float, float]
 
 
-def _layout(case: Transmission, chosen: Sequence[KinematicPlan], style: Style) -> _PlanLayout:
+def _layout(
+    case: Transmission, chosen: Sequence[KinematicPlan], style: Style, motion: Motion | None
+) -> _PlanLayout:
     columns = min(math.ceil(math.sqrt(len(chosen))), SIDE_BY_SIDE)
     names = [name for plan in chosen for name in _ray_names(case, plan)]
     left = MARGIN + LEADER + max(map(labels.width, names))
@@ -103,12 +131,20 @@ def _layout(case: Transmission, chosen: Sequence[KinematicPlan], style: Style) -
     heads = [_heading(plan, style) for plan in chosen]
     if any(heads):
         above += max(map(labels.height, heads))
-    up, wide = above + HIGH + BELOW, columns * (left + WIDE + RIGHT)
+    below, right = BELOW, RIGHT
+    if motion is not None:
+        below, right = BELOW + high_of(motion) + 2 * MARGIN, max(RIGHT, right_of(motion, style))
+    up, wide = above + HIGH + below, columns * (left + WIDE + right)
     subject = style.text("generalised kinematic plan", "обобщённый кинематический план")
+    if motion is not None:
+        subject += style.text(
+            " with a run: full where it is on the rays",
+            " и движение: сплошная линия там, где оно на лучах",
+        )
     head = labels.wrapped(title(case, subject), wide - 2 * MARGIN, TITLE)
     title_high = labels.height(head, TITLE) + 2 * MARGIN
     high = math.ceil(len(chosen) / columns) * up + title_high
-    return _PlanLayout(columns, left, up, head, title_high, (wide, high))
+    return _PlanLayout(columns, left, up, below, head, title_high, (wide, high))
 
 
 def _draw_plan(panel: Panel, case: Transmission, plan: KinematicPlan, style: Style) -> None:

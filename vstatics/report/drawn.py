@@ -36,12 +36,12 @@ class Drawn(NamedTuple):
     why: str = ""
 
 
-VIBRATING = ("modes", "campbell")
-"""Pictures of a section of their own."""
+ELSEWHERE = ("modes", "campbell", "shift")
+"""Pictures of sections of their own."""
 
 
 def pictures(results: Results) -> list[Drawn]:
-    """All pictures of a case but those of vibration, in the order of `PICTURES`.
+    """All pictures of a case but those of vibration and motion, in the order of `PICTURES`.
 
     Raises
     ------
@@ -49,7 +49,7 @@ def pictures(results: Results) -> list[Drawn]:
         If matplotlib is not installed.
     """
     require("plot", "a picture")
-    return [picture_of(results, kind) for kind in PICTURES if kind not in VIBRATING]
+    return [picture_of(results, kind) for kind in PICTURES if kind not in ELSEWHERE]
 
 
 def picture_of(results: Results, kind: str, gear: int | None = None) -> Drawn:

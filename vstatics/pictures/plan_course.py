@@ -1,0 +1,135 @@
+"""The run of a case through its kinematic plan: where it is on the abscissa, and when."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from vstatics.model.transmission import Transmission
+from vstatics.numerics.arrays import Floats
+from vstatics.pictures import labels
+from vstatics.pictures.labels import LEADER, Label, Panel
+from vstatics.pictures.rays import KinematicPlan
+from vstatics.pictures.shift_lines import event_text, told
+from vstatics.pictures.style import Style, number
+from vstatics.simulation.motion import Event, Motion
+
+HIGH = 60.0
+"""Of the time below a plan, without its events. [pt]"""
+MOST = 14
+"""Events that are named."""
+POINTS = 4000
+"""That are drawn."""
+NEAR = 1e-6
+"""A run is on a plan where all speeds are those of its rays, to this part of the largest."""
+
+
+class PlanCourse(NamedTuple):
+    """A run as a plan has it."""
+
+    time: Floats
+    """[s]"""
+    output: Floats
+    """The abscissa: output speed by input speed; NaN where the input stands. [-]"""
+    paths: Floats
+    """Shape (instants, rays): speed of each ray's links by the input speed. [-]"""
+    on_plan: NDArray[np.bool_]
+    """Whether all speeds are those of the rays."""
+
+    @property
+    def visits(self) -> bool:
+        """Whether the run is on the plan for a while."""
+        both = self.on_plan[:-1] & self.on_plan[1:] & (np.diff(self.time) > 0)
+        return bool(both.any())
+
+    def masked(self, values: Floats, *, on_plan: bool) -> Floats:
+        """Values on the plan or off it; NaN elsewhere. What is off reaches back onto it."""
+        kept = self.on_plan if on_plan else ~self.on_plan
+        if not on_plan:
+            kept = kept | np.r_[kept[1:], False] | np.r_[False, kept[:-1]]
+        return np.where(kept, values, np.nan)
+
+
+def course(case: Transmission, plan: KinematicPlan, motion: Motion) -> PlanCourse:
+    """A run in the coordinates of a plan."""
+    kept = np.unique(np.linspace(0, len(motion.time) - 1, POINTS).astype(int))
+    columns = {name: place for place, name in enumerate(motion.links)}
+    own = range(1, case.own_links + 1)
+    speeds = {link: motion.speeds[kept, columns[case.link_name(link)]] for link in own}
+    turns, out = speeds[plan.input], speeds[plan.output]
+    largest = np.abs(motion.speeds).max()
+    moving = np.abs(turns) > NEAR * largest
+    by = np.where(moving, turns, np.nan)
+    expected = dict.fromkeys(own, np.zeros_like(turns))
+    for ray in plan.rays:
+        expected |= dict.fromkeys(ray.links, ray.start * turns + ray.slope * out)
+    off = np.max([np.abs(speeds[link] - expected[link]) for link in own], axis=0)
+    paths = [speeds[ray.links[0]] / by for ray in plan.rays]
+    return PlanCourse(
+        motion.time[kept], out / by, np.stack(paths, axis=1), moving & (off <= NEAR * largest)
+    )
+
+
+def right_of(motion: Motion, style: Style) -> float:
+    """Width that the names of events need [pt]."""
+    names = [_name(event, style) for event in told(motion.events, MOST)]
+    return LEADER + max(map(labels.width, names), default=0.0) + labels.LEADER
+
+
+def high_of(motion: Motion) -> float:
+    """Height of the time below a plan [pt]."""
+    named = min(len(motion.events), MOST)
+    return max(HIGH, named * (labels.height("x") + labels.GAP))
+
+
+def draw_paths(panel: Panel, plan: KinematicPlan, run: PlanCourse, style: Style) -> None:
+    """What the run goes over of each ray, and how it leaves and reaches the plan."""
+    for place, ray in enumerate(plan.rays):
+        is_port = plan.input in ray.links or plan.output in ray.links
+        colour = style.ink if is_port else style.colour(place)
+        broad: dict[str, Any] = {"linewidth": 5, "alpha": 0.3, "solid_capstyle": "butt"}
+        on = run.masked(run.output, on_plan=True)
+        panel.axes.plot(on, run.masked(run.paths[:, place], on_plan=True), color=colour, **broad)
+        if not is_port:
+            off = run.masked(run.output, on_plan=False)
+            beside = run.masked(run.paths[:, place], on_plan=False)
+            how: dict[str, Any] = {"linestyle": (0, (1, 1.5)), "linewidth": 0.9}
+            panel.axes.plot(off, beside, color=colour, **how)
+
+
+def draw_time(
+    panel: Panel, plan: KinematicPlan, run: PlanCourse, motion: Motion, style: Style
+) -> None:
+    """The abscissa of the run over time, which goes down, below the plan."""
+    axes = panel.axes
+    axes.set_ylim(motion.time[-1], motion.time[0])
+    for mark in plan.marks:
+        axes.axvline(mark.output, color=style.faint, linewidth=0.9, linestyle=(0, (4, 3)))
+    for time in sorted({event.time for event in motion.events}):
+        axes.axhline(time, color=style.faint, linewidth=0.6, zorder=0.5)
+    for on_plan, wide, dashes in ((True, 2.4, "solid"), (False, 0.9, (0, (1, 1.5)))):
+        values = run.masked(run.output, on_plan=on_plan)
+        axes.plot(values, run.time, color=style.accent, linewidth=wide, linestyle=dashes)
+    axes.set_xticks([])
+    axes.yaxis.tick_left()
+    axes.tick_params(axis="y", length=2)
+    axes.set_yticks(labels.ticks(motion.time[0], motion.time[-1], 4))
+    axes.set_ylabel(style.text("time, s", "время, с"), labelpad=2)
+    named = told(motion.events, MOST)
+    at = [Label(panel.up(one.time), _name(one, style), style.ink) for one in named]
+    panel.beside("right", at)
+
+
+def _name(event: Event, style: Style) -> str:
+    return f"{number(event.time)} {event_text(event, style)}"
+
+
+def visited(
+    case: Transmission, plans: Sequence[KinematicPlan], motion: Motion
+) -> list[tuple[KinematicPlan, PlanCourse]]:
+    """The plans on which the run is at any time, with its course; if it is on none, all."""
+    every = [(plan, course(case, plan, motion)) for plan in plans]
+    return [(plan, run) for plan, run in every if run.visits] or every
