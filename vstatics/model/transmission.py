@@ -182,8 +182,10 @@ def _completed(case: Transmission) -> dict[str, object]:
         "shift_elements": tuple(
             element._replace(
                 name=element.name or element_name(number, element),
-                drag=float(element.drag),
-                capacity=_capacity(element.capacity, case.load),
+                drag=_by_torque(element.drag, case.load),
+                capacity=None
+                if element.capacity is None
+                else _by_torque(element.capacity, case.load),
                 stiffness=_float(element.stiffness),
                 damping=damping(element.damping),
                 static=float(element.static),
@@ -260,9 +262,8 @@ def _related(number: float, whole: float | None) -> float:
     return number.by(whole) if isinstance(number, OfLoad) else float(number)
 
 
-def _capacity(capacity: float | None, load: Load | None) -> float | None:
-    torque = abs(load.torque or 0.0) if load else None
-    return None if capacity is None else _related(capacity, torque)
+def _by_torque(number: float, load: Load | None) -> float:
+    return _related(number, abs(load.torque or 0.0) if load else None)
 
 
 def _speed(speed: float | SpeedOf, whole: float | None) -> float | SpeedOf:

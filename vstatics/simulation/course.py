@@ -11,7 +11,7 @@ from vstatics.errors import CaseError, Problem
 from vstatics.simulation.equations import Equations
 from vstatics.simulation.impacts import impact
 from vstatics.simulation.laws import Points
-from vstatics.simulation.location import Finder, Found
+from vstatics.simulation.location import Finder, Found, NoCapacity
 from vstatics.simulation.margins import Scales, Watch
 from vstatics.simulation.motion import Event, EventKind
 from vstatics.simulation.pieces import Tolerances, TooSmall, steps
@@ -136,6 +136,8 @@ class Course:
                     return found, step.end - step.start
                 self.record.step(step, step.end, step.last)
                 length = step.end - step.start
+        except NoCapacity as fault:
+            raise Stop(Problem(str(fault), ("controls", fault.contact.name))) from None
         except TooSmall:
             time = self.record.time
             message = (

@@ -9,8 +9,11 @@ import numpy as np
 
 from vstatics.numerics.arrays import Floats
 from vstatics.simulation.equations import Equations
+from vstatics.simulation.formula import Formula
 from vstatics.simulation.margins import Margins, Scales, Watch
 from vstatics.simulation.pieces import Step, Tolerances, exactly
+from vstatics.simulation.ports import programme_at
+from vstatics.simulation.system import Contact
 
 _SAMPLES = 8
 """Instants of a step at which margins are looked at."""
@@ -27,6 +30,14 @@ class Found(NamedTuple):
     time: float
     state: Floats
     watches: tuple[Watch, ...]
+
+
+class NoCapacity(Exception):  # noqa: N818 - it never leaves the room
+    """A control that gives no capacity at an instant."""
+
+    def __init__(self, message: str, contact: Contact) -> None:
+        super().__init__(message)
+        self.contact = contact
 
 
 class Finder:
@@ -53,9 +64,15 @@ class Finder:
         self.equations, self.margins, self.tolerances = equations, margins, tolerances
         self.sample = sample
         self.noise = _NOISE * margins.units(scales)
+        self.by_formula = [
+            contact
+            for contact in equations.system.contacts
+            if isinstance(contact.programme.curve, Formula)
+        ]
 
     def event_in(self, step: Step) -> Found | None:
         """The first event in a step."""
+        self._check_capacities(step)
         times = np.linspace(step.start, step.end, _SAMPLES + 1)[1:]
         states = step.between(times)
         states[:, -1] = step.last
@@ -71,6 +88,20 @@ class Finder:
             before = time, now
         self._tell(step, times, states)
         return None
+
+    def _check_capacities(self, step: Step) -> None:
+        """Refuse a capacity by a formula that is no capacity."""
+        for contact in self.by_formula:
+            capacity = programme_at(contact.programme, step.end)
+            most = contact.programme.largest
+            if not capacity >= 0 or (most is not None and capacity > most * (1 + 1e-9)):
+                expected = "0 or more" if most is None else f"0 to {most:g}"
+                unit = "Pa" if contact.friction else "N*m"
+                raise NoCapacity(
+                    f"at {step.end:.6g} s the control of {contact.name} gives {capacity:g} {unit}, "
+                    f"expected {expected}",
+                    contact,
+                )
 
     def _tell(self, step: Step, times: Floats, states: Floats) -> None:
         self.sample(step, times, states, self.equations, self.margins)

@@ -3,25 +3,36 @@
 from __future__ import annotations
 
 import math
+from typing import Literal
 
 import numpy as np
 
 from vstatics.errors import CaseError, Problem
+from vstatics.numerics.arrays import Floats
 from vstatics.simulation.course import Course, Stop
 from vstatics.simulation.motion import Energy, Motion
 from vstatics.simulation.ports import Layout
 from vstatics.simulation.programme import programmes
 from vstatics.simulation.record import Record
 from vstatics.simulation.scenario import Scenario
-from vstatics.simulation.selection import Instant
+from vstatics.simulation.scenario_checks import check_scenario
+from vstatics.simulation.selection import Instant, NoChoice
+from vstatics.simulation.settled import settled_twists, with_viscous_damping
 from vstatics.simulation.start import start_gear, start_speeds
-from vstatics.simulation.system import motion_system
+from vstatics.simulation.system import MotionSystem, motion_system
 
+Method = Literal["events", "tarasik"]
 BALANCE = 1e-8
 """A run closes that leaves no more than this part of the largest energy."""
 
 
-def simulate(scenario: Scenario, *, step: float | None = None, rtol: float = 1e-8) -> Motion:
+def simulate(
+    scenario: Scenario,
+    *,
+    step: float | None = None,
+    rtol: float = 1e-8,
+    method: Method = "events",
+) -> Motion:
     """The motion of a case by a scenario.
 
     Parameters
@@ -31,6 +42,8 @@ def simulate(scenario: Scenario, *, step: float | None = None, rtol: float = 1e-
         Its multiples are instants of the motion too. [s]
     rtol : float
         Accuracy of event times by the duration, of speeds and energies by their largest. [-]
+    method : {"events", "tarasik"}
+        The second is the published one, for comparison; see `tarasik`.
 
     Returns
     -------
@@ -57,15 +70,22 @@ def simulate(scenario: Scenario, *, step: float | None = None, rtol: float = 1e-
     >>> round(motion.energy.heat["B"], 6)
     100.0
     """
+    check_scenario(scenario)
+    if method == "tarasik":
+        from vstatics.simulation.tarasik import tarasik
+
+        return tarasik(scenario, step=step, rtol=rtol)
     gear = start_gear(scenario)
     engaged = (*scenario.start.engaged, *(gear.engaged if gear else ()))
     system = motion_system(scenario, programmes(scenario, engaged), gear)
     layout = Layout(system)
     speeds = start_speeds(system, gear)
     size = layout.ports + 2 * len(system.springs) + len(system.meshes)
-    twists = np.zeros(len(system.springs))
+    system, messages = with_viscous_damping(system, speeds)
+    twists = _twists(system, speeds)
     start = Instant(0.0, speeds, twists, np.zeros(len(layout.angles)), np.zeros(size))
     record = Record(system, start, step)
+    record.messages += messages
     stopped: Problem | None = None
     try:
         with np.errstate(all="ignore"):
@@ -77,6 +97,17 @@ def simulate(scenario: Scenario, *, step: float | None = None, rtol: float = 1e-
         raise CaseError([stopped])
     motion = record.motion(stopped)
     return motion if stopped else _closed(motion)
+
+
+def _twists(system: MotionSystem, speeds: Floats) -> Floats:
+    """Twists at t = 0 [rad]."""
+    if not system.scenario.start.settled:
+        return np.zeros(len(system.springs))
+    try:
+        return settled_twists(system, speeds)
+    except NoChoice:
+        message = "there is no settled state at t = 0: leave out `settled`"
+        raise CaseError([Problem(message, ("start", "settled"))]) from None
 
 
 def _closed(motion: Motion) -> Motion:
