@@ -1,8 +1,8 @@
 """The same case in motion: what happens to it by a scenario.
 
 `scenario_file` reads a `Scenario`: a case, a start, controls or shifts, torques. `system` makes
-matrices of it: what is heavy, what is rigid, and ports that give torques by what they see. While the
-same things stick the equations are those of a `Structure`; `margins` tell how far it is from a
+matrices of it: what is heavy, what is rigid, and ports that give torques by what they see. While
+the same things stick the equations are those of a `Structure`; `margins` tell how far all is from a
 change, `selection` chooses what sticks from there on, `impacts` joins what joins at once. `course`
 goes from event to event, `record` keeps what is asked for: a `Motion`. `tarasik` is the published
 method, for comparison. The room needs scipy, an extra.
@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     from vstatics.simulation.formula import Formula
     from vstatics.simulation.laws import Points, Resistance, Road, constant
     from vstatics.simulation.motion import Motion
+    from vstatics.simulation.run import simulate
     from vstatics.simulation.scenario import (
         Capacity,
         Converter,
@@ -36,7 +37,6 @@ if TYPE_CHECKING:
         Shift,
         Start,
     )
-    from vstatics.simulation.simulate import simulate
 
 _LATER = {
     "Capacity": "scenario",
@@ -51,7 +51,7 @@ _LATER = {
     "Shift": "scenario",
     "Start": "scenario",
     "constant": "laws",
-    "simulate": "simulate",
+    "simulate": "run",
 }
 """Names that are imported when somebody asks for them."""
 
@@ -76,3 +76,7 @@ def __getattr__(name: str) -> Any:
     if name in _LATER:
         return getattr(import_module(f"vstatics.simulation.{_LATER[name]}"), name)
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+
+
+def __dir__() -> list[str]:
+    return __all__

@@ -113,7 +113,7 @@ class VariedScenario:
         """
         from importlib import import_module
 
-        simulate: Any = import_module("vstatics.simulation.simulate").simulate
+        simulate: Any = import_module("vstatics.simulation.run").simulate
         motion: Motion = simulate(self.variant(paths, values).scenario)
         return motion
 
