@@ -2,8 +2,8 @@
 
 `scenario_file` reads a `Scenario`: a case, a start, controls or shifts, torques. `system` makes
 matrices of it: what is heavy, what is rigid, and ports that give torques by what they see. While
-the same things stick the equations are those of a `Structure`; `margins` tell how far all is from a
-change, `selection` chooses what sticks from there on, `impacts` joins what joins at once. `course`
+the same things stick the equations are those of a `MotionStructure`; `margins` tell how far all is
+from a change, `selection` chooses what sticks then, `impacts` joins what joins at once. `course`
 goes from event to event, `record` keeps what is asked for: a `Motion`. `tarasik` is the published
 method, for comparison. The room needs scipy, an extra.
 

@@ -11,13 +11,20 @@ from vstatics.errors import CaseError, Problem
 from vstatics.simulation.equations import Equations
 from vstatics.simulation.impacts import impact
 from vstatics.simulation.laws import Points
-from vstatics.simulation.location import Finder, Found, NoCapacity
-from vstatics.simulation.margins import Scales, Watch
+from vstatics.simulation.location import Finder, MarginEnd, NoCapacity
+from vstatics.simulation.margins import LargeSizes, Watch
 from vstatics.simulation.motion import Event, EventKind
-from vstatics.simulation.pieces import Tolerances, TooSmall, steps
-from vstatics.simulation.ports import Layout, States, capacity_at, programme_at
+from vstatics.simulation.pieces import StepTolerances, TooSmall, steps
+from vstatics.simulation.ports import PortLayout, States, capacity_at, programme_at
 from vstatics.simulation.record import Record
-from vstatics.simulation.selection import Instant, NoChoice, Selected, Selection, instant_of, turned
+from vstatics.simulation.selection import (
+    Instant,
+    ModeSelection,
+    NoChoice,
+    Selected,
+    instant_of,
+    turned,
+)
 from vstatics.simulation.system import MotionSystem
 
 _MOST_AT_ONCE = 60
@@ -25,7 +32,7 @@ _MOST_AT_ONCE = 60
 _MOST_EVENTS = 100_000
 
 
-class Stop(Exception):  # noqa: N818 - it never leaves the room
+class RunStop(Exception):  # noqa: N818 - it never leaves the room
     """A run that can't go on."""
 
     def __init__(self, problem: Problem) -> None:
@@ -33,17 +40,17 @@ class Stop(Exception):  # noqa: N818 - it never leaves the room
         self.problem = problem
 
 
-class Course:
+class EventRun:
     """A run."""
 
     def __init__(self, system: MotionSystem, record: Record, rtol: float) -> None:
         self.system, self.record = system, record
-        self.layout = Layout(system)
-        self.selection = Selection(system, self.layout)
+        self.layout = PortLayout(system)
+        self.selection = ModeSelection(system, self.layout)
         self.rtol = rtol
         self.duration = system.scenario.duration
         self.breaks = _breaks(system)
-        self.scales = Scales(1.0, 1.0)
+        self.scales = LargeSizes(1.0, 1.0)
         self.latest = 0.0
         self.at_once = 0
 
@@ -52,7 +59,7 @@ class Course:
 
         Raises
         ------
-        Stop
+        RunStop
             With the time and the state, when there is no way on.
         """
         self.scales = _scales(self.system, at)
@@ -81,7 +88,7 @@ class Course:
             )
             at = self._joined(at, before)
 
-    def _count(self, found: Found) -> None:
+    def _count(self, found: MarginEnd) -> None:
         close = found.time - self.latest <= 1e-11 * self.duration
         self.at_once = self.at_once + 1 if close else 0
         self.latest = found.time
@@ -91,7 +98,7 @@ class Course:
                 f"at {found.time:.9g} s {name} changes without end between sticking and slipping: "
                 "there is no state in which the run can go on"
             )
-            raise Stop(Problem(message))
+            raise RunStop(Problem(message))
 
     def _selected(
         self, at: Instant, before: States | None, left: list[States], met: list[int]
@@ -108,23 +115,23 @@ class Course:
                 f"at {at.time:.9g} s there is no admissible state: neither sticking nor slipping "
                 f"fits for {', '.join(names) or 'the speeds as they are'}"
             )
-            raise Stop(Problem(message)) from None
+            raise RunStop(Problem(message)) from None
         except CaseError as error:
-            raise Stop(error.problems[0]) from None
+            raise RunStop(error.problems[0]) from None
         except np.linalg.LinAlgError:
             message = f"at {at.time:.9g} s the equations of motion are singular"
-            raise Stop(Problem(message)) from None
+            raise RunStop(Problem(message)) from None
         if selected.jump is not None:
             self.record.jumps(at.time, selected.jump)
         return selected
 
     def _to_event(
         self, selected: Selected, end: float, length: float | None
-    ) -> tuple[Found, float | None]:
+    ) -> tuple[MarginEnd, float | None]:
         """Integrate to the next event, or to an end."""
         equations, margins = selected.equations, selected.margins
         if end <= equations.time:
-            return Found(end, selected.state, ()), length
+            return MarginEnd(end, selected.state, ()), length
         tolerances = self._tolerances(equations)
         self.record.begin(equations, margins, selected.state)
         finder = Finder(equations, margins, tolerances, self.scales, self.record.sample)
@@ -137,17 +144,17 @@ class Course:
                 self.record.step(step, step.end, step.last)
                 length = step.end - step.start
         except NoCapacity as fault:
-            raise Stop(Problem(str(fault), ("controls", fault.contact.name))) from None
+            raise RunStop(Problem(str(fault), ("controls", fault.contact.name))) from None
         except TooSmall:
             time = self.record.time
             message = (
                 f"at {time:.9g} s no step is small enough: a torque jumps with the speed or grows "
                 "without bound; dry friction of a load is a `resistance`"
             )
-            raise Stop(Problem(message)) from None
-        return Found(end, step.last, ()), length
+            raise RunStop(Problem(message)) from None
+        return MarginEnd(end, step.last, ()), length
 
-    def _tolerances(self, equations: Equations) -> Tolerances:
+    def _tolerances(self, equations: Equations) -> StepTolerances:
         relative = max(0.01 * self.rtol, 3e-14)
         absolute = np.empty(equations.size)
         speed, torque = self.scales
@@ -156,7 +163,7 @@ class Course:
         absolute[equations.twists] = relative * torque / np.where(stiff > 0, stiff, 1.0)
         absolute[equations.angles] = relative * speed * self.duration
         absolute[equations.works.start :] = relative * self.record.energy_scale
-        return Tolerances(relative, absolute)
+        return StepTolerances(relative, absolute)
 
     def _joined(self, at: Instant, before: States | None) -> Instant:
         """The instant after what joins here has joined."""
@@ -244,7 +251,7 @@ def _breaks(system: MotionSystem) -> list[float]:
     return sorted(time for time in times if 0 < time < system.scenario.duration)
 
 
-def _scales(system: MotionSystem, at: Instant) -> Scales:
+def _scales(system: MotionSystem, at: Instant) -> LargeSizes:
     """Speeds and torques that are large at the start."""
     speed = max(1.0, float(np.abs(at.speeds).max(initial=0.0)))
     torque = 1.0
@@ -258,4 +265,4 @@ def _scales(system: MotionSystem, at: Instant) -> Scales:
     for one in system.outside:
         if isinstance(one.law, Points):
             torque = max(torque, *map(abs, one.law.y))
-    return Scales(speed, torque)
+    return LargeSizes(speed, torque)

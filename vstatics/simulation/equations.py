@@ -11,8 +11,8 @@ import numpy as np
 
 from vstatics.errors import CaseError, Problem
 from vstatics.numerics.arrays import Floats
-from vstatics.simulation.ports import Layout, Ports, States
-from vstatics.simulation.structure import Structure, null
+from vstatics.simulation.ports import PortLayout, Ports, States
+from vstatics.simulation.structure import MotionStructure, null
 from vstatics.simulation.system import MotionSystem
 
 _NEWTON = 30
@@ -31,8 +31,8 @@ class Equations:
     def __init__(
         self,
         system: MotionSystem,
-        layout: Layout,
-        structure: Structure,
+        layout: PortLayout,
+        structure: MotionStructure,
         states: States,
         time: float,
     ) -> None:

@@ -10,8 +10,8 @@ import numpy as np
 from vstatics.numerics.arrays import Floats
 from vstatics.simulation.equations import Equations
 from vstatics.simulation.formula import Formula
-from vstatics.simulation.margins import Margins, Scales, Watch
-from vstatics.simulation.pieces import Step, Tolerances, exactly
+from vstatics.simulation.margins import LargeSizes, Margins, Watch
+from vstatics.simulation.pieces import StepTolerances, TimeStep, exactly
 from vstatics.simulation.ports import programme_at
 from vstatics.simulation.system import Contact
 
@@ -20,11 +20,11 @@ _SAMPLES = 8
 _NOISE = 1e-10
 """A margin is below 0 by more than this part of what is large."""
 
-Sample = Callable[[Step, Floats, Floats, Equations, Margins], None]
+Sample = Callable[[TimeStep, Floats, Floats, Equations, Margins], None]
 """Takes instants of a step and their states."""
 
 
-class Found(NamedTuple):
+class MarginEnd(NamedTuple):
     """Where margins end."""
 
     time: float
@@ -47,8 +47,8 @@ class Finder:
     ----------
     equations, margins
         Of the piece.
-    tolerances : Tolerances
-    scales : Scales
+    tolerances : StepTolerances
+    scales : LargeSizes
     sample : callable
         Is told of all instants that are looked at before an event.
     """
@@ -57,8 +57,8 @@ class Finder:
         self,
         equations: Equations,
         margins: Margins,
-        tolerances: Tolerances,
-        scales: Scales,
+        tolerances: StepTolerances,
+        scales: LargeSizes,
         sample: Sample,
     ) -> None:
         self.equations, self.margins, self.tolerances = equations, margins, tolerances
@@ -70,7 +70,7 @@ class Finder:
             if isinstance(contact.programme.curve, Formula)
         ]
 
-    def event_in(self, step: Step) -> Found | None:
+    def event_in(self, step: TimeStep) -> MarginEnd | None:
         """The first event in a step."""
         self._check_capacities(step)
         times = np.linspace(step.start, step.end, _SAMPLES + 1)[1:]
@@ -89,7 +89,7 @@ class Finder:
         self._tell(step, times, states)
         return None
 
-    def _check_capacities(self, step: Step) -> None:
+    def _check_capacities(self, step: TimeStep) -> None:
         """Refuse a capacity by a formula that is no capacity."""
         for contact in self.by_formula:
             capacity = programme_at(contact.programme, step.end)
@@ -103,12 +103,12 @@ class Finder:
                     contact,
                 )
 
-    def _tell(self, step: Step, times: Floats, states: Floats) -> None:
+    def _tell(self, step: TimeStep, times: Floats, states: Floats) -> None:
         self.sample(step, times, states, self.equations, self.margins)
 
     def _located(
-        self, step: Step, above: tuple[float, Floats], under: tuple[float, Floats]
-    ) -> Found:
+        self, step: TimeStep, above: tuple[float, Floats], under: tuple[float, Floats]
+    ) -> MarginEnd:
         """The first place in an interval at which a margin is 0."""
         places = []
         for index in map(int, np.flatnonzero(under[1] < -self.noise)):
@@ -121,9 +121,9 @@ class Finder:
             time, state = self._refined(step, time, state, index)
         close = 1e-11 * self.equations.system.scenario.duration
         watches = [self.margins.watches[other] for at, other in places if at <= time + close]
-        return Found(float(time), state, tuple(watches) or (self.margins.watches[index],))
+        return MarginEnd(float(time), state, tuple(watches) or (self.margins.watches[index],))
 
-    def _root(self, step: Step, index: int, first: float, last: float) -> float:
+    def _root(self, step: TimeStep, index: int, first: float, last: float) -> float:
         """Where a margin is 0 between two times."""
         from scipy.optimize import brentq
 
@@ -136,7 +136,9 @@ class Finder:
             return last
         return float(brentq(margin, first, last, xtol=1e-15 * max(1.0, last), rtol=1e-15))
 
-    def _refined(self, step: Step, time: float, state: Floats, index: int) -> tuple[float, Floats]:
+    def _refined(
+        self, step: TimeStep, time: float, state: Floats, index: int
+    ) -> tuple[float, Floats]:
         """The place by the state as it is at the end of a step, not between."""
         length = step.end - step.start
         near = 1e-7 * length

@@ -30,7 +30,7 @@ class Watch(NamedTuple):
     """The side on which it changes: the sign of the torque, or of the step to another piece."""
 
 
-class Scales(NamedTuple):
+class LargeSizes(NamedTuple):
     """What is large here."""
 
     speed: float
@@ -159,7 +159,7 @@ class Margins:
             ]
         )
 
-    def units(self, scales: Scales) -> Floats:
+    def units(self, scales: LargeSizes) -> Floats:
         """What is large beside each margin."""
         return np.where(self.is_torque, scales.torque, scales.speed)
 

@@ -14,7 +14,7 @@ Between = Callable[[Floats], Floats]
 """Times within a step, shape (n,) -> states, shape (size, n)."""
 
 
-class Tolerances(NamedTuple):
+class StepTolerances(NamedTuple):
     """Of integration."""
 
     relative: float
@@ -22,7 +22,7 @@ class Tolerances(NamedTuple):
     """For each part of the state."""
 
 
-class Step(NamedTuple):
+class TimeStep(NamedTuple):
     """A step."""
 
     start: float
@@ -39,8 +39,8 @@ class TooSmall(Exception):  # noqa: N818 - it never leaves the room
 
 
 def steps(
-    equations: Equations, state: Floats, end: float, tolerances: Tolerances, first: float | None
-) -> Iterator[Step]:
+    equations: Equations, state: Floats, end: float, tolerances: StepTolerances, first: float | None
+) -> Iterator[TimeStep]:
     """Steps up to a time.
 
     Raises
@@ -66,10 +66,12 @@ def steps(
         solver.step()
         if str(solver.status) == "failed" or not np.isfinite(solver.y).all():
             raise TooSmall
-        yield Step(start, solver.t, before, solver.y, solver.dense_output())
+        yield TimeStep(start, solver.t, before, solver.y, solver.dense_output())
 
 
-def exactly(equations: Equations, step: Step, time: float, tolerances: Tolerances) -> Floats:
+def exactly(
+    equations: Equations, step: TimeStep, time: float, tolerances: StepTolerances
+) -> Floats:
     """The state at a time within a step, as accurate as a step's end."""
     if time <= step.start:
         return step.first

@@ -42,7 +42,7 @@ class States(NamedTuple):
         return tuple(state in ("stick", "rigid") for state in self.contacts)
 
 
-class Layout:
+class PortLayout:
     """Which port is where, and what is integrated beside speeds."""
 
     def __init__(self, system: MotionSystem) -> None:
@@ -91,13 +91,15 @@ class Ports:
     Parameters
     ----------
     system : MotionSystem
-    layout : Layout
+    layout : PortLayout
     states : States
     time : float
         At which the piece of time begins. [s]
     """
 
-    def __init__(self, system: MotionSystem, layout: Layout, states: States, time: float) -> None:
+    def __init__(
+        self, system: MotionSystem, layout: PortLayout, states: States, time: float
+    ) -> None:
         self.layout = layout
         self.c0 = np.zeros(layout.ports)
         self.c1 = np.zeros(layout.ports)

@@ -15,8 +15,8 @@ from vstatics.simulation.impacts import kinetic_energy
 from vstatics.simulation.laws import Points, Road
 from vstatics.simulation.margins import Margins
 from vstatics.simulation.motion import Energy, Event, Motion, Peak, Reached
-from vstatics.simulation.pieces import Step
-from vstatics.simulation.ports import Layout
+from vstatics.simulation.pieces import TimeStep
+from vstatics.simulation.ports import PortLayout
 from vstatics.simulation.programme import Programme
 from vstatics.simulation.selection import Instant, Jump
 from vstatics.simulation.system import MotionSystem
@@ -37,7 +37,7 @@ class Record:
 
     def __init__(self, system: MotionSystem, start: Instant, step: float | None) -> None:
         self.system, self.start, self.every = system, start, step
-        self.layout = Layout(system)
+        self.layout = PortLayout(system)
         self.events: list[Event] = []
         self.impact = 0.0
         self.joined: set[int] = set()
@@ -81,7 +81,7 @@ class Record:
         self.energy_scale = max(self.energy_scale, scale)
         self._peak(np.array([equations.time]), state[:, None], equations, margins)
 
-    def step(self, step: Step, end: float, state: Floats) -> None:
+    def step(self, step: TimeStep, end: float, state: Floats) -> None:
         """A step, or the part of it up to an event."""
         assert self._current is not None  # noqa: S101 - a piece has begun
         equations, margins = self._current
@@ -98,7 +98,7 @@ class Record:
         self._targets(step, end, state, equations)
 
     def sample(
-        self, step: Step, times: Floats, states: Floats, equations: Equations, margins: Margins
+        self, step: TimeStep, times: Floats, states: Floats, equations: Equations, margins: Margins
     ) -> None:
         """Instants within a step, for peaks."""
         if not len(times):
@@ -136,7 +136,7 @@ class Record:
         self.peak_times[larger] = times[top][larger]
         return torques
 
-    def _targets(self, step: Step, end: float, state: Floats, equations: Equations) -> None:
+    def _targets(self, step: TimeStep, end: float, state: Floats, equations: Equations) -> None:
         """Note when links reach speeds that are asked for."""
         for link, speed in self.targets:
             if (link, speed) in self.reached:

@@ -9,9 +9,9 @@ import numpy as np
 
 from vstatics.errors import CaseError, Problem
 from vstatics.numerics.arrays import Floats
-from vstatics.simulation.course import Course, Stop
+from vstatics.simulation.course import EventRun, RunStop
 from vstatics.simulation.motion import Energy, Motion
-from vstatics.simulation.ports import Layout
+from vstatics.simulation.ports import PortLayout
 from vstatics.simulation.programme import programmes
 from vstatics.simulation.record import Record
 from vstatics.simulation.scenario import Scenario
@@ -78,7 +78,7 @@ def simulate(
     gear = start_gear(scenario)
     engaged = (*scenario.start.engaged, *(gear.engaged if gear else ()))
     system = motion_system(scenario, programmes(scenario, engaged), gear)
-    layout = Layout(system)
+    layout = PortLayout(system)
     speeds = start_speeds(system, gear)
     size = layout.ports + 2 * len(system.springs) + len(system.meshes)
     system, messages = with_viscous_damping(system, speeds)
@@ -89,8 +89,8 @@ def simulate(
     stopped: Problem | None = None
     try:
         with np.errstate(all="ignore"):
-            Course(system, record, rtol).run(start)
-    except Stop as stop:
+            EventRun(system, record, rtol).run(start)
+    except RunStop as stop:
         stopped = stop.problem
     if not record.kept:
         assert stopped is not None  # noqa: S101 - it can't end without a start

@@ -18,8 +18,8 @@ from vstatics.errors import CaseError
 from vstatics.numerics.arrays import Floats
 from vstatics.simulation.equations import Equations
 from vstatics.simulation.laws import Points
-from vstatics.simulation.margins import Margins, Scales, Watch
-from vstatics.simulation.ports import Layout, States, capacity_at, programme_at
+from vstatics.simulation.margins import LargeSizes, Margins, Watch
+from vstatics.simulation.ports import PortLayout, States, capacity_at, programme_at
 from vstatics.simulation.structure import Structures
 from vstatics.simulation.system import MotionSystem
 
@@ -68,10 +68,10 @@ Choice = tuple[str, int, tuple[str, ...]]
 """`contact`, `mesh` or `spring`, its index, its states: the one that sticks first."""
 
 
-class Selection:
+class ModeSelection:
     """Chooses what sticks and what slips in a system."""
 
-    def __init__(self, system: MotionSystem, layout: Layout) -> None:
+    def __init__(self, system: MotionSystem, layout: PortLayout) -> None:
         self.system, self.layout = system, layout
         self.structures = Structures(system)
         loose = self.structures.of(
@@ -89,7 +89,7 @@ class Selection:
         self,
         at: Instant,
         before: States | None,
-        scales: Scales,
+        scales: LargeSizes,
         left: Sequence[States] = (),
         met: Sequence[int] = (),
     ) -> Selected:
@@ -99,7 +99,7 @@ class Selection:
         ----------
         at : Instant
         before : States, optional
-        scales : Scales
+        scales : LargeSizes
         left : sequence of States
             That can't be kept.
         met : sequence of int
@@ -133,7 +133,7 @@ class Selection:
         self,
         at: Instant,
         before: States | None,
-        scales: Scales,
+        scales: LargeSizes,
         met: Sequence[int] = (),
     ) -> tuple[States, list[Choice]]:
         """What is fixed by speeds and capacities, and what has a choice."""
@@ -153,7 +153,7 @@ class Selection:
         return States(tuple(contacts), tuple(meshes), tuple(springs), pieces), choices
 
     def _contact(
-        self, index: int, at: Instant, scales: Scales, choices: list[Choice], *, met: bool
+        self, index: int, at: Instant, scales: LargeSizes, choices: list[Choice], *, met: bool
     ) -> str:
         contact = self.system.contacts[index]
         slip = float(contact.row @ at.speeds)
@@ -195,7 +195,7 @@ class Selection:
         index: int,
         at: Instant,
         before: States | None,
-        scales: Scales,
+        scales: LargeSizes,
         choices: list[Choice],
     ) -> str:
         mesh = self.system.meshes[index]
@@ -209,7 +209,7 @@ class Selection:
         choices.append(("mesh", index, ("stick", "+" + torque, "-" + torque)))
         return "stick"
 
-    def _spring(self, index: int, at: Instant, scales: Scales, choices: list[Choice]) -> str:
+    def _spring(self, index: int, at: Instant, scales: LargeSizes, choices: list[Choice]) -> str:
         spring = self.system.springs[index]
         limit = programme_at(spring.limit, at.time)
         if math.isinf(limit):
@@ -244,7 +244,7 @@ class Selection:
                 return last
         return piece
 
-    def _admissible(self, states: States, at: Instant, scales: Scales) -> Selected | None:
+    def _admissible(self, states: States, at: Instant, scales: LargeSizes) -> Selected | None:
         """A choice if it is admissible, with the flows of meshes and the pieces that go with it."""
         tried: set[States] = set()
         while states not in tried:
@@ -260,7 +260,7 @@ class Selection:
         return None
 
     def _failing(
-        self, margins: Margins, time: float, state: Floats, scales: Scales
+        self, margins: Margins, time: float, state: Floats, scales: LargeSizes
     ) -> list[Watch] | None:
         """What is below its margin, or at it and falling."""
         now = margins.at(time, state)
@@ -297,7 +297,9 @@ def turned(states: States, watches: Sequence[Watch]) -> States:
     return states._replace(meshes=tuple(meshes), pieces=tuple(pieces))
 
 
-def consistent(equations: Equations, state: Floats, scales: Scales) -> tuple[Floats, Jump | None]:
+def consistent(
+    equations: Equations, state: Floats, scales: LargeSizes
+) -> tuple[Floats, Jump | None]:
     """The state with the twists that balance the torques where nothing heavy moves."""
     if not equations.light or not equations.by_slope.shape[1]:
         return state, None

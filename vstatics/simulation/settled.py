@@ -9,10 +9,10 @@ import numpy as np
 
 from vstatics.numerics.arrays import Floats
 from vstatics.simulation.laws import constant
-from vstatics.simulation.margins import Scales
-from vstatics.simulation.ports import Layout, programme_at
+from vstatics.simulation.margins import LargeSizes
+from vstatics.simulation.ports import PortLayout, programme_at
 from vstatics.simulation.programme import Programme
-from vstatics.simulation.selection import Instant, Selection
+from vstatics.simulation.selection import Instant, ModeSelection
 from vstatics.simulation.structure import null
 from vstatics.simulation.system import Contact, MotionSystem
 from vstatics.statics.result_fields import Message
@@ -90,12 +90,12 @@ def settled_twists(system: MotionSystem, speeds: Floats) -> Floats:
     ]
     rigid = tuple(Contact(one.name, one.row, stiff) for _, one in bent)
     other = replace(system, contacts=(*system.contacts, *rigid), springs=())
-    layout = Layout(other)
+    layout = PortLayout(other)
     size = layout.ports + len(other.meshes)
     nothing = np.zeros(0)
     at = Instant(0.0, speeds, nothing, np.zeros(len(layout.angles)), np.zeros(size))
-    scales = Scales(max(1.0, float(np.abs(speeds).max(initial=0.0))), 1.0)
-    selected = Selection(other, layout).select(at, None, scales)
+    scales = LargeSizes(max(1.0, float(np.abs(speeds).max(initial=0.0))), 1.0)
+    selected = ModeSelection(other, layout).select(at, None, scales)
     equations, state = selected.equations, selected.state
     rates, _ = equations.rates(0.0, state)
     held = equations.multipliers(equations.torques(0.0, state, rates))

@@ -37,7 +37,7 @@ class Multiplier(NamedTuple):
     of: int
 
 
-class Structure:
+class MotionStructure:
     """Matrices while the same things stick.
 
     Attributes
@@ -180,5 +180,5 @@ class Structures:
         self.system = system
         self.of = lru_cache(maxsize=512)(self._made)
 
-    def _made(self, held: Held, meshes: MeshStates) -> Structure:
-        return Structure(self.system, held, meshes)
+    def _made(self, held: Held, meshes: MeshStates) -> MotionStructure:
+        return MotionStructure(self.system, held, meshes)

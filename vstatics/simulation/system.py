@@ -53,7 +53,7 @@ class Contact(NamedTuple):
     """Index of the element while whose capacity is 0 it acts."""
 
 
-class Mesh(NamedTuple):
+class RigidMechanism(NamedTuple):
     """A rigid mechanism."""
 
     name: str
@@ -109,7 +109,7 @@ class MotionSystem:
     """Speeds of bodies with an inertia by those of links, shape (bodies, links)."""
     inertias: Floats
     """Of these. [kg*m^2]"""
-    meshes: tuple[Mesh, ...]
+    meshes: tuple[RigidMechanism, ...]
     contacts: tuple[Contact, ...]
     springs: tuple[Elastic, ...]
     outside: tuple[OutsideTorque, ...]
@@ -207,7 +207,7 @@ def _of_mechanism(mechanism: Mechanism, parts: tuple[float, float, float], links
     return row
 
 
-def _meshes(case: Transmission) -> list[Mesh]:
+def _meshes(case: Transmission) -> list[RigidMechanism]:
     start = len(case.shift_elements)
     found = []
     for index, one in enumerate(case.mechanisms):
@@ -219,7 +219,7 @@ def _meshes(case: Transmission) -> list[Mesh]:
             raise CaseError([Problem(message, ("case",))])
         u = one.ratio
         found.append(
-            Mesh(
+            RigidMechanism(
                 one.name,
                 start + index,
                 _of_mechanism(one, column(u), case.links),

@@ -33,7 +33,7 @@ from vstatics.simulation.start import start_gear, start_speeds
 from vstatics.simulation.system import MotionSystem, motion_system
 from vstatics.simulation.tarasik_equations import ClutchPhase, PublishedEquations
 from vstatics.simulation.tarasik_limits import refusals
-from vstatics.simulation.tarasik_record import Record
+from vstatics.simulation.tarasik_record import TarasikRecord
 from vstatics.simulation.two_masses import NotTwoError, two_masses
 
 _FINER = 1e-2
@@ -98,7 +98,7 @@ def _elsewhere(system: MotionSystem, ends: tuple[int, int]) -> list[Problem]:
     return [Problem(text, ("torques", name)) for name in sorted(names)]
 
 
-class _Ends:
+class _BoxEnds:
     """A function that ends an integration where it falls through 0."""
 
     terminal = True
@@ -119,7 +119,7 @@ class _Run:
         self, system: MotionSystem, ends: tuple[int, int], speeds: Floats, rtol: float
     ) -> None:
         self.system, self.ends, self.rtol = system, ends, rtol * _FINER
-        self.record = Record(system, speeds)
+        self.record = TarasikRecord(system, speeds)
         self.state = np.array([speeds[ends[0]], speeds[ends[1]], 0.0, 0.0, 0.0, 0.0])
         """Speeds of input and output, angles of both, work, heat of the clutch."""
         self.stuck: list[int] = []
@@ -195,7 +195,7 @@ class _Run:
         self.state[5] = 0.0
         if phase.locked and equations.margin(begin, self.state) < 0:
             return begin, self._breaks_away(phase, equations, begin)
-        event = _Ends(equations.margin if phase.locked else equations.slip)
+        event = _BoxEnds(equations.margin if phase.locked else equations.slip)
         size = max(1.0, float(np.abs(self.state[:2]).max()))
         run = solve_ivp(
             equations.rates,

@@ -13,7 +13,7 @@ from vstatics.simulation.system import MotionSystem
 from vstatics.statics.result_fields import Message
 
 
-class Record:
+class TarasikRecord:
     """Instants, one after the other."""
 
     def __init__(self, system: MotionSystem, speeds: Floats) -> None:
