@@ -83,6 +83,10 @@ REFUSED = {
             )
         ),
     ),
+    "simulation": (
+        "vstatics simulate case.yaml",
+        "vstatics simulate nowhere.yaml -o out.csv",
+    ),
     "xlsx": tuple(
         f"vstatics {command} case.yaml -o out.xlsx"
         for command in ("run", "summary", "flow", "explain")

@@ -47,6 +47,10 @@ if TYPE_CHECKING:
     from vstatics.model.clutch_dump import ClutchDump
     from vstatics.pictures.drawn import plot
     from vstatics.report import write_report
+    from vstatics.simulation.motion import Motion
+    from vstatics.simulation.run import simulate
+    from vstatics.simulation.scenario import Scenario
+    from vstatics.simulation.scenario_file import load_scenario
     from vstatics.summary import summarize
 
 __all__ = [
@@ -60,11 +64,13 @@ __all__ = [
     "Load",
     "Mechanism",
     "Message",
+    "Motion",
     "Place",
     "PlanetMass",
     "Problem",
     "ReadError",
     "Results",
+    "Scenario",
     "ShiftElement",
     "Spring",
     "Transmission",
@@ -74,8 +80,10 @@ __all__ = [
     "explain_gear",
     "flows",
     "load",
+    "load_scenario",
     "loads",
     "plot",
+    "simulate",
     "solve",
     "summarize",
     "sweep",
@@ -86,10 +94,14 @@ _LATER = {
     "ClutchDump": "vstatics.model.clutch_dump",
     "Drawing": "vstatics.elements.drawing",
     "Element": "vstatics.elements.element",
+    "Motion": "vstatics.simulation.motion",
     "PlanetMass": "vstatics.elements.element",
+    "Scenario": "vstatics.simulation.scenario",
     "explain_gear": "vstatics.explain.explanation",
     "flows": "vstatics.flow.power",
+    "load_scenario": "vstatics.simulation.scenario_file",
     "plot": "vstatics.pictures.drawn",
+    "simulate": "vstatics.simulation.run",
     "summarize": "vstatics.summary",
     "write_report": "vstatics.report",
 }

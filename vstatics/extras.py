@@ -14,6 +14,7 @@ EXTRAS = {
     "dask": "distributed",
     "sample": "scipy",
     "torsion": "scipy",
+    "simulation": "scipy",
     "pandas": "pandas",
     "formula": "sympy",
     "plot": "matplotlib",

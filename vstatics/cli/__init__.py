@@ -37,6 +37,7 @@ COMMANDS = {
     "flow": ("vstatics.cli.flow", "Show where the power goes, what is lost, what circulates."),
     "summary": ("vstatics.cli.summary", "Ratios, steps, spread, transitions, largest values."),
     "explain": ("vstatics.cli.explain", "Write out the equations and the ratio of a gear."),
+    "simulate": ("vstatics.cli.simulate", "What a scenario does to a case over time."),
     "torsion": ("vstatics.cli.torsion", "The transmission as a torsional system."),
     "plot": ("vstatics.cli.plot", "Draw a picture of a case: SVG, PNG or PDF."),
     "report": ("vstatics.cli.report", "Write a case and its results as one page of HTML."),

@@ -2,19 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 import click
 
 from vstatics import readers
 from vstatics.cli import cases as arguments
 from vstatics.cli import files
-from vstatics.cli.cases import CaseOptions, calculate, calculate_one
+from vstatics.cli.cases import CaseOptions, calculate_one
 from vstatics.cli.exit_status import DONE, FAILED
 from vstatics.cli.formats import OutputOptions, TextStyle
 from vstatics.cli.telling import Telling
 from vstatics.elements.drawing import drawing_of
-from vstatics.errors import plural
+from vstatics.errors import Problem, ReadError, plural
 from vstatics.statics.diagnosis import freedom, given_conditions
 from vstatics.statics.results import Results
 from vstatics.statics.status import CONFLICT, TIED_UP
@@ -91,6 +91,8 @@ def check(
 ) -> int:
     """Report all problems, warnings and notes of each CASE, and its conditions per gear.
 
+    A scenario is checked with its case.
+
     Problems go to stderr as file:line:col: message, with the line and a caret;
     the count of conditions goes to stdout. There are no tables. As JSON, for
     editors and CI, the problems of all cases are one array on stdout; each has
@@ -116,14 +118,43 @@ def check(
     return FAILED if failed else DONE
 
 
+def _calculated(
+    cases: Sequence[str], options: CaseOptions
+) -> Iterator[tuple[str, list[Problem], bool, Grid | None]]:
+    """Of each file its name, its problems, whether it failed, and what it has."""
+    arguments.check_streams(cases)
+    for file in cases:
+        if file != files.STDIN and _is_scenario(file):
+            from vstatics.cli.scenario_check import check_scenario
+
+            yield check_scenario(file, options)
+            continue
+        outcome = calculate_one(file, options)
+        shown = None if outcome.results is None else conditions(outcome.file, outcome.results)
+        yield outcome.file, outcome.problems, outcome.failed, shown
+
+
+def _is_scenario(file: str) -> bool:
+    try:
+        data, name = files.read_input(file)
+    except ReadError:
+        return False
+    if b"duration" not in data:
+        return False
+    from vstatics.simulation.scenario_file import is_scenario  # cases need no simulation
+
+    return is_scenario(data, name)
+
+
 def _conditions(cases: Sequence[str], options: CaseOptions) -> tuple[str, bool]:
     """The conditions of all cases, and whether one failed; problems are printed."""
     found, failed = "", False
-    for outcome in calculate(cases, options):
-        failed |= outcome.failed
-        if outcome.results is not None:
-            shown = lines(conditions(outcome.file, outcome.results), indent="  ")
-            found += "\n".join(shown) + "\n"
+    for file, problems, fails, grid in _calculated(cases, options):
+        files.show(options.telling.printed(problems))
+        files.show(options.telling.quiet_failure(problems, file))
+        failed |= fails
+        if grid is not None:
+            found += "\n".join(lines(grid, indent="  ")) + "\n"
     return found, failed
 
 
@@ -131,9 +162,8 @@ def _problems(cases: Sequence[str], options: CaseOptions) -> tuple[str, bool]:
     """The problems of all cases in JSON, and whether one failed."""
     from vstatics.cli import problem_json
 
-    arguments.check_streams(cases)
     found, failed = list[problem_json.ProblemRecord](), False
-    for outcome in (calculate_one(file, options) for file in cases):
-        failed |= outcome.failed
-        found += problem_json.records(outcome.file, options.telling.printed(outcome.problems))
+    for file, problems, fails, _ in _calculated(cases, options):
+        failed |= fails
+        found += problem_json.records(file, options.telling.printed(problems))
     return problem_json.text(found), failed

@@ -37,6 +37,7 @@ if TYPE_CHECKING:
         Shift,
         Start,
     )
+    from vstatics.simulation.scenario_file import load_scenario
 
 _LATER = {
     "Capacity": "scenario",
@@ -51,6 +52,7 @@ _LATER = {
     "Shift": "scenario",
     "Start": "scenario",
     "constant": "laws",
+    "load_scenario": "scenario_file",
     "simulate": "run",
 }
 """Names that are imported when somebody asks for them."""
@@ -68,6 +70,7 @@ __all__ = [
     "Shift",
     "Start",
     "constant",
+    "load_scenario",
     "simulate",
 ]
 

@@ -60,6 +60,21 @@ def scenario_problems(scenario: Scenario) -> Iterator[Problem]:
         yield from _finite(speeds, "a speed", path)
 
 
+def scenario_doubts(scenario: Scenario) -> Iterator[Problem]:
+    """What is doubtful about a scenario: vehicles whose mass is not among the inertias."""
+    case = scenario.case
+    for link, law in scenario.torques:
+        if isinstance(law, Road) and 0 < link <= case.links:
+            mass, inertia = law.mass * law.radius**2, case.inertias.get(link, 0.0)
+            if inertia < mass * (1 - 1e-3):
+                yield Problem(
+                    f"the case has an inertia of {inertia:g} kg*m^2 on this link, and `road` adds "
+                    f"none: a mass of {law.mass:g} kg on wheels of {law.radius:g} m has {mass:g}",
+                    ("torques", _name(case, link)),
+                    severity="warning",
+                )
+
+
 def _of_start(start: Start, case: Transmission) -> Iterator[Problem]:
     by_speeds = bool(start.speeds) or bool(start.engaged)
     if start.gear is None and not by_speeds:

@@ -1,0 +1,185 @@
+"""`vstatics simulate`: what happens to a case over time, by a scenario."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from functools import partial
+from typing import TYPE_CHECKING, Literal, get_args
+
+import click
+
+from vstatics import readers
+from vstatics.cli import cases as arguments
+from vstatics.cli import files, formats, texts
+from vstatics.cli.cases import CalculatedCase
+from vstatics.cli.exit_status import DONE, FAILED
+from vstatics.cli.formats import Destination, OutputOptions
+from vstatics.cli.telling import Telling
+from vstatics.cli.torsion_case import file_name, one_text
+from vstatics.errors import CaseError, Problem, ReadError
+from vstatics.extras import missing
+from vstatics.writers.plain_json import plain_data
+
+if TYPE_CHECKING:
+    from vstatics.simulation.motion import Motion
+    from vstatics.simulation.scenario_file import ScenarioFile
+
+Method = Literal["events", "tarasik"]
+FORMATS = ("text", "json", "jsonl", "csv", "npz", "parquet", "markdown", "latex", "xlsx")
+
+
+def _positive(
+    context: click.Context, parameter: click.Parameter, value: float | None
+) -> float | None:
+    if value is not None and not 0 < value < math.inf:
+        message = f"read {value:g}, expected a number above 0"
+        raise click.BadParameter(message, context, parameter)
+    return value
+
+
+@click.command()
+@click.argument("scenario", type=click.Path(), metavar="SCENARIO")
+@click.argument("case", type=click.Path(), metavar="[CASE]", required=False)
+@click.option(
+    "--step",
+    type=float,
+    callback=_positive,
+    metavar="S",
+    help="Also every multiple of this time, in s.",
+)
+@click.option(
+    "--rtol",
+    type=float,
+    default=1e-8,
+    show_default=True,
+    callback=_positive,
+    metavar="X",
+    help="Accuracy of speeds and energies, as a part of their largest.",
+)
+@click.option(
+    "--method",
+    type=click.Choice(get_args(Method)),
+    default="events",
+    help="`tarasik`: the published equations (12) to (15), for comparison.",
+)
+@formats.options(*FORMATS)
+@arguments.input_format
+@arguments.telling
+def simulate(
+    scenario: str,
+    case: str | None,
+    step: float | None,
+    rtol: float,
+    method: Method,
+    wanted: OutputOptions,
+    input_format: readers.Format | None,
+    telling: Telling,
+) -> int:
+    """Simulate what SCENARIO does to its case, or to CASE; - is standard input.
+
+    SCENARIO is YAML: the case, the duration, the start, capacities of shift elements and
+    outside torques over time, or shifts. Speeds, slips and torques over time go to the file
+    of -o; without it events, energy and largest torques are printed. A run that must stop
+    before the end tells when and why, and what was calculated is written.
+
+    \b
+    Examples:
+      vstatics simulate upshift.yaml
+      vstatics simulate upshift.yaml -o upshift.csv --step 0.01
+      vstatics simulate upshift.yaml other-box.yaml -f json | jq .energy
+
+    \b
+    Exit status: 0 done; 1 scenario or case is in error, or the run stopped;
+    2 wrong use.
+    """
+    inputs = [scenario, *([case] if case else [])]
+    arguments.check_streams(inputs)
+    to = one_text(wanted, inputs)
+    _needs("simulation", "vstatics simulate")
+    if to.form == "parquet":
+        _needs("parquet", "Parquet")
+    read = read_document(*files.read_input(scenario), input_format, case, to.output)
+    from vstatics.simulation.run import simulate as simulated
+
+    try:
+        motion = simulated(read.scenario, step=step, rtol=rtol, method=method)
+    except CaseError as error:
+        raise ReadError(map(read.locate, error.problems)) from None
+    problems = [*read.reading.warnings, *_problems(read, motion)]
+    files.show(telling.printed(problems))
+    files.show(telling.quiet_failure(problems, file_name(scenario)))
+    show(scenario, to, read, motion)
+    failed = motion.stopped is not None or telling.fails(problems)
+    return FAILED if failed else DONE
+
+
+def _needs(extra: str, purpose: str) -> None:
+    if message := missing(extra, purpose):
+        raise ReadError([Problem(message)])
+
+
+def read_document(
+    data: bytes,
+    name: str,
+    input_format: readers.Format | None = None,
+    case: str | None = None,
+    output: str | None = None,
+) -> ScenarioFile:
+    """A scenario of a text, with the case that it names, or that is given.
+
+    Raises
+    ------
+    ReadError
+    UsageError
+        If the case would be overwritten by the output.
+    """
+    from vstatics.simulation.scenario_file import read_scenario
+
+    document = read_scenario(data, name)
+    file = case or document.case_file
+    if not file:
+        raise document.no_case("`case` is missing: the file of the case")
+    files.spare([file], output)
+    try:
+        text, named = files.read_input(file)
+    except ReadError as error:
+        if case:
+            raise
+        raise document.no_case(f"{file} {error.problems[0].message}") from None
+    return document.with_case(readers.read(text, named, input_format))
+
+
+def _problems(read: ScenarioFile, motion: Motion) -> Iterator[Problem]:
+    """Messages of a run, and why it stopped, at their places."""
+    file = read.spots.place(())._replace(line=0, column=0, text="")
+    for message in motion.messages:
+        text = f"gear {message.gear}: {message.text}" if message.gear else message.text
+        yield Problem(text, (), file, message.severity)
+    if motion.stopped is not None:
+        stopped = motion.stopped
+        yield read.locate(stopped) if stopped.path else stopped._replace(place=file)
+
+
+def show(scenario: str, to: Destination, read: ScenarioFile, motion: Motion) -> None:
+    """Write a motion in the format that is asked for."""
+    from vstatics.simulation.motion_columns import as_csv, as_npz, as_parquet
+    from vstatics.simulation.motion_document import lay_out, motion_document
+    from vstatics.simulation.motion_grids import motion_grids
+
+    title = read.name or read.scenario.case.name or file_name(scenario)
+    targets = bool(read.scenario.targets)
+    shown = texts.CaseOutput(
+        [title],
+        {
+            "csv": lambda _: as_csv(motion, raw=to.style.raw),
+            "npz": lambda _: as_npz(motion),
+            "parquet": lambda _: as_parquet(motion),
+        },
+        partial(motion_grids, motion),
+        lambda: plain_data(motion_document(motion, read.scenario.case.name, targets=targets)),
+        lay_out,
+    )
+    outcome = CalculatedCase(file_name(scenario), None, [])
+    form = texts.OutputForm(to.form, to.style)
+    files.write_data(texts.alone(outcome, shown, form), to.output)
