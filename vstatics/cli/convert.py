@@ -12,9 +12,10 @@ from vstatics.cli.telling import Telling
 from vstatics.errors import CaseError, ReadError, of_file
 from vstatics.model.transmission import Transmission
 from vstatics.statics.solve import solve
+from vstatics.tables.suffixes import suffix_of
 
 
-def write(case: Transmission, output_format: readers.Format) -> tuple[str, list[str]]:
+def write(case: Transmission, output_format: str) -> tuple[str, list[str]]:
     """A case as text, and what the format cannot keep of it.
 
     Raises
@@ -35,6 +36,10 @@ def write(case: Transmission, output_format: readers.Format) -> tuple[str, list[
             if is_so
         ]
         return write_deck(results.with_numbers_only), [*lost(case), *conflicts]
+    if output_format == "modelica":
+        from vstatics.writers import modelica, modelica_limits
+
+        return modelica.write(case), modelica_limits.lost(case)
     from vstatics.writers import named
 
     writer = named.write_yaml if output_format == "yaml" else named.write_json
@@ -49,35 +54,38 @@ def write(case: Transmission, output_format: readers.Format) -> tuple[str, list[
 @click.option(
     "--to",
     "output_format",
-    type=click.Choice(list(readers.READERS)),
+    type=click.Choice([*readers.READERS, "modelica"]),
     help="Format of OUT; else told by the suffix.",
 )
 def convert(
     source: str,
     target: str,
     input_format: readers.Format | None,
-    output_format: readers.Format | None,
+    output_format: str | None,
     telling: Telling,
 ) -> int:
-    """Convert the case IN to OUT: deck (.dat), YAML (.yaml) or JSON (.json); - is a stream.
+    """Convert the case IN to OUT: deck (.dat), YAML, JSON or Modelica (.mo); - is a stream.
 
     Numbers and names are kept to the last digit; torques and speeds with a unit are
     written relative to the load. A deck has mechanisms in place of elements, and
     freewheels are engaged where they hold. What the format cannot keep is listed, and
     the exit status is 1. A deck of a case with springs, inertias or stiffnesses is not
-    written at all.
+    written at all. Modelica is written only: a model on its standard library, whose
+    links are flanges and whose shift elements are controlled by inputs.
 
     \b
     Examples:
       vstatics convert gearbox.dat gearbox.yaml
       vstatics convert gearbox.yaml - --to deck
+      vstatics convert gearbox.yaml gearbox.mo
     """
     files.spare([source], target)
-    wanted = output_format or readers.format_of_name(target)
+    by_name = "modelica" if suffix_of(target) == ".mo" else readers.format_of_name(target)
+    wanted = output_format or by_name
     if wanted is None:
         raise click.UsageError(
             f"can't tell the format of {target}: expected a suffix such as .dat, .yaml, .json, "
-            "or --to"
+            ".mo, or --to"
         )
     reading = arguments.read_one(source, input_format, telling)
     try:

@@ -1,0 +1,161 @@
+"""Cases as Modelica, compiled and run by another program, Rumoca, beside ours.
+
+It has no standard library, so `modelica/Modelica.mo` stands in for it: the names and equations of
+the components, but friction is smoothed, straight to its full torque at a slip of 1e-4 rad/s.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from tests.commands import CASES
+from tests.summary.test_inertia import ACCELERATIONS
+from tests.writers.modelica_system import IDENTIFIER
+from vstatics import Transmission, load, loads
+from vstatics.writers import modelica
+from vstatics.writers.modelica_names import identifier
+
+rumoca = pytest.importorskip("rumoca")
+
+LIBRARY = (Path(__file__).parent / "modelica" / "Modelica.mo").read_text(encoding="utf-8")
+SOURCE = "Modelica.Mechanics.Rotational.Sources.ConstantTorque"
+
+
+def compiled(
+    case: Transmission,
+    controls: Mapping[str, object],
+    torques: Mapping[str, float],
+    start: Mapping[str, float] | None = None,
+) -> Any:
+    """A case with controls of shift elements, 0 if not given, torques on links, first speeds."""
+    text = modelica.write(case)
+    package = text.split()[1]
+    known = {identifier(f"control_{name}"): control for name, control in controls.items()}
+    inputs = re.findall(rf"RealInput ({IDENTIFIER})\(unit", text)
+    assert set(known) <= set(inputs)
+    run = [
+        f"model Run\n  {package}.Gearbox box;",
+        *(
+            f"  {SOURCE} source{number}(tau_constant = {torque});"
+            for number, torque in enumerate(torques.values())
+        ),
+        "equation",
+        *(f"  box.{name} = {known.get(name, 0)};" for name in inputs),
+        *(
+            f"  connect(source{number}.flange, box.{identifier(link)});"
+            for number, link in enumerate(torques)
+        ),
+        "initial equation",
+        *(f"  box.{name} = {speed};" for name, speed in (start or {}).items()),
+        "end Run;",
+    ]
+    whole = LIBRARY + text + "\n".join(run)
+    return rumoca.Session().loads(whole, model="Run", filename="run.mo")
+
+
+def run(
+    case: Transmission,
+    controls: Mapping[str, object],
+    torques: Mapping[str, float],
+    *,
+    duration: float = 1.0,
+    start: Mapping[str, float] | None = None,
+) -> dict[str, list[float]]:
+    """The last values, and those before, of every variable."""
+    config = rumoca.SimConfig(rtol=1e-9, atol=1e-9)
+    model = compiled(case, controls, torques, start)
+    result = model.simulate((0.0, duration), dt=duration / 50, config=config)
+    return {name: list(result[name]) for name in result.names}
+
+
+def last(found: Mapping[str, list[float]], name: str) -> float:
+    return found[f"box.{name}"][-1]
+
+
+BOX = load(CASES / "tarasik-box.yaml")
+
+
+@pytest.mark.parametrize(
+    "gear",
+    [gear if gear == "1" else pytest.param(gear, marks=pytest.mark.slow) for gear in ACCELERATIONS],
+)
+def test_the_box_of_seven_links_gains_speed_as_published(gear: str) -> None:
+    engaged = BOX.gears[BOX.gear_number(gear) - 1].engaged
+    controls = {BOX.shift_elements[n - 1].name: 9e3 for n in engaged}
+    found = run(BOX, controls, {"in": 1500, "out": -1200})
+    assert last(found, "J_in.w") == pytest.approx(ACCELERATIONS[gear], rel=2e-6)
+
+
+def test_a_brake_locks_a_set() -> None:
+    """Tarasik's set from 500 rpm: the exact state one second later, friction smoothed."""
+    case = load(CASES / "tarasik-set.yaml")
+    start = {"J_sun.w": 500 * math.pi / 30, "J_carrier.w": 0.0}
+    found = run(case, {"brake": 120}, {"sun": 40, "carrier": -60}, start=start)
+    assert last(found, "J_sun.w") == pytest.approx(67.165507611, rel=1e-5)
+    assert last(found, "J_carrier.w") == pytest.approx(26.866203045, rel=1e-5)
+
+
+def test_a_freewheel_holds_one_way() -> None:
+    """On the housing the link is held from turning backward: 20 N*m against 12 N*m of the pair."""
+    case = loads("""
+inertias: {engine: 0.5, out: 2}
+shift_elements: {F: {kind: freewheel, links: [out, housing]}}
+mechanisms: {pair: {first: engine, second: out, ratio: 2}}
+""")
+    assert last(run(case, {}, {"engine": 6, "out": -20}), "J_out.w") == pytest.approx(0, abs=1e-5)
+    forward = last(run(case, {}, {"engine": 6, "out": -2}), "J_out.w")
+    assert forward == pytest.approx((2 * 6 - 2) / (2 + 4 * 0.5), rel=1e-6)
+
+
+def test_a_twist_of_three_links_swings() -> None:
+    """One mass on ``2 w - 3 w`` of two links, one of them held: omega = 2 sqrt(c/J)."""
+    case = loads("""
+links: [mass, held, free]
+inertias: {mass: 0.5, held: 3, free: 1}
+shift_elements: {B: [held, housing]}
+mechanisms: {pair: {first: free, second: held, ratio: 1}}
+springs: {twist: {twist: {mass: 2, held: -3, free: 1}, stiffness: 50}}
+""")
+    found = run(case, {"B": 1e4}, {}, start={"J_mass.w": 1.0}, duration=0.4)
+    assert last(found, "J_mass.w") == pytest.approx(math.cos(2 * 10 * 0.4), abs=1e-4)
+
+
+def test_a_friction_pack_has_the_torque_of_its_pressure() -> None:
+    """2e5 Pa on 60 cm^2 at .1 m, 8 surfaces of .12: 115.2 N*m, which take 0.5 kg*m^2 along."""
+    case = loads("""
+inertias: {a: 1, b: 0.5}
+shift_elements:
+  C: {links: [a, b], friction: {radius: .1, area: 60 cm^2, surfaces: 8, coefficient: .12}}
+""")
+    found = run(case, {"C": 2e5}, {}, start={"J_a.w": 400.0})
+    assert last(found, "J_b.w") == pytest.approx(115.2 / 0.5, rel=1e-6)
+    assert last(found, "J_a.w") == pytest.approx(400 - 115.2, rel=1e-6)
+
+
+def test_planets_are_moved() -> None:
+    """Sun 30 in, ring 90 held, carrier out at 1/4, where planets of 30 turn by -1/2."""
+    case = loads("""
+links: [sun, ring, carrier]
+inertias: {sun: 0.5, ring: 1, carrier: 2}
+elements:
+  P: {kind: planetary, sun: sun, ring: ring, carrier: carrier, teeth: {sun: 30, ring: 90},
+      planets: 4, planet: {inertia: 1e-1, mass: 5, radius: 0.1}}
+shift_elements: {B: [ring, housing]}
+gears: {low: [B]}
+""")
+    found = run(case, {"B": 1e4}, {"sun": 60})
+    inertia = 0.5 + 2 * 0.25**2 + 4 * (0.1 * 0.5**2 + 5 * 0.1**2 * 0.25**2)
+    assert last(found, "J_sun.w") == pytest.approx(60 / inertia, rel=1e-5)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("file", sorted(path.name for path in CASES.glob("*.yaml")))
+def test_every_shipped_case_is_compiled(file: str) -> None:
+    """As many equations as unknowns: the compiler refuses others."""
+    assert compiled(load(CASES / file), {}, {}).name == "Run"
