@@ -5,20 +5,24 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Iterator, Sequence
 from functools import wraps
-from typing import Any, NamedTuple, TypeVar, get_args
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar, get_args
 
 import click
 
 from vstatics import readers
 from vstatics.cli import files
 from vstatics.cli.telling import Telling
-from vstatics.errors import Problem, ReadError, of_file, plural, spoken
+from vstatics.errors import CaseError, Problem, ReadError, of_file, plural, spoken
 from vstatics.model.checks import hints
 from vstatics.model.transmission import IdleConvention, Transmission
 from vstatics.readers.reading import Reading
 from vstatics.statics.result_fields import Message
 from vstatics.statics.results import Language, Results
 from vstatics.statics.solve import solve
+
+if TYPE_CHECKING:
+    from vstatics.simulation.motion import Motion
+    from vstatics.simulation.scenario_file import ScenarioFile
 
 Command = TypeVar("Command", bound=Callable[..., Any])
 
@@ -84,6 +88,8 @@ class CalculatedCase(NamedTuple):
     data: bytes = b""
     """What was read."""
     telling: Telling = Telling()
+    scenario: ScenarioFile | None = None
+    """That which names the case, where the command takes one."""
 
     @property
     def failed(self) -> bool:
@@ -100,6 +106,8 @@ class CaseOptions(NamedTuple):
     coast: bool | None = None
     idle: IdleConvention | None = None
     telling: Telling = Telling()
+    scenarios: bool = False
+    """Whether a scenario may stand for its case."""
 
 
 def telling(command: Command) -> Command:
@@ -177,9 +185,13 @@ def check_streams(cases: Sequence[str]) -> None:
 def calculate_one(file: str, settings: CaseOptions) -> CalculatedCase:
     """Read and calculate a case; whatever goes wrong with it is a problem of this case."""
     name, data = files.STDIN_NAME if file == files.STDIN else file, b""
+    scenario = None
     try:
         data, name = files.read_input(file)
-        reading = readers.read(data, name, settings.input_format)
+        if settings.scenarios and (scenario := _scenario(data, name, settings)):
+            reading = scenario.reading
+        else:
+            reading = readers.read(data, name, settings.input_format)
         results = solve(reading.case, coast=settings.coast, idle=settings.idle)
         notes = map(reading.locate, hints(reading.case)) if settings.telling.notes else ()
         each = settings.telling.each_gear
@@ -189,7 +201,41 @@ def calculate_one(file: str, settings: CaseOptions) -> CalculatedCase:
     except Exception as error:  # noqa: BLE001 - the other cases are to go on
         results, problems = None, [unexpected(name, error)]
     told = settings.telling.told(problems)
-    return CalculatedCase(name, results, told, data, settings.telling)
+    return CalculatedCase(name, results, told, data, settings.telling, scenario)
+
+
+def _scenario(data: bytes, name: str, settings: CaseOptions) -> ScenarioFile | None:
+    """The scenario of a text with the case that it names; None if it is none."""
+    if b"duration" not in data:  # as in nearly all cases, and YAML costs start-up time
+        return None
+    from vstatics.simulation.scenario_file import is_scenario, read_scenario
+
+    if not is_scenario(data, name):
+        return None
+    document = read_scenario(data, name)
+    if not document.case_file:
+        raise document.no_case("`case` is missing: the file of the case")
+    try:
+        case, case_name = files.read_input(document.case_file)
+    except ReadError as error:
+        raise document.no_case(" ".join(str(error).split())) from None
+    return document.with_case(readers.read(case, case_name, settings.input_format))
+
+
+def run_of(scenario: ScenarioFile) -> Motion:
+    """The run of a scenario.
+
+    Raises
+    ------
+    ReadError
+        If it can't begin, with the places of what keeps it from that.
+    """
+    from vstatics.simulation.simulate import simulate
+
+    try:
+        return simulate(scenario.scenario)
+    except CaseError as error:
+        raise ReadError(map(scenario.locate, error.problems)) from None
 
 
 def read_one(file: str, input_format: readers.Format | None, telling: Telling) -> Reading:

@@ -15,7 +15,7 @@ from vstatics.cli.job import Job
 from vstatics.cli.one_or_many import carry_out
 from vstatics.errors import CaseError, ReadError, of_file
 from vstatics.jobs.files import STDOUT, is_stream
-from vstatics.pictures import FORMATS, PICTURES, Format, render
+from vstatics.pictures import FORMATS, OF_RUNS, PICTURES, Format, render
 from vstatics.pictures.style import Style
 from vstatics.statics.results import Language
 from vstatics.tables.suffixes import known, suffix_of
@@ -43,7 +43,7 @@ def plot(
     settings: CaseOptions,
     lang: Language,
 ) -> int:
-    """Draw a picture of each CASE: a deck, YAML or JSON; - is standard input.
+    """Draw a picture of each CASE: a deck, YAML, JSON or a scenario; - is standard input.
 
     \b
     plan         speeds of all links over the output speed: the generalised
@@ -57,15 +57,21 @@ def plot(
                  shapes over the links, shares of the energy
     campbell     natural frequencies of each gear over the input speed, and
                  where its orders meet them
+    shift        the run of a scenario: speeds, slips, torques and heat over
+                 time, with its events
+
+    \b
+    Of a scenario plan shows its run, too; other kinds show its case.
 
     \b
     Examples:
       vstatics plot gearbox.yaml --kind plan -o plan.svg
       vstatics plot gearbox.yaml --kind lever --gear 2 -o second.pdf
+      vstatics plot upshift.yaml --kind shift -o upshift.png
       cat gearbox.dat | vstatics plot - --kind efficiency -o losses.png --dark
 
     Needs matplotlib: pip install "vstatics[plot]"; modes and campbell need
-    scipy too: "vstatics[plot,torsion]".
+    scipy too: "vstatics[plot,torsion]"; scenarios, too: "vstatics[plot,simulation]".
 
     \b
     Exit status: 0 done; 1 a case is in error, a gear is tied up, or there is
@@ -76,7 +82,8 @@ def plot(
     to = formats.each_by_itself(output, cases, FORMATS, "a picture")
     picture = partial(_shown, kind=kind, form=to.form, gears=gears, style=Style(lang, dark))
     form = texts.OutputForm(to.form, to.style)
-    return carry_out(Job("plot", settings, form, picture), cases, to)
+    own = settings._replace(scenarios=True)
+    return carry_out(Job("plot", own, form, picture), cases, to)
 
 
 def _refuse_without_suffix(output: str) -> None:
@@ -95,7 +102,10 @@ def _shown(
     assert results is not None  # noqa: S101 - of a case that has some
     chosen = [arguments.gear_number(results.case, gear) for gear in dict.fromkeys(gears)]
     try:
-        drawn = render(results, kind, cast("Format", form), style, chosen)
+        motion = None
+        if outcome.scenario and kind in OF_RUNS:
+            motion = arguments.run_of(outcome.scenario)
+        drawn = render(results, kind, cast("Format", form), style, chosen, motion=motion)
     except CaseError as error:
         raise ReadError(of_file(outcome.file, one.message) for one in error.problems) from None
     return texts.CaseOutput([], {form: lambda _: drawn})

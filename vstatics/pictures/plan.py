@@ -31,6 +31,8 @@ BELOW = 66.0
 """For what stands below a plan. [pt]"""
 RIGHT = 48.0
 """For the ordinates. [pt]"""
+FAR = 0.25
+"""Where all gears are slower, the abscissa does not reach to 1."""
 SIDE_BY_SIDE = 2
 """At most so many plans in a row: they can be read on a printed page."""
 ON_SHEET, ON_SHEET_WITH_RUN = 6, 4
@@ -215,7 +217,9 @@ def _top(case: Transmission, plan: KinematicPlan, style: Style) -> _Top:
 
 def _frame(plan: KinematicPlan) -> tuple[float, float, float, float]:
     """The ends of the abscissa, and of all rays between them."""
-    outputs = [0.0, 1.0, *(mark.output for mark in plan.marks)]
+    outputs = [0.0, *(mark.output for mark in plan.marks)]
+    if max(map(abs, outputs)) > FAR:
+        outputs.append(1.0)
     room = 0.06 * (max(outputs) - min(outputs))
     low, high = min(outputs) - room, max(outputs) + room
     reached = [ray.at(x) for ray in plan.rays for x in (low, high)] + [0.0, 1.0]
@@ -243,7 +247,7 @@ def _draw_rays(panel: Panel, case: Transmission, plan: KinematicPlan, style: Sty
         axes.axvline(mark.output, color=style.faint, linewidth=0.9, linestyle=(0, (4, 3)))
         for x, y in _stops(case, plan, mark.elements, mark.output):
             axes.plot([x], [y], "o", color=style.ink, markersize=4.5, zorder=4)
-    if plan.has_unit_point:
+    if plan.has_unit_point and high > 1:
         how: dict[str, Any] = {"markerfacecolor": style.paper, "markeredgecolor": style.ink}
         axes.plot([1], [1], "o", markersize=8, zorder=3, **how)
     panel.beside("left", at_edge)
@@ -262,7 +266,7 @@ def _draw_scales(panel: Panel, plan: KinematicPlan, style: Style) -> None:
     """1/i of the gears at the abscissa, ordinates at the right."""
     outputs = sorted({round(mark.output, 9) + 0.0 for mark in plan.marks})
     scale = [Label(panel.across(x), number(x), style.ink) for x in outputs]
-    common = [x for x in (0.0, 1.0) if x not in outputs]
+    common = [x for x in (0.0, 1.0) if x not in outputs and x < panel.axes.get_xlim()[1]]
     scale += [Label(panel.across(x), f"{x:.0f}", style.soft) for x in common]
     panel.along("bottom", scale, upright=True)
     axes = panel.axes

@@ -23,8 +23,9 @@ MOST = 14
 """Events that are named."""
 POINTS = 4000
 """That are drawn."""
-NEAR = 1e-6
-"""A run is on a plan where all speeds are those of its rays, to this part of the largest."""
+NEAR = 5e-3
+"""A run is on a plan where all speeds are those of its rays, to this part of the largest: shafts
+that are elastic are never there to the last digit."""
 
 
 class PlanCourse(NamedTuple):
