@@ -24,6 +24,8 @@ if TYPE_CHECKING:
     from vstatics.simulation.motion import Motion
     from vstatics.simulation.scenario_file import ScenarioFile
 
+INSTANTS = 400
+"""Of a run that is drawn, at least."""
 Command = TypeVar("Command", bound=Callable[..., Any])
 
 argument = click.argument("cases", nargs=-1, required=True, type=click.Path(), metavar="CASE...")
@@ -223,19 +225,24 @@ def _scenario(data: bytes, name: str, settings: CaseOptions) -> ScenarioFile | N
 
 
 def run_of(scenario: ScenarioFile) -> Motion:
-    """The run of a scenario.
+    """The run of a scenario, with enough instants for a picture.
+
+    Why it stopped, if it did, is printed.
 
     Raises
     ------
     ReadError
         If it can't begin, with the places of what keeps it from that.
     """
-    from vstatics.simulation.simulate import simulate
+    from vstatics.simulation import simulate
 
     try:
-        return simulate(scenario.scenario)
+        motion = simulate(scenario.scenario, step=scenario.scenario.duration / INSTANTS)
     except CaseError as error:
         raise ReadError(map(scenario.locate, error.problems)) from None
+    if motion.stopped is not None:
+        files.show([scenario.locate(motion.stopped)])
+    return motion
 
 
 def read_one(file: str, input_format: readers.Format | None, telling: Telling) -> Reading:
