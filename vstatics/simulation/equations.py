@@ -7,10 +7,13 @@ are no state: their speeds are those at which the torques along them balance.
 
 from __future__ import annotations
 
+from functools import cached_property
+
 import numpy as np
 
 from vstatics.errors import CaseError, Problem
-from vstatics.numerics.arrays import Floats
+from vstatics.numerics.arrays import Booleans, Floats
+from vstatics.simulation.affine import Affine
 from vstatics.simulation.ports import PortLayout, Ports, States
 from vstatics.simulation.structure import MotionStructure, null
 from vstatics.simulation.system import MotionSystem
@@ -52,8 +55,8 @@ class Equations:
         self.spring_ports = slice(layout.springs, layout.springs + self.springs)
         self.viscous = np.array([one.viscous for one in system.springs])
         slips = np.array([state != "stick" for state in states.springs], dtype=bool)
-        self.creeps = slips & (self.viscous > 0)
-        self.limited = slips & (self.viscous == 0)
+        self.creeps: Booleans = slips & (self.viscous > 0)
+        self.limited: Booleans = slips & (self.viscous == 0)
         self.angle_rows = np.array([structure.free[link] for link in layout.angles])
         self.light = structure.light.shape[1]
         self.within = 1e-7 * max(system.scenario.duration, 1e-9)
@@ -122,7 +125,7 @@ class Equations:
             speeds = speeds - change
             left = rest(speeds)
             if np.abs(change).max() <= 1e-13 * max(1.0, float(np.abs(speeds).max())) or (
-                ports.is_linear
+                ports.is_affine
             ):
                 break
         return speeds
@@ -141,6 +144,33 @@ class Equations:
         if self.light:
             speeds = speeds + self.structure.light @ self.rates(time, state)[1]
         return speeds
+
+    def rates_at(self, times: Floats, states: Floats) -> Floats:
+        """Rates of ports at several times, shape (ports, times)."""
+        if self.light and not self.ports.is_affine:
+            columns = [self.rates(float(time), states[:, n])[0] for n, time in enumerate(times)]
+            return np.array(columns).T
+        rates: Floats = self.structure.rates @ states[: self.motions]
+        if self.light:
+            rates += self.structure.light_rates @ self.affine.light_at(times, states)
+        return rates
+
+    def torques_at(self, times: Floats, states: Floats, rates: Floats) -> Floats:
+        """Torques of ports at several times, shape (ports, times) [N*m]."""
+        return self.ports.torques_at(times, rates, states[self.twists], states[self.angles])
+
+    def speeds_at(self, times: Floats, states: Floats) -> Floats:
+        """Of links at several times, shape (links, times) [rad/s]."""
+        if self.light:
+            columns = [self.speeds(float(time), states[:, n]) for n, time in enumerate(times)]
+            return np.array(columns).T
+        speeds: Floats = self.structure.free @ states[: self.motions]
+        return speeds
+
+    @cached_property
+    def affine(self) -> Affine:
+        """The equations as maps, where all torques are straight."""
+        return Affine(self)
 
     def torques(self, time: float, state: Floats, rates: Floats) -> Floats:
         """Of ports [N*m]."""
@@ -184,7 +214,7 @@ class Equations:
     def limit_slopes(self, time: float, rates: Floats, state: Floats) -> Floats:
         """Changes of the limits of springs with time [N*m/s]."""
         slopes = self.ports.c1
-        if self.ports.special:
+        if self.ports.timed:
             slopes = self.ports.slopes(time, rates, state[self.angles], self.within)
         return slopes[self.spring_ports]
 

@@ -79,15 +79,17 @@ class Finder:
         if not self.margins.watches:
             self._tell(step, times, states)
             return None
-        before = step.start, self.margins.at(step.start, step.first)
-        for number, time in enumerate(map(float, times)):
-            now = self.margins.at(time, states[:, number])
-            if (now < -self.noise).any():
-                self._tell(step, times[:number], states[:, :number])
-                return self._located(step, before, (time, now))
-            before = time, now
-        self._tell(step, times, states)
-        return None
+        margins = self.margins.along(times, states)
+        ends = np.flatnonzero((margins < -self.noise[:, None]).any(axis=0))
+        if not len(ends):
+            self._tell(step, times, states)
+            return None
+        first = int(ends[0])
+        self._tell(step, times[:first], states[:, :first])
+        under = float(times[first]), margins[:, first]
+        if first:
+            return self._located(step, (float(times[first - 1]), margins[:, first - 1]), under)
+        return self._located(step, (step.start, self.margins.at(step.start, step.first)), under)
 
     def _check_capacities(self, step: TimeStep) -> None:
         """Refuse a capacity by a formula that is no capacity."""

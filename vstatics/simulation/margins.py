@@ -11,6 +11,7 @@ from vstatics.numerics.arrays import Floats
 from vstatics.simulation.equations import Equations
 from vstatics.simulation.laws import Points
 from vstatics.simulation.ports import capacity_at, programme_at
+from vstatics.simulation.programme import Programme
 from vstatics.simulation.split import least, widest
 from vstatics.simulation.system import Contact
 
@@ -75,6 +76,8 @@ class Margins:
         if self.shared:
             self._watch("split", -1)
         self.groups = self._constant_limits()
+        self.slip_ports = np.array([port for port, _ in self.slipping], dtype=int)
+        self.slip_signs = np.array([sign for _, sign in self.slipping])
 
     def _watch(self, kind: Watched, index: int, side: int = 1, *, torque: bool = True) -> None:
         self.watches.append(Watch(kind, index, side))
@@ -146,61 +149,59 @@ class Margins:
             lines.append((factor * value, factor * slope))
         return np.array(lines).reshape(len(lines), 2)
 
-    def limits(self, time: float) -> Floats:
-        """Limits of what sticks at a time [N*m]."""
+    def limits(self, times: Floats) -> Floats:
+        """Limits of what sticks at times, shape (limits, times) [N*m]."""
         if self.groups is not None:
-            return self.groups[:, 0] + self.groups[:, 1] * time
-        return np.array(
-            [
-                0.0
-                if contact.one_way and side == 1
-                else contact.static * capacity_at(contact, time)
-                for contact, _, side in self.holding
-            ]
-        )
+            made: Floats = self.groups[:, :1] + self.groups[:, 1:] * times
+            return made
+        return np.array([[_limit(*one, time) for time in times.tolist()] for one in self.holding])
 
     def units(self, scales: LargeSizes) -> Floats:
         """What is large beside each margin."""
         return np.where(self.is_torque, scales.torque, scales.speed)
 
     def at(self, time: float, state: Floats) -> Floats:
-        """All margins."""
-        equations = self.equations
-        rates, _ = equations.rates(time, state)
-        torques = equations.torques(time, state, rates)
-        made = [sign * rates[port] for port, sign in self.slipping]
-        held = equations.multipliers(torques)
-        slack = self._slack(time, held)
-        mine = len(self.holding)
-        shown = np.full(len(slack), np.inf) if self.shared else slack
-        made += list(shown[:mine])
-        if self.moving:
-            links = equations.speeds(time, state)
-            for index, speed, torque in self.moving:
-                made += [
-                    speed * float(equations.system.meshes[index].slip @ links),
-                    torque * held[index],
-                ]
-        made += list(shown[mine:])
-        made += self._of_springs(time, state, rates, torques)
-        for port, by_angle, corner, side in self.corners:
-            at = state[equations.angles][port] if by_angle else rates[port]
-            made.append(side * (at - corner))
-        if self.shared:
-            made.append(self._together(slack, held))
-        return np.array(made)
+        """All margins at a time."""
+        return self.along(np.array([time]), state[:, None])[:, 0]
 
-    def _slack(self, time: float, held: Floats) -> Floats:
-        """Of contacts that stick, then of meshes."""
-        slack = self.limits(time) - self.sides * held[self.held_rows] if self.holding else _NONE
-        if not self.cones:
-            return slack
+    def along(self, times: Floats, states: Floats) -> Floats:
+        """All margins at several times, shape (margins, times)."""
+        equations = self.equations
+        rates = equations.rates_at(times, states)
+        torques = equations.torques_at(times, states, rates)
+        held: Floats = equations.structure.torques @ torques
+        parts = [self.slip_signs[:, None] * rates[self.slip_ports]]
+        slack = self._slack(times, held)
+        mine = len(self.holding)
+        shown = np.full(slack.shape, np.inf) if self.shared else slack
+        parts.append(shown[:mine])
+        if self.moving:
+            links = equations.speeds_at(times, states)
+            for index, speed, torque in self.moving:
+                slip = equations.system.meshes[index].slip @ links
+                parts.append(np.array([speed * slip, torque * held[index]]))
+        parts.append(shown[mine:])
+        parts += self._of_springs(times, states, rates, torques)
+        for port, by_angle, corner, side in self.corners:
+            at = states[equations.angles][port] if by_angle else rates[port]
+            parts.append(side * (at - corner)[None, :])
+        if self.shared:
+            columns = range(len(times))
+            parts.append(np.array([[self._together(slack[:, n], held[:, n]) for n in columns]]))
+        return np.vstack(parts)
+
+    def _slack(self, times: Floats, held: Floats) -> Floats:
+        """Of contacts that stick, then of meshes, shape (slacks, times)."""
+        if self.holding:
+            slack = self.limits(times) - self.sides[:, None] * held[self.held_rows]
+        else:
+            slack = np.zeros((0, len(times)))
         cones = []
         for mesh, friction, less, more in self.cones:
             torque, taken = held[mesh], held[friction]
-            sign = 1.0 if torque >= 0 else -1.0
+            sign = np.where(torque >= 0, 1.0, -1.0)
             cones += [sign * (taken + less * torque), sign * (more * torque - taken)]
-        return np.concatenate([slack, cones])
+        return np.vstack([slack, *cones])
 
     def _directions(self, held: Floats) -> Floats:
         """Changes of the slacks along redundant directions."""
@@ -218,37 +219,50 @@ class Margins:
             return smallest
         return widest(slack, self._directions(held))
 
-    def split(self, time: float, held: Floats) -> tuple[Floats, bool]:
-        """Torques of what holds, those of least norm within the limits; whether it is a choice."""
+    def split(self, times: Floats, held: Floats) -> Floats:
+        """Torques of what holds, those of least norm within the limits, shape (held, times)."""
         if not self.shared:
-            return held, False
-        slack = self._slack(time, held)
-        change = least(slack, self._directions(held))
-        if change is None:
-            return held, True
-        return held + self.equations.structure.redundant @ change, True
+            return held
+        slack = self._slack(times, held)
+        made = held.copy()
+        for column in np.flatnonzero(slack.min(axis=0) < 0):
+            change = least(slack[:, column], self._directions(held[:, column]))
+            if change is not None:
+                made[:, column] += self.equations.structure.redundant @ change
+        return made
 
     def _of_springs(
-        self, time: float, state: Floats, rates: Floats, torques: Floats
-    ) -> list[float]:
+        self, times: Floats, states: Floats, rates: Floats, torques: Floats
+    ) -> list[Floats]:
         equations = self.equations
         first = equations.layout.springs
+        springs = equations.system.springs
         made = []
         for index in self.bending:
-            limit = programme_at(equations.system.springs[index].limit, time)
-            made.append(limit - abs(float(torques[first + index])))
-        if self.gripping:
-            slopes = equations.limit_slopes(time, rates, state)
+            limit = _programme_along(springs[index].limit, times)
+            made.append((limit - np.abs(torques[first + index]))[None, :])
         for index, sign in self.gripping:
-            spring = equations.system.springs[index]
-            rate = float(rates[first + index])
+            spring, rate = springs[index], rates[first + index]
             if spring.viscous:
-                trial = spring.stiffness * float(state[equations.twists][index])
-                trial += spring.viscous * rate
-                made.append(sign * trial - programme_at(spring.limit, time))
+                trial = spring.stiffness * states[equations.twists][index] + spring.viscous * rate
+                made.append((sign * trial - _programme_along(spring.limit, times))[None, :])
             else:
-                made.append(sign * (rate - float(slopes[index]) / spring.stiffness))
+                slopes = [
+                    equations.limit_slopes(time, rates[:, n], states[:, n])[index]
+                    for n, time in enumerate(times.tolist())
+                ]
+                made.append((sign * (rate - np.array(slopes) / spring.stiffness))[None, :])
         return made
 
 
-_NONE = np.zeros(0)
+def _limit(contact: Contact, _row: int, side: int, time: float) -> float:
+    if contact.one_way and side == 1:
+        return 0.0
+    return contact.static * capacity_at(contact, time)
+
+
+def _programme_along(programme: Programme, times: Floats) -> Floats:
+    curve = programme.curve
+    if isinstance(curve, Points) and len(set(curve.y)) == 1:
+        return np.full(len(times), programme_at(programme, 0.0))
+    return np.array([programme_at(programme, time) for time in times.tolist()])

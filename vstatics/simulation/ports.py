@@ -109,6 +109,8 @@ class Ports:
         """Port, place of the angle, slope. [N*m/rad]"""
         self.special: list[tuple[int, int, Torque]] = []
         """Port, place of the angle or -1, its torque."""
+        self.timed: list[tuple[int, Callable[[float], float]]] = []
+        """Port, and its torque by the time alone."""
         self.converters = system.converters
         self.senses_rate = np.zeros(layout.ports, dtype=bool)
         """Ports whose torque changes with their rate."""
@@ -129,7 +131,8 @@ class Ports:
                 self._programme(port, spring.limit, 1.0 if state == "+" else -1.0, time)
         for ports in (layout.pumps, layout.turbines):
             self.senses_rate[ports : ports + len(system.converters)] = True
-        self.is_linear = not self.special and not self.converters
+        self.is_affine = not self.special and not self.converters
+        """Whether all torques are straight in rates, twists and angles."""
 
     def torques(self, time: float, rates: Floats, twists: Floats, angles: Floats) -> Floats:
         """Of all ports [N*m]."""
@@ -139,6 +142,8 @@ class Ports:
             torques[layout.springs : layout.pumps] += self.elastic * twists
         for port, place, slope in self.by_angle:
             torques[port] += slope * angles[place]
+        for port, of_time in self.timed:
+            torques[port] = of_time(time)
         for port, place, function in self.special:
             angle = angles[place] if place >= 0 else 0.0
             torques[port] = function(time, float(rates[port]), angle)
@@ -149,12 +154,37 @@ class Ports:
             )
         return torques
 
+    def torques_at(self, times: Floats, rates: Floats, twists: Floats, angles: Floats) -> Floats:
+        """The same at several times; all shapes end with these."""
+        torques: Floats = (
+            self.c0[:, None] + self.c1[:, None] * times + self.by_rate[:, None] * rates
+        )
+        layout = self.layout
+        if len(twists):
+            torques[layout.springs : layout.pumps] += self.elastic[:, None] * twists
+        for port, place, slope in self.by_angle:
+            torques[port] += slope * angles[place]
+        for port, of_time in self.timed:
+            torques[port] = [of_time(time) for time in times.tolist()]
+        for port, place, function in self.special:
+            turned = angles[place].tolist() if place >= 0 else [0.0] * len(times)
+            at = zip(times.tolist(), rates[port].tolist(), turned, strict=True)
+            torques[port] = [function(*one) for one in at]
+        for index, converter in enumerate(self.converters):
+            pump, turbine = layout.pumps + index, layout.turbines + index
+            speeds = zip(rates[pump].tolist(), rates[turbine].tolist(), strict=True)
+            made = [converter_torques(converter, *one) for one in speeds]
+            torques[[pump, turbine]] = np.array(made).T
+        return torques
+
     def slopes(self, time: float, rates: Floats, angles: Floats, within: float) -> Floats:
         """Change of the torques with time alone, and of springs with their rates [N*m/s]."""
         slopes = self.c1.copy()
         layout = self.layout
         springs = slice(layout.springs, layout.pumps)
         slopes[springs] += self.elastic * rates[springs]
+        for port, of_time in self.timed:
+            slopes[port] = _slope(of_time, time, within)
         for port, place, function in self.special:
             angle = angles[place] if place >= 0 else 0.0
             rate = float(rates[port])
@@ -172,6 +202,9 @@ class Ports:
             if not law.drag_area:
                 self.special.pop()
                 self.c0[port] = -law.radius * law.mass * GRAVITY * law.slope
+        elif isinstance(law, Formula) and not law.variables & {"speed", "angle"}:
+            function = law.function
+            self.timed.append((port, lambda time: function(time, 0.0, 0.0)))
         elif isinstance(law, Formula):
             self.special.append((port, place, law.function))
             self.senses_rate[port] = "speed" in law.variables
@@ -211,11 +244,13 @@ class Ports:
             self.c1[port] = factor * slope
             return
         function = curve.function
+        self.timed.append((port, lambda at: factor * function(at, 0.0, 0.0)))
 
-        def torque(at: float, _rate: float, _angle: float) -> float:
-            return factor * function(at, 0.0, 0.0)
 
-        self.special.append((port, -1, torque))
+def _slope(of_time: Callable[[float], float], time: float, within: float) -> float:
+    """Change with time, looking forward only."""
+    now, middle, later = (of_time(time + part * within) for part in (0.0, 0.5, 1.0))
+    return (4 * middle - 3 * now - later) / within
 
 
 def _road(road: Road) -> Torque:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections import Counter
+from itertools import groupby
 from typing import NamedTuple
 
 import numpy as np
@@ -122,12 +123,7 @@ class Record:
         self, times: Floats, states: Floats, equations: Equations, margins: Margins
     ) -> Floats:
         """Note torques that are larger than before."""
-        torques = np.array(
-            [
-                self.device_torques(equations, margins, float(time), states[:, number])[0]
-                for number, time in enumerate(times)
-            ]
-        )
+        torques = self.device_torques(equations, margins, times, states).T
         top = np.abs(torques).argmax(axis=0)
         columns = np.arange(torques.shape[1])
         largest = torques[top, columns]
@@ -156,32 +152,31 @@ class Record:
                 self.reached[link, speed] = time, angle
 
     def device_torques(
-        self, equations: Equations, margins: Margins, time: float, state: Floats
-    ) -> tuple[Floats, Floats]:
-        """Torques of all devices, and rates of all ports."""
-        rates, _ = equations.rates(time, state)
-        ports = equations.torques(time, state, rates)
-        held = equations.multipliers(ports)
-        if margins.shared:
-            held, _ = margins.split(time, held)
-        made = np.zeros(len(self.devices))
+        self, equations: Equations, margins: Margins, times: Floats, states: Floats
+    ) -> Floats:
+        """Torques of all devices at several times, shape (devices, times)."""
+        rates = equations.rates_at(times, states)
+        ports = equations.torques_at(times, states, rates)
+        held = margins.split(times, equations.structure.torques @ ports)
+        made = np.zeros((len(self.devices), len(times)))
         system, layout = self.system, self.layout
-        place = {(one.kind, one.of): row for row, one in enumerate(equations.structure.multipliers)}
+        row_of = {
+            one.of: row
+            for row, one in enumerate(equations.structure.multipliers)
+            if one.kind == "contact"
+        }
         for index, contact in enumerate(system.contacts):
-            if contact.element is None and contact.while_open is None:
-                continue
-            device = contact.element if contact.element is not None else contact.while_open
-            row = place.get(("contact", index))
-            torque = ports[layout.contacts + index] if row is None else held[row]
-            assert device is not None  # noqa: S101 - for mypy
-            made[device] += torque
+            device = contact.while_open if contact.element is None else contact.element
+            if device is not None:
+                row = row_of.get(index)
+                made[device] += ports[layout.contacts + index] if row is None else held[row]
         for index, mesh in enumerate(system.meshes):
             made[mesh.device] = held[index]
         for index, spring in enumerate(system.springs):
             made[spring.device] = ports[layout.springs + index]
         count = len(self.devices) - len(system.converters)
         made[count:] = ports[layout.pumps : layout.pumps + len(system.converters)]
-        return made, rates
+        return made
 
     def motion(self, stopped: Problem | None) -> Motion:
         """All of it."""
@@ -191,24 +186,30 @@ class Record:
             [_slip_row(one.first, one.second, len(system.names)) for one in elements]
         ).reshape(len(elements), len(system.names))
         times, speeds, torques, heat = [], [], [], []
-        for time, equations, margins, state in self.kept:
-            times.append(time)
-            speeds.append(equations.speeds(time, state))
-            torques.append(self.device_torques(equations, margins, time, state)[0])
-            heat.append(self._heat(equations, state))
-        kept = _different(times, speeds, torques)
-        at_links = np.array(speeds)[kept]
+        for equations, group in groupby(self.kept, key=lambda one: one.equations):
+            same = list(group)
+            at = np.array([one.time for one in same])
+            states = np.array([one.state for one in same]).T
+            times.append(at)
+            speeds.append(equations.speeds_at(at, states).T)
+            torques.append(self.device_torques(equations, same[0].margins, at, states).T)
+            heat.append(self._heat(equations, states).T)
+        all_times, all_speeds, all_torques, all_heat = map(
+            np.concatenate, (times, speeds, torques, heat)
+        )
+        kept = _different(all_times, all_speeds, all_torques)
+        at_links = all_speeds[kept]
         messages = [*self.messages, *self._share_messages()]
         counted = Counter(messages)
         return Motion(
-            np.array(times)[kept],
+            all_times[kept],
             system.names,
             tuple(one.name for one in elements),
             self.devices,
             at_links,
             at_links @ rows.T,
-            np.array(torques)[kept],
-            np.array(heat)[kept],
+            all_torques[kept],
+            all_heat[kept],
             tuple(self.events),
             self._energy(),
             {
@@ -250,7 +251,7 @@ class Record:
     def _heat(self, equations: Equations, state: Floats) -> Floats:
         """Of shift elements [J]."""
         works = state[equations.works]
-        made = np.zeros(len(self.system.case.shift_elements))
+        made = np.zeros((len(self.system.case.shift_elements), state.shape[1]))
         for index, contact in enumerate(self.system.contacts):
             if contact.element is not None:
                 made[contact.element] += works[self.layout.contacts + index]
@@ -321,17 +322,15 @@ def _slip_row(first: int, second: int, links: int) -> Floats:
     return row
 
 
-def _different(times: list[float], speeds: list[Floats], torques: list[Floats]) -> list[int]:
+def _different(times: Floats, speeds: Floats, torques: Floats) -> Floats:
     """Which instants stand: an instant stands twice only where something jumps."""
-    kept: list[int] = []
-    for number, time in enumerate(times):
-        if kept and times[kept[-1]] == time:
-            last = kept[-1]
-            if np.allclose(speeds[last], speeds[number], rtol=1e-9, atol=1e-9) and np.allclose(
-                torques[last], torques[number], rtol=1e-9, atol=1e-9
-            ):
-                continue
-        kept.append(number)
+    kept = np.ones(len(times), dtype=bool)
+    for number in np.flatnonzero(np.diff(times) == 0) + 1:
+        same = all(
+            np.allclose(one[number - 1], one[number], rtol=1e-9, atol=1e-9)
+            for one in (speeds, torques)
+        )
+        kept[number] = not same
     return kept
 
 

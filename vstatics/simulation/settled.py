@@ -99,7 +99,7 @@ def settled_twists(system: MotionSystem, speeds: Floats) -> Floats:
     equations, state = selected.equations, selected.state
     rates, _ = equations.rates(0.0, state)
     held = equations.multipliers(equations.torques(0.0, state, rates))
-    held, _ = selected.margins.split(0.0, held)
+    held = selected.margins.split(np.zeros(1), held[:, None])[:, 0]
     twists = np.zeros(len(system.springs))
     first = len(system.contacts)
     for row, multiplier in enumerate(equations.structure.multipliers):
