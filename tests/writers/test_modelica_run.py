@@ -12,28 +12,32 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 
 from tests.commands import CASES
 from tests.summary.test_inertia import ACCELERATIONS
 from tests.writers.modelica_system import IDENTIFIER
-from vstatics import Transmission, load, loads
+from vstatics import Transmission, load, load_scenario, loads, simulate
 from vstatics.writers import modelica
 from vstatics.writers.modelica_names import identifier
 
 rumoca = pytest.importorskip("rumoca")
 
 LIBRARY = (Path(__file__).parent / "modelica" / "Modelica.mo").read_text(encoding="utf-8")
-SOURCE = "Modelica.Mechanics.Rotational.Sources.ConstantTorque"
+SOURCE = "Modelica.Mechanics.Rotational.Sources.Torque"
 
 
 def compiled(
     case: Transmission,
     controls: Mapping[str, object],
-    torques: Mapping[str, float],
+    torques: Mapping[str, object],
     start: Mapping[str, float] | None = None,
 ) -> Any:
-    """A case with controls of shift elements, 0 if not given, torques on links, first speeds."""
+    """A case with controls of shift elements, 0 if not given, torques on links, first speeds.
+
+    Controls and torques are numbers or expressions of Modelica.
+    """
     text = modelica.write(case)
     package = text.split()[1]
     known = {identifier(f"control_{name}"): control for name, control in controls.items()}
@@ -41,12 +45,10 @@ def compiled(
     assert set(known) <= set(inputs)
     run = [
         f"model Run\n  {package}.Gearbox box;",
-        *(
-            f"  {SOURCE} source{number}(tau_constant = {torque});"
-            for number, torque in enumerate(torques.values())
-        ),
+        *(f"  {SOURCE} source{number};" for number in range(len(torques))),
         "equation",
         *(f"  box.{name} = {known.get(name, 0)};" for name in inputs),
+        *(f"  source{number}.tau = {torque};" for number, torque in enumerate(torques.values())),
         *(
             f"  connect(source{number}.flange, box.{identifier(link)});"
             for number, link in enumerate(torques)
@@ -62,16 +64,16 @@ def compiled(
 def run(
     case: Transmission,
     controls: Mapping[str, object],
-    torques: Mapping[str, float],
+    torques: Mapping[str, object],
     *,
     duration: float = 1.0,
     start: Mapping[str, float] | None = None,
 ) -> dict[str, list[float]]:
-    """The last values, and those before, of every variable."""
+    """Every variable at 51 times, and some between; the times are `time`."""
     config = rumoca.SimConfig(rtol=1e-9, atol=1e-9)
     model = compiled(case, controls, torques, start)
     result = model.simulate((0.0, duration), dt=duration / 50, config=config)
-    return {name: list(result[name]) for name in result.names}
+    return {"time": list(result.time)} | {name: list(result[name]) for name in result.names}
 
 
 def last(found: Mapping[str, list[float]], name: str) -> float:
@@ -90,6 +92,34 @@ def test_the_box_of_seven_links_gains_speed_as_published(gear: str) -> None:
     controls = {BOX.shift_elements[n - 1].name: 9e3 for n in engaged}
     found = run(BOX, controls, {"in": 1500, "out": -1200})
     assert last(found, "J_in.w") == pytest.approx(ACCELERATIONS[gear], rel=2e-6)
+
+
+@pytest.mark.slow
+def test_two_shifts_of_the_box() -> None:
+    """The published speeds at 3 and 6 s, and our run of the same scenario at all times."""
+    controls = {
+        "FH": "if time < 2 then 3000 elseif time < 4 then 0 elseif time < 4.3 "
+        "then (time - 4)/0.3*3000 else 3000",
+        "FB": "if time < 1.9 then 0 elseif time < 2.2 then (time - 1.9)/0.3*3000 "
+        "elseif time < 4 then 3000 else 0",
+        "F1": "if time < 0.4 then time/0.4*9000 elseif time < 4.05 then 9000 else 0",
+        "F2": "if time < 3.9 then 0 elseif time < 4.3 then (time - 3.9)/0.4*6000 else 6000",
+    }
+    start = {"J_in.w": 60.0, "J_a0.w": 60.0, "J_out.w": 0.0}
+    torques = {"in": 1500, "out": "-1200*tanh(box.J_out.w/0.05)"}
+    found = run(BOX, controls, torques, duration=6, start=start)
+
+    def theirs(time: float) -> dict[str, float]:
+        instant = np.flatnonzero(np.isclose(found["time"], time))[-1]
+        return {link: found[f"box.J_{link}.w"][instant] for link in BOX.link_names}
+
+    for time, speeds in {3: (388.0379, 144.7903), 6: (513.4905, 255.4615)}.items():
+        assert (theirs(time)["in"], theirs(time)["out"]) == pytest.approx(speeds, abs=6e-5)
+    motion = simulate(load_scenario(CASES / "scenarios" / "tarasik-box.yaml"), step=6 / 50)
+    for place in range(51):
+        instant = np.flatnonzero(np.isclose(motion.time, place * 6 / 50))[-1]
+        ours = dict(zip(motion.links, motion.speeds[instant].tolist(), strict=True))
+        assert theirs(place * 6 / 50) == pytest.approx(ours, abs=1e-3)
 
 
 def test_a_brake_locks_a_set() -> None:

@@ -114,6 +114,12 @@ package Modelica "Stands in for the standard library: its names and equations, f
         end OneWayClutch;
       end Components;
       package Sources
+        model Torque
+          input Modelica.Blocks.Interfaces.RealInput tau;
+          Interfaces.Flange_b flange;
+        equation
+          flange.tau = -tau;
+        end Torque;
         model ConstantTorque
           parameter Real tau_constant;
           Interfaces.Flange_b flange;
