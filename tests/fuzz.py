@@ -25,7 +25,10 @@ import numpy as np
 from tests.commands import CASES, MZKT
 from vstatics import VstaticsError, load, solve
 from vstatics.readers import read
+from vstatics.readers.reading import Reading
 from vstatics.readers.results import read_results
+from vstatics.simulation.formula import Formula
+from vstatics.simulation.scenario_file import read_scenario
 from vstatics.summary.duty_file import read_duty
 from vstatics.sweep.expressions import read_expression
 from vstatics.sweep.expressions.columns import read_columns
@@ -55,6 +58,20 @@ PIECES = (
     ),
     *("ratio", "speeds[1]", "abs(", "max(", "and", "not", "<=", "1:2:3", "-3:-2:5", "1e9:0:1"),
 )
+SCENARIO = """\
+case: tarasik-box.yaml
+duration: 6 s
+start: {speeds: {in: 600 rpm, out: 3 km/h}, engaged: [FH], settled: true}
+controls: {FH: {points: [[0, 3 kN*m], [2, 0]], scale: .9}, F1: {dog: [[1, closed]]}, F2: "9000*t^2"}
+torques:
+  in: {over: speed, points: [[80 rad/s, 900], [200, 1100]]}
+  out: ["-1200*tanh(speed/0.05)", {resistance: 300}, {road: {mass: 12 t, radius: 1/2, slope: .03}}]
+converters: {TC: {links: [in, b0], points: [[0, 2.4, 3.1e-3], [.8, 1.0, 2.2e-3]]}}
+shifts: [{at: 2, to: "2", overlap: 300 ms}]
+targets: {out: [8.3, 50 km/h]}
+samples: {controls.FH.scale: {normal: [.7, .05], min: .5}}
+"""
+
 TOKEN = re.compile(r"[A-Za-z_]+|[-+.0-9eE]+|\s+|.", re.DOTALL)
 
 
@@ -75,6 +92,19 @@ def _case(form: Any) -> Callable[[bytes], object]:
         return case
 
     return reader
+
+
+def _scenario(data: bytes) -> object:
+    """Read a scenario of a shipped case, and the formulas in it."""
+    made = read_scenario(data, "shift.yaml").with_case(_box()).scenario
+    laws = [law for _, law in made.torques if isinstance(law, Formula)]
+    return [law.function(1.0, -2.0, 3.0) for law in laws]
+
+
+@cache
+def _box() -> Reading:
+    file = CASES / "tarasik-box.yaml"
+    return read(file.read_bytes(), file.name)
 
 
 @cache
@@ -118,6 +148,17 @@ def kinds() -> dict[str, Kind]:
         "duty": Kind(
             ("energy: {1: .2, 2: .3, 3: .5}\n", "time: {low: 1/3, R: 2/3}\n"),
             lambda data: read_duty(data, "duty.yaml"),
+        ),
+        "scenario": Kind(
+            (
+                SCENARIO,
+                *(one.read_text("utf-8") for one in sorted(CASES.glob("scenarios/tarasik-box*"))),
+            ),
+            _scenario,
+        ),
+        "formula": Kind(
+            ("-1200*tanh(speed/0.05)^3", "182*(1 - exp(-60*t)) + 1/(0 < angle <= 1 or not t)"),
+            lambda data: Formula(data.decode(errors="replace")).function(0.5, -3.0, 1e9),
         ),
         "sweep file": Kind(
             (
