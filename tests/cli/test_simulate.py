@@ -180,6 +180,7 @@ def test_wrong_use() -> None:
     assert vstatics("simulate", "lock.yaml", "-o", "box.yaml").status == 2
     assert vstatics("simulate", "lock.yaml", "--step", "0").status == 2
     assert vstatics("simulate", "lock.yaml", "--step", "nan").status == 2
+    assert vstatics("simulate", "lock.yaml", "--step", "1e-9").status == 2
     assert vstatics("simulate", "lock.yaml", "-o", "out.svg").status == 2
     assert vstatics("simulate", "-", "-").status == 2
     said = vstatics("simulate", "box.yaml")
@@ -196,6 +197,11 @@ def test_a_scenario_is_checked_with_its_case() -> None:
     said = vstatics("check", "lock.yaml", "--strict")
     assert said.status == 1
     assert said.err.startswith("lock.yaml:5:19: warning: torques.out, too: the case has an inertia")
+    text = SCENARIO.replace("in: 500 rpm, ", "")
+    Path("lock.yaml").write_text(text, encoding="utf-8")
+    said = vstatics("check", "lock.yaml")
+    assert (said.status, said.out) == (1, "")
+    assert said.err.startswith("lock.yaml:3:")
     Path("lock.yaml").write_text(SCENARIO.replace("120", "-1"), encoding="utf-8")
     [problem] = json.loads(vstatics("check", "lock.yaml", "-f", "json").out)
     assert (problem["line"], problem["severity"]) == (4, "error")

@@ -26,6 +26,8 @@ if TYPE_CHECKING:
     from vstatics.simulation.scenario_file import ScenarioFile
 
 Method = Literal["events", "tarasik"]
+MOST_STEPS = 1_000_000
+"""So many multiples of a step may be written."""
 FORMATS = ("text", "json", "jsonl", "csv", "npz", "parquet", "markdown", "latex", "xlsx")
 
 
@@ -100,6 +102,7 @@ def simulate(
     if to.form == "parquet":
         _needs("parquet", "Parquet")
     read = read_document(*files.read_input(scenario), input_format, case, to.output)
+    _check_step(step, read.scenario.duration)
     from vstatics.simulation.run import simulate as simulated
 
     try:
@@ -112,6 +115,18 @@ def simulate(
     show(scenario, to, read, motion)
     failed = motion.stopped is not None or telling.fails(problems)
     return FAILED if failed else DONE
+
+
+def _check_step(step: float | None, duration: float) -> None:
+    """Refuse more instants than anybody reads.
+
+    Raises
+    ------
+    BadParameter
+    """
+    if step is not None and duration / step > MOST_STEPS:
+        message = f"read {step:g} s of {duration:g} s, expected at least {duration / MOST_STEPS:g}"
+        raise click.BadParameter(message, param_hint="--step")
 
 
 def _needs(extra: str, purpose: str) -> None:
