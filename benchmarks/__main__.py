@@ -13,8 +13,8 @@ from pathlib import Path
 
 from common import compiled, machine
 
-NAMES = ("variants", "spread", "sizes", "decks", "long_sweeps", "torsion", "startup")
-WITHOUT_PEER = ("long_sweeps", "torsion", "startup")
+NAMES = ("variants", "spread", "sizes", "decks", "long_sweeps", "torsion", "simulation", "startup")
+WITHOUT_PEER = ("long_sweeps", "torsion", "simulation", "startup")
 PLACE = "<!-- bench: {} -->\n"
 END = "<!-- end of bench -->"
 

@@ -23,7 +23,7 @@ from vstatics import load, solve
 BENCHMARKS = Path(__file__).parent.parent / "benchmarks"
 COMPILER = shutil.which(os.environ.get("CC", "cc"))
 NAMES = sorted(path.stem for path in BENCHMARKS.glob("*.py"))
-SCRIPTS = [name for name in NAMES if name not in ("__main__", "common", "numeric")]
+SCRIPTS = [name for name in NAMES if name not in ("__main__", "common", "numeric", "smoothed")]
 SIMPLE = ["differential.yaml", "mzkt7922.dat", "simpson.yaml", "two-stage.yaml", "zf-8hp70.yaml"]
 """Cases that the peer can read: one input and one output, no speeds given."""
 

@@ -1,0 +1,330 @@
+"""Motions that have a solution on paper: each test derives its numbers where it stands."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from tests.simulation.boxes import capacity, held, points
+from tests.simulation.test_golden import closes, happened
+from vstatics.model.parts import Friction, OfLoad
+from vstatics.model.springs import Spring, between
+from vstatics.model.transmission import Gear, ShiftElement, Transmission
+from vstatics.simulation import simulate
+from vstatics.simulation.formula import Formula
+from vstatics.simulation.laws import Resistance, Road, TorqueLaw, constant
+from vstatics.simulation.motion import Motion
+from vstatics.simulation.scenario import Control, Converter, Scenario, Start
+
+EXACT = 1e-8
+
+
+def links(
+    *inertias: float, elements: tuple[ShiftElement, ...] = (), springs: tuple[Spring, ...] = ()
+) -> Transmission:
+    """Links with inertias (0: none), joined by elements and springs alone."""
+    return Transmission(
+        len(inertias),
+        elements,
+        [],
+        [Gear()],
+        springs=springs,
+        inertias={n: inertia for n, inertia in enumerate(inertias, 1) if inertia},
+    )
+
+
+def run(  # noqa: PLR0913 - what a scenario has
+    case: Transmission,
+    duration: float,
+    speeds: dict[int, float],
+    torques: tuple[tuple[int, TorqueLaw], ...] = (),
+    controls: dict[int, Control] | None = None,
+    *,
+    engaged: tuple[int, ...] = (),
+    converters: tuple[Converter, ...] = (),
+    targets: dict[int, tuple[float, ...]] | None = None,
+) -> Motion:
+    """A motion whose energy closes."""
+    scenario = Scenario(
+        case,
+        duration,
+        Start(speeds=speeds, engaged=engaged),
+        {} if controls is None else controls,
+        torques,
+        converters,
+        targets=targets or {},
+    )
+    motion = simulate(scenario)
+    assert motion.stopped is None
+    assert motion.time[-1] == duration
+    assert closes(motion)
+    return motion
+
+
+def test_coast_down_by_viscous_friction() -> None:
+    """J dw/dt = -c w."""
+    motion = run(links(2.0), 3.0, {1: 100.0}, ((1, Formula("-0.5*speed")),))
+    assert motion.speeds[-1, 0] == pytest.approx(100 * math.exp(-0.25 * 3), rel=EXACT)
+    assert not motion.events
+
+
+def test_coast_down_to_rest() -> None:
+    """J dw/dt = -c w - R: rests at t = J/c ln(1 + c w0/R), and stays."""
+    case = links(2.0)
+    laws: tuple[tuple[int, TorqueLaw], ...] = ((1, Formula("-0.5*speed")), (1, Resistance(30.0)))
+    motion = run(case, 8.0, {1: 100.0}, laws)
+    rest = 2 / 0.5 * math.log(1 + 0.5 * 100 / 30)
+    assert happened(motion) == [("1", "locks", pytest.approx(rest, abs=EXACT))]
+    assert motion.speeds[-1, 0] == 0
+    # what it turned: J (w0 - R/c ln(1 + c w0/R))/c
+    angle = 2 * (100 - 60 * math.log(1 + 50 / 30)) / 0.5
+    assert motion.energy.heat["1"] == pytest.approx(30 * angle, rel=EXACT)
+
+
+def test_road_to_rest() -> None:
+    """J dw/dt = -(a + b w^2): w = sqrt(a/b) tan(atan(w0 sqrt(b/a)) - sqrt(ab) t/J)."""
+    road = Road(1000.0, 0.3, rolling=0.015, drag_area=0.8)
+    a, b = 0.3 * 1000 * 9.81 * 0.015, 0.3 * 1.2 * 0.8 * 0.3**2 / 2
+    inertia, start, time = 1000 * 0.3**2, 100.0, 20.0
+    motion = run(links(inertia), time, {1: start}, ((1, road),))
+    phase = math.atan(start * math.sqrt(b / a)) - math.sqrt(a * b) * time / inertia
+    assert motion.speeds[-1, 0] == pytest.approx(math.sqrt(a / b) * math.tan(phase), rel=EXACT)
+    stop = math.atan(start * math.sqrt(b / a)) * inertia / math.sqrt(a * b)
+    motion = run(links(inertia), stop + 5, {1: start}, ((1, road),))
+    assert happened(motion) == [("1", "locks", pytest.approx(stop, rel=EXACT))]
+
+
+def test_speed_reached_on_a_road() -> None:
+    """Constant acceleration on a slope."""
+    road = Road(1000.0, 0.3, slope=0.05)
+    net = 500 - 0.3 * 1000 * 9.81 * 0.05
+    motion = run(links(90.0), 30.0, {1: 0.0}, ((1, constant(500)), (1, road)), targets={1: (50.0,)})
+    [reached] = motion.reached
+    time = 50 / (net / 90)
+    assert reached.time == pytest.approx(time, rel=EXACT)
+    assert reached.angle == pytest.approx(25 * time, rel=EXACT)
+    assert reached.distance == pytest.approx(0.3 * 25 * time, rel=EXACT)
+
+
+def shaft(damping: float = 0.0, limit: float | None = None) -> Transmission:
+    """Two inertias and a shaft."""
+    return links(0.4, 0.6, springs=(Spring(between(1, 2), 5000.0, damping=damping, limit=limit),))
+
+
+REDUCED = 0.4 * 0.6 / (0.4 + 0.6)
+OMEGA = math.sqrt(5000 / REDUCED)
+
+
+def test_step_on_a_shaft() -> None:
+    """The torque of the shaft is M J2/(J1 + J2) (1 - cos omega t)."""
+    motion = run(shaft(), 0.1, {1: 0.0, 2: 0.0}, ((1, constant(100)),))
+    level = 100 * 0.6
+    expected = level * (1 - np.cos(OMEGA * motion.time))
+    assert motion.torques[:, 0] == pytest.approx(expected, abs=EXACT * 120)
+    assert motion.peaks["S1"].torque == pytest.approx(2 * level, rel=1e-7)
+    turns = motion.peaks["S1"].time * OMEGA / math.pi
+    assert turns == pytest.approx(round(turns), abs=1e-3)
+    assert round(turns) % 2 == 1
+
+
+def test_step_on_a_damped_shaft() -> None:
+    """A damped oscillator: theta'' + 2 d theta' + omega^2 theta = M/J1."""
+    motion = run(shaft(8.0), 0.1, {1: 0.0, 2: 0.0}, ((1, constant(100)),))
+    decay = 8 / (2 * REDUCED)
+    own = math.sqrt(OMEGA**2 - decay**2)
+    rest = 100 / 0.4 / OMEGA**2
+    swing = np.exp(-decay * motion.time)
+    wave = own * motion.time
+    twist = rest * (1 - swing * (np.cos(wave) + decay / own * np.sin(wave)))
+    rate = rest * swing * OMEGA**2 / own * np.sin(wave)
+    assert motion.torques[:, 0] == pytest.approx(5000 * twist + 8 * rate, abs=EXACT * 120)
+    assert motion.speeds[:, 0] - motion.speeds[:, 1] == pytest.approx(rate, abs=EXACT)
+
+
+def test_shaft_that_saturates() -> None:
+    """It swings up to its limit, slips while the inertias differ in speed, swings back.
+
+    With v the difference of speeds where the limit is reached, the heat is J v^2/2.
+    """
+    limit, start = 100.0, 5.0
+    motion = run(shaft(limit=limit), 0.2, {1: start, 2: 0.0})
+    squared = start**2 - limit**2 / (5000 * REDUCED)
+    heat = sum(motion.energy.heat.values()) + sum(motion.energy.losses.values())
+    assert heat == pytest.approx(REDUCED * squared / 2, rel=EXACT)
+    reached = math.asin(limit / 5000 / (start / OMEGA)) / OMEGA
+    end = reached + math.sqrt(squared) / (limit / REDUCED)
+    swing = limit * np.cos(OMEGA * (motion.time - end))
+    late = motion.time > end
+    assert motion.torques[late, 0] == pytest.approx(swing[late], abs=EXACT * limit)
+    assert abs(motion.peaks["S1"].torque) == pytest.approx(limit, rel=EXACT)
+
+
+def test_clutch_on_a_link_without_inertia_is_a_limit_of_the_shaft() -> None:
+    """The disc between clutch and shaft takes the speed at which they balance."""
+    case = links(
+        *(0.4, 0.0, 0.6),
+        elements=(ShiftElement(1, 2, "C"),),
+        springs=(Spring(between(2, 3), 5000.0),),
+    )
+    motion = run(case, 0.2, {1: 5.0, 3: 0.0}, controls={1: held(100)}, engaged=(1,))
+    heat = REDUCED * (25 - 100**2 / (5000 * REDUCED)) / 2
+    assert motion.energy.heat["C"] == pytest.approx(heat, rel=EXACT)
+
+
+def test_converter_at_equilibrium() -> None:
+    """M_P = M_engine, K(i) = M_load/M_engine: here K = 2 - i, lambda = (2 - i)/1000."""
+    converter = Converter("TC", 1, 2, ((0.0, 2.0, 2e-3), (1.0, 1.0, 1e-3)))
+    loads = ((1, constant(100)), (2, constant(-150)))
+    motion = run(links(0.05, 0.05), 20.0, {1: 200.0, 2: 50.0}, loads, converters=(converter,))
+    pump = math.sqrt(100 / 1.5e-3)
+    assert motion.speeds[-1] == pytest.approx([pump, pump / 2], rel=1e-7)
+    assert motion.torques[-1, motion.devices.index("TC")] == pytest.approx(100, rel=1e-6)
+
+
+def test_body_pulled_by_a_spring() -> None:
+    """It sticks from F_k - (F_s - F_k) to F_s, and slips the rest of the circle around F_k."""
+    inertia, rate, kinetic, static, speed = 0.5, 200.0, 10.0, 1.3, 0.8
+    case = links(inertia, elements=(ShiftElement(1, 0, "C", static=static),))
+    pull = Formula(f"{rate}*({speed}*t - angle)")
+    motion = run(case, 5.0, {1: 0.0}, ((1, pull),), {1: held(kinetic)}, engaged=(1,))
+    own = math.sqrt(rate / inertia)
+    beyond = (static - 1) * kinetic / rate
+    slips = (math.pi + 2 * math.atan2(speed / own, beyond)) / own
+    sticks = 2 * beyond / speed
+    time, expected = static * kinetic / (rate * speed), []
+    while time < 5:
+        expected += [("C", "slips", time), ("C", "locks", time + slips)]
+        time += slips + sticks
+    expected = [one for one in expected if one[2] < 5]
+    assert len(expected) > 6
+    assert [one[:2] for one in happened(motion)] == [one[:2] for one in expected]
+    assert [one[2] for one in happened(motion)] == pytest.approx([e[2] for e in expected], abs=1e-7)
+
+
+def test_freewheel_is_overrun_and_holds() -> None:
+    """The output may turn faster than the engine, not slower."""
+    case = links(0.2, 0.5, elements=(ShiftElement(2, 1, "L", "freewheel"),))
+    drive = points((0, 5), (2, 5), (2, -8))
+    motion = run(case, 3.0, {1: 10.0, 2: 20.0}, ((1, drive), (2, constant(-2))))
+    meet = 10 / (5 / 0.2 + 2 / 0.5)
+    assert happened(motion) == [
+        ("L", "locks", pytest.approx(meet, abs=EXACT)),
+        ("L", "slips", pytest.approx(2, abs=1e-12)),
+    ]
+    together = 20 - 4 * meet + (2 - meet) * 3 / 0.7
+    assert motion.speeds[-1] == pytest.approx([together - 40, together - 4], rel=EXACT)
+    assert sum(motion.energy.heat.values()) == pytest.approx(0, abs=1e-12)
+
+
+def test_redundant_clutches_share_what_they_hold() -> None:
+    """Two between the same links hold the sum of their capacities."""
+    pair = (ShiftElement(1, 2, "A"), ShiftElement(1, 2, "B"))
+    case = links(1.0, 1.0, elements=pair)
+    ramp = points((0, 0), (2, 200))
+    controls: dict[int, Control] = {1: held(30), 2: held(50)}
+    motion = run(case, 1.0, {1: 5.0, 2: 5.0}, ((1, ramp),), controls, engaged=(1, 2))
+    assert not motion.events
+    assert motion.torques[-1, :2] == pytest.approx([25, 25])
+    motion = run(case, 1.4, {1: 5.0, 2: 5.0}, ((1, ramp),), controls, engaged=(1, 2))
+    assert not motion.events
+    assert motion.torques[-1, :2] == pytest.approx([30, 40])
+    assert motion.messages
+    motion = run(case, 2.0, {1: 5.0, 2: 5.0}, ((1, ramp),), controls, engaged=(1, 2))
+    assert {(name, what) for name, what, _ in happened(motion)} == {("A", "slips"), ("B", "slips")}
+    assert [time for _, _, time in happened(motion)] == pytest.approx([1.6, 1.6], abs=EXACT)
+    assert motion.torques[-1, :2] == pytest.approx([30, 50])
+
+
+def test_static_friction_is_larger() -> None:
+    """It holds up to 1.25 times its capacity, and slips with the capacity."""
+    case = links(1.0, 3.0, elements=(ShiftElement(1, 2, "C", static=1.25),))
+    ramp = points((0, 0), (10, 1000))
+    motion = run(case, 3.0, {1: 5.0, 2: 5.0}, ((1, ramp),), {1: held(120)}, engaged=(1,))
+    [(name, what, time)] = happened(motion)
+    assert (name, what, time) == ("C", "slips", pytest.approx(2.0, abs=EXACT))  # 3/4 T = 150
+    assert motion.torques[-1, 0] == pytest.approx(120)
+    peak = motion.peaks["C"]
+    assert peak == pytest.approx((150, 2.0), rel=EXACT)
+
+
+def test_resistance_holds() -> None:
+    """A load at rest moves when the torque exceeds it."""
+    ramp = points((0, -100), (2, 100))
+    motion = run(links(1.0), 2.0, {1: 0.0}, ((1, ramp), (1, Resistance(50.0))))
+    found = happened(motion)
+    # at first 50 N*m push it backward; they end at .5 s, it rests when the integral is 0
+    assert [one[:2] for one in found] == [("1", "locks"), ("1", "slips")]
+    assert found[1][2] == pytest.approx(1.5, abs=EXACT)
+    assert motion.speeds[-1, 0] == pytest.approx(50 * 0.5**2, rel=EXACT)
+
+
+def test_coefficient_of_friction_that_rises() -> None:
+    """J ds/dt = -G (mu0 + k s): locks at J/(G k) ln(1 + k s0/mu0)."""
+    friction = Friction(0.1, 60e-4, 8, ((0.0, 0.12), (200.0, 0.16)))
+    case = links(0.5, elements=(ShiftElement(1, 0, "B", friction=friction),))
+    motion = run(case, 10.0, {1: 100.0}, controls={1: held(1e4)})
+    gain, slope = 1e4 * 0.1 * 60e-4 * 8, 0.04 / 200
+    time = 0.5 / (gain * slope) * math.log(1 + slope * 100 / 0.12)
+    assert happened(motion) == [("B", "locks", pytest.approx(time, abs=EXACT))]
+    assert motion.energy.heat["B"] == pytest.approx(0.5 * 100**2 / 2, rel=EXACT)
+
+
+def test_ramp_of_a_capacity() -> None:
+    """J w0 = r t^2/2."""
+    case = links(0.5, elements=(ShiftElement(1, 0, "B"),))
+    motion = run(case, 1.0, {1: 100.0}, controls={1: capacity((0, 0), (1, 400))})
+    assert happened(motion) == [("B", "locks", pytest.approx(0.5, abs=EXACT))]
+
+
+def test_capacity_by_a_formula() -> None:
+    """J w0 = M (t - (1 - exp(-K t))/K)."""
+    from vstatics.simulation.scenario import Capacity
+
+    case = links(0.5, elements=(ShiftElement(1, 0, "B"),))
+    control = Capacity(Formula("182*(1 - exp(-60*t))"))
+    motion = run(case, 1.0, {1: 100.0}, controls={1: control})
+    [(_, what, time)] = happened(motion)
+    assert what == "locks"
+    assert 182 * (time - (1 - math.exp(-60 * time)) / 60) == pytest.approx(50, rel=1e-7)
+
+
+def test_open_clutch_drags() -> None:
+    """Dry friction while its capacity is 0."""
+    drag = OfLoad(10.0, 100.0)
+    case = links(0.5, elements=(ShiftElement(1, 0, "B", drag=drag),))
+    motion = run(case, 6.0, {1: 100.0})
+    assert motion.speeds[-1, 0] == pytest.approx(0, abs=1e-12)
+    assert np.interp(2.5, motion.time, motion.speeds[:, 0]) == pytest.approx(50, rel=1e-6)
+    assert sum(motion.energy.losses.values()) == pytest.approx(0.5 * 100**2 / 2, rel=EXACT)
+
+
+def test_passing_zero_slip_without_holding() -> None:
+    """One event, and the torque turns."""
+    case = links(1.0, elements=(ShiftElement(1, 0, "B"),))
+    motion = run(case, 2.0, {1: 10.0}, ((1, constant(-20)),), {1: held(5)})
+    assert happened(motion) == [("B", "reverses", pytest.approx(0.4, abs=EXACT))]
+    assert motion.speeds[-1, 0] == pytest.approx(-15 * 1.6, rel=EXACT)
+
+
+def test_two_lock_at_one_instant() -> None:
+    """Two brakes on links that are alike."""
+    pair = (ShiftElement(1, 0, "A"), ShiftElement(2, 0, "B"))
+    motion = run(
+        links(1.0, 1.0, elements=pair), 3.0, {1: 10.0, 2: 10.0}, controls={1: held(5), 2: held(5)}
+    )
+    assert [one[1] for one in happened(motion)] == ["locks", "locks"]
+    assert [one[2] for one in happened(motion)] == pytest.approx([2, 2], abs=EXACT)
+
+
+def test_capacity_that_returns() -> None:
+    """A brake is let go and gripped again at once: no event where nothing moves."""
+    case = links(1.0, elements=(ShiftElement(1, 0, "B"),))
+    control = capacity((0, 50), (1, 50), (1, 0), (1.5, 0), (1.5, 50))
+    motion = run(case, 3.0, {1: 0.0}, ((1, constant(10)),), {1: control}, engaged=(1,))
+    # free from 1 to 1.5 s: 5 rad/s, then -40 rad/s^2
+    assert happened(motion) == [
+        ("B", "slips", pytest.approx(1, abs=1e-12)),
+        ("B", "locks", pytest.approx(1.625, abs=EXACT)),
+    ]

@@ -1,0 +1,78 @@
+"""Random boxes in motion: what holds for all of them, and an integrator without events."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from tests.simulation.boxes import run_of_box
+from tests.simulation.reference import element_column, mechanism_column, smoothed, start_speeds
+from tests.simulation.runs import random_run, renumbered
+from tests.simulation.test_golden import closes, happened
+from tests.trains import seeded
+from vstatics.simulation import simulate
+
+SEEDS = st.integers(0, 10**6)
+
+
+@pytest.mark.slow
+@settings(max_examples=60, deadline=None)
+@given(SEEDS, st.booleans(), st.booleans())
+def test_laws_of_motion(seed: int, losses: bool, dogs: bool) -> None:
+    """Energy closes, nothing chatters, mechanisms and slips agree with the speeds."""
+    scenario = random_run(seeded(seed), losses=losses, dogs=dogs)
+    case, motion = scenario.case, simulate(scenario)
+    assert motion.stopped is None
+    assert closes(motion)
+    assert len(motion.events) < 100
+    largest = max(1.0, float(np.abs(motion.speeds).max()))
+    for mechanism in case.mechanisms:
+        row = mechanism_column(mechanism, case.links)
+        size = np.abs(row).max()
+        assert np.abs(motion.speeds @ row).max() <= 1e-9 * size * largest
+    slips = np.array([element_column(one, case.links) for one in case.shift_elements])
+    assert motion.slips == pytest.approx(motion.speeds @ slips.T, abs=1e-9 * largest)
+    assert (np.diff(motion.time) >= 0).all()
+    assert (np.diff(motion.heat, axis=0) >= -1e-9 * max(1.0, float(motion.heat.max()))).all()
+
+
+@pytest.mark.slow
+@settings(max_examples=15, deadline=None)
+@given(SEEDS)
+def test_smoothed_friction_tends_to_the_events(seed: int) -> None:
+    """Each step of the smoothing to a tenth brings it nearer, until rounding is left."""
+    scenario = random_run(seeded(seed))
+    motion = simulate(scenario)
+    start = motion.speeds[0]
+    size = max(1.0, float(np.abs(start).max()))
+    apart = []
+    for smoothing in (1e-2, 1e-3, 1e-4):
+        other = smoothed(scenario, start, smoothing, rtol=1e-8)
+        apart.append(float(np.abs(other.speeds[-1] - motion.speeds[-1]).max()) / size)
+    assert apart[-1] < 2e-5
+    assert apart[-1] < 0.5 * apart[0] or apart[0] < 1e-6
+
+
+def test_smoothed_friction_tends_to_the_run_of_the_box() -> None:
+    scenario = run_of_box()
+    motion = simulate(scenario)
+    start = start_speeds(scenario.case, {1: 60.0, 7: 0.0}, [1])
+    other = smoothed(scenario, start, 1e-4)
+    assert motion.speeds[-1] == pytest.approx(other.speeds[-1], rel=1e-6, abs=1e-4)
+    assert [*motion.energy.heat.values()] == pytest.approx(other.heat[-1], rel=3e-5, abs=0.1)
+
+
+@pytest.mark.slow
+@settings(max_examples=20, deadline=None)
+@given(SEEDS)
+def test_renumbering_changes_nothing(seed: int) -> None:
+    scenario = random_run(seeded(seed))
+    order = [*range(1, scenario.case.links + 1)]
+    seeded(seed + 1).shuffle(order)
+    one, other = simulate(scenario), simulate(renumbered(scenario, order))
+    assert sorted(e[:2] for e in happened(one)) == sorted(e[:2] for e in happened(other))
+    moved = other.speeds[-1][np.array(order) - 1]
+    size = max(1.0, float(np.abs(one.speeds).max()))
+    assert one.speeds[-1] == pytest.approx(moved, abs=1e-6 * size)
