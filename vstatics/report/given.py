@@ -87,8 +87,8 @@ def _shift_elements(case: Transmission) -> Grid:
     capacity = any(one.capacity is not None for one in elements)
     columns += [Column("drag, by the input torque")] * drag
     columns += [Column("capacity, by the input torque")] * capacity
-    elastic = elastic_columns(elements)
-    columns += elastic
+    further = {**_friction(elements), **elastic_columns(elements)}
+    columns += further
     rows = [
         [
             Cell(one.name),
@@ -96,11 +96,23 @@ def _shift_elements(case: Transmission) -> Grid:
             *(Cell(case.link_name(link)) for link in (one.first, one.second)),
             *[exact(one.drag, 4)] * drag,
             *[exact(one.capacity)] * capacity,
-            *(cells[place] for cells in elastic.values()),
+            *(cells[place] for cells in further.values()),
         ]
         for place, one in enumerate(elements)
     ]
     return Grid("Shift elements", columns, rows)
+
+
+def _friction(elements: Sequence[ShiftElement]) -> dict[Column, list[Cell]]:
+    """How they slip, where any of them tells it."""
+    found = {}
+    if any(one.static != 1 for one in elements):
+        found[Column("static by kinetic torque")] = [exact(one.static) for one in elements]
+    packs = [one.friction for one in elements]
+    if any(packs):
+        said = [_said(one._asdict()) if one else "" for one in packs]
+        found[text("friction pack, SI")] = list(map(Cell, said))
+    return found
 
 
 def _kind(element: ShiftElement) -> str:

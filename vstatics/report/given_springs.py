@@ -37,6 +37,9 @@ def torsion_grids(case: Transmission) -> Iterator[Grid]:
         columns = [text("spring"), text("twist")]
         columns += [Column("stiffness, N*m/rad"), Column("compliance, rad/(N*m)")]
         more = damping_columns(case.springs)
+        limits = [one.limit for one in case.springs]
+        if any(limits):
+            more[Column("limit, N*m")] = list(map(_number, limits))
         made: list[list[Cell]] = [
             [Cell(one.name), Cell(twist_text(case, one)), _number(one.rate), _number(1 / one.rate)]
             for one in case.springs
