@@ -112,7 +112,7 @@ class ModeSelection:
             Of a link without inertia whose speed nothing determines.
         """
         base, choices = self.choices(at, before, scales, met)
-        fault: CaseError | None = None
+        fault: CaseError | np.linalg.LinAlgError | None = None
         for tried, states in enumerate(_ordered(base, choices, before)):
             if tried >= _MOST_TRIED:
                 break
@@ -120,8 +120,8 @@ class ModeSelection:
                 continue
             try:
                 found = self._admissible(states, at, scales)
-            except CaseError as error:
-                fault = fault or error
+            except (CaseError, np.linalg.LinAlgError) as error:
+                fault = fault or error  # another choice may do
                 continue
             if found is not None and found.equations.states not in left:
                 return found
