@@ -77,11 +77,14 @@ class EventRun:
             at = instant_of(selected.equations, found.time, found.state)
             if found.time >= self.duration:
                 return
-            before, left, met = states, [], []
-            if found.watches:
+            before, met = states, []
+            if not found.watches:
+                left = []
+            else:
                 self._count(found)
                 before = turned(states, found.watches)
-                left = [states]
+                # nothing is taken up again at the instant at which it has ended
+                left = [*left, states] if self.at_once else [states]
                 met = [watch.of for watch in found.watches if watch.kind == "slip"]
             self.scales = self.scales._replace(
                 speed=max(self.scales.speed, float(np.abs(at.speeds).max()))
