@@ -47,6 +47,21 @@ def test_what_it_has() -> None:
 
 
 @pytest.mark.parametrize(
+    ("text", "times"),
+    [
+        ("min(t/0.3, 1)*9000", (0.3,)),
+        ("100*(1 < t <= 2) + sign(3 - t)", (1.0, 2.0, 3.0)),
+        ("max(-t*4 + 8, t - 2, 1)", (1.75, 2.0, 3.0)),
+        ("abs(2*pi*t - 4*pi)", (2.0,)),
+        ("min(t^2, 4) + min(speed, t) + min(1, 2) + abs(t - t)", ()),
+        ("t < 1e308*10", ()),
+    ],
+)
+def test_where_it_bends_or_jumps(text: str, times: tuple[float, ...]) -> None:
+    assert Formula(text).breaks == pytest.approx(times)
+
+
+@pytest.mark.parametrize(
     ("text", "column", "message"),
     [
         ("2*tt", 3, "read `tt`, expected a formula of t, speed and angle"),

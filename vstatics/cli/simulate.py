@@ -172,8 +172,7 @@ def _problems(read: ScenarioFile, motion: Motion) -> Iterator[Problem]:
         text = f"gear {message.gear}: {message.text}" if message.gear else message.text
         yield Problem(text, (), file, message.severity)
     if motion.stopped is not None:
-        stopped = motion.stopped
-        yield read.locate(stopped) if stopped.path else stopped._replace(place=file)
+        yield read.locate(motion.stopped)
 
 
 def show(scenario: str, to: Destination, read: ScenarioFile, motion: Motion) -> None:

@@ -9,6 +9,7 @@ import numpy as np
 
 from vstatics.errors import CaseError, Problem
 from vstatics.simulation.equations import Equations
+from vstatics.simulation.formula import Formula
 from vstatics.simulation.impacts import impact
 from vstatics.simulation.laws import Points
 from vstatics.simulation.location import Finder, MarginEnd, NoCapacity
@@ -251,6 +252,8 @@ def _breaks(system: MotionSystem) -> list[float]:
     for one in system.outside:
         if isinstance(one.law, Points) and one.law.over == "time":
             times.update(one.law.x)
+        elif isinstance(one.law, Formula):
+            times.update(one.law.breaks)
     return sorted(time for time in times if 0 < time < system.scenario.duration)
 
 

@@ -6,6 +6,7 @@ functions of a number. A text becomes a tree, and the tree a function (`formula_
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Collection, Iterator
 from functools import lru_cache
 from typing import NamedTuple
@@ -14,6 +15,7 @@ from vstatics.errors import nearest, quoted, spoken
 from vstatics.readers.expressions.excerpt import Excerpt
 from vstatics.readers.expressions.grammar import Applied, Language, Tree, parse
 from vstatics.readers.expressions.operands import DottedName, TableName
+from vstatics.simulation.formula_breaks import breaks
 from vstatics.simulation.formula_code import FUNCTIONS, PI, VARIABLES, compiled
 
 
@@ -52,6 +54,17 @@ class Formula(NamedTuple):
             If the text is no formula.
         """
         return _function(self.text)
+
+    @property
+    def breaks(self) -> tuple[float, ...]:
+        """Times at which it bends or jumps, as far as it compares straight lines in time [s].
+
+        Raises
+        ------
+        ReadError
+            If the text is no formula.
+        """
+        return _breaks(self.text)
 
 
 def read_formula(source: Excerpt, names: Collection[str] = VARIABLES) -> Formula:
@@ -134,6 +147,11 @@ def _known(text: str) -> Tree:
 def _variables(text: str) -> frozenset[str]:
     names = {part.name for part in _parts(_known(text)) if isinstance(part, TableName)}
     return frozenset(names - {PI})
+
+
+@lru_cache(maxsize=256)
+def _breaks(text: str) -> tuple[float, ...]:
+    return breaks(_known(text), {PI: math.pi})
 
 
 @lru_cache(maxsize=256)

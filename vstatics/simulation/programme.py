@@ -27,7 +27,7 @@ class Programme(NamedTuple):
 
     def breaks(self) -> tuple[float, ...]:
         """Times at which it may bend or jump [s]."""
-        return self.curve.x if isinstance(self.curve, Points) else ()
+        return self.curve.x if isinstance(self.curve, Points) else self.curve.breaks
 
 
 OPEN = Programme(constant(0.0))

@@ -216,8 +216,15 @@ def located(problem: Problem, spots: Spots, reading: Reading) -> Problem:
     """A problem at its place: in the scenario, or, where its path begins with `case`, there."""
     if problem.place is not None:
         return problem
-    if problem.path[:1] == ("case",):
-        return reading.locate(problem._replace(path=problem.path[1:]))
+    whole = spots.place(())._replace(line=0, column=0, text="")
+    if not problem.path:
+        return problem._replace(place=whole)
+    if problem.path[0] == "case":
+        of_case = reading.locate(problem._replace(path=problem.path[1:]))
+        if of_case.place is not None:
+            return of_case
+        place = spots.place(("case",)) if spots.has(("case",)) else whole
+        return of_case._replace(place=place)
     path = _own_path(problem.path, reading.case, spots)
     return spots.locate(problem._replace(path=path))._replace(path=problem.path)
 
