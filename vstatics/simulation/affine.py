@@ -11,7 +11,7 @@ from typing import NamedTuple, Protocol
 import numpy as np
 
 from vstatics.numerics.arrays import Booleans, Floats
-from vstatics.simulation.ports import PortLayout, Ports
+from vstatics.simulation.ports import PortLayout, Ports, curve_along, slope_of
 from vstatics.simulation.structure import MotionStructure
 
 
@@ -135,13 +135,11 @@ class Affine:
         ports, within = self.equations.ports, self.equations.within
         given: Floats = ports.c0[:, None] + ports.c1[:, None] * times
         slopes = np.repeat(ports.c1[:, None], len(times), axis=1)
-        for port, of_time in ports.timed:
-            given[port] = [of_time(time) for time in times.tolist()]
-            if not self.senses_slopes:
-                continue
-            for number, time in enumerate(times.tolist()):
-                now, middle, later = (of_time(time + part * within) for part in (0.0, 0.5, 1.0))
-                slopes[port, number] = (4 * middle - 3 * now - later) / within
+        for port, formula, factor in ports.timed:
+            given[port] = factor * curve_along(formula, times)
+            if self.senses_slopes:
+                made = [slope_of(formula, time, within) for time in times.tolist()]
+                slopes[port] = factor * np.array(made)
         return given, slopes
 
     @property

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
 from vstatics.errors import CaseError, Problem
+from vstatics.numerics.arrays import Floats
 from vstatics.simulation.equations import Equations
 from vstatics.simulation.formula import Formula
 from vstatics.simulation.impacts import impact
@@ -15,7 +16,7 @@ from vstatics.simulation.laws import Points
 from vstatics.simulation.location import Finder, MarginEnd, NoCapacity
 from vstatics.simulation.margins import LargeSizes, Watch
 from vstatics.simulation.motion import Event, EventKind
-from vstatics.simulation.pieces import StepTolerances, TooSmall, steps
+from vstatics.simulation.pieces import StepTolerances, TimeStep, TooSmall, steps
 from vstatics.simulation.ports import PortLayout, States, capacity_at, programme_at
 from vstatics.simulation.record import Record
 from vstatics.simulation.selection import (
@@ -26,6 +27,7 @@ from vstatics.simulation.selection import (
     instant_of,
     turned,
 )
+from vstatics.simulation.stretches import Closed, NoFit, is_closed
 from vstatics.simulation.system import MotionSystem
 
 _MOST_AT_ONCE = 60
@@ -138,9 +140,9 @@ class EventRun:
             return MarginEnd(end, selected.state, ()), length
         tolerances = self._tolerances(equations)
         self.record.begin(equations, margins, selected.state)
-        finder = Finder(equations, margins, tolerances, self.scales, self.record.sample)
+        finder = Finder(equations, margins, self.scales, self.record.sample)
         try:
-            for step in steps(equations, selected.state, end, tolerances, length):
+            for step in _steps(equations, selected.state, end, tolerances, length):
                 found = finder.event_in(step)
                 if found is not None:
                     self.record.step(step, found.time, found.state)
@@ -226,6 +228,27 @@ class EventRun:
         if watch.kind in ("limit", "grip"):
             return self._name_of("spring", watch.of)
         return f"the torque on {self.system.names[self.system.outside[watch.of].link]}"
+
+
+def _steps(
+    equations: Equations,
+    state: Floats,
+    end: float,
+    tolerances: StepTolerances,
+    length: float | None,
+) -> Iterator[TimeStep]:
+    """Steps up to a time: in closed form where there is one."""
+    time = equations.time
+    if is_closed(equations):
+        try:
+            for step in Closed(equations).stretches(state, end):
+                yield step
+                time, state = step.end, step.last
+        except NoFit:
+            length = None
+        else:
+            return
+    yield from steps(equations, (time, state), end, tolerances, length)
 
 
 def _change(before: str, after: str) -> EventKind | None:

@@ -155,6 +155,34 @@ class Equations:
             rates += self.structure.light_rates @ self.affine.light_at(times, states)
         return rates
 
+    def powers_at(self, times: Floats, states: Floats) -> Floats:
+        """Changes of the works and losses of a state at several times, of straight equations."""
+        structure = self.structure
+        rates = self.rates_at(times, states)
+        torques = self.torques_at(times, states, rates)
+        made = np.zeros((self.size - self.works.start, len(times)))
+        made[: self.layout.ports] = torques * rates
+        if self.springs:
+            sprung, twisting = torques[self.spring_ports], rates[self.spring_ports]
+            growing = twisting.copy()
+            creeps, limited = self.creeps, self.limited
+            elastic = self.ports.stiffness[creeps, None] * states[self.twists][creeps]
+            growing[creeps] = (sprung[creeps] - elastic) / self.viscous[creeps, None]
+            if limited.any():
+                slopes = self.affine.given_at(times)[1][self.spring_ports][limited]
+                growing[limited] = slopes / self.ports.stiffness[limited, None]
+            first = self.layout.ports
+            made[first : first + self.springs] = self.viscous[:, None] * growing**2
+            made[first + self.springs : first + 2 * self.springs] = sprung * (twisting - growing)
+        if structure.loses:
+            lost = structure.mesh_rates @ states[: self.motions]
+            if self.light:
+                lost += structure.mesh_light_rates @ self.affine.light_at(times, states)
+            made[self.meshed.start - self.works.start :] = (structure.torques @ torques)[
+                : len(lost)
+            ] * lost
+        return made
+
     def torques_at(self, times: Floats, states: Floats, rates: Floats) -> Floats:
         """Torques of ports at several times, shape (ports, times) [N*m]."""
         return self.ports.torques_at(times, rates, states[self.twists], states[self.angles])

@@ -11,12 +11,10 @@ from vstatics.numerics.arrays import Floats
 from vstatics.simulation.equations import Equations
 from vstatics.simulation.formula import Formula
 from vstatics.simulation.margins import LargeSizes, Margins, Watch
-from vstatics.simulation.pieces import StepTolerances, TimeStep, exactly
+from vstatics.simulation.pieces import TimeStep
 from vstatics.simulation.ports import programme_at
 from vstatics.simulation.system import Contact
 
-_SAMPLES = 8
-"""Instants of a step at which margins are looked at."""
 _NOISE = 1e-10
 """A margin is below 0 by more than this part of what is large."""
 
@@ -47,7 +45,6 @@ class Finder:
     ----------
     equations, margins
         Of the piece.
-    tolerances : StepTolerances
     scales : LargeSizes
     sample : callable
         Is told of all instants that are looked at before an event.
@@ -57,11 +54,10 @@ class Finder:
         self,
         equations: Equations,
         margins: Margins,
-        tolerances: StepTolerances,
         scales: LargeSizes,
         sample: Sample,
     ) -> None:
-        self.equations, self.margins, self.tolerances = equations, margins, tolerances
+        self.equations, self.margins = equations, margins
         self.sample = sample
         self.noise = _NOISE * margins.units(scales)
         self.by_formula = [
@@ -73,9 +69,7 @@ class Finder:
     def event_in(self, step: TimeStep) -> MarginEnd | None:
         """The first event in a step."""
         self._check_capacities(step)
-        times = np.linspace(step.start, step.end, _SAMPLES + 1)[1:]
-        states = step.between(times)
-        states[:, -1] = step.last
+        times, states = step.times, step.states
         if not self.margins.watches:
             self._tell(step, times, states)
             return None
@@ -118,7 +112,7 @@ class Finder:
             place = self._root(step, index, above[0], under[0]) if begins else above[0]
             places.append((place, index))
         time, index = min(places)
-        state = exactly(self.equations, step, time, self.tolerances)
+        state = step.exact(time)
         if time > step.start:
             time, state = self._refined(step, time, state, index)
         close = 1e-11 * self.equations.system.scenario.duration
@@ -153,5 +147,5 @@ class Finder:
                 break
             if not step.start < better <= step.end or abs(better - time) > 0.1 * length:
                 break
-            time, state = better, exactly(self.equations, step, better, self.tolerances)
+            time, state = better, step.exact(better)
         return time, state

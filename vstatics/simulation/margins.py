@@ -10,8 +10,12 @@ import numpy as np
 from vstatics.numerics.arrays import Floats
 from vstatics.simulation.equations import Equations
 from vstatics.simulation.laws import Points
-from vstatics.simulation.ports import capacity_at, programme_at
-from vstatics.simulation.programme import Programme
+from vstatics.simulation.ports import (
+    capacity_at,
+    friction_at,
+    programme_along,
+    programme_at,
+)
 from vstatics.simulation.split import least, widest
 from vstatics.simulation.system import Contact
 
@@ -19,6 +23,10 @@ Watched = Literal["slip", "hold", "split", "mesh", "flow", "cone", "limit", "gri
 """A slip that may end; what sticks may slip, alone or together; a mesh may stand still, its flow
 turn, or it may begin to move; a spring may reach its limit, or grip again; points over a speed may
 have a corner; a capacity may lie above that of the case, or below 0."""
+
+
+_ROUNDING = 1e-10
+"""A limit is passed by more than this part of the largest torque."""
 
 
 class Watch(NamedTuple):
@@ -154,7 +162,7 @@ class Margins:
         if self.groups is not None:
             made: Floats = self.groups[:, :1] + self.groups[:, 1:] * times
             return made
-        return np.array([[_limit(*one, time) for time in times.tolist()] for one in self.holding])
+        return np.array([_limits(contact, side, times) for contact, _, side in self.holding])
 
     def units(self, scales: LargeSizes) -> Floats:
         """What is large beside each margin."""
@@ -215,8 +223,8 @@ class Margins:
 
     def _together(self, slack: Floats, held: Floats) -> float:
         smallest = float(slack.min())
-        if smallest >= 0:
-            return smallest
+        if smallest >= -_ROUNDING * float(np.abs(held).max(initial=0.0)):
+            return max(smallest, 0.0)
         return widest(slack, self._directions(held))
 
     def split(self, times: Floats, held: Floats) -> Floats:
@@ -225,7 +233,8 @@ class Margins:
             return held
         slack = self._slack(times, held)
         made = held.copy()
-        for column in np.flatnonzero(slack.min(axis=0) < 0):
+        rounding = _ROUNDING * np.abs(held).max(axis=0)
+        for column in np.flatnonzero(slack.min(axis=0) < -rounding):
             change = least(slack[:, column], self._directions(held[:, column]))
             if change is not None:
                 made[:, column] += self.equations.structure.redundant @ change
@@ -239,13 +248,13 @@ class Margins:
         springs = equations.system.springs
         made = []
         for index in self.bending:
-            limit = _programme_along(springs[index].limit, times)
+            limit = programme_along(springs[index].limit, times)
             made.append((limit - np.abs(torques[first + index]))[None, :])
         for index, sign in self.gripping:
             spring, rate = springs[index], rates[first + index]
             if spring.viscous:
                 trial = spring.stiffness * states[equations.twists][index] + spring.viscous * rate
-                made.append((sign * trial - _programme_along(spring.limit, times))[None, :])
+                made.append((sign * trial - programme_along(spring.limit, times))[None, :])
             else:
                 slopes = [
                     equations.limit_slopes(time, rates[:, n], states[:, n])[index]
@@ -255,14 +264,8 @@ class Margins:
         return made
 
 
-def _limit(contact: Contact, _row: int, side: int, time: float) -> float:
+def _limits(contact: Contact, side: int, times: Floats) -> Floats:
     if contact.one_way and side == 1:
-        return 0.0
-    return contact.static * capacity_at(contact, time)
-
-
-def _programme_along(programme: Programme, times: Floats) -> Floats:
-    curve = programme.curve
-    if isinstance(curve, Points) and len(set(curve.y)) == 1:
-        return np.full(len(times), programme_at(programme, 0.0))
-    return np.array([programme_at(programme, time) for time in times.tolist()])
+        return np.zeros(len(times))
+    mu = 1.0 if contact.friction is None else friction_at(contact, 0.0)
+    return contact.static * mu * programme_along(contact.programme, times)

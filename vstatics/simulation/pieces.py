@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.numerics.arrays import Floats
+from vstatics.numerics.arrays import Booleans, Floats
 from vstatics.simulation.equations import Equations
 
+_SAMPLES = 8
+"""Instants of a step that are looked at."""
 Between = Callable[[Floats], Floats]
 """Times within a step, shape (n,) -> states, shape (size, n)."""
 
@@ -32,6 +35,14 @@ class TimeStep(NamedTuple):
     last: Floats
     """State at the end."""
     between: Between
+    exact: Callable[[float], Floats]
+    """The state at a time, as accurate as at the end."""
+    times: Floats
+    """Instants of it that are looked at, the last is its end. [s]"""
+    states: Floats
+    """There, shape (size, instants)."""
+    marks: Booleans
+    """Which of them are points of integration."""
 
 
 class TooSmall(Exception):  # noqa: N818 - it never leaves the room
@@ -39,7 +50,11 @@ class TooSmall(Exception):  # noqa: N818 - it never leaves the room
 
 
 def steps(
-    equations: Equations, state: Floats, end: float, tolerances: StepTolerances, first: float | None
+    equations: Equations,
+    begin: tuple[float, Floats],
+    end: float,
+    tolerances: StepTolerances,
+    first: float | None,
 ) -> Iterator[TimeStep]:
     """Steps up to a time.
 
@@ -49,7 +64,7 @@ def steps(
     """
     from scipy.integrate import DOP853
 
-    time = equations.time
+    time, state = begin
     if first is not None:
         first = min(first, end - time)
     solver = DOP853(
@@ -66,25 +81,30 @@ def steps(
         solver.step()
         if str(solver.status) == "failed" or not np.isfinite(solver.y).all():
             raise TooSmall
-        yield TimeStep(start, solver.t, before, solver.y, solver.dense_output())
+        between = solver.dense_output()
+        times = np.linspace(start, solver.t, _SAMPLES + 1)[1:]
+        states = between(times)
+        states[:, -1] = solver.y
+        marks = np.arange(_SAMPLES) == _SAMPLES - 1
+        exact = partial(_exactly, equations, (start, before), tolerances)
+        yield TimeStep(start, solver.t, before, solver.y, between, exact, times, states, marks)
 
 
-def exactly(
-    equations: Equations, step: TimeStep, time: float, tolerances: StepTolerances
+def _exactly(
+    equations: Equations, start: tuple[float, Floats], tolerances: StepTolerances, time: float
 ) -> Floats:
     """The state at a time within a step, as accurate as a step's end."""
-    if time <= step.start:
-        return step.first
+    if time <= start[0]:
+        return start[1]
     from scipy.integrate import DOP853
 
     solver = DOP853(
         equations.derivative,
-        step.start,
-        step.first,
+        *start,
         time,
         rtol=tolerances.relative,
         atol=tolerances.absolute,  # type: ignore[arg-type] # it takes arrays
-        first_step=time - step.start,
+        first_step=time - start[0],
     )
     while solver.status == "running":
         solver.step()

@@ -7,6 +7,7 @@ What is straight in time and rate stands in arrays, ``u = c0 + c1 t + s rate``; 
 from __future__ import annotations
 
 import math
+from collections import deque
 from collections.abc import Callable
 from itertools import pairwise
 from typing import NamedTuple
@@ -15,7 +16,7 @@ import numpy as np
 
 from vstatics.numerics.arrays import Floats
 from vstatics.simulation.formula import Formula
-from vstatics.simulation.laws import Points, Road
+from vstatics.simulation.laws import Curve, Points, Road
 from vstatics.simulation.programme import Programme
 from vstatics.simulation.scenario import Converter
 from vstatics.simulation.system import AIR, GRAVITY, Contact, MotionSystem
@@ -109,8 +110,8 @@ class Ports:
         """Port, place of the angle, slope. [N*m/rad]"""
         self.special: list[tuple[int, int, Torque]] = []
         """Port, place of the angle or -1, its torque."""
-        self.timed: list[tuple[int, Callable[[float], float]]] = []
-        """Port, and its torque by the time alone."""
+        self.timed: list[tuple[int, Formula, float]] = []
+        """Port, its torque by the time alone, and by what that is multiplied."""
         self.converters = system.converters
         self.senses_rate = np.zeros(layout.ports, dtype=bool)
         """Ports whose torque changes with their rate."""
@@ -142,8 +143,8 @@ class Ports:
             torques[layout.springs : layout.pumps] += self.elastic * twists
         for port, place, slope in self.by_angle:
             torques[port] += slope * angles[place]
-        for port, of_time in self.timed:
-            torques[port] = of_time(time)
+        for port, formula, factor in self.timed:
+            torques[port] = factor * formula.function(time, 0.0, 0.0)
         for port, place, function in self.special:
             angle = angles[place] if place >= 0 else 0.0
             torques[port] = function(time, float(rates[port]), angle)
@@ -164,8 +165,8 @@ class Ports:
             torques[layout.springs : layout.pumps] += self.elastic[:, None] * twists
         for port, place, slope in self.by_angle:
             torques[port] += slope * angles[place]
-        for port, of_time in self.timed:
-            torques[port] = [of_time(time) for time in times.tolist()]
+        for port, formula, factor in self.timed:
+            torques[port] = factor * curve_along(formula, times)
         for port, place, function in self.special:
             turned = angles[place].tolist() if place >= 0 else [0.0] * len(times)
             at = zip(times.tolist(), rates[port].tolist(), turned, strict=True)
@@ -183,8 +184,8 @@ class Ports:
         layout = self.layout
         springs = slice(layout.springs, layout.pumps)
         slopes[springs] += self.elastic * rates[springs]
-        for port, of_time in self.timed:
-            slopes[port] = _slope(of_time, time, within)
+        for port, formula, factor in self.timed:
+            slopes[port] = factor * slope_of(formula, time, within)
         for port, place, function in self.special:
             angle = angles[place] if place >= 0 else 0.0
             rate = float(rates[port])
@@ -203,8 +204,7 @@ class Ports:
                 self.special.pop()
                 self.c0[port] = -law.radius * law.mass * GRAVITY * law.slope
         elif isinstance(law, Formula) and not law.variables & {"speed", "angle"}:
-            function = law.function
-            self.timed.append((port, lambda time: function(time, 0.0, 0.0)))
+            self.timed.append((port, law, 1.0))
         elif isinstance(law, Formula):
             self.special.append((port, place, law.function))
             self.senses_rate[port] = "speed" in law.variables
@@ -243,14 +243,38 @@ class Ports:
             self.c0[port] = factor * value if math.isfinite(value) else sign * value
             self.c1[port] = factor * slope
             return
-        function = curve.function
-        self.timed.append((port, lambda at: factor * function(at, 0.0, 0.0)))
+        self.timed.append((port, curve, factor))
 
 
-def _slope(of_time: Callable[[float], float], time: float, within: float) -> float:
-    """Change with time, looking forward only."""
-    now, middle, later = (of_time(time + part * within) for part in (0.0, 0.5, 1.0))
+def slope_of(formula: Formula, time: float, within: float) -> float:
+    """Change of a formula with time, looking forward only."""
+    function = formula.function
+    now, middle, later = (function(time + part * within, 0.0, 0.0) for part in (0.0, 0.5, 1.0))
     return (4 * middle - 3 * now - later) / within
+
+
+def programme_along(programme: Programme, times: Floats) -> Floats:
+    """The values of a programme at several times."""
+    return programme.factor * curve_along(programme.curve, times)
+
+
+def curve_along(curve: Curve, times: Floats) -> Floats:
+    """The values of a curve at several times; those last asked for are remembered."""
+    if isinstance(curve, Points) and len(set(curve.y)) == 1:
+        return np.full(len(times), curve.y[0])
+    for known, at, values in _LAST:
+        if at is times and known == curve:
+            return values
+    if isinstance(curve, Points):
+        made = np.array([curve.at(time) for time in times.tolist()])
+    else:
+        function = curve.function
+        made = np.array([function(time, 0.0, 0.0) for time in times.tolist()])
+    _LAST.append((curve, times, made))
+    return made
+
+
+_LAST: deque[tuple[Curve, Floats, Floats]] = deque(maxlen=16)
 
 
 def _road(road: Road) -> Torque:
