@@ -111,11 +111,9 @@ class VariedScenario:
         CaseError
             If it can't begin.
         """
-        from importlib import import_module
+        from vstatics.simulation.run import simulate
 
-        simulate: Any = import_module("vstatics.simulation.run").simulate
-        motion: Motion = simulate(self.variant(paths, values).scenario)
-        return motion
+        return simulate(self.variant(paths, values).scenario)
 
     def rows(self, kind: Kind) -> tuple[str, ...]:
         """The names of what tables of a kind have a row for."""
