@@ -76,11 +76,15 @@ def sweep(
 ) -> int:
     """Calculate variants of CASE and write a table: a row each, or the best ones.
 
+    CASE may be a scenario of `vstatics simulate`: then each variant is a run.
+
     VALUES are low:high:count, low:high:step=STEP, a list a,b,c, or low:high with
     --sample. NAME is D1.ratio or .efficiency; of what is elastic shaft.stiffness,
     .compliance or .damping; engine.inertia. EXPR and LIST speak of tables by name:
     efficiency[1], speeds[C1,1], max(abs(torques)), D1.ratio; omega[2,1] is the
-    second natural frequency in gear 1.
+    second natural frequency in gear 1. Of a scenario NAME is any number of it or of
+    its case by its path, shifts.1.overlap, and EXPR speaks of the run: heat[F2],
+    locks[F2], max(abs(slips[F2])), peaks[shaft], speeds[out], work.
 
     \b
     Examples:
@@ -90,6 +94,8 @@ def sweep(
       vstatics sweep box.yaml --vary D3.efficiency=.95,.97 --out losses[D3]
                 --where 'efficiency[1] > .95 and max(speeds) < 3'
       vstatics sweep box.yaml --vary shaft.stiffness=1e3:1e4:91 --out omega[1]
+      vstatics sweep shift.yaml --vary shifts.1.overlap=.1:.6:26
+                --out 'heat[F2],max(abs(slips[F2]))'
       vstatics sweep --file sweep.yaml --jobs 8 --resume
 
     \b

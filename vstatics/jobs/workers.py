@@ -2,7 +2,15 @@
 
 from __future__ import annotations
 
+import os
+
 from vstatics.jobs.alone import Alone, Describe, Rules, Workers
+
+
+def cores() -> int:
+    """Cores that this process may use."""
+    usable = getattr(os, "sched_getaffinity", None)
+    return len(usable(0)) if usable else os.cpu_count() or 1
 
 
 def workers(

@@ -7,8 +7,9 @@ from typing import NamedTuple
 
 import numpy as np
 
+from vstatics.errors import plural
 from vstatics.numerics.arrays import Floats
-from vstatics.tables.grid import Column, Grid, Row, exact, text
+from vstatics.tables.grid import Column, Grid, Row, exact, text, whole
 
 PARTS = (0.05, 0.5, 0.95)
 """Of all variants that lie below a quantile."""
@@ -65,13 +66,19 @@ def statistics_grids(varied: Sequence[str], found: Mapping[str, Statistics]) -> 
 
 
 def _grid(title: str, found: Mapping[str, Statistics], key: str) -> Grid:
-    heads = ("mean", "deviation", "least", *(f"{part:.0%}" for part in PARTS), "largest")
-    columns = [text(""), Column("variants"), *map(Column, heads)]
+    """A row for each column; how many runs have it is told where that differs."""
+    runs = {one.variants for one in found.values()}
+    together = len(runs) == 1
+    heads = ("mean", "deviation", *(f"{part:.0%}" for part in PARTS), "largest")
+    columns = [text(""), *map(Column, heads)]
     rows: list[Row] = []
     for name, one in found.items():
-        numbers = (one.mean, one.deviation, one.least, *one.quantiles, one.largest)
-        rows.append([name, str(one.variants), *map(exact, numbers)])
-    return Grid(title, columns, rows, key=key)
+        numbers = (one.mean, one.deviation, *one.quantiles, one.largest)
+        rows.append([name, *map(exact, numbers), *([] if together else [whole(one.variants)])])
+    if together:
+        number = runs.pop()
+        return Grid(f"{title}, {number} {plural('run', number)}", columns, rows, key=key)
+    return Grid(title, [*columns, Column("runs")], rows, key=key)
 
 
 def statistics_document(found: Mapping[str, Statistics]) -> dict[str, dict[str, float]]:

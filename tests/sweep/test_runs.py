@@ -1,0 +1,159 @@
+"""Sweeps of a scenario: a variant is the run of its documents, whoever calculates it."""
+
+from __future__ import annotations
+
+import math
+import pickle
+from typing import Any
+
+import numpy as np
+import pytest
+
+from tests.sweep.scenarios import SCENARIO, subject
+from vstatics.errors import ReadError
+from vstatics.numerics.arrays import Floats
+from vstatics.simulation.run import simulate
+from vstatics.sweep import build
+from vstatics.sweep.calculation import calculate
+from vstatics.sweep.chunk import STATUS, Chunk
+from vstatics.sweep.options import SweepOptions
+from vstatics.sweep.runs import piece_of_runs
+from vstatics.sweep.tasks import SweepTask
+from vstatics.sweep.tasks import calculate as of_piece
+
+OUT = "locks[brake], heat[brake], speeds[carrier], max(abs(slips)), controls.brake.1.2*2"
+SLIP = 500 * math.pi / 30 / 1.5
+"""Of the ring at the start, by (w_sun - w_c) + 1.5 (w_ring - w_c) = 0. [rad/s]"""
+
+
+def rows(*vary: str, scenario: bytes = SCENARIO, **more: Any) -> Chunk:
+    """All variants of a sweep of the scenario."""
+    plan = build.plan(subject(scenario), SweepOptions.of(vary=vary, **{"out": OUT, **more}))
+    return calculate(plan, 0, plan.variants.count)
+
+
+def lock_time(torque: float) -> float:
+    """When the brake of the set locks: the deceleration is linear in its torque.
+
+    By the exact matrix of tarasik.md, section 4: without friction the ring gains
+    dw = -(w_sun'/1.5) + (2.5/1.5) w_carrier'.
+    """
+    inertia = np.array(
+        [
+            [0.5 + 0.7 / 1.5**2, -0.7 * 2.5 / 1.5**2],
+            [-0.7 * 2.5 / 1.5**2, 0.8 + 0.7 * (2.5 / 1.5) ** 2],
+        ]
+    )
+    ring = np.array([-1 / 1.5, 2.5 / 1.5])
+    acceleration = np.linalg.solve(inertia, np.array([40.0, -60.0]) + ring * torque)
+    return SLIP / float(ring @ acceleration)
+
+
+def test_variants_of_one_number_have_the_closed_form() -> None:
+    """The published case of 120 N*m locks at .410054006 s."""
+    assert lock_time(120.0) == pytest.approx(0.410054006, abs=5e-10)
+    made = rows("controls.brake.1.2=100,120,140")
+    assert made.headings[0] == "locks[brake]"
+    expected = [lock_time(torque) for torque in (100.0, 120.0, 140.0)]
+    np.testing.assert_allclose(made.columns[:, 0], expected, rtol=1e-8)
+    assert made.columns[1, 1] == pytest.approx(858.815102, abs=1e-6)
+    assert made.columns[:, 4].tolist() == [200.0, 240.0, 280.0]
+    assert [STATUS[code] for code in made.status] == ["ok"] * 3
+
+
+def test_a_variant_is_the_run_of_its_scenario() -> None:
+    made = rows("controls.brake.scale=.9,1.1", "ring.inertia=.5,.7", out="heat[brake], work")
+    varied = subject()
+    paths = [varied.target(name) for name in ("controls.brake.scale", "ring.inertia")]
+    for values, columns in zip(made.values, made.columns, strict=True):
+        motion = simulate(varied.variant(paths, values.tolist()).scenario)
+        assert columns.tolist() == [motion.energy.heat["brake"], motion.energy.work]
+
+
+def test_what_cannot_be_is_invalid_and_has_no_numbers() -> None:
+    made = rows("controls.brake.1.2=-1,120,nan", "sun.inertia=.5", where="heat[brake] >= 0")
+    assert made.variants.tolist() == [1]
+    assert dict(made.counts) == {"ok": 1, "invalid": 2}
+    made = rows("controls.brake.1.2=-1,120")
+    assert [STATUS[code] for code in made.status] == ["invalid", "ok"]
+    assert np.isnan(made.columns[0]).all()
+
+
+def test_a_scenario_in_error_is_told_at_once() -> None:
+    wrong = SCENARIO.replace(b"sun: 40", b"san: 40")
+    with pytest.raises(ReadError, match=r"lock\.yaml:7:"):
+        rows("duration=1,2", scenario=wrong)
+
+
+def test_pieces_depend_on_the_plan_alone() -> None:
+    assert [piece_of_runs(count) for count in (1, 1000, 65536, 10**6)] == [16, 16, 16, 245]
+    plan = build.plan(subject(), SweepOptions.of(vary=["duration=.1:.2:40"]))
+    assert (plan.piece, plan.pieces) == (16, 3)
+    again = pickle.loads(pickle.dumps(plan))  # noqa: S301 (our own)
+    assert again.fingerprint() == plan.fingerprint()
+    other = build.plan(subject(SCENARIO + b"# more\n"), SweepOptions.of(vary=["duration=.1:.2:40"]))
+    assert other.fingerprint() != plan.fingerprint()
+
+
+@pytest.mark.slow
+def test_two_processes_give_what_one_gives() -> None:
+    vary = ["controls.brake.scale=.8:1.2:9", "torques.sun=35,45,40"]
+    plan = build.plan(subject(), SweepOptions.of(vary=vary, out=OUT))
+    task = SweepTask(plan, "csv")
+    found = []
+    for jobs in (1, 2):
+        with task.workers(jobs) as called:
+            pieces = called.each(of_piece, range(plan.pieces), ordered=True)
+            found.append(np.concatenate([chunk.columns for _, chunk in pieces]))
+    np.testing.assert_array_equal(found[0], found[1])
+
+
+def drawn(scenario: bytes, count: int, **more: Any) -> tuple[Floats, Floats]:
+    """The numbers that are drawn, and the heat of the brake."""
+    options = SweepOptions.of(sample=count, **{"out": "heat[brake]", **more})
+    plan = build.sample_plan(subject(scenario), options)
+    return plan.variants.block(0, count), calculate(plan, 0, min(count, 4)).columns
+
+
+def test_samples_have_their_distributions_and_a_seed_gives_the_same() -> None:
+    """Means and deviations within 4 standard errors of 4000 numbers."""
+    numbers, heat = drawn(SCENARIO, 4000, seed=3)
+    scale, torque = numbers.T
+    assert scale.mean() == pytest.approx(1.0, abs=4 * 0.05 / math.sqrt(4000))
+    assert scale.std() == pytest.approx(0.05, rel=4 / math.sqrt(8000))
+    assert torque.mean() == pytest.approx(40.0, abs=4 * 10 / math.sqrt(12 * 4000))
+    assert 35 <= torque.min() < 35.1
+    assert abs(np.corrcoef(scale, torque)[0, 1]) < 4 / math.sqrt(4000)
+    again, same = drawn(SCENARIO, 4000, seed=3)
+    np.testing.assert_array_equal(numbers, again)
+    np.testing.assert_array_equal(heat, same)
+    few, _ = drawn(SCENARIO, 10, seed=3)
+    np.testing.assert_array_equal(few, numbers[:10])
+    assert (drawn(SCENARIO, 10, seed=4)[0] != few).all()
+
+
+def test_without_deviation_samples_are_the_run_itself() -> None:
+    still = SCENARIO.replace(b"[1, 0.05]", b"[1, 0]").replace(b"[35, 45]", b"[40, 40]")
+    _, heat = drawn(still, 2)
+    assert heat.tolist() == [[simulate(subject().own.scenario).energy.heat["brake"]]] * 2
+
+
+@pytest.mark.parametrize(
+    ("before", "after", "said"),
+    [
+        (b"controls.brake.scale", b"controls.brak.scale", "no `brak` in `controls`"),
+        (b"torques.sun:", b"torques.son:", "did you mean `sun`?"),
+    ],
+)
+def test_a_sample_of_a_number_that_there_is_not_is_told(
+    before: bytes, after: bytes, said: str
+) -> None:
+    with pytest.raises(ReadError) as caught:
+        drawn(SCENARIO.replace(before, after), 2)
+    assert said in str(caught.value)
+    assert "lock.yaml:" in str(caught.value)
+
+
+def test_a_scenario_without_samples_says_so() -> None:
+    with pytest.raises(ReadError, match="the scenario has no `samples`"):
+        drawn(SCENARIO.partition(b"samples")[0], 2)
