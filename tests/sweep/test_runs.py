@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from tests.sweep.scenarios import SCENARIO, subject
+from tests.sweep.scenarios import CASE, SCENARIO, subject
 from vstatics.errors import ReadError
 from vstatics.numerics.arrays import Floats
 from vstatics.simulation.run import simulate
@@ -18,6 +18,7 @@ from vstatics.sweep.calculation import calculate
 from vstatics.sweep.chunk import STATUS, Chunk
 from vstatics.sweep.options import SweepOptions
 from vstatics.sweep.runs import piece_of_runs
+from vstatics.sweep.scenario_numbers import NumberPath
 from vstatics.sweep.tasks import SweepTask
 from vstatics.sweep.tasks import calculate as of_piece
 
@@ -130,6 +131,26 @@ def test_samples_have_their_distributions_and_a_seed_gives_the_same() -> None:
     few, _ = drawn(SCENARIO, 10, seed=3)
     np.testing.assert_array_equal(few, numbers[:10])
     assert (drawn(SCENARIO, 10, seed=4)[0] != few).all()
+
+
+def test_samples_of_a_number_with_a_unit_are_in_si() -> None:
+    """A bare capacity of a case is relative to its load: 3 kN*m is not 3000 bare."""
+    case = CASE.replace(b"brake: [ring, housing]", b"brake: {links: [ring], capacity: 3 kN*m}")
+    case += b"load: {torque: 100 N*m}\n"
+    for given, name in (
+        (b"shift_elements.brake.capacity: {normal: [3000, 0]}", "shift_elements.brake.capacity"),
+        (b"shift_elements.brake.capacity: {normal: [3 kN*m, 0]}", "shift_elements.brake.capacity"),
+        (b"shift_elements.lock-up.capacity: {normal: [3 kN*m, 0]}", ""),
+    ):
+        varied = subject(SCENARIO.partition(b"samples")[0] + b"samples: {" + given + b"}\n", case)
+        plan = build.sample_plan(varied, SweepOptions.of(sample=1))
+        (path,) = plan.variants.targets
+        assert isinstance(path, NumberPath)
+        assert path.unit == "N*m"
+        if name:
+            assert path.name == f"{name} [N*m]"
+            made = varied.variant([path], plan.variants.block(0, 1)[0].tolist())
+            assert made.scenario.case.shift_elements == varied.own.scenario.case.shift_elements
 
 
 def test_without_deviation_samples_are_the_run_itself() -> None:

@@ -11,14 +11,16 @@ import click
 
 from vstatics import readers
 from vstatics.cli import cases as arguments
-from vstatics.cli import files, formats, texts
+from vstatics.cli import files, formats, simulate_samples, texts
 from vstatics.cli.cases import CalculatedCase
 from vstatics.cli.exit_status import DONE, FAILED
 from vstatics.cli.formats import Destination, OutputOptions
+from vstatics.cli.simulate_samples import SampleOptions, run_samples
 from vstatics.cli.telling import Telling
 from vstatics.cli.torsion_case import file_name, one_text
 from vstatics.errors import CaseError, Problem, ReadError
 from vstatics.extras import missing
+from vstatics.sweep.scenario import Document
 from vstatics.writers.plain_json import plain_data
 
 if TYPE_CHECKING:
@@ -65,6 +67,7 @@ def _positive(
     default="events",
     help="`tarasik`: the published equations (12) to (15), for comparison.",
 )
+@simulate_samples.options
 @formats.options(*FORMATS)
 @arguments.input_format
 @arguments.telling
@@ -74,6 +77,7 @@ def simulate(
     step: float | None,
     rtol: float,
     method: Method,
+    sampling: SampleOptions,
     wanted: OutputOptions,
     input_format: readers.Format | None,
     telling: Telling,
@@ -85,11 +89,16 @@ def simulate(
     of -o; without it events, energy and largest torques are printed. A run that must stop
     before the end tells when and why, and what was calculated is written.
 
+    With --samples N numbers are drawn from the distributions that SCENARIO has in
+    `samples`; means, deviations and quantiles of torques and energies are printed, and the
+    runs themselves go to -o as a table, as those of `vstatics sweep`.
+
     \b
     Examples:
       vstatics simulate upshift.yaml
       vstatics simulate upshift.yaml -o upshift.csv --step 0.01
       vstatics simulate upshift.yaml other-box.yaml -f json | jq .energy
+      vstatics simulate start.yaml --samples 1000 --seed 1 -o starts.parquet
 
     \b
     Exit status: 0 done; 1 scenario or case is in error, or the run stopped;
@@ -97,8 +106,12 @@ def simulate(
     """
     inputs = [scenario, *([case] if case else [])]
     arguments.check_streams(inputs)
+    sampling.check(step=step is not None, method=method != "events")
     to = one_text(wanted, inputs)
     _needs("simulation", "vstatics simulate")
+    if sampling.samples is not None:
+        document = Document(*files.read_input(scenario))
+        return run_samples(document, case, rtol, sampling, wanted, telling)
     if to.form == "parquet":
         _needs("parquet", "Parquet")
     read = read_document(*files.read_input(scenario), input_format, case, to.output)

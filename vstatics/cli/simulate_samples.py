@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from functools import wraps
 from typing import Any, NamedTuple, cast
 
@@ -46,13 +47,21 @@ class SampleOptions(NamedTuple):
     scheduler: str | None = None
     resume: bool = False
 
-    def check(self) -> None:
-        """Refuse what belongs to samples where there are none.
+    def check(self, **of_one_run: bool) -> None:
+        """Refuse what belongs to samples where there are none, and what goes not with them.
+
+        Parameters
+        ----------
+        **of_one_run : bool
+            Options that are for one run, and whether they are given.
 
         Raises
         ------
         UsageError
         """
+        of_one = [f"--{name}" for name, given in of_one_run.items() if given]
+        if self.samples is not None and of_one:
+            raise click.UsageError(f"{of_one[0]} is for one run, without --samples.")
         given = {f"--{name}": value for name, value in self._asdict().items() if name != "samples"}
         alone = [name for name, value in given.items() if value not in (None, False)]
         if self.samples is None and alone:
@@ -93,6 +102,7 @@ _OPTIONS: tuple[Callable[[Any], Any], ...] = (
 def run_samples(
     scenario: Document,
     case: str | None,
+    rtol: float,
     sampling: SampleOptions,
     wanted: OutputOptions,
     telling: Telling,
@@ -109,7 +119,7 @@ def run_samples(
     if sampling.resume and form is None:
         raise click.UsageError("--resume needs a file to go on with: -o FILE.")
     subject, warnings = read_scenario_subject(scenario, case, telling)
-    varied = cast("VariedScenario", subject)
+    varied = replace(cast("VariedScenario", subject), rtol=rtol)
     spare(varied, wanted.output)
     options = SweepOptions.of(sample=sampling.samples, seed=sampling.seed, out=sampling.out)
     jobs = 1 if sampling.scheduler else sampling.jobs or cores()
@@ -132,7 +142,7 @@ def run_samples(
         to,
         title,
         lambda: statistics_grids(plan.names, statistics),
-        lambda: statistics_document(statistics),
+        lambda: statistics_document(plan.names, statistics),
     )
     return FAILED if telling.fails(warnings) else DONE
 

@@ -9,6 +9,8 @@ from vstatics.readers.named.schema import document_schema
 from vstatics.simulation.motion import Energy, Event, Peak, Reached
 from vstatics.simulation.motion_document import FORMAT, VERSION
 from vstatics.simulation.scenario_keys import SCENARIO
+from vstatics.sweep import statistics
+from vstatics.sweep.statistics import Statistics
 from vstatics.writers.documents import documents, head
 from vstatics.writers.record_schema import NUMBER, TEXT, Schema, list_of, record, schema_of
 
@@ -38,7 +40,20 @@ def json_schemas() -> dict[str, Schema]:
     return {
         "scenario": document_schema(SCENARIO, measures),
         "simulation": simulation_schema(),
+        "samples": samples_schema(),
     }
+
+
+def samples_schema() -> Schema:
+    """The schema of ``vstatics simulate --samples N -f json``."""
+    quantiles = {"type": "object", "additionalProperties": NUMBER}
+    by_name = {
+        "type": "object",
+        "additionalProperties": schema_of(Statistics, quantiles=quantiles),
+    }
+    start = head(statistics.FORMAT, statistics.VERSION)
+    document = record({**start, "drawn": by_name, "results": by_name})
+    return documents("samples", "Statistics of vstatics simulate --samples", document)
 
 
 def simulation_schema() -> Schema:

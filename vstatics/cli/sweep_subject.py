@@ -53,7 +53,7 @@ def read_scenario_subject(scenario: Document, case: str | None, telling: Telling
     except ReadError as error:
         if case:
             raise
-        raise document.no_case(error.problems[0].message) from None
+        raise document.no_case(f"{name} {error.problems[0].message}") from None
     try:
         reading = subject.own.reading
     except ReadError as error:

@@ -188,7 +188,7 @@ def sample_plan(subject: VariedScenario, options: SweepOptions) -> SweepPlan:
     for number, (path, distribution) in enumerate(samples.items(), 1):
         place = subject.own.spots.place(("samples", number))
         try:
-            variations.append(Variation(subject.target(path), distribution, place))
+            variations.append(Variation(subject.sampled(path), distribution, place))
         except ReadError as error:
             problems += [
                 Problem(f"samples: {one.message}", ("samples", path), place)

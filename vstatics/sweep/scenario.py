@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from vstatics.errors import Place, quoted
+from vstatics.errors import Place, ReadError, quoted
 from vstatics.sweep.targets import refusal
 
 if TYPE_CHECKING:
@@ -21,6 +21,10 @@ if TYPE_CHECKING:
     from vstatics.simulation.scenario_file import ScenarioFile
     from vstatics.sweep.motion_tables import Kind
     from vstatics.sweep.scenario_numbers import NumberPath, Trees
+
+
+_PLAIN = (1.0, 0.5, 0.0, 100.0)
+"""One of these is a number that may stand where any may."""
 
 
 class Document(NamedTuple):
@@ -40,14 +44,17 @@ class VariedScenario:
         In YAML or JSON.
     case : Document
         In any format; its numbers vary where that is YAML or JSON.
+    rtol : float
+        Accuracy of the runs, as of `simulate`. [-]
     """
 
     scenario: Document
     case: Document
+    rtol: float = 1e-8
 
     def __getstate__(self) -> dict[str, Any]:
         """What other processes get: they make their own trees."""
-        return {"scenario": self.scenario, "case": self.case}
+        return {"scenario": self.scenario, "case": self.case, "rtol": self.rtol}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         """As of any object; it is written out for a frozen class."""
@@ -113,7 +120,7 @@ class VariedScenario:
         """
         from vstatics.simulation.run import simulate
 
-        return simulate(self.variant(paths, values).scenario)
+        return simulate(self.variant(paths, values).scenario, rtol=self.rtol)
 
     def rows(self, kind: Kind) -> tuple[str, ...]:
         """The names of what tables of a kind have a row for."""
@@ -151,6 +158,22 @@ class VariedScenario:
             raise refusal(f"{message}need their unit, such as {known.value:g} {known.unit}", place)
         return path
 
+    def sampled(self, text: str) -> NumberPath:
+        """The number that a distribution of `samples` is for, its values in a unit of SI.
+
+        They are bare where neither the number nor the distribution has a unit.
+
+        Raises
+        ------
+        ReadError
+        """
+        from vstatics.sweep.scenario_numbers import in_si, sample_unit, written_number
+
+        path = self.target(text)
+        known = written_number(path, self.trees)
+        unit = sample_unit(self.trees.scenario, text) or (known.unit if known else "")
+        return path._replace(unit=in_si(unit)) if unit else path
+
     def written_number(self, path: NumberPath, place: Place | None) -> float:
         """A number as the document has it, in the unit there.
 
@@ -182,9 +205,22 @@ class VariedScenario:
         """
         from vstatics.sweep.scenario_numbers import written_number
 
-        new = [place for place, path in enumerate(paths) if not written_number(path, self.trees)]
-        if new:
-            self.variant([paths[place] for place in new], [values[place] for place in new])
+        for path, value in zip(paths, values, strict=True):
+            if written_number(path, self.trees) is None:
+                self._check_new(path, value)
+
+    def _check_new(self, path: NumberPath, value: float) -> None:
+        """A number that may stand somewhere may be one of several there."""
+        first: ReadError | None = None
+        for one in (value, *_PLAIN):
+            try:
+                self.variant([path], [one])
+            except ReadError as error:
+                first = first or error
+            else:
+                return
+        if first:
+            raise first
 
     def _read(self, root: Node, reading: Reading) -> ScenarioFile:
         from vstatics.readers.named.nodes import Mapping

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Sequence
+from contextlib import suppress
 from typing import NamedTuple
 
 from vstatics.errors import Place, nearest, quoted
@@ -23,6 +24,7 @@ from vstatics.readers.named.node_paths import (
     written,
 )
 from vstatics.readers.named.nodes import Listing, Mapping, Node, Scalar
+from vstatics.readers.named.si_units import UNIT_OF, in_any_unit
 from vstatics.sweep.targets import refusal
 
 _UNIT = re.compile(r"\s*\[([^\]]*)\]\s*\Z")
@@ -199,6 +201,35 @@ def with_numbers(trees: Trees, paths: Sequence[NumberPath], values: Sequence[flo
         else:
             scenario = replaced(_spelled_out(scenario, path.keys), path.keys, text)
     return Trees(scenario, case)
+
+
+def sample_unit(scenario: Node, text: str) -> str:
+    """The first unit in the distribution that `samples` has for a path; nothing if it has none."""
+    of_path = child(scenario, "samples")
+    nodes = [of_path and child(of_path, text)]
+    while nodes:
+        match nodes.pop():
+            case Mapping() as node:
+                nodes += [value for _, value in node.entries]
+            case Listing() as node:
+                nodes += node.items
+            case Scalar() as node:
+                with suppress(ValueError):
+                    if unit := number_of(node).unit:
+                        return unit
+    return ""
+
+
+def in_si(unit: str) -> str:
+    """The unit of SI for what another measures; that itself if it is not known.
+
+    >>> in_si("kN*m"), in_si("rpm")
+    ('N*m', 'rad/s')
+    """
+    with suppress(ValueError):
+        measure = in_any_unit(f"1 {unit}", tuple(UNIT_OF)).measure
+        return UNIT_OF[measure] if measure else unit
+    return unit
 
 
 def common_unit(text: str) -> tuple[str, str]:

@@ -11,6 +11,7 @@ from vstatics.errors import plural
 from vstatics.numerics.arrays import Floats
 from vstatics.tables.grid import Column, Grid, Row, exact, text, whole
 
+FORMAT, VERSION = "vstatics-samples", 1
 PARTS = (0.05, 0.5, 0.95)
 """Of all variants that lie below a quantile."""
 
@@ -69,11 +70,11 @@ def _grid(title: str, found: Mapping[str, Statistics], key: str) -> Grid:
     """A row for each column; how many runs have it is told where that differs."""
     runs = {one.variants for one in found.values()}
     together = len(runs) == 1
-    heads = ("mean", "deviation", *(f"{part:.0%}" for part in PARTS), "largest")
+    heads = ("mean", "deviation", *(f"{part:.0%}" for part in PARTS))
     columns = [text(""), *map(Column, heads)]
     rows: list[Row] = []
     for name, one in found.items():
-        numbers = (one.mean, one.deviation, *one.quantiles, one.largest)
+        numbers = (one.mean, one.deviation, *one.quantiles)
         rows.append([name, *map(exact, numbers), *([] if together else [whole(one.variants)])])
     if together:
         number = runs.pop()
@@ -81,16 +82,22 @@ def _grid(title: str, found: Mapping[str, Statistics], key: str) -> Grid:
     return Grid(title, [*columns, Column("runs")], rows, key=key)
 
 
-def statistics_document(found: Mapping[str, Statistics]) -> dict[str, dict[str, float]]:
+def statistics_document(
+    varied: Sequence[str], found: Mapping[str, Statistics]
+) -> dict[str, object]:
     """The same as plain data."""
-    return {
+    plain = {
         name: {
-            "variants": one.variants,
-            "mean": one.mean,
-            "deviation": one.deviation,
-            "least": one.least,
-            **{f"{part:.0%}": value for part, value in zip(PARTS, one.quantiles, strict=True)},
-            "largest": one.largest,
+            **one._asdict(),
+            "quantiles": {
+                f"{part:.0%}": value for part, value in zip(PARTS, one.quantiles, strict=True)
+            },
         }
         for name, one in found.items()
+    }
+    return {
+        "format": FORMAT,
+        "version": VERSION,
+        "drawn": {name: one for name, one in plain.items() if name in varied},
+        "results": {name: one for name, one in plain.items() if name not in varied},
     }
