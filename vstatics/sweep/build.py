@@ -205,6 +205,7 @@ def _of_runs(plan: SweepPlan, subject: VariedScenario) -> SweepPlan:
     """A plan whose pieces are small, as runs take long; what is new in a document may be there."""
     from vstatics.sweep.runs import piece_of_runs  # others need no simulation
 
+    require("simulation", "a sweep of a scenario")
     paths = [path for path in plan.variants.targets if isinstance(path, NumberPath)]
     subject.check_new(paths, plan.variants.block(0, 1)[0].tolist())
     return replace(plan, piece=piece_of_runs(plan.variants.count))
