@@ -70,7 +70,11 @@ class MotionStructure:
         forces = ports.T * signs
         self.free, self.light = _motions(system.heavy, rows)
         left, left_light = self.free, self.light
+        taken = columns.T[: len(meshes)] - rows.T[: len(meshes)]
+        circulating = np.zeros((len(self.multipliers), 0))
         if columns is not rows:
+            circulating = _circulating(rows, columns)
+            columns = columns - columns @ circulating @ circulating.T
             left, left_light = _motions(system.heavy, columns)
         self.rates = ports @ self.free
         self.light_rates = ports @ self.light
@@ -79,9 +83,10 @@ class MotionStructure:
         self.accelerations: Floats = np.linalg.solve(reduced, left.T @ forces)
         residual = forces - mass @ self.free @ self.accelerations
         weights = np.array([_weight(system, one) for one in self.multipliers])
-        self.torques, self.redundant = _multipliers(columns, weights, residual)
+        fixed = np.vstack([columns, circulating.T])
+        residual = np.vstack([residual, np.zeros((circulating.shape[1], residual.shape[1]))])
+        self.torques, self.redundant = _multipliers(fixed, weights, residual)
         self.weights = weights
-        taken = columns.T[: len(meshes)] - rows.T[: len(meshes)]
         self.mesh_rates: Floats = taken @ self.free
         self.mesh_light_rates: Floats = taken @ self.light
         self.loses = any(state not in ("", "stick") for state in meshes)
@@ -153,6 +158,22 @@ def _motions(heavy: Floats, columns: Floats) -> tuple[Floats, Floats]:
     _, sizes, right = np.linalg.svd(heavy @ free)
     rank = int((sizes > _INDEPENDENT * sizes[0]).sum()) if sizes[0] > _INDEPENDENT else 0
     return free @ right[:rank].T, free @ right[rank:].T
+
+
+def _circulating(rows: Floats, columns: Floats) -> Floats:
+    """Multipliers that change no speed but lose power, as gears on two ways that turn alike.
+
+    Nothing tells how large they are: they are taken to be 0. As columns, orthonormal.
+    """
+    if not rows.shape[1]:
+        return np.zeros((0, 0))
+    spare = null(rows)
+    if not spare.shape[1]:
+        return spare
+    _, sizes, right = np.linalg.svd(columns @ spare)
+    rank = int((sizes > _INDEPENDENT * np.abs(columns).max()).sum())
+    circulating: Floats = spare @ right[:rank].T
+    return circulating
 
 
 def _multipliers(columns: Floats, weights: Floats, residual: Floats) -> tuple[Floats, Floats]:
