@@ -221,7 +221,7 @@ class Closed:
         first = equations.works.start
         count, nodes = times.shape
         at = np.broadcast_to(before[first:, None], (equations.size - first, count * nodes))
-        flat = np.vstack([states[:first].reshape(first, -1), at])
+        flat = np.vstack([states[:first].reshape(first, count * nodes), at])
         powers = equations.powers_at(times.reshape(-1), flat)
         by_part = powers.reshape(-1, count, nodes)[:, :, :_GAUSS] @ _WEIGHTS * (0.5 * length)
         ends = before[first:, None] + np.cumsum(by_part, axis=1)
