@@ -381,7 +381,7 @@ def test_without_matplotlib_the_page_has_no_pictures(monkeypatch: pytest.MonkeyP
 
 
 def test_a_picture_that_does_not_suit_is_left_out_and_told(monkeypatch: pytest.MonkeyPatch) -> None:
-    def refuse(*_: object) -> bytes:
+    def refuse(*_: object, **_of: object) -> bytes:
         raise CaseError([Problem("nothing <moves>")])
 
     monkeypatch.setattr("vstatics.report.drawn.sheets", refuse)

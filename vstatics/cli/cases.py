@@ -12,7 +12,7 @@ import click
 from vstatics import readers
 from vstatics.cli import files
 from vstatics.cli.telling import Telling
-from vstatics.errors import CaseError, Problem, ReadError, of_file, plural, spoken
+from vstatics.errors import Problem, ReadError, of_file, plural, spoken
 from vstatics.model.checks import hints
 from vstatics.model.transmission import IdleConvention, Transmission
 from vstatics.readers.reading import Reading
@@ -21,11 +21,8 @@ from vstatics.statics.results import Language, Results
 from vstatics.statics.solve import solve
 
 if TYPE_CHECKING:
-    from vstatics.simulation.motion import Motion
     from vstatics.simulation.scenario_file import ScenarioFile
 
-INSTANTS = 400
-"""Of a run that is drawn, at least."""
 Command = TypeVar("Command", bound=Callable[..., Any])
 
 argument = click.argument("cases", nargs=-1, required=True, type=click.Path(), metavar="CASE...")
@@ -210,39 +207,10 @@ def _scenario(data: bytes, name: str, settings: CaseOptions) -> ScenarioFile | N
     """The scenario of a text with the case that it names; None if it is none."""
     if b"duration" not in data:  # as in nearly all cases, and YAML costs start-up time
         return None
-    from vstatics.simulation.scenario_file import is_scenario, read_scenario
+    from vstatics.cli.scenario_input import read_document
+    from vstatics.simulation.scenario_file import is_scenario
 
-    if not is_scenario(data, name):
-        return None
-    document = read_scenario(data, name)
-    if not document.case_file:
-        raise document.no_case("`case` is missing: the file of the case")
-    try:
-        case, case_name = files.read_input(document.case_file)
-    except ReadError as error:
-        raise document.no_case(" ".join(str(error).split())) from None
-    return document.with_case(readers.read(case, case_name, settings.input_format))
-
-
-def run_of(scenario: ScenarioFile) -> Motion:
-    """The run of a scenario, with enough instants for a picture.
-
-    Why it stopped, if it did, is printed.
-
-    Raises
-    ------
-    ReadError
-        If it can't begin, with the places of what keeps it from that.
-    """
-    from vstatics.simulation import simulate
-
-    try:
-        motion = simulate(scenario.scenario, step=scenario.scenario.duration / INSTANTS)
-    except CaseError as error:
-        raise ReadError(map(scenario.locate, error.problems)) from None
-    if motion.stopped is not None:
-        files.show([scenario.locate(motion.stopped)])
-    return motion
+    return read_document(data, name, settings.input_format) if is_scenario(data, name) else None
 
 
 def read_one(file: str, input_format: readers.Format | None, telling: Telling) -> Reading:

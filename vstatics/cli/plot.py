@@ -13,6 +13,7 @@ from vstatics.cli import formats, texts
 from vstatics.cli.cases import CalculatedCase, CaseOptions
 from vstatics.cli.job import Job
 from vstatics.cli.one_or_many import carry_out
+from vstatics.cli.simulate import run_of
 from vstatics.errors import CaseError, ReadError, of_file
 from vstatics.jobs.files import STDOUT, is_stream
 from vstatics.pictures import FORMATS, OF_RUNS, PICTURES, Format, render
@@ -101,10 +102,8 @@ def _shown(
     results = outcome.results
     assert results is not None  # noqa: S101 - of a case that has some
     chosen = [arguments.gear_number(results.case, gear) for gear in dict.fromkeys(gears)]
+    motion = run_of(outcome) if kind in OF_RUNS else None
     try:
-        motion = None
-        if outcome.scenario and kind in OF_RUNS:
-            motion = arguments.run_of(outcome.scenario)
         drawn = render(results, kind, cast("Format", form), style, chosen, motion=motion)
     except CaseError as error:
         raise ReadError(of_file(outcome.file, one.message) for one in error.problems) from None

@@ -11,6 +11,7 @@ from vstatics.cli import files, formats, texts
 from vstatics.cli.cases import CalculatedCase, CaseOptions
 from vstatics.cli.job import Job
 from vstatics.cli.one_or_many import carry_out
+from vstatics.cli.simulate import run_of
 
 
 @click.command()
@@ -24,6 +25,8 @@ from vstatics.cli.one_or_many import carry_out
 def report(cases: tuple[str, ...], output: str, digits: int | None, settings: CaseOptions) -> int:
     """Write each CASE and its results as one page of HTML; - is standard input.
 
+    A scenario may stand for its case; then the page has its run, too.
+
     The page has the input, ratios, pictures, the power flow of each gear, transitions,
     largest values and all tables; a click on a heading sorts those of the results. It loads nothing
     from elsewhere, can be printed, and carries the result as JSON.
@@ -34,6 +37,7 @@ def report(cases: tuple[str, ...], output: str, digits: int | None, settings: Ca
     \b
     Examples:
       vstatics report gearbox.yaml -o gearbox.html
+      vstatics report upshift.yaml -o upshift.html
       cat gearbox.dat | vstatics report - -o - > gearbox.html
 
     \b
@@ -42,7 +46,7 @@ def report(cases: tuple[str, ...], output: str, digits: int | None, settings: Ca
     to = formats.each_by_itself(output, cases, ["html"], "a page")
     form = texts.OutputForm(to.form, to.style)
     show = partial(_shown, digits=digits, quiet=settings.telling.quiet)
-    return carry_out(Job("report", settings, form, show), cases, to)
+    return carry_out(Job("report", settings._replace(scenarios=True), form, show), cases, to)
 
 
 def _shown(outcome: CalculatedCase, digits: int | None, quiet: bool) -> texts.CaseOutput:
@@ -53,7 +57,7 @@ def _shown(outcome: CalculatedCase, digits: int | None, quiet: bool) -> texts.Ca
     def html(_: str | None) -> str:
         from vstatics.report import gather, page
 
-        material = gather(results, outcome.problems, digits)
+        material = gather(results, outcome.problems, digits, run_of(outcome))
         if material.without and not quiet:
             files.say(f"vstatics report: no pictures: {material.without}")
         if material.vibration and material.vibration.without and not quiet:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from vstatics.cli import files
 from vstatics.cli.cases import CaseOptions, unexpected
-from vstatics.cli.simulate import read_document
+from vstatics.cli.scenario_input import read_document
 from vstatics.errors import CaseError, Problem, ReadError, plural
 from vstatics.extras import missing
 from vstatics.simulation.scenario import Scenario

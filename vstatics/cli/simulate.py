@@ -15,6 +15,7 @@ from vstatics.cli import files, formats, simulate_samples, texts
 from vstatics.cli.cases import CalculatedCase
 from vstatics.cli.exit_status import DONE, FAILED
 from vstatics.cli.formats import Destination, OutputOptions
+from vstatics.cli.scenario_input import read_document
 from vstatics.cli.simulate_samples import SampleOptions, run_samples
 from vstatics.cli.telling import Telling
 from vstatics.cli.torsion_case import file_name, one_text
@@ -30,6 +31,8 @@ if TYPE_CHECKING:
 Method = Literal["events", "tarasik"]
 MOST_STEPS = 1_000_000
 """So many multiples of a step may be written."""
+INSTANTS = 400
+"""Of a run that is drawn, at least."""
 FORMATS = ("text", "json", "jsonl", "csv", "npz", "parquet", "markdown", "latex", "xlsx")
 
 
@@ -147,35 +150,28 @@ def _needs(extra: str, purpose: str) -> None:
         raise ReadError([Problem(message)])
 
 
-def read_document(
-    data: bytes,
-    name: str,
-    input_format: readers.Format | None = None,
-    case: str | None = None,
-    output: str | None = None,
-) -> ScenarioFile:
-    """A scenario of a text, with the case that it names, or that is given.
+def run_of(outcome: CalculatedCase) -> Motion | None:
+    """The run of what names its case by a scenario, with enough instants for pictures.
+
+    What is to be said of it is printed.
 
     Raises
     ------
     ReadError
-    UsageError
-        If the case would be overwritten by the output.
+        If it can't begin, with the places of what keeps it from that.
     """
-    from vstatics.simulation.scenario_file import read_scenario
+    read = outcome.scenario
+    if read is None:
+        return None
+    _needs("simulation", "a run")
+    from vstatics.simulation.run import simulate as simulated
 
-    document = read_scenario(data, name)
-    file = case or document.case_file
-    if not file:
-        raise document.no_case("`case` is missing: the file of the case")
-    files.spare([file], output)
     try:
-        text, named = files.read_input(file)
-    except ReadError as error:
-        if case:
-            raise
-        raise document.no_case(f"{file} {error.problems[0].message}") from None
-    return document.with_case(readers.read(text, named, input_format))
+        motion = simulated(read.scenario, step=read.scenario.duration / INSTANTS)
+    except CaseError as error:
+        raise ReadError(map(read.locate, error.problems)) from None
+    files.show(outcome.telling.printed(_problems(read, motion)))
+    return motion
 
 
 def _problems(read: ScenarioFile, motion: Motion) -> Iterator[Problem]:

@@ -16,12 +16,15 @@ import os
 from vstatics.jobs.files import replacing
 from vstatics.report.gathering import Material, gather
 from vstatics.report.page import page
+from vstatics.simulation.motion import Motion
 from vstatics.statics.results import Results, expect_results
 
 __all__ = ["Material", "gather", "page", "write_report"]
 
 
-def write_report(results: Results, path: str | os.PathLike[str]) -> None:
+def write_report(
+    results: Results, path: str | os.PathLike[str], *, motion: Motion | None = None
+) -> None:
     """Write a case and its results as one page of HTML, whole or not at all.
 
     Parameters
@@ -30,6 +33,8 @@ def write_report(results: Results, path: str | os.PathLike[str]) -> None:
         Of one case.
     path : path-like
         The file, which is replaced.
+    motion : Motion, optional
+        A run of the case, for a section on it.
 
     Raises
     ------
@@ -43,4 +48,4 @@ def write_report(results: Results, path: str | os.PathLike[str]) -> None:
     if suffix.lower() not in ("", ".html", ".htm"):
         raise ValueError(f"a report as {os.fspath(path)}: the page is HTML, expected .html")
     with replacing(os.fspath(path)) as write:
-        write(page(gather(results)).encode(errors="backslashreplace"))
+        write(page(gather(results, motion=motion)).encode(errors="backslashreplace"))

@@ -11,6 +11,7 @@ from vstatics.errors import CaseError
 from vstatics.extras import require
 from vstatics.pictures import PICTURES, sheets
 from vstatics.pictures.style import Style
+from vstatics.simulation.motion import Motion
 from vstatics.statics.results import Results
 from vstatics.tables.html import Markup
 
@@ -52,13 +53,17 @@ def pictures(results: Results) -> list[Drawn]:
     return [picture_of(results, kind) for kind in PICTURES if kind not in ELSEWHERE]
 
 
-def picture_of(results: Results, kind: str, gear: int | None = None) -> Drawn:
-    """A picture of a case, or of one gear by its number from 1."""
+def picture_of(
+    results: Results, kind: str, gear: int | None = None, motion: Motion | None = None
+) -> Drawn:
+    """A picture of a case, of one gear by its number from 1, or of a run."""
     try:
-        made = sheets(results, kind, Style(), () if gear is None else (gear,))
+        made = sheets(results, kind, Style(), () if gear is None else (gear,), motion=motion)
     except CaseError as error:
         return Drawn(kind, [], " ".join(str(error).split()))
     own = kind if gear is None else f"{kind}-{gear}-"
+    if motion is not None:
+        own = f"run-{own}"
     return Drawn(kind, [inline(svg, f"{own}{n or ''}", kind) for n, svg in enumerate(made)])
 
 

@@ -9,7 +9,9 @@ from vstatics.errors import CaseError, Problem
 from vstatics.flow.power import flows
 from vstatics.flow.power_flow import GearFlow
 from vstatics.report.drawn import Drawn, pictures
+from vstatics.report.motion import RunSection, run_section
 from vstatics.report.vibration import Vibration, vibration
+from vstatics.simulation.motion import Motion
 from vstatics.statics.result_fields import Message
 from vstatics.statics.results import Results
 from vstatics.summary import Summary, summarize
@@ -33,10 +35,15 @@ class Material(NamedTuple):
     """Nothing if the case does not vibrate."""
     digits: int | None = None
     """After the point; None: those that suit a number."""
+    run: RunSection | None = None
+    """Of a scenario."""
 
 
 def gather(
-    results: Results, problems: Iterable[Problem] = (), digits: int | None = None
+    results: Results,
+    problems: Iterable[Problem] = (),
+    digits: int | None = None,
+    motion: Motion | None = None,
 ) -> Material:
     """What the page of a case shows.
 
@@ -49,6 +56,8 @@ def gather(
         do not come twice.
     digits : int, optional
         After the point, where they are not those that suit a number.
+    motion : Motion, optional
+        A run of the case.
     """
     without, drawn = "", list[Drawn]()
     try:
@@ -66,6 +75,7 @@ def gather(
         without,
         vibration(results, has_pictures=not without),
         digits,
+        None if motion is None else run_section(results, motion, has_pictures=not without),
     )
 
 

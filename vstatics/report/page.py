@@ -12,6 +12,7 @@ from vstatics.flow.power_flow import GearFlow
 from vstatics.report.drawn import palette
 from vstatics.report.gathering import Material
 from vstatics.report.given import given
+from vstatics.report.motion import shown_run
 from vstatics.report.parts import chooser, figure, figures, of_gear
 from vstatics.report.vibration_parts import shown_vibration
 from vstatics.summary import Summary
@@ -73,6 +74,8 @@ def _sections(material: Material) -> Iterator[tuple[str, Sequence[Markup]]]:
     yield "Power flow", list(_power_flow(material))
     if material.vibration:
         yield "Vibration", list(shown_vibration(material.vibration, material.digits))
+    if material.run:
+        yield "Run", list(shown_run(material.run, material.digits))
     yield "Shifts and largest values", [table(one) for one in others if one.title != SPREAD]
     yield "Results", [table(one.with_digits(material.digits)) for one in of_results(results)]
     conventions = material.document["conventions"].items()

@@ -1,0 +1,84 @@
+"""The section of the report on a run: its tables and pictures, and why it stopped.
+
+The run is that of `tests.pictures.test_shift`, in closed form.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.commands import CASES, vstatics
+from tests.pictures.test_shift import LOCK, run
+from tests.report.test_report import Page, value
+from vstatics import load, solve
+from vstatics.errors import Problem
+from vstatics.report import gather, page, write_report
+from vstatics.report.motion import RunSection, shown_run
+from vstatics.statics.result_fields import Message
+
+SCENARIO = CASES / "scenarios" / "tarasik-set-lock.yaml"
+
+
+def test_a_run_has_its_events_energy_and_torques() -> None:
+    shown = Page("".join(shown_run(RunSection(run()), None)))
+    assert list(shown.table("Events")) == [f"{LOCK:.9f}".lstrip("0")]
+    assert value(shown.table("Energy")["brake"]["energy [J]"]) == 858.815102
+    assert value(shown.table("Largest torques")["brake"]["torque [N*m]"]) == -120.0
+
+
+def test_why_a_run_stopped_and_what_is_to_be_said_of_it_are_told() -> None:
+    motion = run()._replace(
+        stopped=Problem("stopped at <b>3 s\x1b"), messages=(Message("note", "a & b"),)
+    )
+    text = "".join(shown_run(RunSection(motion), None))
+    assert "The run stopped: stopped at &lt;b&gt;3 s\\u001b" in text
+    assert "note: a &amp; b" in text
+
+
+@pytest.mark.usefixtures("without_pictures")
+def test_a_case_alone_has_no_run(tmp_path: Path) -> None:
+    results = solve(load(CASES / "tarasik-set.yaml"))
+    write_report(results, tmp_path / "case.html")
+    assert "<h2>Run</h2>" not in (tmp_path / "case.html").read_text(encoding="utf-8")
+
+
+@pytest.mark.slow
+def test_a_page_of_a_run_has_both_pictures() -> None:
+    text = page(gather(solve(load(CASES / "tarasik-set.yaml")), motion=run()))
+    section = text.partition("<h2>Run</h2>")[2].partition("<h2>")[0]
+    assert section.count("<svg") == 2
+    names = [name.partition("<")[0] for name in section.split("<figcaption>")[1:]]
+    assert names == ["Run over time", "Run in the kinematic plan"]
+    ids = [part.partition('"')[0] for part in text.split(' id="')[1:]]
+    assert len(ids) == len(set(ids))
+
+
+@pytest.mark.slow
+def test_commands_take_a_scenario_for_its_case(tmp_path: Path) -> None:
+    said = vstatics("report", SCENARIO, "-o", tmp_path / "run.html")
+    assert (said.status, said.all) == (0, "")
+    shown = Page((tmp_path / "run.html").read_text(encoding="utf-8"))
+    assert [row["event"].text for row in shown.table("Events").values()] == ["locks"]
+    for kind in ("shift", "plan", "lever"):
+        said = vstatics("plot", SCENARIO, "--kind", kind, "-o", tmp_path / f"{kind}.png")
+        assert (said.status, said.all) == (0, "")
+
+
+def test_what_is_wrong_with_a_scenario_is_told_at_its_place(tmp_path: Path) -> None:
+    text = SCENARIO.read_text(encoding="utf-8")
+    case = (CASES / "tarasik-set.yaml").as_posix()
+    wrong = {
+        "missing.yaml": (text, ":2:7: error: "),
+        "speeds.yaml": (
+            text.replace("../tarasik-set.yaml", case).replace(", carrier: 0", ""),
+            ":4:",
+        ),
+        "none.yaml": ("duration: 3\n", "`case` is missing"),
+    }
+    for name, (written, place) in wrong.items():
+        (tmp_path / name).write_text(written, encoding="utf-8")
+        said = vstatics("plot", tmp_path / name, "--kind", "shift", "-o", tmp_path / "out.svg")
+        assert (said.status, place in said.err) == (1, True), said.err
+        assert not (tmp_path / "out.svg").exists()
