@@ -84,7 +84,24 @@ def test_runs_that_cannot_be_are_counted() -> None:
     shown = vstatics("simulate", "lock.yaml", "--samples", 3, "--jobs", 1)
     assert shown.status == 1
     assert "3 runs, of which 3 invalid" in shown.err
+    assert "expected a scale of 0 or more" in shown.err
     assert shown.out == ""
+
+
+def test_a_sample_of_what_there_is_not_is_told_without_samples_too() -> None:
+    Path("lock.yaml").write_bytes(SCENARIO.replace(b"torques.sun:", b"torques.son:"))
+    for command in ("simulate", "check"):
+        shown = vstatics(command, "lock.yaml")
+        assert shown.status == 1
+        assert "lock.yaml:11:3: error: samples: torques: read 'son', expected" in shown.all
+        assert "did you mean `sun`?" in shown.all
+
+
+def test_a_sweep_without_any_run_says_why() -> None:
+    shown = vstatics("sweep", "lock.yaml", "--vary", "controls.brake.1.2=-1,-2", "--out", "work")
+    assert shown.status == 1
+    assert "2 rows of 2 variants (2 invalid)" in shown.err
+    assert "controls.brake: read -1, expected a capacity of 0 or more" in shown.err
 
 
 def test_a_sweep_takes_a_scenario() -> None:

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import math
 import pickle
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
+import vstatics
 from tests.sweep.scenarios import CASE, SCENARIO, subject
 from vstatics.errors import ReadError
 from vstatics.numerics.arrays import Floats
@@ -18,6 +20,7 @@ from vstatics.sweep.calculation import calculate
 from vstatics.sweep.chunk import STATUS, Chunk
 from vstatics.sweep.options import SweepOptions
 from vstatics.sweep.runs import piece_of_runs
+from vstatics.sweep.scenario import load_varied
 from vstatics.sweep.scenario_numbers import NumberPath
 from vstatics.sweep.tasks import SweepTask
 from vstatics.sweep.tasks import calculate as of_piece
@@ -94,6 +97,15 @@ def test_pieces_depend_on_the_plan_alone() -> None:
     assert again.fingerprint() == plan.fingerprint()
     other = build.plan(subject(SCENARIO + b"# more\n"), SweepOptions.of(vary=["duration=.1:.2:40"]))
     assert other.fingerprint() != plan.fingerprint()
+
+
+def test_a_scenario_is_swept_from_python(tmp_path: Path) -> None:
+    (tmp_path / "set.yaml").write_bytes(CASE)
+    (tmp_path / "lock.yaml").write_bytes(SCENARIO)
+    varied = load_varied(str(tmp_path / "lock.yaml"))
+    (made,) = vstatics.sweep(varied, {"controls.brake.1.2": [100.0, 140.0]}, out="locks[brake]")
+    expected = [[lock_time(100.0)], [lock_time(140.0)]]
+    np.testing.assert_allclose(made.columns, expected, rtol=1e-8)
 
 
 @pytest.mark.slow

@@ -9,7 +9,7 @@ from vstatics.cli import files
 from vstatics.errors import ReadError
 
 if TYPE_CHECKING:
-    from vstatics.simulation.scenario_file import ScenarioFile
+    from vstatics.simulation.scenario_file import ScenarioDocument, ScenarioFile
 
 
 def read_document(
@@ -30,14 +30,36 @@ def read_document(
     from vstatics.simulation.scenario_file import read_scenario
 
     document = read_scenario(data, name)
+    text, named = case_of(document, case, output)
+    read = document.with_case(readers.read(text, named, input_format))
+    if read.samples:
+        from vstatics.sweep.build import sampled_numbers
+        from vstatics.sweep.scenario import Document, VariedScenario
+
+        own, of_case = Document(data, name), Document(text, named)
+        sampled_numbers(VariedScenario(own, of_case, case_format=input_format))
+    return read
+
+
+def case_of(
+    document: ScenarioDocument, case: str | None = None, output: str | None = None
+) -> tuple[bytes, str]:
+    """What the file of the case of a scenario holds, and its name.
+
+    Raises
+    ------
+    ReadError
+        If it can't be read; at the place where the scenario names it, if that does.
+    UsageError
+        If it would be overwritten by the output.
+    """
     file = case or document.case_file
     if not file:
         raise document.no_case("`case` is missing: the file of the case")
     files.spare([file], output)
     try:
-        text, named = files.read_input(file)
+        return files.read_input(file)
     except ReadError as error:
         if case:
             raise
         raise document.no_case(f"{file} {error.problems[0].message}") from None
-    return document.with_case(readers.read(text, named, input_format))

@@ -114,7 +114,7 @@ def simulate(
     _needs("simulation", "vstatics simulate")
     if sampling.samples is not None:
         document = Document(*files.read_input(scenario))
-        return run_samples(document, case, rtol, sampling, wanted, telling)
+        return run_samples(document, case, input_format, rtol, sampling, wanted, telling)
     if to.form == "parquet":
         _needs("parquet", "Parquet")
     read = read_document(*files.read_input(scenario), input_format, case, to.output)

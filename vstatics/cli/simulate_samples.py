@@ -10,11 +10,12 @@ from typing import Any, NamedTuple, cast
 import click
 import numpy as np
 
+from vstatics import readers
 from vstatics.cli import files
 from vstatics.cli.cases import Command
 from vstatics.cli.exit_status import DONE, FAILED, stopped_by
 from vstatics.cli.formats import Destination, OutputOptions
-from vstatics.cli.sweep_run import run
+from vstatics.cli.sweep_run import run, tell_reason
 from vstatics.cli.sweep_subject import read_scenario_subject, spare
 from vstatics.cli.telling import Telling
 from vstatics.cli.torsion_case import show
@@ -102,6 +103,7 @@ _OPTIONS: tuple[Callable[[Any], Any], ...] = (
 def run_samples(
     scenario: Document,
     case: str | None,
+    case_format: readers.Format | None,
     rtol: float,
     sampling: SampleOptions,
     wanted: OutputOptions,
@@ -118,7 +120,7 @@ def run_samples(
     form = _format(wanted)
     if sampling.resume and form is None:
         raise click.UsageError("--resume needs a file to go on with: -o FILE.")
-    subject, warnings = read_scenario_subject(scenario, case, telling)
+    subject, warnings = read_scenario_subject(scenario, telling, case, case_format)
     varied = replace(cast("VariedScenario", subject), rtol=rtol)
     spare(varied, wanted.output)
     options = SweepOptions.of(sample=sampling.samples, seed=sampling.seed, out=sampling.out)
@@ -211,6 +213,7 @@ def _collected(
         files.say(f"{count} runs, of which {' and '.join(reasons)}")
     if not made.counts.get("ok"):
         files.say("no run has a result")
+        tell_reason(plan)
         return FAILED
     tables = np.concatenate([made.values, made.columns], axis=1)
     return dict(zip((*plan.names, *plan.headings), tables.T, strict=True))

@@ -12,6 +12,7 @@ from vstatics.errors import CaseError
 from vstatics.jobs.files import STDOUT, is_stream, unwritable
 from vstatics.jobs.finished_pieces import SUFFIX, FinishedPieces
 from vstatics.jobs.stopping import StoppedError
+from vstatics.model.transmission import Transmission
 from vstatics.sweep import chunk
 from vstatics.sweep.formats import Format
 from vstatics.sweep.output import Output, SweepReport, description, stream
@@ -89,7 +90,7 @@ def to_file(
             if pieces.finished():
                 files.say(_kept(written, output))
             return FAILED
-    return _summary(output, report, kept, time.perf_counter() - began, quiet=quiet)
+    return _summary(plan, output, report, kept, time.perf_counter() - began, quiet=quiet)
 
 
 def _kept(written: Output, output: str) -> str:
@@ -136,10 +137,12 @@ def to_stream(
         files.say(f"stopped after {done} of {plan.variants.count} variants")
         return stopped_by(stopped.signal)
     name = "<stdout>" if output in (None, STDOUT) else str(output)
-    return _summary(name, report, 0, time.perf_counter() - began, quiet=quiet)
+    return _summary(plan, name, report, 0, time.perf_counter() - began, quiet=quiet)
 
 
-def _summary(output: str, report: SweepReport, kept: int, seconds: float, *, quiet: bool) -> int:
+def _summary(
+    plan: SweepPlan, output: str, report: SweepReport, kept: int, seconds: float, *, quiet: bool
+) -> int:
     """Say what became of the variants; the exit status."""
     reasons = [
         f"{report.counts[status]} {status}"
@@ -157,4 +160,13 @@ def _summary(output: str, report: SweepReport, kept: int, seconds: float, *, qui
     solved = sum(count for status, count in report.counts.items() if status not in UNSOLVED)
     if not solved:
         files.say("no variant has a solution")
+        tell_reason(plan)
     return 0 if solved else 1
+
+
+def tell_reason(plan: SweepPlan) -> None:
+    """Say why the first variant of a scenario has no numbers."""
+    if not isinstance(plan.subject, Transmission):
+        from vstatics.sweep.runs import reason
+
+        files.show(reason(plan, plan.subject))

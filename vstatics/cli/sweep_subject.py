@@ -9,6 +9,7 @@ import click
 from vstatics import readers
 from vstatics.cli import cases as arguments
 from vstatics.cli import files
+from vstatics.cli.scenario_input import case_of
 from vstatics.cli.telling import Telling
 from vstatics.errors import Problem, ReadError
 from vstatics.sweep.scenario import Document, VariedScenario
@@ -35,25 +36,22 @@ def read_subject(file: str, input_format: readers.Format | None, telling: Tellin
         from vstatics.simulation.scenario_file import is_scenario  # others need no simulation
 
         if is_scenario(data, name):
-            return read_scenario_subject(Document(data, name), None, telling)
+            return read_scenario_subject(Document(data, name), telling)
     reading = arguments.read_data(data, name, input_format, telling)
     return ReadSubject(reading.case, list(reading.warnings))
 
 
-def read_scenario_subject(scenario: Document, case: str | None, telling: Telling) -> ReadSubject:
+def read_scenario_subject(
+    scenario: Document,
+    telling: Telling,
+    case: str | None = None,
+    case_format: readers.Format | None = None,
+) -> ReadSubject:
     """Read the case of a scenario, that which it names or another, and both together."""
     from vstatics.simulation.scenario_file import read_scenario
 
-    document = read_scenario(*scenario)
-    name = case or document.case_file
-    if not name:
-        raise document.no_case("`case` is missing: the file of the case")
-    try:
-        subject = VariedScenario(scenario, Document(*files.read_input(name)))
-    except ReadError as error:
-        if case:
-            raise
-        raise document.no_case(f"{name} {error.problems[0].message}") from None
+    of_case = Document(*case_of(read_scenario(*scenario), case))
+    subject = VariedScenario(scenario, of_case, case_format=case_format)
     try:
         reading = subject.own.reading
     except ReadError as error:

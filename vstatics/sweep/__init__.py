@@ -19,14 +19,15 @@ from typing import TYPE_CHECKING, Any, Literal
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
-    from vstatics.model.transmission import IdleConvention, Transmission
+    from vstatics.model.transmission import IdleConvention
     from vstatics.sweep.chunk import Chunk
+    from vstatics.sweep.subjects import Subject
 
 __all__ = ["sweep"]
 
 
 def sweep(  # noqa: PLR0913 (as on the command line)
-    case: Transmission,
+    case: Subject,
     vary: Mapping[str, ArrayLike | str] | Sequence[str] | str = (),
     *,
     zip: bool = False,  # noqa: A002
@@ -44,7 +45,8 @@ def sweep(  # noqa: PLR0913 (as on the command line)
 
     Parameters
     ----------
-    case : Transmission
+    case : Transmission or VariedScenario
+        A scenario comes from `sweep.scenario.load_varied`.
     vary : mapping of str to array_like or str, sequence of str, or str
         What is varied: ``{"D1.ratio": [-0.9, -0.8]}``, ``{"D1.ratio": "-0.9:-0.7:201"}``
         or ``["D1.ratio=-0.9:-0.7:201"]``; a grid, whose last number runs fastest. Of what is

@@ -163,6 +163,32 @@ def _with_expressions(subject: Subject, options: SweepOptions, variants: Variant
     return _of_runs(made, subject)
 
 
+def sampled_numbers(subject: VariedScenario) -> list[Variation]:
+    """The numbers that a scenario has in `samples`, with their distributions.
+
+    Raises
+    ------
+    ReadError
+        If it has not one of them.
+    """
+    problems: list[Problem] = []
+    variations: list[Variation] = []
+    for number, (path, distribution) in enumerate(subject.own.samples.items(), 1):
+        place = subject.own.spots.place(("samples", number))
+        try:
+            target = subject.sampled(path)
+            subject.check_new([target], [1.0])
+            variations.append(Variation(target, distribution, place))
+        except ReadError as error:
+            problems += [
+                Problem(f"samples: {one.message}", ("samples", path), place)
+                for one in error.problems
+            ]
+    if problems:
+        raise ReadError(problems)
+    return variations
+
+
 def sample_plan(subject: VariedScenario, options: SweepOptions) -> SweepPlan:
     """A plan of variants drawn from the distributions that a scenario has in `samples`.
 
@@ -179,23 +205,10 @@ def sample_plan(subject: VariedScenario, options: SweepOptions) -> SweepPlan:
     CaseError
         If there can be no such plan.
     """
-    samples = subject.own.samples
-    if not samples:
+    variations = sampled_numbers(subject)
+    if not variations:
         message = "the scenario has no `samples`: distributions by the paths of numbers"
         raise ReadError([of_file(subject.scenario.file, message)])
-    problems: list[Problem] = []
-    variations: list[Variation] = []
-    for number, (path, distribution) in enumerate(samples.items(), 1):
-        place = subject.own.spots.place(("samples", number))
-        try:
-            variations.append(Variation(subject.sampled(path), distribution, place))
-        except ReadError as error:
-            problems += [
-                Problem(f"samples: {one.message}", ("samples", path), place)
-                for one in error.problems
-            ]
-    if problems:
-        raise ReadError(problems)
     method = cast("Method", options.method or "random")
     drawn = Sample(variations, options.sample or 1, method, options.seed or 0)
     return _with_expressions(subject, replace(options, out=options.out or Text(OF_SAMPLES)), drawn)

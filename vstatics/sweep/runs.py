@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from vstatics.errors import CaseError, ReadError
+from vstatics.errors import CaseError, Problem, ReadError
 from vstatics.sweep.chunk import INVALID, STOPPED, Chunk, joined, rows_of
 from vstatics.sweep.motion_tables import MotionTables
 from vstatics.sweep.scenario import VariedScenario
@@ -32,6 +32,16 @@ def piece_of_runs(count: int) -> int:
 def calculate(plan: SweepPlan, subject: VariedScenario, start: int, stop: int) -> Chunk:
     """Run the variants from `start` up to `stop`, one after the other."""
     return joined([_row(plan, subject, number) for number in range(start, stop)])
+
+
+def reason(plan: SweepPlan, subject: VariedScenario) -> list[Problem]:
+    """Why the first variant has no numbers, if it has none."""
+    paths = [path for path in plan.variants.targets if isinstance(path, NumberPath)]
+    try:
+        motion = subject.run(paths, plan.variants.block(0, 1)[0].tolist())
+    except (ReadError, CaseError) as error:
+        return error.problems
+    return [motion.stopped] if motion.stopped else []
 
 
 def _row(plan: SweepPlan, subject: VariedScenario, number: int) -> Chunk:

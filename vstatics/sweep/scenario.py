@@ -7,7 +7,7 @@ vary, and what a number may not be is told by their reader.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -15,6 +15,7 @@ from vstatics.errors import Place, ReadError, quoted
 from vstatics.sweep.targets import refusal
 
 if TYPE_CHECKING:
+    from vstatics.readers import Format
     from vstatics.readers.named.nodes import Found, Node
     from vstatics.readers.reading import Reading
     from vstatics.simulation.motion import Motion
@@ -46,15 +47,18 @@ class VariedScenario:
         In any format; its numbers vary where that is YAML or JSON.
     rtol : float
         Accuracy of the runs, as of `simulate`. [-]
+    case_format : {"deck", "yaml", "json"}, optional
+        Told by the suffix, else by the content, when not given.
     """
 
     scenario: Document
     case: Document
     rtol: float = 1e-8
+    case_format: Format | None = None
 
     def __getstate__(self) -> dict[str, Any]:
         """What other processes get: they make their own trees."""
-        return {"scenario": self.scenario, "case": self.case, "rtol": self.rtol}
+        return {one.name: getattr(self, one.name) for one in fields(self)}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         """As of any object; it is written out for a frozen class."""
@@ -72,7 +76,7 @@ class VariedScenario:
         from vstatics.simulation.scenario_file import read_scenario
         from vstatics.sweep.scenario_numbers import Trees
 
-        return Trees(read_scenario(*self.scenario).root, case_tree(*self.case))
+        return Trees(read_scenario(*self.scenario).root, case_tree(*self.case, self.case_format))
 
     @cached_property
     def own(self) -> ScenarioFile:
@@ -89,7 +93,7 @@ class VariedScenario:
     def _own_case(self) -> Reading:
         from vstatics import readers
 
-        return readers.read(*self.case)
+        return readers.read(*self.case, self.case_format)
 
     def variant(self, paths: Sequence[NumberPath], values: Sequence[float]) -> ScenarioFile:
         """The scenario with other numbers.
@@ -235,3 +239,36 @@ def _nothing_found(document: Document) -> Found:
     from vstatics.readers.named.nodes import decode
 
     return decode(*document)
+
+
+def load_varied(file: str, case: str | None = None) -> VariedScenario:
+    """Read a scenario whose numbers are to vary, for `vstatics.sweep`.
+
+    Parameters
+    ----------
+    file : str
+    case : str, optional
+        A case in place of that which the scenario names.
+
+    Raises
+    ------
+    ReadError
+        With every problem and its place.
+    OSError
+        If a file cannot be opened.
+    """
+    from vstatics.simulation.scenario_file import read_scenario
+
+    scenario = Document(_bytes(file), file)
+    document = read_scenario(*scenario)
+    name = case or document.case_file
+    if not name:
+        raise document.no_case("`case` is missing: the file of the case")
+    varied = VariedScenario(scenario, Document(_bytes(name), name))
+    varied.own  # noqa: B018 (faults are told now)
+    return varied
+
+
+def _bytes(file: str) -> bytes:
+    with open(file, "rb") as opened:  # noqa: PTH123
+        return opened.read()

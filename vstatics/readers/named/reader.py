@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from vstatics.errors import Problem, ReadError
 from vstatics.model.keys import CASE, with_masses
@@ -20,6 +20,9 @@ from vstatics.readers.named.nodes import (
 )
 from vstatics.readers.named.walk import Walk
 from vstatics.readers.reading import Reading, finish
+
+if TYPE_CHECKING:
+    from vstatics.readers import Format
 
 
 def read_yaml(data: bytes, file: str) -> Reading:
@@ -62,7 +65,7 @@ def read_json(data: bytes, file: str) -> Reading:
     return read_case_tree(json_tree(found), found)
 
 
-def case_tree(data: bytes, file: str) -> Node | None:
+def case_tree(data: bytes, file: str, form: Format | None = None) -> Node | None:
     """The case in YAML or JSON as a tree of nodes; none in any other format.
 
     Raises
@@ -72,7 +75,7 @@ def case_tree(data: bytes, file: str) -> Node | None:
     """
     from vstatics.readers import format_of
 
-    form = format_of(file, data)
+    form = form or format_of(file, data)
     if form == "json":
         from vstatics.readers.named.json_nodes import json_tree
 
