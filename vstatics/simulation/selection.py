@@ -24,7 +24,7 @@ from vstatics.simulation.structure import Structures
 from vstatics.simulation.system import MotionSystem
 
 _AMPLE = 1e300
-_MOST_TRIED = 3000
+_MOST_TRIED = 20_000
 """Choices, before it is told that there is none."""
 SMALL = 1e-9
 """A speed or torque that is 0 but for rounding, by the largest of its kind."""
