@@ -66,6 +66,19 @@ def test_commands_take_a_scenario_for_its_case(tmp_path: Path) -> None:
         assert (said.status, said.all) == (0, "")
 
 
+def test_other_commands_say_that_it_is_a_scenario() -> None:
+    for command in ("run", "flow", "summary"):
+        said = vstatics(command, SCENARIO)
+        assert said.status == 1
+        assert "error: this is a scenario, expected a case; simulate, plot" in said.err
+        assert said.err.count("error:") == 1
+
+
+def test_a_run_has_no_single_gear(tmp_path: Path) -> None:
+    said = vstatics("plot", SCENARIO, "--kind", "shift", "--gear", "2", "-o", tmp_path / "a.svg")
+    assert (said.status, "--gear: a run goes through all gears" in said.err) == (2, True)
+
+
 def test_what_is_wrong_with_a_scenario_is_told_at_its_place(tmp_path: Path) -> None:
     text = SCENARIO.read_text(encoding="utf-8")
     case = (CASES / "tarasik-set.yaml").as_posix()

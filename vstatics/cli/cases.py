@@ -196,7 +196,7 @@ def calculate_one(file: str, settings: CaseOptions) -> CalculatedCase:
         each = settings.telling.each_gear
         problems = [*reading.warnings, *notes, *_located(reading, results, each_gear=each)]
     except ReadError as error:
-        results, problems = None, error.problems
+        results, problems = None, _no_case(data, name, settings) or error.problems
     except Exception as error:  # noqa: BLE001 - the other cases are to go on
         results, problems = None, [unexpected(name, error)]
     told = settings.telling.told(problems)
@@ -211,6 +211,16 @@ def _scenario(data: bytes, name: str, settings: CaseOptions) -> ScenarioFile | N
     from vstatics.simulation.scenario_file import is_scenario
 
     return read_document(data, name, settings.input_format) if is_scenario(data, name) else None
+
+
+def _no_case(data: bytes, name: str, settings: CaseOptions) -> list[Problem]:
+    """What is to be said of a text that is no case but a scenario, where none is taken."""
+    if settings.scenarios or b"duration" not in data:
+        return []
+    from vstatics.simulation.scenario_file import is_scenario
+
+    message = "this is a scenario, expected a case; simulate, plot, report and sweep take scenarios"
+    return [of_file(name, message)] if is_scenario(data, name) else []
 
 
 def read_one(file: str, input_format: readers.Format | None, telling: Telling) -> Reading:

@@ -78,6 +78,8 @@ def plot(
     Exit status: 0 done; 1 a case is in error, a gear is tied up, or there is
     nothing to draw; 2 wrong use.
     """
+    if kind == "shift" and gears:
+        raise click.UsageError("--gear: a run goes through all gears of its scenario")
     if output != STDOUT and not suffix_of(output) and len(cases) == 1:
         _refuse_without_suffix(output)
     to = formats.each_by_itself(output, cases, FORMATS, "a picture")

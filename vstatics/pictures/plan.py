@@ -140,8 +140,8 @@ def _layout(
     subject = style.text("generalised kinematic plan", "обобщённый кинематический план")
     if motion is not None:
         subject += style.text(
-            " with a run: full where it is on the rays",
-            " и движение: сплошная линия там, где оно на лучах",
+            " with a run (full where it is on the rays)",
+            " и движение (сплошная линия там, где оно на лучах)",
         )
     head = labels.wrapped(title(case, subject), wide - 2 * MARGIN, TITLE)
     title_high = labels.height(head, TITLE) + 2 * MARGIN
