@@ -162,7 +162,8 @@ def motion_system(
         if body.inertia:
             bodies.append((_row(case.links, dict(body.form)), body.inertia))
     if not bodies:
-        raise CaseError([Problem("the case has no inertias: nothing can be in motion", ("case",))])
+        message = "the case has no `inertias`, so nothing can be in motion: give those of its links"
+        raise CaseError([Problem(f"{message} in kg*m^2", ("case",))])
     contacts, outside = _loads(scenario)
     return MotionSystem(
         scenario=scenario,
