@@ -327,7 +327,10 @@ def consistent(
 def state_of(equations: Equations, at: Instant) -> Floats:
     """The state of equations at an instant."""
     state = np.empty(equations.size)
-    state[: equations.motions] = equations.structure.free.T @ at.speeds
+    structure = equations.structure
+    motions = structure.free.T @ at.speeds
+    motions += structure.projection @ (at.speeds - structure.free @ motions)
+    state[: equations.motions] = motions
     state[equations.twists] = at.twists
     state[equations.angles] = at.angles
     state[equations.works.start :] = at.accounts

@@ -46,6 +46,9 @@ class MotionStructure:
         Speeds of links by those of the motions with inertia, ``N``.
     light : ndarray, shape (links, massless motions)
         Speeds of links by those of the motions without.
+    projection : ndarray, shape (motions, links)
+        Motions of the same momentum by speeds of links that do not fit, as those of links without
+        inertia.
     rates, light_rates : ndarray
         Rates of ports by these.
     accelerations : ndarray, shape (motions, ports)
@@ -76,6 +79,8 @@ class MotionStructure:
             circulating = _circulating(rows, columns)
             columns = columns - columns @ circulating @ circulating.T
             left, left_light = _motions(system.heavy, columns)
+        momenta = self.free.T @ mass
+        self.projection: Floats = np.linalg.solve(momenta @ self.free, momenta)
         self.rates = ports @ self.free
         self.light_rates = ports @ self.light
         self.balances = left_light.T @ forces
