@@ -233,7 +233,7 @@ class Margins:
             return held
         slack = self._slack(times, held)
         made = held.copy()
-        rounding = _ROUNDING * np.abs(held).max(axis=0)
+        rounding = _ROUNDING * np.abs(held).max(axis=0, initial=0.0)
         for column in np.flatnonzero(slack.min(axis=0) < -rounding):
             change = least(slack[:, column], self._directions(held[:, column]))
             if change is not None:

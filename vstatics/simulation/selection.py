@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from heapq import heappop, heappush
 from itertools import combinations, product
 from typing import NamedTuple
 
@@ -24,7 +25,8 @@ from vstatics.simulation.structure import Structures
 from vstatics.simulation.system import MotionSystem
 
 _AMPLE = 1e300
-_MOST_TRIED = 20_000
+_MOST_GUIDED = 300
+_MOST_TRIED = 2000
 """Choices, before it is told that there is none."""
 SMALL = 1e-9
 """A speed or torque that is 0 but for rounding, by the largest of its kind."""
@@ -112,19 +114,16 @@ class ModeSelection:
             Of a link without inertia whose speed nothing determines.
         """
         base, choices = self.choices(at, before, scales, met)
-        fault: CaseError | np.linalg.LinAlgError | None = None
-        for tried, states in enumerate(_ordered(base, choices, before)):
-            if tried >= _MOST_TRIED:
-                break
-            if states in left:
-                continue
+        search = _Search(base, choices, before)
+        fault: CaseError | None = None
+        for states in search:
             try:
-                found = self._admissible(states, at, scales)
-            except (CaseError, np.linalg.LinAlgError) as error:
-                fault = fault or error  # another choice may do
-                continue
+                found, failing = self._tried(states, at, scales)
+            except CaseError as error:
+                fault, found, failing = fault or error, None, []
             if found is not None and found.equations.states not in left:
                 return found
+            search.fails(states, failing)
         if fault is not None:
             raise fault
         raise NoChoice
@@ -244,9 +243,15 @@ class ModeSelection:
                 return last
         return piece
 
-    def _admissible(self, states: States, at: Instant, scales: LargeSizes) -> Selected | None:
-        """A choice if it is admissible, with the flows of meshes and the pieces that go with it."""
+    def _tried(
+        self, states: States, at: Instant, scales: LargeSizes
+    ) -> tuple[Selected | None, list[Watch]]:
+        """A choice if it is admissible, with the flows of meshes and the pieces that go with it.
+
+        Else what fails in it.
+        """
         tried: set[States] = set()
+        failing: list[Watch] = []
         while states not in tried:
             tried.add(states)
             structure = self.structures.of(states.held, states.meshes)
@@ -255,13 +260,13 @@ class ModeSelection:
             margins = Margins(equations)
             failing = self._failing(margins, at.time, state, scales)
             if not failing:
-                return Selected(equations, margins, state, jump)
+                return Selected(equations, margins, state, jump), []
             states = _turned(states, failing) or states
-        return None
+        return None, failing
 
     def _failing(
         self, margins: Margins, time: float, state: Floats, scales: LargeSizes
-    ) -> list[Watch] | None:
+    ) -> list[Watch]:
         """What is below its margin, or at it and falling."""
         now = margins.at(time, state)
         now = np.where(np.isposinf(now), _AMPLE, now)
@@ -348,19 +353,87 @@ def instant_of(equations: Equations, time: float, state: Floats) -> Instant:
     )
 
 
-def _ordered(base: States, choices: Sequence[Choice], before: States | None) -> Iterator[States]:
-    """All choices: most sticking first, then nearest to before."""
-    for count in range(len(choices) + 1):
-        tried: list[tuple[int, int, States]] = []
-        for slipping in combinations(range(len(choices)), count):
-            for signs in product(*(choices[index][2][1:] for index in slipping)):
-                changed = dict(zip(slipping, signs, strict=True))
-                states = _with(base, choices, changed)
-                tried.append((_distance(states, before), len(tried), states))
-                if len(tried) > _MOST_TRIED:
-                    break
-        for _, _, states in sorted(tried, key=lambda one: one[:2]):
-            yield states
+class _Search:
+    """Goes through choices: most sticking first, then nearest to before.
+
+    What fails in a choice tells which to try next; when these are gone, all are tried.
+    """
+
+    def __init__(self, base: States, choices: Sequence[Choice], before: States | None) -> None:
+        self.base, self.choices, self.before = base, choices, before
+        self.place = {choice[:2]: number for number, choice in enumerate(choices)}
+        self.seen: set[tuple[tuple[int, str], ...]] = {()}
+        self.waiting: list[tuple[int, int, int, tuple[tuple[int, str], ...]]] = [(0, 0, 0, ())]
+        self.changed: tuple[tuple[int, str], ...] = ()
+
+    def __iter__(self) -> Iterator[States]:
+        """Choices, as they are to be tried."""
+        tried = 0
+        while self.waiting and tried < _MOST_GUIDED:
+            self.changed = heappop(self.waiting)[-1]
+            tried += 1
+            yield _with(self.base, self.choices, dict(self.changed))
+        for changed in self._all():
+            if tried >= _MOST_TRIED:
+                return
+            if changed not in self.seen:
+                self.seen.add(changed)
+                self.changed = changed
+                tried += 1
+                yield _with(self.base, self.choices, dict(changed))
+
+    def fails(self, states: States, failing: Sequence[Watch]) -> None:
+        """Note what fails in the choice that was tried last."""
+        for watch in failing:
+            for number, state in self._others(watch, states):
+                others = {**dict(self.changed), number: state}
+                if state == self.choices[number][2][0]:
+                    del others[number]
+                changed = tuple(sorted(others.items()))
+                if changed in self.seen:
+                    continue
+                self.seen.add(changed)
+                made = _with(self.base, self.choices, others)
+                rank = len(changed), _distance(made, self.before), len(self.seen)
+                heappush(self.waiting, (*rank, changed))
+
+    def _others(self, watch: Watch, states: States) -> Iterator[tuple[int, str]]:
+        """Other states of what fails."""
+        if watch.kind == "split":
+            for number, (kind, index, options) in enumerate(self.choices):
+                now = states.contacts[index] if kind == "contact" else states.meshes[index]
+                if kind != "spring" and now == "stick":
+                    yield from ((number, option) for option in options[1:])
+            return
+        number = self.place.get((_KINDS[watch.kind], watch.of), -1)
+        if number < 0:
+            return
+        options = self.choices[number][2]
+        if watch.kind == "hold":
+            wanted = "+" if watch.side > 0 else "-"
+            options = tuple(option for option in options if option in (wanted, "stick"))
+        now = dict(self.changed).get(number, options[0])
+        yield from ((number, option) for option in options if option != now)
+
+    def _all(self) -> Iterator[tuple[tuple[int, str], ...]]:
+        """All choices, most sticking first."""
+        for count in range(len(self.choices) + 1):
+            for slipping in combinations(range(len(self.choices)), count):
+                for signs in product(*(self.choices[index][2][1:] for index in slipping)):
+                    yield tuple(zip(slipping, signs, strict=True))
+
+
+_KINDS = {
+    "slip": "contact",
+    "hold": "contact",
+    "mesh": "mesh",
+    "cone": "mesh",
+    "limit": "spring",
+    "grip": "spring",
+    "flow": "",
+    "piece": "",
+}
+"""What a margin is of."""
 
 
 def _with(base: States, choices: Sequence[Choice], changed: dict[int, str]) -> States:

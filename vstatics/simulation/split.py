@@ -2,9 +2,14 @@
 
 from __future__ import annotations
 
+import math
+from itertools import combinations
+
 import numpy as np
 
 from vstatics.numerics.arrays import Floats
+
+_MOST_CORNERS = 3000
 
 
 def widest(slack: Floats, directions: Floats) -> float:
@@ -28,29 +33,50 @@ def widest(slack: Floats, directions: Floats) -> float:
         return np.inf
     if not directions.shape[1]:
         return float(slack.min())
-    if directions.shape[1] == 1:
-        return _widest_along(slack, directions[:, 0])
+    places = _corners(slack, directions)
+    if places is None:
+        return _by_programming(slack, directions)
+    return float(max(slack.min(), (slack[:, None] + directions @ places).min(axis=0).max()))
+
+
+def _corners(slack: Floats, directions: Floats) -> Floats | None:
+    """Splits at which as many slacks are equal as can be, shape (d, corners); None: too many.
+
+    The widest split is one of them.
+    """
+    limits, count = directions.shape
+    if math.comb(limits, count + 1) > _MOST_CORNERS:
+        return None
+    chosen = np.array(list(combinations(range(limits), count + 1)), dtype=int)
+    if not len(chosen):
+        return np.zeros((count, 1))
+    steep = float(np.abs(directions).max()) or 1.0
+    ones = np.ones((*chosen.shape, 1))
+    matrices = np.concatenate([directions[chosen] / steep, -ones], axis=2)
+    sizes = np.abs(np.linalg.det(matrices))
+    regular = sizes > 1e-9
+    if not regular.any():
+        return np.zeros((count, 1))
+    found = np.linalg.solve(matrices[regular], -slack[chosen[regular]][..., None])
+    places: Floats = found[:, :count, 0].T / steep
+    return places
+
+
+def _by_programming(slack: Floats, directions: Floats) -> float:
+    """The same by linear programming, where there are many redundant directions."""
     from scipy.optimize import linprog
 
     count = directions.shape[1]
     goal = np.zeros(count + 1)
     goal[-1] = -1.0
     scale = float(np.abs(slack).max()) or 1.0
-    limits = np.hstack([-directions, np.ones((len(slack), 1))])
+    steep = float(np.abs(directions).max()) or 1.0
+    limits = np.hstack([-directions / steep, np.ones((len(slack), 1))])
     bounds = [(None, None)] * count + [(None, 10.0)]
     made = linprog(goal, A_ub=limits, b_ub=slack / scale, bounds=bounds)
-    return float(made.x[-1]) * scale if made.success and made.x is not None else float(slack.min())
-
-
-def _widest_along(slack: Floats, slopes: Floats) -> float:
-    """The same along one direction: at a crossing of two lines, or where all are level."""
-    best = float(slack.min())
-    rises, falls = np.flatnonzero(slopes > 0), np.flatnonzero(slopes < 0)
-    if not len(rises) or not len(falls):
-        level = slack[slopes == 0]
-        return float(level.min()) if len(level) else np.inf
-    places = [(slack[j] - slack[i]) / (slopes[i] - slopes[j]) for i in rises for j in falls]
-    return max(best, *(float((slack + slopes * place).min()) for place in places))
+    if not made.success or made.x is None:
+        return float(slack.min())
+    return float(made.x[-1]) * scale
 
 
 def least(slack: Floats, directions: Floats) -> Floats | None:
@@ -67,13 +93,15 @@ def least(slack: Floats, directions: Floats) -> Floats | None:
     from scipy.optimize import nnls
 
     scale = float(np.abs(slack).max())
+    steep = float(np.abs(directions).max()) or 1.0
     needed = -slack / scale
-    stacked = np.vstack([directions.T, needed[None, :]])
+    stacked = np.vstack([directions.T / steep, needed[None, :]])
     goal = np.zeros(count + 1)
     goal[-1] = 1.0
     found, _ = nnls(stacked, goal)
     rest = stacked @ found - goal
     if abs(rest[-1]) < 1e-12:
         return None
-    change: Floats = -rest[:-1] / rest[-1] * scale
-    return change
+    change: Floats = -rest[:-1] / rest[-1] * scale / steep
+    fits = (slack + directions @ change).min() >= -1e-6 * scale
+    return change if fits else None

@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.numerics.arrays import Floats
+from vstatics.numerics.arrays import Booleans, Floats
 from vstatics.simulation.system import MotionSystem
 
 Held = tuple[bool, ...]
@@ -182,21 +182,38 @@ def _circulating(rows: Floats, columns: Floats) -> Floats:
 
 
 def _multipliers(columns: Floats, weights: Floats, residual: Floats) -> tuple[Floats, Floats]:
-    """Multipliers by ports, those of least weighted norm; and what of them is redundant."""
+    """Multipliers by ports, and what of them is redundant.
+
+    Of redundant ones those of least weighted norm; drags and meshes take a part only where
+    nothing else does.
+    """
     count = columns.shape[1]
     if not count:
         return np.zeros((0, residual.shape[1])), np.zeros((0, 0))
-    left, sizes, right = np.linalg.svd(columns, full_matrices=True)
-    rank = int((sizes > _INDEPENDENT * sizes[0]).sum())
+    rank = _rank(columns)
+    bearing: Booleans = weights < _LAST
+    places = np.arange(count)
+    if not bearing.all():
+        found = _rank(columns[:, bearing])
+        for index in np.flatnonzero(~bearing):
+            bearing[index] = found < rank and _rank(columns[:, bearing | (places == index)]) > found
+            found += int(bearing[index])
+    scaled = columns[:, bearing] / weights[bearing]
+    left, sizes, right = np.linalg.svd(scaled, full_matrices=False)
+    used = sizes > _INDEPENDENT * 1e-3 * sizes[0]
+    made = np.zeros((count, residual.shape[1]))
+    least = (right[used].T / sizes[used]) @ left[:, used].T @ residual
+    made[bearing] = least / weights[bearing, None]
     if rank == count:
-        inverse = (right.T / sizes) @ left[:, :rank].T
-        return inverse @ residual, np.zeros((count, 0))
-    particular = (right[:rank].T / sizes[:rank]) @ left[:, :rank].T @ residual
-    spare = right[rank:].T * weights[:, None]
+        return made, np.zeros((count, 0))
+    spare = null(columns) * weights[:, None]
     basis, _ = np.linalg.qr(spare)  # orthonormal in the weighted norm
-    weighted = particular * weights[:, None]
-    weighted = weighted - basis @ (basis.T @ weighted)
-    return weighted / weights[:, None], basis / weights[:, None]
+    return made, basis / weights[:, None]
+
+
+def _rank(columns: Floats) -> int:
+    sizes = np.linalg.svd(columns, compute_uv=False)
+    return int((sizes > _INDEPENDENT * sizes[0]).sum()) if len(sizes) else 0
 
 
 class Structures:
