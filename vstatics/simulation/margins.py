@@ -16,7 +16,7 @@ from vstatics.simulation.ports import (
     programme_along,
     programme_at,
 )
-from vstatics.simulation.split import least, widest
+from vstatics.simulation.split import least, widest, widest_place
 from vstatics.simulation.system import Contact
 
 Watched = Literal["slip", "hold", "split", "mesh", "flow", "cone", "limit", "grip", "piece"]
@@ -226,6 +226,19 @@ class Margins:
         if smallest >= -_ROUNDING * float(np.abs(held).max(initial=0.0)):
             return max(smallest, 0.0)
         return widest(slack, self._directions(held))
+
+    def tight(self, time: float, state: Floats) -> list[Watch]:
+        """What is at its limit in the split that leaves most room."""
+        equations, at = self.equations, np.array([time])
+        rates = equations.rates_at(at, state[:, None])
+        torques = equations.torques_at(at, state[:, None], rates)
+        held = (equations.structure.torques @ torques)[:, 0]
+        slack = self._slack(at, held[:, None])[:, 0]
+        best = slack + self._directions(held) @ widest_place(slack, self._directions(held))
+        near = best <= best.min() + 1e-6 * float(np.abs(slack).max())
+        watches = [one for one in self.watches if one.kind == "hold"]
+        watches += [one for one in self.watches if one.kind == "cone"]
+        return [watch for watch, tight in zip(watches, near.tolist(), strict=True) if tight]
 
     def split(self, times: Floats, held: Floats) -> Floats:
         """Torques of what holds, those of least norm within the limits, shape (held, times)."""

@@ -16,7 +16,7 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.errors import CaseError
-from vstatics.numerics.arrays import Floats
+from vstatics.numerics.arrays import Booleans, Floats
 from vstatics.simulation.equations import Equations
 from vstatics.simulation.laws import Points
 from vstatics.simulation.margins import LargeSizes, Margins, Watch
@@ -121,12 +121,59 @@ class ModeSelection:
                 found, failing = self._tried(states, at, scales)
             except CaseError as error:
                 fault, found, failing = fault or error, None, []
+            except np.linalg.LinAlgError:
+                found, failing = None, []
             if found is not None and found.equations.states not in left:
                 return found
-            search.fails(states, failing)
+            failing = [watch for watch in failing if self._may_change(watch, states, choices)]
+            search.fails(states, failing, self._released(states, at, choices))
         if fault is not None:
             raise fault
         raise NoChoice
+
+    def _may_change(self, watch: Watch, states: States, choices: Sequence[Choice]) -> bool:
+        """Whether a mesh that fails could move at all, with what sticks besides meshes."""
+        if _KINDS[watch.kind] != "mesh":
+            return True
+        free = {index for kind, index, _ in choices if kind == "mesh"}
+        meshes = tuple("" if index in free else one for index, one in enumerate(states.meshes))
+        try:
+            motions = self.structures.of(states.held, meshes)
+        except np.linalg.LinAlgError:
+            return True
+        slip = self.system.meshes[watch.of].slip
+        moves = np.concatenate([slip @ motions.free, slip @ motions.light])
+        return bool((np.abs(moves) > SMALL).any())
+
+    def _released(self, states: States, at: Instant, choices: Sequence[Choice]) -> States | None:
+        """The states with all meshes moving that would, if none of them held by its friction."""
+        held = [
+            index
+            for kind, index, _ in choices
+            if kind == "mesh" and states.meshes[index] == "stick"
+        ]
+        if not held:
+            return None
+        meshes = list(states.meshes)
+        for index in held:
+            meshes[index] = ""
+        loose = states._replace(meshes=tuple(meshes))
+        try:
+            structure = self.structures.of(loose.held, loose.meshes)
+            equations = Equations(self.system, self.layout, structure, loose, at.time)
+            state = state_of(equations, at)
+            rates, _ = equations.rates(at.time, state)
+            torques = equations.torques(at.time, state, rates)
+        except (CaseError, np.linalg.LinAlgError):
+            return None
+        turning = structure.free @ (structure.accelerations @ torques)
+        carried = structure.torques @ torques
+        slips = np.array([self.system.meshes[index].slip @ turning for index in held])
+        least = SMALL * float(np.abs(turning).max(initial=0.0))
+        for index, slip in zip(held, slips.tolist(), strict=True):
+            flow = "+" if carried[index] >= 0 else "-"
+            meshes[index] = ("+" if slip > 0 else "-") + flow if abs(slip) > least else "stick"
+        return states._replace(meshes=tuple(meshes))
 
     def choices(
         self,
@@ -273,14 +320,23 @@ class ModeSelection:
         units = margins.units(scales)
         below = ~(now >= -SMALL * units)
         if below.any():
-            return [margins.watches[index] for index in np.flatnonzero(below)]
+            return _failed(margins, time, state, below)
         near = now <= SMALL * units
         if not near.any():
             return []
         ahead = state + self.within * margins.equations.derivative(time, state)
         then = margins.at(time + self.within, ahead)
         falls = near & (then - now < -1e-12 * units)
-        return [margins.watches[index] for index in np.flatnonzero(falls)]
+        return _failed(margins, time + self.within, ahead, falls)
+
+
+def _failed(margins: Margins, time: float, state: Floats, failing: Booleans) -> list[Watch]:
+    """What fails; of what holds together what is at its limit."""
+    found: list[Watch] = []
+    for index in np.flatnonzero(failing):
+        watch = margins.watches[index]
+        found += margins.tight(time, state) if watch.kind == "split" else [watch]
+    return found
 
 
 def _turned(states: States, failing: Sequence[Watch]) -> States | None:
@@ -363,7 +419,7 @@ class _Search:
         self.base, self.choices, self.before = base, choices, before
         self.place = {choice[:2]: number for number, choice in enumerate(choices)}
         self.seen: set[tuple[tuple[int, str], ...]] = {()}
-        self.waiting: list[tuple[int, int, int, tuple[tuple[int, str], ...]]] = [(0, 0, 0, ())]
+        self.waiting: list[tuple[tuple[int, ...], tuple[tuple[int, str], ...]]] = [((0,), ())]
         self.changed: tuple[tuple[int, str], ...] = ()
 
     def __iter__(self) -> Iterator[States]:
@@ -382,29 +438,35 @@ class _Search:
                 tried += 1
                 yield _with(self.base, self.choices, dict(changed))
 
-    def fails(self, states: States, failing: Sequence[Watch]) -> None:
+    def fails(self, states: States, failing: Sequence[Watch], released: States | None) -> None:
         """Note what fails in the choice that was tried last."""
+        if released is not None:
+            changes = dict(self.changed)
+            for number, (kind, index, _) in enumerate(self.choices):
+                if kind == "mesh" and released.meshes[index] != states.meshes[index]:
+                    changes[number] = released.meshes[index]
+            self._push(changes, single=False)
         for watch in failing:
-            for number, state in self._others(watch, states):
+            for number, state in self._others(watch):
                 others = {**dict(self.changed), number: state}
                 if state == self.choices[number][2][0]:
                     del others[number]
-                changed = tuple(sorted(others.items()))
-                if changed in self.seen:
-                    continue
-                self.seen.add(changed)
-                made = _with(self.base, self.choices, others)
-                rank = len(changed), _distance(made, self.before), len(self.seen)
-                heappush(self.waiting, (*rank, changed))
+                self._push(others, single=True)
 
-    def _others(self, watch: Watch, states: States) -> Iterator[tuple[int, str]]:
-        """Other states of what fails."""
-        if watch.kind == "split":
-            for number, (kind, index, options) in enumerate(self.choices):
-                now = states.contacts[index] if kind == "contact" else states.meshes[index]
-                if kind != "spring" and now == "stick":
-                    yield from ((number, option) for option in options[1:])
+    def _push(self, changes: dict[int, str], *, single: bool) -> None:
+        """Have a choice tried: meshes that move together count as one."""
+        changed = tuple(sorted(changes.items()))
+        if changed in self.seen:
             return
+        self.seen.add(changed)
+        meshes = sum(self.choices[number][0] == "mesh" for number in changes)
+        made = _with(self.base, self.choices, changes)
+        slipping = len(changes) - meshes + min(meshes, 1)
+        rank = slipping, int(single), _distance(made, self.before), len(self.seen)
+        heappush(self.waiting, (rank, changed))
+
+    def _others(self, watch: Watch) -> Iterator[tuple[int, str]]:
+        """Other states of what fails."""
         number = self.place.get((_KINDS[watch.kind], watch.of), -1)
         if number < 0:
             return
@@ -432,6 +494,7 @@ _KINDS = {
     "grip": "spring",
     "flow": "",
     "piece": "",
+    "split": "",
 }
 """What a margin is of."""
 

@@ -31,12 +31,20 @@ def widest(slack: Floats, directions: Floats) -> float:
     """
     if not len(slack):
         return np.inf
+    return float((slack + directions @ widest_place(slack, directions)).min())
+
+
+def widest_place(slack: Floats, directions: Floats) -> Floats:
+    """Where along the redundant directions the least slack is largest, shape (d,)."""
+    none = np.zeros(directions.shape[1])
     if not directions.shape[1]:
-        return float(slack.min())
+        return none
     places = _corners(slack, directions)
     if places is None:
         return _by_programming(slack, directions)
-    return float(max(slack.min(), (slack[:, None] + directions @ places).min(axis=0).max()))
+    sizes = (slack[:, None] + directions @ places).min(axis=0)
+    best = int(sizes.argmax())
+    return places[:, best] if sizes[best] > slack.min() else none
 
 
 def _corners(slack: Floats, directions: Floats) -> Floats | None:
@@ -62,7 +70,7 @@ def _corners(slack: Floats, directions: Floats) -> Floats | None:
     return places
 
 
-def _by_programming(slack: Floats, directions: Floats) -> float:
+def _by_programming(slack: Floats, directions: Floats) -> Floats:
     """The same by linear programming, where there are many redundant directions."""
     from scipy.optimize import linprog
 
@@ -75,8 +83,9 @@ def _by_programming(slack: Floats, directions: Floats) -> float:
     bounds = [(None, None)] * count + [(None, 10.0)]
     made = linprog(goal, A_ub=limits, b_ub=slack / scale, bounds=bounds)
     if not made.success or made.x is None:
-        return float(slack.min())
-    return float(made.x[-1]) * scale
+        return np.zeros(count)
+    place: Floats = made.x[:-1] * scale / steep
+    return place
 
 
 def least(slack: Floats, directions: Floats) -> Floats | None:
