@@ -30,9 +30,12 @@ from vstatics.readers.results import read_results
 from vstatics.simulation.formula import Formula
 from vstatics.simulation.scenario_file import read_scenario
 from vstatics.summary.duty_file import read_duty
+from vstatics.sweep import build
 from vstatics.sweep.expressions import read_expression
 from vstatics.sweep.expressions.columns import read_columns
 from vstatics.sweep.file import read_sweep_file
+from vstatics.sweep.options import SweepOptions
+from vstatics.sweep.scenario import Document, VariedScenario
 from vstatics.sweep.table import read_table
 from vstatics.sweep.targets import target
 from vstatics.sweep.variation import read_variation
@@ -105,6 +108,14 @@ def _scenario(data: bytes) -> object:
 def _box() -> Reading:
     file = CASES / "tarasik-box.yaml"
     return read(file.read_bytes(), file.name)
+
+
+@cache
+def _varied() -> VariedScenario:
+    scenario, case = CASES / "scenarios/tarasik-box.yaml", CASES / "tarasik-box.yaml"
+    return VariedScenario(
+        Document(scenario.read_bytes(), scenario.name), Document(case.read_bytes(), case.name)
+    )
 
 
 @cache
@@ -182,6 +193,26 @@ def kinds() -> dict[str, Kind]:
         ),
         "columns": Kind(
             ("ratio[1],ETA[1],speeds[:,2]", "AMLGP[Mx,1] - AMLG[Mx,1], ratio"), columns
+        ),
+        "scenario sweep": Kind(
+            (
+                "controls.FH.2.1=0:2:5",
+                "controls.FB.scale=.9,1.1",
+                'start.speeds."in"=60 rad/s:90 rad/s:3',
+                "in.inertia=1,2",
+                "mechanisms.'set 1'.ratio=-2,-3",
+                "duration=1 s:6:step=.5",
+            ),
+            lambda data: build.plan(
+                _varied(), SweepOptions.of(vary=[data.decode(errors="replace")])
+            ),
+        ),
+        "run columns": Kind(
+            (
+                "heat[F2], max(abs(slips[F2] - slips[F1])), last(speeds[out])",
+                "locks[F1] - controls.F1.2.1, sum(losses)/work, time*(speeds > 3)",
+            ),
+            lambda data: read_columns(data.decode(errors="replace"), _varied(), []),
         ),
         "variation": Kind(
             ("D1.ratio=-3:-2:5", "D1.ratio=-3:-2", "D2.efficiency=.9,.95,.97", "D1.ratio=-96/39"),

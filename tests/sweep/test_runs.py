@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 
 import vstatics
+from tests.commands import CASES
 from tests.sweep.scenarios import CASE, SCENARIO, subject
 from vstatics.errors import ReadError
 from vstatics.numerics.arrays import Floats
@@ -106,6 +107,21 @@ def test_a_scenario_is_swept_from_python(tmp_path: Path) -> None:
     (made,) = vstatics.sweep(varied, {"controls.brake.1.2": [100.0, 140.0]}, out="locks[brake]")
     expected = [[lock_time(100.0)], [lock_time(140.0)]]
     np.testing.assert_allclose(made.columns, expected, rtol=1e-8)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", sorted(path.name for path in CASES.glob("scenarios/*.yaml")))
+def test_tables_have_a_row_for_all_that_a_run_tells(name: str) -> None:
+    """Of the first part of each shipped scenario: sums over rows lose nothing."""
+    varied = load_varied(str(CASES / "scenarios" / name))
+    scenario = varied.own.scenario
+    motion = simulate(scenario._replace(duration=min(scenario.duration, 0.6)))
+    assert set(motion.energy.heat) <= set(varied.rows("friction"))
+    assert set(motion.energy.losses) <= set(varied.rows("loss"))
+    assert {event.element for event in motion.events} <= set(varied.rows("friction"))
+    assert set(motion.peaks) <= set(varied.rows("device"))
+    assert set(varied.rows("link")) <= set(motion.links)
+    assert set(varied.rows("device")) == set(motion.devices)
 
 
 @pytest.mark.slow

@@ -17,8 +17,9 @@ from vstatics.simulation.laws import Resistance, Road
 from vstatics.simulation.motion import EventKind, Motion
 from vstatics.simulation.scenario import Scenario
 
-Kind = Literal["link", "shift element", "device", "load", "target", "number"]
-"""What has a row; a load is a shift element or a link where torques may hold; a number has none."""
+Kind = Literal["link", "shift element", "device", "friction", "loss", "target", "number"]
+"""What has a row; a number has none. Friction is that of shift elements, of links with a resistance
+or a road, of springs with a limit; losses are those of devices and of links with drag."""
 OfRow: TypeAlias = Callable[[Motion, str, int], float]
 """A number of a run by the name of a row, and its place."""
 
@@ -74,17 +75,17 @@ TABLES: Mapping[str, MotionTable] = {
     "speeds": MotionTable("link"),
     "slips": MotionTable("shift element"),
     "torques": MotionTable("device"),
-    "heat": MotionTable("load", _of_energy("heat", 0.0)),
+    "heat": MotionTable("friction", _of_energy("heat", 0.0)),
     "heat_per_area": MotionTable("shift element", _of_energy("heat_per_area", math.nan)),
-    "losses": MotionTable("device", _of_energy("losses", 0.0)),
+    "losses": MotionTable("loss", _of_energy("losses", 0.0)),
     "peaks": MotionTable("device", _of_peak("torque")),
     "peak_times": MotionTable("device", _of_peak("time")),
-    "locks": MotionTable("load", _of_event("locks", 0)),
-    "last_locks": MotionTable("load", _of_event("locks", -1)),
-    "breaks": MotionTable("load", _of_event("slips", 0)),
-    "reverses": MotionTable("load", _of_event("reverses", 0)),
-    "impacts": MotionTable("load", _of_event("impact", 0)),
-    "events": MotionTable("load", _events),
+    "locks": MotionTable("friction", _of_event("locks", 0)),
+    "last_locks": MotionTable("friction", _of_event("locks", -1)),
+    "breaks": MotionTable("friction", _of_event("slips", 0)),
+    "reverses": MotionTable("friction", _of_event("reverses", 0)),
+    "impacts": MotionTable("friction", _of_event("impact", 0)),
+    "events": MotionTable("friction", _events),
     "time_to": MotionTable("target", _of_target("time")),
     "distance_to": MotionTable("target", _of_target("distance")),
     "work": MotionTable("number"),
@@ -104,24 +105,27 @@ def along_time(name: str) -> bool:
 def rows_of_kind(kind: Kind, scenario: Scenario) -> tuple[str, ...]:
     """The names of the rows of tables of a kind."""
     case = scenario.case
-    elements = tuple(element.name for element in case.shift_elements)
-    match kind:
-        case "link":
-            return tuple(case.link_names[: case.own_links])
-        case "shift element":
-            return elements
-        case "device":
-            return (*case.devices, *(one.name for one in scenario.converters))
-        case "load":
-            loaded = {link for link, law in scenario.torques if isinstance(law, Resistance | Road)}
-            return (*elements, *(case.link_names[link - 1] for link in sorted(loaded)))
-        case "target":
-            return tuple(
-                f"{case.link_names[link - 1]} {speed:.12g}"
-                for link, speeds in scenario.targets.items()
-                for speed in speeds
-            )
-    return ()
+    names: list[str] = []
+    if kind == "link":
+        names += case.link_names[: case.own_links]
+    if kind in ("shift element", "friction"):
+        names += [element.name for element in case.shift_elements]
+    if kind == "friction":
+        loaded = {link for link, law in scenario.torques if isinstance(law, Resistance | Road)}
+        names += [case.link_names[link - 1] for link in sorted(loaded)]
+        names += [spring.name for spring in case.springs if spring.limit is not None]
+    if kind in ("device", "loss"):
+        names += [*case.devices, *(converter.name for converter in scenario.converters)]
+    if kind == "loss":
+        dragged = {link for gear in case.gears for link in gear.drag}
+        names += [case.link_names[link - 1] for link in sorted(dragged)]
+    if kind == "target":
+        names += [
+            f"{case.link_names[link - 1]} {speed:.12g}"
+            for link, speeds in scenario.targets.items()
+            for speed in speeds
+        ]
+    return tuple(names)
 
 
 class MotionTables:
