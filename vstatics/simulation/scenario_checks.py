@@ -8,16 +8,23 @@ speeds that contradict each other, is told there.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from itertools import pairwise
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
-from vstatics.errors import CaseError, Path, Problem, ReadError, listed, nearest, quoted, spoken
+from vstatics.errors import CaseError, Path, Problem, listed, nearest, quoted
 from vstatics.model.parts import HOUSING
 from vstatics.model.transmission import Transmission
-from vstatics.simulation.capacities import largest_capacity
 from vstatics.simulation.formula import Formula
-from vstatics.simulation.laws import Points, Resistance, Road, TorqueLaw
+from vstatics.simulation.law_checks import (
+    of_characteristic,
+    of_finite,
+    of_formula,
+    of_law,
+    of_points,
+    of_times,
+)
+from vstatics.simulation.laws import Road, TorqueLaw
+from vstatics.simulation.programme import newton_metres
 from vstatics.simulation.scenario import Capacity, Control, Converter, Scenario, Start
 
 
@@ -39,8 +46,9 @@ def scenario_problems(scenario: Scenario) -> Iterator[Problem]:
     Examples
     --------
     >>> from vstatics import Gear, ShiftElement
+    >>> from vstatics.simulation.laws import constant
     >>> case = Transmission(2, [ShiftElement(1, 2)], [], [Gear()])
-    >>> negative = {1: Capacity(Points((0.0,), (-30.0,)))}
+    >>> negative = {1: Capacity(constant(-30.0))}
     >>> scenario = Scenario(case, 0.0, Start(speeds={1: 0.0, 2: 0.0}), negative)
     >>> for problem in scenario_problems(scenario):
     ...     print(problem)
@@ -57,7 +65,7 @@ def scenario_problems(scenario: Scenario) -> Iterator[Problem]:
     for link, speeds in scenario.targets.items():
         path = ("targets", _name(scenario.case, link))
         yield from _of_link(link, scenario.case, path)
-        yield from _finite(speeds, "a speed", path)
+        yield from of_finite(speeds, "a speed", path)
 
 
 def scenario_doubts(scenario: Scenario) -> Iterator[Problem]:
@@ -86,11 +94,11 @@ def _of_start(start: Start, case: Transmission) -> Iterator[Problem]:
         yield from _of_gear(start.gear, case, ("start", "gear"))
     elif start.speed:
         yield Problem("read `speed` without `gear`, expected both", ("start", "speed"))
-    yield from _finite([start.speed], "a speed", ("start", "speed"))
+    yield from of_finite([start.speed], "a speed", ("start", "speed"))
     for link, speed in start.speeds.items():
         path = ("start", "speeds", _name(case, link))
         yield from _of_link(link, case, path)
-        yield from _finite([speed], "a speed", path)
+        yield from of_finite([speed], "a speed", path)
     for place, element in enumerate(start.engaged, 1):
         yield from _of_element(element, case, ("start", "engaged", place))
 
@@ -107,11 +115,11 @@ def _of_controls(controls: Mapping[int, Control], case: Transmission) -> Iterato
             message = "is a freewheel, which finds by itself whether it holds: it has no control"
             yield Problem(message, path)
         elif isinstance(control, Capacity):
-            largest = None if element.friction else largest_capacity(case, number)
+            largest = None if element.friction else newton_metres(element.capacity, case)
             kind = "pressure" if element.friction else "capacity"
             yield from _of_capacity(control, largest, kind, path)
         else:
-            yield from _of_times([time for time, _ in control.points], (*path, "dog"))
+            yield from of_times([time for time, _ in control.points], (*path, "dog"))
 
 
 def _of_capacity(
@@ -122,11 +130,11 @@ def _of_capacity(
     if not 0 <= scale < math.inf:
         yield Problem(f"read {scale:g}, expected a scale of 0 or more", (*path, "scale"))
     if isinstance(law, Formula):
-        yield from _of_formula(law, ["t"], path)
+        yield from of_formula(law, ["t"], path)
         return
     if law.over != "time":
         yield Problem(f"read points over {law.over}, expected points over time", path)
-    yield from _of_points(law, path)
+    yield from of_points(law, path)
     for number, value in enumerate(law.y, 1):
         place = (*path, number, 2) if len(law.y) > 1 else path
         if value < 0:
@@ -145,35 +153,7 @@ def _of_torques(scenario: Scenario) -> Iterator[Problem]:
         path = ("torques", _name(scenario.case, link))
         yield from _of_link(link, scenario.case, path)
         for number, law in enumerate(several, 1):
-            yield from _of_law(law, (*path, number) if len(several) > 1 else path)
-
-
-def _of_law(law: TorqueLaw, path: Path) -> Iterator[Problem]:
-    match law:
-        case Formula():
-            yield from _of_formula(law, ["t", "speed", "angle"], path)
-        case Points():
-            yield from _of_points(law, path)
-        case Resistance():
-            if not 0 <= law.torque < math.inf:
-                message = f"read {law.torque:g}, expected a torque of 0 or more"
-                yield Problem(message, (*path, "resistance"))
-        case Road():
-            yield from _of_road(law, (*path, "road"))
-
-
-def _of_road(road: Road, path: Path) -> Iterator[Problem]:
-    limits: dict[str, tuple[Callable[[float], bool], str]] = {
-        "mass": (lambda value: value > 0, "a mass above 0"),
-        "radius": (lambda value: value > 0, "a radius above 0"),
-        "rolling": (lambda value: value >= 0, "a coefficient of 0 or more"),
-        "drag_area": (lambda value: value >= 0, "an area of 0 or more"),
-        "slope": (lambda value: -1 <= value <= 1, "the sine of an angle, from -1 to 1"),
-    }
-    for name, (holds, expected) in limits.items():
-        value = getattr(road, name)
-        if not (holds(value) and math.isfinite(value)):
-            yield Problem(f"read {value:g}, expected {expected}", (*path, name))
+            yield from of_law(law, (*path, number) if len(several) > 1 else path)
 
 
 def _of_converters(converters: Sequence[Converter], case: Transmission) -> Iterator[Problem]:
@@ -188,23 +168,7 @@ def _of_converters(converters: Sequence[Converter], case: Transmission) -> Itera
             yield from _of_link(link, case, (*path, "links"))
         if converter.pump == converter.turbine:
             yield Problem("expected two different links, pump and turbine", (*path, "links"))
-        yield from _of_characteristic(converter.points, (*path, "points"))
-
-
-def _of_characteristic(
-    points: Sequence[tuple[float, float, float]], path: Path
-) -> Iterator[Problem]:
-    if not points:
-        yield Problem("read no points, expected one at least", path)
-    yield from _ascending([ratio for ratio, _, _ in points], "speed ratios in their order", path)
-    for number, row in enumerate(points, 1):
-        yield from _finite(row, "a number", (*path, number))
-        if row[1] < 0:
-            message = f"read {row[1]:g}, expected a torque ratio K of 0 or more"
-            yield Problem(message, (*path, number, 2))
-        if row[2] < 0 and row[0] < 1:
-            message = f"read {row[2]:g}, expected a lambda of 0 or more up to i = 1"
-            yield Problem(message, (*path, number, 3))
+        yield from of_characteristic(converter.points, (*path, "points"))
 
 
 def _of_shifts(scenario: Scenario) -> Iterator[Problem]:
@@ -221,46 +185,6 @@ def _of_shifts(scenario: Scenario) -> Iterator[Problem]:
         if not 0 <= shift.overlap < math.inf:
             message = f"read {shift.overlap:g}, expected a time of 0 or more"
             yield Problem(message, (*path, "overlap"))
-
-
-def _of_formula(formula: Formula, names: Sequence[str], path: Path) -> Iterator[Problem]:
-    """One that can be read, with known names alone."""
-    try:
-        others = sorted(formula.variables.difference(names))
-    except ReadError as error:
-        yield from (problem._replace(path=path, place=None) for problem in error.problems)
-        return
-    if others:
-        yield Problem(f"read {quoted(others[0])}, expected a formula of {spoken(names)}", path)
-
-
-def _of_points(points: Points, path: Path) -> Iterator[Problem]:
-    if not points.x or len(points.x) != len(points.y):
-        yield Problem("expected points, one at least, each of two numbers", path)
-    yield from _finite([*points.x, *points.y], "a number", path)
-    yield from _ascending(points.x, f"points in the order of the {points.over}", path)
-
-
-def _of_times(times: Sequence[float], path: Path) -> Iterator[Problem]:
-    if not times:
-        yield Problem("read no times, expected one at least", path)
-    yield from _finite(times, "a time", path)
-    yield from _ascending(times, "times in their order", path)
-
-
-def _ascending(values: Sequence[float], expected: str, path: Path) -> Iterator[Problem]:
-    for number, (one, other) in enumerate(pairwise(values), 2):
-        if other < one:
-            message = f"read {other:g} behind {one:g}, expected {expected}"
-            yield Problem(message, (*path, number))
-            return
-
-
-def _finite(values: Sequence[float], expected: str, path: Path) -> Iterator[Problem]:
-    for value in values:
-        if not math.isfinite(value):
-            yield Problem(f"read {value:g}, expected {expected} that is finite", path)
-            return
 
 
 def _of_link(link: int, case: Transmission, path: Path) -> Iterator[Problem]:

@@ -1,17 +1,10 @@
 """The keys of a scenario in YAML and JSON, declared once; see `model.shape`.
 
-What the reader makes of them are `Given...` values: numbers that know their unit, since what a
-number measures may depend on the case (a pressure, where an element has friction), and plain
-containers of them. `scenario_values` makes the parts of a scenario of these.
+What is read of them is in `scenario_given`.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from functools import partial
-from typing import Any, NamedTuple
-
-from vstatics.errors import quoted, spoken
 from vstatics.model.keys import ENGAGED
 from vstatics.model.shape import (
     FLAG,
@@ -24,17 +17,23 @@ from vstatics.model.shape import (
     KeyShape,
     Leaf,
     ListOf,
-    Measure,
     Numbers,
     OneOrMany,
-    Parsed,
     RowOf,
 )
-from vstatics.readers.expressions.excerpt import Excerpt
-from vstatics.readers.named.arithmetic import calculated
-from vstatics.readers.named.si_units import in_any_unit
-from vstatics.simulation.formula import Formula, read_formula
 from vstatics.simulation.laws import Road
+from vstatics.simulation.scenario_given import (
+    ABSCISSA,
+    ANYTHING,
+    CAPACITY,
+    CAPACITY_CURVE,
+    SPEED,
+    TORQUE_CURVE,
+    GivenControl,
+    GivenLaw,
+    GivenSamples,
+    exactly_one,
+)
 
 _TIME, _TORQUE = Leaf("time"), Leaf("si_torque")
 _NOT_BELOW_0 = {"minimum": 0}
@@ -43,86 +42,6 @@ _POINTS_OVER_TIME = "points [time in s, value] in their order: straight between,
 _POINTS_OVER_TIME += "where a time repeats the later value holds from there"
 
 
-class GivenControl(NamedTuple):
-    """A control as a mapping."""
-
-    points: Sequence[tuple[float, float]] | None = None
-    formula: float | Formula | None = None
-    scale: float = 1.0
-    dog: Sequence[tuple[float, str]] | None = None
-
-
-class GivenLaw(NamedTuple):
-    """A law of a torque as a mapping."""
-
-    over: str = "time"
-    points: Sequence[tuple[float, float]] | None = None
-    formula: float | Formula | None = None
-    resistance: float | None = None
-    road: Road | None = None
-
-
-class GivenSamples(NamedTuple):
-    """A distribution."""
-
-    normal: tuple[float, float] | None = None
-    lognormal: tuple[float, float] | None = None
-    uniform: tuple[float, float] | None = None
-    min: float | None = None
-    max: float | None = None
-
-
-def _exactly_one(*names: str, with_points: Sequence[str] = ()) -> Callable[..., str]:
-    """Whether one of some keys is given, and others beside `points` alone."""
-
-    def fault(**values: Any) -> str:
-        given = [name for name in names if values.get(name) is not None]
-        if len(given) != 1:
-            read = f"read {spoken(map(quoted, given))}" if given else "read none of them"
-            return f"{read}, expected one of {spoken(map(quoted, names), 'or')}"
-        others = [name for name in with_points if values.get(name) is not None]
-        if others and given != ["points"]:
-            return f"read {quoted(others[0])} beside {quoted(given[0])}, expected it with `points`"
-        return ""
-
-    return fault
-
-
-def _curve(text: str, measures: Sequence[Measure], names: Sequence[str]) -> float | Formula:
-    """A number, bare or with its unit, or a formula."""
-    try:
-        behind = calculated(text).behind
-    except ValueError:
-        behind = "*"
-    if not behind or behind[0].isalpha() or behind[0] == "°":
-        return in_any_unit(text, measures)
-    try:
-        return in_any_unit(text, measures)
-    except ValueError:
-        return read_formula(Excerpt(text, ""), names)
-
-
-def _number(measures: Sequence[Measure], expected: str) -> Parsed:
-    return Parsed(expected, partial(in_any_unit, measures=measures), 0.0)
-
-
-CAPACITY = _number(["si_torque", "pressure"], "a capacity in N*m, or a pressure in Pa")
-ABSCISSA = _number(["time", "si_speed", "angle"], "a time, a speed or an angle")
-SPEED = _number(["si_speed", "velocity"], "a speed")
-ANYTHING = _number(
-    ["time", "si_torque", "si_speed", "angle", "pressure", "inertia", "stiffness", "compliance"],
-    "a number",
-)
-CAPACITY_CURVE = Parsed(
-    "a capacity, or a formula of t",
-    partial(_curve, measures=["si_torque", "pressure"], names=["t"]),
-    0.0,
-)
-TORQUE_CURVE = Parsed(
-    "a torque, or a formula of t, speed and angle",
-    partial(_curve, measures=["si_torque"], names=["t", "speed", "angle"]),
-    0.0,
-)
 _CAPACITY_POINTS = ListOf(RowOf((_TIME, CAPACITY), "time, capacity"), "points", unique=False)
 _TORQUE_POINTS = ListOf(RowOf((_TIME, _TORQUE), "time, torque"), "points", unique=False)
 
@@ -153,7 +72,7 @@ CONTROL = ByForm(
             ),
         ),
         GivenControl,
-        _exactly_one("points", "formula", "dog"),
+        exactly_one("points", "formula", "dog"),
     ),
 )
 
@@ -203,7 +122,7 @@ LAW = ByForm(
             KeyShape("road", ROAD, "Rolling resistance, air drag and slope."),
         ),
         GivenLaw,
-        _exactly_one("points", "formula", "resistance", "road", with_points=["over"]),
+        exactly_one("points", "formula", "resistance", "road", with_points=["over"]),
     ),
 )
 
@@ -278,7 +197,7 @@ SAMPLES = ByKey(
         KeyShape("max", ANYTHING, "Numbers above are this one."),
     ),
     GivenSamples,
-    _exactly_one("normal", "lognormal", "uniform"),
+    exactly_one("normal", "lognormal", "uniform"),
 )
 
 SCENARIO = ByKey(

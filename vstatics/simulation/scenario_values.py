@@ -23,7 +23,7 @@ from vstatics.simulation.scenario import (
     Shift,
     Start,
 )
-from vstatics.simulation.scenario_keys import GivenControl, GivenLaw
+from vstatics.simulation.scenario_given import GivenControl, GivenLaw
 
 _OVER: Mapping[str, Measure] = {"time": "time", "speed": "si_speed", "angle": "angle"}
 
