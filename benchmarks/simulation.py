@@ -9,10 +9,12 @@ import os
 import sys
 from collections.abc import Callable
 from functools import partial
+from pathlib import Path
 
 from common import medians, options, print_table, timed
 from smoothed import Box, Chain
 
+import vstatics
 from vstatics import Gear, Mechanism, ShiftElement, Spring, Transmission
 from vstatics.model.springs import Twist, between
 from vstatics.simulation import (
@@ -25,7 +27,9 @@ from vstatics.simulation import (
     constant,
     simulate,
 )
+from vstatics.sweep.scenario import load_varied
 
+SCENARIO = Path(__file__).parents[1] / "cases/scenarios/tarasik-box.yaml"
 ROUNDS = 7
 VARIANTS = 1000
 ONE_THREAD = {"OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1", "MKL_NUM_THREADS": "1"}
@@ -187,6 +191,19 @@ def of_variants(count: int) -> Rows:
     ]
 
 
+def of_sweep(count: int) -> Rows:
+    """The same by a sweep: each variant is the documents with its numbers, read again, and run."""
+    box = load_varied(str(SCENARIO))
+    vary: dict[str, str | list[float]] = {"controls.FB.2.1": f"2.05:2.4:{count}", "duration": [3.0]}
+
+    def swept() -> None:
+        for chunk in vstatics.sweep(box, vary, out="heat[FB],max(abs(slips[FB])),locks[FB]"):
+            if set(chunk.counts) != {"ok"}:
+                sys.exit("a variant has no numbers")
+
+    return [("the same", "`vstatics.sweep` of the documents", f"{timed(swept):.1f} s", "")]
+
+
 def _rows(what: str, names: dict[str, str], found: dict[str, float]) -> Rows:
     own = found["events"]
     return [
@@ -205,6 +222,7 @@ def main() -> None:
         *of_box(rounds),
         *of_chain(rounds),
         *of_variants(VARIANTS // (100 if given.quick else 1)),
+        *of_sweep(VARIANTS // (100 if given.quick else 1)),
     ]
     print_table("Motions, one core", ("", "", "time", "times `simulate`"), rows)
 
