@@ -26,8 +26,11 @@ from vstatics.errors import CaseError
 from vstatics.model.springs import Spring, between
 from vstatics.simulation import simulate
 from vstatics.simulation.laws import Resistance, constant
+from vstatics.simulation.programme import programmes
 from vstatics.simulation.scenario import Converter, Dog, Scenario, Start
+from vstatics.simulation.system import motion_system
 from vstatics.simulation.tarasik import tarasik
+from vstatics.simulation.two_masses import TwoMasses, two_masses
 
 
 def test_brake_stops_the_ring() -> None:
@@ -132,3 +135,40 @@ def test_input_that_stands() -> None:
     start = Start(speeds={1: 0.0, 2: 10.0})
     motion = tarasik(first_gear()._replace(start=start))
     assert motion.stopped is not None or math.isfinite(motion.speeds[-1, 0])
+
+
+J_IN = {
+    1: {0: 0.811111, 1: 0.723162, 2: 0.647049, 3: 0.584538, 4: 0.537639, 5: 0.508642},
+    2: {0: 0.5, 5: 0.513317, 10: 0.557143, 15: 0.638272, 20: 0.765089, 25: 0.948, 30: 1.2},
+}
+"""Of figure 2, calculated apart: gear -> time [s] -> [kg*m^2]."""
+
+
+@pytest.mark.parametrize(
+    ("gear", "time", "inertia"), [(g, t, j) for g, row in J_IN.items() for t, j in row.items()]
+)
+def test_inertia_at_the_input(gear: int, time: float, inertia: float) -> None:
+    """Gear 1: 500 - 10t and 30t rpm; gear 2: 1500 - 10t and 600 + 20t rpm."""
+    masses = masses_of_set()
+    fast, slow = (500, 0) if gear == 1 else (1500, 600)
+    speeds = (fast - 10 * time, slow + (30 if gear == 1 else 20) * time)
+    assert masses.input_inertia(*speeds) == pytest.approx(inertia, abs=6e-7)
+
+
+def test_points_a_and_c() -> None:
+    """A: the ring stands at 500/85 s, J_in is that of the sun; C: all turn alike."""
+    masses, time = masses_of_set(), 500 / 85
+    assert time == pytest.approx(5.882353, abs=6e-7)
+    speeds = (500 - 10 * time, 30 * time)
+    assert speeds == pytest.approx((441.1765, 176.4706), abs=6e-5)
+    assert (masses.speeds @ speeds)[2] == pytest.approx(0, abs=1e-9)
+    assert masses.input_inertia(*speeds) == pytest.approx(0.5, abs=1e-12)
+    assert masses.ratio == pytest.approx(2.5)
+    assert masses.output_inertia == pytest.approx(0.8)
+
+
+def masses_of_set() -> TwoMasses:
+    """The planetary set with its brake as the clutch."""
+    scenario = first_gear()
+    system = motion_system(scenario, programmes(scenario, ()), None)
+    return two_masses(system, (0, 1), (), 0)
