@@ -80,7 +80,7 @@ class MotionStructure:
             columns = columns - columns @ circulating @ circulating.T
             left, left_light = _motions(system.heavy, columns)
         momenta = self.free.T @ mass
-        self.projection: Floats = np.linalg.solve(momenta @ self.free, momenta)
+        self.projection = np.asarray(np.linalg.solve(momenta @ self.free, momenta), float)
         self.rates = ports @ self.free
         self.light_rates = ports @ self.light
         self.balances = left_light.T @ forces
