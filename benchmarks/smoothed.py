@@ -129,9 +129,9 @@ class Box:
 class Chain:
     """A chain of springs behind a clutch; one of them, with a damper, slips at its limit."""
 
-    def __init__(self, scenario: Scenario, smoothing: float) -> None:
+    def __init__(self, scenario: Scenario) -> None:
         case = scenario.case
-        self.scenario, self.smoothing = scenario, smoothing
+        self.scenario, self.smoothing = scenario, 0.0
         self.inertias = np.array([case.inertias[link] for link in range(1, case.links + 1)])
         self.twists = np.zeros((len(case.springs), case.links))
         for row, spring in zip(self.twists, case.springs, strict=True):
@@ -194,15 +194,17 @@ class Chain:
         found[:links, :links] -= np.outer(self.slip / self.inertias, self.slip) * steep
         return found
 
-    def run(self, rtol: float) -> tuple[Array, float]:
-        """Speeds at the end, and the largest torque of the limited spring's neighbour."""
+    def stiff(self, smoothing: float, rtol: float) -> Stiff:
+        """BDF from break point to break point, with the time of the last lock."""
+        self.smoothing = smoothing
         links = self.twists.shape[1]
         state = np.zeros(links + len(self.twists))
         for link, speed in self.scenario.start.speeds.items():
             state[link - 1] = speed
+        slip = np.concatenate([self.slip, np.zeros(len(self.twists))])
         breaks = self.law.x if isinstance(self.law, Points) else ()
         stops = sorted({0.0, self.scenario.duration, *breaks})
-        largest = 0.0
+        locks: dict[int, float] = {}
         for begin, end in pairwise(stops):
             run = solve_ivp(
                 self.derivative,
@@ -210,9 +212,12 @@ class Chain:
                 state,
                 "BDF",
                 jac=self.jacobian,
+                events=Passage(slip, 2 * smoothing),
                 rtol=rtol,
                 atol=rtol,
             )
             state = run.y[:, -1]
-            largest = max(largest, float((self.rates[0] * run.y[links]).max()))
-        return state[:links], largest
+            for times in run.t_events or []:
+                if len(times):
+                    locks[0] = float(times[-1])
+        return Stiff(state[:links], locks)
