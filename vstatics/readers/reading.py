@@ -59,25 +59,33 @@ def finish(
         If there is any error, with all of them in the order of the text.
     """
     found = list(found)
-    hidden = list(unreadable)
+    is_certain = certain(unreadable)
     try:
         case = Transmission(**parts)
     except CaseError as error:
-        found += [locate(one) for one in error.problems if is_certain(one.path, hidden)]
+        found += [locate(one) for one in error.problems if is_certain(one.path)]
     else:
-        found += [locate(one) for one in doubts(case) if is_certain(one.path, hidden)]
+        found += [locate(one) for one in doubts(case) if is_certain(one.path)]
     found.sort(key=lambda problem: problem.place[1:3] if problem.place else (0, 0))
     if any(problem.severity == "error" for problem in found):
         raise ReadError(found)
     return Reading(case, found, locate)
 
 
-def is_certain(path: Path, unreadable: Iterable[Path]) -> bool:
-    """Whether no stand-in is above or below the part that a problem is about.
+def certain(unreadable: Iterable[Path]) -> Callable[[Path], bool]:
+    """Tells whether no stand-in is above or below the part that a problem is about.
 
-    >>> is_certain(("gears", 1), [("gears", 2)]), is_certain(("gears",), [("gears", 2)])
-    (True, False)
+    However many there are of both, it takes no longer than to go through them once.
+
+    >>> is_certain = certain([("gears", 2)])
+    >>> is_certain(("gears", 1)), is_certain(("gears",)), is_certain(("gears", 2, "speeds"))
+    (True, False, False)
     """
-    return not any(
-        path[: len(other)] == other or other[: len(path)] == path for other in unreadable
-    )
+    hidden = set(unreadable)
+    above = {path[:length] for path in hidden for length in range(len(path))}
+
+    def is_certain(path: Path) -> bool:
+        below = any(path[:length] in hidden for length in range(len(path) + 1))
+        return path not in above and not below
+
+    return is_certain

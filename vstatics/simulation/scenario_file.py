@@ -24,7 +24,7 @@ from vstatics.readers.named.nodes import (
     what,
 )
 from vstatics.readers.named.walk import Walk
-from vstatics.readers.reading import Reading, is_certain
+from vstatics.readers.reading import Reading, certain
 from vstatics.simulation.distribution import Distribution, distribution_problems
 from vstatics.simulation.scenario import Scenario
 from vstatics.simulation.scenario_checks import scenario_problems
@@ -96,12 +96,13 @@ class ScenarioDocument(NamedTuple):
         problems = list(scenario_problems(scenario))
         for number, one in enumerate(samples.values(), 1):
             problems += distribution_problems(one, ("samples", number))
+        is_certain = certain(spots.unreadable)
         found = [
             *self.found.problems,
             *(
                 located(one, spots, reading)
                 for one in problems
-                if is_certain(_own_path(one.path, case, spots), spots.unreadable)
+                if is_certain(_own_path(one.path, case, spots))
             ),
         ]
         if found:
