@@ -54,10 +54,19 @@ class StraightEquations(Protocol):
 
 
 class Affine:
-    """Maps of equations."""
+    """Maps of equations.
 
-    def __init__(self, equations: StraightEquations) -> None:
+    Parameters
+    ----------
+    equations : Equations
+    by_rate : ndarray, shape (ports,), optional
+        Slopes of torques by their rates, where other than those that are straight.
+        [N*m*s/rad]
+    """
+
+    def __init__(self, equations: StraightEquations, by_rate: Floats | None = None) -> None:
         self.equations = equations
+        self.by_rate: Floats = equations.ports.by_rate if by_rate is None else by_rate
         structure, ports, layout = equations.structure, equations.ports, equations.layout
         size, count = equations.works.start, layout.ports
         identity = np.eye(count)
@@ -75,7 +84,7 @@ class Affine:
             self.light = self._light(rates, given)
             rates = rates.plus(self.light.times(structure.light_rates))
         self.rates = rates
-        torques = given.plus(rates.times(np.diag(ports.by_rate)))
+        torques = given.plus(rates.times(np.diag(self.by_rate)))
         parts = [torques.times(structure.accelerations)]
         if equations.springs:
             parts.append(self._twisting(torques, rates))
@@ -92,7 +101,7 @@ class Affine:
         equations = self.equations
         structure, ports = equations.structure, equations.ports
         balance = equations.by_torque.T @ structure.balances
-        damped = np.diag(ports.by_rate)
+        damped = np.diag(self.by_rate)
         by_speeds = [balance @ damped @ structure.light_rates]
         rest = [given.plus(rates.times(damped)).times(balance)]
         if equations.by_slope.shape[1]:
@@ -140,6 +149,13 @@ class Affine:
             if self.senses_slopes:
                 made = [slope_of(formula, time, within) for time in times.tolist()]
                 slopes[port] = factor * np.array(made)
+        return given, slopes
+
+    def straight_at(self, times: Floats) -> tuple[Floats, Floats]:
+        """The same without those by a formula, but with their slopes."""
+        given, slopes = self.given_at(times)
+        for port, _, _ in self.equations.ports.timed:
+            given[port] = 0.0
         return given, slopes
 
     @property

@@ -8,7 +8,6 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from vstatics.errors import CaseError, Problem
-from vstatics.numerics.arrays import Floats
 from vstatics.simulation.equations import Equations
 from vstatics.simulation.formula import Formula
 from vstatics.simulation.impacts import impact
@@ -27,7 +26,7 @@ from vstatics.simulation.selection import (
     instant_of,
     turned,
 )
-from vstatics.simulation.stretches import Closed, NoFit, is_closed
+from vstatics.simulation.stretches import Closed, NoFit
 from vstatics.simulation.system import MotionSystem
 
 _MOST_AT_ONCE = 60
@@ -142,7 +141,7 @@ class EventRun:
         self.record.begin(equations, margins, selected.state)
         finder = Finder(equations, margins, self.scales, self.record.sample)
         try:
-            for step in _steps(equations, selected.state, end, tolerances, length):
+            for step in self._steps(selected, end, tolerances, length):
                 found = finder.event_in(step)
                 if found is not None:
                     self.record.step(step, found.time, found.state)
@@ -159,6 +158,23 @@ class EventRun:
             )
             raise RunStop(Problem(message)) from None
         return MarginEnd(end, step.last, ()), length
+
+    def _steps(
+        self, selected: Selected, end: float, tolerances: StepTolerances, length: float | None
+    ) -> Iterator[TimeStep]:
+        """Steps up to a time: in closed form where all is straight, or something can swing."""
+        equations, state = selected.equations, selected.state
+        time = equations.time
+        if equations.ports.is_affine or equations.springs:
+            try:
+                for step in Closed(equations, state, self.scales.torque).stretches(state, end):
+                    yield step
+                    time, state = step.end, step.last
+            except NoFit:
+                length = None
+            else:
+                return
+        yield from steps(equations, (time, state), end, tolerances, length)
 
     def _tolerances(self, equations: Equations) -> StepTolerances:
         relative = max(0.01 * self.rtol, 3e-14)
@@ -227,28 +243,9 @@ class EventRun:
             return self._name_of("mesh", watch.of)
         if watch.kind in ("limit", "grip"):
             return self._name_of("spring", watch.of)
+        if watch.of >= self.layout.outside:
+            return self.system.converters[watch.of - self.layout.outside].name
         return f"the torque on {self.system.names[self.system.outside[watch.of].link]}"
-
-
-def _steps(
-    equations: Equations,
-    state: Floats,
-    end: float,
-    tolerances: StepTolerances,
-    length: float | None,
-) -> Iterator[TimeStep]:
-    """Steps up to a time: in closed form where there is one."""
-    time = equations.time
-    if is_closed(equations):
-        try:
-            for step in Closed(equations).stretches(state, end):
-                yield step
-                time, state = step.end, step.last
-        except NoFit:
-            length = None
-        else:
-            return
-    yield from steps(equations, (time, state), end, tolerances, length)
 
 
 def _change(before: str, after: str) -> EventKind | None:

@@ -124,9 +124,7 @@ class Equations:
                 return np.full(self.light, np.nan)
             speeds = speeds - change
             left = rest(speeds)
-            if np.abs(change).max() <= 1e-13 * max(1.0, float(np.abs(speeds).max())) or (
-                ports.is_affine
-            ):
+            if np.abs(change).max() <= 1e-13 * max(1.0, float(np.abs(speeds).max())):
                 break
         return speeds
 
@@ -135,7 +133,10 @@ class Equations:
         rates = self.structure.rates @ state[: self.motions]
         if not self.light:
             return rates, _NONE
-        light = self.light_motions(time, rates, state[self.twists], state[self.angles])
+        if self.light_is_straight:
+            light = self.affine.light_at(np.array([time]), state[:, None])[:, 0]
+        else:
+            light = self.light_motions(time, rates, state[self.twists], state[self.angles])
         return rates + self.structure.light_rates @ light, light
 
     def speeds(self, time: float, state: Floats) -> Floats:
@@ -147,7 +148,7 @@ class Equations:
 
     def rates_at(self, times: Floats, states: Floats) -> Floats:
         """Rates of ports at several times, shape (ports, times)."""
-        if self.light and not self.ports.is_affine:
+        if self.light and not self.light_is_straight:
             columns = [self.rates(float(time), states[:, n])[0] for n, time in enumerate(times)]
             return np.array(columns).T
         rates: Floats = self.structure.rates @ states[: self.motions]
@@ -189,11 +190,37 @@ class Equations:
 
     def speeds_at(self, times: Floats, states: Floats) -> Floats:
         """Of links at several times, shape (links, times) [rad/s]."""
-        if self.light:
+        if self.light and not self.light_is_straight:
             columns = [self.speeds(float(time), states[:, n]) for n, time in enumerate(times)]
             return np.array(columns).T
         speeds: Floats = self.structure.free @ states[: self.motions]
+        if self.light:
+            speeds += self.structure.light @ self.affine.light_at(times, states)
         return speeds
+
+    @cached_property
+    def light_is_straight(self) -> bool:
+        """Whether no torque that bends acts along the motions without inertia."""
+        ports, layout = self.ports, self.layout
+        bending = [port for port, _, _ in ports.special]
+        bending += range(layout.pumps, layout.ports)
+        along = np.abs(self.structure.balances[:, bending])
+        return bool((along <= 1e-12).all())
+
+    def slopes_by_rate(self, time: float, state: Floats) -> Floats:
+        """Change of each torque with its rate, in a state [N*m*s/rad]."""
+        rates, _ = self.rates(time, state)
+        step = 1e-6 * max(1.0, float(np.abs(rates).max(initial=0.0)))
+        slopes = self.ports.by_rate.copy()
+        bending = [port for port, _, _ in self.ports.special]
+        bending += range(self.layout.pumps, self.layout.ports)
+        for port in bending:
+            near = [rates.copy(), rates.copy()]
+            near[0][port] -= step
+            near[1][port] += step
+            low, high = (self.torques(time, state, one)[port] for one in near)
+            slopes[port] = (high - low) / (2 * step)
+        return np.where(np.isfinite(slopes), slopes, 0.0)
 
     @cached_property
     def affine(self) -> Affine:

@@ -138,6 +138,17 @@ class Margins:
             if piece < len(law.x):
                 self.corners.append((port, by_angle, law.x[piece], -1.0))
                 self._watch("piece", index, 1, torque=False)
+        self.ratios: list[tuple[int, float, float]] = []
+        """Converter, ratio of speeds at a corner, side."""
+        for place, converter in enumerate(equations.system.converters):
+            index = equations.layout.outside + place
+            piece = equations.states.pieces[index]
+            if piece > 0:
+                self.ratios.append((place, converter.points[piece - 1][0], 1.0))
+                self._watch("piece", index, -1, torque=False)
+            if piece < len(converter.points):
+                self.ratios.append((place, converter.points[piece][0], -1.0))
+                self._watch("piece", index, 1, torque=False)
 
     def _constant_limits(self) -> Floats | None:
         """Limits of what sticks as ``c0 + c1 t``; None where one is a formula."""
@@ -178,6 +189,7 @@ class Margins:
         rates = equations.rates_at(times, states)
         torques = equations.torques_at(times, states, rates)
         held: Floats = equations.structure.torques @ torques
+        layout = equations.layout
         parts = [self.slip_signs[:, None] * rates[self.slip_ports]]
         slack = self._slack(times, held)
         mine = len(self.holding)
@@ -193,6 +205,10 @@ class Margins:
         for port, by_angle, corner, side in self.corners:
             at = states[equations.angles][port] if by_angle else rates[port]
             parts.append(side * (at - corner)[None, :])
+        for place, corner, side in self.ratios:
+            pump, turbine = (rates[first + place] for first in (layout.pumps, layout.turbines))
+            turns = np.where(pump < 0, -1.0, 1.0)
+            parts.append((side * turns * (turbine - corner * pump))[None, :])
         if self.shared:
             columns = range(len(times))
             parts.append(np.array([[self._together(slack[:, n], held[:, n]) for n in columns]]))

@@ -7,9 +7,9 @@ What is straight in time and rate stands in arrays, ``u = c0 + c1 t + s rate``; 
 from __future__ import annotations
 
 import math
+from bisect import bisect_right
 from collections import deque
 from collections.abc import Callable
-from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -35,7 +35,9 @@ class States(NamedTuple):
     springs: tuple[str, ...]
     """`stick`: it bends; else the sign of the torque at whose limit it slips; `open`."""
     pieces: tuple[int, ...]
-    """The piece of points over a speed or an angle that each outside torque is on; else 0."""
+    """Of points over a speed or an angle, the piece that each outside torque is on, else 0; then
+    of each converter.
+    """
 
     @property
     def held(self) -> tuple[bool, ...]:
@@ -52,7 +54,8 @@ class PortLayout:
         self.springs = self.contacts + len(system.contacts)
         self.pumps = self.springs + len(system.springs)
         self.turbines = self.pumps + len(system.converters)
-        self.ports = self.turbines + len(system.converters)
+        self.converters = len(system.converters)
+        self.ports = self.turbines + self.converters
         angles = {one.link for one in system.outside if _needs_angle(one.law)}
         self.angles = tuple(sorted(angles | {link - 1 for link in system.scenario.targets}))
         """Indices of the links whose angles are followed."""
@@ -112,7 +115,10 @@ class Ports:
         """Port, place of the angle or -1, its torque."""
         self.timed: list[tuple[int, Formula, float]] = []
         """Port, its torque by the time alone, and by what that is multiplied."""
-        self.converters = system.converters
+        self.converters = tuple(
+            (converter, states.pieces[layout.outside + index])
+            for index, converter in enumerate(system.converters)
+        )
         self.senses_rate = np.zeros(layout.ports, dtype=bool)
         """Ports whose torque changes with their rate."""
         self.stiffness = np.array([one.stiffness for one in system.springs])
@@ -148,10 +154,10 @@ class Ports:
         for port, place, function in self.special:
             angle = angles[place] if place >= 0 else 0.0
             torques[port] = function(time, float(rates[port]), angle)
-        for index, converter in enumerate(self.converters):
+        for index, (converter, piece) in enumerate(self.converters):
             pump, turbine = layout.pumps + index, layout.turbines + index
             torques[pump], torques[turbine] = converter_torques(
-                converter, float(rates[pump]), float(rates[turbine])
+                converter, piece, float(rates[pump]), float(rates[turbine])
             )
         return torques
 
@@ -171,10 +177,10 @@ class Ports:
             turned = angles[place].tolist() if place >= 0 else [0.0] * len(times)
             at = zip(times.tolist(), rates[port].tolist(), turned, strict=True)
             torques[port] = [function(*one) for one in at]
-        for index, converter in enumerate(self.converters):
+        for index, (converter, piece) in enumerate(self.converters):
             pump, turbine = layout.pumps + index, layout.turbines + index
             speeds = zip(rates[pump].tolist(), rates[turbine].tolist(), strict=True)
-            made = [converter_torques(converter, *one) for one in speeds]
+            made = [converter_torques(converter, piece, *one) for one in speeds]
             torques[[pump, turbine]] = np.array(made).T
         return torques
 
@@ -287,27 +293,31 @@ def _road(road: Road) -> Torque:
     return torque
 
 
-def converter_torques(converter: Converter, pump: float, turbine: float) -> tuple[float, float]:
+def converter_torques(
+    converter: Converter, piece: int, pump: float, turbine: float
+) -> tuple[float, float]:
     """Torques that a converter takes from its pump and from its turbine, by their speeds.
 
-    ``M_P = lambda w_P |w_P|`` and ``-K M_P`` (Tsitovich, Algin, (1.38)); none with the pump
-    at rest.
+    ``M_P = lambda w_P |w_P|`` and ``-K M_P`` (Tsitovich, Algin, (1.38)), with K and lambda by the
+    straight line of a piece; none with the pump at rest.
     """
     if pump == 0:
         return 0.0, 0.0
-    ratio = turbine / pump
-    factor, coefficient = converter_point(converter, ratio)
+    factor, coefficient = _on_piece(converter, piece, turbine / pump)
     taken = coefficient * pump * abs(pump)
     return taken, -factor * taken
 
 
-def converter_point(converter: Converter, ratio: float) -> tuple[float, float]:
-    """K and lambda at a ratio of speeds."""
+def converter_piece(converter: Converter, ratio: float) -> int:
+    """The piece of the points that holds from a ratio of speeds on; piece 0 is before the first."""
+    return bisect_right([point[0] for point in converter.points], ratio)
+
+
+def _on_piece(converter: Converter, piece: int, ratio: float) -> tuple[float, float]:
+    """K and lambda."""
     points = converter.points
-    if ratio <= points[0][0]:
-        return points[0][1:]
-    for (i0, k0, l0), (i1, k1, l1) in pairwise(points):
-        if ratio < i1:
-            part = (ratio - i0) / (i1 - i0)
-            return k0 + part * (k1 - k0), l0 + part * (l1 - l0)
-    return points[-1][1:]
+    if piece in (0, len(points)):
+        return points[min(piece, len(points) - 1)][1:]
+    (i0, k0, l0), (i1, k1, l1) = points[piece - 1 : piece + 1]
+    part = (ratio - i0) / (i1 - i0)
+    return k0 + part * (k1 - k0), l0 + part * (l1 - l0)

@@ -20,7 +20,7 @@ from vstatics.numerics.arrays import Booleans, Floats
 from vstatics.simulation.equations import Equations
 from vstatics.simulation.laws import Points
 from vstatics.simulation.margins import LargeSizes, Margins, Watch
-from vstatics.simulation.ports import PortLayout, States, capacity_at, programme_at
+from vstatics.simulation.ports import PortLayout, States, capacity_at, converter_piece, programme_at
 from vstatics.simulation.structure import Structures
 from vstatics.simulation.system import MotionSystem
 
@@ -196,6 +196,9 @@ class ModeSelection:
             self._spring(index, at, scales, choices) for index in range(len(self.system.springs))
         ]
         pieces = tuple(self._piece(index, at, before) for index in range(len(self.system.outside)))
+        pieces += tuple(
+            self._converter_piece(index, at, before) for index in range(self.layout.converters)
+        )
         return States(tuple(contacts), tuple(meshes), tuple(springs), pieces), choices
 
     def _contact(
@@ -289,6 +292,20 @@ class ModeSelection:
             if low - small <= value <= high + small:
                 return last
         return piece
+
+    def _converter_piece(self, index: int, at: Instant, before: States | None) -> int:
+        """The piece of the points of a converter; at a corner it may be either side's."""
+        converter = self.system.converters[index]
+        pump, turbine = (float(at.speeds[link - 1]) for link in converter[1:3])
+        if pump == 0:
+            return len(converter.points)
+        ratio = turbine / pump
+        if before is not None:
+            last = before.pieces[self.layout.outside + index]
+            ratios = [-math.inf, *(point[0] for point in converter.points), math.inf]
+            if ratios[last] - SMALL <= ratio <= ratios[last + 1] + SMALL:
+                return last
+        return converter_piece(converter, ratio)
 
     def _tried(
         self, states: States, at: Instant, scales: LargeSizes

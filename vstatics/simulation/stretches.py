@@ -1,14 +1,15 @@
-"""Straight equations in closed form: by the exponential of their matrix.
+"""Equations of motion in closed form, stretch by stretch: by the exponential of their matrix.
 
-``x(t + h) = exp(A h) x(t)`` where x has, beside twists and speeds, the powers of time of which the
-given torques are made. Works and losses are products of what is known at every instant, so they are
-sums over Gauss points. A stretch is cut into equal parts, of which the fastest motion that has not
-yet died away turns through about two radians.
+``dx/dt = A x + B c + D dc/dt``: what is straight stands in A, and the torques c, which are given by
+the time or bend with a speed, are polynomials over a stretch. Those that bend follow from the
+motion, which follows from them: it is calculated again until nothing changes (waveform relaxation;
+their slopes at the start stand in A, so little does). Works and losses are sums over Gauss points.
+A stretch has equal parts, in which the fastest motion that has not died away turns through about
+two radians.
 """
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
 from typing import NamedTuple
 
@@ -17,46 +18,28 @@ import numpy as np
 from vstatics.numerics.arrays import Booleans, Floats
 from vstatics.simulation.affine import Affine
 from vstatics.simulation.equations import Equations
+from vstatics.simulation.exponential import Exponential
+from vstatics.simulation.fits import DEGREE, NODES, WEIGHTS, fitting
 from vstatics.simulation.pieces import TimeStep
 
 _RADIANS = 2.0
 """Of the fastest motion, in a part of a stretch."""
-_GAUSS = 8
-_POINTS, _WEIGHTS = np.polynomial.legendre.leggauss(_GAUSS)
-_NODES = np.append(0.5 + 0.5 * _POINTS, 1.0)
-"""Gauss points of a part and its end, by its length."""
-_TERMS = 22
-"""Of the series of the exponential."""
 _PARTS = 128
-"""Most parts of a stretch."""
-_DEGREE = 12
-"""Of the polynomials in time by which torques by a formula are replaced in a stretch."""
-_FIT = 1e-13
-"""How near these come, by the largest."""
+"""Most parts of a stretch, a power of 2."""
 _GONE = 40.0
 """A motion has died away after so many of its time constants."""
-_MOST_PARTS = 200_000
+_MOST_PARTS = 300_000
+_SHORTEST = 2.0**-14
+"""By which a part may be shortened, where torques bend."""
+_FIT = 1e-12
+"""How near polynomials come to torques, by the largest torque."""
+_ROUNDS = 12
+"""Of relaxation."""
+_ORDERS = DEGREE + 1
 
 
-def is_closed(equations: Equations) -> bool:
-    """Whether equations are straight, so that there is a closed form."""
-    return equations.ports.is_affine
-
-
-def _fitting() -> tuple[Floats, Floats, Floats]:
-    """Where torques are asked for, from 0 to 1; from there to a series; from that to powers."""
-    count = _DEGREE + 3
-    places = np.cos(np.pi * (np.arange(count) + 0.5) / count)
-    values = np.asarray(np.polynomial.chebyshev.chebvander(places, count - 1), float)
-    to_series: Floats = np.linalg.inv(values).T
-    powers = np.zeros((count, _DEGREE + 1))
-    for number in range(_DEGREE + 1):
-        series = np.polynomial.Chebyshev.basis(number, domain=[0.0, 1.0])
-        powers[number, : number + 1] = series.convert(kind=np.polynomial.Polynomial).coef
-    return 0.5 + 0.5 * places, to_series, powers
-
-
-_FIT_NODES, _TO_SERIES, _TO_POWERS = _fitting()
+class NoFit(Exception):  # noqa: N818 - it never leaves the room
+    """Torques that no polynomial comes near, or more parts than are worth while."""
 
 
 class Parts(NamedTuple):
@@ -68,28 +51,72 @@ class Parts(NamedTuple):
     """Of each. [s]"""
     number: int
 
+    @property
+    def times(self) -> Floats:
+        """Gauss points and ends, shape (parts, points) [s]."""
+        return self.begin + self.length * (np.arange(self.number)[:, None] + NODES)
 
-class NoFit(Exception):  # noqa: N818 - it never leaves the room
-    """Torques that no polynomial comes near, or more parts than are worth while."""
+
+class Stretch(NamedTuple):
+    """A stretch that is calculated."""
+
+    parts: Parts
+    exponential: Exponential
+    starts: Floats
+    """States of the exponential at the start of each part."""
+    given: Floats
+    """Series of the torques that bend, shape (bending ports, DEGREE + 1)."""
 
 
 class Closed:
-    """The closed form of straight equations."""
+    """The closed form of equations of motion.
 
-    def __init__(self, equations: Equations) -> None:
-        self.equations = equations
-        self.affine: Affine = equations.affine
+    Parameters
+    ----------
+    equations : Equations
+    state : ndarray
+        At the start.
+    large : float
+        A large torque. [N*m]
+    """
+
+    def __init__(self, equations: Equations, state: Floats, large: float) -> None:
+        self.equations, self.large = equations, large
+        ports = equations.ports
+        self.bending = np.array(
+            sorted(
+                {port for port, _, _ in ports.timed}
+                | {port for port, _, _ in ports.special}
+                | set(range(equations.layout.pumps, equations.layout.ports))
+            ),
+            dtype=int,
+        )
         self.size = equations.works.start
-        self.matrix = self.affine.change.by_state
-        self.rates = np.linalg.eigvals(self.matrix) if self.size else np.zeros(0)
+        self._straighten(equations.time, state)
+
+    def _straighten(self, time: float, state: Floats) -> None:
+        """Make the matrix with the slopes that torques have in a state."""
+        equations = self.equations
+        by_rate = equations.slopes_by_rate(time, state)
+        self.slopes: Floats = by_rate[self.bending]
+        self.affine = Affine(equations, by_rate)
+        matrix = self.affine.change.by_state
+        self.rates = np.linalg.eigvals(matrix) if self.size else np.zeros(0)
         self.balance = self._balanced()
+        self.matrix: Floats = self.balance[:, None] * matrix / self.balance
+        self.exponentials: dict[float, tuple[Exponential, float]] = {}
+
+    def _bends_elsewhere(self, time: float, state: Floats) -> bool:
+        """Whether the slopes in a state are others than those in the matrix."""
+        slopes = self.equations.slopes_by_rate(time, state)[self.bending]
+        largest = np.maximum(np.abs(slopes), np.abs(self.slopes))
+        return bool((np.abs(slopes - self.slopes) > 0.05 * largest).any())
 
     def _balanced(self) -> Floats:
         """Factors by which speeds and twists count alike: square roots of their energies."""
         equations = self.equations
         factors = np.ones(self.size)
-        stiffness = equations.ports.stiffness
-        factors[equations.twists] = np.sqrt(stiffness)
+        factors[equations.twists] = np.sqrt(equations.ports.stiffness)
         free = equations.structure.free
         mass = ((free.T @ equations.system.mass) * free.T).sum(axis=1)
         factors[: equations.motions] = np.sqrt(np.maximum(mass, 1e-30))
@@ -103,115 +130,155 @@ class Closed:
         NoFit
         """
         time = begin = self.equations.time
-        parts_left = _MOST_PARTS
+        left, most, shorter = _MOST_PARTS, _PARTS, 1.0
         while time < end:
-            length, count = self._parts(time - begin, end - time)
-            powers, count = self._powers(time, length, count)
-            parts_left -= count
-            if parts_left < 0:
+            while True:
+                length, count = self._parts(time - begin, end - time, most, shorter)
+                stretch = self._calculated(Parts(time, length, count), state)
+                if stretch is not None:
+                    break
+                if self._bends_elsewhere(time, state):
+                    self._straighten(time, state)
+                    continue
+                most, shorter = (count // 2, shorter) if count > 1 else (1, shorter / 2)
+                if shorter < _SHORTEST:
+                    raise NoFit
+            left -= count
+            if left < 0:
                 raise NoFit
-            step = self._stretch(Parts(time, length, count), state, powers, end)
+            step = self._step(stretch, state, end)
             yield step
             time, state = step.end, step.last
+            if shorter < 1:
+                shorter *= 2
+            else:
+                most = min(_PARTS, 2 * most)
 
-    def _parts(self, gone: float, left: float) -> tuple[float, int]:
+    def _parts(self, gone: float, left: float, most: int, shorter: float) -> tuple[float, int]:
         """Length and number of the parts of the next stretch."""
         alive = np.abs(self.rates)[np.abs(self.rates.real) * gone < _GONE]
         fastest = float(alive.max(initial=0.0))
-        if fastest * left <= _RADIANS:
-            return left, 1
-        length = _RADIANS / fastest
-        count = min(_PARTS, int(np.ceil(left / length)))
-        if count * length >= left:
-            length = left / count
-        return length, count
+        length = _RADIANS / fastest * shorter if fastest > 0 else left * shorter
+        count = most
+        while count > 1 and count * length > left:
+            count //= 2
+        return min(length, left), count
 
-    def _powers(self, time: float, length: float, count: int) -> tuple[Floats, int]:
-        """What is given as a polynomial in time by the length of a part, for so many parts.
+    def _exponential(self, length: float) -> tuple[Exponential, float]:
+        """Of x, of the time and 1, of the torques that bend; and the unit of all but x."""
+        known = self.exponentials.get(length)
+        if known is not None:
+            return known
+        size, change, ports = self.size, self.affine.change, self.equations.ports
+        made = np.zeros((size + 2 + _ORDERS * len(self.bending),) * 2)
+        factors = self.balance * length
+        made[:size, :size] = self.matrix * length
+        constant = change.by_given @ ports.c0 + change.by_slope @ ports.c1
+        made[:size, size] = factors * (change.by_given @ ports.c1)
+        made[:size, size + 1] = factors * constant
+        made[size, size + 1] = length
+        for place, port in enumerate(self.bending):
+            first = size + 2 + _ORDERS * place
+            made[:size, first] = factors * change.by_given[:, port]
+            made[:size, first + 1] = self.balance * change.by_slope[:, port]
+            rows = np.arange(first, first + DEGREE)
+            made[rows, rows + 1] = 1.0
+        # torques in units in which they push no more than x itself does
+        pushes = float(np.abs(made[:size, size:]).sum(axis=0).max(initial=0.0))
+        unit = max(pushes, 1e-300)
+        made[:size, size:] /= unit
+        exponential = Exponential(made), unit
+        self.exponentials[length] = exponential
+        return exponential
 
-        Shape (size of x, powers); fewer parts where no polynomial comes near.
-        """
-        affine, ports = self.affine, self.equations.ports
-        if not ports.timed:
-            start = ports.c0 + ports.c1 * time
-            change = affine.change
-            constant = change.by_given @ start + change.by_slope @ ports.c1
-            return np.column_stack([constant, change.by_given @ ports.c1 * length]), count
-        while True:
-            given, slopes = affine.given_at(time + count * length * _FIT_NODES)
-            pushed = affine.change.by_given @ given + affine.change.by_slope @ slopes
-            fitted = pushed @ _TO_SERIES
-            largest = np.abs(fitted).max(axis=1)
-            if (np.abs(fitted[:, -2:]).max(axis=1) <= _FIT * largest).all():
-                return fitted @ _TO_POWERS / float(count) ** np.arange(_DEGREE + 1), count
-            if count == 1:
-                raise NoFit
-            count = max(1, count // 2)
+    def _calculated(self, parts: Parts, state: Floats) -> Stretch | None:
+        """A stretch from a state on; None where torques bend too much for it."""
+        exponential, _ = self._exponential(parts.length)
+        times = parts.times.reshape(-1)
+        to_series, to_powers, to_values = fitting(parts.number)
+        given = np.zeros((len(self.bending), _ORDERS))
+        before = np.zeros((len(self.bending), len(times)))
+        for number in range(_ROUNDS):
+            stretch = self._followed(parts, state, given, to_powers)
+            if not len(self.bending):
+                return stretch
+            at = self._states(stretch, exponential.at(NODES))
+            now = self._bent(times, at.reshape(len(at), -1), given, to_values)
+            if not np.isfinite(now).all():
+                return None
+            given = now @ to_series
+            limit = _FIT * max(self.large, float(np.abs(now).max()))
+            if number and np.abs(now - before).max() <= limit:
+                fits = np.abs(given @ to_values - now).max() <= 4 * limit
+                return self._followed(parts, state, given, to_powers) if fits else None
+            before = now
+        return None
 
-    def _exponent(self, length: float, powers: Floats) -> Floats:
-        """The matrix of x and of the powers of time, by a part; in balanced units."""
-        size, terms = self.size, powers.shape[1]
-        made = np.zeros((size + terms, size + terms))
-        factors = self.balance
-        made[:size, :size] = (factors[:, None] * self.matrix / factors) * length
-        made[:size, size:] = factors[:, None] * powers * length
-        for power in range(1, terms):  # of s^k/k!
-            made[size + power, size + power - 1] = 1.0
-            made[:size, size + power] *= math.factorial(power)
+    def _followed(self, parts: Parts, state: Floats, given: Floats, to_powers: Floats) -> Stretch:
+        exponential, unit = self._exponential(parts.length)
+        size = self.size
+        first = np.zeros(len(exponential.series[0]))
+        first[:size] = self.balance * state[:size]
+        first[size] = parts.begin
+        first[size + 1] = 1.0
+        first[size + 2 :] = (given @ to_powers).reshape(-1)
+        first[size:] *= unit
+        return Stretch(parts, exponential, exponential.repeated(first, parts.number), given)
+
+    def _states(self, stretch: Stretch, nodes: Floats) -> Floats:
+        """X at instants of all parts, shape (size, parts, instants)."""
+        inner = (nodes.transpose(1, 0, 2)[: self.size] @ stretch.starts).transpose(0, 2, 1)
+        return inner / self.balance[:, None, None]
+
+    def _bent(self, times: Floats, states: Floats, given: Floats, to_values: Floats) -> Floats:
+        """The torques that bend, less what of them stands in the matrix."""
+        equations, affine = self.equations, self.affine
+        all_given, slopes = affine.straight_at(times)
+        all_given[self.bending] += given @ to_values
+        rates = affine.rates.by_state @ states + affine.rates.by_given @ all_given
+        rates += affine.rates.by_slope @ slopes
+        whole = np.zeros((equations.works.start, len(times)))
+        whole[: self.size] = states
+        torques = equations.torques_at(times, whole, rates)[self.bending]
+        made: Floats = torques - self.slopes[:, None] * rates[self.bending]
         return made
 
-    def _stretch(self, parts: Parts, state: Floats, powers: Floats, end: float) -> TimeStep:
-        """A stretch of equal parts from a state on; the last of all ends at a time."""
-        size = self.size
-        matrix = self._exponent(parts.length, powers)
-        large = float(np.abs(matrix[:size, size:]).max(initial=0.0)) or 1.0
-        matrix[:size, size:] /= large
-        exponential = _Exponential(matrix)
-        nodes = exponential.at(_NODES)
-        first = np.zeros(len(matrix))
-        first[:size] = self.balance * state[:size]
-        first[size] = large
-        starts = _repeated(nodes[-1], first, parts.number)
-        inner = (nodes.transpose(1, 0, 2) @ starts).transpose(0, 2, 1)
-        times = parts.begin + parts.length * (np.arange(parts.number)[:, None] + _NODES)
+    def _step(self, stretch: Stretch, state: Floats, end: float) -> TimeStep:
+        """A stretch as a step, with works and losses."""
+        parts = stretch.parts
+        times = parts.times
         if abs(end - times[-1, -1]) <= 1e-13 * abs(end):
             times[-1, -1] = end
-        states = np.zeros((self.equations.size, parts.number, len(_NODES)))
-        states[:size] = inner[:size] / self.balance[:, None, None]
+        states = np.zeros((self.equations.size, parts.number, len(NODES)))
+        states[: self.size] = self._states(stretch, stretch.exponential.at(NODES))
         self._account(states, times, state, parts.length)
         flat = states.reshape(self.equations.size, -1)
         befores = np.column_stack([state, states[:, :-1, -1]])
 
         def exact(time: float) -> Floats:
-            return self._inside(parts, time, exponential, starts, befores)
+            return self._inside(stretch, time, befores)
 
         def between(asked: Floats) -> Floats:
             return np.array([exact(time) for time in asked.tolist()]).T
 
-        marks: Booleans = np.tile(np.arange(len(_NODES)) == _GAUSS, parts.number)
+        marks: Booleans = np.tile(np.arange(len(NODES)) == len(WEIGHTS), parts.number)
         last = float(times[-1, -1]), flat[:, -1].copy()
         return TimeStep(
             parts.begin, last[0], state, last[1], between, exact, times.reshape(-1), flat, marks
         )
 
-    def _inside(
-        self,
-        parts: Parts,
-        time: float,
-        exponential: _Exponential,
-        starts: Floats,
-        befores: Floats,
-    ) -> Floats:
+    def _inside(self, stretch: Stretch, time: float, befores: Floats) -> Floats:
         """The state at any time of a stretch; works by Gauss points up to there."""
+        parts = stretch.parts
         passed = (time - parts.begin) / parts.length
         part = min(parts.number - 1, max(0, int(passed)))
         within = min(1.0, max(0.0, passed - part))
-        moves = exponential.at(within * _NODES)
-        size = self.size
-        made = np.zeros((self.equations.size, 1, len(_NODES)))
-        made[:size, 0] = (moves @ starts[:, part])[:, :size].T / self.balance[:, None]
+        moves = stretch.exponential.at(within * NODES)
+        made = np.zeros((self.equations.size, 1, len(NODES)))
+        at = (moves @ stretch.starts[:, part])[:, : self.size].T
+        made[: self.size, 0] = at / self.balance[:, None]
         begin = parts.begin + part * parts.length
-        times = begin + parts.length * within * _NODES[None, :]
+        times = begin + parts.length * within * NODES[None, :]
         self._account(made, times, befores[:, part], parts.length * within)
         return np.asarray(made[:, 0, -1])
 
@@ -220,41 +287,11 @@ class Closed:
         equations = self.equations
         first = equations.works.start
         count, nodes = times.shape
-        at = np.broadcast_to(before[first:, None], (equations.size - first, count * nodes))
-        flat = np.vstack([states[:first].reshape(first, count * nodes), at])
+        flat = np.repeat(before[:, None], count * nodes, axis=1)
+        flat[:first] = states[:first].reshape(first, count * nodes)
         powers = equations.powers_at(times.reshape(-1), flat)
-        by_part = powers.reshape(-1, count, nodes)[:, :, :_GAUSS] @ _WEIGHTS * (0.5 * length)
+        by_part = powers.reshape(-1, count, nodes)[:, :, : len(WEIGHTS)] @ WEIGHTS * (0.5 * length)
         ends = before[first:, None] + np.cumsum(by_part, axis=1)
         begins = np.hstack([before[first:, None], ends[:, :-1]])
         states[first:] = begins[:, :, None]
         states[first:, :, -1] = ends
-
-
-class _Exponential:
-    """Of a matrix, for any part of a time: by its series, after so many halvings."""
-
-    def __init__(self, matrix: Floats) -> None:
-        norm = float(np.abs(matrix).sum(axis=0).max(initial=0.0))
-        self.halvings = max(0, int(np.ceil(np.log2(norm / 2.0)))) if norm > 2.0 else 0
-        step = matrix / 2.0**self.halvings
-        terms = [np.eye(len(matrix))]
-        for number in range(1, _TERMS + 1):
-            terms.append(terms[-1] @ step / number)
-        self.series = np.array(terms)
-
-    def at(self, parts: Floats) -> Floats:
-        """For parts of the time, each 0 to 1; shape (parts, size, size)."""
-        factors = parts[:, None] ** np.arange(len(self.series))
-        made: Floats = np.tensordot(factors, self.series, axes=1)
-        for _ in range(self.halvings):
-            made = made @ made
-        return made
-
-
-def _repeated(step: Floats, first: Floats, count: int) -> Floats:
-    """States at the start of each of so many equal parts, by doubling."""
-    made = first[:, None]
-    while made.shape[1] < count:
-        made = np.hstack([made, step @ made])
-        step = step @ step
-    return made[:, :count]
