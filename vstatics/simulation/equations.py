@@ -201,10 +201,7 @@ class Equations:
     @cached_property
     def light_is_straight(self) -> bool:
         """Whether no torque that bends acts along the motions without inertia."""
-        ports, layout = self.ports, self.layout
-        bending = [port for port, _, _ in ports.special]
-        bending += range(layout.pumps, layout.ports)
-        along = np.abs(self.structure.balances[:, bending])
+        along = np.abs(self.structure.balances[:, self.ports.bending])
         return bool((along <= 1e-12).all())
 
     def slopes_by_rate(self, time: float, state: Floats) -> Floats:
@@ -212,9 +209,7 @@ class Equations:
         rates, _ = self.rates(time, state)
         step = 1e-6 * max(1.0, float(np.abs(rates).max(initial=0.0)))
         slopes = self.ports.by_rate.copy()
-        bending = [port for port, _, _ in self.ports.special]
-        bending += range(self.layout.pumps, self.layout.ports)
-        for port in bending:
+        for port in self.ports.bending:
             near = [rates.copy(), rates.copy()]
             near[0][port] -= step
             near[1][port] += step

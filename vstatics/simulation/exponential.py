@@ -6,6 +6,7 @@ import numpy as np
 
 from vstatics.numerics.arrays import Floats
 
+_NONE = np.zeros(0)
 _TERMS = 22
 """Of the series."""
 
@@ -20,7 +21,7 @@ class Exponential:
     array([1.      , 0.049787])
     """
 
-    def __init__(self, matrix: Floats) -> None:
+    def __init__(self, matrix: Floats, nodes: Floats = _NONE) -> None:
         norm = float(np.abs(matrix).sum(axis=0).max(initial=0.0))
         self.halvings = max(0, int(np.ceil(np.log2(norm / 2.0)))) if norm > 2.0 else 0
         step = matrix / 2.0**self.halvings
@@ -30,6 +31,8 @@ class Exponential:
         self.series = np.array(terms)
         self.doubled = [self.at(np.ones(1))[0]]
         """For 1, 2, 4, ..."""
+        self.nodes = self.at(nodes)
+        """For the parts of the time that are asked for again and again."""
 
     def at(self, parts: Floats) -> Floats:
         """For parts of the time, each 0 to 1; shape (parts, size, size)."""

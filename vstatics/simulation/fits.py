@@ -8,7 +8,7 @@ import numpy as np
 
 from vstatics.numerics.arrays import Floats
 
-DEGREE = 12
+DEGREE = 10
 """Of the polynomials."""
 _GAUSS = 8
 _POINTS, WEIGHTS = np.polynomial.legendre.leggauss(_GAUSS)

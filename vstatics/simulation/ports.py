@@ -10,7 +10,7 @@ import math
 from bisect import bisect_right
 from collections import deque
 from collections.abc import Callable
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -113,6 +113,8 @@ class Ports:
         """Port, place of the angle, slope. [N*m/rad]"""
         self.special: list[tuple[int, int, Torque]] = []
         """Port, place of the angle or -1, its torque."""
+        self.roads: list[tuple[int, Callable[[Any], Any]]] = []
+        """Port, and its torque by its rate, a number or an array."""
         self.timed: list[tuple[int, Formula, float]] = []
         """Port, its torque by the time alone, and by what that is multiplied."""
         self.converters = tuple(
@@ -138,7 +140,13 @@ class Ports:
                 self._programme(port, spring.limit, 1.0 if state == "+" else -1.0, time)
         for ports in (layout.pumps, layout.turbines):
             self.senses_rate[ports : ports + len(system.converters)] = True
-        self.is_affine = not self.special and not self.converters
+        self.bending = sorted(
+            {port for port, _, _ in self.special}
+            | {port for port, _ in self.roads}
+            | set(range(layout.pumps, layout.ports))
+        )
+        """Ports whose torques are not straight in rates, twists and angles."""
+        self.is_affine = not self.bending
         """Whether all torques are straight in rates, twists and angles."""
 
     def torques(self, time: float, rates: Floats, twists: Floats, angles: Floats) -> Floats:
@@ -151,6 +159,8 @@ class Ports:
             torques[port] += slope * angles[place]
         for port, formula, factor in self.timed:
             torques[port] = factor * formula.function(time, 0.0, 0.0)
+        for port, on_road in self.roads:
+            torques[port] = on_road(rates[port])
         for port, place, function in self.special:
             angle = angles[place] if place >= 0 else 0.0
             torques[port] = function(time, float(rates[port]), angle)
@@ -173,15 +183,16 @@ class Ports:
             torques[port] += slope * angles[place]
         for port, formula, factor in self.timed:
             torques[port] = factor * curve_along(formula, times)
+        for port, on_road in self.roads:
+            torques[port] = on_road(rates[port])
         for port, place, function in self.special:
             turned = angles[place].tolist() if place >= 0 else [0.0] * len(times)
             at = zip(times.tolist(), rates[port].tolist(), turned, strict=True)
             torques[port] = [function(*one) for one in at]
         for index, (converter, piece) in enumerate(self.converters):
             pump, turbine = layout.pumps + index, layout.turbines + index
-            speeds = zip(rates[pump].tolist(), rates[turbine].tolist(), strict=True)
-            made = [converter_torques(converter, piece, *one) for one in speeds]
-            torques[[pump, turbine]] = np.array(made).T
+            made = _converter_torques_at(converter, piece, rates[pump], rates[turbine])
+            torques[pump], torques[turbine] = made
         return torques
 
     def slopes(self, time: float, rates: Floats, angles: Floats, within: float) -> Floats:
@@ -204,10 +215,10 @@ class Ports:
         self, port: int, law: Points | Formula | Road, piece: int, place: int, time: float
     ) -> None:
         if isinstance(law, Road):
-            self.special.append((port, -1, _road(law)))
-            self.senses_rate[port] = law.drag_area != 0
-            if not law.drag_area:
-                self.special.pop()
+            if law.drag_area:
+                self.roads.append((port, _road(law)))
+                self.senses_rate[port] = True
+            else:
                 self.c0[port] = -law.radius * law.mass * GRAVITY * law.slope
         elif isinstance(law, Formula) and not law.variables & {"speed", "angle"}:
             self.timed.append((port, law, 1.0))
@@ -283,11 +294,11 @@ def curve_along(curve: Curve, times: Floats) -> Floats:
 _LAST: deque[tuple[Curve, Floats, Floats]] = deque(maxlen=16)
 
 
-def _road(road: Road) -> Torque:
+def _road(road: Road) -> Callable[[Any], Any]:
     climb = road.radius * road.mass * GRAVITY * road.slope
     air = road.radius**3 * AIR * road.drag_area / 2
 
-    def torque(_time: float, rate: float, _angle: float) -> float:
+    def torque(rate: Any) -> Any:
         return -climb - air * rate * abs(rate)
 
     return torque
@@ -308,12 +319,23 @@ def converter_torques(
     return taken, -factor * taken
 
 
+def _converter_torques_at(
+    converter: Converter, piece: int, pumps: Floats, turbines: Floats
+) -> tuple[Floats, Floats]:
+    """The same at several instants."""
+    turns = pumps != 0
+    ratios = np.divide(turbines, pumps, out=np.zeros_like(pumps), where=turns)
+    factor, coefficient = _on_piece(converter, piece, ratios)
+    taken = np.where(turns, coefficient * pumps * np.abs(pumps), 0.0)
+    return taken, -factor * taken
+
+
 def converter_piece(converter: Converter, ratio: float) -> int:
     """The piece of the points that holds from a ratio of speeds on; piece 0 is before the first."""
     return bisect_right([point[0] for point in converter.points], ratio)
 
 
-def _on_piece(converter: Converter, piece: int, ratio: float) -> tuple[float, float]:
+def _on_piece(converter: Converter, piece: int, ratio: Any) -> tuple[Any, Any]:
     """K and lambda."""
     points = converter.points
     if piece in (0, len(points)):

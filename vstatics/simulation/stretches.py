@@ -33,6 +33,10 @@ _SHORTEST = 2.0**-14
 """By which a part may be shortened, where torques bend."""
 _FIT = 1e-12
 """How near polynomials come to torques, by the largest torque."""
+_FEW = 4
+"""Parts of a stretch to begin with, where torques bend."""
+_SMOOTH = 4
+"""So many stretches go well before a longer one is tried."""
 _ROUNDS = 12
 """Of relaxation."""
 _ORDERS = DEGREE + 1
@@ -83,14 +87,10 @@ class Closed:
     def __init__(self, equations: Equations, state: Floats, large: float) -> None:
         self.equations, self.large = equations, large
         ports = equations.ports
-        self.bending = np.array(
-            sorted(
-                {port for port, _, _ in ports.timed}
-                | {port for port, _, _ in ports.special}
-                | set(range(equations.layout.pumps, equations.layout.ports))
-            ),
-            dtype=int,
-        )
+        timed = {port for port, _, _ in ports.timed}
+        self.bending = np.array(sorted(timed.union(ports.bending)), dtype=int)
+        self.latest: Floats = np.zeros(len(self.bending))
+        """What the torques that bend were at the end of the last stretch."""
         self.size = equations.works.start
         self._straighten(equations.time, state)
 
@@ -100,6 +100,7 @@ class Closed:
         by_rate = equations.slopes_by_rate(time, state)
         self.slopes: Floats = by_rate[self.bending]
         self.affine = Affine(equations, by_rate)
+        self.latest = np.zeros(len(self.bending))
         matrix = self.affine.change.by_state
         self.rates = np.linalg.eigvals(matrix) if self.size else np.zeros(0)
         self.balance = self._balanced()
@@ -130,7 +131,8 @@ class Closed:
         NoFit
         """
         time = begin = self.equations.time
-        left, most, shorter = _MOST_PARTS, _PARTS, 1.0
+        left, shorter, smooth = _MOST_PARTS, 1.0, 0
+        most = _PARTS if self.equations.ports.is_affine else _FEW
         while time < end:
             while True:
                 length, count = self._parts(time - begin, end - time, most, shorter)
@@ -140,6 +142,7 @@ class Closed:
                 if self._bends_elsewhere(time, state):
                     self._straighten(time, state)
                     continue
+                smooth = 0
                 most, shorter = (count // 2, shorter) if count > 1 else (1, shorter / 2)
                 if shorter < _SHORTEST:
                     raise NoFit
@@ -149,10 +152,10 @@ class Closed:
             step = self._step(stretch, state, end)
             yield step
             time, state = step.end, step.last
-            if shorter < 1:
-                shorter *= 2
-            else:
-                most = min(_PARTS, 2 * most)
+            smooth += 1
+            if smooth % _SMOOTH == 0:
+                shorter, most = min(1.0, 2 * shorter), most if shorter < 1 else 2 * most
+                most = min(most, _PARTS)
 
     def _parts(self, gone: float, left: float, most: int, shorter: float) -> tuple[float, int]:
         """Length and number of the parts of the next stretch."""
@@ -187,28 +190,29 @@ class Closed:
         pushes = float(np.abs(made[:size, size:]).sum(axis=0).max(initial=0.0))
         unit = max(pushes, 1e-300)
         made[:size, size:] /= unit
-        exponential = Exponential(made), unit
+        exponential = Exponential(made, NODES), unit
         self.exponentials[length] = exponential
         return exponential
 
     def _calculated(self, parts: Parts, state: Floats) -> Stretch | None:
         """A stretch from a state on; None where torques bend too much for it."""
-        exponential, _ = self._exponential(parts.length)
         times = parts.times.reshape(-1)
         to_series, to_powers, to_values = fitting(parts.number)
         given = np.zeros((len(self.bending), _ORDERS))
+        given[:, 0] = self.latest
         before = np.zeros((len(self.bending), len(times)))
         for number in range(_ROUNDS):
             stretch = self._followed(parts, state, given, to_powers)
             if not len(self.bending):
                 return stretch
-            at = self._states(stretch, exponential.at(NODES))
+            at = self._states(stretch)
             now = self._bent(times, at.reshape(len(at), -1), given, to_values)
             if not np.isfinite(now).all():
                 return None
             given = now @ to_series
             limit = _FIT * max(self.large, float(np.abs(now).max()))
             if number and np.abs(now - before).max() <= limit:
+                self.latest = now[:, -1]
                 fits = np.abs(given @ to_values - now).max() <= 4 * limit
                 return self._followed(parts, state, given, to_powers) if fits else None
             before = now
@@ -225,9 +229,10 @@ class Closed:
         first[size:] *= unit
         return Stretch(parts, exponential, exponential.repeated(first, parts.number), given)
 
-    def _states(self, stretch: Stretch, nodes: Floats) -> Floats:
+    def _states(self, stretch: Stretch) -> Floats:
         """X at instants of all parts, shape (size, parts, instants)."""
-        inner = (nodes.transpose(1, 0, 2)[: self.size] @ stretch.starts).transpose(0, 2, 1)
+        nodes = stretch.exponential.nodes.transpose(1, 0, 2)[: self.size]
+        inner: Floats = (nodes @ stretch.starts).transpose(0, 2, 1)
         return inner / self.balance[:, None, None]
 
     def _bent(self, times: Floats, states: Floats, given: Floats, to_values: Floats) -> Floats:
@@ -250,7 +255,7 @@ class Closed:
         if abs(end - times[-1, -1]) <= 1e-13 * abs(end):
             times[-1, -1] = end
         states = np.zeros((self.equations.size, parts.number, len(NODES)))
-        states[: self.size] = self._states(stretch, stretch.exponential.at(NODES))
+        states[: self.size] = self._states(stretch)
         self._account(states, times, state, parts.length)
         flat = states.reshape(self.equations.size, -1)
         befores = np.column_stack([state, states[:, :-1, -1]])
@@ -259,13 +264,24 @@ class Closed:
             return self._inside(stretch, time, befores)
 
         def between(asked: Floats) -> Floats:
-            return np.array([exact(time) for time in asked.tolist()]).T
+            return self._among(stretch, asked, befores)
 
         marks: Booleans = np.tile(np.arange(len(NODES)) == len(WEIGHTS), parts.number)
         last = float(times[-1, -1]), flat[:, -1].copy()
         return TimeStep(
             parts.begin, last[0], state, last[1], between, exact, times.reshape(-1), flat, marks
         )
+
+    def _among(self, stretch: Stretch, times: Floats, befores: Floats) -> Floats:
+        """X at any times of a stretch, with the works and losses up to the part they are in."""
+        parts = stretch.parts
+        passed = (times - parts.begin) / parts.length
+        at = np.clip(passed.astype(int), 0, parts.number - 1)
+        moves = stretch.exponential.at(np.clip(passed - at, 0.0, 1.0))[:, : self.size]
+        made = befores[:, at].copy()
+        made[: self.size] = np.einsum("nij,jn->in", moves, stretch.starts[:, at])
+        made[: self.size] /= self.balance[:, None]
+        return made
 
     def _inside(self, stretch: Stretch, time: float, befores: Floats) -> Floats:
         """The state at any time of a stretch; works by Gauss points up to there."""
