@@ -104,7 +104,7 @@ def test_what_does_not_hold_slips_again() -> None:
 def test_two_clutches_stop_it() -> None:
     motion = tarasik(run_of_box())
     assert motion.stopped is not None
-    assert "FH and F1 held the box has 1 degree" in motion.stopped.message
+    assert "FB slips, and with FH and F1 held the box has 1 degree" in motion.stopped.message
     assert motion.time[-1] == pytest.approx(1.9)
     both = {1: held(50), 2: held(50)}
     motion = tarasik(first_gear()._replace(controls=both))

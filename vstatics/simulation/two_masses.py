@@ -11,6 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from vstatics.errors import plural
 from vstatics.model.transmission import Gear
 from vstatics.numerics.arrays import Floats
 from vstatics.simulation.structure import null
@@ -80,7 +81,8 @@ def two_masses(
     names = " and ".join(system.contacts[n].name for n in held) or "nothing"
     if free.shape[1] != 2:
         count = free.shape[1]
-        raise NotTwoError(f"with {names} held the box has {count} degrees of freedom, not 2")
+        degrees = plural("degree", count)
+        raise NotTwoError(f"with {names} held the box has {count} {degrees} of freedom, not 2")
     seen = free[list(ends)]
     if abs(np.linalg.det(seen)) < _SMALL:
         raise NotTwoError(f"with {names} held input and output do not turn apart")
