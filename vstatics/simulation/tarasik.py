@@ -166,10 +166,13 @@ class _Run:
         return self._holding()
 
     def _slipping(self, clutch: int, slip_sign: float) -> ClutchPhase:
-        masses = two_masses(self.system, self.ends, self.stuck, clutch)
-        return ClutchPhase(
-            masses, clutch, locked=False, direction=slip_sign * math.copysign(1.0, masses.slip)
-        )
+        try:
+            masses = two_masses(self.system, self.ends, self.stuck, clutch)
+        except NotTwoError as error:
+            name = self.system.contacts[clutch].name
+            raise NotTwoError(f"{name} slips, and {error}") from None
+        direction = slip_sign * math.copysign(1.0, masses.slip)
+        return ClutchPhase(masses, clutch, locked=False, direction=direction)
 
     def _holding(self) -> ClutchPhase:
         """Nothing slips: the last of what sticks is the clutch that joins input and output."""
