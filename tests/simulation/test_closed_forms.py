@@ -328,3 +328,18 @@ def test_capacity_that_returns() -> None:
         ("B", "slips", pytest.approx(1, abs=1e-12)),
         ("B", "locks", pytest.approx(1.625, abs=EXACT)),
     ]
+
+
+@pytest.mark.parametrize("step", [0.0371, 0.0037])
+def test_heat_up_to_each_step(step: float) -> None:
+    """Between the points of integration, too: capacity by the angle of slip, (w0^2 - w^2) J/2."""
+    case = links(
+        *(0.5, 1.0),
+        elements=(ShiftElement(1, 0, "B"),),
+        springs=(Spring(between(2), 4e4, damping=2.0),),
+    )
+    start = Start(speeds={1: 100.0, 2: 1.0})
+    motion = simulate(Scenario(case, 0.5, start, {1: held(60)}), step=step)
+    expected = 0.25 * (100**2 - motion.speeds[:, 0] ** 2)
+    assert motion.heat[:, 0] == pytest.approx(expected, abs=1e-7)
+    assert len(motion.time) > 0.5 / step

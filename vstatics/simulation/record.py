@@ -91,8 +91,7 @@ class Record:
             number = math.floor(step.start / self.every * (1 + 1e-12)) + 1
             while number * self.every < end * (1 - 1e-12):
                 time = number * self.every
-                between = step.between(np.array([time]))[:, 0]
-                self.kept.append(Kept(time, equations, margins, between))
+                self.kept.append(Kept(time, equations, margins, step.exact(time)))
                 number += 1
         for time, mark, at in zip(step.times.tolist(), step.marks, step.states.T, strict=True):
             if mark and time < end:
