@@ -31,6 +31,7 @@ from vstatics.simulation.system import MotionSystem
 
 _MOST_AT_ONCE = 60
 """Events within a moment, before it is told that there is no way on."""
+_LOOSEST = 4096.0
 _MOST_EVENTS = 100_000
 
 
@@ -108,11 +109,14 @@ class EventRun:
     def _selected(
         self, at: Instant, before: States | None, left: list[States], met: list[int]
     ) -> Selected:
+        # where events come at one instant, what decides is rounding: it is judged less strictly
+        slack = min(_LOOSEST, 4.0 ** max(0, self.at_once - 1))
+        scales = LargeSizes(self.scales.speed * slack, self.scales.torque * slack)
         try:
             try:
-                selected = self.selection.select(at, before, self.scales, left, met)
+                selected = self.selection.select(at, before, scales, left, met)
             except NoChoice:
-                selected = self.selection.select(at, before, self.scales, (), met)
+                selected = self.selection.select(at, before, scales, (), met)
         except NoChoice:
             _, choices = self.selection.choices(at, before, self.scales, met)
             names = [self._name_of(kind, index) for kind, index, _ in choices]

@@ -12,11 +12,12 @@ from functools import lru_cache
 from typing import NamedTuple
 
 from vstatics.errors import nearest, quoted, spoken
+from vstatics.numerics.arrays import Floats
 from vstatics.readers.expressions.excerpt import Excerpt
 from vstatics.readers.expressions.grammar import Applied, Language, Tree, parse
 from vstatics.readers.expressions.operands import DottedName, TableName
 from vstatics.simulation.formula_breaks import breaks
-from vstatics.simulation.formula_code import FUNCTIONS, PI, VARIABLES, compiled
+from vstatics.simulation.formula_code import FUNCTIONS, PI, VARIABLES, compiled, of_times
 
 
 class Formula(NamedTuple):
@@ -65,6 +66,10 @@ class Formula(NamedTuple):
             If the text is no formula.
         """
         return _breaks(self.text)
+
+    def along(self, times: Floats) -> Floats:
+        """Its values at many times, of a formula of t alone."""
+        return _of_times(self.text)(times)
 
 
 def read_formula(source: Excerpt, names: Collection[str] = VARIABLES) -> Formula:
@@ -157,3 +162,8 @@ def _breaks(text: str) -> tuple[float, ...]:
 @lru_cache(maxsize=256)
 def _function(text: str) -> Callable[[float, float, float], float]:
     return compiled(_known(text))
+
+
+@lru_cache(maxsize=256)
+def _of_times(text: str) -> Callable[[Floats], Floats]:
+    return of_times(_known(text))

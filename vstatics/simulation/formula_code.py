@@ -10,10 +10,12 @@ from __future__ import annotations
 import ast
 import math
 from collections.abc import Callable, Mapping
+from functools import reduce
 from typing import Any, TypeAlias
 
 import numpy as np
 
+from vstatics.numerics.arrays import Floats
 from vstatics.readers.expressions.grammar import Applied, Tree
 from vstatics.readers.expressions.operands import Constant, TableName
 
@@ -57,6 +59,18 @@ _ROBUST: Mapping[str, Callable[..., Any]] = {
     "pow": np.power,
     "number": np.float64,
 }
+_BROAD: Mapping[str, Callable[..., Any]] = {
+    "abs": np.abs,
+    "min": lambda *values: reduce(np.fmin, values),
+    "max": lambda *values: reduce(np.fmax, values),
+    "sqrt": np.sqrt,
+    "exp": np.exp,
+    "tanh": np.tanh,
+    "sin": np.sin,
+    "cos": np.cos,
+    "sign": np.sign,
+    "pow": np.power,
+}
 FUNCTIONS = tuple(name for name in _PLAIN if name not in ("pow", "truth", "number"))
 """Of numbers; `min` and `max` of several."""
 
@@ -99,6 +113,36 @@ def compiled(tree: Tree) -> Function:
                 return float(robust(np.float64(t), np.float64(speed), np.float64(angle)))
 
     return function
+
+
+def of_times(tree: Tree) -> Callable[[Floats], Floats]:
+    """The function of a tree in which t alone stands, for many times at once.
+
+    Examples
+    --------
+    >>> from vstatics.readers.expressions.excerpt import Excerpt
+    >>> from vstatics.readers.expressions.grammar import Language, parse
+    >>> function = of_times(parse(Excerpt("min(2*t, 3)", ""), Language(FUNCTIONS, "t", "t")))
+    >>> function(np.array([1.0, 2.0]))
+    array([2., 3.])
+    """
+    if _compares(tree):
+        one = compiled(tree)
+        return lambda times: np.array([one(time, 0.0, 0.0) for time in times.tolist()])
+    broad = _evaluated(_number(tree), _BROAD)
+
+    def function(times: Floats) -> Floats:
+        with np.errstate(all="ignore"):
+            return np.broadcast_to(broad(times, 0.0, 0.0), times.shape).astype(float)
+
+    return function
+
+
+def _compares(tree: Any) -> bool:
+    """Whether a condition stands in a tree."""
+    if not isinstance(tree, Applied):
+        return False
+    return _is_truth(tree) or any(map(_compares, tree.operands))
 
 
 def _evaluated(body: ast.expr, functions: Mapping[str, Callable[..., Any]]) -> Any:

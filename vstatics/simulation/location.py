@@ -18,6 +18,9 @@ from vstatics.simulation.system import Contact
 _NOISE = 1e-10
 """A margin is below 0 by more than this part of what is large."""
 
+_NEAR: Floats = np.append(2.0 ** np.arange(-32, 0), 1.0)
+"""Parts of an interval at whose beginning a margin may be 0."""
+
 Sample = Callable[[TimeStep, Floats, Floats, Equations, Margins], None]
 """Takes instants of a step and their states."""
 
@@ -108,8 +111,10 @@ class Finder:
         """The first place in an interval at which a margin is 0."""
         places = []
         for index in map(int, np.flatnonzero(under[1] < -self.noise)):
-            begins = above[1][index] > 0
-            place = self._root(step, index, above[0], under[0]) if begins else above[0]
+            if above[1][index] > 0:
+                place = self._root(step, index, above[0], under[0])
+            else:
+                place = self._after_rise(step, index, above[0], under[0])
             places.append((place, index))
         time, index = min(places)
         state = step.exact(time)
@@ -118,6 +123,17 @@ class Finder:
         close = 1e-11 * self.equations.system.scenario.duration
         watches = [self.margins.watches[other] for at, other in places if at <= time + close]
         return MarginEnd(float(time), state, tuple(watches) or (self.margins.watches[index],))
+
+    def _after_rise(self, step: TimeStep, index: int, first: float, last: float) -> float:
+        """Where a margin is 0 again that is 0 at first; the first time if it does not rise."""
+        times = first + (last - first) * _NEAR
+        margins = self.margins.along(times, step.between(times))[index]
+        above = np.flatnonzero(margins > 0)
+        if not len(above):
+            return first
+        rises = int(above[0])
+        falls = next(number for number in range(rises + 1, len(times)) if margins[number] <= 0)
+        return self._root(step, index, float(times[falls - 1]), float(times[falls]))
 
     def _root(self, step: TimeStep, index: int, first: float, last: float) -> float:
         """Where a margin is 0 between two times."""

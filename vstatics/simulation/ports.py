@@ -285,8 +285,7 @@ def curve_along(curve: Curve, times: Floats) -> Floats:
     if isinstance(curve, Points):
         made = np.array([curve.at(time) for time in times.tolist()])
     else:
-        function = curve.function
-        made = np.array([function(time, 0.0, 0.0) for time in times.tolist()])
+        made = curve.along(times)
     _LAST.append((curve, times, made))
     return made
 

@@ -25,7 +25,6 @@ from vstatics.simulation.structure import Structures
 from vstatics.simulation.system import MotionSystem
 
 _AMPLE = 1e300
-_MOST_GUIDED = 300
 _MOST_TRIED = 2000
 """Choices, before it is told that there is none."""
 SMALL = 1e-9
@@ -441,19 +440,18 @@ class _Search:
 
     def __iter__(self) -> Iterator[States]:
         """Choices, as they are to be tried."""
-        tried = 0
-        while self.waiting and tried < _MOST_GUIDED:
-            self.changed = heappop(self.waiting)[-1]
-            tried += 1
-            yield _with(self.base, self.choices, dict(self.changed))
-        for changed in self._all():
-            if tried >= _MOST_TRIED:
-                return
-            if changed not in self.seen:
-                self.seen.add(changed)
-                self.changed = changed
-                tried += 1
-                yield _with(self.base, self.choices, dict(changed))
+        others = (changed for changed in self._all() if changed not in self.seen)
+        for _ in range(_MOST_TRIED):
+            if self.waiting:
+                changed = heappop(self.waiting)[-1]
+            else:
+                following = next(others, None)
+                if following is None:
+                    return
+                changed = following
+            self.seen.add(changed)
+            self.changed = changed
+            yield _with(self.base, self.choices, dict(changed))
 
     def fails(self, states: States, failing: Sequence[Watch], released: States | None) -> None:
         """Note what fails in the choice that was tried last."""
