@@ -296,11 +296,12 @@ class ModeSelection:
         """The piece of the points of a converter; at a corner it may be either side's."""
         converter = self.system.converters[index]
         pump, turbine = (float(at.speeds[link - 1]) for link in converter[1:3])
-        if pump == 0:
-            return len(converter.points)
+        last = None if before is None else before.pieces[self.layout.outside + index]
+        if pump == 0 or max(abs(pump), abs(turbine)) <= SMALL:
+            # no ratio; what follows tells, piece by piece
+            return len(converter.points) if last is None else last
         ratio = turbine / pump
-        if before is not None:
-            last = before.pieces[self.layout.outside + index]
+        if last is not None:
             ratios = [-math.inf, *(point[0] for point in converter.points), math.inf]
             if ratios[last] - SMALL <= ratio <= ratios[last + 1] + SMALL:
                 return last
