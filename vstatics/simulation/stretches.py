@@ -61,7 +61,7 @@ class Parts(NamedTuple):
         return self.begin + self.length * (np.arange(self.number)[:, None] + NODES)
 
 
-class Stretch(NamedTuple):
+class TimeStretch(NamedTuple):
     """A stretch that is calculated."""
 
     parts: Parts
@@ -194,7 +194,7 @@ class Closed:
         self.exponentials[length] = exponential
         return exponential
 
-    def _calculated(self, parts: Parts, state: Floats) -> Stretch | None:
+    def _calculated(self, parts: Parts, state: Floats) -> TimeStretch | None:
         """A stretch from a state on; None where torques bend too much for it."""
         times = parts.times.reshape(-1)
         to_series, to_powers, to_values = fitting(parts.number)
@@ -218,7 +218,9 @@ class Closed:
             before = now
         return None
 
-    def _followed(self, parts: Parts, state: Floats, given: Floats, to_powers: Floats) -> Stretch:
+    def _followed(
+        self, parts: Parts, state: Floats, given: Floats, to_powers: Floats
+    ) -> TimeStretch:
         exponential, unit = self._exponential(parts.length)
         size = self.size
         first = np.zeros(len(exponential.series[0]))
@@ -227,9 +229,9 @@ class Closed:
         first[size + 1] = 1.0
         first[size + 2 :] = (given @ to_powers).reshape(-1)
         first[size:] *= unit
-        return Stretch(parts, exponential, exponential.repeated(first, parts.number), given)
+        return TimeStretch(parts, exponential, exponential.repeated(first, parts.number), given)
 
-    def _states(self, stretch: Stretch) -> Floats:
+    def _states(self, stretch: TimeStretch) -> Floats:
         """X at instants of all parts, shape (size, parts, instants)."""
         nodes = stretch.exponential.nodes.transpose(1, 0, 2)[: self.size]
         inner: Floats = (nodes @ stretch.starts).transpose(0, 2, 1)
@@ -248,7 +250,7 @@ class Closed:
         made: Floats = torques - self.slopes[:, None] * rates[self.bending]
         return made
 
-    def _step(self, stretch: Stretch, state: Floats, end: float) -> TimeStep:
+    def _step(self, stretch: TimeStretch, state: Floats, end: float) -> TimeStep:
         """A stretch as a step, with works and losses."""
         parts = stretch.parts
         times = parts.times
@@ -272,7 +274,7 @@ class Closed:
             parts.begin, last[0], state, last[1], between, exact, times.reshape(-1), flat, marks
         )
 
-    def _among(self, stretch: Stretch, times: Floats, befores: Floats) -> Floats:
+    def _among(self, stretch: TimeStretch, times: Floats, befores: Floats) -> Floats:
         """X at any times of a stretch, with the works and losses up to the part they are in."""
         parts = stretch.parts
         passed = (times - parts.begin) / parts.length
@@ -283,7 +285,7 @@ class Closed:
         made[: self.size] /= self.balance[:, None]
         return made
 
-    def _inside(self, stretch: Stretch, time: float, befores: Floats) -> Floats:
+    def _inside(self, stretch: TimeStretch, time: float, befores: Floats) -> Floats:
         """The state at any time of a stretch; works by Gauss points up to there."""
         parts = stretch.parts
         passed = (time - parts.begin) / parts.length
