@@ -11,7 +11,8 @@ from typing import NamedTuple, Protocol
 import numpy as np
 
 from vstatics.numerics.arrays import Booleans, Floats
-from vstatics.simulation.ports import PortLayout, Ports, curve_along, slope_of
+from vstatics.simulation.curves import curve_along, slope_of
+from vstatics.simulation.ports import PortLayout, Ports
 from vstatics.simulation.structure import MotionStructure
 
 

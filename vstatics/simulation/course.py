@@ -8,6 +8,7 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from vstatics.errors import CaseError, Problem
+from vstatics.simulation.curves import capacity_at, programme_at
 from vstatics.simulation.equations import Equations
 from vstatics.simulation.formula import Formula
 from vstatics.simulation.impacts import impact
@@ -16,7 +17,7 @@ from vstatics.simulation.location import Finder, MarginEnd, NoCapacity
 from vstatics.simulation.margins import LargeSizes, Watch
 from vstatics.simulation.motion import Event, EventKind
 from vstatics.simulation.pieces import StepTolerances, TimeStep, TooSmall, steps
-from vstatics.simulation.ports import PortLayout, States, capacity_at, programme_at
+from vstatics.simulation.ports import PortLayout, States
 from vstatics.simulation.record import Record
 from vstatics.simulation.selection import (
     Instant,

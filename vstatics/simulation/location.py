@@ -8,11 +8,11 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.numerics.arrays import Floats
+from vstatics.simulation.curves import programme_at
 from vstatics.simulation.equations import Equations
 from vstatics.simulation.formula import Formula
 from vstatics.simulation.margins import LargeSizes, Margins, Watch
 from vstatics.simulation.pieces import TimeStep
-from vstatics.simulation.ports import programme_at
 from vstatics.simulation.system import Contact
 
 _NOISE = 1e-10

@@ -8,14 +8,9 @@ from typing import Literal, NamedTuple
 import numpy as np
 
 from vstatics.numerics.arrays import Floats
+from vstatics.simulation.curves import capacity_at, friction_at, programme_along, programme_at
 from vstatics.simulation.equations import Equations
 from vstatics.simulation.laws import Points
-from vstatics.simulation.ports import (
-    capacity_at,
-    friction_at,
-    programme_along,
-    programme_at,
-)
 from vstatics.simulation.split import least, widest, widest_place
 from vstatics.simulation.system import Contact
 

@@ -7,18 +7,17 @@ What is straight in time and rate stands in arrays, ``u = c0 + c1 t + s rate``; 
 from __future__ import annotations
 
 import math
-from bisect import bisect_right
-from collections import deque
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from vstatics.numerics.arrays import Floats
+from vstatics.simulation.converters import converter_torques, converter_torques_at
+from vstatics.simulation.curves import capacity_at, curve_along, friction_at, slope_of
 from vstatics.simulation.formula import Formula
-from vstatics.simulation.laws import Curve, Points, Road
+from vstatics.simulation.laws import Points, Road
 from vstatics.simulation.programme import Programme
-from vstatics.simulation.scenario import Converter
 from vstatics.simulation.system import AIR, GRAVITY, Contact, MotionSystem
 
 Torque = Callable[[float, float, float], float]
@@ -65,28 +64,6 @@ def _needs_angle(law: object) -> bool:
     if isinstance(law, Points):
         return law.over == "angle"
     return isinstance(law, Formula) and "angle" in law.variables
-
-
-def capacity_at(contact: Contact, time: float, slip: float = 0.0) -> float:
-    """The kinetic capacity of a contact [N*m] at a time, from there on."""
-    value = programme_at(contact.programme, time)
-    return value if contact.friction is None else value * friction_at(contact, slip)
-
-
-def programme_at(programme: Programme, time: float) -> float:
-    """The value of a programme at a time, from there on."""
-    curve = programme.curve
-    at = curve.at(time) if isinstance(curve, Points) else curve.function(time, 0.0, 0.0)
-    if at == 0 or programme.factor == 0:
-        return 0.0
-    return at * programme.factor
-
-
-def friction_at(contact: Contact, slip: float) -> float:
-    """The coefficient of friction at a slip."""
-    assert contact.friction is not None  # noqa: S101 - for mypy: asked where there is one
-    slips, values = zip(*contact.friction.coefficient, strict=True)
-    return Points(slips, values).at(abs(slip))
 
 
 class Ports:
@@ -191,7 +168,7 @@ class Ports:
             torques[port] = [function(*one) for one in at]
         for index, (converter, piece) in enumerate(self.converters):
             pump, turbine = layout.pumps + index, layout.turbines + index
-            made = _converter_torques_at(converter, piece, rates[pump], rates[turbine])
+            made = converter_torques_at(converter, piece, rates[pump], rates[turbine])
             torques[pump], torques[turbine] = made
         return torques
 
@@ -263,36 +240,6 @@ class Ports:
         self.timed.append((port, curve, factor))
 
 
-def slope_of(formula: Formula, time: float, within: float) -> float:
-    """Change of a formula with time, looking forward only."""
-    function = formula.function
-    now, middle, later = (function(time + part * within, 0.0, 0.0) for part in (0.0, 0.5, 1.0))
-    return (4 * middle - 3 * now - later) / within
-
-
-def programme_along(programme: Programme, times: Floats) -> Floats:
-    """The values of a programme at several times."""
-    return programme.factor * curve_along(programme.curve, times)
-
-
-def curve_along(curve: Curve, times: Floats) -> Floats:
-    """The values of a curve at several times; those last asked for are remembered."""
-    if isinstance(curve, Points) and len(set(curve.y)) == 1:
-        return np.full(len(times), curve.y[0])
-    for known, at, values in _LAST:
-        if at is times and known == curve:
-            return values
-    if isinstance(curve, Points):
-        made = np.array([curve.at(time) for time in times.tolist()])
-    else:
-        made = curve.along(times)
-    _LAST.append((curve, times, made))
-    return made
-
-
-_LAST: deque[tuple[Curve, Floats, Floats]] = deque(maxlen=16)
-
-
 def _road(road: Road) -> Callable[[Any], Any]:
     climb = road.radius * road.mass * GRAVITY * road.slope
     air = road.radius**3 * AIR * road.drag_area / 2
@@ -301,44 +248,3 @@ def _road(road: Road) -> Callable[[Any], Any]:
         return -climb - air * rate * abs(rate)
 
     return torque
-
-
-def converter_torques(
-    converter: Converter, piece: int, pump: float, turbine: float
-) -> tuple[float, float]:
-    """Torques that a converter takes from its pump and from its turbine, by their speeds.
-
-    ``M_P = lambda w_P |w_P|`` and ``-K M_P`` (Tsitovich, Algin, (1.38)), with K and lambda by the
-    straight line of a piece; none with the pump at rest.
-    """
-    if pump == 0:
-        return 0.0, 0.0
-    factor, coefficient = _on_piece(converter, piece, turbine / pump)
-    taken = coefficient * pump * abs(pump)
-    return taken, -factor * taken
-
-
-def _converter_torques_at(
-    converter: Converter, piece: int, pumps: Floats, turbines: Floats
-) -> tuple[Floats, Floats]:
-    """The same at several instants."""
-    turns = pumps != 0
-    ratios = np.divide(turbines, pumps, out=np.zeros_like(pumps), where=turns)
-    factor, coefficient = _on_piece(converter, piece, ratios)
-    taken = np.where(turns, coefficient * pumps * np.abs(pumps), 0.0)
-    return taken, -factor * taken
-
-
-def converter_piece(converter: Converter, ratio: float) -> int:
-    """The piece of the points that holds from a ratio of speeds on; piece 0 is before the first."""
-    return bisect_right([point[0] for point in converter.points], ratio)
-
-
-def _on_piece(converter: Converter, piece: int, ratio: Any) -> tuple[Any, Any]:
-    """K and lambda."""
-    points = converter.points
-    if piece in (0, len(points)):
-        return points[min(piece, len(points) - 1)][1:]
-    (i0, k0, l0), (i1, k1, l1) = points[piece - 1 : piece + 1]
-    part = (ratio - i0) / (i1 - i0)
-    return k0 + part * (k1 - k0), l0 + part * (l1 - l0)

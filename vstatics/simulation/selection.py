@@ -17,10 +17,12 @@ import numpy as np
 
 from vstatics.errors import CaseError
 from vstatics.numerics.arrays import Booleans, Floats
+from vstatics.simulation.converters import converter_piece
+from vstatics.simulation.curves import capacity_at, programme_at
 from vstatics.simulation.equations import Equations
 from vstatics.simulation.laws import Points
 from vstatics.simulation.margins import LargeSizes, Margins, Watch
-from vstatics.simulation.ports import PortLayout, States, capacity_at, converter_piece, programme_at
+from vstatics.simulation.ports import PortLayout, States
 from vstatics.simulation.structure import Structures
 from vstatics.simulation.system import MotionSystem
 

@@ -8,9 +8,10 @@ from dataclasses import replace
 import numpy as np
 
 from vstatics.numerics.arrays import Floats
+from vstatics.simulation.curves import programme_at
 from vstatics.simulation.laws import constant
 from vstatics.simulation.margins import LargeSizes
-from vstatics.simulation.ports import PortLayout, programme_at
+from vstatics.simulation.ports import PortLayout
 from vstatics.simulation.programme import Programme
 from vstatics.simulation.selection import Instant, ModeSelection
 from vstatics.simulation.structure import null

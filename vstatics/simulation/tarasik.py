@@ -24,9 +24,9 @@ from scipy.integrate import solve_ivp
 
 from vstatics.errors import CaseError, Problem
 from vstatics.numerics.arrays import Floats
+from vstatics.simulation.curves import capacity_at
 from vstatics.simulation.laws import Points
 from vstatics.simulation.motion import Event, EventKind, Motion
-from vstatics.simulation.ports import capacity_at
 from vstatics.simulation.programme import programmes
 from vstatics.simulation.scenario import Scenario
 from vstatics.simulation.start import start_gear, start_speeds

@@ -6,9 +6,9 @@ import math
 from typing import NamedTuple
 
 from vstatics.numerics.arrays import Floats
+from vstatics.simulation.curves import capacity_at
 from vstatics.simulation.formula import Formula
 from vstatics.simulation.laws import Points, Road
-from vstatics.simulation.ports import capacity_at
 from vstatics.simulation.system import AIR, GRAVITY, MotionSystem
 from vstatics.simulation.two_masses import TwoMasses
 

@@ -56,7 +56,7 @@ class TarasikRecord:
         self.heats.append(heat)
 
     def _open(self, index: int, time: float) -> bool:
-        from vstatics.simulation.ports import capacity_at
+        from vstatics.simulation.curves import capacity_at
 
         return capacity_at(self.system.contacts[index], time) == 0
 
