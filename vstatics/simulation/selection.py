@@ -23,7 +23,7 @@ from vstatics.simulation.equations import Equations
 from vstatics.simulation.laws import Points
 from vstatics.simulation.margins import LargeSizes, Margins, Watch
 from vstatics.simulation.ports import PortLayout, States
-from vstatics.simulation.structure import Structures
+from vstatics.simulation.structure import MotionStructure, Structures
 from vstatics.simulation.system import MotionSystem
 
 _AMPLE = 1e300
@@ -322,13 +322,35 @@ class ModeSelection:
             tried.add(states)
             structure = self.structures.of(states.held, states.meshes)
             equations = Equations(self.system, self.layout, structure, states, at.time)
-            state, jump = consistent(equations, state_of(equations, at), scales)
+            state = state_of(equations, at)
+            if caught := self._caught(structure, at, state, scales):
+                return None, caught
+            state, jump = consistent(equations, state, scales)
             margins = Margins(equations)
             failing = self._failing(margins, at.time, state, scales)
             if not failing:
                 return Selected(equations, margins, state, jump), []
             states = _turned(states, failing) or states
         return None, failing
+
+    def _caught(
+        self, structure: MotionStructure, at: Instant, state: Floats, scales: LargeSizes
+    ) -> list[Watch]:
+        """What can't stick, since something heavy would have to change its speed at once."""
+        heavy = self.system.heavy
+        speeds = heavy @ (structure.free @ state[: structure.free.shape[1]])
+        if np.abs(speeds - heavy @ at.speeds).max() <= 100 * SMALL * scales.speed:
+            return []
+        slips = {
+            index: float(contact.row @ at.speeds)
+            for index, contact in enumerate(self.system.contacts)
+            if structure.held[index] and self.touched[index]
+        }
+        return [
+            Watch("hold", index, 1 if slip > 0 else -1)
+            for index, slip in slips.items()
+            if abs(slip) > SMALL * scales.speed
+        ]
 
     def _failing(
         self, margins: Margins, time: float, state: Floats, scales: LargeSizes
