@@ -12,6 +12,7 @@ from vstatics.simulation.curves import capacity_at, programme_at
 from vstatics.simulation.equations import Equations
 from vstatics.simulation.formula import Formula
 from vstatics.simulation.impacts import impact
+from vstatics.simulation.instants import Instant, instant_of
 from vstatics.simulation.laws import Points
 from vstatics.simulation.location import Finder, MarginEnd, NoCapacity
 from vstatics.simulation.margins import LargeSizes, Watch
@@ -19,14 +20,7 @@ from vstatics.simulation.motion import Event, EventKind
 from vstatics.simulation.pieces import StepTolerances, TimeStep, TooSmall, steps
 from vstatics.simulation.ports import PortLayout, States
 from vstatics.simulation.record import Record
-from vstatics.simulation.selection import (
-    Instant,
-    ModeSelection,
-    NoChoice,
-    Selected,
-    instant_of,
-    turned,
-)
+from vstatics.simulation.selection import ModeSelection, NoChoice, Selected, turned
 from vstatics.simulation.stretches import Closed, NoFit
 from vstatics.simulation.system import MotionSystem
 
@@ -119,7 +113,7 @@ class EventRun:
             except NoChoice:
                 selected = self.selection.select(at, before, scales, (), met)
         except NoChoice:
-            _, choices = self.selection.choices(at, before, self.scales, met)
+            _, choices = self.selection.choices.at(at, before, self.scales, met)
             names = [self._name_of(kind, index) for kind, index, _ in choices]
             message = (
                 f"at {at.time:.9g} s there is no admissible state: neither sticking nor slipping "

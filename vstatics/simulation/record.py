@@ -13,13 +13,13 @@ from vstatics.errors import Problem
 from vstatics.numerics.arrays import Floats
 from vstatics.simulation.equations import Equations
 from vstatics.simulation.impacts import kinetic_energy
+from vstatics.simulation.instants import Instant, Jump
 from vstatics.simulation.laws import Points, Road
 from vstatics.simulation.margins import Margins
 from vstatics.simulation.motion import Energy, Event, Motion, Peak, Reached
 from vstatics.simulation.pieces import TimeStep
 from vstatics.simulation.ports import PortLayout
 from vstatics.simulation.programme import Programme
-from vstatics.simulation.selection import Instant, Jump
 from vstatics.simulation.system import MotionSystem
 from vstatics.statics.result_fields import Message
 

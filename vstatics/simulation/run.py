@@ -10,13 +10,14 @@ import numpy as np
 from vstatics.errors import CaseError, Problem
 from vstatics.numerics.arrays import Floats
 from vstatics.simulation.course import EventRun, RunStop
+from vstatics.simulation.instants import Instant
 from vstatics.simulation.motion import Energy, Motion
 from vstatics.simulation.ports import PortLayout
 from vstatics.simulation.programme import programmes
 from vstatics.simulation.record import Record
 from vstatics.simulation.scenario import Scenario
 from vstatics.simulation.scenario_checks import check_scenario
-from vstatics.simulation.selection import Instant, NoChoice
+from vstatics.simulation.selection import NoChoice
 from vstatics.simulation.settled import settled_twists, with_viscous_damping
 from vstatics.simulation.start import start_gear, start_speeds
 from vstatics.simulation.system import MotionSystem, motion_system

@@ -9,11 +9,12 @@ import numpy as np
 
 from vstatics.numerics.arrays import Floats
 from vstatics.simulation.curves import programme_at
+from vstatics.simulation.instants import Instant
 from vstatics.simulation.laws import constant
 from vstatics.simulation.margins import LargeSizes
 from vstatics.simulation.ports import PortLayout
 from vstatics.simulation.programme import Programme
-from vstatics.simulation.selection import Instant, ModeSelection
+from vstatics.simulation.selection import ModeSelection
 from vstatics.simulation.structure import null
 from vstatics.simulation.system import Contact, MotionSystem
 from vstatics.statics.result_fields import Message
