@@ -24,6 +24,8 @@ against the third and of the torque on its first link, as `+-`."""
 
 _INDEPENDENT = 1e-9
 """A direction counts that is above this part of the largest."""
+_ROUNDED = 1e-12
+"""Parts of a motion below this are rounding."""
 _LAST = 1e2
 _FIRST = 1e-2
 """Weights in the norm of redundant torques: drags and meshes take a part last."""
@@ -162,7 +164,9 @@ def _motions(heavy: Floats, columns: Floats) -> tuple[Floats, Floats]:
         return free, free
     _, sizes, right = np.linalg.svd(heavy @ free)
     rank = int((sizes > _INDEPENDENT * sizes[0]).sum()) if sizes[0] > _INDEPENDENT else 0
-    return free @ right[:rank].T, free @ right[rank:].T
+    light = free @ right[rank:].T
+    light[np.abs(light) < _ROUNDED] = 0.0  # or a law of a heavy link would seem to sense it
+    return free @ right[:rank].T, light
 
 
 def _circulating(rows: Floats, columns: Floats) -> Floats:
