@@ -5,7 +5,7 @@ the time or bend with a speed, are polynomials over a stretch. Those that bend f
 motion, which follows from them: it is calculated again until nothing changes (waveform relaxation;
 their slopes at the start stand in A, so little does). Works and losses are sums over Gauss points.
 A stretch has equal parts, in which the fastest motion that has not died away turns through about
-two radians.
+three radians.
 """
 
 from __future__ import annotations
@@ -22,9 +22,9 @@ from vstatics.simulation.exponential import Exponential
 from vstatics.simulation.fits import DEGREE, NODES, WEIGHTS, fitting
 from vstatics.simulation.pieces import TimeStep
 
-_RADIANS = 2.0
+_RADIANS = 3.0
 """Of the fastest motion, in a part of a stretch."""
-_PARTS = 128
+_PARTS = 256
 """Most parts of a stretch, a power of 2."""
 _GONE = 40.0
 """A motion has died away after so many of its time constants."""
@@ -162,10 +162,12 @@ class Closed:
         alive = np.abs(self.rates)[np.abs(self.rates.real) * gone < _GONE]
         fastest = float(alive.max(initial=0.0))
         length = _RADIANS / fastest * shorter if fastest > 0 else left * shorter
-        count = most
-        while count > 1 and count * length > left:
-            count //= 2
-        return min(length, left), count
+        if most * length < left:
+            return length, most
+        count = 1  # to the end, in a power of 2 of equal parts
+        while count * length < left * (1 - 1e-12):
+            count *= 2
+        return left / count, count
 
     def _exponential(self, length: float) -> tuple[Exponential, float]:
         """Of x, of the time and 1, of the torques that bend; and the unit of all but x."""
@@ -198,13 +200,13 @@ class Closed:
         """A stretch from a state on; None where torques bend too much for it."""
         times = parts.times.reshape(-1)
         to_series, to_powers, to_values = fitting(parts.number)
+        if self.equations.ports.is_affine:
+            return self._given(parts, state)
         given = np.zeros((len(self.bending), _ORDERS))
         given[:, 0] = self.latest
         before = np.zeros((len(self.bending), len(times)))
         for number in range(_ROUNDS):
             stretch = self._followed(parts, state, given, to_powers)
-            if not len(self.bending):
-                return stretch
             at = self._states(stretch)
             now = self._bent(times, at.reshape(len(at), -1), given, to_values)
             if not np.isfinite(now).all():
@@ -217,6 +219,17 @@ class Closed:
                 return self._followed(parts, state, given, to_powers) if fits else None
             before = now
         return None
+
+    def _given(self, parts: Parts, state: Floats) -> TimeStretch | None:
+        """The same where all torques that are not straight are given by the time."""
+        to_series, to_powers, to_values = fitting(parts.number)
+        if not len(self.bending):
+            return self._followed(parts, state, np.zeros((0, _ORDERS)), to_powers)
+        now = self.affine.given_at(parts.times.reshape(-1))[0][self.bending]
+        given = now @ to_series
+        limit = _FIT * max(self.large, float(np.abs(now).max()))
+        fits = np.abs(given @ to_values - now).max() <= 4 * limit
+        return self._followed(parts, state, given, to_powers) if fits else None
 
     def _followed(
         self, parts: Parts, state: Floats, given: Floats, to_powers: Floats
