@@ -11,15 +11,16 @@ import numpy as np
 
 from vstatics.errors import Problem
 from vstatics.numerics.arrays import Floats
+from vstatics.simulation.account import element_heat, energy_account
 from vstatics.simulation.equations import Equations
 from vstatics.simulation.impacts import kinetic_energy
 from vstatics.simulation.instants import Instant, Jump
-from vstatics.simulation.laws import Points, Road
+from vstatics.simulation.laws import Road
 from vstatics.simulation.margins import Margins
-from vstatics.simulation.motion import Energy, Event, Motion, Peak, Reached
+from vstatics.simulation.motion import Event, Motion, Peak, Reached
 from vstatics.simulation.pieces import TimeStep
 from vstatics.simulation.ports import PortLayout
-from vstatics.simulation.programme import Programme
+from vstatics.simulation.rows import between
 from vstatics.simulation.system import MotionSystem
 from vstatics.statics.result_fields import Message
 
@@ -57,8 +58,6 @@ class Record:
             for speed in speeds
         ]
         self.reached: dict[tuple[int, float], tuple[float, float]] = {}
-        self.shares: set[str] = set()
-        """Names of what shares a torque that nothing determines."""
         self._current: tuple[Equations, Margins] | None = None
 
     def jumps(self, time: float, jump: Jump) -> None:
@@ -194,7 +193,7 @@ class Record:
         system = self.system
         elements = system.case.shift_elements
         rows = np.array(
-            [_slip_row(one.first, one.second, len(system.names)) for one in elements]
+            [between(one.first, one.second, len(system.names)) for one in elements]
         ).reshape(len(elements), len(system.names))
         times, speeds, torques, heat = [], [], [], []
         for equations, group in groupby(self.kept, key=lambda one: one.equations):
@@ -204,14 +203,14 @@ class Record:
             times.append(at)
             speeds.append(equations.speeds_at(at, states).T)
             torques.append(self.device_torques(equations, same[0].margins, at, states).T)
-            heat.append(self._heat(equations, states).T)
+            heat.append(element_heat(equations, states).T)
         all_times, all_speeds, all_torques, all_heat = map(
             np.concatenate, (times, speeds, torques, heat)
         )
         kept = _different(all_times, all_speeds, all_torques)
         at_links = all_speeds[kept]
-        messages = [*self.messages, *self._share_messages()]
-        counted = Counter(messages)
+        counted = Counter([*self.messages, *self._share_messages()])
+        last = self.kept[-1]
         return Motion(
             all_times[kept],
             system.names,
@@ -222,7 +221,7 @@ class Record:
             all_torques[kept],
             all_heat[kept],
             tuple(self.events),
-            self._energy(),
+            energy_account(self.start, self.time, last.equations, last.state, self.impact),
             {
                 name: Peak(float(torque), float(time))
                 for name, torque, time in zip(
@@ -259,57 +258,6 @@ class Record:
             found.append(Message("note", text))
         return found
 
-    def _heat(self, equations: Equations, state: Floats) -> Floats:
-        """Of shift elements [J]."""
-        works = state[equations.works]
-        made = np.zeros((len(self.system.case.shift_elements), state.shape[1]))
-        for index, contact in enumerate(self.system.contacts):
-            if contact.element is not None:
-                made[contact.element] += works[self.layout.contacts + index]
-        for index, spring in enumerate(self.system.springs):
-            if spring.element is not None:
-                made[spring.element] += state[equations.slipped][index]
-        return made
-
-    def _energy(self) -> Energy:
-        system, layout = self.system, self.layout
-        _, equations, _, state = self.kept[-1]
-        works = state[equations.works]
-        heat: dict[str, float] = {}
-        losses: dict[str, float] = {}
-        for index, contact in enumerate(system.contacts):
-            of = losses if contact.is_drag or contact.overrun_drag else heat
-            of[contact.name] = of.get(contact.name, 0.0) + float(works[layout.contacts + index])
-        for index, spring in enumerate(system.springs):
-            if spring.viscous:
-                lost = float(state[equations.damped][index])
-                losses[spring.name] = losses.get(spring.name, 0.0) + lost
-            if not _unlimited(spring.limit):
-                heat[spring.name] = float(state[equations.slipped][index])
-        for index, converter in enumerate(system.converters):
-            losses[converter.name] = float(
-                works[layout.pumps + index] + works[layout.turbines + index]
-            )
-        for index, mesh in enumerate(system.meshes):
-            if not mesh.lossless:
-                losses[mesh.name] = float(state[equations.meshed][index])
-        work = float(works[: layout.outside].sum())
-        kinetic = kinetic_energy(system, equations.speeds(self.time, state)) - kinetic_energy(
-            system, self.start.speeds
-        )
-        elastic = (
-            equations.elastic_energy(state)
-            - float(equations.ports.stiffness @ self.start.twists**2) / 2
-        )
-        rest = work - sum(heat.values()) - sum(losses.values()) - kinetic - elastic - self.impact
-        areas = {
-            one.name: one.friction.area * one.friction.surfaces
-            for one in system.contacts
-            if one.friction is not None
-        }
-        per_area = {name: heat[name] / area for name, area in areas.items()}
-        return Energy(work, heat, per_area, losses, kinetic, elastic, self.impact, rest)
-
     def _reached(self) -> list[Reached]:
         radius = {
             link - 1: law.radius
@@ -324,15 +272,6 @@ class Record:
         return made
 
 
-def _slip_row(first: int, second: int, links: int) -> Floats:
-    row = np.zeros(links)
-    if first:
-        row[first - 1] += 1
-    if second:
-        row[second - 1] -= 1
-    return row
-
-
 def _different(times: Floats, speeds: Floats, torques: Floats) -> Floats:
     """Which instants stand: an instant stands twice only where something jumps."""
     kept = np.ones(len(times), dtype=bool)
@@ -343,8 +282,3 @@ def _different(times: Floats, speeds: Floats, torques: Floats) -> Floats:
         )
         kept[number] = not same
     return kept
-
-
-def _unlimited(limit: Programme) -> bool:
-    """Whether a spring never slips."""
-    return isinstance(limit.curve, Points) and all(map(math.isinf, limit.curve.y))

@@ -9,7 +9,6 @@ gives its rate, and a torque along the same row.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -17,12 +16,13 @@ import numpy as np
 
 from vstatics.errors import CaseError, Problem
 from vstatics.model.damping import damping
-from vstatics.model.parts import HOUSING, Friction, Mechanism
+from vstatics.model.parts import Friction
 from vstatics.model.transmission import Gear, Transmission
 from vstatics.numerics.arrays import Floats
 from vstatics.simulation.formula import Formula
 from vstatics.simulation.laws import Points, Resistance, Road, TorqueLaw, constant
 from vstatics.simulation.programme import Programme, drags, newton_metres
+from vstatics.simulation.rows import between, combination, unit
 from vstatics.simulation.scenario import Converter, Scenario
 from vstatics.statics.matrix import column
 from vstatics.torsion.planets import planet_bodies
@@ -129,11 +129,11 @@ class MotionSystem:
     def port_rows(self) -> Floats:
         """Rows of outside torques, contacts, springs, pumps, turbines: their rates by speeds."""
         links = len(self.names)
-        rows = [_unit(one.link, links) for one in self.outside]
+        rows = [unit(one.link, links) for one in self.outside]
         rows += [contact.row for contact in self.contacts]
         rows += [spring.row for spring in self.springs]
-        rows += [_unit(one.pump - 1, links) for one in self.converters]
-        rows += [_unit(one.turbine - 1, links) for one in self.converters]
+        rows += [unit(one.pump - 1, links) for one in self.converters]
+        rows += [unit(one.turbine - 1, links) for one in self.converters]
         return np.array(rows).reshape(len(rows), links)
 
 
@@ -156,11 +156,12 @@ def motion_system(
     """
     case = scenario.case
     bodies = [
-        (_unit(link - 1, case.links), inertia) for link, inertia in case.inertias.items() if inertia
+        (unit(link - 1, case.links), inertia) for link, inertia in case.inertias.items() if inertia
     ]
     for body, _ in planet_bodies(case):
         if body.inertia:
-            bodies.append((_row(case.links, dict(body.form)), body.inertia))
+            by_number = [(index + 1, part) for index, part in body.form.items()]
+            bodies.append((combination(by_number, case.links), body.inertia))
     if not bodies:
         message = "the case has no `inertias`, so nothing can be in motion: give those of its links"
         raise CaseError([Problem(f"{message} in kg*m^2", ("case",))])
@@ -178,36 +179,6 @@ def motion_system(
     )
 
 
-def _unit(link: int, links: int) -> Floats:
-    row = np.zeros(links)
-    row[link] = 1.0
-    return row
-
-
-def _row(links: int, parts: Mapping[int, float]) -> Floats:
-    row = np.zeros(links)
-    for index, part in parts.items():
-        row[index] += part
-    return row
-
-
-def _between(first: int, second: int, links: int) -> Floats:
-    """First link against second, numbers; the housing stands still."""
-    row = np.zeros(links)
-    for link, part in ((first, 1.0), (second, -1.0)):
-        if link != HOUSING:
-            row[link - 1] += part
-    return row
-
-
-def _of_mechanism(mechanism: Mechanism, parts: tuple[float, float, float], links: int) -> Floats:
-    row = np.zeros(links)
-    for link, part in zip(mechanism.links, parts, strict=True):
-        if link != HOUSING:
-            row[link - 1] += part
-    return row
-
-
 def _meshes(case: Transmission) -> list[RigidMechanism]:
     start = len(case.shift_elements)
     found = []
@@ -223,9 +194,9 @@ def _meshes(case: Transmission) -> list[RigidMechanism]:
             RigidMechanism(
                 one.name,
                 start + index,
-                _of_mechanism(one, column(u), case.links),
-                _between(one.first, one.third, case.links),
-                _of_mechanism(one, (0.0, -u, u), case.links),
+                combination(zip(one.links, column(u), strict=True), case.links),
+                between(one.first, one.third, case.links),
+                combination([(one.second, -u), (one.third, u)], case.links),
                 one.efficiency,
                 back,
             )
@@ -243,7 +214,7 @@ def _elements(case: Transmission, capacities: list[Programme]) -> list[Contact]:
         found.append(
             Contact(
                 element.name,
-                _between(element.first, element.second, case.links),
+                between(element.first, element.second, case.links),
                 programme,
                 element.friction,
                 element.static,
@@ -263,11 +234,11 @@ def _drag_contacts(case: Transmission, gear: Gear | None) -> list[Contact]:
             element = case.shift_elements[number - 1]
             if element.is_freewheel:
                 continue
-            row = _between(element.first, element.second, case.links)
+            row = between(element.first, element.second, case.links)
             open_of = number - 1
             found.append(Contact(element.name, row, programme, is_drag=True, while_open=open_of))
         else:
-            row = _unit(number - 1, case.links)
+            row = unit(number - 1, case.links)
             found.append(Contact(case.link_name(number), row, programme, is_drag=True))
     return found
 
@@ -277,7 +248,7 @@ def _springs(case: Transmission, capacities: list[Programme]) -> list[Elastic]:
     unlimited = Programme(constant(math.inf))
     for index, element in enumerate(case.shift_elements):
         if element.stiffness is not None and not element.is_freewheel:
-            row = _between(element.first, element.second, links)
+            row = between(element.first, element.second, links)
             damped = damping(element.damping)
             found.append(
                 Elastic(
@@ -287,13 +258,13 @@ def _springs(case: Transmission, capacities: list[Programme]) -> list[Elastic]:
     start = len(case.shift_elements)
     for index, mechanism in enumerate(case.mechanisms, start):
         if mechanism.stiffness is not None:
-            row = _of_mechanism(mechanism, column(mechanism.ratio), links)
+            row = combination(zip(mechanism.links, column(mechanism.ratio), strict=True), links)
             damped = damping(mechanism.damping)
             found.append(
                 Elastic(mechanism.name, index, row, mechanism.stiffness, *damped, unlimited)
             )
     for index, spring in enumerate(case.springs, start + len(case.mechanisms)):
-        row = _row(links, {link - 1: part for link, part in spring.form.items()})
+        row = combination(spring.form.items(), links)
         limit = unlimited if spring.limit is None else Programme(constant(spring.limit))
         damped = damping(spring.damping)
         found.append(Elastic(spring.name, index, row, spring.rate, *damped, limit))
@@ -307,7 +278,7 @@ def _loads(scenario: Scenario) -> tuple[list[Contact], list[OutsideTorque]]:
         friction = _dry(law)
         if friction:
             name = scenario.case.link_name(link)
-            row = _unit(link - 1, scenario.case.links)
+            row = unit(link - 1, scenario.case.links)
             contacts.append(Contact(name, row, Programme(constant(friction))))
         if not isinstance(law, Resistance):
             outside.append(OutsideTorque(link - 1, law))
