@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import reduce
 from typing import NamedTuple
 
 import numpy as np
@@ -18,6 +19,9 @@ from vstatics.simulation.system import Contact
 _NOISE = 1e-10
 """A margin is below 0 by more than this part of what is large."""
 
+_NODES = 0.5 - 0.5 * np.cos(np.pi * np.arange(9) / 8)
+_TO_POWERS: Floats = np.linalg.inv(np.vander(_NODES))
+"""Values at nine parts of an interval -> powers of the part, the highest first."""
 _NEAR: Floats = np.append(2.0 ** np.arange(-32, 0), 1.0)
 """Parts of an interval at whose beginning a margin may be 0."""
 
@@ -142,10 +146,20 @@ class Finder:
         def margin(time: float) -> float:
             return float(self.margins.at(time, step.between(np.array([time]))[:, 0])[index])
 
-        if margin(first) <= 0:
+        times = first + (last - first) * _NODES
+        values = self.margins.along(times, step.between(times))[index]
+        if values[0] <= 0:
             return first
-        if margin(last) >= 0:
+        if values[-1] >= 0:
             return last
+        if self.margins.watches[index].kind != "split":  # smooth: by a polynomial
+            powers: list[float] = (_TO_POWERS @ values).tolist()
+
+            def near(part: float) -> float:
+                return reduce(lambda total, power: total * part + power, powers)
+
+            if near(0.0) > 0 > near(1.0):
+                return first + (last - first) * float(brentq(near, 0.0, 1.0, xtol=1e-14))
         return float(brentq(margin, first, last, xtol=1e-15 * max(1.0, last), rtol=1e-15))
 
     def _refined(

@@ -92,10 +92,11 @@ class Record:
                 time = number * self.every
                 self.kept.append(Kept(time, equations, margins, step.exact(time)))
                 number += 1
-        for time, mark, at in zip(step.times.tolist(), step.marks, step.states.T, strict=True):
-            if mark and time < end:
-                self.kept.append(Kept(time, equations, margins, at))
-        self.kept[first:] = sorted(self.kept[first:], key=lambda one: one.time)
+        for place in np.flatnonzero(step.marks & (step.times < end)).tolist():
+            at = step.states[:, place]
+            self.kept.append(Kept(float(step.times[place]), equations, margins, at))
+        if self.every:
+            self.kept[first:] = sorted(self.kept[first:], key=lambda one: one.time)
         self.kept.append(Kept(end, equations, margins, state))
         self.time = end
         self._peak(np.array([end]), state[:, None], equations, margins)
