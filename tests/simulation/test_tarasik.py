@@ -25,10 +25,10 @@ from tests.simulation.test_golden import happened
 from vstatics.errors import CaseError
 from vstatics.model.springs import Spring, between
 from vstatics.simulation import simulate
+from vstatics.simulation.devices import motion_system
 from vstatics.simulation.laws import Resistance, constant
 from vstatics.simulation.programme import programmes
 from vstatics.simulation.scenario import Converter, Dog, Scenario, Start
-from vstatics.simulation.system import motion_system
 from vstatics.simulation.tarasik import tarasik
 from vstatics.simulation.two_masses import TwoMasses, two_masses
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from bisect import bisect_right
-from typing import Literal, NamedTuple, TypeAlias
+from typing import Any, Literal, NamedTuple, TypeAlias
 
 from vstatics.simulation.formula import Formula
 
@@ -59,6 +59,12 @@ def constant(value: float) -> Points:
     return Points((0.0,), (float(value),))
 
 
+GRAVITY = 9.81
+"""[m/s^2]"""
+AIR = 1.2
+"""Density. [kg/m^3]"""
+
+
 class Resistance(NamedTuple):
     """Dry friction of a load: it acts against the speed, and holds at rest up to its torque."""
 
@@ -79,6 +85,27 @@ class Road(NamedTuple):
     """Coefficient of air drag by frontal area. [m^2]"""
     slope: float = 0.0
     """Sine of the angle of ascent. [-]"""
+
+    @property
+    def rolling_torque(self) -> float:
+        """Dry friction: it acts against the speed, and holds at rest up to this [N*m]."""
+        return self.radius * self.mass * GRAVITY * self.rolling
+
+    @property
+    def climbing_torque(self) -> float:
+        """Of the ascent [N*m]."""
+        return self.radius * self.mass * GRAVITY * self.slope
+
+    def torque(self, speed: Any) -> Any:
+        """By ascent and air, at a speed of the wheels or an array of them [N*m].
+
+        Examples
+        --------
+        >>> Road(1000.0, 0.5, drag_area=0.8, slope=0.1).torque(10.0)
+        -496.5
+        """
+        air = self.radius**3 * AIR * self.drag_area / 2
+        return -self.climbing_torque - air * speed * abs(speed)
 
 
 Curve: TypeAlias = Points | Formula

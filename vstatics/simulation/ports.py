@@ -18,7 +18,7 @@ from vstatics.simulation.curves import capacity_at, curve_along, friction_at, sl
 from vstatics.simulation.formula import Formula
 from vstatics.simulation.laws import Points, Road
 from vstatics.simulation.programme import Programme
-from vstatics.simulation.system import AIR, GRAVITY, Contact, MotionSystem
+from vstatics.simulation.system import Contact, MotionSystem
 
 Torque = Callable[[float, float, float], float]
 """By time [s], rate [rad/s] and angle [rad]."""
@@ -193,10 +193,10 @@ class Ports:
     ) -> None:
         if isinstance(law, Road):
             if law.drag_area:
-                self.roads.append((port, _road(law)))
+                self.roads.append((port, law.torque))
                 self.senses_rate[port] = True
             else:
-                self.c0[port] = -law.radius * law.mass * GRAVITY * law.slope
+                self.c0[port] = -law.climbing_torque
         elif isinstance(law, Formula) and not law.variables & {"speed", "angle"}:
             self.timed.append((port, law, 1.0))
         elif isinstance(law, Formula):
@@ -238,13 +238,3 @@ class Ports:
             self.c1[port] = factor * slope
             return
         self.timed.append((port, curve, factor))
-
-
-def _road(road: Road) -> Callable[[Any], Any]:
-    climb = road.radius * road.mass * GRAVITY * road.slope
-    air = road.radius**3 * AIR * road.drag_area / 2
-
-    def torque(rate: Any) -> Any:
-        return -climb - air * rate * abs(rate)
-
-    return torque

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
 from vstatics.errors import CaseError, Problem
@@ -169,59 +168,3 @@ def _gear(case: Transmission, name: str, index: int) -> Gear:
         return case.gears[case.gear_number(name) - 1]
     except ValueError as error:
         raise CaseError([Problem(str(error), ("shifts", index, "to"))]) from None
-
-
-def _drag_of_all_gears(case: Transmission) -> dict[int, float]:
-    """The drag of links that is the same in all gears, as that of the case is."""
-    first, *others = (gear.drag for gear in case.gears)
-    return {
-        link: drag
-        for link, drag in first.items()
-        if all(link in one and _given(one[link]) == _given(drag) for one in others)
-    }
-
-
-def _given(torque: float) -> float:
-    """A torque as it was given, whatever load it is related to."""
-    return torque.given if isinstance(torque, OfLoad) else torque
-
-
-def drags(case: Transmission, gear: Gear | None) -> Iterator[tuple[bool, int, float]]:
-    r"""What drags: whether it is an element, number of element or link, torque [N*m].
-
-    Raises
-    ------
-    CaseError
-        Of a drag that has no unit.
-
-    Examples
-    --------
-    A drag of the case holds without a gear, too:
-
-    >>> from vstatics.readers import loads
-    >>> case = loads("links: [a]\ninertias: {a: 1}\ndrag: {a: 0.1}\nload: {torque: 20 N*m}")
-    >>> list(drags(case, None))
-    [(False, 1, 2.0)]
-    """
-    problems = []
-    open_drag: Mapping[int, float] = gear.open_drag if gear else {}
-    items = [
-        (True, number, open_drag.get(number, element.drag), element.name)
-        for number, element in enumerate(case.shift_elements, 1)
-    ]
-    of_links = gear.drag if gear else _drag_of_all_gears(case)
-    items += [(False, link, drag, case.link_name(link)) for link, drag in of_links.items()]
-    found = []
-    for is_element, number, drag, name in items:
-        torque = abs(newton_metres(drag, case) or 0.0)
-        if math.isnan(torque):
-            message = (
-                f"the drag of {name} is {drag:g} of the input torque, which a scenario does not "
-                "have: give it with its unit, such as `3 N*m`, or a `load` with a torque"
-            )
-            problems.append(Problem(message))
-        elif torque:
-            found.append((is_element, number, torque))
-    if problems:
-        raise CaseError(problems)
-    yield from found

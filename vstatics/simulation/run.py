@@ -10,6 +10,7 @@ import numpy as np
 from vstatics.errors import CaseError, Problem
 from vstatics.numerics.arrays import Floats
 from vstatics.simulation.course import EventRun, RunStop
+from vstatics.simulation.devices import motion_system
 from vstatics.simulation.instants import Instant
 from vstatics.simulation.motion import Energy, Motion
 from vstatics.simulation.ports import PortLayout
@@ -20,7 +21,7 @@ from vstatics.simulation.scenario_checks import check_scenario
 from vstatics.simulation.selection import NoChoice
 from vstatics.simulation.settled import settled_twists, with_viscous_damping
 from vstatics.simulation.start import start_gear, start_speeds
-from vstatics.simulation.system import MotionSystem, motion_system
+from vstatics.simulation.system import MotionSystem
 
 Method = Literal["events", "tarasik"]
 BALANCE = 1e-8

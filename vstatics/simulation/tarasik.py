@@ -25,12 +25,13 @@ from scipy.integrate import solve_ivp
 from vstatics.errors import CaseError, Problem
 from vstatics.numerics.arrays import Floats
 from vstatics.simulation.curves import capacity_at
+from vstatics.simulation.devices import motion_system
 from vstatics.simulation.laws import Points
 from vstatics.simulation.motion import Event, EventKind, Motion
 from vstatics.simulation.programme import programmes
 from vstatics.simulation.scenario import Scenario
 from vstatics.simulation.start import start_gear, start_speeds
-from vstatics.simulation.system import MotionSystem, motion_system
+from vstatics.simulation.system import MotionSystem
 from vstatics.simulation.tarasik_equations import ClutchPhase, PublishedEquations
 from vstatics.simulation.tarasik_limits import refusals
 from vstatics.simulation.tarasik_record import TarasikRecord

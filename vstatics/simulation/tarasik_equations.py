@@ -9,7 +9,7 @@ from vstatics.numerics.arrays import Floats
 from vstatics.simulation.curves import capacity_at
 from vstatics.simulation.formula import Formula
 from vstatics.simulation.laws import Points, Road
-from vstatics.simulation.system import AIR, GRAVITY, MotionSystem
+from vstatics.simulation.system import MotionSystem
 from vstatics.simulation.two_masses import TwoMasses
 
 
@@ -101,7 +101,5 @@ def _torque(law: Points | Formula | Road, time: float, speed: float, angle: floa
         case Points():
             return law.at({"time": time, "speed": speed, "angle": angle}[law.over])
         case Road():
-            way = speed * law.radius
-            drag = AIR * law.drag_area * way * abs(way) / 2
-            return -law.radius * (law.mass * GRAVITY * law.slope + drag)
+            return float(law.torque(speed))
     return law.function(time, speed, angle)
