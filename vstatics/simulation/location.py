@@ -20,7 +20,7 @@ _NOISE = 1e-10
 """A margin is below 0 by more than this part of what is large."""
 
 _NODES = 0.5 - 0.5 * np.cos(np.pi * np.arange(9) / 8)
-_TO_POWERS: Floats = np.linalg.inv(np.vander(_NODES))
+_TO_POWERS = np.asarray(np.linalg.inv(np.vander(_NODES)), float)
 """Values at nine parts of an interval -> powers of the part, the highest first."""
 _NEAR: Floats = np.append(2.0 ** np.arange(-32, 0), 1.0)
 """Parts of an interval at whose beginning a margin may be 0."""
