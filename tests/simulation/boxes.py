@@ -1,6 +1,6 @@
 """Boxes and scenarios whose motion is known: the planetary set, the box of seven links.
 
-Source: V. P. Tarasik, On the modelling of planetary gearboxes (in Russian), Vestnik BRU 2018:
+Source: V. P. Tarasik, Planetary gearbox simulation (in Russian), Vestnik BRU 2018:
 figures 1 to 4. The inertias of the box of seven links and its programme of shifts are chosen.
 """
 

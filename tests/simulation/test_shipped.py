@@ -1,6 +1,6 @@
 """Shipped scenarios run to their ends; what their sources print of them holds.
 
-Of the dump truck (V. P. Tarasik, simulation of planetary gearboxes, 2018, figures 6 and 7) the source
+Of the dump truck (V. P. Tarasik, Planetary gearbox simulation, 2018, figures 6 and 7) the source
 prints no data, but relations: they are checked with the ratios chosen in the case. Of the car whose
 clutch is dumped (Tsitovich, Algin, Vehicle dynamics, 1981, table 3.9, variant 1.2) it prints the
 largest torques and the work of friction; an independent integration of the same scheme, 1e-5 s a

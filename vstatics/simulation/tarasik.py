@@ -10,7 +10,7 @@ from (12), so its energy does not close; this is shown. Repaired is what would s
 M_f is reduced to the input, (14) takes the magnitude of w_f and (15) that of u, and a clutch that
 does not hold slips.
 
-Source: V. P. Tarasik, On the modelling of planetary gearboxes (in Russian), 2018; (12) to (15).
+Source: V. P. Tarasik, Planetary gearbox simulation (in Russian), 2018; (12) to (15).
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """A box of two degrees of freedom as the published method sees it: a mass at each end.
 
-Source: V. P. Tarasik, On the modelling of planetary gearboxes (in Russian), 2018; (1) to (11).
+Source: V. P. Tarasik, Planetary gearbox simulation (in Russian), 2018; (1) to (11).
 """
 
 from __future__ import annotations
