@@ -1,11 +1,17 @@
 """The same case in motion: what happens to it by a scenario.
 
-`scenario_file` reads a `Scenario`: a case, a start, controls or shifts, torques. `system` makes
-matrices of it: what is heavy, what is rigid, and ports that give torques by what they see. While
-the same things stick the equations are those of a `MotionStructure`; `margins` tell how far all is
-from a change, `selection` chooses what sticks then, `impacts` joins what joins at once. `course`
-goes from event to event, `record` keeps what is asked for: a `Motion`. `tarasik` is the published
-method, for comparison. The room needs scipy, an extra.
+1. `scenario_file` reads a `Scenario`: a case, a start, controls or shifts, torques.
+2. `devices` makes a `MotionSystem` of it: what is heavy, what is rigid, what sticks, what bends;
+   `ports` are what gives a torque by what it sees.
+3. While the same things stick, constant matrices hold, a `MotionStructure`, and `Equations` with
+   them. They are solved in closed form (`stretches`), else step by step (`pieces`).
+4. `margins` tell how far all is from a change, `location` finds where one ends; `selection`
+   chooses what sticks from there on, `impacts` joins what joins at once.
+5. `course` goes from event to event, `record` keeps what is asked for: a `Motion`, whose energy
+   must close (`account`).
+
+`tarasik` is the published method, for comparison. The room needs scipy, an extra. How it all is
+derived: docs/method.md.
 
 >>> from vstatics import ShiftElement, Transmission
 >>> from vstatics.simulation import Capacity, Scenario, Start, constant, simulate
