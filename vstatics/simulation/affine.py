@@ -143,6 +143,7 @@ class Affine:
     def given_at(self, times: Floats) -> tuple[Floats, Floats]:
         """Torques that are given by the time alone, and their slopes, shape (ports, times)."""
         ports, within = self.equations.ports, self.equations.within
+        times = ports.inside(times)
         given: Floats = ports.c0[:, None] + ports.c1[:, None] * times
         slopes = np.repeat(ports.c1[:, None], len(times), axis=1)
         for port, formula, factor in ports.timed:

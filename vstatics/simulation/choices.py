@@ -72,11 +72,12 @@ class ModeChoices:
     ) -> str:
         contact = self.system.contacts[index]
         slip = float(contact.row @ at.speeds)
-        capacity = capacity_at(contact, at.time, slip)
+        now = math.nextafter(at.time, math.inf)
+        capacity = capacity_at(contact, now, slip)
         if capacity == 0:  # it may begin to rise here
             capacity = capacity_at(contact, at.time + self.within, slip)
         if contact.while_open is not None:
-            times = at.time, at.time + self.within
+            times = now, at.time + self.within
             if any(self._programme_of(contact.while_open, time) for time in times):
                 return "open"
         if capacity == 0 and not contact.one_way:
@@ -126,7 +127,7 @@ class ModeChoices:
 
     def _spring(self, index: int, at: Instant, scales: LargeSizes, choices: list[Choice]) -> str:
         spring = self.system.springs[index]
-        limit = programme_at(spring.limit, at.time)
+        limit = programme_at(spring.limit, math.nextafter(at.time, math.inf))
         if math.isinf(limit):
             return "stick"
         if limit == 0 == programme_at(spring.limit, at.time + self.within):

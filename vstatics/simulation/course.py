@@ -137,6 +137,7 @@ class EventRun:
         if end <= equations.time:
             return MarginEnd(end, selected.state, ()), length
         tolerances = self._tolerances(equations)
+        equations.ports.until = math.nextafter(end, -math.inf)
         self.record.begin(equations, margins, selected.state)
         finder = Finder(equations, margins, self.scales, self.record.sample)
         try:
@@ -150,12 +151,7 @@ class EventRun:
         except NoCapacity as fault:
             raise RunStop(Problem(str(fault), ("controls", fault.contact.name))) from None
         except TooSmall:
-            time = self.record.time
-            message = (
-                f"at {time:.9g} s no step is small enough: a torque jumps with the speed or grows "
-                "without bound; dry friction of a load is a `resistance`"
-            )
-            raise RunStop(Problem(message)) from None
+            raise RunStop(self._too_small(equations)) from None
         return MarginEnd(end, step.last, ()), length
 
     def _steps(
@@ -174,6 +170,22 @@ class EventRun:
             else:
                 return
         yield from steps(equations, (time, state), end, tolerances, length)
+
+    def _too_small(self, equations: Equations) -> Problem:
+        """Why no step is small enough: a torque that is no number, or that jumps."""
+        time, state = self.record.time, self.record.kept[-1].state
+        for ahead in (0.0, 1e-9, 1e-6, 1e-3):
+            at = time + ahead * self.duration
+            torques = equations.torques(at, state, equations.rates(at, state)[0])
+            for one, torque in zip(self.system.outside, torques.tolist(), strict=False):
+                if not math.isfinite(torque):
+                    name = self.system.names[one.link]
+                    message = f"at {at:.6g} s the torque on {name} is {torque:g}, expected a number"
+                    return Problem(message, ("torques", name))
+        return Problem(
+            f"at {time:.9g} s no step is small enough: a torque jumps with the speed or grows "
+            "without bound; dry friction of a load is a `resistance`"
+        )
 
     def _tolerances(self, equations: Equations) -> StepTolerances:
         relative = max(0.01 * self.rtol, 3e-14)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from vstatics.errors import CaseError, Problem
@@ -41,12 +41,12 @@ def drags(case: Transmission, gear: Gear | None) -> Iterator[DragTorque]:
     [DragTorque(is_element=False, number=1, torque=2.0)]
     """
     problems = []
-    open_drag: Mapping[int, float] = gear.open_drag if gear else {}
+    open_drag = gear.open_drag if gear else _of_all_gears([one.open_drag for one in case.gears])
     items = [
         (True, number, open_drag.get(number, element.drag), element.name)
         for number, element in enumerate(case.shift_elements, 1)
     ]
-    of_links = gear.drag if gear else _drag_of_all_gears(case)
+    of_links = gear.drag if gear else _of_all_gears([one.drag for one in case.gears])
     items += [(False, link, drag, case.link_name(link)) for link, drag in of_links.items()]
     found = []
     for is_element, number, drag, name in items:
@@ -64,13 +64,13 @@ def drags(case: Transmission, gear: Gear | None) -> Iterator[DragTorque]:
     yield from found
 
 
-def _drag_of_all_gears(case: Transmission) -> dict[int, float]:
-    """The drag of links that is the same in all gears, as that of the case is."""
-    first, *others = (gear.drag for gear in case.gears)
+def _of_all_gears(by_gear: Sequence[Mapping[int, float]]) -> dict[int, float]:
+    """The drag that is the same in all gears, as that of the case is."""
+    first, *others = by_gear
     return {
-        link: drag
-        for link, drag in first.items()
-        if all(link in one and _given(one[link]) == _given(drag) for one in others)
+        part: drag
+        for part, drag in first.items()
+        if all(part in one and _given(one[part]) == _given(drag) for one in others)
     }
 
 

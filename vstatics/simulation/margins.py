@@ -185,6 +185,7 @@ class Margins:
         torques = equations.torques_at(times, states, rates)
         held: Floats = equations.structure.torques @ torques
         layout = equations.layout
+        times = equations.ports.inside(times)
         parts = [self.slip_signs[:, None] * rates[self.slip_ports]]
         slack = self._slack(times, held)
         mine = len(self.holding)

@@ -94,6 +94,8 @@ class Ports:
         """Port, and its torque by its rate, a number or an array."""
         self.timed: list[tuple[int, Formula, float]] = []
         """Port, its torque by the time alone, and by what that is multiplied."""
+        self.after, self.until = math.nextafter(time, math.inf), math.inf
+        """Between these formulas are asked: what jumps at an end does it outside."""
         self.converters = tuple(
             (converter, states.pieces[layout.outside + index])
             for index, converter in enumerate(system.converters)
@@ -128,6 +130,7 @@ class Ports:
 
     def torques(self, time: float, rates: Floats, twists: Floats, angles: Floats) -> Floats:
         """Of all ports [N*m]."""
+        time = min(max(time, self.after), self.until)
         torques = self.c0 + self.c1 * time + self.by_rate * rates
         layout = self.layout
         if len(twists):
@@ -150,6 +153,7 @@ class Ports:
 
     def torques_at(self, times: Floats, rates: Floats, twists: Floats, angles: Floats) -> Floats:
         """The same at several times; all shapes end with these."""
+        times = self.inside(times)
         torques: Floats = (
             self.c0[:, None] + self.c1[:, None] * times + self.by_rate[:, None] * rates
         )
@@ -171,6 +175,13 @@ class Ports:
             made = converter_torques_at(converter, piece, rates[pump], rates[turbine])
             torques[pump], torques[turbine] = made
         return torques
+
+    def inside(self, times: Floats) -> Floats:
+        """Times as formulas are asked for them; the same array where it lies inside."""
+        if len(times) and (times[0] < self.after or times[-1] > self.until):
+            clipped: Floats = np.clip(times, self.after, self.until)
+            return clipped
+        return times
 
     def slopes(self, time: float, rates: Floats, angles: Floats, within: float) -> Floats:
         """Change of the torques with time alone, and of springs with their rates [N*m/s]."""

@@ -11,6 +11,8 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
+import numpy as np
+
 from vstatics.errors import CaseError, Path, Problem, listed, nearest, quoted
 from vstatics.model.parts import HOUSING
 from vstatics.model.transmission import Transmission
@@ -26,6 +28,8 @@ from vstatics.simulation.law_checks import (
 from vstatics.simulation.laws import Road, TorqueLaw
 from vstatics.simulation.programme import newton_metres
 from vstatics.simulation.scenario import Capacity, Control, Converter, Scenario, Start
+
+_TRIED = 1001
 
 
 def check_scenario(scenario: Scenario) -> None:
@@ -58,7 +62,7 @@ def scenario_problems(scenario: Scenario) -> Iterator[Problem]:
     if not 0 < scenario.duration < math.inf:
         yield Problem(f"read {scenario.duration:g}, expected a time above 0", ("duration",))
     yield from _of_start(scenario.start, scenario.case)
-    yield from _of_controls(scenario.controls or {}, scenario.case)
+    yield from _of_controls(scenario.controls or {}, scenario.case, scenario.duration)
     yield from _of_torques(scenario)
     yield from _of_converters(scenario.converters, scenario.case)
     yield from _of_shifts(scenario)
@@ -103,7 +107,9 @@ def _of_start(start: Start, case: Transmission) -> Iterator[Problem]:
         yield from _of_element(element, case, ("start", "engaged", place))
 
 
-def _of_controls(controls: Mapping[int, Control], case: Transmission) -> Iterator[Problem]:
+def _of_controls(
+    controls: Mapping[int, Control], case: Transmission, duration: float
+) -> Iterator[Problem]:
     for number, control in controls.items():
         problems = list(_of_element(number, case, ("controls", str(number))))
         yield from problems
@@ -118,8 +124,28 @@ def _of_controls(controls: Mapping[int, Control], case: Transmission) -> Iterato
             largest = None if element.friction else newton_metres(element.capacity, case)
             kind = "pressure" if element.friction else "capacity"
             yield from _of_capacity(control, largest, kind, path)
+            if isinstance(control.law, Formula):
+                yield from _tried(control, largest, duration, path)
         else:
             yield from of_times([time for time, _ in control.points], (*path, "dog"))
+
+
+def _tried(
+    control: Capacity, largest: float | None, duration: float, path: Path
+) -> Iterator[Problem]:
+    """A formula at many times: whether it ever gives what is no capacity."""
+    law = control.law
+    if not isinstance(law, Formula) or not 0 < duration < math.inf or law.variables - {"t"}:
+        return
+    times = np.linspace(0.0, duration, _TRIED)
+    values = law.along(times) * control.scale
+    most = math.inf if largest is None else largest * (1 + 1e-9)
+    wrong = np.flatnonzero(~((values >= -1e-9 * np.abs(values).max()) & (values <= most)))
+    if len(wrong):
+        first = int(wrong[0])
+        expected = "0 or more" if largest is None else f"0 to {largest:g}, the capacity of the case"
+        message = f"gives {values[first]:g} at {times[first]:.6g} s, expected {expected}"
+        yield Problem(message, path)
 
 
 def _of_capacity(

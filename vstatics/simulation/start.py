@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Iterator
+
 import numpy as np
 
 from vstatics.errors import CaseError, Problem, listed
 from vstatics.model.transmission import Gear
 from vstatics.numerics.arrays import Floats
+from vstatics.simulation.curves import capacity_at
 from vstatics.simulation.scenario import Scenario
 from vstatics.simulation.structure import null
 from vstatics.simulation.system import MotionSystem
@@ -71,7 +75,21 @@ def start_speeds(system: MotionSystem, gear: Gear | None) -> Floats:
     open_still = null(matrix)
     if open_still.shape[1]:
         speeds = _by_springs(system, speeds, open_still, scale)
+    if backward := list(_backward(system, speeds, scale)):
+        raise CaseError(backward)
     return speeds
+
+
+def _backward(system: MotionSystem, speeds: Floats, scale: float) -> Iterator[Problem]:
+    """Freewheels that hold anything, and turn in the way in which they hold."""
+    for contact in system.contacts:
+        slip = float(contact.row @ speeds)
+        if contact.one_way and slip < -_FITS * scale and math.isinf(capacity_at(contact, 0.0)):
+            message = (
+                f"{contact.name} slips by {slip:g} rad/s at the start, but a freewheel holds in "
+                "this direction: expected a slip of 0 or more"
+            )
+            yield Problem(message, ("start",))
 
 
 def _by_springs(system: MotionSystem, speeds: Floats, free: Floats, scale: float) -> Floats:
