@@ -9,10 +9,13 @@ import pytest
 
 from vstatics import ReadError, readers
 from vstatics.simulation.distribution import Distribution
+from vstatics.simulation.drags import drags
 from vstatics.simulation.formula import Formula
 from vstatics.simulation.laws import Points, Resistance, Road, constant
+from vstatics.simulation.programme import newton_metres
 from vstatics.simulation.scenario import Capacity, Converter, Dog, Scenario, Shift, Start
 from vstatics.simulation.scenario_file import ScenarioFile, load_scenario, read_scenario
+from vstatics.writers import named
 
 CASE = b"""
 links: [in, front ring, wheel]
@@ -226,3 +229,17 @@ gears: {"1": [B 1]}
     with pytest.raises(ReadError, match="expected the name of a link"):
         scenario_file("start: {gear: 1}\ntorques: {4: 1}", case)
     assert read.scenario.controls == {1: Capacity(constant(3.0))}
+
+
+def test_capacities_and_drag_with_a_unit_need_no_load_where_there_are_inertias() -> None:
+    case = b"""
+links: [a, b]
+inertias: {a: 1, b: 3}
+shift_elements: {C: {links: [a, b], capacity: 20 N*m, drag: 2 N*m}}
+gears: {"1": {engaged: [C]}}
+"""
+    read = readers.read(case, "box.yaml").case
+    written = readers.read(named.write_yaml(read).encode(), "box.yaml").case
+    for one in (read, written):
+        assert newton_metres(one.shift_elements[0].capacity, one) == 20
+        assert [drag.torque for drag in drags(one, None)] == [2]

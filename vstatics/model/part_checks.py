@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from vstatics.errors import Path, Problem
 from vstatics.model.fields import TransmissionFields
-from vstatics.model.parts import ELEMENT_KINDS, HOUSING, Mechanism, ShiftElement
+from vstatics.model.parts import ELEMENT_KINDS, HOUSING, Mechanism, OfLoad, ShiftElement
 
 
 def called(case: TransmissionFields, link: int) -> str:
@@ -44,7 +44,7 @@ def of_element(case: TransmissionFields, element: ShiftElement, path: Path) -> I
     elif element.kind:
         yield from _kind(element, (*path, "kind"))
     yield from of_drag(element.drag, element, (*path, "drag"))
-    if element.capacity is not None and not 0 < element.capacity < math.inf:
+    if element.capacity is not None and not 0 < _told(element.capacity) < math.inf:
         message = f"read {element.capacity:g}, expected a torque above 0"
         yield Problem(message, (*path, "capacity"))
     if not 1 <= element.static < math.inf:
@@ -53,6 +53,11 @@ def of_element(case: TransmissionFields, element: ShiftElement, path: Path) -> I
         from vstatics.model.friction import of_friction  # others do without
 
         yield from of_friction(element.friction, (*path, "friction"))
+
+
+def _told(torque: float) -> float:
+    """A torque as it was given."""
+    return torque.given if isinstance(torque, OfLoad) else torque
 
 
 def of_drag(torque: float, element: ShiftElement | None, path: Path) -> Iterator[Problem]:

@@ -123,7 +123,7 @@ def margins(results: Results) -> list[Margin]:
     return [
         _margin(results, element.name, element.capacity, torques[:, number], carrying[:, number])
         for number, element in enumerate(case.shift_elements)
-        if element.capacity is not None
+        if element.capacity  # one with a unit, without a load, is 0 of it
     ]
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, get_args
@@ -10,6 +11,7 @@ from vstatics.elements.drawing import drawing_of
 from vstatics.errors import printable
 from vstatics.model.clutch_dump import dump_record
 from vstatics.model.keys import CASE
+from vstatics.model.parts import OfLoad
 from vstatics.model.shape import (
     UNITS,
     ByKey,
@@ -144,6 +146,8 @@ class _Writer:
     def leaf(self, value: Any, shape: Leaf) -> Any:
         if isinstance(value, SpeedOf):
             return self.speed_of(value)
+        if isinstance(value, OfLoad) and math.isinf(value.whole):
+            return f"{value.given!r} {UNITS['torque']}"  # nothing that it is a part of
         plain = _PLAIN.get(shape.kind)
         if plain is not None:
             return plain(value)

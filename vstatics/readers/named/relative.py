@@ -5,6 +5,7 @@ Speeds are related to the input speed of the load, torques and drag to its torqu
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
@@ -34,6 +35,8 @@ class Common(NamedTuple):
     coast: bool
     drag: Mapping[int, float]
     """Of links."""
+    moves: bool = False
+    """Whether it has inertias: then capacities and drag with a unit need no load."""
 
 
 def relative(
@@ -54,7 +57,7 @@ def relative(
     of_links = dict(_of_links(_located(common.drag, ("drag",)), spots))
     of_elements = dict(_of_elements(elements, spots))
     return (
-        [_element(element, n, common.load, spots) for n, element in enumerate(elements, 1)],
+        [_element(element, n, common, spots) for n, element in enumerate(elements, 1)],
         [_gear(gear, n, common, (of_links, of_elements), spots) for n, gear in enumerate(gears, 1)],
     )
 
@@ -88,14 +91,19 @@ def _is_drag(torque: float, element: ShiftElement | None, path: Path, spots: Spo
     return not problems
 
 
-def _element(element: ShiftElement, number: int, load: Load, spots: Spots) -> ShiftElement:
+def _whole(common: Common) -> float:
+    """What capacities are related to: infinite where only their own unit counts."""
+    return abs(common.load.torque or 0.0) or (math.inf if common.moves else 0.0)
+
+
+def _element(element: ShiftElement, number: int, common: Common, spots: Spots) -> ShiftElement:
     """An element without drag that has a unit, and with a relative capacity."""
     drag = 0.0 if isinstance(element.drag, WithUnit) else element.drag
     capacity, path = element.capacity, ("shift_elements", number, "capacity")
     if isinstance(capacity, WithUnit):
         if capacity > 0:
             given = {number: _Located(capacity, path)}
-            capacity = _related(given, abs(load.torque or 0.0), spots).get(number)
+            capacity = _related(given, _whole(common), spots).get(number)
         else:
             spots.tell(path, f"read {capacity:g}, expected a torque above 0")
             capacity = None
@@ -103,10 +111,11 @@ def _element(element: ShiftElement, number: int, load: Load, spots: Spots) -> Sh
 
 
 def _gear(
-    gear: Gear, number: int, common: Common, drags: tuple[_ByPart, _ByPart], spots: Spots
+    gear: Gear, number: int, common: Common, by_part: tuple[_ByPart, _ByPart], spots: Spots
 ) -> Gear:
     load = (gear.load or Load()).or_else(common.load)
-    torque, (of_links, of_elements) = load.torque or 0.0, drags
+    torque, (of_links, of_elements) = load.torque or 0.0, by_part
+    drags = abs(torque) or _whole(common)
 
     def related(
         key: str, numbers: Mapping[int, float], whole: float, of_all: _ByPart
@@ -120,8 +129,8 @@ def _gear(
         speeds={link: speeds[link] for link in gear.speeds if link in speeds},
         # when coasting, the torque of the load is against its speed
         torques=related("torques", gear.torques, -torque if common.coast else torque, {}),
-        drag=related("drag", gear.drag, abs(torque), of_links),
-        open_drag=related("open_drag", gear.open_drag, abs(torque), of_elements),
+        drag=related("drag", gear.drag, drags, of_links),
+        open_drag=related("open_drag", gear.open_drag, drags, of_elements),
     )
 
 
