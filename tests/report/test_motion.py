@@ -67,8 +67,8 @@ def test_commands_take_a_scenario_for_its_case(tmp_path: Path) -> None:
 
 
 def test_other_commands_say_that_it_is_a_scenario() -> None:
-    for command in ("run", "flow", "summary"):
-        said = vstatics(command, SCENARIO)
+    for command in (["run"], ["flow"], ["summary"], ["convert", "--to", "yaml"]):
+        said = vstatics(*command, SCENARIO, *["x.yaml"] * (command[0] == "convert"))
         assert said.status == 1
         assert "error: this is a scenario, expected a case; simulate, plot" in said.err
         assert said.err.count("error:") == 1

@@ -215,7 +215,11 @@ def _scenario(data: bytes, name: str, settings: CaseOptions) -> ScenarioFile | N
 
 def _no_case(data: bytes, name: str, settings: CaseOptions) -> list[Problem]:
     """What is to be said of a text that is no case but a scenario, where none is taken."""
-    if settings.scenarios or b"duration" not in data:
+    return [] if settings.scenarios else _scenario_said(data, name)
+
+
+def _scenario_said(data: bytes, name: str) -> list[Problem]:
+    if b"duration" not in data:
         return []
     from vstatics.simulation.scenario_file import is_scenario
 
@@ -241,7 +245,7 @@ def read_data(
     try:
         reading = readers.read(data, name, input_format)
     except ReadError as error:
-        raise ReadError(telling.printed(error.problems)) from None
+        raise ReadError(telling.printed(_scenario_said(data, name) or error.problems)) from None
     files.show(telling.printed(reading.warnings))
     files.show(telling.quiet_failure(reading.warnings, name))
     return reading

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -92,11 +92,12 @@ def panels(case: Transmission, motion: Motion) -> list[MotionPanel]:
     heat = [MotionLine(short(n), motion.heat[:, k] / 1e3, k) for k, n in loaded(motion)]
     carried = [MotionLine(short(n), motion.torques[:, k], k) for k, n in loaded(motion)]
     elastic = [MotionLine(short(n), motion.torques[:, k]) for k, n in _elastic(case, motion)]
+    springs = {short(spring.name) for spring in case.springs}
     found = [
         _panel("speed, rad/s", "скорость, рад/с", _speeds(case, motion)),
         _panel("slip, rad/s", "скольжение, рад/с", slips),
         _torques("elements", "моменты элементов", carried),
-        _torques("springs", "моменты пружин", elastic),
+        _torques(*_kinds(springs, [line.name for line in elastic]), elastic),
         _panel("heat, kJ", "теплота, кДж", heat),
     ]
     return [panel for panel in found if panel.lines]
@@ -191,6 +192,20 @@ def _elastic(case: Transmission, motion: Motion) -> Iterator[tuple[int, str]]:
         name = motion.devices[place]
         if name not in rigid and np.abs(motion.torques[:, place]).max(initial=0.0) > 0:
             yield place, name
+
+
+def _kinds(springs: Collection[str], names: Sequence[str]) -> tuple[str, str]:
+    """What these are together.
+
+    >>> _kinds((), ["TC"])
+    ('converters', 'моменты гидротрансформаторов')
+    """
+    of = [name in springs for name in names]
+    if all(of):
+        return "springs", "моменты пружин"
+    if not any(of):
+        return "converters", "моменты гидротрансформаторов"
+    return "springs, converters", "моменты пружин, ГТ"
 
 
 def _panel(english: str, russian: str, lines: Sequence[MotionLine]) -> MotionPanel:

@@ -140,7 +140,9 @@ def _tried(
     times = np.linspace(0.0, duration, _TRIED)
     values = law.along(times) * control.scale
     most = math.inf if largest is None else largest * (1 + 1e-9)
-    wrong = np.flatnonzero(~((values >= -1e-9 * np.abs(values).max()) & (values <= most)))
+    wrong = np.flatnonzero(
+        ~((values >= -1e-9 * np.nan_to_num(np.abs(values)).max()) & (values <= most))
+    )
     if len(wrong):
         first = int(wrong[0])
         expected = "0 or more" if largest is None else f"0 to {largest:g}, the capacity of the case"
@@ -190,8 +192,8 @@ def _of_converters(converters: Sequence[Converter], case: Transmission) -> Itera
             message = f"{quoted(converter.name)} is the name of another device of the case"
             yield Problem(message, path)
         names.append(converter.name)
-        for link in (converter.pump, converter.turbine):
-            yield from _of_link(link, case, (*path, "links"))
+        for place, link in enumerate((converter.pump, converter.turbine), 1):
+            yield from _of_link(link, case, (*path, "links", place))
         if converter.pump == converter.turbine:
             yield Problem("expected two different links, pump and turbine", (*path, "links"))
         yield from of_characteristic(converter.points, (*path, "points"))

@@ -238,6 +238,8 @@ def _own_path(path: Path, case: Transmission, spots: Spots) -> Path:
     names = _names(path[0], case, spots)
     start, name, rest = path[:named], path[named], path[named + 1 :]
     own = (*start, names.get(str(name), name))
+    if path[0] == "converters" and rest[:1] == ("links",) and len(rest) > 1:
+        return (*own, "first" if rest[1] == 1 else "second")
     for number, part in enumerate(rest):
         between = spots.has((*own, "points")) and isinstance(part, int) and number < len(rest)
         own = (*own, "points", part) if between and not spots.has((*own, part)) else (*own, part)
