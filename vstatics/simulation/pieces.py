@@ -66,7 +66,7 @@ def steps(
 
     time, state = begin
     if first is not None:
-        first = min(first, end - time)
+        first = min(first, end - time, equations.longest if equations.ports.timed else np.inf)
     solver = DOP853(
         equations.derivative,
         time,
@@ -75,6 +75,7 @@ def steps(
         rtol=tolerances.relative,
         atol=tolerances.absolute,  # type: ignore[arg-type] # it takes arrays
         first_step=first,
+        max_step=equations.longest if equations.ports.timed else np.inf,
     )
     while solver.status == "running":
         start, before = solver.t, solver.y

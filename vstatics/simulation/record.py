@@ -138,7 +138,7 @@ class Record:
         top = np.abs(torques).argmax(axis=0)
         columns = np.arange(torques.shape[1])
         largest = torques[top, columns]
-        larger = np.abs(largest) > np.abs(self.peaks)
+        larger = np.abs(largest) > np.abs(self.peaks) * (1 + 1e-12)
         self.peaks[larger] = largest[larger]
         self.peak_times[larger] = times[top][larger]
         return torques

@@ -162,6 +162,8 @@ class Closed:
         alive = np.abs(self.rates)[np.abs(self.rates.real) * gone < _GONE]
         fastest = float(alive.max(initial=0.0))
         length = _RADIANS / fastest * shorter if fastest > 0 else left * shorter
+        if self.equations.ports.timed:
+            length = min(length, self.equations.longest)
         if most * length < left:
             return length, most
         count = 1  # to the end, in a power of 2 of equal parts
