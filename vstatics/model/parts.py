@@ -43,6 +43,11 @@ class Friction(NamedTuple):
     coefficient: tuple[tuple[float, float], ...]
     """Slip [rad/s] in ascending order, each with its coefficient of friction [-]."""
 
+    @property
+    def per_pressure(self) -> float:
+        """``area radius surfaces``: the capacity by the pressure, for a coefficient of 1 [m^3]."""
+        return self.area * self.radius * self.surfaces
+
 
 class ShiftElement(NamedTuple):
     """A clutch joins two links; a brake joins a link to the housing (0).

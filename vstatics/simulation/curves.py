@@ -9,14 +9,14 @@ import numpy as np
 from vstatics.numerics.arrays import Floats
 from vstatics.simulation.formula import Formula
 from vstatics.simulation.laws import Curve, Points
-from vstatics.simulation.programme import Programme
+from vstatics.simulation.programme import Programme, friction_at
 from vstatics.simulation.system import Contact
 
 
 def capacity_at(contact: Contact, time: float, slip: float = 0.0) -> float:
     """The kinetic capacity of a contact [N*m] at a time, from there on."""
     value = programme_at(contact.programme, time)
-    return value if contact.friction is None else value * friction_at(contact, slip)
+    return value if contact.friction is None else value * friction_at(contact.friction, slip)
 
 
 def programme_at(programme: Programme, time: float) -> float:
@@ -26,13 +26,6 @@ def programme_at(programme: Programme, time: float) -> float:
     if at == 0 or programme.factor == 0:
         return 0.0
     return at * programme.factor
-
-
-def friction_at(contact: Contact, slip: float) -> float:
-    """The coefficient of friction at a slip."""
-    assert contact.friction is not None  # noqa: S101 - for mypy: asked where there is one
-    slips, values = zip(*contact.friction.coefficient, strict=True)
-    return Points(slips, values).at(abs(slip))
 
 
 def programme_along(programme: Programme, times: Floats) -> Floats:

@@ -8,10 +8,11 @@ import numpy as np
 
 from vstatics.errors import CaseError, Problem
 from vstatics.model.damping import damping
+from vstatics.model.parts import ShiftElement
 from vstatics.model.transmission import Gear, Transmission
 from vstatics.simulation.drags import DragTorque, drags
 from vstatics.simulation.laws import Resistance, Road, TorqueLaw, constant
-from vstatics.simulation.programme import Programme
+from vstatics.simulation.programme import Programme, friction_at
 from vstatics.simulation.rows import between, combination, unit
 from vstatics.simulation.scenario import Scenario
 from vstatics.simulation.system import Contact, Elastic, MotionSystem, OutsideTorque, RigidMechanism
@@ -141,10 +142,9 @@ def _springs(case: Transmission, capacities: list[Programme]) -> list[Elastic]:
         if element.stiffness is not None and not element.is_freewheel:
             row = between(element.first, element.second, links)
             damped = damping(element.damping)
+            limit = _slipping_torque(element, capacities[index])
             found.append(
-                Elastic(
-                    element.name, index, row, element.stiffness, *damped, capacities[index], index
-                )
+                Elastic(element.name, index, row, element.stiffness, *damped, limit, index)
             )
     start = len(case.shift_elements)
     for index, mechanism in enumerate(case.mechanisms, start):
@@ -160,6 +160,18 @@ def _springs(case: Transmission, capacities: list[Programme]) -> list[Elastic]:
         damped = damping(spring.damping)
         found.append(Elastic(spring.name, index, row, spring.rate, *damped, limit))
     return found
+
+
+def _slipping_torque(element: ShiftElement, capacity: Programme) -> Programme:
+    """At which an elastic shift element slips."""
+    pack = element.friction
+    if element.static != 1 or (pack and len(pack.coefficient) > 1):
+        message = (
+            f"{element.name} is elastic, so it slips at one torque: leave out `static` and give "
+            "one coefficient of friction, or a spring beside it in place of `stiffness`"
+        )
+        raise CaseError([Problem(message, ("case",))])
+    return capacity._replace(factor=capacity.factor * friction_at(pack))
 
 
 def _loads(scenario: Scenario) -> tuple[list[Contact], list[OutsideTorque]]:

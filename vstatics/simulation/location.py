@@ -95,11 +95,13 @@ class Finder:
     def _check_capacities(self, step: TimeStep) -> None:
         """Refuse a capacity by a formula that is no capacity."""
         for contact in self.by_formula:
+            pack = contact.friction
             capacity = programme_at(contact.programme, step.end)
+            capacity /= pack.per_pressure if pack else 1.0
             most = contact.programme.largest
             if not capacity >= 0 or (most is not None and capacity > most * (1 + 1e-9)):
                 expected = "0 or more" if most is None else f"0 to {most:g}"
-                unit = "Pa" if contact.friction else "N*m"
+                unit = "Pa" if pack else "N*m"
                 raise NoCapacity(
                     f"at {step.end:.6g} s the control of {contact.name} gives {capacity:g} {unit}, "
                     f"expected {expected}",

@@ -8,9 +8,10 @@ from typing import Literal, NamedTuple
 import numpy as np
 
 from vstatics.numerics.arrays import Floats
-from vstatics.simulation.curves import capacity_at, friction_at, programme_along, programme_at
+from vstatics.simulation.curves import capacity_at, programme_along, programme_at
 from vstatics.simulation.equations import Equations
 from vstatics.simulation.laws import Points
+from vstatics.simulation.programme import friction_at
 from vstatics.simulation.split import least, widest, widest_place
 from vstatics.simulation.system import Contact
 
@@ -157,9 +158,7 @@ class Margins:
             if contact.one_way and side == 1:
                 lines.append((0.0, 0.0))
                 continue
-            factor = contact.static * contact.programme.factor
-            if contact.friction is not None:
-                factor *= contact.friction.coefficient[0][1]
+            factor = contact.static * contact.programme.factor * friction_at(contact.friction)
             lines.append((factor * value, factor * slope))
         return np.array(lines).reshape(len(lines), 2)
 
@@ -292,5 +291,6 @@ class Margins:
 def _limits(contact: Contact, side: int, times: Floats) -> Floats:
     if contact.one_way and side == 1:
         return np.zeros(len(times))
-    mu = 1.0 if contact.friction is None else friction_at(contact, 0.0)
-    return contact.static * mu * programme_along(contact.programme, times)
+    return (
+        contact.static * friction_at(contact.friction) * programme_along(contact.programme, times)
+    )

@@ -14,10 +14,10 @@ import numpy as np
 
 from vstatics.numerics.arrays import Floats
 from vstatics.simulation.converters import converter_torques, converter_torques_at
-from vstatics.simulation.curves import capacity_at, curve_along, friction_at, slope_of
+from vstatics.simulation.curves import capacity_at, curve_along, slope_of
 from vstatics.simulation.formula import Formula
 from vstatics.simulation.laws import Points, Road
-from vstatics.simulation.programme import Programme
+from vstatics.simulation.programme import Programme, friction_at
 from vstatics.simulation.system import Contact, MotionSystem
 
 Torque = Callable[[float, float, float], float]
@@ -232,7 +232,7 @@ class Ports:
             self.c0[port] = contact.overrun_drag
             return
         if contact.friction is None or len(contact.friction.coefficient) == 1:
-            mu = 1.0 if contact.friction is None else friction_at(contact, 0.0)
+            mu = friction_at(contact.friction)
             self._programme(port, contact.programme, sign * mu, time)
             return
 

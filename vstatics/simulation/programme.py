@@ -6,7 +6,7 @@ import math
 from typing import NamedTuple
 
 from vstatics.errors import CaseError, Problem
-from vstatics.model.parts import OfLoad, ShiftElement
+from vstatics.model.parts import Friction, OfLoad, ShiftElement
 from vstatics.model.transmission import Gear, Transmission
 from vstatics.simulation.laws import Curve, Points, constant
 from vstatics.simulation.scenario import Capacity, Scenario
@@ -22,7 +22,7 @@ class Programme(NamedTuple):
     is_dog: bool = False
     """Whether it holds anything or nothing, and joins at once."""
     largest: float | None = None
-    """Which the capacity of the case allows. [N*m]"""
+    """Which the capacity of the case allows. [N*m or Pa]"""
 
     def breaks(self) -> tuple[float, ...]:
         """Times at which it may bend or jump [s]."""
@@ -57,7 +57,8 @@ def programmes(scenario: Scenario, engaged: tuple[int, ...]) -> list[Programme]:
         control = controls.get(number)
         if element.is_freewheel:
             held = newton_metres(element.capacity, scenario.case)
-            found.append(Programme(constant(math.inf if held is None else held)))
+            factor = 1 / friction_at(element.friction)
+            found.append(Programme(constant(math.inf if held is None else held), factor))
         elif control is not None:
             found.append(_controlled(control, element, scenario.case))
         elif by_gear:
@@ -88,11 +89,27 @@ def newton_metres(number: float | None, case: Transmission) -> float | None:
     return abs(number * whole) if whole else math.nan
 
 
+def friction_at(friction: Friction | None, slip: float = 0.0) -> float:
+    """The coefficient of friction at a slip [rad/s]; 1 of what has no pack."""
+    if friction is None:
+        return 1.0
+    slips, values = zip(*friction.coefficient, strict=True)
+    return Points(slips, values).at(abs(slip))
+
+
+def largest_control(element: ShiftElement, case: Transmission) -> float | None:
+    """What a control may give at most by the capacity of the case [N*m]; with a pack [Pa]."""
+    largest, pack = newton_metres(element.capacity, case), element.friction
+    if largest is None or pack is None:
+        return largest
+    return largest / (pack.per_pressure * friction_at(pack))
+
+
 def _controlled(control: object, element: ShiftElement, case: Transmission) -> Programme:
     if isinstance(control, Capacity):
         pack = element.friction
-        factor = control.scale * (pack.area * pack.radius * pack.surfaces if pack else 1.0)
-        return Programme(control.law, factor, largest=newton_metres(element.capacity, case))
+        factor = control.scale * (pack.per_pressure if pack else 1.0)
+        return Programme(control.law, factor, largest=largest_control(element, case))
     times: list[float] = []
     held: list[float] = []
     for time, closed in getattr(control, "points", ()):
@@ -114,6 +131,8 @@ class _Shifted:
         held = newton_metres(element.capacity, scenario.case)
         self.anything = held is None or element.kind == "dog_clutch"
         self.capacity = math.inf if held is None or self.anything else held
+        self.factor = 1.0 if self.anything else 1 / friction_at(element.friction)
+        """The capacity of the case is that at the begin of slip, whatever the pack."""
 
     def programme(self, *, engaged: bool) -> Programme:
         """Its capacity over time."""
@@ -123,7 +142,7 @@ class _Shifted:
             target = self.capacity if self.number in gear.engaged else 0.0
             points = self._moved(points, shift.at, shift.overlap, target, index)
         times, held = zip(*points, strict=True)
-        return Programme(Points(times, held), is_dog=self.anything)
+        return Programme(Points(times, held), self.factor, is_dog=self.anything)
 
     def _moved(
         self,

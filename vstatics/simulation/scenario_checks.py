@@ -26,7 +26,7 @@ from vstatics.simulation.law_checks import (
     of_times,
 )
 from vstatics.simulation.laws import Road, TorqueLaw
-from vstatics.simulation.programme import newton_metres
+from vstatics.simulation.programme import largest_control
 from vstatics.simulation.scenario import Capacity, Control, Converter, Scenario, Start
 
 _TRIED = 1001
@@ -121,7 +121,7 @@ def _of_controls(
             message = "is a freewheel, which finds by itself whether it holds: it has no control"
             yield Problem(message, path)
         elif isinstance(control, Capacity):
-            largest = None if element.friction else newton_metres(element.capacity, case)
+            largest = largest_control(element, case)
             kind = "pressure" if element.friction else "capacity"
             yield from _of_capacity(control, largest, kind, path)
             if isinstance(control.law, Formula):
@@ -168,8 +168,9 @@ def _of_capacity(
         if value < 0:
             yield Problem(f"read {value:g}, expected a {kind} of 0 or more", place)
         elif largest is not None and value * scale > largest * (1 + 1e-12):
-            read = f"{value:g} N*m" if scale == 1 else f"{value:g} N*m times {scale:g}"
-            message = f"read {read}, expected at most {largest:g} N*m, the capacity in the case"
+            unit = "Pa" if kind == "pressure" else "N*m"
+            read = f"{value:g} {unit}" if scale == 1 else f"{value:g} {unit} times {scale:g}"
+            message = f"read {read}, expected at most {largest:g} {unit}, the capacity in the case"
             yield Problem(message, place)
 
 

@@ -1,0 +1,48 @@
+"""Friction packs: their capacity is ``pressure area radius surfaces mu``."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.simulation.test_closed_forms import links, run
+from vstatics.errors import CaseError
+from vstatics.model.parts import Friction, OfLoad
+from vstatics.model.transmission import Gear, ShiftElement
+from vstatics.simulation import simulate
+from vstatics.simulation.laws import constant
+from vstatics.simulation.scenario import Capacity, Control, Scenario, Shift, Start
+
+PACK = Friction(radius=0.1, area=0.006, surfaces=8, coefficient=((0.0, 0.1),))
+FALLING = PACK._replace(coefficient=((0.0, 0.1), (10.0, 0.05)))
+PRESSURE: dict[int, Control] = {1: Capacity(constant(1e4))}
+"""4.8 N*m by a coefficient of .1: 1e4 * .006 * .1 * 8 * .1."""
+
+
+def test_an_elastic_clutch_slips_at_the_torque_of_its_pack() -> None:
+    clutch = ShiftElement(1, 2, name="C", stiffness=1000.0, friction=PACK)
+    motion = run(links(1.0, 1.0, elements=(clutch,)), 0.1, {1: 10.0, 2: 0.0}, controls=PRESSURE)
+    assert motion.peaks["C"].torque == pytest.approx(4.8)
+    assert motion.energy.heat_per_area["C"] == motion.energy.heat["C"] / (0.006 * 8)
+
+
+def test_an_elastic_clutch_with_two_torques_to_slip_at_is_refused() -> None:
+    clutch = ShiftElement(1, 2, name="C", stiffness=1000.0, friction=FALLING)
+    with pytest.raises(CaseError, match="C is elastic, so it slips at one torque"):
+        run(links(1.0, 1.0, elements=(clutch,)), 0.1, {1: 10.0, 2: 0.0}, controls=PRESSURE)
+
+
+def test_a_shift_engages_the_capacity_of_the_case_whatever_the_pack() -> None:
+    """50 N*m at the begin of slip, half of it where the coefficient is half."""
+    clutch = ShiftElement(1, 2, name="C", friction=FALLING, capacity=OfLoad(50.0, 100.0))
+    case = links(1.0, 1.0, elements=(clutch,))
+    case = case.replace(gears=[Gear(name="open"), Gear([1], name="joined")])
+    motion = simulate(
+        Scenario(case, 0.01, Start(speeds={1: 20.0, 2: 0.0}), shifts=(Shift(0.0, "joined"),))
+    )
+    assert motion.torques[-1, 0] == pytest.approx(25.0)
+
+
+def test_a_pressure_above_the_capacity_of_the_case_is_an_error() -> None:
+    clutch = ShiftElement(1, 2, name="C", friction=PACK, capacity=OfLoad(4.0, 100.0))
+    with pytest.raises(CaseError, match=r"read 10000 Pa, expected at most 8333\.33 Pa"):
+        run(links(1.0, 1.0, elements=(clutch,)), 0.1, {1: 10.0, 2: 0.0}, controls=PRESSURE)
