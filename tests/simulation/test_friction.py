@@ -7,9 +7,10 @@ import pytest
 from tests.simulation.test_closed_forms import links, run
 from vstatics.errors import CaseError
 from vstatics.model.parts import Friction, OfLoad
+from vstatics.model.springs import Spring, between
 from vstatics.model.transmission import Gear, ShiftElement
 from vstatics.simulation import simulate
-from vstatics.simulation.laws import constant
+from vstatics.simulation.laws import Resistance, constant
 from vstatics.simulation.scenario import Capacity, Control, Scenario, Shift, Start
 
 PACK = Friction(radius=0.1, area=0.006, surfaces=8, coefficient=((0.0, 0.1),))
@@ -46,3 +47,12 @@ def test_a_pressure_above_the_capacity_of_the_case_is_an_error() -> None:
     clutch = ShiftElement(1, 2, name="C", friction=PACK, capacity=OfLoad(4.0, 100.0))
     with pytest.raises(CaseError, match=r"read 10000 Pa, expected at most 8333\.33 Pa"):
         run(links(1.0, 1.0, elements=(clutch,)), 0.1, {1: 10.0, 2: 0.0}, controls=PRESSURE)
+
+
+def test_what_has_one_name_is_one_sum_of_heat() -> None:
+    """The resistance of a link and a spring that slips, both called 2."""
+    tyre = Spring(between(1, 2), stiffness=1e3, limit=20.0, name="2")
+    case = links(1.0, 5.0, springs=(tyre,))
+    motion = run(case, 0.2, {1: 50.0, 2: 0.0}, ((2, Resistance(5.0)),))
+    slipped = motion.energy.heat["2"]
+    assert slipped == pytest.approx(-motion.energy.kinetic - motion.energy.elastic)

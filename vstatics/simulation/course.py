@@ -8,12 +8,11 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from vstatics.errors import CaseError, Problem
-from vstatics.simulation.curves import capacity_at, programme_at
+from vstatics.simulation.breaks import break_times, large_sizes
+from vstatics.simulation.curves import capacity_at
 from vstatics.simulation.equations import Equations
-from vstatics.simulation.formula import Formula
 from vstatics.simulation.impacts import impact
 from vstatics.simulation.instants import Instant, instant_of
-from vstatics.simulation.laws import Points
 from vstatics.simulation.location import Finder, MarginEnd, NoCapacity
 from vstatics.simulation.margins import LargeSizes, Watch
 from vstatics.simulation.motion import Event, EventKind
@@ -47,7 +46,7 @@ class EventRun:
         self.selection = ModeSelection(system, self.layout)
         self.rtol = rtol
         self.duration = system.scenario.duration
-        self.breaks = _breaks(system)
+        self.breaks = break_times(system)
         self.scales = LargeSizes(1.0, 1.0)
         self.latest = 0.0
         self.at_once = 0
@@ -60,7 +59,7 @@ class EventRun:
         RunStop
             With the time and the state, when there is no way on.
         """
-        self.scales = _scales(self.system, at)
+        self.scales = large_sizes(self.system, at)
         at = self._joined(at, None)
         before: States | None = None
         left: list[States] = []
@@ -271,35 +270,3 @@ def _change(before: str, after: str) -> EventKind | None:
     if {before, after} == {"+", "-"}:
         return "reverses"
     return None
-
-
-def _breaks(system: MotionSystem) -> list[float]:
-    """Times at which something bends or jumps, in order [s]."""
-    times: set[float] = set()
-    for contact in system.contacts:
-        times.update(contact.programme.breaks())
-    for spring in system.springs:
-        times.update(spring.limit.breaks())
-    for one in system.outside:
-        if isinstance(one.law, Points) and one.law.over == "time":
-            times.update(one.law.x)
-        elif isinstance(one.law, Formula):
-            times.update(one.law.breaks)
-    return sorted(time for time in times if 0 < time < system.scenario.duration)
-
-
-def _scales(system: MotionSystem, at: Instant) -> LargeSizes:
-    """Speeds and torques that are large at the start."""
-    speed = max(1.0, float(np.abs(at.speeds).max(initial=0.0)))
-    torque = 1.0
-    times = [at.time, *_breaks(system)]
-    for contact in system.contacts:
-        held = [abs(capacity_at(contact, time)) for time in times]
-        torque = max([torque, *(one for one in held if math.isfinite(one))])
-    for spring in system.springs:
-        limit = abs(programme_at(spring.limit, at.time))
-        torque = max(torque, limit if math.isfinite(limit) else 0.0)
-    for one in system.outside:
-        if isinstance(one.law, Points):
-            torque = max(torque, *map(abs, one.law.y))
-    return LargeSizes(speed, torque)

@@ -79,7 +79,7 @@ class Margins:
         self.shared = structure.redundant.shape[1] > 0 and bool(self.holding or self.cones)
         if self.shared:
             self._watch("split", -1)
-        self.groups = self._constant_limits()
+        self.straight_limits = self._straight_limits()
         self.slip_ports = np.array([port for port, _ in self.slipping], dtype=int)
         self.slip_signs = np.array([sign for _, sign in self.slipping])
 
@@ -146,7 +146,7 @@ class Margins:
                 self.ratios.append((place, converter.points[piece][0], -1.0))
                 self._watch("piece", index, 1, torque=False)
 
-    def _constant_limits(self) -> Floats | None:
+    def _straight_limits(self) -> Floats | None:
         """Limits of what sticks as ``c0 + c1 t``; None where one is a formula."""
         time = self.equations.time
         lines = []
@@ -164,8 +164,8 @@ class Margins:
 
     def limits(self, times: Floats) -> Floats:
         """Limits of what sticks at times, shape (limits, times) [N*m]."""
-        if self.groups is not None:
-            made: Floats = self.groups[:, :1] + self.groups[:, 1:] * times
+        if self.straight_limits is not None:
+            made: Floats = self.straight_limits[:, :1] + self.straight_limits[:, 1:] * times
             return made
         return np.array([_limits(contact, side, times) for contact, _, side in self.holding])
 

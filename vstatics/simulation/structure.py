@@ -67,7 +67,7 @@ class MotionStructure:
     """
 
     def __init__(self, system: MotionSystem, held: Held, meshes: MeshStates) -> None:
-        self.held, self.meshes = held, meshes
+        self.held = held
         rows, columns, self.multipliers = _constraints(system, held, meshes)
         mass, ports = system.mass, system.port_rows()
         signs = np.full(len(ports), -1.0)
@@ -93,7 +93,6 @@ class MotionStructure:
         fixed = np.vstack([columns, circulating.T])
         residual = np.vstack([residual, np.zeros((circulating.shape[1], residual.shape[1]))])
         self.torques, self.redundant = _multipliers(fixed, weights, residual)
-        self.weights = weights
         self.mesh_rates: Floats = taken @ self.free
         self.mesh_light_rates: Floats = taken @ self.light
         self.loses = any(state not in ("", "stick") for state in meshes)
