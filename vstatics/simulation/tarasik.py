@@ -24,9 +24,9 @@ from scipy.integrate import solve_ivp
 
 from vstatics.errors import CaseError, Problem
 from vstatics.numerics.arrays import Floats
+from vstatics.simulation.breaks import break_times
 from vstatics.simulation.curves import capacity_at
 from vstatics.simulation.devices import motion_system
-from vstatics.simulation.laws import Points
 from vstatics.simulation.motion import Event, EventKind, Motion
 from vstatics.simulation.programme import programmes
 from vstatics.simulation.scenario import Scenario
@@ -80,17 +80,12 @@ def tarasik(scenario: Scenario, *, step: float | None = None, rtol: float = 1e-8
         raise CaseError(problems)
     speeds = start_speeds(system, gear)
     run = _Run(system, ends, speeds, rtol)
-    times = {time for contact in system.contacts for time in contact.programme.breaks()}
-    times |= {x for one in system.outside for x in _breaks(one.law)}
+    times = set(break_times(system))
     if step:
         times |= {step * n for n in range(1, math.ceil(scenario.duration / step))}
     stops = sorted(time for time in times if 0 < time < scenario.duration)
     problem = run.through([0.0, *stops, scenario.duration])
     return run.record.motion(problem)
-
-
-def _breaks(law: object) -> tuple[float, ...]:
-    return law.x if isinstance(law, Points) and law.over == "time" else ()
 
 
 def _elsewhere(system: MotionSystem, ends: tuple[int, int]) -> list[Problem]:
