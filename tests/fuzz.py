@@ -65,7 +65,7 @@ SCENARIO = """\
 case: tarasik-box.yaml
 duration: 6 s
 start: {speeds: {in: 600 rpm, out: 3 km/h}, engaged: [FH], settled: true}
-controls: {FH: {points: [[0, 3 kN*m], [2, 0]], scale: .9}, F1: {dog: [[1, closed]]}, F2: "9000*t^2"}
+controls: {FH: {points: [[0, 3 kN*m], [2, 0]], scale: .9}, F1: {dog: [[1, closed]]}, F2: "6000*min(t^2, 1)"}
 torques:
   in: {over: speed, points: [[80 rad/s, 900], [200, 1100]]}
   out: ["-1200*tanh(speed/0.05)", {resistance: 300}, {road: {mass: 12 t, radius: 1/2, slope: .03}}]

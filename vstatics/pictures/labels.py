@@ -205,7 +205,7 @@ def ticks(low: float, high: float, most: int) -> list[float]:
     >>> ticks(-35.0, 2.0, 5)
     [-30.0, -20.0, -10.0, 0.0]
     """
-    found = MaxNLocator(most).tick_values(low, high)
+    found = MaxNLocator(most, steps=[1, 2, 5, 10]).tick_values(low, high)
     return [float(one) for one in found if low <= one <= high]
 
 

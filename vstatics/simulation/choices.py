@@ -38,6 +38,9 @@ class ModeChoices:
         touched = np.abs(rows @ loose.light) if loose.light.size else np.zeros((len(rows), 1))
         self.touched = touched.max(axis=1, initial=0.0) > SMALL
         """Contacts whose slip can jump, since something without inertia moves along."""
+        motions = np.hstack([loose.free, loose.light])
+        self.idle = [not (np.abs(mesh.slip @ motions) > SMALL).any() for mesh in system.meshes]
+        """Mechanisms whose links always turn as one: nothing is lost there, as in statics."""
         self.within = 1e-7 * system.scenario.duration
         """How far it is looked ahead. [s]"""
 
@@ -115,7 +118,7 @@ class ModeChoices:
         choices: list[Choice],
     ) -> str:
         mesh = self.system.meshes[index]
-        if mesh.lossless:
+        if mesh.lossless or self.idle[index]:
             return ""
         speed = float(mesh.slip @ at.speeds)
         last = before.meshes[index] if before else ""
