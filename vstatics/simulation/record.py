@@ -12,6 +12,7 @@ import numpy as np
 from vstatics.errors import Problem
 from vstatics.numerics.arrays import Floats
 from vstatics.simulation.account import element_heat, energy_account
+from vstatics.simulation.device_torques import device_torques, shared_torques
 from vstatics.simulation.equations import Equations
 from vstatics.simulation.impacts import kinetic_energy
 from vstatics.simulation.instants import Instant, Jump
@@ -134,7 +135,7 @@ class Record:
         self, times: Floats, states: Floats, equations: Equations, margins: Margins
     ) -> Floats:
         """Note torques that are larger than before."""
-        torques = self.device_torques(equations, margins, times, states).T
+        torques = device_torques(equations, margins, times, states).T
         top = np.abs(torques).argmax(axis=0)
         columns = np.arange(torques.shape[1])
         largest = torques[top, columns]
@@ -162,33 +163,6 @@ class Record:
                 angle = float(at[equations.angles][self.layout.angles.index(link)])
                 self.reached[link, speed] = time, angle
 
-    def device_torques(
-        self, equations: Equations, margins: Margins, times: Floats, states: Floats
-    ) -> Floats:
-        """Torques of all devices at several times, shape (devices, times)."""
-        rates = equations.rates_at(times, states)
-        ports = equations.torques_at(times, states, rates)
-        held = margins.split(times, equations.structure.torques @ ports)
-        made = np.zeros((len(self.devices), len(times)))
-        system, layout = self.system, self.layout
-        row_of = {
-            one.of: row
-            for row, one in enumerate(equations.structure.multipliers)
-            if one.kind == "contact"
-        }
-        for index, contact in enumerate(system.contacts):
-            device = contact.while_open if contact.element is None else contact.element
-            if device is not None:
-                row = row_of.get(index)
-                made[device] += ports[layout.contacts + index] if row is None else held[row]
-        for index, mesh in enumerate(system.meshes):
-            made[mesh.device] = held[index]
-        for index, spring in enumerate(system.springs):
-            made[spring.device] = ports[layout.springs + index]
-        count = len(self.devices) - len(system.converters)
-        made[count:] = ports[layout.pumps : layout.pumps + len(system.converters)]
-        return made
-
     def motion(self, stopped: Problem | None) -> Motion:
         """All of it."""
         system = self.system
@@ -203,14 +177,15 @@ class Record:
             states = np.array([one.state for one in same]).T
             times.append(at)
             speeds.append(equations.speeds_at(at, states).T)
-            torques.append(self.device_torques(equations, same[0].margins, at, states).T)
+            torques.append(device_torques(equations, same[0].margins, at, states).T)
             heat.append(element_heat(equations, states).T)
         all_times, all_speeds, all_torques, all_heat = map(
             np.concatenate, (times, speeds, torques, heat)
         )
         kept = _different(all_times, all_speeds, all_torques)
         at_links = all_speeds[kept]
-        counted = Counter([*self.messages, *self._share_messages()])
+        pieces = [(one.equations, one.margins) for one in self.kept]
+        counted = Counter([*self.messages, *shared_torques(pieces)])
         last = self.kept[-1]
         return Motion(
             all_times[kept],
@@ -233,31 +208,6 @@ class Record:
             tuple(counted),
             stopped,
         )
-
-    def _share_messages(self) -> list[Message]:
-        found = []
-        seen: set[tuple[int, ...]] = set()
-        for _, equations, margins, _ in self.kept:
-            if not margins.shared:
-                continue
-            structure = equations.structure
-            sharing = tuple(
-                one.of
-                for row, one in enumerate(structure.multipliers)
-                if one.kind == "contact"
-                and self.system.contacts[one.of].element is not None
-                and np.abs(structure.redundant[row]).max() > 1e-6
-            )
-            if len(sharing) < 2 or sharing in seen:
-                continue
-            seen.add(sharing)
-            names = ", ".join(self.system.contacts[index].name for index in sharing)
-            text = (
-                f"{names} hold together more than is needed (first at {equations.time:.6g} s): how "
-                "they share the torque is open, shown is the split of least norm"
-            )
-            found.append(Message("note", text))
-        return found
 
     def _reached(self) -> list[Reached]:
         radius = {
