@@ -15,6 +15,9 @@ FORMAT, VERSION = "vstatics-samples", 1
 PARTS = (0.05, 0.5, 0.95)
 """Of all variants that lie below a quantile."""
 
+_ROUNDING = 1e-14
+"""A deviation below so much of the numbers is that of their last digits."""
+
 
 class Statistics(NamedTuple):
     """Of a column, over the variants in which it exists; NaN if there are too few of them."""
@@ -37,12 +40,19 @@ def statistics(numbers: Floats) -> Statistics:
     >>> found = statistics(np.array([1.0, 2.0, 3.0, np.nan]))
     >>> found.variants, found.mean, found.deviation, found.quantiles[1]
     (3, 2.0, 1.0, 2.0)
+
+    Last digits are no deviation:
+
+    >>> statistics(np.array([2500.000000000005, 2500.0])).deviation
+    0.0
     """
     known = numbers[~np.isnan(numbers)]
     if not len(known):
         nothing = float("nan")
         return Statistics(0, nothing, nothing, nothing, (nothing,) * len(PARTS), nothing)
     deviation = float(np.std(known, ddof=1)) if len(known) > 1 else float("nan")
+    if deviation <= _ROUNDING * np.abs(known).max(initial=0.0):
+        deviation = 0.0
     quantiles = tuple(np.quantile(known, PARTS).tolist())
     least, largest = float(known.min()), float(known.max())
     return Statistics(len(known), float(known.mean()), deviation, least, quantiles, largest)
