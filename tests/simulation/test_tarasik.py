@@ -119,7 +119,7 @@ def test_what_it_does_not_know() -> None:
     converter = Converter("TC", 1, 2, ((0.0, 2.0, 1e-3), (1.0, 1.0, 0.0)))
     base = first_gear()
     for scenario, path in (
-        (first_gear(case), ("case", "springs", "S1")),
+        (first_gear(case), ("case", "springs", 1)),
         (base._replace(converters=(converter,)), ("converters", "TC")),
         (base._replace(controls={1: Dog(((0.1, True),))}), ("controls", "F1")),
         (base._replace(torques=((2, Resistance(5.0)),)), ("torques", "h")),

@@ -14,9 +14,10 @@ _INSTEAD = "take the events, the method by default"
 
 def refusals(system: MotionSystem) -> Iterator[Problem]:
     """All that (12) to (15) have no place for, each where it stands in the scenario."""
+    numbers = {spring.name: k for k, spring in enumerate(system.scenario.case.springs, 1)}
     for spring in system.springs:
         text = f"{spring.name} bends, but (12) is of a rigid box: {_INSTEAD}"
-        yield Problem(text, ("case", "springs", spring.name))
+        yield Problem(text, ("case", "springs", numbers.get(spring.name, spring.name)))
     for converter in system.converters:
         text = f"(12) has no converter: {_INSTEAD}"
         yield Problem(text, ("converters", converter.name))
@@ -39,9 +40,9 @@ def _of_contact(contact: Contact) -> Iterator[Problem]:
     elif contact.is_drag:
         text = f"{contact.name} drags, which (12) does not know: {_INSTEAD}"
         yield Problem(text, ("case",))
-    elif contact.one_way:
+    elif contact.one_way and contact.element is not None:
         text = f"{contact.name} is a freewheel, which (14) does not know: {_INSTEAD}"
-        yield Problem(text, ("case", "shift_elements", contact.name))
+        yield Problem(text, ("case", "shift_elements", contact.element + 1))
     elif contact.programme.is_dog and _changes(contact):
         text = (
             f"{contact.name} has no capacity in the case, so it joins at once, which (12) does "

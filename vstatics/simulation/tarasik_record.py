@@ -83,6 +83,8 @@ class TarasikRecord:
         balance = self.work - math.fsum(self.heat) - kinetic
         energy = Energy(self.work, heat, {}, {}, kinetic, 0.0, 0.0, balance)
         text = f"the published equations leave {balance:.6g} J of the energy over"
+        largest = max(abs(self.work), math.fsum(self.heat), abs(kinetic))
+        closes = abs(balance) <= 1e-8 * largest
         return Motion(
             time=np.array(self.times),
             links=tuple(case.link_names),
@@ -95,7 +97,7 @@ class TarasikRecord:
             events=tuple(self.events),
             energy=energy,
             peaks=dict(self._peaks(names, torques)),
-            messages=(Message("warning", text),),
+            messages=(Message("note" if closes else "warning", text),),
             stopped=problem,
         )
 
