@@ -41,6 +41,10 @@ class ModeChoices:
         motions = np.hstack([loose.free, loose.light])
         self.idle = [not (np.abs(mesh.slip @ motions) > SMALL).any() for mesh in system.meshes]
         """Mechanisms whose links always turn as one: nothing is lost there, as in statics."""
+        self.carried = [
+            bool((np.abs(mesh.slip @ loose.light) > SMALL).any()) for mesh in system.meshes
+        ]
+        """Mechanisms whose speeds can jump in the same way."""
         self.within = 1e-7 * system.scenario.duration
         """How far it is looked ahead. [s]"""
 
@@ -123,9 +127,10 @@ class ModeChoices:
         speed = float(mesh.slip @ at.speeds)
         last = before.meshes[index] if before else ""
         torque = last[1] if last not in ("", "stick") else "+"
-        if abs(speed) > SMALL * scales.speed:
+        if abs(speed) > SMALL * scales.speed and not self.carried[index]:
             return ("+" if speed > 0 else "-") + torque
-        choices.append(("mesh", index, ("stick", "+" + torque, "-" + torque)))
+        signs = ("-", "+") if speed < 0 else ("+", "-")
+        choices.append(("mesh", index, ("stick", *(sign + torque for sign in signs))))
         return "stick"
 
     def _spring(self, index: int, at: Instant, scales: LargeSizes, choices: list[Choice]) -> str:
