@@ -253,3 +253,9 @@ gears: {"1": {engaged: [C]}}
     for one in (read, written):
         assert newton_metres(one.shift_elements[0].capacity, one) == 20
         assert [drag.torque for drag in drags(one, None)] == [2]
+
+
+def test_a_dog_clutch_takes_no_capacity() -> None:
+    case = CASE.replace(b"lock up: {links", b"lock up: {kind: dog_clutch, links")
+    with pytest.raises(ReadError, match="a dog clutch, which has no friction"):
+        _ = scenario_file(f"{START}\ncontrols: {{lock up: 100}}", case).scenario

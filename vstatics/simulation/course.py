@@ -216,7 +216,8 @@ class EventRun:
         made = impact(system, at.speeds, rigid, joining)
         for index, energy in zip(joining, made.energies, strict=True):
             name = system.contacts[index].name
-            self.record.events.append(Event(at.time, name, "impact", energy))
+            if at.time > 0:  # what happens at the start is no event
+                self.record.events.append(Event(at.time, name, "impact", energy))
             self.record.impact += energy
             self.record.joined.add(index)
         return at._replace(speeds=made.speeds)

@@ -16,7 +16,7 @@ from vstatics.tables.rows import written
 def columns(motion: Motion) -> dict[str, Floats]:
     """`time`, then each of speeds, slips and torques by its heading, such as ``speeds[in]``.
 
-    [s], [rad/s], [N*m]
+    [s], [rad/s], [N*m]; of a run that had to stop also `stopped`, 1 at its last instant.
     """
     made = {"time": motion.time}
     for table, names, values in (
@@ -26,6 +26,9 @@ def columns(motion: Motion) -> dict[str, Floats]:
     ):
         for index in range(len(names)):
             made[f"{table}[{written(index, names)}]"] = values[:, index]
+    if motion.stopped is not None:
+        made["stopped"] = np.zeros(len(motion.time))
+        made["stopped"][-1] = 1.0
     return made
 
 

@@ -16,6 +16,10 @@ ROUNDING = 5e-4
 
 def motion_grids(motion: Motion) -> Iterator[Grid]:
     """All tables that have something to say."""
+    if motion.stopped is not None:
+        yield Grid(
+            "Stopped before its end", [text("why")], [[motion.stopped.message]], key="stopped"
+        )
     yield _events(motion)
     yield _energy(motion)
     rows: list[Row] = [

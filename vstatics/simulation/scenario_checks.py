@@ -120,6 +120,12 @@ def _of_controls(
         if element.is_freewheel:
             message = "is a freewheel, which finds by itself whether it holds: it has no control"
             yield Problem(message, path)
+        elif isinstance(control, Capacity) and element.kind == "dog_clutch":
+            message = (
+                "is a dog clutch, which has no friction: expected when it closes and opens, such "
+                "as {dog: [[1.5, closed], [2, open]]}"
+            )
+            yield Problem(message, path)
         elif isinstance(control, Capacity):
             largest = largest_control(element, case)
             kind = "pressure" if element.friction else "capacity"
