@@ -49,15 +49,17 @@ class Distribution(NamedTuple):
         array([1.5])
         """
         if self.uniform is not None:
-            least, largest = self.uniform
-            numbers: Floats = (1 - parts) * least + parts * largest
+            first, last = self.uniform
+            numbers: Floats = (1 - parts) * first + parts * last
         else:
             from scipy.special import ndtri
 
             mean, deviation = self.normal or self.lognormal or (0.0, 0.0)
             numbers = mean + deviation * ndtri(np.clip(parts, _LEAST, 1 - _LEAST))
             numbers = np.exp(numbers) if self.normal is None else numbers
-        return np.clip(numbers, self.min, self.max)
+        least = -np.inf if self.min is None else self.min
+        clipped: Floats = np.clip(numbers, least, np.inf if self.max is None else self.max)
+        return clipped
 
 
 _LEAST = 2.0**-53
