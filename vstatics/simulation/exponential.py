@@ -37,7 +37,8 @@ class Exponential:
     def at(self, parts: Floats) -> Floats:
         """For parts of the time, each 0 to 1; shape (parts, size, size)."""
         factors = parts[:, None] ** np.arange(len(self.series))
-        made: Floats = np.tensordot(factors, self.series, axes=1)
+        size = self.series.shape[1]
+        made: Floats = (factors @ self.series.reshape(len(self.series), -1)).reshape(-1, size, size)
         for _ in range(self.halvings):
             made = made @ made
         return made

@@ -154,9 +154,10 @@ class Ports:
     def torques_at(self, times: Floats, rates: Floats, twists: Floats, angles: Floats) -> Floats:
         """The same at several times; all shapes end with these."""
         times = self.inside(times)
-        torques: Floats = (
-            self.c0[:, None] + self.c1[:, None] * times + self.by_rate[:, None] * rates
-        )
+        torques: Floats = self.by_rate[:, None] * rates
+        torques += self.c0[:, None]
+        if self.c1.any():
+            torques += self.c1[:, None] * times
         layout = self.layout
         if len(twists):
             torques[layout.springs : layout.pumps] += self.elastic[:, None] * twists
