@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from vstatics import ReadError, readers
+from vstatics import ReadError, readers, solve
 from vstatics.simulation.distribution import Distribution
 from vstatics.simulation.drags import drags
 from vstatics.simulation.formula import Formula
@@ -253,6 +253,8 @@ gears: {"1": {engaged: [C]}}
     for one in (read, written):
         assert newton_metres(one.shift_elements[0].capacity, one) == 20
         assert [drag.torque for drag in drags(one, None)] == [2]
+        [told] = [str(one) for one in solve(one).messages if "drag" in str(one)]
+        assert told == "warning: the drag of C has a unit, but the case no load: it is left out"
 
 
 def test_a_dog_clutch_takes_no_capacity() -> None:

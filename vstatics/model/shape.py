@@ -11,38 +11,6 @@ from collections.abc import Callable, Mapping
 from types import MappingProxyType
 from typing import Any, Literal, NamedTuple, TypeAlias
 
-LeafKind = Literal[
-    "text",
-    "number",
-    "count",
-    "share",
-    "speed",
-    "torque",
-    "power",
-    "relative_speed",
-    "relative_torque",
-    "inertia",
-    "stiffness",
-    "compliance",
-    "damping",
-    "mass",
-    "length",
-    "si_torque",
-    "si_speed",
-    "area",
-    "pressure",
-    "time",
-    "angle",
-    "velocity",
-    "pump_factor",
-    "link",
-    "element",
-    "flag",
-    "choice",
-]
-UNITS: Mapping[str, str] = {"speed": "rpm", "torque": "N*m", "power": "kW"}
-"""Units of speeds, torques and powers that are not relative."""
-
 Measure = Literal[
     "inertia",
     "stiffness",
@@ -60,6 +28,26 @@ Measure = Literal[
     "pump_factor",
 ]
 """What is given in SI, with its unit or without."""
+LeafKind = (
+    Measure
+    | Literal[
+        "text",
+        "number",
+        "count",
+        "share",
+        "speed",
+        "torque",
+        "power",
+        "relative_speed",
+        "relative_torque",
+        "link",
+        "element",
+        "flag",
+        "choice",
+    ]
+)
+UNITS: Mapping[str, str] = {"speed": "rpm", "torque": "N*m", "power": "kW"}
+"""Units of speeds, torques and powers that are not relative."""
 
 Limits: TypeAlias = Mapping[str, Any]
 """Words of JSON Schema for numbers, which the model checks in its own words."""

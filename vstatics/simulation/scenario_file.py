@@ -179,17 +179,29 @@ def load_scenario_file(file: str, case: str | None = None) -> ScenarioFile:
 
     with open(file, "rb") as stream:  # noqa: PTH123
         document = read_scenario(stream.read(), file)
+    return document.with_case(readers.read(*case_bytes(document, case)))
+
+
+def case_bytes(document: ScenarioDocument, case: str | None = None) -> tuple[bytes, str]:
+    """The case that a scenario names, or another that is given, and its name.
+
+    Raises
+    ------
+    ReadError
+        If the scenario names none, or one that cannot be opened, with the place.
+    OSError
+        If the one that is given cannot be opened.
+    """
     name = case or document.case_file
     if not name:
         raise document.no_case("`case` is missing: the file of the case")
     try:
         with open(name, "rb") as stream:  # noqa: PTH123
-            data = stream.read()
+            return stream.read(), name
     except OSError as error:
         if case:
             raise
         raise document.no_case(f"{name} can't be read: {error.strerror}") from None
-    return document.with_case(readers.read(data, name))
 
 
 def load_scenario(

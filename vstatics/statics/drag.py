@@ -8,10 +8,12 @@ other sign, and what it takes is below 0, like all losses.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from types import MappingProxyType
 from typing import NamedTuple
 
+from vstatics.model.parts import OfLoad
 from vstatics.model.transmission import HOUSING, Gear, Transmission
 from vstatics.numerics.traced import Number, absolute
 from vstatics.statics.speeds import is_tie
@@ -109,3 +111,27 @@ def _is(values: Sequence[Number], number: int) -> bool:
 def _direction(speed: Number) -> int:
     """+1 forward, -1 backward; 0 where it stands, or where that is not determined."""
     return 1 if speed > 0 else -1 if speed < 0 else 0
+
+
+def without_load(case: Transmission) -> list[str]:
+    """Names of what has a drag with a unit that no torque of a load relates to the input's.
+
+    Examples
+    --------
+    >>> from vstatics.model.parts import OfLoad
+    >>> from vstatics.model.transmission import Mechanism
+    >>> gear = Gear(drag={2: OfLoad(3.0, math.inf)})
+    >>> without_load(Transmission(2, [], [Mechanism(1, 2, 0, -4.0)], [gear], link_names=["a", "b"]))
+    ['b']
+    """
+    names = {}
+    for gear in case.gears:
+        for link, torque in gear.drag.items():
+            names[case.link_name(link)] = torque
+        for number, torque in gear.open_drag.items():
+            names[case.shift_elements[number - 1].name] = torque
+    return [
+        name
+        for name, torque in names.items()
+        if isinstance(torque, OfLoad) and math.isinf(torque.whole) and torque.given
+    ]

@@ -257,18 +257,10 @@ def load_varied(file: str, case: str | None = None) -> VariedScenario:
     OSError
         If a file cannot be opened.
     """
-    from vstatics.simulation.scenario_file import read_scenario
+    from vstatics.simulation.scenario_file import case_bytes, read_scenario
 
-    scenario = Document(_bytes(file), file)
-    document = read_scenario(*scenario)
-    name = case or document.case_file
-    if not name:
-        raise document.no_case("`case` is missing: the file of the case")
-    varied = VariedScenario(scenario, Document(_bytes(name), name))
+    with open(file, "rb") as opened:  # noqa: PTH123
+        scenario = Document(opened.read(), file)
+    varied = VariedScenario(scenario, Document(*case_bytes(read_scenario(*scenario), case)))
     varied.own  # noqa: B018 (faults are told now)
     return varied
-
-
-def _bytes(file: str) -> bytes:
-    with open(file, "rb") as opened:  # noqa: PTH123
-        return opened.read()
