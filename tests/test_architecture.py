@@ -30,6 +30,7 @@ ROOMS = (
     "flow",
     "summary",
     "explain",
+    "synthesis",
     "pictures",
     "report",
     "cli",

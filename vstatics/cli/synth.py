@@ -1,0 +1,20 @@
+"""`vstatics synth`: the gearbox to be found; each of its commands is a module."""
+
+from __future__ import annotations
+
+import click
+
+from vstatics.cli.lazy_group import LazyGroup
+
+COMMANDS: dict[str, tuple[str, str]] = {}
+
+
+class SynthesisCommands(LazyGroup):
+    """The commands of `vstatics synth`."""
+
+    modules = COMMANDS
+
+
+@click.group(cls=SynthesisCommands)
+def synth() -> None:
+    """Find a gearbox: schemes of planetary sets, gears of a case, ratios for wanted gears."""
