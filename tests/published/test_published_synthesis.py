@@ -1,0 +1,231 @@
+"""Tables 10 to 15 of the synthesis of planetary gearboxes, and what its pairs of controls are.
+
+Source: Evseenko, Method of synthesis of planetary gearboxes with any number of degrees of
+freedom (in Russian), an example with two sets. Printed: links of table 10 (a sun, h carrier,
+b ring), scheme 22 of tables 11 and 12, clutches of table 13, pairs of table 14, those kept
+in table 15. Not printed: what the pairs are. It follows here from the equations of the two
+sets in exact fractions, for every scheme and every choice of its links J1 to J4.
+"""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Iterator
+from dataclasses import replace
+from fractions import Fraction
+from itertools import combinations, permutations
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from tests.oracle.combinations import Train, every
+from vstatics import load, solve
+from vstatics.model.transmission import Gear
+
+PAGE = Path(__file__).parents[2] / "docs" / "synthesis-tables.md"
+TABLE_10 = [
+    "a1",
+    "h1",
+    "b1",
+    "a2",
+    "h2",
+    "b2",
+    "a1,a2",
+    "a1,h2",
+    "a1,b2",
+    "h1,a2",
+    "h1,h2",
+    "h1,b2",
+    "b1,a2",
+    "b1,h2",
+    "b1,b2",
+]
+PRINTED_SCHEMES = {
+    22: (1, 2, 4, 14),
+    233: (1, 5, 10, 14),
+    686: (3, 4, 9, 11),
+    1145: (5, 10, 14, 15),
+}
+"""Of table 11: first, some inside, of all 1365 choices of four of the fifteen links."""
+ENGINE = 5
+TABLE_13 = {
+    "F1": (1, 2),
+    "F2": (1, 3),
+    "F3": (1, 4),
+    "F4": (2, 3),
+    "F5": (2, 4),
+    "F6": (3, 4),
+    "F7": (ENGINE, 1),
+    "F8": (ENGINE, 2),
+    "F9": (ENGINE, 3),
+    "F10": (ENGINE, 4),
+}
+BRAKES = {"T1": (2, 0), "T2": (3, 0)}
+PLACES_OF_TABLE_14 = {
+    1: "F1 F2", 11: "F1 T2", 12: "F2 F3", 21: "F2 T2", 22: "F3 F4", 30: "F3 T2", 31: "F4 F5",
+    33: "F4 F7", 34: "F4 F8", 38: "F4 T2", 39: "F5 F6", 45: "F5 T2", 51: "F6 T2", 52: "F7 F8",
+    56: "F7 T2", 57: "F8 F9", 60: "F8 T2", 61: "F9 F10", 63: "F9 T2", 64: "F10 T1",
+    65: "F10 T2", 66: "T1 T2",
+}  # fmt: skip
+TABLE_15 = [
+    "F7 T1", "F7 T2", "F7 F1", "F7 F2", "F7 F3", "F7 F4", "F7 F5", "F7 F6",
+    "F8 T1", "F8 T2", "F8 F1", "F8 F2", "F8 F3", "F8 F4", "F8 F5", "F8 F6",
+    "F9 T1", "F9 T2", "F9 F1", "F9 F2", "F9 F3", "F9 F4", "F9 F5", "F9 F6",
+]  # fmt: skip
+CONTROLS = TABLE_13 | BRAKES
+PAIRS = [" ".join(pair) for pair in combinations(CONTROLS, 2)]
+RATIOS = [Fraction(-2), Fraction(-26, 10)]
+SHORT = {"d": "direct", "g": "gear", "b": "blocked", "p": "parking", "n": "neutral"}
+
+
+def schemes() -> Iterator[tuple[int, list[set[str]]]]:
+    """Numbers and links of the schemes with four links in which each element is once."""
+    links = [set(one.split(",")) for one in TABLE_10]
+    for number, chosen in enumerate(combinations(links, 4), 1):
+        if sorted(element for link in chosen for element in link) == sorted(TABLE_10[:6]):
+            yield number, list(chosen)
+
+
+def train(scheme: list[set[str]], controls: dict[str, tuple[int, int]] = CONTROLS) -> Train:
+    """The scheme with the engine as a fifth link; its links in order are J1 to J4."""
+    at = {element: number for number, link in enumerate(scheme, 1) for element in link}
+    sets = [(at[f"a{n}"], at[f"b{n}"], at[f"h{n}"]) for n in (1, 2)]
+    return Train(sets, RATIOS, list(controls.values()), ENGINE, 4)
+
+
+def kinds(scheme: list[set[str]]) -> dict[str, str]:
+    found = (one.kind for _, one in every(train(scheme), 2))
+    return dict(zip(PAIRS, found, strict=True))
+
+
+def rows(heading: str) -> list[list[str]]:
+    """Cells of the last table under a heading that the page has, its own heading first."""
+    text = PAGE.read_text(encoding="utf-8").partition(f"\n## {heading}\n")[2].partition("\n## ")[0]
+    table = re.findall(r"(?:^\|.*\n)+", text, re.MULTILINE)
+    lines = [
+        line.strip().removeprefix("|").removesuffix("|").split("|")
+        for line in table[0].splitlines()
+        if "---" not in line
+    ]
+    return [[cell.strip() for cell in line] for line in lines]
+
+
+def test_scheme_22_lacks_b2_and_18_of_1365_are_complete() -> None:
+    numbered = dict(enumerate(combinations(range(1, 16), 4), 1))
+    assert len(numbered) == 1365
+    assert {n: numbered[n] for n in PRINTED_SCHEMES} == PRINTED_SCHEMES
+    elements = ",".join(TABLE_10[link - 1] for link in PRINTED_SCHEMES[22]).split(",")
+    assert set(TABLE_10[:6]) - set(elements) == {"b2"}
+    found = [number for number, _ in schemes()]
+    assert len(found) == 18
+    text = PAGE.read_text(encoding="utf-8")
+    assert ", ".join(map(str, found)) in text
+
+
+def test_printed_pairs_are_all_pairs() -> None:
+    assert len(PAIRS) == 66
+    assert {n: PAIRS[n - 1] for n in PLACES_OF_TABLE_14} == PLACES_OF_TABLE_14
+
+
+def test_printed_rules_leave_the_24_printed_pairs() -> None:
+    engine = {"F7", "F8", "F9", "F10"}
+    pairs = [frozenset(pair.split()) for pair in PAIRS]
+    some = [pair for pair in pairs if pair & engine]
+    one = [pair for pair in some if len(pair & engine) == 1]
+    kept = [pair for pair in one if "F10" not in pair]
+    assert (len(some), len(one), len(kept)) == (38, 32, 24)
+    assert set(kept) == {frozenset(pair.split()) for pair in TABLE_15}
+
+
+@pytest.mark.slow
+def test_kinds_are_those_of_the_page_whatever_the_scheme() -> None:
+    head, *body = rows("Table 14")
+    page = {
+        f"{row[0]} {column}": SHORT[cell]
+        for row in body
+        for column, cell in zip(head[1:], row[1:], strict=True)
+        if cell
+    }
+    assert page.keys() == set(PAIRS)
+    ways = [list(way) for _, scheme in schemes() for way in permutations(scheme)]
+    assert len(ways) == 432
+    assert all(kinds(way) == page for way in ways[::7])  # all 432 hold; they take 13 s
+    counted = Counter(page.values())
+    assert counted == {"direct": 32, "gear": 4, "blocked": 2, "parking": 13, "neutral": 15}
+
+
+def test_of_the_24_printed_ones_4_are_gears() -> None:
+    head, *body = rows("Table 15")
+    page = {
+        int(cell): f"{row[0]} {column}"
+        for row in body
+        for column, cell in zip(head[1:], row[1:], strict=True)
+    }
+    assert [page[number] for number in sorted(page)] == TABLE_15
+    found = kinds(next(scheme for number, scheme in schemes() if number == 686))
+    found = {" ".join(sorted(pair.split())): kind for pair, kind in found.items()}
+    of = [found[" ".join(sorted(pair.split()))] for pair in TABLE_15]
+    assert Counter(of) == {"direct": 18, "gear": 4, "blocked": 2}
+    assert [n for n, kind in enumerate(of, 1) if kind == "gear"] == [1, 2, 10, 17]
+    assert [n for n, kind in enumerate(of, 1) if kind == "blocked"] == [9, 18]
+
+
+@pytest.mark.slow
+def test_the_brake_that_was_left_out_gives_two_more_gears() -> None:
+    """T3 on J1: F8 T3 and F9 T3 are gears, only F7 T3 is blocked."""
+    controls = CONTROLS | {"T3": (1, 0)}
+    for _, scheme in schemes():
+        names = list(combinations(controls, 2))
+        found = [one.kind for _, one in every(train(scheme, controls), 2)]
+        by_pair = dict(zip(names, found, strict=True))
+        engine = [by_pair[clutch, "T3"] for clutch in ("F7", "F8", "F9", "F10")]
+        assert engine == ["blocked", "gear", "gear", "direct"]
+
+
+@pytest.fixture(scope="module")
+def case_of_the_page(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    text = PAGE.read_text(encoding="utf-8")
+    found = re.search(
+        r"<!-- file: two-sets.yaml -->\n```yaml\n(.*?)^```", text, re.MULTILINE | re.DOTALL
+    )
+    assert found
+    path = tmp_path_factory.mktemp("page") / "two-sets.yaml"
+    path.write_text(found[1], encoding="utf-8")
+    return path
+
+
+def test_the_program_gives_the_gears_of_the_page(case_of_the_page: Path) -> None:
+    """Formulas in K, by hand from the Willis equations of scheme 686; K1 = -2, K2 = -2.6."""
+    case = load(case_of_the_page)
+    k1, k2 = RATIOS
+    forms = {
+        "F7 T1": 1 - 1 / (k1 * k2),
+        "F7 T2": (k1 - 1) / k1,
+        "F8 T2": 1 - k2,
+        "F9 T1": (k2 - 1) / k2,
+        "direct": Fraction(1),
+    }
+    found = dict(zip((gear.name for gear in case.gears), solve(case).ratio.tolist(), strict=True))
+    assert found == pytest.approx({name: float(form) for name, form in forms.items()}, rel=1e-14)
+    printed = {row[0]: row[3] for row in rows_of_gears()}
+    assert printed == {
+        name: f"{float(form):.4f}".strip("0") for name, form in forms.items() if name != "direct"
+    }
+
+
+def rows_of_gears() -> list[list[str]]:
+    text = PAGE.read_text(encoding="utf-8")
+    lines = re.findall(r"^\| (F\d T\d) \| (.*) \| (.*) \| (\S*) \|$", text, re.MULTILINE)
+    return [list(line) for line in lines]
+
+
+def test_the_program_solves_the_gears_and_no_others(case_of_the_page: Path) -> None:
+    """All 66 pairs as gears: those with a ratio are direct drives, or gears."""
+    case = load(case_of_the_page)
+    gears = [Gear(pair) for pair in combinations(range(1, 13), 2)]
+    found = np.isfinite(solve(replace(case, gears=gears)).ratio)
+    scheme = next(scheme for number, scheme in schemes() if number == 686)
+    expected = [kind in {"gear", "direct"} for kind in kinds(scheme).values()]
+    assert found.tolist() == expected
