@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import math
 import os
 import time
 
+from vstatics.cli.amounts import duration_text, size_text
 from vstatics.errors import ReadError, of_file
 from vstatics.jobs.finished_pieces import FinishedPieces
 from vstatics.sweep import calculation
@@ -46,7 +46,7 @@ def check_room(plan: SweepPlan, form: Format, output: str, pieces: FinishedPiece
     if size > free:
         what = "its pieces would have" if form == "parquet" else "would have"
         message = (
-            f"{what} about {_size(size)}, but {_size(free)} are free there: expected fewer "
+            f"{what} about {size_text(size)}, but {size_text(free)} are free there: expected fewer "
             "variants or columns, --where, --best, or another disk"
         )
         raise ReadError([of_file(output, message)])
@@ -86,43 +86,17 @@ def estimate(plan: SweepPlan, form: Format, jobs: int) -> str:
     else:
         expected = str(count) if plan.where is None else f"about {count}"
     length = sum(memoryview(one).nbytes for one in data) / max(len(rows.variants), 1)
-    size = "small" if plan.objectives else f"about {_size(length * count)}"
+    size = "small" if plan.objectives else f"about {size_text(length * count)}"
     processes = f" with {jobs} jobs" if jobs > 1 else ""
     lines = {
         "variants": str(variants),
         "rows": expected,
         "columns": f"{columns}: {_listed(['variant', *plan.names, 'status', *plan.headings])}",
         "size": size,
-        "time": f"about {_duration(seconds / min(jobs, max(plan.pieces, 1)))}{processes}",
+        "time": f"about {duration_text(seconds / min(jobs, max(plan.pieces, 1)))}{processes}",
     }
     return "".join(f"{name:9} {value}\n" for name, value in lines.items())
 
 
 def _listed(names: list[str], most: int = 8) -> str:
     return ", ".join(names if len(names) <= most else [*names[: most - 1], "...", names[-1]])
-
-
-def _size(length: float) -> str:
-    """Bytes as one says them.
-
-    >>> _size(999), _size(1.3e9)
-    ('999 bytes', '1.3 GB')
-    """
-    units = ("bytes", "kB", "MB", "GB", "TB", "PB", "EB")
-    power = min(int(math.log10(max(length, 1)) / 3), len(units) - 1)
-    return f"{length / 1000**power:.3g} {units[power]}"
-
-
-def _duration(seconds: float) -> str:
-    """A duration as one says it.
-
-    >>> _duration(0.2), _duration(90), _duration(9000)
-    ('a second', '1.5 minutes', '2.5 hours')
-    """
-    if seconds < 1:
-        return "a second"
-    if seconds < 60:
-        return f"{seconds:.0f} s"
-    if seconds < 3600:
-        return f"{seconds / 60:.2g} minutes"
-    return f"{seconds / 3600:.3g} hours"

@@ -1,0 +1,31 @@
+"""Amounts as one says them: of bytes, of time."""
+
+from __future__ import annotations
+
+import math
+
+
+def size_text(length: float) -> str:
+    """Bytes as one says them.
+
+    >>> size_text(999), size_text(1.3e9)
+    ('999 bytes', '1.3 GB')
+    """
+    units = ("bytes", "kB", "MB", "GB", "TB", "PB", "EB")
+    power = min(int(math.log10(max(length, 1)) / 3), len(units) - 1)
+    return f"{length / 1000**power:.3g} {units[power]}"
+
+
+def duration_text(seconds: float) -> str:
+    """A duration as one says it.
+
+    >>> duration_text(0.2), duration_text(90), duration_text(9000)
+    ('a second', '1.5 minutes', '2.5 hours')
+    """
+    if seconds < 1:
+        return "a second"
+    if seconds < 60:
+        return f"{seconds:.0f} s"
+    if seconds < 3600:
+        return f"{seconds / 60:.2g} minutes"
+    return f"{seconds / 3600:.3g} hours"

@@ -1,0 +1,128 @@
+"""Speeds in as few free ones as the equations of a case leave, whatever is engaged.
+
+Mechanisms, and springs at mean speeds, are the same in every combination of shift elements:
+they are eliminated once. What is left are short rows, one for each element and each port.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from heapq import heapify, heappop, heappush
+from typing import NamedTuple
+
+import numpy as np
+
+from vstatics.model.transmission import HOUSING, Transmission
+from vstatics.numerics.arrays import Floats
+from vstatics.numerics.entries import FLOATS, Entry, Equation, Row, row_of
+from vstatics.numerics.traced import plain
+from vstatics.statics.matrix import columns
+
+Pair = tuple[int, int]
+"""Two links, whose difference of speeds is asked for; the housing is 0."""
+NOTHING: Entry = (0.0, 0.0)
+
+
+class SpeedForms(NamedTuple):
+    """Linear forms in the free speeds: differences of speeds of pairs of links."""
+
+    values: Floats
+    """(pairs, free speeds) [-]"""
+    sizes: Floats
+    """Of the same shape: what bounds the rounding of each value, see `numerics.entries`. [-]"""
+
+    @property
+    def free(self) -> int:
+        """The degrees of freedom of the train without its shift elements."""
+        return int(self.values.shape[-1])
+
+
+class _GivenSpeed(NamedTuple):
+    """An equation that gives the speed of a link by those of others."""
+
+    number: int
+    link: int
+    entry: Entry
+    others: Row
+
+
+class FreeSpeeds:
+    """The speeds that the mechanisms and springs of a case leave free, and all others by them.
+
+    Parameters
+    ----------
+    ratios : sequence of float, optional
+        In place of the internal ratios of the case. [-]
+
+    Examples
+    --------
+    >>> from vstatics import Gear, Mechanism, ShiftElement
+    >>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)], [Gear([1])])
+    >>> speeds = FreeSpeeds(case)
+    >>> speeds.free, speeds.forms([(1, 0), (3, 0)]).values
+    ([1, 2], array([[1.        , 0.        ],
+           [0.28571429, 0.71428571]]))
+    """
+
+    def __init__(self, case: Transmission, ratios: Sequence[float] | None = None) -> None:
+        """Eliminate what is the same in every combination."""
+        own = [mechanism.ratio for mechanism in case.mechanisms]
+        self._numbered: list[_GivenSpeed] = []
+        self._pivots: dict[int, _GivenSpeed] = {}
+        for column in columns(case, own if ratios is None else ratios)[len(case.shift_elements) :]:
+            self._eliminate(column)
+        links = range(1, case.links + 1)
+        self.free = [link for link in links if link not in self._pivots]
+        """Links."""
+
+    def _eliminate(self, equation: Equation) -> None:
+        """Let an equation give one of its speeds by the others."""
+        row = self._reduced(row_of(equation, FLOATS))
+        if row:
+            link = max(row, key=lambda one: (abs(row[one][0]), -one))
+            pivot = _GivenSpeed(len(self._numbered), link, row.pop(link), row)
+            self._numbered.append(pivot)
+            self._pivots[link] = pivot
+
+    def _reduced(self, row: Row) -> Row:
+        """A row without the links that others give, and without zeros.
+
+        No row of `_pivots` has the link of one before it: in their order each is met once.
+        """
+        left = {link: entry for link, entry in row.items() if entry[0]}
+        met = [self._pivots[link].number for link in left if link in self._pivots]
+        heapify(met)
+        while met:
+            pivot = self._numbered[heappop(met)]
+            if pivot.link not in left:
+                continue
+            factor = FLOATS.quotient(left.pop(pivot.link), pivot.entry)
+            for link, term in pivot.others.items():
+                if link not in left and link in self._pivots:
+                    heappush(met, self._pivots[link].number)
+                entry = FLOATS.less(left.pop(link, NOTHING), factor, term)
+                if entry[0]:
+                    left[link] = entry
+        return left
+
+    def forms(self, pairs: Sequence[Pair]) -> SpeedForms:
+        """Differences of speeds by the free ones."""
+        place = {link: index for index, link in enumerate(self.free)}
+        values = np.zeros((len(pairs), len(place)))
+        sizes = np.zeros_like(values)
+        by_link: dict[int, Row] = {HOUSING: {}}
+        for number, (first, second) in enumerate(pairs):
+            for link in (first, second):
+                if link not in by_link:
+                    by_link[link] = self._reduced({link: (1.0, 1.0)})
+            for link, (value, size) in _less(by_link[first], by_link[second]).items():
+                values[number, place[link]], sizes[number, place[link]] = float(plain(value)), size
+        return SpeedForms(values, sizes)
+
+
+def _less(one: Mapping[int, Entry], other: Mapping[int, Entry]) -> Row:
+    links = dict.fromkeys([*one, *other])
+    return {
+        link: FLOATS.less(one.get(link, NOTHING), (1.0, 0.0), other.get(link, NOTHING))
+        for link in links
+    }
