@@ -145,7 +145,8 @@ class Fixed(NamedTuple):
         """How many links stay where they are."""
         columns = np.arange(self.moved.shape[1])
         stays = (self.moved == columns) & (columns < self.links[:, np.newaxis])
-        return np.count_nonzero(stays, axis=1).astype(np.int64)
+        counted: npt.NDArray[np.int64] = stays.sum(axis=1, dtype=np.int64)
+        return counted
 
 
 def fixed(moves: Permutation) -> Fixed:
