@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator
 from itertools import combinations, permutations, product
+from pathlib import Path
 
 import pytest
 
@@ -12,6 +13,7 @@ from tests.oracle.schemes import KEPT, SUN_AND_RING, bodies, classes, connected,
 
 pytestmark = pytest.mark.slow  # nothing in them is the program's own
 Code = tuple[int, ...]
+PAGE = Path(__file__).parents[2] / "docs" / "synthesis.md"
 
 
 def subsets_of_links(sets: int, links: int) -> Iterator[tuple[frozenset[int], ...]]:
@@ -134,3 +136,24 @@ def listed_classes(sets: int, group: str, ports: bool, all_: bool) -> dict[int, 
             pairs = permutations(range(links), 2) if ports else [()]
             seen |= {(links, least(code, GROUPS[group], pair)) for pair in pairs}
     return dict(sorted(Counter(links for links, _ in seen).items()))
+
+
+def test_the_table_of_the_page() -> None:
+    """Counts of two to five sets, five only by what lists nothing."""
+    text = PAGE.read_text(encoding="utf-8")
+    lines = [line for line in text.splitlines() if line.startswith("| ")]
+    rows = {line.split("|")[1].strip(): line.split("|")[2:-1] for line in lines}
+    sizes = range(2, 6)
+
+    def printed(name: str) -> list[int]:
+        return [int(cell.replace(" ", "")) for cell in rows[name]]
+
+    enough = [sum(n for links, n in connected(sets).items() if links >= sets + 2) for sets in sizes]
+    assert printed("connected, N + 2 <= J <= 2 N + 1") == enough
+    assert printed("sound") == [sum(sound(sets).values()) for sets in sizes]
+    counted = [sum(classes(sets, all_=True).values()) for sets in sizes]
+    assert printed("connected, up to renaming of sets") == counted
+    counted = [sum(classes(sets).values()) for sets in sizes]
+    assert printed("sound, up to renaming of sets") == counted
+    counted = [sum(classes(sets, ports=True).values()) for sets in sizes]
+    assert printed("the same with input and output") == counted
