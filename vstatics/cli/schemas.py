@@ -7,7 +7,13 @@ import os
 import sys
 from typing import Any
 
-from vstatics.cli import problem_json, simulate_schemas, torsion_dump, torsion_schemas
+from vstatics.cli import (
+    problem_json,
+    simulate_schemas,
+    synth_schemas,
+    torsion_dump,
+    torsion_schemas,
+)
 from vstatics.explain import schema as explain
 from vstatics.flow import schema as flow
 from vstatics.readers.named import schema as case
@@ -26,6 +32,7 @@ def schemas() -> dict[str, dict[str, Any]]:
         "explain": explain.json_schema(),
         **torsion_schemas.json_schemas(),
         **simulate_schemas.json_schemas(),
+        **synth_schemas.json_schemas(),
         "dump": torsion_dump.json_schema(),
         "check": problem_json.json_schema(),
     }

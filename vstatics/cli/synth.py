@@ -6,7 +6,12 @@ import click
 
 from vstatics.cli.lazy_group import LazyGroup
 
-COMMANDS: dict[str, tuple[str, str]] = {}
+COMMANDS: dict[str, tuple[str, str]] = {
+    "combinations": (
+        "vstatics.cli.synth_combinations",
+        "What each combination of shift elements of a case does.",
+    ),
+}
 
 
 class SynthesisCommands(LazyGroup):

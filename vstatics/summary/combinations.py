@@ -74,8 +74,8 @@ def combinations(results: Results, at_most: int = MOST) -> list[Combination]:
     """
     case = results.case
     _check(case, at_most)
-    common = _shared([gear.drag for gear in case.gears])
-    open_drag = _shared([gear.open_drag for gear in case.gears])
+    common = shared([gear.drag for gear in case.gears])
+    open_drag = shared([gear.open_drag for gear in case.gears])
     gears = [Gear(engaged, drag=common, open_drag=open_drag) for engaged in _tried(case)]
     if not gears:
         return []
@@ -103,13 +103,19 @@ def _check(case: Transmission, at_most: int) -> None:
 def _tried(case: Transmission) -> Iterator[tuple[int, ...]]:
     """The sets that no gear engages, as numbers of elements."""
     numbers = [n for n, one in enumerate(case.shift_elements, 1) if not one.is_freewheel]
-    own = {frozenset(gear.engaged) for gear in case.gears if _is_plain(case, gear)}
+    own = {frozenset(gear.engaged) for gear in case.gears if is_plain(case, gear)}
     for size in _sizes(case):
         yield from (chosen for chosen in subsets(numbers, size) if frozenset(chosen) not in own)
 
 
-def _is_plain(case: Transmission, gear: Gear) -> bool:
-    """Whether a gear has the ports of the case, and no given speeds."""
+def is_plain(case: Transmission, gear: Gear) -> bool:
+    """Whether a gear has the ports of the case, and no given speeds.
+
+    >>> from vstatics.model.transmission import Mechanism
+    >>> case = Transmission(2, [], [Mechanism(1, 2, 0, -2.5)], [Gear(), Gear(input=2, output=1)])
+    >>> [is_plain(case, gear) for gear in case.gears]
+    [True, False]
+    """
     ports = case.gear_input(gear), case.gear_output(gear)
     return ports == (case.input, case.output) and not gear.speeds
 
@@ -118,11 +124,15 @@ def _comparable(results: Results) -> dict[str, float]:
     """Ratios of the gears that combinations can be compared with."""
     case = results.case
     pairs = zip(case.gears, results.ratio.tolist(), strict=True)
-    return {gear.name: ratio for gear, ratio in pairs if _is_plain(case, gear)}
+    return {gear.name: ratio for gear, ratio in pairs if is_plain(case, gear)}
 
 
-def _shared(by_gear: Sequence[Mapping[Key, float]]) -> dict[Key, float]:
-    """What all gears give alike."""
+def shared(by_gear: Sequence[Mapping[Key, float]]) -> dict[Key, float]:
+    """What all gears give alike.
+
+    >>> shared([{"F1": 0.5, "F2": 0.1}, {"F1": 0.5, "F2": 0.2}])
+    {'F1': 0.5}
+    """
     first, *others = by_gear
     return {
         key: value

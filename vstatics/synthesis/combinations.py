@@ -18,7 +18,7 @@ from vstatics.model.transmission import ShiftElement, Transmission
 from vstatics.numerics.arrays import Booleans, Floats
 from vstatics.summary.combinations import needed
 from vstatics.synthesis.controls import AUTO, controls, count_all
-from vstatics.synthesis.engaged_kinds import EngagedKinds, Indices, EngagedKind, engaged_kinds
+from vstatics.synthesis.engaged_kinds import EngagedKind, EngagedKinds, Indices, engaged_kinds
 from vstatics.synthesis.speed_forms import FreeSpeeds, SpeedForms
 
 MOST = 1_000_000
@@ -68,10 +68,21 @@ class EngagedSets(NamedTuple):
         for members, kind, ratio, free in zip(*(one.tolist() for one in columns), strict=True):
             yield EngagedSet([names[one] for one in members], words[kind], ratio, free)
 
+    def where(self, chosen: Booleans) -> EngagedSets:
+        """Some of them."""
+        return EngagedSets(
+            self.elements,
+            self.members[chosen],
+            self.kinds[chosen],
+            self.ratios[chosen],
+            self.free[chosen],
+        )
+
     @property
     def gears(self) -> Booleans:
         """(sets,), which have a ratio."""
-        return self.kinds >= EngagedKind.GEAR
+        have: Booleans = self.kinds >= EngagedKind.GEAR
+        return have
 
 
 class CombinationSearch:
@@ -97,7 +108,9 @@ class CombinationSearch:
         self.case = case
         self._asked = elements
         self.sizes = list(dict.fromkeys(engaged)) or [needed(case)]
-        self.choice = count_all(case) if list(elements) == [AUTO] else len(controls(case, elements))
+        self.are_own = list(elements) != [AUTO]
+        """Whether the elements are those of the case, or some of them."""
+        self.choice = len(controls(case, elements)) if self.are_own else count_all(case)
         """So many elements there are to choose from."""
         for size in engaged:
             if not 0 <= size <= self.choice:
@@ -129,14 +142,14 @@ class CombinationSearch:
         """Those to choose from."""
         return controls(self.case, self._asked)
 
-    def check(self, at_most: int = MOST) -> None:
-        """Refuse more combinations than these, or such large ones that memory would not do.
+    def check(self, at_most: int | None = MOST) -> None:
+        """Refuse more combinations than these, if any, or larger ones than memory has room for.
 
         Raises
         ------
         CaseError
         """
-        if self.count > at_most:
+        if at_most is not None and self.count > at_most:
             message = (
                 f"{self.choice} shift elements have {count_text(self.count)} combinations, more "
                 f"than the {at_most} that may be tried"
@@ -160,6 +173,14 @@ class CombinationSearch:
                 yield self._found(members)
                 if not size:
                     break
+
+    def some(self) -> list[EngagedSet]:
+        """The first combinations of each size."""
+        return [
+            one
+            for size in self.sizes
+            for one in self._found(_members(subsets(range(self.choice), size), size, 100)).each()
+        ]
 
     def seconds(self) -> float:
         """About how long all of them take, by a piece of them [s]."""

@@ -1,0 +1,226 @@
+"""`vstatics synth combinations`: which gears the shift elements of a case give."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import contextmanager
+from typing import TYPE_CHECKING
+
+import click
+
+from vstatics import readers
+from vstatics.cli import cases as arguments
+from vstatics.cli import files, formats, texts
+from vstatics.cli.amounts import duration_text, size_text
+from vstatics.cli.cases import CalculatedCase
+from vstatics.cli.exit_status import DONE, FAILED
+from vstatics.cli.formats import Destination, OutputOptions
+from vstatics.cli.progress import Advance, progress
+from vstatics.cli.synth_case_file import case_format, write_case, written_case
+from vstatics.cli.telling import Telling
+from vstatics.cli.torsion_case import file_name, one_text, problems_of
+from vstatics.errors import CaseError, ReadError, listed, of_file, printable
+
+if TYPE_CHECKING:
+    from vstatics.synthesis.combinations import CombinationSearch, EngagedSet, EngagedSets
+
+FRAME = '{"combinations": [\n', ",\n", "\n]}\n"
+"""Around the entries of JSON, and between them."""
+
+
+def _separate(asked: Iterable[str]) -> list[str]:
+    """Options that are given several times, or hold commas."""
+    return [one.strip() for text in asked for one in text.split(",")]
+
+
+def _sizes(_context: click.Context, _option: click.Parameter, asked: Sequence[str]) -> list[int]:
+    for one in _separate(asked):
+        if not (one.isascii() and one.isdigit() and len(one) <= 9):
+            message = f"read {one!r}, expected a whole number of elements, or several: 2,3"
+            raise click.BadParameter(message)
+    return list(dict.fromkeys(map(int, _separate(asked))))
+
+
+@click.command()
+@click.argument("case", type=click.Path())
+@click.option(
+    "--engaged",
+    multiple=True,
+    callback=_sizes,
+    metavar="K",
+    help="So many elements are engaged; several as 2,3. "
+    "[default: as many as leave one degree of freedom]",
+)
+@click.option(
+    "--elements",
+    multiple=True,
+    metavar="auto|NAME,...",
+    help="auto: all clutches and brakes that the scheme may have; else these of the case only.",
+)
+@click.option(
+    "--at-most",
+    type=click.IntRange(min=1),
+    default=1_000_000,
+    show_default=True,
+    metavar="N",
+    help="Try no more combinations than these.",
+)
+@click.option("--dry-run", is_flag=True, help="Only say how many, how large, how long.")
+@written_case
+@formats.options(*formats.TABLES)
+@arguments.input_format
+@arguments.telling
+def combinations(
+    case: str,
+    engaged: list[int],
+    elements: tuple[str, ...],
+    at_most: int,
+    dry_run: bool,
+    target: str | None,
+    wanted: OutputOptions,
+    input_format: readers.Format | None,
+    telling: Telling,
+) -> int:
+    """Tell what each combination of shift elements of CASE does; - is standard input.
+
+    All sets of exactly K elements, by the speeds of input and output that they allow:
+    blocked, the input can't turn; parking, the output stands; neutral, both turn
+    independently; gear, a fixed ratio; direct, 1 whatever the ratios of the
+    mechanisms. Free: other links are left undetermined. A freewheel counts as one
+    that holds.
+
+    With --elements auto the elements are a clutch between any two links and a brake
+    on any link but input and output; F-1-2 and T-3 are new ones, by their links.
+
+    \b
+    Examples:
+      vstatics synth combinations box.yaml
+      vstatics synth combinations box.yaml --engaged 1,2 -f json
+      vstatics synth combinations box.yaml --elements auto --write gears.yaml
+
+    \b
+    Exit status: 0 done; 1 the case is in error, no gear is there to write;
+    2 wrong use.
+    """
+    to = one_text(wanted, [case])
+    form = None if target is None else case_format(target, [case], to.output)
+    from vstatics.synthesis.combinations import CombinationSearch
+    from vstatics.synthesis.controls import AUTO, controls
+
+    reading = arguments.read_one(case, input_format, telling)
+    chosen = _chosen([one.name for one in reading.case.shift_elements], elements)
+    with _wrong_use("--elements"):
+        if chosen != [AUTO]:
+            controls(reading.case, chosen)
+    with problems_of(reading), _wrong_use("--engaged"):
+        search = CombinationSearch(reading.case, engaged, chosen)
+    with problems_of(reading):
+        search.check(None if dry_run else at_most)
+    if dry_run:
+        files.write_output(_estimate(search), None)
+        return FAILED if telling.fails(reading.warnings) else DONE
+    _told_freewheels(search, telling)
+    kept = target is None or form is None or _write(search, target, form, case, telling)
+    _show(search, case, to, telling)
+    return FAILED if not kept or telling.fails(reading.warnings) else DONE
+
+
+def _chosen(names: Sequence[str], asked: Iterable[str]) -> list[str]:
+    """Names of elements; a comma separates them unless it is in one of these."""
+    return [one for text in asked for one in ([text] if text in names else _separate([text]))]
+
+
+@contextmanager
+def _wrong_use(option: str) -> Iterator[None]:
+    """What is wrong with an option, not with the case."""
+    try:
+        yield
+    except CaseError as error:
+        if any(one.path for one in error.problems):
+            raise
+        message = error.problems[0].message
+        raise click.BadParameter(message, param_hint=option) from None
+
+
+def _told_freewheels(search: CombinationSearch, telling: Telling) -> None:
+    names = [element.name for element in search.elements if element.is_freewheel]
+    if names and telling.notes:
+        message = f"note: a freewheel counts as an element that holds: {listed(names)}"
+        files.say(f"{message}; --write keeps the gears in which they do")
+
+
+def _estimate(search: CombinationSearch) -> str:
+    """How many combinations, how large, about how long."""
+    from vstatics.synthesis.combinations import count_text
+
+    length = sum(len(line) for line in _lines(search.some())) / len(search.some())
+    lines = {
+        "elements": f"{search.choice}: {listed([one.name for one in search.elements])}",
+        "engaged": ", ".join(map(str, search.sizes)),
+        "combinations": count_text(search.count),
+        "size": f"about {size_text(length * search.count)} of JSON",
+        "time": f"about {duration_text(search.seconds())}",
+    }
+    return "".join(f"{name:12}  {printable(value)}\n" for name, value in lines.items())
+
+
+def _write(search: CombinationSearch, target: str, form: str, case: str, telling: Telling) -> bool:
+    """Write a case with the gears; whether all is kept."""
+    from vstatics.synthesis.found_gears import found_gears
+
+    try:
+        found = found_gears(search)
+    except CaseError as error:
+        message = f"{error.problems[0].message}; {target} is not written"
+        raise ReadError([of_file(file_name(case), message)]) from None
+    if found.slipping and telling.notes:
+        files.say(f"{target}: left out, as freewheels do not hold: {listed(found.slipping)}")
+    return write_case(found.case, target, form)
+
+
+def _show(search: CombinationSearch, case: str, to: Destination, telling: Telling) -> None:
+    """Write all combinations; JSON as they are found."""
+    with progress(
+        int(search.count), "combinations", beside_stdout=to.output is None, quiet=telling.quiet
+    ) as advance:
+        if to.form in ("json", "jsonl"):
+            with files.stream(to.output) as write:
+                for text in _json(search, advance, as_lines=to.form == "jsonl"):
+                    write(files.encoded(text))
+            return
+        from vstatics.synthesis.combination_grids import combination_grids
+
+        title = search.case.name or file_name(case)
+        found = (one for batch in _watched(search, advance) for one in batch.each())
+        shown = texts.CaseOutput([title], {}, lambda: combination_grids(found))
+        outcome = CalculatedCase(file_name(case), None, [])
+        files.write_data(
+            texts.alone(outcome, shown, texts.OutputForm(to.form, to.style)), to.output
+        )
+
+
+def _watched(search: CombinationSearch, advance: Advance) -> Iterator[EngagedSets]:
+    for batch in search.batches():
+        yield batch
+        advance(len(batch.members))
+
+
+def _json(search: CombinationSearch, advance: Advance, *, as_lines: bool) -> Iterator[str]:
+    """JSON piece by piece: a document, or a line for each combination."""
+    first, between, last = ("", "", "") if as_lines else FRAME
+    before = first
+    for batch in _watched(search, advance):
+        lines = _lines(batch.each())
+        if as_lines:
+            yield "".join(lines)
+            continue
+        yield before + between.join(f" {line[:-1]}" for line in lines)
+        before = between
+    yield last
+
+
+def _lines(found: Iterable[EngagedSet]) -> Iterator[str]:
+    """Combinations as lines of JSON."""
+    from vstatics.writers.plain_json import line, plain_data
+
+    return (line(plain_data(one)) for one in found)

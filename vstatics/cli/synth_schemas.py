@@ -1,0 +1,31 @@
+"""The JSON Schemas of what the commands of `vstatics synth` write."""
+
+from __future__ import annotations
+
+from vstatics.synthesis.combinations import EngagedSet
+from vstatics.synthesis.engaged_kinds import EngagedKind
+from vstatics.writers.record_schema import Schema, list_of, record, schema_of
+
+
+def json_schemas() -> dict[str, Schema]:
+    """By the name of each: the schemas of ``vstatics synth ... -f json``."""
+    return {"combinations": combinations_schema()}
+
+
+def combinations_schema() -> Schema:
+    """The schema of ``vstatics synth combinations -f json``."""
+    kinds: Schema = {"enum": [kind.word for kind in EngagedKind]}
+    return _schema(
+        "combinations",
+        "Combinations of shift elements, of vstatics synth combinations",
+        record({"combinations": list_of(schema_of(EngagedSet, kind=kinds))}),
+    )
+
+
+def _schema(name: str, title: str, document: Schema) -> Schema:
+    return {
+        "$schema": "https://json-schema.org/draft/2020-12/schema",
+        "$id": f"{name}.schema.json",
+        "title": title,
+        **document,
+    }

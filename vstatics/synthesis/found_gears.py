@@ -1,0 +1,123 @@
+"""The gears that combinations of shift elements give, as gears of a case."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from typing import NamedTuple
+
+from vstatics.errors import CaseError, Problem, listed
+from vstatics.model.transmission import Gear, ShiftElement, Transmission
+from vstatics.statics.solve import solve
+from vstatics.summary.combinations import is_plain, shared
+from vstatics.summary.design import is_same
+from vstatics.synthesis.combinations import CombinationSearch, EngagedSet
+
+MOST_GEARS = 5000
+"""So many gears may a case be written with."""
+
+
+class FoundGears(NamedTuple):
+    """A case with the gears that were found."""
+
+    case: Transmission
+    slipping: Sequence[str]
+    """Names of gears that are left out, as their freewheels would not hold."""
+
+
+def found_gears(search: CombinationSearch) -> FoundGears:
+    """The case of a search with all gears that its combinations give.
+
+    They stand from the largest ratio to the smallest, those of the other direction last. One
+    that the case has already, with its input and output and no given speeds, stays as it is;
+    a new one is called by its elements, ``F1+T3``, and has the drag that all gears share.
+
+    Raises
+    ------
+    CaseError
+        If there is none, or more than a case should have.
+
+    Examples
+    --------
+    >>> from vstatics import Mechanism
+    >>> case = Transmission(3, [ShiftElement(2), ShiftElement(1, 2)],
+    ...                     [Mechanism(1, 2, 3, -2.5)], [Gear([1], name="low")])
+    >>> [gear.name for gear in found_gears(CombinationSearch(case)).case.gears]
+    ['low', 'F2']
+    """
+    found: dict[frozenset[str], list[float]] = {}
+    wheels = {one.name for one in search.elements if one.is_freewheel}
+    for one in _with_ratio(search):
+        found.setdefault(frozenset(one.engaged) - wheels, []).append(one.ratio)
+        if len(found) > MOST_GEARS:
+            message = (
+                f"the combinations give more than {MOST_GEARS} gears, too many for a case; "
+                "expected fewer elements to choose from"
+            )
+            raise CaseError([Problem(message)])
+    if not found:
+        raise CaseError([Problem("no combination of shift elements gives a gear")])
+    case = search.case
+    elements = case.shift_elements if search.are_own else search.elements
+    gears = list(_gears(case, elements, found))
+    made = case.replace(shift_elements=elements, gears=gears)
+    if made.freewheels:
+        return _holding(made, list(found.values()))
+    return FoundGears(_ordered(made, gears, [ratio for [ratio] in found.values()]), [])
+
+
+def _with_ratio(search: CombinationSearch) -> Iterator[EngagedSet]:
+    for batch in search.batches():
+        yield from batch.where(batch.gears).each()
+
+
+def _ordered(case: Transmission, gears: Sequence[Gear], ratios: Sequence[float]) -> Transmission:
+    """The case with gears in the order of their ratios; digits of rounding do not decide."""
+
+    def place(index: int) -> tuple[bool, float]:
+        return ratios[index] < 0, -float(f"{abs(ratios[index]):.9e}")
+
+    return case.replace(gears=[gears[index] for index in sorted(range(len(gears)), key=place)])
+
+
+def _gears(
+    case: Transmission, elements: Sequence[ShiftElement], engaged: Iterable[frozenset[str]]
+) -> Iterator[Gear]:
+    """Gears that engage these; numbers are those of `elements`."""
+    number = {element.name: place for place, element in enumerate(elements, 1)}
+    old = {place: element.name for place, element in enumerate(case.shift_elements, 1)}
+
+    def renumbered(by_element: Mapping[int, float]) -> dict[int, float]:
+        pairs = ((old[place], value) for place, value in by_element.items())
+        return {number[name]: value for name, value in pairs if name in number}
+
+    drag = shared([gear.drag for gear in case.gears])
+    open_drag = renumbered(shared([gear.open_drag for gear in case.gears]))
+    own: dict[frozenset[str], Gear] = {}
+    for gear in case.gears:
+        if is_plain(case, gear):
+            own.setdefault(frozenset(old[place] for place in gear.engaged), gear)
+    taken = {gear.name for gear in own.values()}
+    for names in engaged:
+        chosen = sorted(number[name] for name in names)
+        if names in own:
+            gear = own[names]
+            yield gear._replace(engaged=chosen, open_drag=renumbered(gear.open_drag))
+            continue
+        name = "+".join(elements[place - 1].name for place in chosen) or "open"
+        while name in taken:
+            name += "'"
+        taken.add(name)
+        yield Gear(chosen, name=name, drag=drag, open_drag=open_drag)
+
+
+def _holding(case: Transmission, expected: Sequence[Sequence[float]]) -> FoundGears:
+    """The same without the gears whose freewheels do not hold as they should."""
+    found = list(zip(case.gears, solve(case).ratio.tolist(), expected, strict=True))
+    holds = [any(is_same(ratio, one) for one in expected) for _, ratio, expected in found]
+    slipping = [gear.name for (gear, *_), is_so in zip(found, holds, strict=True) if not is_so]
+    kept = [one for one, is_so in zip(found, holds, strict=True) if is_so]
+    if not kept:
+        message = f"the freewheels do not hold in any of the gears {listed(slipping)}"
+        raise CaseError([Problem(message)])
+    gears, ratios, _ = zip(*kept, strict=True)
+    return FoundGears(_ordered(case, gears, ratios), slipping)
