@@ -10,22 +10,16 @@ import click
 
 from vstatics import readers
 from vstatics.cli import cases as arguments
-from vstatics.cli import files, formats, texts
-from vstatics.cli.amounts import duration_text, size_text
-from vstatics.cli.cases import CalculatedCase
+from vstatics.cli import files, formats
 from vstatics.cli.exit_status import DONE, FAILED
-from vstatics.cli.formats import Destination, OutputOptions
-from vstatics.cli.progress import Advance, progress
+from vstatics.cli.formats import OutputOptions
 from vstatics.cli.synth_case_file import case_format, write_case, written_case
 from vstatics.cli.telling import Telling
 from vstatics.cli.torsion_case import file_name, one_text, problems_of
-from vstatics.errors import CaseError, ReadError, listed, of_file, printable
+from vstatics.errors import CaseError, ReadError, listed, of_file
 
 if TYPE_CHECKING:
-    from vstatics.synthesis.combinations import CombinationSearch, EngagedSet, EngagedSets
-
-FRAME = '{"combinations": [\n', ",\n", "\n]}\n"
-"""Around the entries of JSON, and between them."""
+    from vstatics.synthesis.combinations import CombinationSearch
 
 
 def _separate(asked: Iterable[str]) -> list[str]:
@@ -104,6 +98,7 @@ def combinations(
     """
     to = one_text(wanted, [case])
     form = None if target is None else case_format(target, [case], to.output)
+    from vstatics.cli.synth_combinations_output import check_room, estimate, show
     from vstatics.synthesis.combinations import CombinationSearch
     from vstatics.synthesis.controls import AUTO, controls
 
@@ -112,16 +107,17 @@ def combinations(
     with _wrong_use("--elements"):
         if chosen != [AUTO]:
             controls(reading.case, chosen)
-    with problems_of(reading), _wrong_use("--engaged"):
+    with problems_of(reading), _wrong_use("--engaged"), _hint("see --elements and --engaged"):
         search = CombinationSearch(reading.case, engaged, chosen)
-    with problems_of(reading):
+    with problems_of(reading), _hint("see --dry-run, --engaged, --elements and --at-most"):
         search.check(None if dry_run else at_most)
     if dry_run:
-        files.write_output(_estimate(search), None)
+        files.write_output(estimate(search), None)
         return FAILED if telling.fails(reading.warnings) else DONE
+    check_room(search, to)
     _told_freewheels(search, telling)
     kept = target is None or form is None or _write(search, target, form, case, telling)
-    _show(search, case, to, telling)
+    show(search, case, to, telling)
     return FAILED if not kept or telling.fails(reading.warnings) else DONE
 
 
@@ -142,26 +138,25 @@ def _wrong_use(option: str) -> Iterator[None]:
         raise click.BadParameter(message, param_hint=option) from None
 
 
+@contextmanager
+def _hint(hint: str) -> Iterator[None]:
+    """Say which options help with what is wrong with the case."""
+    try:
+        yield
+    except CaseError as error:
+        raise CaseError(
+            [
+                one._replace(message=f"{one.message}; {hint}") if one.path else one
+                for one in error.problems
+            ]
+        ) from None
+
+
 def _told_freewheels(search: CombinationSearch, telling: Telling) -> None:
     names = [element.name for element in search.elements if element.is_freewheel]
     if names and telling.notes:
         message = f"note: a freewheel counts as an element that holds: {listed(names)}"
         files.say(f"{message}; --write keeps the gears in which they do")
-
-
-def _estimate(search: CombinationSearch) -> str:
-    """How many combinations, how large, about how long."""
-    from vstatics.synthesis.combinations import count_text
-
-    length = sum(len(line) for line in _lines(search.some())) / len(search.some())
-    lines = {
-        "elements": f"{search.choice}: {listed([one.name for one in search.elements])}",
-        "engaged": ", ".join(map(str, search.sizes)),
-        "combinations": count_text(search.count),
-        "size": f"about {size_text(length * search.count)} of JSON",
-        "time": f"about {duration_text(search.seconds())}",
-    }
-    return "".join(f"{name:12}  {printable(value)}\n" for name, value in lines.items())
 
 
 def _write(search: CombinationSearch, target: str, form: str, case: str, telling: Telling) -> bool:
@@ -176,51 +171,3 @@ def _write(search: CombinationSearch, target: str, form: str, case: str, telling
     if found.slipping and telling.notes:
         files.say(f"{target}: left out, as freewheels do not hold: {listed(found.slipping)}")
     return write_case(found.case, target, form)
-
-
-def _show(search: CombinationSearch, case: str, to: Destination, telling: Telling) -> None:
-    """Write all combinations; JSON as they are found."""
-    with progress(
-        int(search.count), "combinations", beside_stdout=to.output is None, quiet=telling.quiet
-    ) as advance:
-        if to.form in ("json", "jsonl"):
-            with files.stream(to.output) as write:
-                for text in _json(search, advance, as_lines=to.form == "jsonl"):
-                    write(files.encoded(text))
-            return
-        from vstatics.synthesis.combination_grids import combination_grids
-
-        title = search.case.name or file_name(case)
-        found = (one for batch in _watched(search, advance) for one in batch.each())
-        shown = texts.CaseOutput([title], {}, lambda: combination_grids(found))
-        outcome = CalculatedCase(file_name(case), None, [])
-        files.write_data(
-            texts.alone(outcome, shown, texts.OutputForm(to.form, to.style)), to.output
-        )
-
-
-def _watched(search: CombinationSearch, advance: Advance) -> Iterator[EngagedSets]:
-    for batch in search.batches():
-        yield batch
-        advance(len(batch.members))
-
-
-def _json(search: CombinationSearch, advance: Advance, *, as_lines: bool) -> Iterator[str]:
-    """JSON piece by piece: a document, or a line for each combination."""
-    first, between, last = ("", "", "") if as_lines else FRAME
-    before = first
-    for batch in _watched(search, advance):
-        lines = _lines(batch.each())
-        if as_lines:
-            yield "".join(lines)
-            continue
-        yield before + between.join(f" {line[:-1]}" for line in lines)
-        before = between
-    yield last
-
-
-def _lines(found: Iterable[EngagedSet]) -> Iterator[str]:
-    """Combinations as lines of JSON."""
-    from vstatics.writers.plain_json import line, plain_data
-
-    return (line(plain_data(one)) for one in found)

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from vstatics.synthesis.combinations import EngagedSet
 from vstatics.synthesis.engaged_kinds import EngagedKind
+from vstatics.synthesis.engaged_sets import EngagedSet
 from vstatics.writers.record_schema import Schema, list_of, record, schema_of
 
 

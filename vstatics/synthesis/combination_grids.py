@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterable, Iterator
 
-from vstatics.synthesis.combinations import EngagedSet
 from vstatics.synthesis.engaged_kinds import EngagedKind
+from vstatics.synthesis.engaged_sets import EngagedSet
 from vstatics.tables.grid import Column, Grid, Row, exact, sign, text, whole, words
 
 

@@ -9,80 +9,29 @@ from collections.abc import Iterator, Sequence
 from functools import cached_property
 from itertools import chain, islice
 from itertools import combinations as subsets
-from typing import NamedTuple
 
 import numpy as np
 
 from vstatics.errors import CaseError, Problem, plural
 from vstatics.model.transmission import ShiftElement, Transmission
-from vstatics.numerics.arrays import Booleans, Floats
+from vstatics.numerics.arrays import Booleans
 from vstatics.summary.combinations import needed
 from vstatics.synthesis.controls import AUTO, controls, count_all
+from vstatics.synthesis.engaged_alone import kind_alone
 from vstatics.synthesis.engaged_kinds import EngagedKind, EngagedKinds, Indices, engaged_kinds
+from vstatics.synthesis.engaged_sets import EngagedSet, EngagedSets
 from vstatics.synthesis.speed_forms import FreeSpeeds, SpeedForms
 
 MOST = 1_000_000
 """So many combinations are tried unless more are asked for: about ten seconds."""
-ROOM = 2_000_000
+ROOM = 500_000
 """So many numbers have the rows of the combinations that are calculated together."""
 LARGEST = 20_000_000
 """So many numbers may have the rows of all elements."""
-DRAWS = 2
+DRAWS = 3
 """So many times the ratios of all mechanisms are drawn, to tell direct drives."""
 NEAR_ONE = 1e-6
 """Only ratios so near to 1 are looked at for it."""
-
-
-class EngagedSet(NamedTuple):
-    """A combination of shift elements, and what it does."""
-
-    engaged: Sequence[str]
-    """Their names; a freewheel among them holds."""
-    kind: str
-    """The word of a `EngagedKind`."""
-    ratio: float
-    """Input speed by output speed; NaN but for `gear` and `direct`. [-]"""
-    free: bool
-    """Whether a link besides input and output is left undetermined."""
-
-
-class EngagedSets(NamedTuple):
-    """Some combinations in their order, as arrays."""
-
-    elements: Sequence[ShiftElement]
-    """Those to choose from."""
-    members: Indices
-    """(sets, elements), indices of the engaged ones."""
-    kinds: Indices
-    """(sets,), numbers of `EngagedKind`."""
-    ratios: Floats
-    """(sets,), NaN where there is none. [-]"""
-    free: Booleans
-    """(sets,)"""
-
-    def each(self) -> Iterator[EngagedSet]:
-        """One by one."""
-        names = [element.name for element in self.elements]
-        words = [kind.word for kind in EngagedKind]
-        columns = (self.members, self.kinds, self.ratios, self.free)
-        for members, kind, ratio, free in zip(*(one.tolist() for one in columns), strict=True):
-            yield EngagedSet([names[one] for one in members], words[kind], ratio, free)
-
-    def where(self, chosen: Booleans) -> EngagedSets:
-        """Some of them."""
-        return EngagedSets(
-            self.elements,
-            self.members[chosen],
-            self.kinds[chosen],
-            self.ratios[chosen],
-            self.free[chosen],
-        )
-
-    @property
-    def gears(self) -> Booleans:
-        """(sets,), which have a ratio."""
-        have: Booleans = self.kinds >= EngagedKind.GEAR
-        return have
 
 
 class CombinationSearch:
@@ -122,7 +71,7 @@ class CombinationSearch:
         if not engaged and self.sizes[0] > self.choice:
             message = (
                 f"{self.sizes[0]} engaged elements leave one degree of freedom, but there are "
-                f"{self.choice} to choose from; expected --elements auto, or --engaged"
+                f"{self.choice} to choose from"
             )
             raise CaseError([Problem(message, ("shift_elements",))])
 
@@ -158,7 +107,7 @@ class CombinationSearch:
         if (self.choice + 3) * (self.case.links + 1) > LARGEST:
             message = (
                 f"{self.choice} shift elements between {self.case.links} links are too many for "
-                "the memory; expected some of them by --elements"
+                "the memory; expected some of them"
             )
             raise CaseError([Problem(message, ("shift_elements",))])
 
@@ -174,13 +123,10 @@ class CombinationSearch:
                 if not size:
                     break
 
-    def some(self) -> list[EngagedSet]:
+    def samples(self) -> Iterator[EngagedSets]:
         """The first combinations of each size."""
-        return [
-            one
-            for size in self.sizes
-            for one in self._found(_members(subsets(range(self.choice), size), size, 100)).each()
-        ]
+        for size in self.sizes:
+            yield self._found(_members(subsets(range(self.choice), size), size, 100))
 
     def seconds(self) -> float:
         """About how long all of them take, by a piece of them [s]."""
@@ -219,17 +165,21 @@ class CombinationSearch:
     def _found(self, members: Indices) -> EngagedSets:
         """What some combinations do."""
         found = engaged_kinds(self._forms, members)
-        kinds, ratios = found.kinds.astype(np.intp), found.ratios
+        kinds, ratios, free = found.kinds.astype(np.intp), found.ratios, found.free
+        for index in np.flatnonzero(found.doubtful):
+            engaged = [self.elements[one].links for one in members[index]]
+            kinds[index], ratios[index], free[index] = kind_alone(self.case, engaged)
         near = np.flatnonzero(abs(ratios - 1) < NEAR_ONE)
         for forms in self._drawn_forms if len(near) else ():
-            near = near[_is_one(engaged_kinds(forms, members[near]))]
+            near = near[_may_be_one(engaged_kinds(forms, members[near]))]
         kinds[near], ratios[near] = EngagedKind.DIRECT, 1.0
-        return EngagedSets(self.elements, members, kinds, ratios, found.free)
+        return EngagedSets(self.elements, members, kinds, ratios, free)
 
 
-def _is_one(found: EngagedKinds) -> Booleans:
+def _may_be_one(found: EngagedKinds) -> Booleans:
+    """Whether a ratio is 1; a set that loses digits says nothing."""
     is_one: Booleans = (found.kinds == EngagedKind.GEAR) & found.unity
-    return is_one
+    return is_one | found.doubtful
 
 
 def _members(chosen: Iterator[tuple[int, ...]], size: int, most: int) -> Indices:

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from vstatics.numerics.arrays import Booleans, Floats
 from vstatics.numerics.tolerances import REAL, ZERO
-from vstatics.synthesis.speed_forms import SpeedForms
+from vstatics.synthesis.speed_forms import KEPT, SpeedForms
 
 Indices = NDArray[np.intp]
 
@@ -51,6 +51,8 @@ class EngagedKinds(NamedTuple):
     """(sets,), whether links can turn while input and output stand."""
     unity: Booleans
     """(sets,), whether input and output turn alike, or both stand."""
+    doubtful: Booleans
+    """(sets,), whether too many digits are lost to believe this."""
 
 
 def engaged_kinds(forms: SpeedForms, members: Indices) -> EngagedKinds:
@@ -93,7 +95,8 @@ def engaged_kinds(forms: SpeedForms, members: Indices) -> EngagedKinds:
     with np.errstate(all="ignore"):
         ratios = np.where(kinds == EngagedKind.GEAR, 1 / by_input, np.nan)
     moving = rank + input_turns + apart
-    return EngagedKinds(kinds.astype(np.int8), ratios, moving < forms.free, unity)
+    free = moving < forms.free
+    return EngagedKinds(kinds.astype(np.int8), ratios, free, unity, rows.doubtful)
 
 
 class _SizedRows:
@@ -104,6 +107,7 @@ class _SizedRows:
         self.values = np.ascontiguousarray(np.moveaxis(forms.values[chosen], 2, 1))
         self.sizes = np.ascontiguousarray(np.moveaxis(forms.sizes[chosen], 2, 1))
         self.systems = np.arange(chosen.shape[1])
+        self.doubtful: Booleans = np.full(chosen.shape[1], forms.doubtful)
 
     def left(self, row: int) -> Booleans:
         """In which systems anything is left of a row."""
@@ -143,6 +147,8 @@ class _SizedRows:
         products = factors * mine
         sizes += of_factors * abs(mine) + abs(factors) * its_size
         larger = REAL * np.maximum(abs(values), abs(products))
+        lost = (sizes * (KEPT * REAL) > larger) & (larger > 0)
+        self.doubtful |= lost.any(axis=(0, 1))
         values -= products
         rounding = np.minimum(ZERO * sizes, larger)
         values[(abs(values) <= rounding) & (rounding < np.inf)] = 0.0

@@ -6,7 +6,7 @@ they are eliminated once. What is left are short rows, one for each element and 
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from heapq import heapify, heappop, heappush
 from typing import NamedTuple
 
@@ -14,13 +14,15 @@ import numpy as np
 
 from vstatics.model.transmission import HOUSING, Transmission
 from vstatics.numerics.arrays import Floats
-from vstatics.numerics.entries import FLOATS, Entry, Equation, Row, row_of
-from vstatics.numerics.traced import plain
+from vstatics.numerics.entries import EXACTLY_ONE, FLOATS, Entry, Equation, Row, row_of
+from vstatics.numerics.traced import absolute, plain
 from vstatics.statics.matrix import columns
 
 Pair = tuple[int, int]
 """Two links, whose difference of speeds is asked for; the housing is 0."""
 NOTHING: Entry = (0.0, 0.0)
+KEPT = 2.0**-12
+"""A number that is less than this part of its size has lost too many digits."""
 
 
 class SpeedForms(NamedTuple):
@@ -30,6 +32,8 @@ class SpeedForms(NamedTuple):
     """(pairs, free speeds) [-]"""
     sizes: Floats
     """Of the same shape: what bounds the rounding of each value, see `numerics.entries`. [-]"""
+    doubtful: bool
+    """Whether too many digits were lost to tell by them what is zero."""
 
     @property
     def free(self) -> int:
@@ -67,6 +71,7 @@ class FreeSpeeds:
     def __init__(self, case: Transmission, ratios: Sequence[float] | None = None) -> None:
         """Eliminate what is the same in every combination."""
         own = [mechanism.ratio for mechanism in case.mechanisms]
+        self.doubtful = False
         self._numbered: list[_GivenSpeed] = []
         self._pivots: dict[int, _GivenSpeed] = {}
         for column in columns(case, own if ratios is None else ratios)[len(case.shift_elements) :]:
@@ -100,10 +105,17 @@ class FreeSpeeds:
             for link, term in pivot.others.items():
                 if link not in left and link in self._pivots:
                     heappush(met, self._pivots[link].number)
-                entry = FLOATS.less(left.pop(link, NOTHING), factor, term)
+                entry = self._less(left.pop(link, NOTHING), factor, term)
                 if entry[0]:
                     left[link] = entry
         return left
+
+    def _less(self, entry: Entry, factor: Entry, term: Entry) -> Entry:
+        """``entry - factor * term``, with an eye on digits that are lost."""
+        less = FLOATS.less(entry, factor, term)
+        larger = max(absolute(entry[0]), absolute(factor[0] * term[0]))
+        self.doubtful |= bool(less[1] * KEPT > larger)
+        return less
 
     def forms(self, pairs: Sequence[Pair]) -> SpeedForms:
         """Differences of speeds by the free ones."""
@@ -115,14 +127,11 @@ class FreeSpeeds:
             for link in (first, second):
                 if link not in by_link:
                     by_link[link] = self._reduced({link: (1.0, 1.0)})
-            for link, (value, size) in _less(by_link[first], by_link[second]).items():
+            for link, (value, size) in self._difference(by_link[first], by_link[second]).items():
                 values[number, place[link]], sizes[number, place[link]] = float(plain(value)), size
-        return SpeedForms(values, sizes)
+        return SpeedForms(values, sizes, self.doubtful)
 
-
-def _less(one: Mapping[int, Entry], other: Mapping[int, Entry]) -> Row:
-    links = dict.fromkeys([*one, *other])
-    return {
-        link: FLOATS.less(one.get(link, NOTHING), (1.0, 0.0), other.get(link, NOTHING))
-        for link in links
-    }
+    def _difference(self, one: Row, other: Row) -> Row:
+        links = dict.fromkeys([*one, *other])
+        pairs = {link: (one.get(link, NOTHING), other.get(link, NOTHING)) for link in links}
+        return {link: self._less(*pair, EXACTLY_ONE) for link, pair in pairs.items()}
