@@ -51,7 +51,8 @@ def test_belaz_7516_as_published() -> None:
     found = combinations(belaz())
     assert len(found) == 15
     for one in found:
-        kind, ratio = BELAZ.get(tuple(one.engaged), ("parking", None))
+        first, second = one.engaged
+        kind, ratio = BELAZ.get((first, second), ("parking", None))
         assert (one.kind, one.free) == (kind, False), one
         assert one.ratio == pytest.approx(ratio, rel=1e-12) if ratio else one.ratio != one.ratio
 
