@@ -154,7 +154,7 @@ def _hint(hint: str) -> Iterator[None]:
 
 def _told_freewheels(search: CombinationSearch, telling: Telling) -> None:
     names = [element.name for element in search.elements if element.is_freewheel]
-    if names and telling.notes:
+    if names and not telling.quiet:
         message = f"note: a freewheel counts as an element that holds: {listed(names)}"
         files.say(f"{message}; --write keeps the gears in which they do")
 
@@ -168,6 +168,6 @@ def _write(search: CombinationSearch, target: str, form: str, case: str, telling
     except CaseError as error:
         message = f"{error.problems[0].message}; {target} is not written"
         raise ReadError([of_file(file_name(case), message)]) from None
-    if found.slipping and telling.notes:
+    if found.slipping and not telling.quiet:
         files.say(f"{target}: left out, as freewheels do not hold: {listed(found.slipping)}")
     return write_case(found.case, target, form)
