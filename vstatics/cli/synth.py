@@ -11,6 +11,7 @@ COMMANDS: dict[str, tuple[str, str]] = {
         "vstatics.cli.synth_combinations",
         "What each combination of shift elements of a case does.",
     ),
+    "fit": ("vstatics.cli.synth_fit", "Ratios of mechanisms for wanted ratios of gears."),
 }
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from typing import Any, TypeVar
@@ -16,6 +15,7 @@ from vstatics.cli import formats
 from vstatics.cli.cases import gear_number
 from vstatics.cli.exit_status import DONE, FAILED
 from vstatics.cli.formats import OutputOptions
+from vstatics.cli.named_values import named_values
 from vstatics.cli.telling import Telling
 from vstatics.cli.torsion_case import located, needs_scipy, one_text, problems_of, show
 from vstatics.errors import CaseError, ReadError
@@ -23,10 +23,6 @@ from vstatics.model.transmission import Gear
 from vstatics.readers.reading import Reading
 
 Command = TypeVar("Command", bound=Callable[..., Any])
-_ITEM = re.compile(
-    r'\s*(?:"(?P<quoted>(?:[^"]|"")+)"\s*|(?P<name>[^",=][^,=]*))=(?P<number>[^,=]*)'
-)
-"""A device with its decrement; a name in double quotes may have commas in it."""
 
 
 def _above_0(context: click.Context, parameter: click.Parameter, value: float | None) -> Any:
@@ -47,27 +43,22 @@ def _decrements(
     context: click.Context, parameter: click.Parameter, value: str
 ) -> Mapping[str, float]:
     """Decrements by devices, from `shaft=.03,damper=.2`."""
+    try:
+        items = named_values(value)
+    except ValueError as error:
+        raise click.BadParameter(str(error), context, parameter) from None
     found: dict[str, float] = {}
-    at = 0
-    while at <= len(value):
-        item = _ITEM.match(value, at)
-        if item is None or value[item.end() : item.end() + 1] not in ("", ","):
-            message = f"read {value[at : at + 40]!r}, expected NAME=NUMBER with commas between"
-            message += "; a name with commas in double quotes: '\"a, b\"=.2'"
-            raise click.BadParameter(message, context, parameter)
-        quoted = item["quoted"]
-        name = quoted.replace('""', '"') if quoted else item["name"].strip()
+    for name, text in items:
         try:
-            number = float(item["number"])
+            number = float(text)
         except ValueError:
             number = math.nan
         if not 0 <= number < math.inf:
-            message = f"{name}: read {item['number'].strip()!r}, expected a number of 0 or more"
+            message = f"{name}: read {text!r}, expected a number of 0 or more"
             raise click.BadParameter(message, context, parameter)
         if name in found:
             raise click.BadParameter(f"{name} is given twice", context, parameter)
         found[name] = number
-        at = item.end() + 1
     return found
 
 

@@ -84,7 +84,7 @@ def _of_spring(spring: Spring, body: Sequence[Body], fractions: Any) -> Row:
     """That of a spring, whose twist does not grow; its coefficients are numbers as typed."""
     sums: dict[Body, Fraction] = {}
     for link, part in spring.form.items():
-        sums[body[link]] = sums.get(body[link], Fraction(0)) + _as_typed(part)
+        sums[body[link]] = sums.get(body[link], Fraction(0)) + as_typed(part)
     least = ROUNDED * max(map(abs, spring.form.values()))
     return {
         one: fractions(total.numerator) / total.denominator
@@ -93,10 +93,10 @@ def _of_spring(spring: Spring, body: Sequence[Body], fractions: Any) -> Row:
     }
 
 
-def _as_typed(number: float) -> Fraction:
+def as_typed(number: float) -> Fraction:
     """The fraction that a person meant by a number.
 
-    >>> _as_typed(1 / 3), _as_typed(-4.1), _as_typed(0.95 - 1)
+    >>> as_typed(1 / 3), as_typed(-4.1), as_typed(0.95 - 1)
     (Fraction(1, 3), Fraction(-41, 10), Fraction(-1, 20))
     """
     short = Fraction(number).limit_denominator(1000)

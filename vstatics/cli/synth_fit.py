@@ -1,0 +1,227 @@
+"""`vstatics synth fit`: ratios of mechanisms for wanted ratios of gears."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import contextmanager
+from typing import Any, TypeVar
+
+import click
+
+from vstatics import readers
+from vstatics.cli import cases as arguments
+from vstatics.cli import files, formats
+from vstatics.cli.cases import CalculatedCase
+from vstatics.cli.exit_status import DONE, FAILED
+from vstatics.cli.formats import Destination, OutputOptions
+from vstatics.cli.named_values import named_values
+from vstatics.cli.synth_case_file import case_format, write_case, written_case
+from vstatics.cli.telling import Telling
+from vstatics.cli.texts import CaseOutput, OutputForm, alone
+from vstatics.cli.torsion_case import file_name, one_text, problems_of, tell
+from vstatics.errors import CaseError, Problem, of_file, quoted, spoken
+from vstatics.model.transmission import Transmission
+from vstatics.readers.named.arithmetic import calculated, expected
+from vstatics.readers.reading import Reading
+from vstatics.synthesis import fit as fitting
+from vstatics.synthesis.fit import Fit
+from vstatics.synthesis.fit_document import fit_document
+from vstatics.synthesis.fit_estimate import dry_document, dry_grids
+from vstatics.synthesis.fit_grids import fit_grids
+from vstatics.synthesis.fit_problem import fit_problem
+from vstatics.synthesis.fitted_case import fitted_case, lost_by_fit
+from vstatics.tables.grid import Grid
+from vstatics.writers import plain_json
+
+Value = TypeVar("Value")
+
+
+@click.command()
+@click.argument("case", type=click.Path())
+@click.option(
+    "--ratios",
+    multiple=True,
+    required=True,
+    metavar="GEAR=I,...",
+    help="What gears should have, such as 1=4.7,2=3.13,R=-3.3; a name with commas in double "
+    "quotes; may be given several times.",
+)
+@click.option(
+    "--bounds",
+    multiple=True,
+    metavar="MECHANISM=LOW:HIGH,...",
+    help="Between which numbers its ratio is looked for, or the one that it has; `all` for those "
+    "that are not named. Else it keeps its sign, and its size is up to 14, between moving links "
+    "on the same side of 1.",
+)
+@click.option(
+    "--weights",
+    multiple=True,
+    metavar="GEAR=W,...",
+    help="Weights of the squares of ln(i/wanted); 1 when not given.",
+)
+@click.option(
+    "--tolerance",
+    type=float,
+    default=fitting.TOLERANCE,
+    show_default=True,
+    metavar="T",
+    help="A ratio is met where |ln(i/wanted)| is no more.",
+)
+@click.option("--dry-run", is_flag=True, help="Only say what is varied, and what gears can have.")
+@written_case
+@formats.options(*formats.TABLES)
+@arguments.input_format
+@arguments.telling
+def fit(
+    case: str,
+    ratios: tuple[str, ...],
+    bounds: tuple[str, ...],
+    weights: tuple[str, ...],
+    tolerance: float,
+    dry_run: bool,
+    target: str | None,
+    wanted: OutputOptions,
+    input_format: readers.Format | None,
+    telling: Telling,
+) -> int:
+    """Find ratios of the mechanisms of CASE for wanted ratios of gears; - is standard input.
+
+    The sum of squares of ln(i/wanted) is least, within bounds; all solutions that differ are
+    found from many starts. The ratios of the case itself matter only for their signs, and where
+    the wanted ones leave a choice. Teeth are left out of account: a drawn element has the ratio
+    of its wheels, one of shared planets several, between its central wheels.
+
+    \b
+    Examples:
+      vstatics synth fit cases/belaz7516.yaml --ratios 2=4,4=2.01,5=1.4925,R2=-5.12
+      vstatics synth fit box.yaml --ratios 1=4.7,2=3.13 --bounds P1=-4:-1.5 -f json
+      vstatics synth fit box.yaml --ratios 1=4.7 --write fitted.yaml
+
+    \b
+    Exit status: 0 all wanted ratios are met; 1 some are not, or the case is in error;
+    2 wrong use, such as a ratio that the gear can't have.
+    """
+    to = one_text(wanted, [case])
+    form = "" if target is None else case_format(target, [case], to.output)
+    given = (
+        _of_option("ratios", ratios, "GEAR=RATIO", _number),
+        _of_option("bounds", bounds, "MECHANISM=LOW:HIGH", _pair),
+        _of_option("weights", weights, "GEAR=WEIGHT", _number),
+    )
+    reading = arguments.read_one(case, input_format, telling)
+    own = reading.case
+    with _told(reading):
+        if dry_run:
+            problem = fit_problem(own, *given, tolerance)
+        else:
+            found = fitting.fit(
+                own, given[0], bounds=given[1], weights=given[2], tolerance=tolerance
+            )
+    if dry_run:
+        _show(case, to, own.name, lambda: dry_grids(problem), lambda: dry_document(problem))
+        return DONE
+    notes = _notes(found, file_name(case))
+    tell(notes, telling, case)
+    kept = target is None or _write(own, found, target, form)
+    _show(case, to, own.name, lambda: fit_grids(found), lambda: fit_document(found))
+    fails = telling.fails([*reading.warnings, *notes])
+    return FAILED if found.unmet or not kept or fails else DONE
+
+
+def _write(case: Transmission, found: Fit, target: str, form: str) -> bool:
+    """Write the case with the ratios found; whether it keeps all of the other."""
+    lost = lost_by_fit(case)
+    kept = write_case(fitted_case(case, found.ratios), target, form)
+    for what in lost:
+        files.say(f"{target}: not kept: {what}")
+    return kept and not lost
+
+
+def _show(
+    file: str,
+    to: Destination,
+    name: str,
+    grids: Callable[[], Iterable[Grid]],
+    document: Callable[[], dict[str, Any]],
+) -> None:
+    """Write what there is of one case; the document in JSON has what it has, and no more."""
+    as_json = {
+        "json": lambda _: f"{plain_json.text(document())}\n",
+        "jsonl": lambda _: plain_json.line(document()),
+    }
+    shown = CaseOutput([name or file_name(file)], as_json, grids, document)
+    outcome = CalculatedCase(file_name(file), None, [])
+    files.write_data(alone(outcome, shown, OutputForm(to.form, to.style)), to.output)
+
+
+def _of_option(
+    option: str, texts: Sequence[str], shape: str, read: Callable[[str], Value]
+) -> dict[str, Value]:
+    """The values of an option by their names; it may be given several times.
+
+    Raises
+    ------
+    BadParameter
+    """
+    found: dict[str, Value] = {}
+    for text in texts:
+        try:
+            for name, value in named_values(text, shape):
+                if name in found:
+                    raise ValueError(f"{name} is given twice")  # noqa: TRY301
+                try:
+                    found[name] = read(value)
+                except ValueError as error:
+                    raise ValueError(f"{name}: read {quoted(value)}, {error}") from None
+        except ValueError as error:
+            raise click.BadParameter(str(error), param_hint=f"--{option}") from None
+    return found
+
+
+def _number(text: str) -> float:
+    """A number, or a calculation of one."""
+    number = calculated(text)
+    if number.behind:
+        raise ValueError(expected(text))
+    return number.value
+
+
+def _pair(text: str) -> tuple[float, float]:
+    """Both bounds, or the one number that both are."""
+    low, colon, high = text.partition(":")
+    try:
+        return _number(low), _number(high if colon else low)
+    except ValueError:
+        raise ValueError("expected LOW:HIGH, such as -4:-1.5, or one number") from None
+
+
+@contextmanager
+def _told(reading: Reading) -> Iterator[None]:
+    """Tell what can't be asked for as wrong use, what is wrong with the case at its place."""
+    try:
+        yield
+    except CaseError as error:
+        of_options = [one for one in error.problems if one.path[:1] and one.path[0] in _OPTIONS]
+        if not of_options:
+            with problems_of(reading):
+                raise
+        lines = [f"Invalid value for --{one.path[0]}: {one.message}" for one in of_options]
+        raise click.UsageError("\n".join(lines)) from None
+
+
+_OPTIONS = ("ratios", "bounds", "weights", "tolerance")
+
+
+def _notes(found: Fit, file: str) -> list[Problem]:
+    """What is not met, and what to know of the solution."""
+    notes = []
+    if found.unmet:
+        off = "infinitely" if math.isinf(found.residual) else f"up to {100 * found.residual:.3g} %"
+        notes.append(of_file(file, f"not met: {spoken(found.unmet)}, off by {off}"))
+    told = [*found.warnings]
+    if found.free:
+        choice = f"the wanted ratios leave a choice of {spoken(found.free)}"
+        told.append(f"{choice}: they are as near as may be to the case's own")
+    return notes + [of_file(file, one)._replace(severity="warning") for one in told]

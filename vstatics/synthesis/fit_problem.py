@@ -1,0 +1,201 @@
+"""What is asked of a fit, checked before anything is calculated at length."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from vstatics.errors import CaseError, Problem, plural
+from vstatics.explain.bodies import OwnLinks, on_own_links
+from vstatics.model.transmission import Transmission
+from vstatics.numerics.arrays import Floats
+from vstatics.statics.solve import solve
+from vstatics.statics.status import STATUSES
+from vstatics.summary.design import is_same
+from vstatics.synthesis.bounds import Bounds, bounds_of
+from vstatics.synthesis.gear_formula import GearFormula, gear_formula
+from vstatics.synthesis.ratio_arrays import reach
+
+
+class FitProblem(NamedTuple):
+    """Ratios wanted of gears, and the ratios of mechanisms that may be varied for them."""
+
+    own: OwnLinks
+    """The case on its own links, each freewheel as it is with the case's own ratios."""
+    formulas: Sequence[GearFormula]
+    """By gear; those that are too long are asked of none that is wanted."""
+    targets: Mapping[int, float]
+    """Index of a gear -> the ratio wanted [-]."""
+    weights: Mapping[int, float]
+    """Index of a gear -> weight of the square of its deviation [-]."""
+    bounds: Bounds
+    tolerance: float
+
+    @property
+    def fitted(self) -> list[int]:
+        """The gears whose ratios can be fitted: of those wanted, all that are no constants."""
+        return [index for index in self.targets if self.formulas[index].kind == "ratio"]
+
+    @property
+    def varied(self) -> list[int]:
+        """The indices of mechanisms that matter for what is wanted, and are not fixed."""
+        matter = {ratio for index in self.fitted for ratio in self.formulas[index].ratios}
+        return [index for index in sorted(matter) if not self.bounds.is_fixed(index)]
+
+    @property
+    def anchor(self) -> Floats:
+        """The case's own ratios, or the bounds nearest to them [-]."""
+        ratios = [mechanism.ratio for mechanism in self.own.case.mechanisms]
+        return np.clip(ratios, self.bounds.low, self.bounds.high)
+
+    def reach(self, index: int) -> tuple[float, float] | None:
+        """The least and the largest ratio of a gear within the bounds, where it has these [-]."""
+        formula = self.formulas[index]
+        if formula.kind == "constant":
+            return formula.constant, formula.constant
+        return reach(formula, np.array(self.bounds.low), np.array(self.bounds.high))
+
+
+def fit_problem(
+    case: Transmission,
+    ratios: Mapping[str, float],
+    bounds: Mapping[str, tuple[float, float]],
+    weights: Mapping[str, float],
+    tolerance: float,
+) -> FitProblem:
+    """What is asked, by `fit`, in numbers.
+
+    Raises
+    ------
+    CaseError
+        With all that can't be; each problem's path begins with the argument that it is about.
+    """
+    own = on_own_links(case)
+    if case.freewheels:
+        own = own._replace(case=solve(own.case).with_freewheels_engaged)
+    problems: list[Problem] = []
+    if not 0 < tolerance < math.inf:
+        message = f"read {tolerance:g}, expected a number above 0"
+        problems.append(Problem(message, ("tolerance",)))
+    limits = None
+    try:
+        limits = bounds_of(own, bounds)
+    except CaseError as error:
+        problems += error.problems
+    targets, wrong = _by_gear(case, "ratios", ratios)
+    problems += wrong
+    weighted, wrong = _by_gear(case, "weights", weights)
+    problems += [*wrong, *_wrong_numbers(case, targets, weighted)]
+    if not ratios:
+        problems.append(Problem("expected a ratio for one gear at least", ("ratios",)))
+    if limits is None or problems:
+        raise CaseError(problems)
+    fixed = {n: low for n, low in enumerate(limits.low) if limits.is_fixed(n)}
+    formulas = [_formula(own, index, fixed, targets) for index in range(len(case.gears))]
+    made = FitProblem(own, formulas, targets, weighted, limits, tolerance)
+    problems = [one for index in targets for one in _impossible(made, index)]
+    if problems:
+        raise CaseError(problems)
+    return made
+
+
+def _formula(
+    own: OwnLinks, index: int, fixed: Mapping[int, float], targets: Mapping[int, float]
+) -> GearFormula:
+    """The formula of a gear; of a gear that nobody asked for one that is too long is none.
+
+    Raises
+    ------
+    CaseError
+        If it is too long.
+    """
+    try:
+        return gear_formula(own, own.case.gears[index], fixed)
+    except CaseError as error:
+        if index not in targets:
+            return GearFormula("too long", {}, {})
+        raise CaseError(
+            [one._replace(path=("gears", index + 1)) for one in error.problems]
+        ) from None
+
+
+def _by_gear(
+    case: Transmission, argument: str, given: Mapping[str, float]
+) -> tuple[dict[int, float], list[Problem]]:
+    """Numbers by the index of the gear, and names that are none."""
+    found: dict[int, float] = {}
+    problems = []
+    unknown = 0
+    for name, number in given.items():
+        try:
+            index = case.gear_number(name) - 1
+        except ValueError as error:
+            problems.append(Problem(str(error), (argument, name)))
+            unknown += 1
+            continue
+        if index in found:
+            message = f"gear {case.gears[index].name} is given twice"
+            problems.append(Problem(message, (argument, name)))
+        found[index] = float(number)
+    if unknown and len(given) > len(case.gears):
+        count = len(case.gears)
+        message = f"{len(given)} are wanted, and the case has {count} {plural('gear', count)}"
+        problems.append(Problem(message, (argument,)))
+    return found, problems
+
+
+def _wrong_numbers(
+    case: Transmission, targets: Mapping[int, float], weights: Mapping[int, float]
+) -> Iterator[Problem]:
+    for index, target in targets.items():
+        if target == 0 or not math.isfinite(target):
+            message = f"gear {case.gears[index].name}: read {target:g}, expected a finite ratio"
+            yield Problem(f"{message} other than 0", ("ratios", index))
+    for index, weight in weights.items():
+        name = case.gears[index].name
+        if index not in targets:
+            yield Problem(f"gear {name}: no ratio is wanted of it", ("weights", index))
+        if not 0 < weight < math.inf:
+            message = f"gear {name}: read {weight:g}, expected a weight above 0"
+            yield Problem(message, ("weights", index))
+
+
+def _impossible(problem: FitProblem, index: int) -> Iterator[Problem]:
+    """Why a gear can't have a ratio at all, or none of the sign that is wanted."""
+    name, target = problem.own.case.gears[index].name, problem.targets[index]
+    formula, path = problem.formulas[index], ("ratios", index)
+    status = {one.name: one for one in STATUSES}.get(formula.kind)
+    if status is not None:
+        yield Problem(f"gear {name} has no ratio: {status.meaning}", path)
+        return
+    if formula.kind == "constant" and _is_constant(problem, index):
+        if not is_same(formula.constant, target):
+            constant = f"gear {name}: read {target:g}, but its ratio is {formula.constant:g}"
+            yield Problem(f"{constant} whatever the ratios of the mechanisms are", path)
+        return
+    limits = problem.reach(index)
+    if limits is not None and (limits[1] <= 0 < target or target < 0 <= limits[0]):
+        expected = "below" if target > 0 else "above"
+        read = f"gear {name}: read {target:g}, but {reach_text(*limits)}"
+        message = f"{read}: expected a ratio {expected} 0"
+        yield Problem(message, path)
+
+
+def reach_text(low: float, high: float) -> str:
+    """What a gear can have, in words.
+
+    >>> reach_text(2.5, 5.0), reach_text(5.0, 5.0)
+    ('within the bounds its ratio is 2.5 to 5', 'within the bounds its ratio is 5')
+    """
+    several = f" to {high:.4g}" if high != low else ""
+    return f"within the bounds its ratio is {low:.4g}{several}"
+
+
+def _is_constant(problem: FitProblem, index: int) -> bool:
+    """Whether a gear has one ratio also where none of a mechanism is given."""
+    own = problem.own
+    fixed = {n: one.ratio for n, one in enumerate(own.case.mechanisms) if own.is_fixed(n)}
+    return gear_formula(own, own.case.gears[index], fixed).kind == "constant"

@@ -1,0 +1,107 @@
+"""Least squares within bounds, from many starts at once."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import NamedTuple
+
+import numpy as np
+
+from vstatics.numerics.arrays import Booleans, Floats, Integers
+
+STEPS = 300
+"""So many steps a start may take."""
+NONE = 1e-30
+"""Squares whose sum is below this are rounding."""
+STILL = 1e-13
+"""A step is nothing below this, and no step helps where the damping is the inverse of it."""
+ROUNDED = 1e-14
+"""By this part a sum of squares may grow: so near to its minimum it says nothing more, but
+steps still lead there."""
+LAST = 10
+"""So many such steps are taken."""
+FARTHEST = 1.0
+"""No unknown changes by more in a step: their logarithms are asked for."""
+
+Residuals = Callable[[Floats, Integers], tuple[Floats, Floats]]
+"""Unknowns (some starts, unknowns), indices of these starts -> residuals (some starts, residuals),
+their derivatives by the unknowns; NaN where there are none."""
+
+
+class Minima(NamedTuple):
+    """Where each start came to."""
+
+    unknowns: Floats
+    """(starts, unknowns)."""
+    squares: Floats
+    """(starts,): the sum of squares; infinite where the start has none."""
+    settled: Booleans
+    """(starts,): whether it is a minimum."""
+
+
+def minimize(residuals: Residuals, starts: Floats, low: Floats, high: Floats) -> Minima:
+    """Go from each start to a minimum of the sum of squares.
+
+    By the method of Levenberg and Marquardt. An unknown that stands at a bound, and would leave,
+    takes no part in a step; a step ends at the bounds.
+
+    Parameters
+    ----------
+    residuals : callable
+    starts, low, high : ndarray, shape (starts, unknowns)
+
+    Examples
+    --------
+    ``x^2 = 4`` from both sides, and where 2 is out of bounds:
+
+    >>> def square(x, starts):
+    ...     return x**2 - 4, 2 * x[:, :, np.newaxis]
+    >>> low, high = np.array([[-9.0], [0.0], [0.0]]), np.array([[0.0], [9.0], [1.5]])
+    >>> minimize(square, np.array([[-1.0], [1.0], [1.0]]), low, high).unknowns.round(9)
+    array([[-2. ],
+           [ 2. ],
+           [ 1.5]])
+    """
+    with np.errstate(all="ignore"):
+        return _minimized(residuals, starts.copy(), low, high)
+
+
+def _minimized(residuals: Residuals, unknowns: Floats, low: Floats, high: Floats) -> Minima:
+    count = unknowns.shape[1]
+    squares = _squares(residuals(unknowns, np.arange(len(unknowns)))[0])
+    settled = np.zeros(len(unknowns), np.bool_)
+    damping = np.full(len(unknowns), 1e-2)
+    flat = np.zeros(len(unknowns), np.int64)
+    going = np.flatnonzero(np.isfinite(squares))
+    for _ in range(STEPS):
+        if not len(going):
+            break
+        here, least, most = unknowns[going], low[going], high[going]
+        values, slopes = residuals(here, going)
+        downhill = -np.einsum("srk,sr->sk", slopes, values)
+        free = ~((here <= least) & (downhill < 0) | (here >= most) & (downhill > 0))
+        downhill = np.where(free, downhill, 0.0)
+        normal = np.einsum("srk,srl->skl", slopes, slopes)
+        normal *= free[:, :, np.newaxis] & free[:, np.newaxis, :]
+        scale = np.maximum(normal.max(axis=(1, 2)), 1e-300)
+        diagonal = damping[going, np.newaxis] * scale[:, np.newaxis] + ~free
+        normal[:, range(count), range(count)] += diagonal
+        step = np.linalg.solve(normal, downhill[:, :, np.newaxis])[:, :, 0]
+        there = np.clip(here + np.clip(step, -FARTHEST, FARTHEST), least, most)
+        reached = _squares(residuals(there, going)[0])
+        better = reached <= squares[going] * (1 + ROUNDED)
+        flat[going] += better & (reached >= squares[going] * (1 - ROUNDED))
+        unknowns[going[better]] = there[better]
+        squares[going[better]] = reached[better]
+        damping[going] *= np.where(better, 0.1, 8.0)
+        np.maximum(damping, 1e-14, out=damping)
+        stays = np.abs(there - here).max(axis=1) <= STILL
+        done = (squares[going] < NONE) | stays | (damping[going] > 1 / STILL) | (flat[going] > LAST)
+        settled[going[done]] = True
+        going = going[~done]
+    return Minima(unknowns, squares, settled)
+
+
+def _squares(values: Floats) -> Floats:
+    found = np.square(values).sum(axis=1)
+    return np.where(np.isfinite(found), found, np.inf)

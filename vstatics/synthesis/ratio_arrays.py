@@ -1,0 +1,151 @@
+"""Ratios of gears and how they change, from their formulas, on arrays of ratios of mechanisms."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import product
+from typing import NamedTuple
+
+import numpy as np
+
+from vstatics.numerics.arrays import Booleans, Floats
+from vstatics.synthesis.gear_formula import GearFormula
+from vstatics.synthesis.multilinear import Polynomial, bits
+
+MOST_CORNERS = 2**12
+"""So many corners of bounds are looked at: those of 12 ratios."""
+
+
+class RatioArrays(NamedTuple):
+    """The formulas of some gears as arrays.
+
+    Examples
+    --------
+    >>> from fractions import Fraction
+    >>> one = Fraction(1)
+    >>> low = GearFormula("ratio", {0: one, 1: -one}, {0: one})
+    >>> arrays = ratio_arrays([low], 1)
+    >>> arrays.ratios(np.array([[-2.5], [-3.0]]))
+    array([[3.5],
+           [4. ]])
+    >>> arrays.sensitivities(np.array([[-2.5]])).round(4)
+    array([[[0.7143]]])
+    """
+
+    powers: Booleans
+    """(products, mechanisms): which ratios a product has."""
+    above: Floats
+    """(products, gears)."""
+    below: Floats
+
+    def ratios(self, of_mechanisms: Floats) -> Floats:
+        """The ratios of the gears.
+
+        Parameters
+        ----------
+        of_mechanisms : ndarray, shape (variants, mechanisms)
+            [-]
+
+        Returns
+        -------
+        ndarray, shape (variants, gears)
+            Not finite where the output stands. [-]
+        """
+        products = self._products(of_mechanisms)
+        with np.errstate(all="ignore"):
+            found: Floats = (products @ self.above) / (products @ self.below)
+        return found
+
+    def sensitivities(self, of_mechanisms: Floats) -> Floats:
+        """Relative sensitivities ``(u/i) di/du`` of the gears.
+
+        Parameters
+        ----------
+        of_mechanisms : ndarray, shape (variants, mechanisms)
+            [-]
+
+        Returns
+        -------
+        ndarray, shape (variants, gears, mechanisms)
+            [-]
+        """
+        products = self._products(of_mechanisms)
+        with np.errstate(all="ignore"):
+            found: Floats = self._part(products, self.above) - self._part(products, self.below)
+        return found
+
+    def _products(self, of_mechanisms: Floats) -> Floats:
+        """(variants, products)."""
+        factors = np.where(self.powers, of_mechanisms[:, np.newaxis, :], 1.0)
+        found: Floats = factors.prod(axis=-1)
+        return found
+
+    def _part(self, products: Floats, factors: Floats) -> Floats:
+        """``(u/p) dp/du`` of each polynomial p: its products with u by all of them."""
+        count, mechanisms = self.powers.shape
+        with_ratio = factors[:, :, np.newaxis] * self.powers[:, np.newaxis, :]
+        parts = products @ with_ratio.reshape(count, -1)
+        shaped = parts.reshape(len(products), factors.shape[1], mechanisms)
+        found: Floats = shaped / (products @ factors)[:, :, np.newaxis]
+        return found
+
+
+def ratio_arrays(formulas: Sequence[GearFormula], mechanisms: int) -> RatioArrays:
+    """The formulas of some gears, which all have a ratio, as arrays."""
+    places: dict[int, int] = {}
+    for formula in formulas:
+        for ratios in (*formula.above, *formula.below):
+            places.setdefault(ratios, len(places))
+    powers = np.zeros((len(places), mechanisms), np.bool_)
+    for ratios, place in places.items():
+        powers[place, bits(ratios)] = True
+    above = _factors([formula.above for formula in formulas], places)
+    return RatioArrays(powers, above, _factors([formula.below for formula in formulas], places))
+
+
+def _factors(polynomials: Sequence[Polynomial], places: dict[int, int]) -> Floats:
+    factors = np.zeros((len(places), len(polynomials)))
+    for gear, polynomial in enumerate(polynomials):
+        for ratios, coefficient in polynomial.items():
+            factors[places[ratios], gear] = float(coefficient)
+    return factors
+
+
+def reach(formula: GearFormula, low: Floats, high: Floats) -> tuple[float, float] | None:
+    """The least and the largest ratio of a gear while those of mechanisms are within bounds.
+
+    Each polynomial is linear in each ratio, so it has its least and largest values at corners of
+    the bounds. Where the lower one keeps its sign, the quotient grows or falls with each ratio all
+    the way, and so has them there, too.
+
+    Parameters
+    ----------
+    formula : GearFormula
+    low, high : ndarray, shape (mechanisms,)
+        Bounds of the ratios of mechanisms. [-]
+
+    Returns
+    -------
+    tuple of float, optional
+        None where the output may stand, so that the ratio has no bounds, or has too many corners.
+
+    Examples
+    --------
+    >>> from fractions import Fraction
+    >>> one = Fraction(1)
+    >>> low = GearFormula("ratio", {0: one, 1: -one}, {0: one})
+    >>> reach(low, np.array([-4.0]), np.array([-1.5]))
+    (2.5, 5.0)
+    """
+    varied = [index for index in formula.ratios if low[index] < high[index]]
+    if 2 ** len(varied) > MOST_CORNERS:
+        return None
+    corners = np.tile(low, (2 ** len(varied), 1))
+    corners[:, varied] = list(product(*([low[index], high[index]] for index in varied)))
+    arrays = ratio_arrays([formula], len(low))
+    products = arrays._products(corners)  # noqa: SLF001
+    below = (products @ arrays.below)[:, 0]
+    if not ((below > 0).all() or (below < 0).all()):
+        return None
+    found = (products @ arrays.above)[:, 0] / below
+    return float(found.min()), float(found.max())
