@@ -10,8 +10,8 @@ import pytest
 from tests.commands import CASES
 from vstatics import Gear, Mechanism, ShiftElement, Spring, Transmission, load
 from vstatics.errors import CaseError
-from vstatics.synthesis import combinations as searched
-from vstatics.synthesis.combinations import CombinationSearch, combinations
+from vstatics.synthesis import combinations
+from vstatics.synthesis.combinations import CombinationSearch
 from vstatics.synthesis.engaged_alone import kind_alone
 from vstatics.synthesis.engaged_sets import EngagedSet
 
@@ -213,7 +213,7 @@ def test_names_that_would_be_the_same_are_numbers() -> None:
 def test_batches_do_not_matter(monkeypatch: pytest.MonkeyPatch) -> None:
     expected = combinations(belaz(), [0, 1, 2, 3], "auto")
     assert [len(set(one.engaged)) for one in expected].count(3) == 2600
-    monkeypatch.setattr(searched, "ROOM", 700)
+    monkeypatch.setattr(CombinationSearch, "_room", lambda *_: 7)
     again = combinations(belaz(), [0, 1, 2, 3], "auto")
     assert list(map(str, again)) == list(map(str, expected))
 
@@ -259,3 +259,6 @@ def test_counts_that_nobody_writes_out() -> None:
         combinations(case, elements="auto")
     with pytest.raises(CaseError, match="too many for the memory"):
         CombinationSearch(case, [1], ["auto"]).check(10**6)
+    brakes = [ShiftElement(link) for link in range(2, 999)]
+    with pytest.raises(CaseError, match="too many for an hour"):
+        CombinationSearch(case.replace(shift_elements=brakes), [996]).check(10**6)

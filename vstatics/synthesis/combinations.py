@@ -30,6 +30,8 @@ LARGEST = 20_000_000
 """So many numbers may have the rows of all elements."""
 DRAWS = 3
 """So many times the ratios of all mechanisms are drawn, to tell direct drives."""
+WORK = 30_000
+"""So many steps of elimination a combination may take for each that may be tried, on average."""
 NEAR_ONE = 1e-6
 """Only ratios so near to 1 are looked at for it."""
 
@@ -104,12 +106,19 @@ class CombinationSearch:
                 f"than the {at_most} that may be tried"
             )
             raise CaseError([Problem(message, ("shift_elements",))])
-        if (self.choice + 3) * (self.case.links + 1) > LARGEST:
+        room = (self.choice + 3) * (self.case.links + 1)
+        if room > LARGEST or self._work() > WORK * (at_most or math.inf):
+            lacking = "the memory" if room > LARGEST else "an hour"
             message = (
                 f"{self.choice} shift elements between {self.case.links} links are too many for "
-                "the memory; expected some of them"
+                f"{lacking}; expected some of them, or fewer to engage"
             )
             raise CaseError([Problem(message, ("shift_elements",))])
+
+    def _work(self) -> float:
+        """How many steps of elimination there are, about."""
+        free = needed(self.case) + 1
+        return sum(size * (size + 3) * free * self._count(size) for size in self.sizes)
 
     def batches(self) -> Iterator[EngagedSets]:
         """All combinations in the order of the elements, some thousands at a time."""
