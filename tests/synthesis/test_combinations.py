@@ -211,10 +211,10 @@ def test_names_that_would_be_the_same_are_numbers() -> None:
 
 
 def test_batches_do_not_matter(monkeypatch: pytest.MonkeyPatch) -> None:
-    expected = combinations(belaz(), [0, 1, 2, 3], "auto")
-    assert [len(set(one.engaged)) for one in expected].count(3) == 2600
-    monkeypatch.setattr(CombinationSearch, "_room", lambda *_: 7)
-    again = combinations(belaz(), [0, 1, 2, 3], "auto")
+    expected = combinations(belaz(), [0, 1, 2], "auto")
+    assert [len(set(one.engaged)) for one in expected].count(2) == 325
+    monkeypatch.setattr(CombinationSearch, "_room", lambda *_: 50)
+    again = combinations(belaz(), [0, 1, 2], "auto")
     assert list(map(str, again)) == list(map(str, expected))
 
 
@@ -252,13 +252,13 @@ def test_more_than_there_are() -> None:
 
 
 def test_counts_that_nobody_writes_out() -> None:
-    """1000 links have half a million pairs: nothing of that size is made before it is refused."""
-    sets = [Mechanism(2 * n - 1, 2 * n, 2 * n + 1, -2) for n in range(1, 500)]
-    case = Transmission(999, [], sets, [Gear()])
+    """399 links have 80 thousand pairs: nothing of that size is made before it is refused."""
+    sets = [Mechanism(2 * n - 1, 2 * n, 2 * n + 1, -2) for n in range(1, 200)]
+    case = Transmission(399, [], sets, [Gear()])
     with pytest.raises(CaseError, match="more than 1e\\+200 combinations"):
         combinations(case, elements="auto")
     with pytest.raises(CaseError, match="too many for the memory"):
         CombinationSearch(case, [1], ["auto"]).check(10**6)
-    brakes = [ShiftElement(link) for link in range(2, 999)]
+    brakes = [ShiftElement(link) for link in range(2, 399)]
     with pytest.raises(CaseError, match="too many for an hour"):
-        CombinationSearch(case.replace(shift_elements=brakes), [996]).check(10**6)
+        CombinationSearch(case.replace(shift_elements=brakes), [396]).check(1000)
