@@ -1,0 +1,196 @@
+"""Many schemes as rows of an array: how sets are added to them, and which of them are sound.
+
+A row holds the links of sun, carrier and ring of each set in turn, numbered in the order in
+which they appear (a restricted growth string). Its first sets are such a row too, so rows of
+one set more grow from them, and what is unsound in a row stays so in all that grow from it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import cache
+from itertools import permutations, product
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+Bits = NDArray[np.uint64]
+Codes = NDArray[np.uint8]
+"""Schemes by rows, shape (schemes, 3*sets)."""
+MEMBERS = 3
+"""Sun, carrier and ring of a set."""
+LEAST_MOBILITY = 2
+"""Links less sets of every group of sets: with fewer it is one body."""
+
+
+def first_codes() -> Codes:
+    """The one scheme of one set.
+
+    >>> first_codes()
+    array([[0, 1, 2]], dtype=uint8)
+    """
+    return np.arange(MEMBERS, dtype=np.uint8)[np.newaxis]
+
+
+def link_counts(codes: Codes) -> NDArray[np.intp]:
+    """The number of links of each scheme, shape (schemes,).
+
+    >>> link_counts(first_codes())
+    array([3])
+    """
+    return codes.max(axis=1).astype(np.intp) + 1
+
+
+@cache
+def next_sets(links: int, *, apart: bool) -> Codes:
+    """The links that a further set may have, in ascending order, shape (choices, 3).
+
+    Parameters
+    ----------
+    links : int
+        Of the scheme so far.
+    apart : bool
+        Whether it may share none of them.
+
+    Examples
+    --------
+    >>> len(next_sets(3, apart=False)), next_sets(3, apart=True)[-1]
+    (33, array([3, 4, 5], dtype=uint8))
+    """
+    new = links, links + 1, links + 2
+    found = []
+    for chosen in product(range(links + 1), repeat=MEMBERS):
+        fresh = iter(new)
+        one = tuple(next(fresh) if link == links else link for link in chosen)
+        if len(set(one)) == MEMBERS and (apart or one != new):
+            found.append(one)
+    return np.array(sorted(found), dtype=np.uint8)
+
+
+def grown(codes: Codes, *, apart: bool) -> tuple[NDArray[np.intp], Codes]:
+    """All schemes of one set more.
+
+    Parameters
+    ----------
+    codes : array, shape (schemes, 3*sets)
+    apart : bool
+        Whether the set may share no link with the others.
+
+    Returns
+    -------
+    parents : array, shape (grown,)
+        The row that each grew from.
+    grown : array, shape (grown, 3*sets + 3)
+        In the order of their parents, and ascending from each.
+
+    Examples
+    --------
+    >>> grown(first_codes(), apart=False)[1].shape
+    (33, 6)
+    """
+    links = link_counts(codes)
+    parts = []
+    for count in np.unique(links).tolist():
+        rows = np.flatnonzero(links == count)
+        sets = next_sets(count, apart=apart)
+        parents = np.repeat(rows, len(sets))
+        parts.append((parents, np.tile(sets, (len(rows), 1))))
+    parents = np.concatenate([one for one, _ in parts])
+    order = np.argsort(parents, kind="stable")
+    parents = parents[order]
+    last = np.concatenate([one for _, one in parts])[order]
+    return parents, np.concatenate([codes[parents], last], axis=1)
+
+
+def link_masks(codes: Codes) -> Bits:
+    """The links of each set as bits, shape (schemes, sets).
+
+    >>> link_masks(first_codes())
+    array([[7]], dtype=uint64)
+    """
+    bits = np.uint64(1) << codes.astype(np.uint64)
+    return np.asarray(bits.reshape(len(codes), -1, MEMBERS).sum(axis=2), dtype=np.uint64)
+
+
+def stays_sound(parents: Codes, which: NDArray[np.intp], children: Codes) -> NDArray[np.bool_]:
+    """Whether the last set of each child locks no group of sets; the parents are sound.
+
+    A group locks into one body where it has fewer than two links more than sets.
+
+    Parameters
+    ----------
+    parents : array, shape (parents, 3*sets)
+    which : array, shape (children,)
+        The parent of each.
+    children : array, shape (children, 3*sets + 3)
+
+    Returns
+    -------
+    array, shape (children,)
+
+    Examples
+    --------
+    >>> one = first_codes()
+    >>> which, two = grown(one, apart=False)
+    >>> int(stays_sound(one, which, two).sum())  # not: six that share three links
+    27
+    """
+    masks = link_masks(parents)
+    last = link_masks(children[:, -MEMBERS:])[:, 0]
+    unions = [(np.zeros(len(parents), np.uint64), 0)]
+    for number in range(masks.shape[1]):
+        unions += [(union | masks[:, number], size + 1) for union, size in unions]
+    sound = np.ones(len(children), dtype=bool)
+    for union, size in unions[1:]:
+        sound &= bit_counts(union[which] | last) >= size + 1 + LEAST_MOBILITY
+    return sound
+
+
+def are_connected(codes: Codes) -> NDArray[np.bool_]:
+    """Whether all sets of a scheme hang together by common links, shape (schemes,).
+
+    >>> are_connected(np.array([[0, 1, 2, 3, 4, 5], [0, 1, 2, 3, 4, 0]], dtype=np.uint8))
+    array([False,  True])
+    """
+    masks = link_masks(codes)
+    reached = masks[:, 0].copy()
+    for _ in range(masks.shape[1] - 1):
+        for one in masks.T:
+            reached |= np.where(reached & one, one, np.uint64(0))
+    return np.asarray(reached == np.bitwise_or.reduce(masks, axis=1))
+
+
+def _bit_counts(bits: Bits) -> NDArray[np.uint8]:
+    """How many bits are set in each number, where NumPy is too old to tell."""
+    counts = np.zeros(bits.shape, dtype=np.uint8)
+    table = _byte_counts()
+    for byte in range(0, 64, 8):
+        counts += table[(bits >> np.uint64(byte)).astype(np.uint8)]
+    return counts
+
+
+@cache
+def _byte_counts() -> NDArray[np.uint8]:
+    """How many bits are set in each byte."""
+    counts = np.zeros(1, dtype=np.uint8)
+    for _ in range(8):
+        counts = np.concatenate([counts, counts + np.uint8(1)])
+    return counts
+
+
+bit_counts: Callable[[Bits], NDArray[np.uint8]] = getattr(np, "bitwise_count", _bit_counts)
+
+
+def orders(classes: str) -> tuple[tuple[int, ...], ...]:
+    """The orders of the members of a set that a class does not tell apart.
+
+    >>> orders("sets"), orders("members"), len(orders("order"))
+    (((0, 1, 2),), ((0, 1, 2), (2, 1, 0)), 6)
+    """
+    all_of_them: dict[str, Any] = {
+        "sets": ((0, 1, 2),),
+        "members": ((0, 1, 2), (2, 1, 0)),
+        "order": tuple(permutations(range(MEMBERS))),
+    }
+    return tuple(all_of_them[classes])

@@ -1,0 +1,135 @@
+"""A scheme as a case: its sets, shift elements and the gears that these give."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from itertools import combinations, islice
+
+import numpy as np
+
+from vstatics.errors import spoken
+from vstatics.model.parts import HOUSING, Gear, Mechanism, ShiftElement
+from vstatics.model.transmission import Transmission
+from vstatics.numerics.arrays import Booleans
+from vstatics.statics.solve import solve
+from vstatics.synthesis.scheme import Scheme, link_name
+
+FEW = 60
+"""With more combinations of elements the input has no clutches but that to the output."""
+MOST_TRIED = 2000
+"""So many combinations of elements are tried."""
+MOST_GEARS = 100
+NEUTRAL = "N"
+"""The gear of a case that no combination gives a ratio."""
+SAME = 1e-9
+"""Ratios are the same if they differ by less, relative to them."""
+
+
+def scheme_case(scheme: Scheme, inlet: int, outlet: int, ratios: Sequence[float]) -> Transmission:
+    """A case with brakes, clutches and all gears that they give.
+
+    Every link has a brake, but input and output; a clutch joins these two. Where that gives few
+    combinations, and more than one element is engaged, clutches join the input to all other
+    links too. Gears are the combinations with a ratio that no other has, by descending ratio;
+    direct drive is one of them.
+
+    Parameters
+    ----------
+    scheme : Scheme
+    inlet, outlet : int
+        Links of the scheme, from 0.
+    ratios : sequence of float
+        Internal ratio of each set, sun to ring with the carrier held. [-]
+
+    Raises
+    ------
+    ValueError
+        If the scheme can't be a gearbox.
+    CaseError
+        If a ratio is none.
+
+    Examples
+    --------
+    >>> case = scheme_case(Scheme.of_code("0-1-2"), 0, 1, [-2])
+    >>> [(gear.name, gear.engaged) for gear in case.gears]
+    [('1', (1,)), ('2', (2,))]
+    >>> [element.name for element in case.shift_elements]
+    ['T2', 'F0-1']
+    """
+    _check(scheme, inlet, outlet)
+    elements = _elements(scheme, inlet, outlet)
+    case = Transmission(
+        links=scheme.links,
+        shift_elements=elements,
+        mechanisms=[
+            Mechanism(sun + 1, ring + 1, carrier + 1, ratio, name=f"P{number}")
+            for number, ((sun, carrier, ring), ratio) in enumerate(
+                zip(scheme.sets, ratios, strict=True), 1
+            )
+        ],
+        gears=[Gear((), name=NEUTRAL)],
+        input=inlet + 1,
+        output=outlet + 1,
+        link_names=[link_name(link) for link in range(scheme.links)],
+        name=f"scheme {scheme.code}",
+    )
+    found = _gears(case, scheme.freedoms - 1)
+    return case.replace(gears=found) if found else case
+
+
+def _check(scheme: Scheme, inlet: int, outlet: int) -> None:
+    """Refuse what can't be a gearbox.
+
+    Raises
+    ------
+    ValueError
+    """
+    if inlet == outlet:
+        raise ValueError(f"{link_name(inlet)} is input and output; expected two links")
+    if not scheme.is_connected:
+        raise ValueError("its sets share no link: these are several gearboxes, expected one")
+    if locked := scheme.locked_sets:
+        links = {link for number in locked for link in scheme.sets[number - 1]}
+        sets = f"sets {spoken(map(str, locked))} have {len(links)} links"
+        raise ValueError(f"{sets}, so they turn as one body; expected {len(locked) + 2} or more")
+
+
+def _elements(scheme: Scheme, inlet: int, outlet: int) -> list[ShiftElement]:
+    """Its brakes and clutches."""
+    others = [link for link in range(scheme.links) if link not in (inlet, outlet)]
+    elements = [ShiftElement(link + 1, HOUSING, f"T{link}") for link in others]
+    clutches = [ShiftElement(inlet + 1, outlet + 1, f"F{inlet}-{outlet}")]
+    engaged = scheme.freedoms - 1
+    if engaged > 1:
+        more = [ShiftElement(inlet + 1, link + 1, f"F{inlet}-{link}") for link in others]
+        if math.comb(len(elements) + 1 + len(more), engaged) <= FEW:
+            clutches += more
+    return elements + clutches
+
+
+def _gears(case: Transmission, engaged: int) -> list[Gear]:
+    """The combinations of so many elements that give ratios, each of these once."""
+    numbers = range(1, len(case.shift_elements) + 1)
+    tried = list(islice(combinations(numbers, engaged), MOST_TRIED))
+    results = solve(case.replace(gears=[Gear(one) for one in tried]))
+    good = results.calculable & np.isfinite(results.ratio)
+    found: list[tuple[float, tuple[int, ...]]] = []
+    for ratio, one in zip(results.ratio[good].tolist(), _of(tried, good), strict=True):
+        if not any(math.isclose(ratio, other, rel_tol=SAME) for other, _ in found):
+            found.append((ratio, one))
+    return list(_named(found[:MOST_GEARS]))
+
+
+def _of(tried: list[tuple[int, ...]], good: Booleans) -> list[tuple[int, ...]]:
+    return [one for one, is_good in zip(tried, good.tolist(), strict=True) if is_good]
+
+
+def _named(found: list[tuple[float, tuple[int, ...]]]) -> Iterator[Gear]:
+    """Gears forward from the slowest, then those backward."""
+    forward = sorted((one for one in found if one[0] > 0), key=lambda one: -one[0])
+    backward = sorted((one for one in found if one[0] < 0), key=lambda one: one[0])
+    for number, (_, engaged) in enumerate(forward, 1):
+        yield Gear(engaged, name=str(number))
+    for number, (_, engaged) in enumerate(backward, 1):
+        yield Gear(engaged, name=f"R{number}" if len(backward) > 1 else "R")
