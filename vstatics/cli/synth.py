@@ -6,7 +6,9 @@ import click
 
 from vstatics.cli.lazy_group import LazyGroup
 
-COMMANDS: dict[str, tuple[str, str]] = {
+COMMANDS = {
+    "structures": ("vstatics.cli.synth_structures", "All schemes of so many planetary sets."),
+    "case": ("vstatics.cli.synth_case", "A case of one of them."),
     "combinations": (
         "vstatics.cli.synth_combinations",
         "What each combination of shift elements of a case does.",

@@ -40,7 +40,7 @@ class _Renamings(NamedTuple):
     """The sets that have a place, as bits."""
     links: Codes
     """The new number of each link, shape (renamings, links)."""
-    count: NDArray[np.uint8]
+    next: NDArray[np.uint8]
     """The next new number."""
 
 
@@ -105,7 +105,7 @@ class _Search:
         """Those whose code agrees with a set in this place; one that is less is noted."""
         free = (before.used >> np.uint16(number)) & np.uint16(1) == 0
         rows = np.flatnonzero(free & self.least[before.which])
-        counts = before.count[rows]
+        counts = before.next[rows]
         for member, wanted in zip(order, range(MEMBERS), strict=True):
             which = before.which[rows]
             new = before.links[rows, self.members[which, number, member]]
@@ -120,7 +120,7 @@ class _Search:
         row = np.arange(len(rows))
         for member, wanted in zip(order, range(MEMBERS), strict=True):
             after.links[row, members[:, number, member]] = members[:, place, wanted]
-        return after._replace(used=after.used | np.uint16(1 << number), count=counts)
+        return after._replace(used=after.used | np.uint16(1 << number), next=counts)
 
 
 def _of_rows(renamings: _Renamings, rows: slice | NDArray[np.intp]) -> _Renamings:

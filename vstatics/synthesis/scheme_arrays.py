@@ -39,7 +39,7 @@ def link_counts(codes: Codes) -> NDArray[np.intp]:
     >>> link_counts(first_codes())
     array([3])
     """
-    return codes.max(axis=1).astype(np.intp) + 1
+    return np.asarray(codes.max(axis=1).astype(np.intp) + 1)
 
 
 @cache

@@ -55,7 +55,7 @@ def scheme_case(scheme: Scheme, inlet: int, outlet: int, ratios: Sequence[float]
     >>> [(gear.name, gear.engaged) for gear in case.gears]
     [('1', (1,)), ('2', (2,))]
     >>> [element.name for element in case.shift_elements]
-    ['T2', 'F0-1']
+    ['T-L2', 'F-L0-L1']
     """
     _check(scheme, inlet, outlet)
     elements = _elements(scheme, inlet, outlet)
@@ -63,7 +63,7 @@ def scheme_case(scheme: Scheme, inlet: int, outlet: int, ratios: Sequence[float]
         links=scheme.links,
         shift_elements=elements,
         mechanisms=[
-            Mechanism(sun + 1, ring + 1, carrier + 1, ratio, name=f"P{number}")
+            Mechanism(sun + 1, ring + 1, carrier + 1, ratio, name=set_name(number))
             for number, ((sun, carrier, ring), ratio) in enumerate(
                 zip(scheme.sets, ratios, strict=True), 1
             )
@@ -76,6 +76,15 @@ def scheme_case(scheme: Scheme, inlet: int, outlet: int, ratios: Sequence[float]
     )
     found = _gears(case, scheme.freedoms - 1)
     return case.replace(gears=found) if found else case
+
+
+def set_name(number: int) -> str:
+    """The name of a set in a case, by its number from 1.
+
+    >>> set_name(1)
+    'P1'
+    """
+    return f"P{number}"
 
 
 def _check(scheme: Scheme, inlet: int, outlet: int) -> None:
@@ -98,14 +107,19 @@ def _check(scheme: Scheme, inlet: int, outlet: int) -> None:
 def _elements(scheme: Scheme, inlet: int, outlet: int) -> list[ShiftElement]:
     """Its brakes and clutches."""
     others = [link for link in range(scheme.links) if link not in (inlet, outlet)]
-    elements = [ShiftElement(link + 1, HOUSING, f"T{link}") for link in others]
-    clutches = [ShiftElement(inlet + 1, outlet + 1, f"F{inlet}-{outlet}")]
+    elements = [ShiftElement(link + 1, HOUSING, f"T-{link_name(link)}") for link in others]
+    clutches = [_clutch(inlet, outlet)]
     engaged = scheme.freedoms - 1
     if engaged > 1:
-        more = [ShiftElement(inlet + 1, link + 1, f"F{inlet}-{link}") for link in others]
+        more = [_clutch(inlet, link) for link in others]
         if math.comb(len(elements) + 1 + len(more), engaged) <= FEW:
             clutches += more
     return elements + clutches
+
+
+def _clutch(first: int, second: int) -> ShiftElement:
+    name = f"F-{link_name(first)}-{link_name(second)}"
+    return ShiftElement(first + 1, second + 1, name)
 
 
 def _gears(case: Transmission, engaged: int) -> list[Gear]:

@@ -12,8 +12,10 @@ import time
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
-from vstatics.synthesis.scheme_arrays import Codes
+from vstatics.numerics.arrays import Floats
+from vstatics.synthesis import scheme_arrays
 from vstatics.synthesis.structure_lines import lines
 from vstatics.synthesis.structures import (
     SchemeBatch,
@@ -26,8 +28,8 @@ from vstatics.synthesis.structures import (
     weights,
 )
 
-TRIED = 600_000
-"""About so many schemes grow for each number of sets."""
+TRIED = 400_000
+"""About so many schemes grow for each number of sets, fewer where each has more renamings."""
 WRITTEN = 2000
 """Lines of so many schemes show how long a line is."""
 
@@ -43,7 +45,7 @@ class Estimate(NamedTuple):
     seconds: float
 
     @property
-    def count(self) -> float:
+    def total(self) -> float:
         """Schemes in all."""
         return sum(self.by_links.values())
 
@@ -63,40 +65,69 @@ def estimate(search: StructureSearch, *, listed: bool) -> Estimate:
     ({5: 190, 6: 155, 7: 37}, True)
     """
     check_search(search)
-    grown_by = search if listed else counted_by(search)
+    sample = _sample(counted_by(search))
+    numbers = weights(search, sample.batch) * sample.weights
+    by_links = {links: _sum(numbers[sample.batch.links == links]) for links in search.wanted}
+    if not listed:
+        return Estimate(by_links, sample.exact, 0.0, sample.seconds)
+    grown = _sample(search) if search.classes == "none" else sample
+    length, writing = _written(search, grown.batch)
+    total = sum(by_links.values())
+    return Estimate(by_links, sample.exact, length * total, grown.seconds + writing * total)
+
+
+def _sum(numbers: Floats) -> float:
+    """A sum, as a whole number where it is one."""
+    total = float(numbers.sum())
+    return int(total) if total.is_integer() else total
+
+
+class _Sample(NamedTuple):
+    """Some of the schemes of all sets."""
+
+    batch: SchemeBatch
+    weights: Floats
+    """Each stands for so many."""
+    exact: bool
+    """Whether they are all."""
+    seconds: float
+    """That it takes to find all."""
+
+
+def _sample(search: StructureSearch) -> _Sample:
+    """Schemes that grow from some of those with one set less, and so on."""
     random = np.random.default_rng(14)
-    [batch] = batches(grown_by._replace(sets=1, links=()))
-    weight, seconds, exact = 1.0, 0.0, True
+    [batch] = batches(search._replace(sets=1, links=()))
+    sizes, exact, seconds = np.ones(1), True, 0.0
     for _ in range(search.sets - 1):
-        codes = _drawn(grown_by, batch.codes, random)
-        exact = exact and len(codes) == len(batch.codes)
-        weight *= len(batch.codes) / max(len(codes), 1)
+        rows, parts = _drawn(search, batch, random)
+        exact = exact and len(rows) == len(batch.codes)
+        sizes = sizes[rows] * parts
         began = time.perf_counter()
-        batch = next_batch(grown_by, codes)
-        seconds += weight * (time.perf_counter() - began)
-    by_links = _by_links(search, batch, 1 if exact else weight)
-    length, writing = _written(search, batch) if listed else (0.0, 0.0)
-    count = sum(by_links.values())
-    return Estimate(by_links, exact, length * count, seconds + writing * count)
+        batch = next_batch(search, batch.codes[rows])
+        spent = time.perf_counter() - began
+        seconds += spent * (sizes.mean() if len(sizes) else 0.0)
+        sizes = sizes[batch.parents]
+    return _Sample(batch, sizes, exact, seconds)
 
 
-def _drawn(search: StructureSearch, codes: Codes, random: np.random.Generator) -> Codes:
-    """Some of the schemes, all if they are few."""
-    most = rows_at_once(search, codes, TRIED)
-    if len(codes) <= most:
-        return codes
-    return codes[np.sort(random.choice(len(codes), most, replace=False))]
+def _drawn(
+    search: StructureSearch, batch: SchemeBatch, random: np.random.Generator
+) -> tuple[NDArray[np.intp], Floats]:
+    """The rows of some of the schemes, and for how many each stands; all if they are few.
 
-
-def _by_links(search: StructureSearch, batch: SchemeBatch, weight: float) -> dict[int, float]:
-    """The schemes by links, each of the batch for so many."""
-    if batch.symmetries is None:
-        one = search.ports
-        numbers = batch.links * (batch.links - 1) if one else np.ones_like(batch.links)
-    else:
-        numbers = weights(search, batch)
-    counts = {links: int(numbers[batch.links == links].sum()) for links in search.wanted}
-    return {links: count * weight for links, count in counts.items()}
+    There are as many of each number of links.
+    """
+    orders = 1 if search.classes == "none" else len(scheme_arrays.orders(search.classes))
+    most = rows_at_once(search, batch.codes, TRIED // orders)
+    if len(batch.codes) <= most:
+        return np.arange(len(batch.codes)), np.ones(len(batch.codes))
+    groups = [np.flatnonzero(batch.links == links) for links in np.unique(batch.links)]
+    each = max(most // len(groups), 1)
+    rows = [np.sort(random.permutation(one)[:each]) for one in groups]
+    parts = [len(one) / len(some) for one, some in zip(groups, rows, strict=True)]
+    counts = [len(some) for some in rows]
+    return np.concatenate(rows), np.repeat(parts, counts)
 
 
 def _written(search: StructureSearch, batch: SchemeBatch) -> tuple[float, float]:
@@ -118,6 +149,8 @@ def _every(batch: SchemeBatch, step: int) -> SchemeBatch:
     if found is not None:
         of_them = found.which % step == 0
         found = found._replace(
-            least=found.least[::step], which=found.which[of_them] // step, links=found.links[of_them]
+            least=found.least[::step],
+            which=found.which[of_them] // step,
+            links=found.links[of_them],
         )
-    return SchemeBatch(batch.codes[::step], batch.links[::step], found)
+    return SchemeBatch(batch.codes[::step], batch.links[::step], found, batch.parents[::step])

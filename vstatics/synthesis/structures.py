@@ -22,7 +22,7 @@ Classes = Literal["none", "sets", "members", "order"]
 """Schemes that count as one: none do; equal up to renaming of sets; also with sun and ring
 exchanged; with the members of a set in any order."""
 MOST_SETS = 10
-AT_ONCE = 200_000
+AT_ONCE = 50_000
 """So many schemes grow at once, for the sake of memory."""
 
 Integers = NDArray[np.int64]
@@ -64,6 +64,8 @@ class SchemeBatch(NamedTuple):
     """Shape (schemes,)."""
     symmetries: Symmetries | None
     """By which renamings they stay as they are; None where only they themselves are a class."""
+    parents: NDArray[np.intp]
+    """The row that each grew from, shape (schemes,)."""
 
 
 class Ports(NamedTuple):
@@ -139,13 +141,13 @@ def next_batch(search: StructureSearch, codes: Codes) -> SchemeBatch:
     which, grown, links = which[good], grown[good], links[good]
     if not search.unsound:
         good = scheme_arrays.stays_sound(codes, which, grown)
-        grown, links = grown[good], links[good]
+        which, grown, links = which[good], grown[good], links[good]
     if apart:
-        return SchemeBatch(grown, links, None)
+        return SchemeBatch(grown, links, None, which)
     found = symmetries(grown, scheme_arrays.orders(search.classes))
     numbers = np.cumsum(found.least) - 1
     own = found._replace(which=numbers[found.which], least=found.least[found.least])
-    return SchemeBatch(grown[found.least], links[found.least], own)
+    return SchemeBatch(grown[found.least], links[found.least], own, which[found.least])
 
 
 def _may_reach(
@@ -164,7 +166,7 @@ def _alone(search: StructureSearch) -> SchemeBatch:
     found = None
     if search.classes != "none":
         found = symmetries(codes, scheme_arrays.orders(search.classes))
-    return SchemeBatch(codes, scheme_arrays.link_counts(codes), found)
+    return SchemeBatch(codes, scheme_arrays.link_counts(codes), found, np.zeros(1, np.intp))
 
 
 def count(
