@@ -13,7 +13,7 @@ from vstatics.cli.synth_case_file import case_format, write_case
 from vstatics.errors import CaseError, Problem, nearest, quoted, spoken
 from vstatics.jobs.files import STDOUT, is_stream
 from vstatics.readers.named.arithmetic import calculated
-from vstatics.synthesis.scheme import Scheme, link_name
+from vstatics.synthesis.scheme import SetScheme, link_name
 from vstatics.synthesis.scheme_case import scheme_case, set_name
 
 FIRST, STEP = -2.0, -0.1
@@ -21,9 +21,9 @@ FIRST, STEP = -2.0, -0.1
 by chance."""
 
 
-def _scheme(_: click.Context, parameter: click.Parameter, code: str) -> Scheme:
+def _scheme(_: click.Context, parameter: click.Parameter, code: str) -> SetScheme:
     try:
-        return Scheme.of_code(code)
+        return SetScheme.of_code(code)
     except ValueError as error:
         raise click.BadParameter(str(error), param=parameter) from None
 
@@ -56,7 +56,7 @@ def _scheme(_: click.Context, parameter: click.Parameter, code: str) -> Scheme:
     help="Write to this file, whole or not at all.",
 )
 def case(
-    scheme: Scheme,
+    scheme: SetScheme,
     inlet: str,
     outlet: str,
     ratios: tuple[str, ...],
@@ -92,10 +92,12 @@ def case(
     if not ratios:
         some = spoken(f"{one:g}" for one in given)
         files.show([Problem(f"no ratios are given: the sets have {some}", severity="note")])
+    if form == "deck":  # it has none, and these are only in place of others
+        made = made.replace(inertias={}, description="")
     return DONE if write_case(made, target, form) else FAILED
 
 
-def _link(scheme: Scheme, given: str, option: str) -> int:
+def _link(scheme: SetScheme, given: str, option: str) -> int:
     """The link of a name, or of its number in the code."""
     names = [link_name(link) for link in range(scheme.links)]
     word = given.strip()
@@ -106,7 +108,7 @@ def _link(scheme: Scheme, given: str, option: str) -> int:
     raise click.BadParameter(f"read {quoted(given)}, but {there}", param_hint=option)
 
 
-def _ratios(scheme: Scheme, given: Sequence[str]) -> list[float]:
+def _ratios(scheme: SetScheme, given: Sequence[str]) -> list[float]:
     """The ratio of each set."""
     names = [set_name(number) for number in range(1, len(scheme.sets) + 1)]
     if not given:

@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.errors import quoted, spoken
+from vstatics.errors import listed, quoted, spoken
 from vstatics.synthesis.scheme_arrays import LEAST_MOBILITY, MEMBERS, are_connected
 from vstatics.synthesis.structures import MOST_SETS
 
@@ -18,12 +18,12 @@ LONGEST = 3 * 3 * MOST_SETS
 """Characters of a code."""
 
 
-class Scheme(NamedTuple):
+class SetScheme(NamedTuple):
     """The links of sun, carrier and ring of each set, from 0.
 
     Examples
     --------
-    >>> scheme = Scheme.of_code("0-1-2-0-3-4")
+    >>> scheme = SetScheme.of_code("0-1-2-0-3-4")
     >>> scheme.sets, scheme.links, scheme.code
     (((0, 1, 2), (0, 3, 4)), 5, '0-1-2-0-3-4')
     """
@@ -31,7 +31,7 @@ class Scheme(NamedTuple):
     sets: tuple[tuple[int, int, int], ...]
 
     @classmethod
-    def of_code(cls, code: str) -> Scheme:
+    def of_code(cls, code: str) -> SetScheme:
         """The scheme of a code as `code` has it; its links may be numbered in any order.
 
         Raises
@@ -60,7 +60,7 @@ class Scheme(NamedTuple):
     def is_connected(self) -> bool:
         """Whether all sets hang together by links.
 
-        >>> Scheme.of_code("0-1-2-3-4-5").is_connected
+        >>> SetScheme.of_code("0-1-2-3-4-5").is_connected
         False
         """
         return bool(are_connected(np.array([self.sets], np.uint8).reshape(1, -1))[0])
@@ -71,7 +71,8 @@ class Scheme(NamedTuple):
 
         They have fewer than two links more than they are. A sound scheme has none.
 
-        >>> Scheme.of_code("0-1-2-2-0-1").locked_sets, Scheme.of_code("0-1-2-2-0-3").locked_sets
+        >>> of_code = SetScheme.of_code
+        >>> of_code("0-1-2-2-0-1").locked_sets, of_code("0-1-2-2-0-3").locked_sets
         ((1, 2), ())
         """
         for size in range(2, len(self.sets) + 1):
@@ -110,9 +111,10 @@ def _sets(numbers: Sequence[int]) -> tuple[tuple[int, int, int], ...]:
         raise ValueError(f"read {len(numbers)} links in the code, {expected}")
     if len(numbers) > MEMBERS * MOST_SETS:
         raise ValueError(f"read {len(numbers) // MEMBERS} sets, expected at most {MOST_SETS}")
-    missing = sorted(set(range(max(numbers))) - set(numbers))
+    # so many links leave no more gaps than they are, however great the last one is
+    missing = sorted(set(range(min(max(numbers), 2 * len(numbers)))) - set(numbers))
     if missing:
-        some = spoken(map(str, missing[:3])) + ", ..." * (len(missing) > 3)
+        some = listed([str(link) for link in missing], 3)
         last = f"the greatest is {max(numbers)}"
         raise ValueError(f"no set has link {some}, but {last}; expected 0, 1, 2, ... without gaps")
     parts = range(0, len(numbers), MEMBERS)

@@ -13,7 +13,7 @@ from vstatics.model.parts import HOUSING, Gear, Mechanism, ShiftElement
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Booleans
 from vstatics.statics.solve import solve
-from vstatics.synthesis.scheme import Scheme, link_name
+from vstatics.synthesis.scheme import SetScheme, link_name
 
 FEW = 60
 """With more combinations of elements the input has no clutches but that to the output."""
@@ -22,11 +22,15 @@ MOST_TRIED = 2000
 MOST_GEARS = 100
 NEUTRAL = "N"
 """The gear of a case that no combination gives a ratio."""
+INERTIA = 1.0
+"""Of input and output, so that the case can be in motion. [kg*m^2]"""
 SAME = 1e-9
 """Ratios are the same if they differ by less, relative to them."""
 
 
-def scheme_case(scheme: Scheme, inlet: int, outlet: int, ratios: Sequence[float]) -> Transmission:
+def scheme_case(
+    scheme: SetScheme, inlet: int, outlet: int, ratios: Sequence[float]
+) -> Transmission:
     """A case with brakes, clutches and all gears that they give.
 
     Every link has a brake, but input and output; a clutch joins these two. Where that gives few
@@ -36,7 +40,7 @@ def scheme_case(scheme: Scheme, inlet: int, outlet: int, ratios: Sequence[float]
 
     Parameters
     ----------
-    scheme : Scheme
+    scheme : SetScheme
     inlet, outlet : int
         Links of the scheme, from 0.
     ratios : sequence of float
@@ -51,7 +55,7 @@ def scheme_case(scheme: Scheme, inlet: int, outlet: int, ratios: Sequence[float]
 
     Examples
     --------
-    >>> case = scheme_case(Scheme.of_code("0-1-2"), 0, 1, [-2])
+    >>> case = scheme_case(SetScheme.of_code("0-1-2"), 0, 1, [-2])
     >>> [(gear.name, gear.engaged) for gear in case.gears]
     [('1', (1,)), ('2', (2,))]
     >>> [element.name for element in case.shift_elements]
@@ -73,6 +77,8 @@ def scheme_case(scheme: Scheme, inlet: int, outlet: int, ratios: Sequence[float]
         output=outlet + 1,
         link_names=[link_name(link) for link in range(scheme.links)],
         name=f"scheme {scheme.code}",
+        description=f"The inertias are in place of those of engine and load, {INERTIA:g} kg*m^2.",
+        inertias={inlet + 1: INERTIA, outlet + 1: INERTIA},
     )
     found = _gears(case, scheme.freedoms - 1)
     return case.replace(gears=found) if found else case
@@ -87,7 +93,7 @@ def set_name(number: int) -> str:
     return f"P{number}"
 
 
-def _check(scheme: Scheme, inlet: int, outlet: int) -> None:
+def _check(scheme: SetScheme, inlet: int, outlet: int) -> None:
     """Refuse what can't be a gearbox.
 
     Raises
@@ -104,7 +110,7 @@ def _check(scheme: Scheme, inlet: int, outlet: int) -> None:
         raise ValueError(f"{sets}, so they turn as one body; expected {len(locked) + 2} or more")
 
 
-def _elements(scheme: Scheme, inlet: int, outlet: int) -> list[ShiftElement]:
+def _elements(scheme: SetScheme, inlet: int, outlet: int) -> list[ShiftElement]:
     """Its brakes and clutches."""
     others = [link for link in range(scheme.links) if link not in (inlet, outlet)]
     elements = [ShiftElement(link + 1, HOUSING, f"T-{link_name(link)}") for link in others]

@@ -82,7 +82,7 @@ def _sum(numbers: Floats) -> float:
     return int(total) if total.is_integer() else total
 
 
-class _Sample(NamedTuple):
+class _DrawnSchemes(NamedTuple):
     """Some of the schemes of all sets."""
 
     batch: SchemeBatch
@@ -94,7 +94,7 @@ class _Sample(NamedTuple):
     """That it takes to find all."""
 
 
-def _sample(search: StructureSearch) -> _Sample:
+def _sample(search: StructureSearch) -> _DrawnSchemes:
     """Schemes that grow from some of those with one set less, and so on."""
     random = np.random.default_rng(14)
     [batch] = batches(search._replace(sets=1, links=()))
@@ -108,7 +108,7 @@ def _sample(search: StructureSearch) -> _Sample:
         spent = time.perf_counter() - began
         seconds += spent * (sizes.mean() if len(sizes) else 0.0)
         sizes = sizes[batch.parents]
-    return _Sample(batch, sizes, exact, seconds)
+    return _DrawnSchemes(batch, sizes, exact, seconds)
 
 
 def _drawn(

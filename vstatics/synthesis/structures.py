@@ -68,7 +68,7 @@ class SchemeBatch(NamedTuple):
     """The row that each grew from, shape (schemes,)."""
 
 
-class Ports(NamedTuple):
+class SchemePorts(NamedTuple):
     """Inputs and outputs of schemes."""
 
     which: NDArray[np.intp]
@@ -224,22 +224,22 @@ def weights(search: StructureSearch, batch: SchemeBatch) -> Integers:
     return np.asarray(np.bincount(which, fixed * (fixed - 1), rows).astype(np.int64) // own)
 
 
-def ports(batch: SchemeBatch) -> Ports:
+def ports(batch: SchemeBatch) -> SchemePorts:
     """The inputs and outputs of each scheme; of those that a symmetry makes equal the least.
 
     Examples
     --------
     >>> [batch] = batches(StructureSearch(1, "order"))  # one set: all choices are equal
     >>> ports(batch)
-    Ports(which=array([0]), input=array([0]), output=array([1]))
+    SchemePorts(which=array([0]), input=array([0]), output=array([1]))
     """
     parts = [_ports_of(batch, links) for links in np.unique(batch.links).tolist()]
     which, first, second = (np.concatenate(one) for one in zip(*parts, strict=True))
     order = np.argsort(which, kind="stable")
-    return Ports(which[order], first[order], second[order])
+    return SchemePorts(which[order], first[order], second[order])
 
 
-def _ports_of(batch: SchemeBatch, links: int) -> Ports:
+def _ports_of(batch: SchemeBatch, links: int) -> SchemePorts:
     """Those of the schemes with so many links."""
     first, second = np.nonzero(~np.eye(links, dtype=bool))
     of_links = batch.links == links
@@ -252,4 +252,4 @@ def _ports_of(batch: SchemeBatch, links: int) -> Ports:
         places = new[:, first] * links + new[:, second]
         is_least = np.minimum.reduceat(places, starts, axis=0) == first * links + second
     row, pair = np.nonzero(is_least)
-    return Ports(rows[row], first[pair], second[pair])
+    return SchemePorts(rows[row], first[pair], second[pair])
