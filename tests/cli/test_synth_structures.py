@@ -99,7 +99,9 @@ def test_what_has_no_room_is_refused_before_it_begins(monkeypatch: pytest.Monkey
     monkeypatch.setattr(synth_structures, "_free", lambda _: 1000)
     said = vstatics("synth", "structures", "--sets", 2, "-o", "two.jsonl")
     assert said.status == 1
-    assert said.err.startswith("two.jsonl: error: would have about 1.81 kB, but 1 kB are free there")
+    assert said.err.startswith(
+        "two.jsonl: error: would have about 1.81 kB, but 1 kB are free there"
+    )
     assert not Path("two.jsonl").exists()
 
 
@@ -149,7 +151,11 @@ def test_a_case_in_every_format(form: str) -> None:
     said = vstatics(*call, "-f", form)
     assert (said.status, said.err) == (0, "") if form != "modelica" else said.out
     if form in ("yaml", "json"):
-        assert json.loads(said.out)["output"] == "L1" if form == "json" else "ratio: -2.0857" in said.out
+        assert (
+            json.loads(said.out)["output"] == "L1"
+            if form == "json"
+            else "ratio: -2.0857" in said.out
+        )
 
 
 def test_ratios_that_are_not_given_are_told() -> None:

@@ -63,7 +63,7 @@ def symmetries(codes: Codes, orders: tuple[tuple[int, ...], ...]) -> Symmetries:
     >>> found.links.tolist()  # the two sets of the first one change places
     [[0, 3, 4, 1, 2], [0, 1, 2, 3, 4]]
     """
-    search = _Search(codes, orders)
+    search = _RenamingSearch(codes, orders)
     schemes, links = len(codes), int(codes.max(initial=0)) + 1
     unseen = np.full((schemes, links), UNSEEN, np.uint8)
     none = np.zeros(schemes, np.uint16)
@@ -74,7 +74,7 @@ def symmetries(codes: Codes, orders: tuple[tuple[int, ...], ...]) -> Symmetries:
     return Symmetries(search.least, ends.which[still][order], ends.links[still][order])
 
 
-class _Search:
+class _RenamingSearch:
     """The search for renamings that make a code less, or leave it as it is."""
 
     def __init__(self, codes: Codes, orders: tuple[tuple[int, ...], ...]) -> None:
