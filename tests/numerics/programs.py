@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from vstatics.numerics.arrays import Booleans, Floats
 from vstatics.numerics.memory import Rows
-from vstatics.numerics.plans import _plan, prepared
+from vstatics.numerics.plan import plan_of_one_sign, prepared
 from vstatics.numerics.traced import Number, absolute
 
 INPUTS = 3
@@ -110,7 +110,7 @@ def run_plan(
         If the first variant is a special case.
     """
     inputs = prepared(values)
-    plan = _plan(function, inputs, 0, 1.05)
+    plan = plan_of_one_sign(function, inputs, 0, 1.05)
     with np.errstate(all="ignore"):  # as `solve` does
         return plan.suits(inputs) & plan.run(inputs, rows)
 

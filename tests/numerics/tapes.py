@@ -28,7 +28,7 @@ def traced(*values: float, bounds: Bounds | None = None) -> list[Traced]:
 
 def noted(number: Traced | Rest) -> list[tuple[str, object, object]]:
     """The operations on the tape of a number."""
-    return [tuple(operation) for operation in number.tape.operations]  # type: ignore[misc]
+    return [operation[:3] for operation in number.tape.operations]
 
 
 def names(number: Traced | Rest) -> list[str]:

@@ -21,7 +21,7 @@ def test_the_number_1_is_not_slot_1() -> None:
 
     def quotients(numbers: Sequence[Number]) -> list[Number]:
         one, five = numbers
-        return [one / five, 1.0 / five, one - five, 1.0 - five, one < five, five > 2.0]
+        return [one / five, 1.0 / five, one - five, 1.0 - five, bool(one < five), bool(five > 2.0)]
 
     values = np.array([[1.0, 2.0], [5.0, 7.0]])
     rows = rows_for(6, 2)

@@ -130,6 +130,17 @@ def same(one: Array, other: Array) -> bool:
     return np.array_equal(one, other, equal_nan=True) and np.array_equal(*signs)
 
 
+def alike(one: Array, other: Array) -> bool:
+    """Whether arrays over gears agree to 1e-11 of the largest number of a gear, 1 at least."""
+    if one.dtype.kind != "f" or not np.array_equal(np.isnan(one), np.isnan(other)):
+        return same(one, other)
+    gears = (len(one), -1)
+    one, other = np.nan_to_num(one.reshape(gears)), np.nan_to_num(other.reshape(gears))
+    with np.errstate(all="ignore"):
+        left = np.abs(one - other).max(axis=1, initial=0)
+    return bool((left <= 1e-11 * np.abs(other).max(axis=1, initial=1)).all())
+
+
 def disagreements(
     case: Transmission,
     u: Floats | None,
@@ -145,7 +156,7 @@ def disagreements(
             case, None if u is None else u[variant], None if eta is None else eta[variant]
         )
         alone = plainly(own)
-        wrong = [n for n in ARRAYS if not same(getattr(together, n)[variant], getattr(alone, n))]
+        wrong = [n for n in ARRAYS if not alike(getattr(together, n)[variant], getattr(alone, n))]
         if wrong:
             found.append(f"variant {variant}: {', '.join(wrong)} of {trains.shown(own)}")
     return found

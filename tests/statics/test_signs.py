@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import replace
 
 import pytest
@@ -10,6 +9,7 @@ import pytest
 from tests.statics.differential import SET, train
 from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
 from vstatics.model.transmission import IdleConvention
+from vstatics.numerics.traced import is_nan
 from vstatics.statics.signs import ideal_signs
 
 
@@ -56,5 +56,5 @@ def test_the_convention_decides_how_a_clutch_and_a_set_share(idle: IdleConventio
 
 def test_a_gear_without_motion_has_no_signs() -> None:
     signs = ideal_signs(solve(train([(2, 0)], Gear())).gear(1).ideal, moving=False)
-    assert all(math.isnan(x) for x in signs.signs)
+    assert all(is_nan(x) for x in signs.signs)
     assert signs.idle == [False]

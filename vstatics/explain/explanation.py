@@ -152,7 +152,7 @@ def _torques(state: GearState, names: Names, matrix: Floats) -> tuple[System | N
     if any(not one.has_power for one in state.statuses) or np.isnan(ratios).any():
         return ideal, None
     matrix = distribution_matrix(state.case, ratios) + 0.0
-    dragging = {link: float(torque) for link, torque in state.drag.external.items()}
+    dragging = {link: plain(torque) for link, torque in state.drag.external.items()}
     lossy = torque_system(state.case, state.gear, names, matrix, state.lossy_torques, drag=dragging)
     return ideal, lossy
 

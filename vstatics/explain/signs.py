@@ -6,7 +6,7 @@ import math
 from typing import NamedTuple
 
 from vstatics.model.transmission import HOUSING
-from vstatics.numerics.traced import plain
+from vstatics.numerics.traced import is_nan, plain
 from vstatics.statics.speeds import is_tie
 from vstatics.statics.state import GearState
 
@@ -49,7 +49,7 @@ def signs_of(state: GearState) -> list[PowerSign]:
                 torque=torque,
                 motion=motion,
                 power=power,
-                sign=sign,
+                sign=plain(sign),
                 ratio=mechanism.ratio,
                 efficiency=plain(efficiency.back if sign < 0 else efficiency.forward),
                 lossy_ratio=plain(state.lossy_ratios[place]),
@@ -65,7 +65,7 @@ def _why(state: GearState, place: int, motion: float, power: float) -> str:
     mechanism = case.mechanisms[place]
     if mechanism.efficiency == 1 and mechanism.back_efficiency in (None, 1):
         return "no losses"
-    if math.isnan(sign):
+    if is_nan(sign):
         return "not determined"
     if state.search.idle[place]:
         still = "the first link stands" if mechanism.third == HOUSING else "it turns as one piece"

@@ -24,8 +24,7 @@ from vstatics.numerics.entries import (
     arithmetic_of,
     row_of,
 )
-from vstatics.numerics.tolerances import PIVOT
-from vstatics.numerics.traced import Number, absolute, is_traced
+from vstatics.numerics.traced import Number, is_traced
 
 
 class Solution(NamedTuple):
@@ -119,7 +118,7 @@ class _Elimination:
             entries = {column: e for column, e in row.items() if is_traced(e[0]) or e[0] != 0}
             self._sort_in(entries, active)
         while active:
-            row, column = _choose(active)
+            row, column = _choose(active, arithmetic)
             pivot = row.pop(column)
             self.pivots.append((column, pivot, row))
             others, active = active, []
@@ -180,7 +179,7 @@ def _value(row: Row) -> Number:
     return row.get(RIGHT, NOTHING)[0]
 
 
-def _choose(active: Sequence[Row]) -> tuple[Row, int]:
+def _choose(active: Sequence[Row], arithmetic: Arithmetic) -> tuple[Row, int]:
     """The pivot that fills least (Markowitz) among those large enough in a shortest row."""
     lengths = [len(row) - (RIGHT in row) for row in active]
     shortest = min(lengths)
@@ -196,8 +195,8 @@ def _choose(active: Sequence[Row]) -> tuple[Row, int]:
     )
     for _, number, _, column in places:
         row = candidates[number]
-        least = absolute(row[column][0])
+        pivot = row[column][0]
         others = (row[other][0] for other in row if other not in (column, RIGHT))
-        if all(least >= PIVOT * absolute(other) for other in others):
+        if all(arithmetic.enough(pivot, other) for other in others):
             return row, column
     return candidates[0], max(candidates[0])  # only where an overflow left no number

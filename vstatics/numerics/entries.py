@@ -15,8 +15,9 @@ import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import NamedTuple
 
+from vstatics.numerics.signed import Signed, value_of
 from vstatics.numerics.tape import Untraceable
-from vstatics.numerics.tolerances import LEAST, REAL, ZERO
+from vstatics.numerics.tolerances import LEAST, PIVOT, REAL, SIGNED_LEAST, ZERO
 from vstatics.numerics.traced import (
     Number,
     Traced,
@@ -25,7 +26,10 @@ from vstatics.numerics.traced import (
     first,
     guard_same,
     is_traced,
+    of_any_sign,
+    plain,
 )
+from vstatics.numerics.watched import guard_equal, watched
 
 Entry = tuple[Number, float]
 """A value and its size."""
@@ -51,6 +55,8 @@ class Arithmetic(NamedTuple):
     quotient: Callable[[Entry, Entry], Entry]
     less: Callable[[Entry, Entry, Entry], Entry]
     """``less(a, b, c)`` is a - b * c; exactly 0 where that is only rounding."""
+    enough: Callable[[Number, Number], bool]
+    """Whether a number is large enough as pivot beside another one."""
 
 
 def arithmetic_of(equations: Iterable[Equation]) -> Arithmetic:
@@ -58,8 +64,9 @@ def arithmetic_of(equations: Iterable[Equation]) -> Arithmetic:
     for equation in equations:
         for coefficient in equation.values():
             terms = coefficient if isinstance(coefficient, tuple) else (coefficient,)
-            if any(map(is_traced, terms)):
-                return TRACED
+            for term in terms:
+                if is_traced(term):
+                    return SIGNED if isinstance(term, Signed) else TRACED
     return FLOATS
 
 
@@ -110,12 +117,17 @@ def _less(entry: _FloatEntry, factor: _FloatEntry, term: _FloatEntry) -> _FloatE
     return (0.0 if abs(left) <= rounding < math.inf else left), size
 
 
-FLOATS = Arithmetic(_entry, _quotient, _less)  # type: ignore[arg-type]
+def large_enough(pivot: Number, other: Number) -> bool:
+    """Whether a number can be the pivot of a row with another one."""
+    return bool(absolute(pivot) >= PIVOT * absolute(other))
+
+
+FLOATS = Arithmetic(_entry, _quotient, _less, large_enough)  # type: ignore[arg-type]
 """For equations without a traced number, as `arithmetic_of` makes sure."""
 
 
 def _traced_entry(number: Number) -> Entry:
-    return (number, UNKNOWN) if isinstance(number, Traced) else _entry(number)
+    return (number, UNKNOWN) if isinstance(number, Traced) else _entry(plain(number))
 
 
 def _traced_quotient(entry: Entry, pivot: Entry) -> Entry:
@@ -125,24 +137,66 @@ def _traced_quotient(entry: Entry, pivot: Entry) -> Entry:
 
 
 def _traced_less(entry: Entry, factor: Entry, term: Entry) -> Entry:
-    plain = not any(map(is_traced, (entry[0], factor[0], term[0])))
-    if plain and not math.isnan(entry[1] + factor[1] + term[1]):
+    untraced = not any(map(is_traced, (entry[0], factor[0], term[0])))
+    if untraced and not math.isnan(entry[1] + factor[1] + term[1]):
         return _less(entry, factor, term)  # type: ignore[arg-type]
     value, product = entry[0], factor[0] * term[0]
-    if not all(isinstance(one, Traced) or math.isfinite(one) for one in (value, product)):
+    if not all(is_traced(one) or math.isfinite(plain(one)) for one in (value, product)):
         raise Untraceable
     if value == 0 or product == 0 or (value > 0) != (product > 0):
         return value - product, UNKNOWN
     larger, smaller = (value, -product) if first(value) >= first(product) else (-product, value)
     part = 1 - first(smaller) / first(larger)
     if part <= ZERO:
-        if not plain:
+        if not untraced:
             guard_same(absolute(smaller), absolute(larger), ZERO)
         return 0.0, UNKNOWN
     if part <= 2 * REAL:
         raise Untraceable
     least = max(min(LEAST, part / 16), 1.5 * REAL)
-    return value - product if plain else difference(larger, smaller, least), UNKNOWN
+    return value - product if untraced else difference(larger, smaller, least), UNKNOWN
 
 
-TRACED = Arithmetic(_traced_entry, _traced_quotient, _traced_less)
+TRACED = Arithmetic(_traced_entry, _traced_quotient, _traced_less, large_enough)
+
+
+def _first(entry: Entry) -> _FloatEntry:
+    """An entry as it is in the first variant, whose sizes signed numbers carry."""
+    return value_of(of_any_sign(entry[0])), entry[1]
+
+
+def _signed_entry(number: Number) -> Entry:
+    return number, abs(value_of(of_any_sign(number)))
+
+
+def _signed_quotient(entry: Entry, pivot: Entry) -> Entry:
+    return entry[0] / pivot[0], _quotient(_first(entry), _first(pivot))[1]
+
+
+def _signed_less(entry: Entry, factor: Entry, term: Entry) -> Entry:
+    """As for the first variant; the sign of what is left decides nothing."""
+    value, product = entry[0], factor[0] * term[0]
+    left, size = _less(_first(entry), _first(factor), _first(term))
+    if not (is_traced(value) or is_traced(product)):
+        return left, size
+    if not math.isfinite(left):
+        raise Untraceable
+    if value == 0 or product == 0:
+        return value - product, size
+    one, other = of_any_sign(value), -of_any_sign(product)
+    larger = max(abs(value_of(one)), abs(value_of(other)))
+    if left == 0:
+        guard_equal(one, -other, ZERO * size / larger)
+        return 0.0, size
+    part = abs(left) / larger
+    if part <= 2 * REAL:
+        raise Untraceable
+    return watched(one, other, max(min(SIGNED_LEAST, part / 16), 1.5 * REAL)), size
+
+
+def _signed_enough(pivot: Number, other: Number) -> bool:
+    """By the first variant alone: sums are watched, so that no order of pivots spoils them."""
+    return abs(value_of(of_any_sign(pivot))) >= PIVOT * abs(value_of(of_any_sign(other)))
+
+
+SIGNED = Arithmetic(_signed_entry, _signed_quotient, _signed_less, _signed_enough)

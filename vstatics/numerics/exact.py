@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from vstatics.numerics.entries import Arithmetic, Entry
+from vstatics.numerics.entries import Arithmetic, Entry, large_enough
 from vstatics.numerics.traced import Number, plain
 
 
@@ -24,5 +24,5 @@ def _exact_less(entry: Entry, factor: Entry, term: Entry) -> tuple[Fraction, flo
     return _exact(entry[0]) - _exact(factor[0]) * _exact(term[0]), 0.0
 
 
-EXACT = Arithmetic(_exact_entry, _exact_quotient, _exact_less)  # type: ignore[arg-type]
+EXACT = Arithmetic(_exact_entry, _exact_quotient, _exact_less, large_enough)  # type: ignore[arg-type]
 """Fractions of the decimals that numbers show, without rounding; of one case only."""

@@ -58,6 +58,10 @@ class Rows:
             self.arrays[row].fill(value)
             self.holds[row] = value
 
+    def alike(self, variants: int) -> Rows:
+        """Rows of the same types, for so many variants."""
+        return Rows([np.empty(variants, dtype=row.dtype) for row in self.arrays])
+
     def vary(self, row: int) -> Any:
         """The array of a row, to be written to."""
         self.holds.pop(row, None)

@@ -1,129 +1,52 @@
 """A calculation for many variants: planned once, run again on whole arrays.
 
-A plan is made from the calculation for one variant (see `tape`). It is run on all
-variants; those that fail a guard get a plan that one of them makes, and so on. The few
-that are left, and special cases that can stand for no other, are calculated by
-themselves. So every variant gets the numbers that it would get alone.
+A plan is made from the calculation for one variant (see `plan`). It is run on all variants;
+those that fail a guard get a plan that one of them makes, and so on. The few that are left,
+and special cases that can stand for no other, are calculated by themselves. So every variant
+gets the numbers that it would get alone: to the last bit by plans of one sign, to rounding
+by plans of any sign, which may take the pivots in another order.
 """
 
 from __future__ import annotations
 
 import contextlib
-from collections.abc import Callable, Sequence
-from typing import NamedTuple
+from collections.abc import Sequence
 
 import numpy as np
 
-from vstatics.numerics.arrays import Booleans, Floats, Integers
+from vstatics.numerics.arrays import Integers
 from vstatics.numerics.memory import Rows
-from vstatics.numerics.replay import Replay, replay
-from vstatics.numerics.tape import Tape, Untraceable
-from vstatics.numerics.traced import Magnitude, Number, Rest, Traced
+from vstatics.numerics.plan import (
+    Function,
+    Inputs,
+    Plan,
+    plan_of_any_sign,
+    plan_of_one_sign,
+    prepared,
+)
+from vstatics.numerics.tape import Untraceable
 
 FEW = 4
-"""So many variants are not worth a plan."""
+"""So many variants are not worth a plan; more of them, when plans were made in vain."""
 WORTH = 12
 """A plan costs about as much as so many variants that are calculated by themselves."""
+STEPS = 250
+"""So many steps of a plan on few variants cost about as much as one variant by itself."""
+LEAST_SHARE = 1 / 64
+"""A plan may serve so many again, even if it did not when it was last run."""
 MOST = 256
 """Plans of one calculation; variants that fit none of them are calculated by themselves."""
 TRIALS = 6
 """After so many plans in turn that were not worth making all that are left go alone."""
 WIDENING = (1.05, 1.25, 2.0)
-"""The bounds of a plan are so much wider than the numbers it is made for; more for later
-plans, so that numbers that wander do not need a new one again and again."""
-SPREAD = 64.0
-"""The bounds of a plan reach no further than this factor from the variant that made it."""
-
-Function = Callable[[Sequence[Number]], Sequence[Number | Rest]]
-"""The calculation for one variant: its numbers -> its results."""
-
-
-class Range(NamedTuple):
-    """Bounds of an input; both have its sign."""
-
-    low: float
-    high: float
-
-
-class Inputs(NamedTuple):
-    """The numbers that vary, (inputs, variants), and what plans need to know of them."""
-
-    values: Floats
-    magnitudes: Floats
-    ranges: Sequence[Range]
-
-
-def prepared(values: Floats) -> Inputs:
-    """Inputs of shape (inputs, variants) for plans."""
-    if values.shape[1] == 1:
-        lows = highs = values[:, 0]
-    else:
-        lows, highs = values.min(axis=1, initial=np.inf), values.max(axis=1, initial=-np.inf)
-    return Inputs(values, np.abs(values), list(map(Range, lows.tolist(), highs.tolist())))
-
-
-class Plan(NamedTuple):
-    """The replay of a calculation, and the ranges of the inputs that it is good for."""
-
-    ranges: Sequence[Range]
-    replay: Replay
-
-    def suits(self, inputs: Inputs) -> Booleans:
-        """Which variants lie in the ranges."""
-        inside = np.ones(inputs.values.shape[1], dtype=np.bool_)
-        for own, (low, high) in zip(inputs.ranges, self.ranges, strict=True):
-            if own.high < low or own.low > high:
-                return ~inside
-        for values, own, (low, high) in zip(inputs.values, inputs.ranges, self.ranges, strict=True):
-            if not low <= own.low <= own.high <= high:
-                inside &= (values >= low) & (values <= high)
-        return inside
-
-    def run(self, inputs: Inputs, rows: Rows) -> Booleans:
-        """Write the results of all variants; mark those that pass the guards."""
-        passed = np.ones(inputs.values.shape[1], dtype=np.bool_)
-        self.replay.run(inputs.magnitudes, rows, passed)
-        return passed
-
-    def run_one(self, inputs: Inputs, rows: Rows) -> bool:
-        """Write the results of a single variant, if it is one of those that the plan is for."""
-        for own, (low, high) in zip(inputs.ranges, self.ranges, strict=True):
-            if not low <= own.low <= high:
-                return False
-        with contextlib.suppress(ZeroDivisionError):  # after an underflow
-            return self.replay.run_one(inputs.magnitudes[:, 0].tolist(), rows)
-        return False
-
-
-def _plan(function: Function, inputs: Inputs, place: int, widening: float) -> Plan:
-    """The plan that one variant makes, for inputs like the others'.
-
-    Raises
-    ------
-    Untraceable
-        If it is a special case.
-    """
-    firsts = inputs.values[:, place].tolist()
-    ranges = [
-        _bounds(value, values, own, widening)
-        for value, values, own in zip(firsts, inputs.values, inputs.ranges, strict=True)
-    ]
-    tape = Tape(len(firsts))
-    traced = []
-    for slot, (value, bounds) in enumerate(zip(firsts, ranges, strict=True)):
-        magnitude = Magnitude(slot, abs(value), *sorted(map(abs, bounds)))
-        traced.append(Traced(tape, 1 if value > 0 else -1, magnitude))
-    return Plan(ranges, replay(tape, function(traced)))
-
-
-def _bounds(value: float, values: Floats, own: Range, widening: float) -> Range:
-    """Bounds for numbers that are not too far from one of them, on its side of 0."""
-    if own.low < 0 < own.high:
-        values = values[(values > 0) == (value > 0)]
-        own = Range(float(values.min()), float(values.max()))
-    size, (low, high) = abs(value), sorted(map(abs, own))
-    low, high = max(low / widening, size / SPREAD), min(high * widening, size * SPREAD)
-    return Range(low, high) if value > 0 else Range(-high, -low)
+"""The bounds of a plan of one sign are so much wider than the numbers it is made for; more for
+later plans, so that numbers that wander do not need a new one again and again."""
+HALF = 0.5
+"""A plan of one sign is run where it serves more than this part, if others serve any sign, ..."""
+SAMPLE = 64
+"""... which so many variants tell, ..."""
+SAMPLED = 8
+"""... one call in so many."""
 
 
 class Plans:
@@ -132,30 +55,38 @@ class Plans:
     def __init__(self, function: Function) -> None:
         self.function = function
         self.plans: Sequence[Plan] = ()
-        """Those first that served the last variants."""
+        """Those of one sign first, as they take fewer steps; then those that served most."""
+        self.calls = 0
         self.alone = 0
         """Variants that were calculated by themselves so far."""
         self.special = 0
         """Those among them of which no plan could be made."""
+        self.few = FEW
 
     def run(self, inputs: Inputs, rows: Rows) -> None:
         """Calculate all variants, into a row for each result."""
-        if inputs.values.shape[1] == 1 and any(one.run_one(inputs, rows) for one in self.plans):
+        total = inputs.values.shape[1]
+        if total == 1 and any(one.run_one(inputs, rows) for one in self.plans):
             return
-        left = np.arange(inputs.values.shape[1])
-        useful: list[Plan] = []
-        useless: list[Plan] = []
+        self.calls += 1
+        left = np.arange(total)
         for plan in self.plans:
-            kept = self._run(plan, inputs, rows, left) if left.size else left
-            (useful if kept.size < left.size else useless).append(plan)
-            left = kept
+            plan.served = 0
+            if left.size and self._promises(plan, inputs, rows, left):
+                left = self._run(plan, inputs, rows, left)
+        left = self._with_new_plans(inputs, rows, left)
+        self._alone(inputs, rows, left)
+        # a new one, as another thread may be at the old one
+        self.plans = sorted(self.plans, key=lambda plan: (plan.signed, -plan.served))
+
+    def _with_new_plans(self, inputs: Inputs, rows: Rows, left: Integers) -> Integers:
+        """Make plans for variants that are left as long as that is worth it; who is left then."""
         trials = TRIALS
-        while trials and len(useful) + len(useless) < MOST and self._worth(left.size):
+        while trials and len(self.plans) < MOST and self._worth(left.size, inputs):
             place = (TRIALS - trials) * left.size // TRIALS  # neighbours are special together
-            widening = WIDENING[min(len(useful) + len(useless), len(WIDENING) - 1)]
             before, variant = left, left[place]
             with contextlib.suppress(Untraceable):
-                plan = _plan(self.function, prepared(inputs.values[:, left]), place, widening)
+                plan = self._new(prepared(inputs.values[:, left]), place)
                 left = self._run(plan, inputs, rows, left)
             served = before.size - left.size
             if variant in left:  # it does not even stand for itself
@@ -163,31 +94,59 @@ class Plans:
                 self.special += 1
                 left = left[left != variant]
             elif served > FEW or before.size <= FEW:
-                useful.append(plan)
+                self.plans = (*self.plans, plan)
+            else:
+                self.few += FEW
             trials = TRIALS if served >= WORTH else trials - 1
-        self._alone(inputs, rows, left)
-        self.plans = (*useful, *useless)
+        return left
 
-    def _worth(self, variants: int) -> bool:
+    def _new(self, inputs: Inputs, place: int) -> Plan:
+        """The plan of a variant: of its sign if it is the first one and all variants have that."""
+        if self.plans or any(low < 0 < high for low, high in inputs.ranges):
+            with contextlib.suppress(Untraceable):
+                return plan_of_any_sign(self.function, inputs, place)
+        widening = WIDENING[min(len(self.plans), len(WIDENING) - 1)]
+        return plan_of_one_sign(self.function, inputs, place, widening)
+
+    def _worth(self, left: int, inputs: Inputs) -> bool:
         """Whether a plan is worth making: for many now, or for few that come often."""
-        return variants > FEW or (variants > 0 and self.alone > FEW and self.special < TRIALS)
+        often = left == inputs.values.shape[1] and self.alone > FEW and self.special < TRIALS
+        return left > self.few or (left > 0 and often)
+
+    def _promises(self, plan: Plan, inputs: Inputs, rows: Rows, left: Integers) -> bool:
+        """Whether a plan is worth running on those that are left."""
+        if not max(plan.share, LEAST_SHARE) * left.size * STEPS > plan.steps:
+            return False
+        if plan.signed or plan.share > HALF or not self.plans[-1].signed:
+            return True
+        if self.calls % SAMPLED:
+            return False
+        some = prepared(inputs.values[:, left[:: left.size // SAMPLE + 1]])
+        passed = plan.suits(some)
+        if passed.mean() > HALF:
+            passed &= plan.run(some, rows.alike(int(passed.size)))
+        return bool(passed.mean() > HALF)
 
     def _run(self, plan: Plan, inputs: Inputs, rows: Rows, chosen: Integers) -> Integers:
         """Run a plan on those of the chosen variants that suit; give back the others."""
         everybody = chosen.size == inputs.values.shape[1]
         part = inputs if everybody else prepared(inputs.values[:, chosen])
         passed = plan.suits(part)
-        count = np.count_nonzero(passed)
+        count = int(np.count_nonzero(passed))
         if everybody and 2 * count > chosen.size:  # most of them, straight to their place
             passed &= plan.run(inputs, rows)
         elif count:
             suited = chosen[passed]
-            own = Rows([np.empty(count, dtype=row.dtype) for row in rows.arrays])
+            own = rows.alike(count)
             stands = plan.run(prepared(part.values[:, passed]), own)
+            places = suited[stands]
             for row, values in enumerate(own.arrays):
-                rows.vary(row)[suited[stands]] = values[stands]
+                rows.vary(row)[places] = values[stands]
             passed[passed] = stands
-        return chosen[~passed]
+        left = chosen[~passed]
+        plan.served = chosen.size - left.size
+        plan.share = plan.served / chosen.size
+        return left
 
     def _alone(self, inputs: Inputs, rows: Rows, chosen: Integers) -> None:
         """Calculate each of the chosen variants by itself."""

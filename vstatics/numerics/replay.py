@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import operator
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
@@ -10,6 +11,7 @@ import numpy as np
 
 from vstatics.numerics.arrays import Booleans, Floats
 from vstatics.numerics.memory import Layout, Rows
+from vstatics.numerics.signed import Signed, Truth, upright
 from vstatics.numerics.tape import GUARDS, Operand, Plain, Tape
 from vstatics.numerics.traced import Number, Rest, Traced
 
@@ -17,7 +19,36 @@ CHUNK = 8192
 """Variants that run through the steps together: so that their numbers stay in the cache."""
 
 
-PLAIN: dict[str, Callable[[float, float], float]] = {
+def _absolute(one: Floats, _: Floats, result: Floats) -> None:
+    np.absolute(one, result)
+
+
+def _choose(margin: Floats, yes: Floats, no: Floats, result: Floats) -> None:
+    result[...] = np.where(margin > 0, yes, no)
+
+
+def _store(one: Floats, factor: float, result: Any) -> None:
+    """A result times +1 or -1, to a row of its type."""
+    np.multiply(one, factor, result, casting="unsafe")
+
+
+def _minimum(one: Floats, other: Floats, result: Floats) -> None:
+    np.minimum(one, other, out=result)
+
+
+ARRAYS: Mapping[str, Callable[..., Any]] = {
+    "absolute": _absolute,
+    "choose": _choose,
+    "minimum": _minimum,
+}
+"""Functions of tapes that are no functions of NumPy by this name."""
+
+PLAIN: Mapping[str, Callable[..., float]] = {
+    "absolute": lambda one, _: abs(one),
+    "choose": lambda margin, yes, no: yes if margin > 0 else no,
+    "minimum": min,
+    "copysign": math.copysign,
+    "greater": operator.gt,
     "add": operator.add,
     "subtract": operator.sub,
     "multiply": operator.mul,
@@ -30,14 +61,16 @@ PLAIN: dict[str, Callable[[float, float], float]] = {
 
 
 class Step(NamedTuple):
-    """A NumPy function and its like for plain numbers, the cells of operands and result."""
+    """A function of arrays and its like for plain numbers, the cells of operands and result."""
 
     function: Callable[..., Any]
-    plain: Callable[[float, float], float]
+    plain: Callable[..., float]
     one: int
     other: int
     result: int | None
     """None: a guard."""
+    third: int | None = None
+    """Of a function of three operands."""
 
 
 class Replay(NamedTuple):
@@ -78,12 +111,14 @@ class Replay(NamedTuple):
                 *plain,
             ]
             mask, hold = passed[part], holds[:size]
-            for function, _, one, other, result in self.steps:
+            for function, _, one, other, result, third in self.steps:
                 if result is None:
                     function(cells[one], cells[other], hold)
                     np.logical_and(mask, hold, mask)
-                else:
+                elif third is None:
                     function(cells[one], cells[other], cells[result])
+                else:
+                    function(cells[one], cells[other], cells[third], cells[result])
 
     def run_one(self, magnitudes: Sequence[float], rows: Rows) -> bool:
         """Write the results of a single variant; tell whether it passes the guards.
@@ -92,8 +127,9 @@ class Replay(NamedTuple):
         """
         none = [0.0] * (len(self.layout.varied) + self.working)
         cells = [*magnitudes, *none, *self.plain[::-1]]
-        for _, function, one, other, result in self.steps:
-            number = function(cells[one], cells[other])
+        for _, function, one, other, result, third in self.steps:
+            operands = (cells[one], cells[other])
+            number = function(*operands) if third is None else function(*operands, cells[third])
             if result is not None:
                 cells[result] = number
             elif not number:
@@ -103,12 +139,12 @@ class Replay(NamedTuple):
         return True
 
 
-def replay(tape: Tape, results: Sequence[Number | Rest]) -> Replay:
+def replay(tape: Tape, results: Sequence[Number | Rest | Truth]) -> Replay:
     """Arrange the operations of a tape that its guards and some results need."""
     varied: list[int] = []
     copies: dict[int, list[tuple[int, float]]] = {}
     for row, result in enumerate(results):
-        if isinstance(result, Traced | Rest):
+        if isinstance(result, Traced | Signed | Rest | Truth):
             slot, sign = _slot(result)
             copies.setdefault(slot, []).append((tape.inputs + len(varied), sign))
             varied.append(row)
@@ -117,12 +153,15 @@ def replay(tape: Tape, results: Sequence[Number | Rest]) -> Replay:
     steps: list[Step] = []
     for slot in range(tape.inputs):
         steps += cells.copied(slot, copies)
-    for slot, (name, one, other) in enumerate(tape.operations, tape.inputs):
+    for slot, operation in enumerate(tape.operations, tape.inputs):
         if slot in last:
+            name, one, other, third = operation
             operands = cells.of(one), cells.of(other)
-            cells.release(s for s in {one, other} if isinstance(s, int) and last[s] == slot)
+            more = None if third is None else cells.of(third)
+            cells.release(used for used in operation.slots if last[used] == slot)
             cell = None if name in GUARDS else cells.taken(slot, copies)
-            steps.append(Step(getattr(np, name), PLAIN[name], *operands, cell))
+            function = ARRAYS.get(name) or getattr(np, name)
+            steps.append(Step(function, PLAIN[name], *operands, cell, more))
             steps += cells.copied(slot, copies)
     varies = set(varied)
     constants = [(row, value) for row, value in enumerate(results) if row not in varies]
@@ -135,10 +174,15 @@ def replay(tape: Tape, results: Sequence[Number | Rest]) -> Replay:
     )
 
 
-def _slot(result: Traced | Rest) -> tuple[int, float]:
+def _slot(result: Traced | Signed | Rest | Truth) -> tuple[int, float]:
     """Where a result stands on its tape, and its sign."""
     if isinstance(result, Rest):
         return result.slot, 1.0
+    if isinstance(result, Truth):
+        margin = upright(result.tape, result.margin)
+        return result.tape.note("greater", margin, Plain(0.0)), 1.0
+    if isinstance(result, Signed):
+        return result.slot, -1.0 if result.negated else 1.0
     assert isinstance(result.magnitude.operand, int)  # noqa: S101 - a plain number is not traced
     return result.magnitude.operand, float(result.sign)
 
@@ -151,13 +195,12 @@ def _last_uses(tape: Tape, copies: Mapping[int, Any]) -> dict[int, int]:
     last = {slot: slot for slot in copies}
     for index in reversed(range(len(tape.operations))):
         slot = tape.inputs + index
-        name, one, other = tape.operations[index]
-        if name in GUARDS:
+        operation = tape.operations[index]
+        if operation.name in GUARDS:
             last[slot] = slot
         if slot in last:
-            for operand in (one, other):
-                if isinstance(operand, int):
-                    last[operand] = max(last.get(operand, slot), slot)
+            for operand in operation.slots:
+                last[operand] = max(last.get(operand, slot), slot)
     return last
 
 
@@ -198,4 +241,4 @@ class _Cells:
         """Steps that copy a slot to the other results that it is."""
         for cell, sign in copies.get(slot, ()):
             if cell != self._cells[slot]:
-                yield Step(np.multiply, operator.mul, self._cells[slot], self.of(Plain(sign)), cell)
+                yield Step(_store, operator.mul, self._cells[slot], self.of(Plain(sign)), cell)

@@ -24,11 +24,18 @@ Operand = int | Plain
 
 
 class Operation(NamedTuple):
-    """A step of a tape: the name of a NumPy function of two operands."""
+    """A step of a tape: the name of a function of two operands, or of three."""
 
     name: str
     one: Operand
     other: Operand
+    third: Operand | None = None
+
+    @property
+    def slots(self) -> list[int]:
+        """The slots that it takes."""
+        operands = {self.one, self.other, self.third}
+        return [operand for operand in operands if isinstance(operand, int)]
 
 
 class Tape:
@@ -39,7 +46,7 @@ class Tape:
         self.operations: list[Operation] = []
         self._slots: dict[Operation, int] = {}
 
-    def note(self, name: str, one: Operand, other: Operand) -> int:
+    def note(self, name: str, one: Operand, other: Operand, third: Operand | None = None) -> int:
         """The slot of an operation's result; the same operation is noted once.
 
         Raises
@@ -53,7 +60,7 @@ class Tape:
         >>> tape.note("add", 0, 1), tape.note("multiply", 2, Plain(0.5)), tape.note("add", 0, 1)
         (2, 3, 2)
         """
-        operation = Operation(name, one, other)
+        operation = Operation(name, one, other, third)
         slot = self._slots.get(operation)
         if slot is None:
             slot = self._slots[operation] = self.inputs + len(self.operations)

@@ -17,6 +17,7 @@ import math
 from collections.abc import Sequence
 from typing import Any, NamedTuple, TypeGuard
 
+from vstatics.numerics.signed import Signed, Truth
 from vstatics.numerics.tape import Operand, Plain, Tape, Untraceable
 
 HUGE = 1e100
@@ -94,13 +95,13 @@ class Traced:
         return not _equal(self.tape, self, other)
 
 
-Number = float | Traced
-"""A float, or a traced number: the operators are the same for both."""
+Number = float | Traced | Signed
+"""A float, or a number that stands for all variants: the operators are the same."""
 
 
-def is_traced(number: Number | Rest) -> TypeGuard[Traced]:
-    """Whether it is a traced number, not a plain one."""
-    return number.__class__ is Traced
+def is_traced(number: Number | Rest | Truth) -> TypeGuard[Traced | Signed]:
+    """Whether it stands for all variants."""
+    return number.__class__ is Traced or number.__class__ is Signed
 
 
 def absolute(number: Number) -> Number:
@@ -116,7 +117,7 @@ def plain(number: Number | Rest) -> float:
     TypeError
         If it is.
     """
-    if isinstance(number, Traced | Rest):
+    if isinstance(number, Traced | Signed | Rest):
         raise TypeError("a traced number stands for many variants")
     return number
 
@@ -129,19 +130,19 @@ def first(number: Number) -> float:
 def _magnitude(number: Number) -> Magnitude:
     if isinstance(number, Traced):
         return number.magnitude
-    size = abs(float(number))
+    size = abs(float(plain(number)))
     return Magnitude(Plain(size), size, size, size)
 
 
 def _sign(number: Number) -> int:
     if isinstance(number, Traced):
         return number.sign
-    return 1 if number >= 0 else -1
+    return 1 if plain(number) >= 0 else -1
 
 
 def _is_nothing(number: Number) -> bool:
     """Whether it is a plain 0 or NaN, with which there is nothing to calculate."""
-    return not isinstance(number, Traced) and not abs(number) > 0
+    return not isinstance(number, Traced) and not absolute(number) > 0
 
 
 def _ordered(one: Operand, other: Operand) -> tuple[Operand, Operand]:
@@ -248,7 +249,7 @@ def _compare(tape: Tape, name: str, one: Number, other: Number) -> bool:
 
 def _stand_in(number: Number) -> float:
     """A number to compare with 0, infinity or NaN, for all variants alike."""
-    return float(number.sign if isinstance(number, Traced) else number)
+    return float(number.sign if isinstance(number, Traced) else plain(number))
 
 
 def _equal(tape: Tape, one: Number, other: Any) -> bool:
@@ -280,6 +281,13 @@ class Rest:
     __abs__ = __sub__ = __rsub__ = _refuse
 
 
+def _told(number: Number) -> tuple[Operand, int, float]:
+    """What of a number stands on the tape, its sign there, its value in the first variant."""
+    if isinstance(number, Signed):
+        return number.slot, -1 if number.negated else 1, number.value
+    return _magnitude(number).operand, _sign(number), _sign(number) * first(number)
+
+
 def rest(terms: Sequence[Number]) -> Number | Rest:
     """The sum of terms that should cancel, from left to right.
 
@@ -290,23 +298,23 @@ def rest(terms: Sequence[Number]) -> Number | Rest:
     total: Operand | None = None
     tape: Tape | None = None
     for term in terms:
-        operand = _magnitude(term).operand
-        value += _sign(term) * first(term)
+        operand, sign, own = _told(term)
+        value += own
         if is_traced(term):
             tape = term.tape
         if tape is None or math.isnan(value):
             plain = value
-        elif total is None and plain == 0 and term > 0:
+        elif total is None and plain == 0 and sign > 0:
             total = operand
         elif operand != Plain(0.0):
             before = Plain(plain) if total is None else total
-            total = tape.note("add" if term > 0 else "subtract", before, operand)
+            total = tape.note("add" if sign > 0 else "subtract", before, operand)
     if tape is None or not isinstance(total, int) or math.isnan(value):
         return plain
     return Rest(tape, total, value)
 
 
-def guard_within(number: Traced | Rest, low: float, high: float) -> None:
+def guard_within(number: Traced | Signed | Rest, low: float, high: float) -> None:
     """Guard that a number lies between bounds.
 
     Raises
@@ -314,11 +322,44 @@ def guard_within(number: Traced | Rest, low: float, high: float) -> None:
     Untraceable
         If it does not in the first variant.
     """
-    if isinstance(number, Traced):
-        held = low <= number <= high
+    if isinstance(number, Traced | Signed):
+        held = bool(low <= number <= high)
     else:
         held = low <= number.value <= high
         number.tape.note("less_equal", Plain(low), number.slot)
         number.tape.note("less_equal", number.slot, Plain(high))
     if not held:
         raise Untraceable
+
+
+def sign(number: Number) -> Number:
+    """+1, -1 or 0, or NaN; of numbers of any sign one for each variant.
+
+    >>> [sign(number) for number in (-2.5, 0.0, 3.0)]
+    [-1.0, 0.0, 1.0]
+    """
+    if isinstance(number, Signed):
+        return number.direction
+    if number > 0:
+        return 1.0
+    if number < 0:
+        return -1.0
+    return 0.0 if number == 0 else math.nan
+
+
+def is_nan(number: Number) -> bool:
+    """Whether there is no number."""
+    return not isinstance(number, Traced | Signed) and math.isnan(number)
+
+
+def of_any_sign(number: Number) -> float | Signed:
+    """A number that is not traced with a sign.
+
+    Raises
+    ------
+    Untraceable
+        If it is: a plan of any sign knows none.
+    """
+    if isinstance(number, Traced):
+        raise Untraceable
+    return number

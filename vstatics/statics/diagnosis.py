@@ -16,9 +16,8 @@ from vstatics.model.checks import doubts
 from vstatics.model.transmission import Gear, SpeedOf, Transmission
 from vstatics.numerics import elimination
 from vstatics.numerics.arrays import Booleans
-from vstatics.numerics.traced import Number, plain
+from vstatics.numerics.traced import Number, is_nan, plain
 from vstatics.statics import digits, drag, freewheels, matrix
-from vstatics.statics.efficiency import sign
 from vstatics.statics.idling import coincidences
 from vstatics.statics.result_fields import Message
 from vstatics.statics.results import Results
@@ -162,7 +161,7 @@ def _overrunning(results: Results, number: int, gear: Gear) -> list[str]:
 
     def drives(*held: int) -> bool:
         speeds = solve_speeds(case, freewheels.with_engaged(gear, held), _columns(case))
-        return speeds.consistent and not math.isnan(sign(speeds.links[output]))
+        return speeds.consistent and not is_nan(speeds.links[output])
 
     chosen = [n for n in free if math.isnan(results.slip_speeds[number, n - 1]) and drives(n)]
     if not chosen and free and drives(*free):

@@ -15,20 +15,20 @@ from typing import NamedTuple
 
 from vstatics.model.parts import OfLoad
 from vstatics.model.transmission import HOUSING, Gear, Transmission
-from vstatics.numerics.traced import Number, absolute
+from vstatics.numerics.traced import Number, absolute, is_nan, sign
 from vstatics.statics.speeds import is_tie
 
-NOTHING: Mapping[int, float] = MappingProxyType({})
+NOTHING: Mapping[int, Number] = MappingProxyType({})
 
 
 class Drag(NamedTuple):
     """The drag of a gear, known from its speeds."""
 
-    links: Mapping[int, float] = NOTHING
+    links: Mapping[int, Number] = NOTHING
     """Link -> external torque of its own drag. [-]"""
-    elements: Mapping[int, float] = NOTHING
+    elements: Mapping[int, Number] = NOTHING
     """Index of an open element -> torque on its first link. [-]"""
-    external: Mapping[int, float] = NOTHING
+    external: Mapping[int, Number] = NOTHING
     """Link -> external torque of all drag, that of open elements too. [-]"""
     losses: Sequence[Number] = ()
     """Power that each of them takes. [-]"""
@@ -60,9 +60,9 @@ def drag_torques(
     if not gear.drag and not torques:
         return NO_DRAG
     direction = -1 if case.coast else 1
-    links: dict[int, float] = {}
-    elements: dict[int, float] = {}
-    external: dict[int, float] = {}
+    links: dict[int, Number] = {}
+    elements: dict[int, Number] = {}
+    external: dict[int, Number] = {}
     losses: list[Number] = []
     for link, torque in gear.drag.items():
         speed = speeds[link - 1]
@@ -108,9 +108,9 @@ def _is(values: Sequence[Number], number: int) -> bool:
     return values[number - 1] == values[number - 1]
 
 
-def _direction(speed: Number) -> int:
+def _direction(speed: Number) -> Number:
     """+1 forward, -1 backward; 0 where it stands, or where that is not determined."""
-    return 1 if speed > 0 else -1 if speed < 0 else 0
+    return 0.0 if is_nan(speed) else sign(speed)
 
 
 def without_load(case: Transmission) -> list[str]:

@@ -13,9 +13,10 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from vstatics.model.transmission import Transmission
-from vstatics.numerics.traced import Number
+from vstatics.numerics.choices import chosen
+from vstatics.numerics.traced import Number, is_nan
 
-Signs = tuple[float, ...]
+Signs = tuple[Number, ...]
 """By mechanism: the exponent x of its efficiency, +1, -1 or 0; NaN where it is open."""
 
 
@@ -57,7 +58,7 @@ def efficiencies_by_direction(
     ]
 
 
-def lossy_ratio(ratio: Number, efficiency: Efficiency, exponent: float) -> Number:
+def lossy_ratio(ratio: Number, efficiency: Efficiency, exponent: Number) -> Number:
     """``u * efficiency**x``; NaN where power can't flow back, or x is open.
 
     >>> [lossy_ratio(-2.0, Efficiency(0.5, 0.25), x) for x in (1.0, -1.0)]
@@ -65,17 +66,17 @@ def lossy_ratio(ratio: Number, efficiency: Efficiency, exponent: float) -> Numbe
     """
     if exponent == 0:
         return ratio
-    if math.isnan(exponent):
+    if is_nan(exponent):
         return ratio if efficiency.lossless else math.nan
-    if exponent > 0:
-        return ratio if efficiency.forward == 1 else ratio * efficiency.forward
+    forward = ratio if efficiency.forward == 1 else ratio * efficiency.forward
     if efficiency.back == 0:
-        return math.nan
-    return ratio if efficiency.back == 1 else ratio / efficiency.back
+        return forward if exponent > 0 else math.nan
+    back = ratio if efficiency.back == 1 else ratio / efficiency.back
+    return chosen(exponent > 0, forward, back)
 
 
 def lossy_ratios(
-    ratios: Sequence[Number], efficiencies: Sequence[Efficiency], signs: Sequence[float]
+    ratios: Sequence[Number], efficiencies: Sequence[Efficiency], signs: Sequence[Number]
 ) -> list[Number]:
     """The ratios of all mechanisms with losses under given signs; see `lossy_ratio`."""
     return list(map(lossy_ratio, ratios, efficiencies, signs))
@@ -84,15 +85,5 @@ def lossy_ratios(
 def is_possible(efficiencies: Sequence[Efficiency], signs: Signs) -> bool:
     """Whether power flows back through no mechanism that is self-locking."""
     return not any(
-        x < 0 and bool(efficiency.back == 0)
-        for x, efficiency in zip(signs, efficiencies, strict=True)
+        efficiency.back == 0 and x < 0 for x, efficiency in zip(signs, efficiencies, strict=True)
     )
-
-
-def sign(number: Number) -> float:
-    """+1, -1 or 0, or NaN."""
-    if number > 0:
-        return 1.0
-    if number < 0:
-        return -1.0
-    return 0.0 if number == 0 else math.nan

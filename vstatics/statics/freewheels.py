@@ -14,10 +14,9 @@ from collections.abc import Iterator, Sequence
 from itertools import combinations
 
 from vstatics.model.transmission import Gear, Transmission
-from vstatics.numerics.traced import Number, absolute
+from vstatics.numerics.traced import Number, absolute, is_nan, sign
 from vstatics.statics import matrix
 from vstatics.statics.drag import NO_DRAG
-from vstatics.statics.efficiency import sign
 from vstatics.statics.ideal import IdealGear, ideal_gear, is_nothing
 from vstatics.statics.sign_search import find_signs
 from vstatics.statics.speeds import Speeds, is_tie, solve_speeds
@@ -61,7 +60,7 @@ def _possible(variant: Variant, gear: Gear, speeds: Speeds) -> GearState | None:
     """A gear with some freewheels engaged, if they can hold it and the others can overrun."""
     case = variant.case
     held = [number for number in case.freewheels if number in gear.engaged]
-    drives = speeds.consistent and not math.isnan(sign(speeds.links[case.gear_output(gear) - 1]))
+    drives = speeds.consistent and not is_nan(speeds.links[case.gear_output(gear) - 1])
     if not drives or driven_backward(case, gear, speeds):
         return None
     state = _state(variant, gear, speeds)
@@ -130,11 +129,11 @@ def _can_hold(state: GearState, number: int) -> bool:
     """Whether a freewheel that holds has a torque of the right sign, with losses if they exist."""
     ideal, lossy = state.ideal, state.search.lossy
     torques, columns = ideal.torques_with_drag, ideal.variant.columns
-    if not math.isnan(sign(lossy.torques.on_first_link[number - 1])):
+    if not is_nan(lossy.torques.on_first_link[number - 1]):
         torques, columns = lossy.torques, matrix.columns(state.case, state.lossy_ratios)
     turns = ideal.variant.direction * input_direction(state.case, state.gear)
     pull = sign(torques.on_first_link[number - 1]) * turns
-    return pull <= 0 or (pull > 0 and is_nothing(ideal, columns, torques, number))
+    return bool(pull <= 0 or (pull > 0 and is_nothing(ideal, columns, torques, number)))
 
 
 def _conflict(variant: Variant, gear: Gear, nobody: Speeds) -> GearState:

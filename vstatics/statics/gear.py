@@ -8,14 +8,14 @@ from collections.abc import Iterator, Mapping, Sequence
 from vstatics.model.own import Planet
 from vstatics.model.parts import HOUSING
 from vstatics.model.transmission import Transmission
+from vstatics.numerics.choices import where
+from vstatics.numerics.signed import Condition
 from vstatics.numerics.tolerances import CLOSED
-from vstatics.numerics.traced import Number, Rest, Traced, guard_within
+from vstatics.numerics.traced import Number, Rest, guard_within, is_traced
 from vstatics.statics.state import GearState
 
 Numbers = Sequence[Number]
-Values = Mapping[
-    str, Number | Rest | list[Number] | list[Number | Rest] | list[bool] | tuple[float, ...]
-]
+Values = Mapping[str, Number | Rest | Condition | Sequence[Number | Rest | Condition]]
 """Name of an array of `Results` -> its values in one gear and one variant, or traced for many."""
 
 
@@ -64,7 +64,7 @@ def _total(numbers: Numbers) -> Number:
     return total
 
 
-def _planet_speeds(state: GearState) -> Iterator[Number]:
+def _planet_speeds(state: GearState) -> Iterator[Number | Rest]:
     """Speeds of all planets against their carriers."""
     case, ratios = state.case, state.ideal.variant.ratios
     for device in case.own_devices:
@@ -76,13 +76,14 @@ def _planet_speeds(state: GearState) -> Iterator[Number]:
                 yield _by_ratio(state, index)
 
 
-def _by_ratio(state: GearState, index: int) -> Number:
+def _by_ratio(state: GearState, index: int) -> Number | Rest:
     """From the planet ratio of a mechanism."""
     mechanism, motion = state.case.mechanisms[index], state.relative_speeds[index]
     if mechanism.planet_ratio is not None:
         return motion / mechanism.planet_ratio
     ratio = state.ideal.variant.ratios[index]
-    return motion / ((ratio + 1) / 2) if mechanism.is_plain(ratio) else math.nan
+    is_plain = mechanism.is_plain(ratio)
+    return math.nan if is_plain is False else where(is_plain, motion / ((ratio + 1) / 2))
 
 
 def _by_wheels(state: GearState, planet: Planet) -> Number:
@@ -137,19 +138,19 @@ def guard_power(state: GearState) -> None:
     """
     gear, balance = state.gear, state.search.lossy.balance
     power = state.torques.on_first_link[-1] * state.output_speed
-    if not gear.speeds and not gear.torques and isinstance(power, Traced):
+    if not gear.speeds and not gear.torques and is_traced(power):
         guard_within(power, 1 - CLOSED, 1 + CLOSED)
     if isinstance(balance, Rest):
         guard_within(balance, -CLOSED, CLOSED)
 
 
-def flat(values: Values, names: Sequence[str]) -> list[Number | Rest]:
+def flat(values: Values, names: Sequence[str]) -> list[Number | Rest | Condition]:
     """The values of some arrays in their order, without -0; what overflowed does not exist."""
-    numbers: list[Number | Rest] = []
+    numbers: list[Number | Rest | Condition] = []
     for name in names:
         value = values[name]
-        numbers += value if isinstance(value, list | tuple) else [value]
-    return [_tidy(value) if value.__class__ is float else value for value in numbers]
+        numbers += value if isinstance(value, Sequence) else [value]
+    return [_tidy(value) if isinstance(value, float) else value for value in numbers]
 
 
 def _tidy(value: float) -> float:

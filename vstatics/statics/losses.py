@@ -10,8 +10,10 @@ import math
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
-from vstatics.numerics.traced import Number, Rest, absolute, rest
-from vstatics.statics.efficiency import Signs, is_possible, lossy_ratio, lossy_ratios, sign
+from vstatics.numerics.choices import chosen
+from vstatics.numerics.signed import Condition
+from vstatics.numerics.traced import Number, Rest, absolute, is_nan, rest, sign
+from vstatics.statics.efficiency import Signs, is_possible, lossy_ratio, lossy_ratios
 from vstatics.statics.ideal import IdealGear, mechanism_torques
 from vstatics.statics.matrix import Column, columns
 from vstatics.statics.power import entering_powers, power
@@ -33,7 +35,7 @@ class LossyTorques(NamedTuple):
     """Power that drag takes in all. [-]"""
     balance: Number | Rest
     """External power less all losses. [-]"""
-    admissible: bool
+    admissible: Condition
     """The signs agree with the directions of power."""
 
 
@@ -65,11 +67,13 @@ def check_signs(
     entering = _entering(ideal, torques)
     efficiency = _efficiency(ideal, torques, entering)
     directions = tuple(sign(entered) * ideal.variant.direction for entered in by_first_link)
-    agrees = all(
-        x == 0 or x * direction >= 0 or own.lossless
-        for x, direction, own in zip(signs, directions, ideal.variant.efficiencies, strict=True)
-    )
-    passes = 0 < efficiency < math.inf or not _passes_power(ideal)
+    agrees: Condition = True
+    for x, direction, own in zip(signs, directions, ideal.variant.efficiencies, strict=True):
+        if not (x == 0 or own.lossless):
+            agrees = agrees & (x * direction >= 0)
+    passes = (efficiency > 0) & (efficiency < math.inf)
+    if passes is False:
+        passes = not _passes_power(ideal)
     return LossyTorques(
         signs=signs,
         torques=torques,
@@ -78,7 +82,7 @@ def check_signs(
         efficiency=efficiency,
         drag_losses=sum(ideal.drag.losses, 0.0),
         balance=rest([*entering, *(-loss for loss in (*losses, *ideal.drag.losses))]),
-        admissible=agrees and passes,
+        admissible=agrees & passes,
     )
 
 
@@ -125,13 +129,11 @@ def _efficiency(ideal: IdealGear, torques: Torques, entering: Sequence[Number]) 
     received: Number = 0.0
     given: Number = 0.0
     for flow, actual in zip(_entering(ideal, ideal.torques), entering, strict=True):
-        side = sign(flow) * ideal.variant.direction
-        if math.isnan(side):
+        if is_nan(flow):
             return math.nan
-        if side > 0:
-            received = received + actual
-        elif side < 0:
-            given = given - actual
+        side = flow * ideal.variant.direction
+        received = received + chosen(side > 0, actual, 0.0)
+        given = given - chosen(side < 0, actual, 0.0)
     return math.nan if received == 0 else given / received
 
 

@@ -193,7 +193,7 @@ def torque_rows(
     case: Transmission,
     gear: Gear,
     columns: Sequence[Column],
-    drag: Mapping[int, float] = MappingProxyType({}),
+    drag: Mapping[int, Number] = MappingProxyType({}),
 ) -> list[Equation]:
     """Equilibrium of each link of a gear, ``A M + e_out Mx = T`` (figure 4).
 
@@ -214,7 +214,7 @@ def torque_rows(
     rows[case.gear_output(gear) - 1][len(loaded)] = 1.0
     for unknown, link in enumerate(held_links(case, gear), len(loaded) + 1):
         rows[link - 1][unknown] = -1.0
-    torques = external_torques(case, gear)
+    torques: dict[int, Number] = {**external_torques(case, gear)}
     for link, torque in drag.items():
         torques[link] = torques.get(link, 0.0) + torque
     for link, torque in torques.items():

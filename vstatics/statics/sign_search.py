@@ -4,12 +4,16 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from functools import reduce
 from itertools import product
+from operator import or_
 from typing import NamedTuple
 
+from vstatics.numerics.choices import chosen, counted, opposite
+from vstatics.numerics.signed import Condition
 from vstatics.numerics.tape import Untraceable
 from vstatics.numerics.tolerances import TIE
-from vstatics.numerics.traced import Number, Rest, absolute
+from vstatics.numerics.traced import Number, Rest, absolute, is_nan, is_traced, plain
 from vstatics.statics.efficiency import Signs, is_possible
 from vstatics.statics.ideal import IdealGear
 from vstatics.statics.losses import LossyTorques, no_solution, torques_for_signs
@@ -30,7 +34,7 @@ class SignSearch(NamedTuple):
     """By mechanism, like `turned`."""
     locked: bool
     undecided: bool
-    turned: list[bool]
+    turned: list[Condition]
     choices: int
 
 
@@ -60,11 +64,19 @@ def find_signs(ideal: IdealGear, *, moving: bool) -> SignSearch:
         found = Admissible(_common(ideal, start))
     elif moving:
         first = _follow_unloaded(ideal, start)
-        found = Admissible(first, 1) if first.admissible else _search(ideal, start)
+        found = (
+            Admissible(first._replace(admissible=True), 1)
+            if first.admissible
+            else _search(ideal, start)
+        )
     lossy = found.lossy or no_solution(ideal, start.signs)
     idle = start.idle
     turned = [
-        lossy.admissible and not is_idle and x != before and efficiency.lossy
+        lossy.admissible is True
+        and not is_idle
+        and x is not before
+        and efficiency.lossy
+        and x * before < 0
         for is_idle, x, before, efficiency in zip(
             idle, lossy.signs, start.signs, ideal.variant.efficiencies, strict=True
         )
@@ -78,7 +90,7 @@ def _open(ideal: IdealGear, start: IdealSigns) -> list[int]:
     return [
         place
         for place, x in enumerate(start.signs)
-        if math.isnan(x) and ideal.variant.efficiencies[place].lossy
+        if is_nan(x) and ideal.variant.efficiencies[place].lossy
     ]
 
 
@@ -114,9 +126,10 @@ def _search(ideal: IdealGear, start: IdealSigns) -> Admissible:
         free = [place for place in free if not start.unloaded[place]]
     if len(free) > SEARCHED:
         return _follow(ideal, start, moving)
-    admissible = [lossy for lossy in _every_set(ideal, start, free) if lossy.admissible]
-    if admissible:
-        return _best(admissible, start)
+    tried = list(_every_set(ideal, start, free))
+    nothing: Condition = False
+    if reduce(or_, (one.admissible for one in tried), nothing):
+        return _best(ideal, tried, start)
     if not free and any(x for x, still in zip(start.signs, start.still, strict=True) if still):
         # nothing moves that could lock: the convention for idle mechanisms does not suit
         signs = tuple(
@@ -126,30 +139,52 @@ def _search(ideal: IdealGear, start: IdealSigns) -> Admissible:
     return Admissible()
 
 
-def _best(admissible: Sequence[LossyTorques], start: IdealSigns) -> Admissible:
-    """The signs of the largest efficiency; those that turn nothing are as they were."""
-    flows = {
-        tuple(x * turns * turns for x, turns in zip(one.signs, one.directions, strict=True))
-        for one in admissible
-    }
-    best = admissible[0]
-    for other in admissible[1:]:
-        if other.efficiency > best.efficiency or not best.efficiency < math.inf:
-            best = other
+def _best(ideal: IdealGear, tried: Sequence[LossyTorques], start: IdealSigns) -> Admissible:
+    """The admissible signs of the largest efficiency; those that turn nothing are as they were."""
+    possible = [one for one in tried if one.admissible is not False]
+    flows: dict[tuple[float, ...], Condition] = {}
+    for one in possible:
+        flow = tuple(map(_flow, one.signs, one.directions))
+        flows[flow] = flows.get(flow, False) | one.admissible
+    choices = counted(flows.values())
+    best = reduce(_better, possible)
+    if best.admissible is not True:  # one set of signs or another, by variant
+        best = torques_for_signs(ideal, best.signs)
+        if not best.admissible:
+            raise Untraceable
     signs = tuple(
         before if unloaded and turns == 0 else x
         for x, before, unloaded, turns in zip(
             best.signs, start.signs, start.unloaded, best.directions, strict=True
         )
     )
-    return Admissible(best._replace(signs=signs), len(flows))
+    return Admissible(best._replace(signs=signs, admissible=True), choices)
+
+
+def _flow(x: Number, turns: Number) -> float:
+    """What tells a flow from others: its sign, 0 where nothing flows, or what all of them have."""
+    return (1.0 if is_traced(x) else plain(x)) * (1.0 if is_traced(turns) else plain(turns) ** 2)
+
+
+def _better(one: LossyTorques, other: LossyTorques) -> LossyTorques:
+    """The one with the larger efficiency, in each variant in which both are admissible."""
+    if one.admissible is True and other.admissible is True:
+        better = other.efficiency > one.efficiency or not one.efficiency < math.inf
+        return other if better else one
+    larger = opposite(one.admissible) | (other.efficiency > one.efficiency)
+    better_one = other.admissible & larger
+    return one._replace(
+        signs=tuple(chosen(better_one, y, x) for x, y in zip(one.signs, other.signs, strict=True)),
+        efficiency=chosen(better_one, other.efficiency, one.efficiency),
+        admissible=one.admissible | other.admissible,
+    )
 
 
 def _every_set(ideal: IdealGear, start: IdealSigns, free: Sequence[int]) -> Iterator[LossyTorques]:
     """The torques for all possible sets of signs of the `free` mechanisms."""
-    for chosen in product((1.0, -1.0), repeat=len(free)):
-        signs = list(start.signs)
-        for place, x in zip(free, chosen, strict=True):
+    for own in product((1.0, -1.0), repeat=len(free)):
+        signs: list[Number] = list(start.signs)
+        for place, x in zip(free, own, strict=True):
             signs[place] = x
         if is_possible(ideal.variant.efficiencies, tuple(signs)):
             yield torques_for_signs(ideal, tuple(signs))
@@ -196,9 +231,17 @@ def _same(values: Sequence[Number | Rest]) -> Number:
     return first if agree else math.nan
 
 
-def _same_sign(values: Sequence[float]) -> float:
+def _same_sign(values: Sequence[Number]) -> float:
     """The sign that all of some are; else NaN."""
-    return values[0] if len(set(values)) == 1 else math.nan
+    own = [_decided(value) for value in values]
+    return own[0] if len(set(own)) == 1 else math.nan
+
+
+def _decided(x: Number) -> float:
+    """A sign, that of the first variant for all."""
+    if is_traced(x):
+        return 1.0 if x > 0 else -1.0
+    return plain(x)
 
 
 def _follow(ideal: IdealGear, start: IdealSigns, moving: Sequence[bool]) -> Admissible:
@@ -227,7 +270,7 @@ def _follow(ideal: IdealGear, start: IdealSigns, moving: Sequence[bool]) -> Admi
 def _possible(ideal: IdealGear, signs: Signs) -> Signs:
     """The signs, but that no self-locking mechanism is driven back."""
     return tuple(
-        1.0 if x < 0 and efficiency.back == 0 else x
+        1.0 if efficiency.back == 0 and x < 0 else _decided(x)
         for x, efficiency in zip(signs, ideal.variant.efficiencies, strict=True)
     )
 

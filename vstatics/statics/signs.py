@@ -9,7 +9,8 @@ import math
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from vstatics.statics.efficiency import Signs, sign
+from vstatics.numerics.traced import Number, sign
+from vstatics.statics.efficiency import Signs
 from vstatics.statics.ideal import IdealGear, mechanism_torques
 from vstatics.statics.power import power
 
@@ -54,9 +55,9 @@ def ideal_signs(ideal: IdealGear, *, moving: bool) -> IdealSigns:
     return IdealSigns(tuple(signs), unloaded, still)
 
 
-def _of_idle(ideal: IdealGear, place: int, *, is_unloaded: bool) -> float:
+def _of_idle(ideal: IdealGear, place: int, *, is_unloaded: bool) -> Number:
     """The sign of an idle mechanism by the convention of the case."""
     if ideal.case.idle == "exact":
         return 0.0
     published = 1.0 if is_unloaded else sign(ideal.variant.ratios[place])
-    return 0.0 if published < 0 and ideal.variant.efficiencies[place].back == 0 else published
+    return 0.0 if ideal.variant.efficiencies[place].back == 0 and published < 0 else published

@@ -11,7 +11,7 @@ from vstatics.model.transmission import Gear, Transmission
 from vstatics.numerics.traced import Number, Rest, plain, rest
 from vstatics.statics.bodies import Bodies, turning_as_one
 from vstatics.statics.drag import NO_DRAG, Drag
-from vstatics.statics.efficiency import lossy_ratios
+from vstatics.statics.efficiency import Signs, lossy_ratios
 from vstatics.statics.ideal import IdealGear
 from vstatics.statics.matrix import column, columns
 from vstatics.statics.power import LinkPower, device_powers, drag_powers, port_powers
@@ -103,7 +103,7 @@ class GearState(NamedTuple):
         return self.search.lossy.torques
 
     @property
-    def signs(self) -> tuple[float, ...]:
+    def signs(self) -> Signs:
         """By mechanism: +1 the first link drives, -1 it is driven, 0 idle, NaN open."""
         return self.search.lossy.signs
 
@@ -135,7 +135,7 @@ class GearState(NamedTuple):
     @property
     def consistent(self) -> bool:
         """The torques with losses stand, with signs that agree with their flow."""
-        return self.search.lossy.admissible
+        return bool(self.search.lossy.admissible)
 
     @property
     def statuses(self) -> list[Status]:
