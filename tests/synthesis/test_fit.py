@@ -286,3 +286,26 @@ def test_a_gear_that_nobody_asked_for_may_have_a_formula_that_is_too_long() -> N
     assert found.ratios["D19"] == pytest.approx(-4.0)
     assert found.gears["1"] == pytest.approx(solve(case).ratio[0])
     assert "gears[1]: the formula of its ratio has more than" in complaints(case, {"1": 2.0})
+
+
+def test_gears_that_have_the_same_ratio_can_not_differ() -> None:
+    case = BELAZ.replace(gears=[*BELAZ.gears, BELAZ.gears[1]._replace(name="2b")])
+    found = fit(case, {"2": 4.0, "2b": 3.0})
+    assert found.warnings == ["gears 2 and 2b have the same ratio, but 4 and 3 are wanted"]
+    assert found.gears["2"] == pytest.approx(math.sqrt(12))
+    assert fit(case, {"2": 4.0, "2b": 4.01}).warnings == []
+
+
+def test_starts_are_found_where_few_ratios_let_all_gears_turn_as_wanted() -> None:
+    """Products of six ratios of either sign, some with fixed signs: one orthant in 64."""
+    count = 6
+    case = Transmission(
+        count + 1,
+        [],
+        [Mechanism(n, n + 1, 0, -2.0) for n in range(1, count + 1)],
+        [Gear([], name=str(n), output=n + 1) for n in range(1, count + 1)],
+    )
+    wanted = {str(n): 1.5**n for n in range(1, count + 1)}
+    found = fit(case, wanted, bounds={"all": (-4, 4)})
+    assert list(found.ratios.values()) == pytest.approx([1.5] * count)
+    assert (found.residual < 1e-12, len(found.solutions)) == (True, 1)

@@ -29,7 +29,7 @@ from vstatics.synthesis.fit import Fit
 from vstatics.synthesis.fit_document import fit_document
 from vstatics.synthesis.fit_estimate import dry_document, dry_grids
 from vstatics.synthesis.fit_grids import fit_grids
-from vstatics.synthesis.fit_problem import fit_problem
+from vstatics.synthesis.fit_problem import doubts, fit_problem
 from vstatics.synthesis.fitted_case import fitted_case, lost_by_fit
 from vstatics.tables.grid import Grid
 from vstatics.writers import plain_json
@@ -120,8 +120,10 @@ def fit(
                 own, given[0], bounds=given[1], weights=given[2], tolerance=tolerance
             )
     if dry_run:
+        notes = _warnings(doubts(problem), file_name(case))
+        tell(notes, telling, case)
         _show(case, to, own.name, lambda: dry_grids(problem), lambda: dry_document(problem))
-        return DONE
+        return FAILED if telling.fails([*reading.warnings, *notes]) else DONE
     notes = _notes(found, file_name(case))
     tell(notes, telling, case)
     kept = target is None or _write(own, found, target, form)
@@ -224,4 +226,8 @@ def _notes(found: Fit, file: str) -> list[Problem]:
     if found.free:
         choice = f"the wanted ratios leave a choice of {spoken(found.free)}"
         told.append(f"{choice}: they are as near as may be to the case's own")
-    return notes + [of_file(file, one)._replace(severity="warning") for one in told]
+    return notes + _warnings(told, file)
+
+
+def _warnings(texts: Iterable[str], file: str) -> list[Problem]:
+    return [of_file(file, one)._replace(severity="warning") for one in texts]

@@ -13,8 +13,8 @@ from vstatics.explain.bodies import on_own_links
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Floats
 from vstatics.statics.solve import solve
-from vstatics.synthesis.fit_problem import FitProblem, fit_problem, reach_text
-from vstatics.synthesis.fit_search import Search
+from vstatics.synthesis.fit_problem import FitProblem, doubts, fit_problem
+from vstatics.synthesis.fit_search import found_ratios
 from vstatics.synthesis.ratio_arrays import ratio_arrays
 
 TOLERANCE = 0.005
@@ -95,18 +95,13 @@ def fit(
     (-3.0, True, [])
     """
     problem = fit_problem(case, ratios, bounds, weights, tolerance)
-    search = Search.of(problem)
-    if not search.varied:
-        found = [problem.anchor]
-        free: list[int] = []
-    else:
-        found, free = search.solutions()
+    found, free = found_ratios(problem)
     minima = [_solution(problem, one) for one in found]
     solutions = [one for one in minima if not one.unmet] or minima
     best = solutions[0]
     names = [mechanism.name for mechanism in problem.own.case.mechanisms]
     loose = [names[index] for index in free]
-    warnings = [*_out_of_reach(problem, best), *_freewheels(case, problem, best)]
+    warnings = [*doubts(problem), *_freewheels(case, problem, best)]
     return Fit(*best, solutions, problem, loose, warnings)
 
 
@@ -144,16 +139,6 @@ def _gears(problem: FitProblem, ratios: Floats) -> Iterator[float]:
     found = dict(zip(of_ratios, arrays.ratios(ratios[np.newaxis])[0].tolist(), strict=True))
     for index, formula in enumerate(formulas):
         yield formula.constant if formula.kind == "constant" else found.get(index, math.nan)
-
-
-def _out_of_reach(problem: FitProblem, best: FitSolution) -> Iterator[str]:
-    """Gears that could not be met whatever the others have."""
-    case = problem.own.case
-    for index, target in problem.targets.items():
-        name = case.gears[index].name
-        limits = problem.reach(index) if name in best.unmet else None
-        if limits is not None and not limits[0] <= target <= limits[1]:
-            yield f"gear {name} can't have {target:g}: {reach_text(*limits)}"
 
 
 def _freewheels(case: Transmission, problem: FitProblem, best: FitSolution) -> Iterator[str]:

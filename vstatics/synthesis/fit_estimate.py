@@ -7,8 +7,11 @@ import time
 from collections.abc import Iterator
 from typing import Any
 
+import numpy as np
+
 from vstatics.synthesis.fit_problem import FitProblem
-from vstatics.synthesis.fit_search import STARTS, Search
+from vstatics.synthesis.fit_space import FitSpace, Points, fit_space
+from vstatics.synthesis.fit_starts import start_count
 from vstatics.synthesis.least_squares import STEPS
 from vstatics.tables.grid import Column, Grid, Row, exact, text
 from vstatics.writers.plain_json import plain_data
@@ -25,20 +28,32 @@ def dry_document(problem: FitProblem) -> dict[str, Any]:
     for index, target in problem.targets.items():
         low, high = problem.reach(index) or (math.nan, math.nan)
         gears[case.gears[index].name] = {"wanted": target, "from": low, "to": high}
+    starts = start_count(fit_space(problem))
     made: dict[str, Any] = plain_data(
-        {"varied": varied, "gears": gears, "starts": STARTS, "seconds": longest(problem)}
+        {"varied": varied, "gears": gears, "starts": starts, "seconds": longest(problem)}
     )
     return made
 
 
 def longest(problem: FitProblem) -> float:
     """How long a fit takes at most, by one step of it [s]."""
-    search = Search.of(problem)
-    if not search.varied:
+    space = fit_space(problem)
+    if not space.varied:
         return 0.0
+    starts = _starts(space)
     began = time.perf_counter()
-    search.one_step()
-    return (time.perf_counter() - began) * 2 * STEPS
+    space.minima(starts, weight=1.0, steps=FEW)
+    return (time.perf_counter() - began) * STEPS / FEW
+
+
+FEW = 2
+"""Steps by which the time is estimated."""
+
+
+def _starts(space: FitSpace) -> Points:
+    """The case's own ratios as often as there are starts."""
+    count = start_count(space)
+    return Points(*(np.repeat(one, count, axis=0) for one in space.own))
 
 
 def dry_grids(problem: FitProblem) -> Iterator[Grid]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
+from fractions import Fraction
 from typing import NamedTuple
 
 import numpy as np
@@ -182,6 +183,28 @@ def _impossible(problem: FitProblem, index: int) -> Iterator[Problem]:
         read = f"gear {name}: read {target:g}, but {reach_text(*limits)}"
         message = f"{read}: expected a ratio {expected} 0"
         yield Problem(message, path)
+
+
+def doubts(problem: FitProblem) -> Iterator[str]:
+    """Wanted ratios that can't be met, each by itself or beside another one, in words."""
+    names = [gear.name for gear in problem.own.case.gears]
+    alike: dict[tuple[frozenset[tuple[int, Fraction]], ...], int] = {}
+    for index, target in problem.targets.items():
+        limits = problem.reach(index)
+        if limits is not None and not _is_met(problem, limits, target):
+            yield f"gear {names[index]} can't have {target:g}: {reach_text(*limits)}"
+        _, *polynomials = problem.formulas[index]
+        first = alike.setdefault(tuple(frozenset(one.items()) for one in polynomials), index)
+        other = problem.targets[first]
+        if abs(math.log(target / other)) > 2 * problem.tolerance:
+            both = f"gears {names[first]} and {names[index]}"
+            yield f"{both} have the same ratio, but {other:g} and {target:g} are wanted"
+
+
+def _is_met(problem: FitProblem, limits: tuple[float, float], target: float) -> bool:
+    """Whether a wanted ratio is within limits, but for the tolerance."""
+    nearest = min(max(target, limits[0]), limits[1])
+    return nearest / target > 0 and abs(math.log(nearest / target)) <= problem.tolerance
 
 
 def reach_text(low: float, high: float) -> str:

@@ -39,7 +39,9 @@ class Minima(NamedTuple):
     """(starts,): whether it is a minimum."""
 
 
-def minimize(residuals: Residuals, starts: Floats, low: Floats, high: Floats) -> Minima:
+def minimize(
+    residuals: Residuals, starts: Floats, low: Floats, high: Floats, steps: int = STEPS
+) -> Minima:
     """Go from each start to a minimum of the sum of squares.
 
     By the method of Levenberg and Marquardt. An unknown that stands at a bound, and would leave,
@@ -49,6 +51,8 @@ def minimize(residuals: Residuals, starts: Floats, low: Floats, high: Floats) ->
     ----------
     residuals : callable
     starts, low, high : ndarray, shape (starts, unknowns)
+    steps : int
+        So many a start may take.
 
     Examples
     --------
@@ -63,17 +67,19 @@ def minimize(residuals: Residuals, starts: Floats, low: Floats, high: Floats) ->
            [ 1.5]])
     """
     with np.errstate(all="ignore"):
-        return _minimized(residuals, starts.copy(), low, high)
+        return _minimized(residuals, starts.copy(), low, high, steps)
 
 
-def _minimized(residuals: Residuals, unknowns: Floats, low: Floats, high: Floats) -> Minima:
+def _minimized(
+    residuals: Residuals, unknowns: Floats, low: Floats, high: Floats, steps: int
+) -> Minima:
     count = unknowns.shape[1]
     squares = _squares(residuals(unknowns, np.arange(len(unknowns)))[0])
     settled = np.zeros(len(unknowns), np.bool_)
     damping = np.full(len(unknowns), 1e-2)
     flat = np.zeros(len(unknowns), np.int64)
     going = np.flatnonzero(np.isfinite(squares))
-    for _ in range(STEPS):
+    for _ in range(steps):
         if not len(going):
             break
         here, least, most = unknowns[going], low[going], high[going]
