@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from vstatics.synthesis.fit_problem import FitProblem
-from vstatics.synthesis.fit_space import FitSpace, Points, fit_space
+from vstatics.synthesis.fit_space import FitPoints, FitSpace, fit_space
 from vstatics.synthesis.fit_starts import start_count
 from vstatics.synthesis.least_squares import STEPS
 from vstatics.tables.grid import Column, Grid, Row, exact, text
@@ -50,10 +50,10 @@ FEW = 2
 """Steps by which the time is estimated."""
 
 
-def _starts(space: FitSpace) -> Points:
+def _starts(space: FitSpace) -> FitPoints:
     """The case's own ratios as often as there are starts."""
     count = start_count(space)
-    return Points(*(np.repeat(one, count, axis=0) for one in space.own))
+    return FitPoints(*(np.repeat(one, count, axis=0) for one in space.own))
 
 
 def dry_grids(problem: FitProblem) -> Iterator[Grid]:

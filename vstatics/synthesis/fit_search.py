@@ -8,7 +8,7 @@ import numpy as np
 
 from vstatics.numerics.arrays import Floats
 from vstatics.synthesis.fit_problem import FitProblem
-from vstatics.synthesis.fit_space import FitSpace, Points, fit_space
+from vstatics.synthesis.fit_space import FitPoints, FitSpace, fit_space
 from vstatics.synthesis.fit_starts import fit_starts
 from vstatics.synthesis.least_squares import Minima
 
@@ -48,11 +48,11 @@ def found_ratios(problem: FitProblem) -> FoundRatios:
     for weight in (*ANCHORED, 0.0) if free else (0.0,):
         minima = space.minima(points, weight)
         kept = _distinct(space, points.signs, minima)
-        points = Points(points.signs, minima.unknowns).at(kept)
+        points = FitPoints(points.signs, minima.unknowns).at(kept)
     return FoundRatios(list(space.full(points)), free)
 
 
-def _free(space: FitSpace, points: Points) -> list[int]:
+def _free(space: FitSpace, points: FitPoints) -> list[int]:
     """The indices of mechanisms that the wanted ratios leave a choice."""
     slopes = space.deviations(points)[1]
     slopes = slopes[np.isfinite(slopes).all(axis=(1, 2))]

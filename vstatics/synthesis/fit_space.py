@@ -19,16 +19,16 @@ NARROWEST = 1e-3
 """Where bounds have 0 between them, a ratio is no smaller than this part of the larger one."""
 
 
-class Points(NamedTuple):
+class FitPoints(NamedTuple):
     """Some points: both of shape (points, varied ratios)."""
 
     signs: Floats
     sizes: Floats
     """Logarithms."""
 
-    def at(self, chosen: Sequence[int] | Integers | Booleans) -> Points:
+    def at(self, chosen: Sequence[int] | Integers | Booleans) -> FitPoints:
         """Some of them."""
-        return Points(self.signs[chosen], self.sizes[chosen])
+        return FitPoints(self.signs[chosen], self.sizes[chosen])
 
 
 class FitSpace(NamedTuple):
@@ -45,12 +45,12 @@ class FitSpace(NamedTuple):
     """Of the weights, the largest of which is 1."""
 
     @property
-    def own(self) -> Points:
+    def own(self) -> FitPoints:
         """The case's own ratios, or the bounds nearest to them: one point."""
         ratios = self.problem.anchor[np.newaxis, self.varied]
-        return Points(np.sign(ratios), np.log(np.abs(ratios)))
+        return FitPoints(np.sign(ratios), np.log(np.abs(ratios)))
 
-    def full(self, points: Points) -> Floats:
+    def full(self, points: FitPoints) -> Floats:
         """The ratios of all mechanisms, (points, mechanisms) [-]."""
         ratios = np.tile(self.problem.anchor, (len(points.sizes), 1))
         ratios[:, self.varied] = points.signs * np.exp(points.sizes)
@@ -63,11 +63,11 @@ class FitSpace(NamedTuple):
         most = np.where(signs > 0, high, -low)
         return np.log(np.where(least > 0, least, NARROWEST * most)), np.log(most)
 
-    def quotients(self, points: Points) -> Floats:
+    def quotients(self, points: FitPoints) -> Floats:
         """The ratios of gears by those that are wanted, (points, gears) [-]."""
         return self.arrays.ratios(self.full(points)) / self.targets
 
-    def deviations(self, points: Points) -> tuple[Floats, Floats]:
+    def deviations(self, points: FitPoints) -> tuple[Floats, Floats]:
         """``ln(i/target)`` by the roots of weights, and derivatives by the logarithms of sizes.
 
         NaN where a gear turns the other way.
@@ -78,25 +78,25 @@ class FitSpace(NamedTuple):
         slopes = self.arrays.sensitivities(full)[:, :, self.varied]
         return values, slopes * self.roots[:, np.newaxis]
 
-    def minima(self, starts: Points, weight: float = 0.0, steps: int = STEPS) -> Minima:
+    def minima(self, starts: FitPoints, weight: float = 0.0, steps: int = STEPS) -> Minima:
         """The minima to which starts lead, with a weight of the case's own ratios."""
         own = self.own.sizes
 
         def residuals(sizes: Floats, which: Integers) -> tuple[Floats, Floats]:
-            found = self.deviations(Points(starts.signs[which], sizes))
+            found = self.deviations(FitPoints(starts.signs[which], sizes))
             return _anchored(*found, weight, sizes - own) if weight else found
 
         return minimize(residuals, starts.sizes, *self.within(starts.signs), steps)
 
-    def turned(self, starts: Points) -> Points:
-        """Points at which gears may turn as wanted, from starts at which they do not.
+    def turned(self, starts: FitPoints) -> FitPoints:
+        """FitPoints at which gears may turn as wanted, from starts at which they do not.
 
         For ``i = Q/P`` the deviation ``(Q/target - P)/sqrt((Q/target)^2 + P^2)`` has no poles, and
         is the same where a gear turns the other way.
         """
 
         def residuals(sizes: Floats, which: Integers) -> tuple[Floats, Floats]:
-            full = self.full(Points(starts.signs[which], sizes))
+            full = self.full(FitPoints(starts.signs[which], sizes))
             quotients = self.arrays.ratios(full) / self.targets
             size = np.hypot(quotients, 1)
             slopes = quotients * (quotients + 1) / size**3
@@ -104,7 +104,7 @@ class FitSpace(NamedTuple):
             return (quotients - 1) / size, slopes
 
         found = minimize(residuals, starts.sizes, *self.within(starts.signs))
-        return Points(starts.signs, found.unknowns)
+        return FitPoints(starts.signs, found.unknowns)
 
 
 def fit_space(problem: FitProblem) -> FitSpace:

@@ -6,13 +6,13 @@ import numpy as np
 
 from vstatics.errors import CaseError, Problem
 from vstatics.numerics.arrays import Booleans, Floats
-from vstatics.synthesis.fit_space import FitSpace, Points
+from vstatics.synthesis.fit_space import FitPoints, FitSpace
 
 MOST_STARTS, LEAST_STARTS = 128, 8
 ROOM = 12_800
 """So large are the matrices of all starts together: with many ratios there are fewer starts."""
 SAMPLES, ROUNDS = 2048, 4
-"""Points that are tried at a time, and how many times."""
+"""FitPoints that are tried at a time, and how many times."""
 
 
 def start_count(space: FitSpace) -> int:
@@ -21,7 +21,7 @@ def start_count(space: FitSpace) -> int:
     return max(LEAST_STARTS, min(MOST_STARTS, ROOM // max(count**2, 1)))
 
 
-def fit_starts(space: FitSpace) -> Points:
+def fit_starts(space: FitSpace) -> FitPoints:
     """The points at which a search begins: the case's own ratios if they do, half of them good.
 
     Raises
@@ -39,26 +39,26 @@ def fit_starts(space: FitSpace) -> Points:
             found = _turning(space, points)
             if len(found.sizes) < count:
                 more = _turning(space, space.turned(_nearly(space, points, count)))
-                found = Points(*map(np.concatenate, zip(found, more, strict=True)))
+                found = FitPoints(*map(np.concatenate, zip(found, more, strict=True)))
             if len(found.sizes):
                 return _chosen(space, found, count)
     raise CaseError([_no_start(space, turning)])
 
 
-def _turning(space: FitSpace, points: Points) -> Points:
+def _turning(space: FitSpace, points: FitPoints) -> FitPoints:
     """Those at which all gears turn as wanted."""
     return points.at(np.all(turns(space, points), axis=1))
 
 
-def turns(space: FitSpace, points: Points) -> Booleans:
+def turns(space: FitSpace, points: FitPoints) -> Booleans:
     """Whether gears turn as wanted, (points, gears)."""
     quotients = space.quotients(points)
     right: Booleans = (quotients > 0) & np.isfinite(quotients)
     return right
 
 
-def _sampled(space: FitSpace, random: np.random.Generator, *, own: bool) -> Points:
-    """Points all over the bounds; the first of them may be the case's own ratios."""
+def _sampled(space: FitSpace, random: np.random.Generator, *, own: bool) -> FitPoints:
+    """FitPoints all over the bounds; the first of them may be the case's own ratios."""
     low, high = (np.array(one)[space.varied] for one in space.problem.bounds)
     shape = (SAMPLES, len(space.varied))
     signs = np.where(random.random(shape) * (high - low) < np.maximum(high, 0), 1.0, -1.0)
@@ -69,16 +69,16 @@ def _sampled(space: FitSpace, random: np.random.Generator, *, own: bool) -> Poin
     sizes = nearest + random.random(shape) * (farthest - nearest)
     if own:
         sizes[0] = space.own.sizes
-    return Points(signs, sizes)
+    return FitPoints(signs, sizes)
 
 
-def _nearly(space: FitSpace, points: Points, count: int) -> Points:
+def _nearly(space: FitSpace, points: FitPoints, count: int) -> FitPoints:
     """The points at which most gears turn as wanted."""
     wrong = np.argsort(-turns(space, points).sum(axis=1), kind="stable")
     return points.at(wrong[:count])
 
 
-def _chosen(space: FitSpace, points: Points, count: int) -> Points:
+def _chosen(space: FitSpace, points: FitPoints, count: int) -> FitPoints:
     """The first point, which may be the case's own, half good ones, and half any."""
     squares = np.square(space.deviations(points)[0]).sum(axis=1)
     best = np.argsort(squares, kind="stable")[: count // 2]
