@@ -90,6 +90,25 @@ def test_trains_that_are_easily_wrong(name: str) -> None:
     assert not disagreements(case, None, efficiencies(rng, case, 12, "nearly 1"))
 
 
+@pytest.mark.parametrize("name", ["mzkt7922.dat", "power-split.yaml"])
+def test_variants_that_do_not_go_alike_run_on_arrays(name: str) -> None:
+    """Ratios by up to a factor of 4, of any sign: of 1,500 variants few are left alone."""
+    case = vstatics.load(CASES[0].with_name(name))
+    rng = generator(4)
+    shape = (1500, len(case.mechanisms))
+    factors = 4 ** rng.uniform(-1, 1, shape) * rng.choice((-1, 1), shape)
+    u = factors * [mechanism.ratio for mechanism in case.mechanisms]
+    eta = rng.uniform(0.9, 0.99, shape)
+    with no_plans():
+        together = solve(case, ratios=u, efficiencies=eta)
+        alone = sum(plans.alone for plans in variants._plans.values())
+    assert alone <= 0.01 * len(u) * len(case.gears)
+    searched = np.flatnonzero(together.turned.any(axis=(1, 2)) | together.locked.any(axis=1))
+    assert searched.size > 10
+    some = [*searched[:4].tolist(), *range(4)]
+    assert not disagreements(case, u, eta, some)
+
+
 def check_random(seed: int, most: int, largest: int = 6) -> None:
     case, u, eta = random_case(seed, largest)
     some = np.random.default_rng(seed).permutation(len(u))[:most]
