@@ -24,6 +24,16 @@ shift_elements:
   C: [1, 2]
 gears: {low: {}}
 """
+FREE = """\
+links: 5
+output: 3
+mechanisms:
+  P: {first: 1, second: 2, third: 3, ratio: -2.5}
+  Q: {first: 4, second: 5, third: 3, ratio: -2}
+shift_elements: {A: [2, housing], B: [1, 2], D: [4, housing]}
+gears: {N: {}}
+"""
+"""Nothing but D holds the second set."""
 
 
 def said(*arguments: object) -> Said:
@@ -114,6 +124,18 @@ def test_a_freewheel_that_overruns_gives_no_gear(tmp_path: Path) -> None:
     done = said(box, "--write", gears)
     assert "left out, as freewheels do not hold: low" in done.err
     assert [gear.name for gear in load(gears).gears] == ["C"]
+
+
+def test_gears_that_leave_links_free_are_left_out_and_told(tmp_path: Path) -> None:
+    """With all gears free they are taken; a second set is held by D alone."""
+    file = tmp_path / "gears.yaml"
+    (tmp_path / "two.yaml").write_text(FREE, encoding="utf-8")
+    done = said(tmp_path / "two.yaml", "--engaged", "1", "--write", file)
+    assert "left out" not in done.err
+    assert [gear.name for gear in load(file).gears] == ["A", "B"]
+    done = said(tmp_path / "two.yaml", "--engaged", "1,2", "--write", file)
+    assert "left out: 2 gears with other links undetermined" in done.err
+    assert [gear.name for gear in load(file).gears] == ["A+D", "B+D"]
 
 
 def test_how_many_how_large_how_long() -> None:

@@ -16,7 +16,7 @@ from vstatics.cli.formats import OutputOptions
 from vstatics.cli.synth_case_file import case_format, write_case, written_case
 from vstatics.cli.telling import Telling
 from vstatics.cli.torsion_case import file_name, one_text, problems_of
-from vstatics.errors import CaseError, ReadError, listed, of_file
+from vstatics.errors import CaseError, ReadError, listed, of_file, plural
 
 if TYPE_CHECKING:
     from vstatics.synthesis.combinations import CombinationSearch
@@ -170,4 +170,7 @@ def _write(search: CombinationSearch, target: str, form: str, case: str, telling
         raise ReadError([of_file(file_name(case), message)]) from None
     if found.slipping and not telling.quiet:
         files.say(f"{target}: left out, as freewheels do not hold: {listed(found.slipping)}")
+    if found.free and not telling.quiet:
+        what = f"{found.free} {plural('gear', found.free)} with other links undetermined"
+        files.say(f"{target}: left out: {what}")
     return write_case(found.case, target, form)

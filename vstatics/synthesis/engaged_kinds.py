@@ -75,6 +75,11 @@ def engaged_kinds(forms: SpeedForms, members: Indices) -> EngagedKinds:
     >>> found.ratios.round(9), found.unity
     (array([3.5, 1. ]), array([False,  True]))
     """
+    with np.errstate(all="ignore"):  # what overflows is doubtful
+        return _eliminated(forms, members)
+
+
+def _eliminated(forms: SpeedForms, members: Indices) -> EngagedKinds:
     sets, engaged = members.shape
     ports = np.broadcast_to(np.arange(-3, 0), (sets, 3))
     chosen = np.concatenate([members, ports], axis=1).T
@@ -92,8 +97,7 @@ def engaged_kinds(forms: SpeedForms, members: Indices) -> EngagedKinds:
         [EngagedKind.BLOCKED, EngagedKind.PARKING, EngagedKind.NEUTRAL],
         EngagedKind.GEAR,
     )
-    with np.errstate(all="ignore"):
-        ratios = np.where(kinds == EngagedKind.GEAR, 1 / by_input, np.nan)
+    ratios = np.where(kinds == EngagedKind.GEAR, 1 / by_input, np.nan)
     moving = rank + input_turns + apart
     free = moving < forms.free
     return EngagedKinds(kinds.astype(np.int8), ratios, free, unity, rows.doubtful)
@@ -147,7 +151,8 @@ class _SizedRows:
         products = factors * mine
         sizes += of_factors * abs(mine) + abs(factors) * its_size
         larger = REAL * np.maximum(abs(values), abs(products))
-        lost = (sizes * (KEPT * REAL) > larger) & (larger > 0)
+        known = (sizes * (KEPT * REAL) <= larger) & (sizes < np.inf)
+        lost = ~known & (larger != 0)
         self.doubtful |= lost.any(axis=(0, 1))
         values -= products
         rounding = np.minimum(ZERO * sizes, larger)

@@ -23,6 +23,8 @@ class FoundGears(NamedTuple):
     case: Transmission
     slipping: Sequence[str]
     """Names of gears that are left out, as their freewheels would not hold."""
+    free: int = 0
+    """So many are left out besides, as they leave other links undetermined."""
 
 
 def found_gears(search: CombinationSearch) -> FoundGears:
@@ -30,7 +32,8 @@ def found_gears(search: CombinationSearch) -> FoundGears:
 
     They stand from the largest ratio to the smallest, those of the other direction last. One
     that the case has already, with its input and output and no given speeds, stays as it is;
-    a new one is called by its elements, ``F1+T3``, and has the drag that all gears share.
+    a new one is called by its elements, ``F1+T3``, and has the drag that all gears share. New
+    ones that leave other links undetermined are left out, unless all gears are such.
 
     Raises
     ------
@@ -45,25 +48,46 @@ def found_gears(search: CombinationSearch) -> FoundGears:
     >>> [gear.name for gear in found_gears(CombinationSearch(case)).case.gears]
     ['low', 'F2']
     """
-    found: dict[frozenset[str], list[float]] = {}
-    wheels = {one.name for one in search.elements if one.is_freewheel}
-    for one in _with_ratio(search):
-        found.setdefault(frozenset(one.engaged) - wheels, []).append(one.ratio)
-        if len(found) > MOST_GEARS:
-            message = (
-                f"the combinations give more than {MOST_GEARS} gears, too many for a case; "
-                "expected fewer elements to choose from"
-            )
-            raise CaseError([Problem(message)])
-    if not found:
-        raise CaseError([Problem("no combination of shift elements gives a gear")])
     case = search.case
+    wheels = {one.name for one in search.elements if one.is_freewheel}
+    own = _own(case)
+    found: dict[frozenset[str], list[float]] = {}
+    free: dict[frozenset[str], list[float]] = {}
+    left = 0
+    for one in _with_ratio(search):
+        names = frozenset(one.engaged) - wheels
+        is_free = one.free and names not in own
+        left += is_free
+        if not is_free:
+            found.setdefault(names, []).append(one.ratio)
+        elif len(free) <= MOST_GEARS:
+            free.setdefault(names, []).append(one.ratio)
+        if len(found) > MOST_GEARS:
+            break
+    chosen = found or free
+    if not chosen:
+        raise CaseError([Problem("no combination of shift elements gives a gear")])
+    if len(chosen) > MOST_GEARS:
+        message = f"the combinations give more than {MOST_GEARS} gears, too many for a case"
+        raise CaseError([Problem(f"{message}; expected fewer elements to choose from")])
+    left *= bool(found)
     elements = case.shift_elements if search.are_own else search.elements
-    gears = list(_gears(case, elements, found))
+    gears = list(_gears(case, elements, own, chosen))
     made = case.replace(shift_elements=elements, gears=gears)
     if made.freewheels:
-        return _holding(made, list(found.values()))
-    return FoundGears(_ordered(made, gears, [ratio for [ratio] in found.values()]), [])
+        return _holding(made, list(chosen.values()))._replace(free=left)
+    ratios = [ratio for [ratio] in chosen.values()]
+    return FoundGears(_ordered(made, gears, ratios), [], left)
+
+
+def _own(case: Transmission) -> dict[frozenset[str], Gear]:
+    """Gears of a case that combinations can be compared with, by the names of their elements."""
+    own: dict[frozenset[str], Gear] = {}
+    for gear in case.gears:
+        if is_plain(case, gear):
+            names = (case.shift_elements[number - 1].name for number in gear.engaged)
+            own.setdefault(frozenset(names), gear)
+    return own
 
 
 def _with_ratio(search: CombinationSearch) -> Iterator[EngagedSet]:
@@ -81,9 +105,12 @@ def _ordered(case: Transmission, gears: Sequence[Gear], ratios: Sequence[float])
 
 
 def _gears(
-    case: Transmission, elements: Sequence[ShiftElement], engaged: Iterable[frozenset[str]]
+    case: Transmission,
+    elements: Sequence[ShiftElement],
+    own: Mapping[frozenset[str], Gear],
+    engaged: Iterable[frozenset[str]],
 ) -> Iterator[Gear]:
-    """Gears that engage these; numbers are those of `elements`."""
+    """Gears that engage these, its own ones or new ones; numbers are those of `elements`."""
     number = {element.name: place for place, element in enumerate(elements, 1)}
     old = {place: element.name for place, element in enumerate(case.shift_elements, 1)}
 
@@ -93,10 +120,6 @@ def _gears(
 
     drag = shared([gear.drag for gear in case.gears])
     open_drag = renumbered(shared([gear.open_drag for gear in case.gears]))
-    own: dict[frozenset[str], Gear] = {}
-    for gear in case.gears:
-        if is_plain(case, gear):
-            own.setdefault(frozenset(old[place] for place in gear.engaged), gear)
     taken = {gear.name for gear in own.values()}
     for names in engaged:
         chosen = sorted(number[name] for name in names)
