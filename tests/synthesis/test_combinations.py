@@ -200,14 +200,25 @@ def test_all_elements_have_names_by_their_links() -> None:
 
 def test_names_that_would_be_the_same_are_numbers() -> None:
     """The clutches a-b to c and a to b-c would both be F-a-b-c."""
-    case = belaz().replace(link_names=["a-b", "c", "a", "b-c", "d", "e", "f"])
+    case = belaz().replace(link_names=["a-b", "x", "c", "a", "y", "b-c", "z"])
     names = [one.name for one in CombinationSearch(case, elements=["auto"]).elements]
     assert len(set(names)) == len(names) == 26
-    assert "F-3-4" in names
-    taken = case.replace(shift_elements=[ShiftElement(3, 7, "F-3-4"), *case.shift_elements[1:]])
+    assert {"F1", "F-1-3", "F-4-6"} < set(names)
+    taken = case.replace(shift_elements=[ShiftElement(3, 7, "F-1-3"), *case.shift_elements[1:]])
     names = [one.name for one in CombinationSearch(taken, elements=["auto"]).elements]
     assert len(set(names)) == 26
-    assert {"F-3-4", "F-3-4'"} < set(names)
+    assert {"F-1-3", "F-1-3'"} < set(names)
+
+
+def test_elements_of_all_elements_are_the_same_again() -> None:
+    """A case with all of them, by their names, has all of them."""
+    case = belaz()
+    every = CombinationSearch(case, elements=["auto"]).elements
+    again = CombinationSearch(case.replace(shift_elements=every), elements=["auto"]).elements
+    assert [one.name for one in again] == [one.name for one in every]
+    some = case.replace(shift_elements=every[5:9])
+    named = {one.name for one in CombinationSearch(some, elements=["auto"]).elements}
+    assert {"F-1-7", "F-2-3", "T-4"} < named
 
 
 def test_batches_do_not_matter(monkeypatch: pytest.MonkeyPatch) -> None:

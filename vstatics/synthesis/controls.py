@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from itertools import combinations as subsets
 
 from vstatics.errors import CaseError, Problem, listed, nearest, typed_number
 from vstatics.model.transmission import HOUSING, ShiftElement, Transmission
 
+Pair = tuple[int, int]
 AUTO = "auto"
 """What asks for all elements that a scheme may have."""
 
@@ -68,16 +69,18 @@ def all_controls(case: Transmission) -> list[ShiftElement]:
     """
     ports = {case.input, case.output, *case.outputs}
     links = range(1, case.own_links + 1)
-    pairs = [*subsets(links, 2), *((link, HOUSING) for link in links if link not in ports)]
+    pairs: list[Pair] = [
+        *subsets(links, 2),
+        *((link, HOUSING) for link in links if link not in ports),
+    ]
     own: dict[frozenset[int], ShiftElement] = {}
     for element in case.shift_elements:
         if not element.is_freewheel:
             own.setdefault(frozenset(element.links), element)
-    names = _names(case, pairs, taken=[one.name for one in case.shift_elements])
-    return [
-        own.get(frozenset(pair)) or ShiftElement(*pair, name=name)
-        for pair, name in zip(pairs, names, strict=True)
-    ]
+    new = [pair for pair in pairs if frozenset(pair) not in own]
+    kept = {own[frozenset(pair)].name for pair in pairs if frozenset(pair) in own}
+    names = dict(zip(new, _names(case, new, kept), strict=True))
+    return [own.get(frozenset(pair)) or ShiftElement(*pair, name=names[pair]) for pair in pairs]
 
 
 def count_all(case: Transmission) -> int:
@@ -91,15 +94,13 @@ def count_all(case: Transmission) -> int:
     return case.own_links * (case.own_links - 1) // 2 + case.own_links - len(ports)
 
 
-def _names(case: Transmission, pairs: Iterable[tuple[int, int]], taken: Iterable[str]) -> list[str]:
+def _names(case: Transmission, pairs: Sequence[Pair], taken: set[str]) -> list[str]:
     """Names that tell the links: ``F-sun-ring``, ``T-ring``; numbers of links if need be."""
-    pairs = list(pairs)
-    others = set(taken)
     by_name = [_name([case.link_name(link) for link in pair if link]) for pair in pairs]
-    if len(set(by_name)) == len(by_name) and not others & set(by_name):
+    if len(set(by_name)) == len(by_name) and not taken & set(by_name):
         return by_name
     names = [_name([str(link) for link in pair if link]) for pair in pairs]
-    while others & set(names):
+    while taken & set(names):
         names = [f"{name}'" for name in names]
     return names
 
