@@ -16,6 +16,7 @@ from vstatics.cli.progress import progress
 from vstatics.errors import Problem, ReadError, of_file, quoted, typed_number
 from vstatics.jobs.files import STDOUT, is_stream
 from vstatics.synthesis import structures as search
+from vstatics.synthesis.structure_counts import count
 from vstatics.synthesis.structure_estimate import Estimate, estimate
 from vstatics.synthesis.structure_lines import lines
 from vstatics.synthesis.structures import Classes, StructureSearch
@@ -113,7 +114,7 @@ def structures(
     expected = _told(asked, output, listed=not counted)
     if counted:
         with progress(expected, "schemes") as advance:
-            by_links = search.count(asked, advance)
+            by_links = count(asked, advance)
         files.write_output(_json(_document(asked, by_links), form), output)
         return
     with (
@@ -127,7 +128,7 @@ def structures(
 
 
 def _document(asked: StructureSearch, by_links: dict[int, int]) -> dict[str, object]:
-    numbers = {str(links): count for links, count in by_links.items()}
+    numbers = {str(links): number for links, number in by_links.items()}
     return {"sets": asked.sets, "count": sum(by_links.values()), "by_links": numbers}
 
 
@@ -177,14 +178,14 @@ def _estimate_text(
 ) -> str:
     """How many, how large and how long, in lines; or as JSON if it is asked for."""
     if form:
-        rounded = {links: round(count) for links, count in found.by_links.items()}
+        rounded = {links: round(number) for links, number in found.by_links.items()}
         size = round(found.bytes) if listed else None
         about_it = {"exact": found.exact, "bytes": size, "seconds": found.seconds}
         return _json({**_document(asked, rounded), **about_it}, form)
     say = str if found.exact else about
     parts = {"schemes": say(found.total)}
-    for links, count in found.by_links.items():
-        parts[f"{links} links"] = say(count)
+    for links, number in found.by_links.items():
+        parts[f"{links} links"] = say(number)
     if listed:
         parts["size"] = f"about {size_text(found.bytes)}"
     parts["time"] = f"about {duration_text(found.seconds)}"

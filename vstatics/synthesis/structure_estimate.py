@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from vstatics.numerics.arrays import Floats
 from vstatics.synthesis import scheme_arrays
+from vstatics.synthesis.structure_counts import count
 from vstatics.synthesis.structure_lines import lines
 from vstatics.synthesis.structures import (
     SchemeBatch,
@@ -28,8 +29,10 @@ from vstatics.synthesis.structures import (
     weights,
 )
 
-TRIED = 400_000
+TRIED = 600_000
 """About so many schemes grow for each number of sets, fewer where each has more renamings."""
+SOON = 6
+"""So many sets are counted as soon as estimated."""
 WRITTEN = 2000
 """Lines of so many schemes show how long a line is."""
 
@@ -65,15 +68,26 @@ def estimate(search: StructureSearch, *, listed: bool) -> Estimate:
     ({5: 190, 6: 155, 7: 37}, True)
     """
     check_search(search)
+    counts = _counts(search)
+    if not listed:
+        return counts
+    grown = _sample(search)
+    length, writing = _written(search, grown.batch)
+    seconds = grown.seconds + writing * counts.total
+    return counts._replace(bytes=length * counts.total, seconds=seconds)
+
+
+def _counts(search: StructureSearch) -> Estimate:
+    """About how many there are, and how long it takes to count them."""
+    if search.classes == "none" and (search.unsound or search.sets <= SOON):
+        return Estimate(dict(count(search)), True, 0.0, 0.0)  # noqa: FBT003 - a record
     sample = _sample(counted_by(search))
     numbers = weights(search, sample.batch) * sample.weights
     by_links = {links: _sum(numbers[sample.batch.links == links]) for links in search.wanted}
-    if not listed:
-        return Estimate(by_links, sample.exact, 0.0, sample.seconds)
-    grown = _sample(search) if search.classes == "none" else sample
-    length, writing = _written(search, grown.batch)
-    total = sum(by_links.values())
-    return Estimate(by_links, sample.exact, length * total, grown.seconds + writing * total)
+    seconds = sample.seconds
+    if search.classes == "none":  # they are counted by a list of those of two sets less
+        seconds = _sample(StructureSearch(search.sets - 2, "sets")).seconds
+    return Estimate(by_links, sample.exact, 0.0, seconds)
 
 
 def _sum(numbers: Floats) -> float:
@@ -96,13 +110,12 @@ class _DrawnSchemes(NamedTuple):
 
 def _sample(search: StructureSearch) -> _DrawnSchemes:
     """Schemes that grow from some of those with one set less, and so on."""
-    random = np.random.default_rng(14)
     [batch] = batches(search._replace(sets=1, links=()))
     sizes, exact, seconds = np.ones(1), True, 0.0
     for _ in range(search.sets - 1):
-        rows, parts = _drawn(search, batch, random)
-        exact = exact and len(rows) == len(batch.codes)
-        sizes = sizes[rows] * parts
+        before = len(batch.codes)
+        rows, sizes = _drawn(search, batch, sizes)
+        exact = exact and len(rows) == before
         began = time.perf_counter()
         batch = next_batch(search, batch.codes[rows])
         spent = time.perf_counter() - began
@@ -112,22 +125,29 @@ def _sample(search: StructureSearch) -> _DrawnSchemes:
 
 
 def _drawn(
-    search: StructureSearch, batch: SchemeBatch, random: np.random.Generator
+    search: StructureSearch, batch: SchemeBatch, sizes: Floats
 ) -> tuple[NDArray[np.intp], Floats]:
     """The rows of some of the schemes, and for how many each stands; all if they are few.
 
-    There are as many of each number of links.
+    There are as many of each number of links, at equal steps of what they stand for.
     """
     orders = 1 if search.classes == "none" else len(scheme_arrays.orders(search.classes))
     most = rows_at_once(search, batch.codes, TRIED // orders)
     if len(batch.codes) <= most:
-        return np.arange(len(batch.codes)), np.ones(len(batch.codes))
+        return np.arange(len(batch.codes)), sizes
     groups = [np.flatnonzero(batch.links == links) for links in np.unique(batch.links)]
-    each = max(most // len(groups), 1)
-    rows = [np.sort(random.permutation(one)[:each]) for one in groups]
-    parts = [len(one) / len(some) for one, some in zip(groups, rows, strict=True)]
-    counts = [len(some) for some in rows]
-    return np.concatenate(rows), np.repeat(parts, counts)
+    drawn, stand = [], []
+    for group in groups:
+        count = rows_at_once(search, batch.codes[group], TRIED // orders // len(groups))
+        reached = np.cumsum(sizes[group])
+        if len(group) <= count:
+            drawn.append(group)
+            stand.append(sizes[group])
+            continue
+        step = reached[-1] / count
+        drawn.append(group[np.searchsorted(reached, (np.arange(count) + 0.5) * step)])
+        stand.append(np.full(count, step))
+    return np.concatenate(drawn), np.concatenate(stand)
 
 
 def _written(search: StructureSearch, batch: SchemeBatch) -> tuple[float, float]:

@@ -8,7 +8,7 @@ found before, and memory does not grow with their number.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from typing import Literal, NamedTuple
 
 import numpy as np
@@ -167,31 +167,6 @@ def _alone(search: StructureSearch) -> SchemeBatch:
     if search.classes != "none":
         found = symmetries(codes, scheme_arrays.orders(search.classes))
     return SchemeBatch(codes, scheme_arrays.link_counts(codes), found, np.zeros(1, np.intp))
-
-
-def count(
-    search: StructureSearch, advance: Callable[[int], None] = lambda _: None
-) -> dict[int, int]:
-    """How many schemes there are, by their number of links.
-
-    Parameters
-    ----------
-    search : StructureSearch
-    advance : callable
-        Is told how many more are counted, now and then.
-
-    Examples
-    --------
-    >>> count(StructureSearch(2)), count(StructureSearch(2, "sets", ports=True))
-    ({4: 18, 5: 9}, {4: 111, 5: 90})
-    """
-    found = dict.fromkeys(search.wanted, 0)
-    for batch in batches(counted_by(search)):
-        numbers = weights(search, batch)
-        for links in np.unique(batch.links).tolist():
-            found[links] += int(numbers[batch.links == links].sum())
-        advance(int(numbers.sum()))
-    return found
 
 
 def counted_by(search: StructureSearch) -> StructureSearch:
