@@ -9,10 +9,12 @@ import json
 from pathlib import Path
 
 import pytest
+from jsonschema import Draft202012Validator
 
 from tests.commands import vstatics
 from vstatics import load, solve
 from vstatics.cli import synth_structures
+from vstatics.cli.synth_schemas import structures_schema
 from vstatics.jobs.files import STDOUT
 
 BELAZ = "0-1-2-1-3-4-1-5-3-3-5-6"
@@ -220,3 +222,10 @@ def test_ratios_that_are_none(ratios: str, message: str) -> None:
 def test_a_case_is_written_to_stdout_by_default() -> None:
     call = ("synth", "case", "0-1-2", "--input", "L0", "--output", "L1", "--ratios", "-2")
     assert vstatics(*call).out == vstatics(*call, "-o", STDOUT).out
+
+
+@pytest.mark.parametrize("options", [(), ("--count",), ("--dry-run",), ("--dry-run", "--count")])
+def test_all_documents_fit_the_schema(options: tuple[str, ...]) -> None:
+    validator = Draft202012Validator(structures_schema())
+    for one in structures("--sets", 2, "--ports", "-f", "jsonl", *options):
+        assert list(validator.iter_errors(one)) == []

@@ -9,7 +9,21 @@ from vstatics.writers.record_schema import Schema, list_of, record, schema_of
 
 def json_schemas() -> dict[str, Schema]:
     """By the name of each: the schemas of ``vstatics synth ... -f json``."""
-    return {"combinations": combinations_schema()}
+    return {"structures": structures_schema(), "combinations": combinations_schema()}
+
+
+def structures_schema() -> Schema:
+    """The schema of ``vstatics synth structures``: a line of a list, a count, an estimate."""
+    number: Schema = {"type": "integer", "minimum": 0}
+    link: Schema = {"type": ["integer", "null"], "minimum": 0}
+    code: Schema = {"type": "string", "pattern": "^[0-9]+(-[0-9]+)*$"}
+    scheme = record({"code": code, "links": number, "input": link, "output": link})
+    by_links: Schema = {"type": "object", "additionalProperties": number}
+    counted = {"sets": number, "count": number, "by_links": by_links}
+    size = {"bytes": {**number, "type": ["integer", "null"]}, "seconds": {"type": "number"}}
+    about = record({**counted, "exact": {"type": "boolean"}, **size})
+    title = "Schemes of planetary sets, of vstatics synth structures"
+    return _schema("structures", title, {"anyOf": [scheme, record(counted), about]})
 
 
 def combinations_schema() -> Schema:
