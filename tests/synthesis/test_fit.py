@@ -10,8 +10,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from tests.commands import CASES, SHIPPED
-from tests.synthesis.test_gear_formula import entangled
+from tests.commands import CASES
+from tests.synthesis.test_gear_formula import FILES, entangled
 from vstatics import CaseError, Gear, Mechanism, ShiftElement, Transmission, load, solve
 from vstatics.explain.bodies import on_own_links
 from vstatics.synthesis.fit import Fit, fit
@@ -45,7 +45,7 @@ def test_the_published_targets_of_the_belaz() -> None:
     assert found.gears["1"] == pytest.approx(4.0 * 1.4925)
 
 
-@pytest.mark.parametrize("file", SHIPPED, ids=lambda path: path.name)
+@pytest.mark.parametrize("file", FILES, ids=lambda path: path.name)
 def test_ratios_of_shipped_gears_give_them_back(file: Path) -> None:
     """From other ratios: those of the case, a tenth farther from 1."""
     case = on_own_links(load(file)).case
@@ -309,3 +309,34 @@ def test_starts_are_found_where_few_ratios_let_all_gears_turn_as_wanted() -> Non
     found = fit(case, wanted, bounds={"all": (-4, 4)})
     assert list(found.ratios.values()) == pytest.approx([1.5] * count)
     assert (found.residual < 1e-12, len(found.solutions)) == (True, 1)
+
+
+def test_a_ratio_at_a_bound_is_the_bound_to_the_last_digit() -> None:
+    found = fit(BELAZ, {"2": 20.0})
+    assert (found.ratios["P3"], found.unmet) == (-14.0, ["2"])
+
+
+def test_bounds_of_the_other_sign_are_told() -> None:
+    told = complaints(BELAZ, {"2": 4.0}, bounds={"P3": (1.5, 4)})
+    assert (
+        "P3 has the ratio -3 in the case, and bounds of the other sign; did you mean -4:-1.5?"
+        in told
+    )
+    assert fit(BELAZ, {"2": 4.0}, bounds={"P3": (-4, 4)}).warnings == []
+
+
+@pytest.mark.parametrize(
+    ("wanted", "options"),
+    [
+        ({"2": 1e300, "R2": -1e-300}, {}),
+        ({"2": 4.0, "4": 2.0, "3": 9.0}, {"weights": {"2": 1e-300, "3": 1e300}}),
+        ({"2": 4.0, "R2": -5.0}, {"bounds": {"all": (-1e9, -1e-9)}}),
+        ({"2": 4.0, "R2": -5.0}, {"bounds": {"all": (-1e9, 1e9)}}),
+    ],
+)
+def test_numbers_of_any_size_do_no_harm(wanted: dict[str, float], options: dict[str, Any]) -> None:
+    found = fit(BELAZ, wanted, **options)
+    assert all(math.isfinite(ratio) and ratio for ratio in found.ratios.values())
+    assert "expected sizes from 1e-09 to 1e+09" in complaints(
+        BELAZ, wanted, bounds={"P1": (-1e300, -1)}
+    )

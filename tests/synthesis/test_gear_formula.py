@@ -18,6 +18,11 @@ from vstatics.summary.sensitivity import sensitivities
 from vstatics.synthesis.gear_formula import GearFormula, gear_formula
 from vstatics.synthesis.ratio_arrays import ratio_arrays, reach
 
+FILES = [
+    pytest.param(file, marks=[pytest.mark.slow] * bool(number % 8))
+    for number, file in enumerate(SHIPPED)
+]
+"""All shipped cases, most of them for the slow tests."""
 BELAZ = {
     "1": ({0: -1, 0b1: 1, 0b100: 1, 0b101: -1}, {0b1: 1}),
     "2": ({0: 1, 0b100: -1}, {0: 1}),
@@ -51,7 +56,7 @@ def test_formulas_of_the_belaz(gear: str) -> None:
     )
 
 
-@pytest.mark.parametrize("file", SHIPPED, ids=lambda path: path.name)
+@pytest.mark.parametrize("file", FILES, ids=lambda path: path.name)
 def test_every_shipped_gear_has_the_ratio_of_the_solver(file: Path) -> None:
     """The solver eliminates in floats, and knows no polynomials."""
     case = on_own_links(load(file)).case

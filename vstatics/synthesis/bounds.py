@@ -14,6 +14,8 @@ WIDEST = 14.0
 """The ratio of a planetary set with three planets is below 13.93, as they must not touch."""
 NARROW = 1e-3
 """A bound of 0, which no ratio has, stands for this part of the other bound."""
+SMALLEST, LARGEST = 1e-9, 1e9
+"""No bound is smaller or larger: products of ratios are to be numbers."""
 ALL = "all"
 """Stands for all mechanisms that are not named themselves."""
 
@@ -133,6 +135,8 @@ def _wrong(low: float, high: float) -> Iterator[str]:
         yield f"read {low:g}:{high:g}, expected the lower bound first; {hint}"
     elif low == high == 0:
         yield "read 0:0, expected a ratio other than 0"
+    elif any(one and not SMALLEST <= abs(one) <= LARGEST for one in (low, high)):
+        yield f"read {low:g}:{high:g}, expected sizes from {SMALLEST:g} to {LARGEST:g}"
 
 
 def _without_zero(low: float, high: float) -> tuple[float, float]:

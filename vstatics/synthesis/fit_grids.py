@@ -42,7 +42,7 @@ def _gears(found: Fit) -> Grid:
             met = "not met" if gear.name in found.unmet else "met"
             row += [exact(100 * round(deviation(ratio, target), ROUNDED)), met]
         rows.append(row)
-    columns = [text("gear"), *map(Column, ("wanted", "ratio", "off [%]")), text("")]
+    columns = [text("gear"), *map(Column, ("wanted", "ratio", "off [%]")), text("note")]
     return Grid("Gears", columns, rows)
 
 
@@ -54,7 +54,7 @@ def _mechanisms(found: Fit) -> Grid:
         low, high = problem.bounds.low[index], problem.bounds.high[index]
         numbers = (exact(one, 4) for one in (ratio, low, high))
         rows.append([name, *numbers, mechanism_note(problem, index, ratio, found)])
-    columns = [text("mechanism"), *map(Column, ("ratio", "from", "to")), text("")]
+    columns = [text("mechanism"), *map(Column, ("ratio", "from", "to")), text("note")]
     return Grid("Mechanisms", columns, rows)
 
 

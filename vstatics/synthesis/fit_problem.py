@@ -99,6 +99,7 @@ def fit_problem(
     made = FitProblem(own, formulas, targets, weighted, limits, tolerance)
     problems = [one for index in targets for one in _impossible(made, index)]
     if problems:
+        problems += (Problem(text, ("bounds",)) for text in _other_signs(made))
         raise CaseError(problems)
     return made
 
@@ -186,7 +187,8 @@ def _impossible(problem: FitProblem, index: int) -> Iterator[Problem]:
 
 
 def doubts(problem: FitProblem) -> Iterator[str]:
-    """Wanted ratios that can't be met, each by itself or beside another one, in words."""
+    """What may not be meant, and ratios that can't be met by themselves or together, in words."""
+    yield from _other_signs(problem)
     names = [gear.name for gear in problem.own.case.gears]
     alike: dict[tuple[frozenset[tuple[int, Fraction]], ...], int] = {}
     for index, target in problem.targets.items():
@@ -199,6 +201,16 @@ def doubts(problem: FitProblem) -> Iterator[str]:
         if abs(math.log(target / other)) > 2 * problem.tolerance:
             both = f"gears {names[first]} and {names[index]}"
             yield f"{both} have the same ratio, but {other:g} and {target:g} are wanted"
+
+
+def _other_signs(problem: FitProblem) -> Iterator[str]:
+    """Mechanisms that are to have the other sign than in the case."""
+    limits = zip(problem.own.case.mechanisms, *problem.bounds, strict=True)
+    for mechanism, low, high in limits:
+        if high < 0 < mechanism.ratio or mechanism.ratio < 0 < low:
+            ratio = f"{mechanism.name} has the ratio {mechanism.ratio:.4g} in the case"
+            hint = f"{-high:g}:{-low:g}" if low != high else f"{-low:g}"
+            yield f"{ratio}, and bounds of the other sign; did you mean {hint}?"
 
 
 def _is_met(problem: FitProblem, limits: tuple[float, float], target: float) -> bool:

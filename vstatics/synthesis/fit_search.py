@@ -19,6 +19,8 @@ MET = 1e-20
 """Sums of squares below this are all the same: nothing is left but rounding."""
 SAME_SOLUTION = 1e-5
 """Solutions whose ratios differ by less than this part are one."""
+ROUNDED = 1e-14
+"""A ratio that differs from a bound by less than this part stands at it."""
 DEPENDENT = 1e-9
 """Directions in which the ratios change by less than this part, of the most, are free."""
 
@@ -49,7 +51,14 @@ def found_ratios(problem: FitProblem) -> FoundRatios:
         minima = space.minima(points, weight)
         kept = _distinct(space, points.signs, minima)
         points = FitPoints(points.signs, minima.unknowns).at(kept)
-    return FoundRatios(list(space.full(points)), free)
+    return FoundRatios(list(_at_bounds(problem, space.full(points))), free)
+
+
+def _at_bounds(problem: FitProblem, ratios: Floats) -> Floats:
+    """Ratios that are those of bounds but for rounding, as they are given."""
+    for bound in map(np.array, problem.bounds):
+        ratios = np.where(np.abs(ratios - bound) <= ROUNDED * np.abs(bound), bound, ratios)
+    return ratios
 
 
 def _free(space: FitSpace, points: FitPoints) -> list[int]:

@@ -51,8 +51,8 @@ class RatioArrays(NamedTuple):
         ndarray, shape (variants, gears)
             Not finite where the output stands. [-]
         """
-        products = self._products(of_mechanisms)
         with np.errstate(all="ignore"):
+            products = self.products(of_mechanisms)
             found: Floats = (products @ self.above) / (products @ self.below)
         return found
 
@@ -69,13 +69,13 @@ class RatioArrays(NamedTuple):
         ndarray, shape (variants, gears, mechanisms)
             [-]
         """
-        products = self._products(of_mechanisms)
         with np.errstate(all="ignore"):
+            products = self.products(of_mechanisms)
             found: Floats = self._part(products, self.above) - self._part(products, self.below)
         return found
 
-    def _products(self, of_mechanisms: Floats) -> Floats:
-        """(variants, products)."""
+    def products(self, of_mechanisms: Floats) -> Floats:
+        """The products of ratios, (variants, products)."""
         factors = np.where(self.powers, of_mechanisms[:, np.newaxis, :], 1.0)
         found: Floats = factors.prod(axis=-1)
         return found
@@ -143,9 +143,10 @@ def reach(formula: GearFormula, low: Floats, high: Floats) -> tuple[float, float
     corners = np.tile(low, (2 ** len(varied), 1))
     corners[:, varied] = list(product(*([low[index], high[index]] for index in varied)))
     arrays = ratio_arrays([formula], len(low))
-    products = arrays._products(corners)  # noqa: SLF001
-    below = (products @ arrays.below)[:, 0]
-    if not ((below > 0).all() or (below < 0).all()):
+    with np.errstate(all="ignore"):
+        products = arrays.products(corners)
+        above, below = (products @ one[:, 0] for one in (arrays.above, arrays.below))
+        found = above / below
+    if not np.isfinite(found).all() or not ((below > 0).all() or (below < 0).all()):
         return None
-    found = (products @ arrays.above)[:, 0] / below
     return float(found.min()), float(found.max())
