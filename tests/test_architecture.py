@@ -16,7 +16,6 @@ ROOMS = (
     "errors",
     "extras",
     "numerics",
-    "templates",
     "model",
     "statics",
     "elements",

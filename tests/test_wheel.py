@@ -16,9 +16,9 @@ from typing import NamedTuple
 
 import pytest
 
+from vstatics.cli.template import TEMPLATES
 from vstatics.extras import EXTRAS, __version__
 from vstatics.pictures import PICTURES
-from vstatics.templates import TEMPLATES
 
 ROOT = Path(__file__).parents[1]
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]

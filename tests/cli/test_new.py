@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from tests.commands import vstatics
-from vstatics.templates import TEMPLATES, template
+from vstatics.cli.template import TEMPLATES, template
 
 
 @pytest.mark.parametrize("name", [*TEMPLATES])

@@ -12,13 +12,13 @@ import pytest
 import vstatics as library
 from tests.commands import CASES, vstatics
 from tests.elements.element_texts import AOD, SET, changed, loaded, problems
+from vstatics.cli.template import TEMPLATES, template
 from vstatics.elements import Drawing, Element, transmission
 from vstatics.elements.drawing import drawing_of
 from vstatics.elements.kinds import KINDS
 from vstatics.errors import CaseError
 from vstatics.model.transmission import Gear, Mechanism, ShiftElement
 from vstatics.readers import read
-from vstatics.templates import TEMPLATES, template
 
 
 def test_links_are_the_names_that_elements_use() -> None:

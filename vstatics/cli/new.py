@@ -7,10 +7,10 @@ import os
 import click
 
 from vstatics.cli import files
+from vstatics.cli.template import TEMPLATES, template
 from vstatics.errors import ReadError, nearest, of_file
 from vstatics.jobs.files import STDOUT
 from vstatics.readers import format_of_name
-from vstatics.templates import TEMPLATES, template
 
 
 def _known(context: click.Context, parameter: click.Parameter, value: str) -> str:

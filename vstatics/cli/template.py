@@ -1,4 +1,4 @@
-"""Commented cases to start from, one YAML file each."""
+"""Commented cases to start from: the files of the folder `templates`."""
 
 from __future__ import annotations
 
@@ -26,4 +26,4 @@ def template(name: str) -> str:
     >>> template("ravigneaux").splitlines()[0]
     '# A Ravigneaux set: the small sun meshes with the short planets, these with the long planets,'
     """
-    return (files(__name__) / f"{name}.yaml").read_text(encoding="utf-8")
+    return (files("vstatics.cli") / "templates" / f"{name}.yaml").read_text(encoding="utf-8")
