@@ -56,6 +56,23 @@ def test_formulas_of_the_belaz(gear: str) -> None:
     )
 
 
+def test_sensitivities_of_the_belaz_are_those_of_its_formulas() -> None:
+    """Derivatives by hand, for K = -2, -2.6, -2.2, -2.4: -K/(1 - K) of 1 - K and so on."""
+    k1, k2, k3, k4 = ratios = -2.0, -2.6, -2.2, -2.4
+    together = 1 - k2 - k3
+    expected = {
+        "2": (0, 0, -k3 / (1 - k3), 0),
+        "4": (0, -k2 / (1 - k2) + k2 / together, -k3 / (1 - k3) + k3 / together, 0),
+        "5": (1 / (k1 - 1), 0, 0, 0),
+        "R2": (0, 0, -k3 * k4 / (1 - k3 * k4), -k3 * k4 / (1 - k3 * k4)),
+    }
+    found = formulas(load(CASES / "belaz7516.yaml"))
+    arrays = ratio_arrays([found[name] for name in expected], 4)
+    assert arrays.sensitivities(np.array([ratios]))[0] == pytest.approx(
+        np.array([*expected.values()]), abs=1e-14
+    )
+
+
 @pytest.mark.parametrize("file", FILES, ids=lambda path: path.name)
 def test_every_shipped_gear_has_the_ratio_of_the_solver(file: Path) -> None:
     """The solver eliminates in floats, and knows no polynomials."""

@@ -20,7 +20,7 @@ from vstatics.cli.synth_case_file import case_format, write_case, written_case
 from vstatics.cli.telling import Telling
 from vstatics.cli.texts import CaseOutput, OutputForm, alone
 from vstatics.cli.torsion_case import file_name, one_text, problems_of, tell
-from vstatics.errors import CaseError, Problem, of_file, quoted, spoken
+from vstatics.errors import CaseError, Problem, listed, of_file, quoted, spoken
 from vstatics.model.transmission import Transmission
 from vstatics.readers.named.arithmetic import calculated, expected
 from vstatics.readers.reading import Reading
@@ -224,7 +224,7 @@ def _notes(found: Fit, file: str) -> list[Problem]:
         notes.append(of_file(file, f"not met: {spoken(found.unmet)}, off by {off}"))
     told = [*found.warnings]
     if found.free:
-        choice = f"the wanted ratios leave a choice of {spoken(found.free)}"
+        choice = f"the wanted ratios leave a choice of {listed(found.free)}"
         told.append(f"{choice}: they are as near as may be to the case's own")
     return notes + _warnings(told, file)
 
