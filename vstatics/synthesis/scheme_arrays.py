@@ -162,7 +162,11 @@ def are_connected(codes: Codes) -> NDArray[np.bool_]:
 
 
 def _bit_counts(bits: Bits) -> NDArray[np.uint8]:
-    """How many bits are set in each number, where NumPy is too old to tell."""
+    """How many bits are set in each number, where NumPy is too old to tell.
+
+    >>> _bit_counts(np.array([0, 7, 2**63 + 256], dtype=np.uint64))
+    array([0, 3, 2], dtype=uint8)
+    """
     counts = np.zeros(bits.shape, dtype=np.uint8)
     table = _byte_counts()
     for byte in range(0, 64, 8):

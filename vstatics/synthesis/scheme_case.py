@@ -4,28 +4,22 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from itertools import combinations, islice
-
-import numpy as np
 
 from vstatics.errors import spoken
 from vstatics.model.parts import HOUSING, Gear, Mechanism, ShiftElement
 from vstatics.model.transmission import Transmission
-from vstatics.numerics.arrays import Booleans
-from vstatics.statics.solve import solve
+from vstatics.synthesis.combinations import CombinationSearch
 from vstatics.synthesis.scheme import SetScheme, link_name
 
 FEW = 60
 """With more combinations of elements the input has no clutches but that to the output."""
-MOST_TRIED = 2000
+MOST_TRIED = 200_000
 """So many combinations of elements are tried."""
 MOST_GEARS = 100
 NEUTRAL = "N"
 """The gear of a case that no combination gives a ratio."""
 INERTIA = 1.0
 """Of input and output, so that the case can be in motion. [kg*m^2]"""
-SAME = 1e-9
-"""Ratios are the same if they differ by less, relative to them."""
 
 
 def scheme_case(
@@ -130,19 +124,16 @@ def _clutch(first: int, second: int) -> ShiftElement:
 
 def _gears(case: Transmission, engaged: int) -> list[Gear]:
     """The combinations of so many elements that give ratios, each of these once."""
-    numbers = range(1, len(case.shift_elements) + 1)
-    tried = list(islice(combinations(numbers, engaged), MOST_TRIED))
-    results = solve(case.replace(gears=[Gear(one) for one in tried]))
-    good = results.calculable & np.isfinite(results.ratio)
-    found: list[tuple[float, tuple[int, ...]]] = []
-    for ratio, one in zip(results.ratio[good].tolist(), _of(tried, good), strict=True):
-        if not any(math.isclose(ratio, other, rel_tol=SAME) for other, _ in found):
-            found.append((ratio, one))
-    return list(_named(found[:MOST_GEARS]))
-
-
-def _of(tried: list[tuple[int, ...]], good: Booleans) -> list[tuple[int, ...]]:
-    return [one for one, is_good in zip(tried, good.tolist(), strict=True) if is_good]
+    found: dict[str, tuple[float, tuple[int, ...]]] = {}
+    tried = 0
+    for batch in CombinationSearch(case, [engaged]).batches():
+        good = batch.where(batch.gears & ~batch.free)
+        for ratio, members in zip(good.ratios.tolist(), good.members.tolist(), strict=True):
+            found.setdefault(f"{ratio:.9e}", (ratio, tuple(index + 1 for index in members)))
+        tried += len(batch.members)
+        if len(found) >= MOST_GEARS or tried >= MOST_TRIED:
+            break
+    return list(_named(list(found.values())[:MOST_GEARS]))
 
 
 def _named(found: list[tuple[float, tuple[int, ...]]]) -> Iterator[Gear]:
