@@ -340,3 +340,13 @@ def test_numbers_of_any_size_do_no_harm(wanted: dict[str, float], options: dict[
     assert "expected sizes from 1e-09 to 1e+09" in complaints(
         BELAZ, wanted, bounds={"P1": (-1e300, -1)}
     )
+
+
+def test_a_ratio_of_minus_1_is_kept_and_told_where_it_is_in_the_way() -> None:
+    case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -1.0)], [Gear([1])])
+    found = fit(case, {"1": 4.0})
+    assert (found.ratios["D1"], found.unmet) == (-1.0, ["1"])
+    assert "D1 keeps -1, as a symmetrical differential has it; --bounds D1=-14:-1" in str(
+        found.warnings
+    )
+    assert fit(case, {"1": 4.0}, bounds={"D1": (-14, -1)}).ratios["D1"] == pytest.approx(-3)

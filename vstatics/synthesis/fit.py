@@ -13,6 +13,7 @@ from vstatics.explain.bodies import on_own_links
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Floats
 from vstatics.statics.solve import solve
+from vstatics.synthesis.bounds import WIDEST
 from vstatics.synthesis.fit_problem import FitProblem, doubts, fit_problem
 from vstatics.synthesis.fit_search import found_ratios
 from vstatics.synthesis.ratio_arrays import ratio_arrays
@@ -101,7 +102,11 @@ def fit(
     best = solutions[0]
     names = [mechanism.name for mechanism in problem.own.case.mechanisms]
     loose = [names[index] for index in free]
-    warnings = [*doubts(problem), *_freewheels(case, problem, best)]
+    warnings = [
+        *doubts(problem),
+        *(_kept(problem) if best.unmet else ()),
+        *_freewheels(case, problem, best),
+    ]
     return Fit(*best, solutions, problem, loose, warnings)
 
 
@@ -141,6 +146,15 @@ def _gears(problem: FitProblem, ratios: Floats) -> Iterator[float]:
         yield formula.constant if formula.kind == "constant" else found.get(index, math.nan)
 
 
+def _kept(problem: FitProblem) -> Iterator[str]:
+    """Mechanisms that keep a ratio of -1, which may be meant as a start only."""
+    own = problem.own
+    for index, mechanism in enumerate(own.case.mechanisms):
+        if own.is_fixed(index) and mechanism.ratio == -1 and problem.bounds.is_fixed(index):
+            hint = f"--bounds {mechanism.name}=-{WIDEST:g}:-1 lets it vary"
+            yield f"{mechanism.name} keeps -1, as a symmetrical differential has it; {hint}"
+
+
 def _freewheels(case: Transmission, problem: FitProblem, best: FitSolution) -> Iterator[str]:
     """Gears in which other freewheels hold with these ratios than with the case's own."""
     if not case.freewheels:
@@ -150,4 +164,4 @@ def _freewheels(case: Transmission, problem: FitProblem, best: FitSolution) -> I
     states = solve(on_own_links(case).case, ratios=ratios).with_freewheels_engaged
     for one, other in zip(before.gears, states.gears, strict=True):
         if set(one.engaged) != set(other.engaged):
-            yield f"gear {one.name}: other freewheels hold with these ratios, so it has another"
+            yield f"gear {one.name}: with these ratios other freewheels hold, so its own is another"

@@ -230,7 +230,7 @@ def reach_text(low: float, high: float) -> str:
 
 
 def _is_constant(problem: FitProblem, index: int) -> bool:
-    """Whether a gear has one ratio also where none of a mechanism is given."""
+    """Whether a gear has one ratio also where no mechanism is given but those of ratio 1."""
     own = problem.own
-    fixed = {n: one.ratio for n, one in enumerate(own.case.mechanisms) if own.is_fixed(n)}
+    fixed = {n: 1.0 for n, one in enumerate(own.case.mechanisms) if one.ratio == 1}
     return gear_formula(own, own.case.gears[index], fixed).kind == "constant"
