@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections import Counter
 from collections.abc import Iterable
 from itertools import permutations
@@ -11,6 +12,7 @@ import pytest
 
 from tests.oracle import schemes as oracle
 from tests.oracle.test_schemes import GROUPS, all_codes, is_connected, is_sound, least
+from vstatics.synthesis.found_schemes import schemes
 from vstatics.synthesis.structure_counts import count
 from vstatics.synthesis.structure_estimate import estimate
 from vstatics.synthesis.structure_lines import lines
@@ -159,6 +161,22 @@ def test_wanted_links_are_those_of_all(classes: str) -> None:
 def test_what_can_not_be_is_refused(sets: int, links: int, message: str) -> None:
     with pytest.raises(ValueError, match=message):
         check_search(StructureSearch(sets, links=(links,)))
+
+
+@pytest.mark.parametrize(
+    "search",
+    [
+        StructureSearch(1, ports=True),
+        StructureSearch(2, "order", ports=True),
+        StructureSearch(3, "members", unsound=True, ports=True),
+        StructureSearch(3, "sets", links=(6,)),
+    ],
+)
+def test_lines_have_the_records(search: StructureSearch) -> None:
+    text = "".join(lines(search, batch) for batch in batches(search))
+    assert [json.loads(line) for line in text.splitlines()] == [
+        one._asdict() for one in schemes(search)
+    ]
 
 
 def test_a_link_of_two_figures_is_one_number() -> None:

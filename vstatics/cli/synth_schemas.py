@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from vstatics.synthesis.engaged_kinds import EngagedKind
 from vstatics.synthesis.engaged_sets import EngagedSet
+from vstatics.synthesis.found_schemes import FoundScheme
 from vstatics.writers.record_schema import Schema, list_of, record, schema_of
 
 
@@ -17,7 +18,7 @@ def structures_schema() -> Schema:
     number: Schema = {"type": "integer", "minimum": 0}
     link: Schema = {"type": ["integer", "null"], "minimum": 0}
     code: Schema = {"type": "string", "pattern": "^[0-9]+(-[0-9]+)*$"}
-    scheme = record({"code": code, "links": number, "input": link, "output": link})
+    scheme = schema_of(FoundScheme, code=code, links=number, input=link, output=link)
     by_links: Schema = {"type": "object", "additionalProperties": number}
     counted = {"sets": number, "count": number, "by_links": by_links}
     size = {"bytes": {**number, "type": ["integer", "null"]}, "seconds": {"type": "number"}}
