@@ -80,7 +80,7 @@ def _nearly(space: FitSpace, points: FitPoints, count: int) -> FitPoints:
 
 def _chosen(space: FitSpace, points: FitPoints, count: int) -> FitPoints:
     """The first point, which may be the case's own, half good ones, and half any."""
-    squares = np.square(space.deviations(points)[0]).sum(axis=1)
+    squares = np.square(np.log(space.quotients(points)) * space.roots).sum(axis=1)
     best = np.argsort(squares, kind="stable")[: count // 2]
     chosen = list(dict.fromkeys([0, *best.tolist(), *range(len(squares))]))[:count]
     return points.at(chosen)

@@ -20,6 +20,8 @@ ROUNDED = 1e-14
 steps still lead there."""
 LAST = 10
 """So many such steps are taken."""
+LEAST = 1e-13
+"""So much damping there is at least, by which the equations of a step are never singular."""
 FARTHEST = 1.0
 """No unknown changes by more in a step: their logarithms are asked for."""
 
@@ -74,7 +76,8 @@ def _minimized(
     residuals: Residuals, unknowns: Floats, low: Floats, high: Floats, steps: int
 ) -> Minima:
     count = unknowns.shape[1]
-    squares = _squares(residuals(unknowns, np.arange(len(unknowns)))[0])
+    values, slopes = map(np.array, residuals(unknowns, np.arange(len(unknowns))))
+    squares = _squares(values)
     settled = np.zeros(len(unknowns), np.bool_)
     damping = np.full(len(unknowns), 1e-2)
     flat = np.zeros(len(unknowns), np.int64)
@@ -83,24 +86,26 @@ def _minimized(
         if not len(going):
             break
         here, least, most = unknowns[going], low[going], high[going]
-        values, slopes = residuals(here, going)
-        downhill = -np.einsum("srk,sr->sk", slopes, values)
+        steep = slopes[going]
+        downhill = -np.einsum("srk,sr->sk", steep, values[going])
         free = ~((here <= least) & (downhill < 0) | (here >= most) & (downhill > 0))
         downhill = np.where(free, downhill, 0.0)
-        normal = np.einsum("srk,srl->skl", slopes, slopes)
+        normal = np.einsum("srk,srl->skl", steep, steep)
         normal *= free[:, :, np.newaxis] & free[:, np.newaxis, :]
         scale = np.maximum(normal.max(axis=(1, 2)), 1e-300)
         diagonal = damping[going, np.newaxis] * scale[:, np.newaxis] + ~free
         normal[:, range(count), range(count)] += diagonal
         step = np.linalg.solve(normal, downhill[:, :, np.newaxis])[:, :, 0]
         there = np.clip(here + np.clip(step, -FARTHEST, FARTHEST), least, most)
-        reached = _squares(residuals(there, going)[0])
+        found = residuals(there, going)
+        reached = _squares(found[0])
         better = reached <= squares[going] * (1 + ROUNDED)
         flat[going] += better & (reached >= squares[going] * (1 - ROUNDED))
         unknowns[going[better]] = there[better]
         squares[going[better]] = reached[better]
+        values[going[better]], slopes[going[better]] = (one[better] for one in found)
         damping[going] *= np.where(better, 0.1, 8.0)
-        np.maximum(damping, 1e-14, out=damping)
+        np.maximum(damping, LEAST, out=damping)
         stays = np.abs(there - here).max(axis=1) <= STILL
         done = (squares[going] < NONE) | stays | (damping[going] > 1 / STILL) | (flat[going] > LAST)
         settled[going[done]] = True
