@@ -4,15 +4,20 @@ from __future__ import annotations
 
 import math
 import random
+from dataclasses import replace
 from fractions import Fraction
 from itertools import combinations as subsets
 
+import numpy as np
 import pytest
 
+from tests.oracle import schemes
 from tests.oracle.combinations import Train, every, found
+from tests.oracle.fits import Wish, fits
 from tests.trains import seeded
-from vstatics import Gear, Mechanism, ShiftElement, Transmission
+from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
 from vstatics.synthesis.combinations import combinations
+from vstatics.synthesis.fit import fit
 
 pytestmark = pytest.mark.slow
 SPECIAL = [
@@ -110,3 +115,52 @@ def test_all_elements_of_a_scheme_of_four_sets() -> None:
         assert (seen[at].kind, seen[at].free) == (expected.kind, expected.free)
         if expected.ratio is not None:
             assert seen[at].ratio == pytest.approx(float(expected.ratio), rel=1e-11)
+
+
+def fitted_case(chance: random.Random) -> tuple[Transmission, Train]:
+    """A sound scheme of three sets as a case, every combination of brakes that is a gear."""
+    listed = schemes.fixed(tuple(range(9)))
+    codes = listed.codes[listed.is_sound()]
+    while True:
+        links = [int(link) + 1 for link in codes[chance.randrange(len(codes))]]
+        sets = [(links[at], links[at + 2], links[at + 1]) for at in (0, 3, 6)]
+        source, sink = chance.sample(range(1, max(links) + 1), 2)
+        brakes = [(link, 0) for link in range(1, max(links) + 1) if link not in {source, sink}]
+        ratios = [Fraction(chance.randint(-400, -150), 100) for _ in sets]
+        train = Train(sets, ratios, brakes, source, sink)
+        size = max(links) - 4
+        gears = [on for on, one in every(train, size) if one.kind == "gear" and not one.free]
+        if len(gears) >= 3:
+            break
+    case = Transmission(
+        max(links),
+        [ShiftElement(*pair) for pair in brakes],
+        [Mechanism(a, b, c, float(k)) for (a, b, c), k in zip(sets, ratios, strict=True)],
+        [Gear([n + 1 for n in on]) for on in gears],
+        input=source,
+        output=sink,
+    )
+    return case, train
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_fitted_ratios_are_as_good_as_those_of_many_slow_starts(seed: int) -> None:
+    chance = seeded(seed)
+    case, train = fitted_case(chance)
+    own = solve(case).ratio.tolist()
+    noise = chance.choice([0.0, 0.05])
+    names = [gear.name for gear in case.gears[:5]]
+    wanted = {
+        name: ratio * math.exp(chance.uniform(-noise, noise))
+        for name, ratio in zip(names, own, strict=False)
+    }
+    start = replace(case, mechanisms=[one._replace(ratio=-2.0) for one in case.mechanisms])
+    seen = fit(start, wanted, bounds={"all": (-5, -1.4)})
+    gears = {gear.name: [n - 1 for n in gear.engaged] for gear in case.gears}
+    wish = Wish(train, gears, wanted, [(-5.0, -1.4)] * 3)
+    best, *_ = fits(wish, starts=6)
+    squares = wish.squares(np.log(np.abs(list(seen.ratios.values()))))
+    assert squares <= best.squares * (1 + 1e-6) + 1e-20
+    assert all(-5 <= ratio <= -1.4 for ratio in seen.ratios.values())
+    if not noise:
+        assert seen.residual < 1e-11
