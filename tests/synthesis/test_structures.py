@@ -173,7 +173,7 @@ def test_what_can_not_be_is_refused(sets: int, links: int, message: str) -> None
     ],
 )
 def test_lines_have_the_records(search: StructureSearch) -> None:
-    text = "".join(lines(search, batch) for batch in batches(search))
+    text = b"".join(lines(search, batch) for batch in batches(search))
     assert [json.loads(line) for line in text.splitlines()] == [
         one._asdict() for one in schemes(search)
     ]
@@ -185,7 +185,7 @@ def test_a_link_of_two_figures_is_one_number() -> None:
     none = np.zeros(1, np.intp)
     text = lines(StructureSearch(5), SchemeBatch(code, np.array([11]), None, none))
     assert text == (
-        '{"code": "0-1-2-0-3-4-0-5-6-0-7-8-0-9-10", "links": 11, "input": null, "output": null}\n'
+        b'{"code": "0-1-2-0-3-4-0-5-6-0-7-8-0-9-10", "links": 11, "input": null, "output": null}\n'
     )
 
 

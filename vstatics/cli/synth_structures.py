@@ -123,8 +123,8 @@ def structures(
     ):
         for batch in search.batches(asked):
             text = lines(asked, batch)
-            write(text.encode())
-            advance(text.count("\n"))
+            write(text)
+            advance(text.count(b"\n"))
 
 
 def _document(asked: StructureSearch, by_links: dict[int, int]) -> dict[str, object]:

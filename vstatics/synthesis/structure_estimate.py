@@ -159,7 +159,7 @@ def _written(search: StructureSearch, batch: SchemeBatch) -> tuple[float, float]
     began = time.perf_counter()
     text = lines(search, part)
     seconds = time.perf_counter() - began
-    count = text.count("\n")
+    count = text.count(b"\n")
     return len(text) / count, seconds / count
 
 
