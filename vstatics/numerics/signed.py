@@ -219,7 +219,7 @@ def _made(  # noqa: PLR0913, PLR0917
     low: float,
     high: float,
 ) -> Signed:
-    if not 1 / HUGE < abs(value) < HUGE:
+    if value != 0 and not 1 / HUGE < abs(value) < HUGE:
         raise Untraceable
     made = Signed(tape, slot, value, low, high)
     made.negated = negated
@@ -252,7 +252,7 @@ def _ordered(one: Operand, other: Operand) -> tuple[Operand, Operand]:
 def _quotient(tape: Tape, one: Either, other: Either) -> Either:
     if is_nothing(one):
         return one
-    if is_nothing(other):
+    if value_of(other) == 0 or is_nothing(other):
         raise Untraceable
     if not isinstance(other, Signed) and abs(other) == 1:
         return one if other > 0 else -one
@@ -274,12 +274,14 @@ def _total(one: Signed, other: Either) -> Either:
         return other if other != other else one  # noqa: PLR0124 - NaN
     tape = one.tape
     (a, negated), (b, b_negated) = _operand(one), _operand(other)
+    if a == b and negated != b_negated:
+        return 0.0
     low, high = (x + y for x, y in zip(bounds_of(one), bounds_of(other), strict=True))
     value = one.value + value_of(other)
+    if value == 0 and one.value != 0:  # a choice may be 0; what happens to cancel is special
+        raise Untraceable
     if negated == b_negated:
         return _made(tape, tape.note("add", *_ordered(a, b)), negated, value, low, high)
-    if a == b:
-        return 0.0
     first, second = _ordered(a, b)
     turned = negated if first == a else b_negated
     return _made(tape, tape.note("subtract", first, second), turned, value, low, high)
