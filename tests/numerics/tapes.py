@@ -2,13 +2,8 @@
 
 from __future__ import annotations
 
-from vstatics.numerics.tape import GUARDS, Tape
-from vstatics.numerics.traced import (
-    Magnitude,
-    Number,
-    Rest,
-    Traced,
-)
+from vstatics.numerics.tape import GUARDS, Rest, Tape
+from vstatics.numerics.traced import Magnitude, Number, Traced
 
 Bounds = tuple[float, float]
 

@@ -13,7 +13,8 @@ from vstatics.numerics.elimination import solve
 from vstatics.numerics.entries import RIGHT
 from vstatics.numerics.plan import plan_of_any_sign, prepared
 from vstatics.numerics.signed import Condition
-from vstatics.numerics.traced import Number, Rest, absolute, sign
+from vstatics.numerics.tape import Rest
+from vstatics.numerics.traced import Number, absolute, sign
 
 VALUES = np.random.default_rng(5).uniform(-3, 3, (3, 400))
 Calculation = Callable[[Sequence[Number]], list[Number | Rest | Condition]]

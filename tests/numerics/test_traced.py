@@ -9,17 +9,9 @@ from collections.abc import Callable
 import pytest
 
 from tests.numerics.tapes import guards, names, noted, on_tape, traced
-from vstatics.numerics.tape import Plain, Untraceable
-from vstatics.numerics.traced import (
-    HUGE,
-    Number,
-    Rest,
-    difference,
-    guard_same,
-    guard_within,
-    plain,
-    rest,
-)
+from vstatics.numerics.rests import guard_within, rest
+from vstatics.numerics.tape import HUGE, Plain, Rest, Untraceable
+from vstatics.numerics.traced import HUGE, Number, difference, guard_same, plain
 
 
 def test_signs_cost_no_operation() -> None:

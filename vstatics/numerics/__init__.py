@@ -8,7 +8,8 @@ Equations go in, what they determine comes out; NaN stands for what they leave o
 Solution(values=[nan, nan, 5.0, 1.0], consistent=True, missing=1, excess=0)
 
 `entries` tells what is zero (`tolerances`), `elimination` solves. The same calculation runs
-for arrays: `traced` numbers note on a `tape` what is done with them, `replay` does it again
-on arrays in `memory`, `plans` tells which variant takes which tape. `fronts` has the best
+for arrays: numbers note on a `tape` what is done with them, `traced` ones of one sign, `signed`
+ones of any sign with `choices` in place of decisions; `replay` does it again on arrays in
+`memory`; `plan` makes one, `plans` tells which variant takes which. `fronts` has the best
 points by several objectives. Nothing here knows of transmissions.
 """

@@ -16,8 +16,8 @@ from vstatics.numerics.signed import (
     upright,
     value_of,
 )
-from vstatics.numerics.tape import Plain, Untraceable
-from vstatics.numerics.traced import Number, Rest, of_any_sign
+from vstatics.numerics.tape import Plain, Rest, Untraceable
+from vstatics.numerics.traced import Number, of_any_sign
 
 
 def chosen(condition: Condition, yes: Number, no: Number) -> Number:

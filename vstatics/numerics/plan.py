@@ -17,8 +17,8 @@ from vstatics.numerics.arrays import Booleans, Floats
 from vstatics.numerics.memory import Rows
 from vstatics.numerics.replay import Replay, replay
 from vstatics.numerics.signed import Signed, Truth
-from vstatics.numerics.tape import Tape
-from vstatics.numerics.traced import Magnitude, Number, Rest, Traced
+from vstatics.numerics.tape import Rest, Tape
+from vstatics.numerics.traced import Magnitude, Number, Traced
 
 SPREAD = 64.0
 """The bounds of a plan of one sign reach no further than this factor from the variant that made

@@ -12,8 +12,8 @@ import numpy as np
 from vstatics.numerics.arrays import Booleans, Floats
 from vstatics.numerics.memory import Layout, Rows
 from vstatics.numerics.signed import Signed, Truth, upright
-from vstatics.numerics.tape import GUARDS, Operand, Plain, Tape
-from vstatics.numerics.traced import Number, Rest, Traced
+from vstatics.numerics.tape import GUARDS, Operand, Plain, Rest, Tape
+from vstatics.numerics.traced import Number, Traced
 
 CHUNK = 8192
 """Variants that run through the steps together: so that their numbers stay in the cache."""

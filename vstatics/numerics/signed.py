@@ -11,13 +11,10 @@ from __future__ import annotations
 
 import math
 
-from vstatics.numerics.tape import Operand, Plain, Tape, Untraceable
+from vstatics.numerics.tape import HUGE, NEGATIONS, Operand, Plain, Tape, Untraceable, ordered
 
-HUGE = 1e100
-"""A first variant with a magnitude above it, or below its inverse, is a special case."""
 SURE = 1e-9
 """Bounds settle a comparison only beyond this part of them, their own rounding."""
-NEGATIONS = {"less": "less_equal", "less_equal": "less"}
 
 
 class Signed:
@@ -236,17 +233,10 @@ def _product(one: Signed, other: Either) -> Either:
     if not isinstance(other, Signed) and abs(other) == 1:
         return one if other > 0 else -one
     (a, a_negated), (b, b_negated) = _operand(one), _operand(other)
-    slot = one.tape.note("multiply", *_ordered(a, b))
+    slot = one.tape.note("multiply", *ordered(a, b))
     bounds = _interval([x * y for x in bounds_of(one) for y in bounds_of(other)])
     value = one.value * value_of(other)
     return _made(one.tape, slot, a_negated != b_negated, value, *bounds)
-
-
-def _ordered(one: Operand, other: Operand) -> tuple[Operand, Operand]:
-    """Operands that can change places, in an order of their own, slots first."""
-    if isinstance(other, int) and (isinstance(one, Plain) or other < one):
-        return other, one
-    return one, other
 
 
 def _quotient(tape: Tape, one: Either, other: Either) -> Either:
@@ -281,8 +271,8 @@ def _total(one: Signed, other: Either) -> Either:
     if value == 0 and one.value != 0:  # a choice may be 0; what happens to cancel is special
         raise Untraceable
     if negated == b_negated:
-        return _made(tape, tape.note("add", *_ordered(a, b)), negated, value, low, high)
-    first, second = _ordered(a, b)
+        return _made(tape, tape.note("add", *ordered(a, b)), negated, value, low, high)
+    first, second = ordered(a, b)
     turned = negated if first == a else b_negated
     return _made(tape, tape.note("subtract", first, second), turned, value, low, high)
 

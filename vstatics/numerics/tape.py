@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import NamedTuple, Never
 
 LONGEST = 20_000
 """Operations on a tape; a calculation that needs more is not worth its tape."""
@@ -21,6 +21,17 @@ class Plain(NamedTuple):
 
 
 Operand = int | Plain
+
+HUGE = 1e100
+"""A first variant with a magnitude above it, or below its inverse, is a special case."""
+NEGATIONS = {"less": "less_equal", "less_equal": "less"}
+
+
+def ordered(one: Operand, other: Operand) -> tuple[Operand, Operand]:
+    """Operands that can change places, in an order of their own, slots first."""
+    if isinstance(other, int) and (isinstance(one, Plain) or other < one):
+        return other, one
+    return one, other
 
 
 class Operation(NamedTuple):
@@ -68,3 +79,19 @@ class Tape:
             if len(self.operations) > LONGEST:
                 raise Untraceable
         return slot
+
+
+class Rest:
+    """What is left of a sum, near 0 and of any sign: a result, with which nothing is done."""
+
+    __slots__ = ("slot", "tape", "value")
+
+    def __init__(self, tape: Tape, slot: int, value: float) -> None:
+        self.tape = tape
+        self.slot = slot
+        self.value = value
+
+    def _refuse(self, *_: object) -> Never:
+        raise Untraceable
+
+    __abs__ = __sub__ = __rsub__ = _refuse

@@ -14,14 +14,20 @@ comparisons without a guard.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from typing import Any, NamedTuple, TypeGuard
 
 from vstatics.numerics.signed import Signed, Truth
-from vstatics.numerics.tape import Operand, Plain, Tape, Untraceable
+from vstatics.numerics.tape import (
+    HUGE,
+    NEGATIONS,
+    Operand,
+    Plain,
+    Rest,
+    Tape,
+    Untraceable,
+    ordered,
+)
 
-HUGE = 1e100
-"""A first variant with a magnitude above it, or below its inverse, is a special case."""
 SURE = 1 + 1e-9
 """Bounds settle a comparison only beyond their own rounding."""
 
@@ -145,20 +151,13 @@ def _is_nothing(number: Number) -> bool:
     return not isinstance(number, Traced) and not absolute(number) > 0
 
 
-def _ordered(one: Operand, other: Operand) -> tuple[Operand, Operand]:
-    """Operands that can change places, in an order of their own, slots first."""
-    if isinstance(other, int) and (isinstance(one, Plain) or other < one):
-        return other, one
-    return one, other
-
-
 def _product(one: Traced, other: Number) -> Number:
     if _is_nothing(other):
         return other
     if not is_traced(other) and abs(other) == 1:
         return one if other > 0 else -one
     a, b = one.magnitude, _magnitude(other)
-    slot = one.tape.note("multiply", *_ordered(a.operand, b.operand))
+    slot = one.tape.note("multiply", *ordered(a.operand, b.operand))
     made = Magnitude(slot, a.value * b.value, a.low * b.low, a.high * b.high)
     return Traced(one.tape, one.sign * _sign(other), made)
 
@@ -186,7 +185,7 @@ def _total(tape: Tape, one: Number, other: Number) -> Number:
             return number if number != number else left  # noqa: PLR0124 - NaN
     a, b = _magnitude(one), _magnitude(other)
     if _sign(one) == _sign(other):
-        slot = tape.note("add", *_ordered(a.operand, b.operand))
+        slot = tape.note("add", *ordered(a.operand, b.operand))
         made = Magnitude(slot, a.value + b.value, a.low + b.low, a.high + b.high)
         return Traced(tape, _sign(one), made)
     larger, smaller = (one, other) if a.value >= b.value else (other, one)
@@ -222,9 +221,6 @@ def guard_same(one: Number, other: Number, part: float) -> None:
     if _magnitude(one).operand != _magnitude(other).operand:
         _compare(tape, "less_equal", one, other * (1 + part))
         _compare(tape, "less_equal", other * (1 - part), one)
-
-
-NEGATIONS = {"less": "less_equal", "less_equal": "less"}
 
 
 def _compare(tape: Tape, name: str, one: Number, other: Number) -> bool:
@@ -265,71 +261,11 @@ def _equal(tape: Tape, one: Number, other: Any) -> bool:
     return a.value == b.value
 
 
-class Rest:
-    """What is left of a sum, near 0 and of any sign: a result, with which nothing is done."""
-
-    __slots__ = ("slot", "tape", "value")
-
-    def __init__(self, tape: Tape, slot: int, value: float) -> None:
-        self.tape = tape
-        self.slot = slot
-        self.value = value
-
-    def _refuse(self, *_: Number) -> Number:
-        raise Untraceable
-
-    __abs__ = __sub__ = __rsub__ = _refuse
-
-
-def _told(number: Number) -> tuple[Operand, int, float]:
+def told(number: Number) -> tuple[Operand, int, float]:
     """What of a number stands on the tape, its sign there, its value in the first variant."""
     if isinstance(number, Signed):
         return number.slot, -1 if number.negated else 1, number.value
     return _magnitude(number).operand, _sign(number), _sign(number) * first(number)
-
-
-def rest(terms: Sequence[Number]) -> Number | Rest:
-    """The sum of terms that should cancel, from left to right.
-
-    >>> rest([1.0, 0.5, -1.5])
-    0.0
-    """
-    plain, value = 0.0, 0.0
-    total: Operand | None = None
-    tape: Tape | None = None
-    for term in terms:
-        operand, sign, own = _told(term)
-        value += own
-        if is_traced(term):
-            tape = term.tape
-        if tape is None or math.isnan(value):
-            plain = value
-        elif total is None and plain == 0 and sign > 0:
-            total = operand
-        elif operand != Plain(0.0):
-            before = Plain(plain) if total is None else total
-            total = tape.note("add" if sign > 0 else "subtract", before, operand)
-    if tape is None or not isinstance(total, int) or math.isnan(value):
-        return plain
-    return Rest(tape, total, value)
-
-
-def guard_within(number: Traced | Signed | Rest, low: float, high: float) -> None:
-    """Guard that a number lies between bounds.
-
-    Raises
-    ------
-    Untraceable
-        If it does not in the first variant.
-    """
-    if isinstance(number, Traced | Signed):
-        held = bool(low <= number <= high)
-    else:
-        held = low <= number.value <= high
-        number.tape.note("less_equal", Plain(low), number.slot)
-        number.tape.note("less_equal", number.slot, Plain(high))
-    if not held:
-        raise Untraceable
 
 
 def sign(number: Number) -> Number:

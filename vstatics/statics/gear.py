@@ -9,9 +9,11 @@ from vstatics.model.own import Planet
 from vstatics.model.parts import HOUSING
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.choices import where
+from vstatics.numerics.rests import guard_within
 from vstatics.numerics.signed import Condition
+from vstatics.numerics.tape import Rest
 from vstatics.numerics.tolerances import CLOSED
-from vstatics.numerics.traced import Number, Rest, guard_within, is_traced
+from vstatics.numerics.traced import Number, is_traced
 from vstatics.statics.state import GearState
 
 Numbers = Sequence[Number]

@@ -11,8 +11,10 @@ from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from vstatics.numerics.choices import chosen
+from vstatics.numerics.rests import rest
 from vstatics.numerics.signed import Condition
-from vstatics.numerics.traced import Number, Rest, absolute, is_nan, rest, sign
+from vstatics.numerics.tape import Rest
+from vstatics.numerics.traced import Number, absolute, is_nan, sign
 from vstatics.statics.efficiency import Signs, is_possible, lossy_ratio, lossy_ratios
 from vstatics.statics.ideal import IdealGear, mechanism_torques
 from vstatics.statics.matrix import Column, columns

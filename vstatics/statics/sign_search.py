@@ -11,9 +11,9 @@ from typing import NamedTuple
 
 from vstatics.numerics.choices import chosen, counted, opposite
 from vstatics.numerics.signed import Condition
-from vstatics.numerics.tape import Untraceable
+from vstatics.numerics.tape import Rest, Untraceable
 from vstatics.numerics.tolerances import TIE
-from vstatics.numerics.traced import Number, Rest, absolute, is_nan, is_traced, plain
+from vstatics.numerics.traced import Number, absolute, is_nan, is_traced, plain
 from vstatics.statics.efficiency import Signs, is_possible
 from vstatics.statics.ideal import IdealGear
 from vstatics.statics.losses import LossyTorques, no_solution, torques_for_signs

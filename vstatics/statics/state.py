@@ -8,7 +8,9 @@ from typing import NamedTuple
 
 from vstatics.model.own import Member
 from vstatics.model.transmission import Gear, Transmission
-from vstatics.numerics.traced import Number, Rest, plain, rest
+from vstatics.numerics.rests import rest
+from vstatics.numerics.tape import Rest
+from vstatics.numerics.traced import Number, plain
 from vstatics.statics.bodies import Bodies, turning_as_one
 from vstatics.statics.drag import NO_DRAG, Drag
 from vstatics.statics.efficiency import Signs, lossy_ratios

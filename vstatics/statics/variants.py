@@ -19,7 +19,8 @@ from vstatics.numerics.memory import Form
 from vstatics.numerics.plan import Function, Inputs, prepared
 from vstatics.numerics.plans import Plans
 from vstatics.numerics.signed import Condition
-from vstatics.numerics.traced import Number, Rest
+from vstatics.numerics.tape import Rest
+from vstatics.numerics.traced import Number
 from vstatics.statics.arrays import ARRAYS, row_counts
 from vstatics.statics.freewheels import find_state
 from vstatics.statics.gear import flat, guard_power, values_of
