@@ -11,7 +11,7 @@ import pytest
 from tests.numerics.tapes import guards, names, noted, on_tape, traced
 from vstatics.numerics.rests import guard_within, rest
 from vstatics.numerics.tape import HUGE, Plain, Rest, Untraceable
-from vstatics.numerics.traced import HUGE, Number, difference, guard_same, plain
+from vstatics.numerics.traced import Number, difference, guard_same, plain
 
 
 def test_signs_cost_no_operation() -> None:
