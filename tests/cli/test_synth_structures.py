@@ -166,6 +166,20 @@ def test_ratios_that_are_not_given_are_told() -> None:
     assert said.err == "no ratios are given: the sets have -2 and -2.1\n"
 
 
+def test_sets_that_turn_as_one_body_are_told(tmp_path: Path) -> None:
+    """Sets 1 and 2 share three links; the case is one of `--all`."""
+    code = structures("--sets", 3, "--all", "--links", 5)[0]["code"]
+    assert code == "0-1-2-0-1-2-0-3-4"
+    call = ("--input", "L0", "--output", "L3", "--ratios", "-2,-3,-4", "-o", "locked.yaml")
+    said = vstatics("synth", "case", code, *call)
+    assert said.status == 0
+    assert said.err == (
+        "warning: sets 1 and 2 have 3 links only, so they turn as one body whatever "
+        "their ratios are\n"
+    )
+    assert vstatics("run", tmp_path / "locked.yaml").status == 0
+
+
 @pytest.mark.parametrize(
     ("code", "message"),
     [
@@ -178,7 +192,7 @@ def test_ratios_that_are_not_given_are_told() -> None:
         ("0-1-2-0-3-999999999999", "no set has link 4, 5, 6, ..., but the greatest is"),
         ("0-1-2-3-0-3", "sun and ring of set 2 are both link 3; expected three links"),
         ("0-1-2-3-4-5", "its sets share no link: these are several gearboxes, expected one"),
-        ("0-1-2-2-1-0", "sets 1 and 2 have 3 links, so they turn as one body; expected 4 or more"),
+        ("0-1-2-2-1-0", "2 sets with 3 links turn as one body; expected 4 links or more"),
         ("-".join(["0"] * 99), "read `0-0-0-0-0-"),
     ],
 )

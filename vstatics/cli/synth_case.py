@@ -89,6 +89,10 @@ def case(
         raise click.BadParameter(_of_sets(error.problems), param_hint="--ratios") from None
     except ValueError as error:
         raise click.BadParameter(str(error), param_hint="CODE") from None
+    if locked := scheme.locked_sets:
+        links = {link for number in locked for link in scheme.sets[number - 1]}
+        sets = f"sets {spoken(map(str, locked))} have {len(links)} links only"
+        files.say(f"warning: {sets}, so they turn as one body whatever their ratios are")
     if not ratios:
         some = spoken(f"{one:g}" for one in given)
         files.show([Problem(f"no ratios are given: the sets have {some}", severity="note")])

@@ -5,11 +5,12 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 
-from vstatics.errors import spoken
+from vstatics.errors import plural
 from vstatics.model.parts import HOUSING, Gear, Mechanism, ShiftElement
 from vstatics.model.transmission import Transmission
 from vstatics.synthesis.combinations import CombinationSearch
 from vstatics.synthesis.scheme import SetScheme, link_name
+from vstatics.synthesis.scheme_arrays import LEAST_MOBILITY
 
 FEW = 60
 """With more combinations of elements the input has no clutches but that to the output."""
@@ -43,7 +44,7 @@ def scheme_case(
     Raises
     ------
     ValueError
-        If the scheme can't be a gearbox.
+        If the scheme can't be a gearbox. One with `locked_sets` can be.
     CaseError
         If a ratio is none.
 
@@ -98,10 +99,10 @@ def _check(scheme: SetScheme, inlet: int, outlet: int) -> None:
         raise ValueError(f"{link_name(inlet)} is input and output; expected two links")
     if not scheme.is_connected:
         raise ValueError("its sets share no link: these are several gearboxes, expected one")
-    if locked := scheme.locked_sets:
-        links = {link for number in locked for link in scheme.sets[number - 1]}
-        sets = f"sets {spoken(map(str, locked))} have {len(links)} links"
-        raise ValueError(f"{sets}, so they turn as one body; expected {len(locked) + 2} or more")
+    if scheme.freedoms < LEAST_MOBILITY:
+        sets = len(scheme.sets)
+        message = f"{sets} {plural('set', sets)} with {scheme.links} links turn as one body"
+        raise ValueError(f"{message}; expected {sets + LEAST_MOBILITY} links or more")
 
 
 def _elements(scheme: SetScheme, inlet: int, outlet: int) -> list[ShiftElement]:
