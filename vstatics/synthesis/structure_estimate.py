@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 import time
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -24,6 +24,7 @@ from vstatics.synthesis.structures import (
     batches,
     check_search,
     counted_by,
+    labelled_weights,
     next_batch,
     rows_at_once,
     weights,
@@ -31,6 +32,8 @@ from vstatics.synthesis.structures import (
 
 TRIED = 600_000
 """About so many schemes grow for each number of sets, fewer where each has more renamings."""
+FEW = 4
+"""Fewer grow where there are more sets, as all of them are more."""
 SOON = 6
 """So many sets are counted as soon as estimated."""
 WRITTEN = 2000
@@ -68,26 +71,55 @@ def estimate(search: StructureSearch, *, listed: bool) -> Estimate:
     ({5: 190, 6: 155, 7: 37}, True)
     """
     check_search(search)
-    counts = _counts(search)
-    if not listed:
+    grown = _sample(search) if listed or search.classes != "none" else None
+    if search.classes == "none":
+        counts = _labelled(search)
+    else:
+        assert grown is not None  # noqa: S101 - only labelled ones are counted without
+        counts = _of_classes(search, grown)
+    if grown is None or not listed:
         return counts
-    grown = _sample(search)
     length, writing = _written(search, grown.batch)
     seconds = grown.seconds + writing * counts.total
     return counts._replace(bytes=length * counts.total, seconds=seconds)
 
 
-def _counts(search: StructureSearch) -> Estimate:
-    """About how many there are, and how long it takes to count them."""
-    if search.classes == "none" and (search.unsound or search.sets <= SOON):
-        return Estimate(dict(count(search)), True, 0.0, 0.0)  # noqa: FBT003 - a record
+def _labelled(search: StructureSearch) -> Estimate:
+    """Schemes whose sets have numbers, and how long it takes to count them."""
+    if _are_soon_counted(search):
+        return Estimate(count(search), exact=True, bytes=0.0, seconds=0.0)  # type: ignore[arg-type]
     sample = _sample(counted_by(search))
-    numbers = weights(search, sample.batch) * sample.weights
-    by_links = {links: _sum(numbers[sample.batch.links == links]) for links in search.wanted}
-    seconds = sample.seconds
-    if search.classes == "none":  # they are counted by a list of those of two sets less
-        seconds = _sample(StructureSearch(search.sets - 2, "sets")).seconds
+    by_links = _by_links(search, sample, weights(search, sample.batch))
+    # they are counted by a list of those of two sets less
+    seconds = _sample(StructureSearch(search.sets - 2, "sets")).seconds
     return Estimate(by_links, sample.exact, 0.0, seconds)
+
+
+def _of_classes(search: StructureSearch, sample: _DrawnSchemes) -> Estimate:
+    """Classes. Where labelled schemes are counted, those of the sample tell its error."""
+    by_links = _by_links(search, sample, weights(search, sample.batch))
+    whole = search._replace(classes="none", ports=False)
+    if not sample.exact and _are_soon_counted(whole):
+        stand = _by_links(search, sample, labelled_weights(search, sample.batch))
+        known = count(whole)
+        by_links = {
+            links: number * known[links] / stand[links] if stand[links] else number
+            for links, number in by_links.items()
+        }
+    return Estimate(by_links, sample.exact, 0.0, sample.seconds)
+
+
+def _are_soon_counted(search: StructureSearch) -> bool:
+    return search.unsound or search.sets <= SOON
+
+
+def _by_links(
+    search: StructureSearch, sample: _DrawnSchemes, numbers: NDArray[Any]
+) -> dict[int, float]:
+    """How many there are, where each scheme of the sample stands for so many of a class."""
+    all_of_them = numbers * sample.weights
+    links = sample.batch.links
+    return {wanted: _sum(all_of_them[links == wanted]) for wanted in search.wanted}
 
 
 def _sum(numbers: Floats) -> float:
@@ -132,13 +164,14 @@ def _drawn(
     There are as many of each number of links, at equal steps of what they stand for.
     """
     orders = 1 if search.classes == "none" else len(scheme_arrays.orders(search.classes))
-    most = rows_at_once(search, batch.codes, TRIED // orders)
+    tried = TRIED // orders // max(search.sets - FEW, 1)
+    most = rows_at_once(search, batch.codes, tried)
     if len(batch.codes) <= most:
         return np.arange(len(batch.codes)), sizes
     groups = [np.flatnonzero(batch.links == links) for links in np.unique(batch.links)]
     drawn, stand = [], []
     for group in groups:
-        count = rows_at_once(search, batch.codes[group], TRIED // orders // len(groups))
+        count = rows_at_once(search, batch.codes[group], tried // len(groups))
         reached = np.cumsum(sizes[group])
         if len(group) <= count:
             drawn.append(group)

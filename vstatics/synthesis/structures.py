@@ -14,6 +14,7 @@ from typing import Literal, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from vstatics.numerics.arrays import Floats
 from vstatics.synthesis import scheme_arrays
 from vstatics.synthesis.least_codes import Symmetries, symmetries
 from vstatics.synthesis.scheme_arrays import MEMBERS, Codes
@@ -197,6 +198,14 @@ def weights(search: StructureSearch, batch: SchemeBatch) -> Integers:
         return choices
     fixed = (links == np.arange(links.shape[1])).sum(axis=1)
     return np.asarray(np.bincount(which, fixed * (fixed - 1), rows).astype(np.int64) // own)
+
+
+def labelled_weights(search: StructureSearch, batch: SchemeBatch) -> Floats:
+    """How many schemes each class has where sets have numbers and members names, (schemes,)."""
+    assert batch.symmetries is not None  # noqa: S101 - they are classes
+    own = np.bincount(batch.symmetries.which, minlength=len(batch.codes))
+    orders = len(scheme_arrays.orders(search.classes))
+    return np.asarray(math.factorial(search.sets) * float(orders) ** search.sets / own)
 
 
 def ports(batch: SchemeBatch) -> SchemePorts:
