@@ -68,6 +68,7 @@ def case(
     Link 0 of the code is L0 of the case, 1 is L1. Every link has a brake, but input and
     output, which a clutch joins; where that gives few combinations, clutches join the input
     to all other links too. Gears are the combinations that give a ratio, each ratio once.
+    Input and output have inertias in place of those of engine and load, but in a deck.
 
     \b
     Examples:
@@ -98,6 +99,7 @@ def case(
         files.show([Problem(f"no ratios are given: the sets have {some}", severity="note")])
     if form == "deck":  # it has none, and these are only in place of others
         made = made.replace(inertias={}, description="")
+        files.say("a deck holds no inertias: those of input and output are left out")
     return DONE if write_case(made, target, form) else FAILED
 
 
