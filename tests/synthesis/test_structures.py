@@ -224,3 +224,13 @@ def test_trees_with_members_in_any_order_are_triangular_cacti(sets: int) -> None
     links = 2 * sets + 1
     cacti = (1, 1, 1, 2, 4, 8, 19, 48)
     assert count(StructureSearch(sets, "order", links=(links,))) == {links: cacti[sets]}
+
+
+def test_the_published_gearbox_is_one_of_the_classes() -> None:
+    """BelAZ-7516, table 1 of the source: sun, carrier and ring of four sets on J1 to J7."""
+    table = ((3, 2, 1), (2, 5, 4), (2, 7, 5), (5, 7, 6))
+    code = least(tuple(link for one in table for link in one), GROUPS["sets"], ())
+    search = StructureSearch(4, "sets", links=(7,))
+    found = {one.code for one in schemes(search)}
+    assert len(found) == 6141
+    assert "-".join(map(str, code)) in found

@@ -14,7 +14,7 @@ from vstatics.errors import CaseError, Problem, nearest, quoted, spoken
 from vstatics.jobs.files import STDOUT, is_stream
 from vstatics.readers.named.arithmetic import calculated
 from vstatics.synthesis.scheme import SetScheme, link_name
-from vstatics.synthesis.scheme_case import scheme_case, set_name
+from vstatics.synthesis.scheme_case import MOST_GEARS, NEUTRAL, scheme_case, set_name
 
 FIRST, STEP = -2.0, -0.1
 """The ratios that sets have where none are given: all different, so that no two gears agree
@@ -94,6 +94,10 @@ def case(
         links = {link for number in locked for link in scheme.sets[number - 1]}
         sets = f"sets {spoken(map(str, locked))} have {len(links)} links only"
         files.say(f"warning: {sets}, so they turn as one body whatever their ratios are")
+    if not any(gear.engaged for gear in made.gears):
+        files.say(f"warning: no combination of its elements gives a gear but {NEUTRAL}, neutral")
+    elif len(made.gears) >= MOST_GEARS:
+        files.say(f"there may be more gears than the {MOST_GEARS} of the case")
     if not ratios:
         some = spoken(f"{one:g}" for one in given)
         files.show([Problem(f"no ratios are given: the sets have {some}", severity="note")])

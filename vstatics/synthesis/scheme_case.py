@@ -14,8 +14,6 @@ from vstatics.synthesis.scheme_arrays import LEAST_MOBILITY
 
 FEW = 60
 """With more combinations of elements the input has no clutches but that to the output."""
-MOST_TRIED = 200_000
-"""So many combinations of elements are tried."""
 MOST_GEARS = 100
 NEUTRAL = "N"
 """The gear of a case that no combination gives a ratio."""
@@ -126,13 +124,11 @@ def _clutch(first: int, second: int) -> ShiftElement:
 def _gears(case: Transmission, engaged: int) -> list[Gear]:
     """The combinations of so many elements that give ratios, each of these once."""
     found: dict[str, tuple[float, tuple[int, ...]]] = {}
-    tried = 0
     for batch in CombinationSearch(case, [engaged]).batches():
         good = batch.where(batch.gears & ~batch.free)
         for ratio, members in zip(good.ratios.tolist(), good.members.tolist(), strict=True):
             found.setdefault(f"{ratio:.9e}", (ratio, tuple(index + 1 for index in members)))
-        tried += len(batch.members)
-        if len(found) >= MOST_GEARS or tried >= MOST_TRIED:
+        if len(found) >= MOST_GEARS:
             break
     return list(_named(list(found.values())[:MOST_GEARS]))
 
