@@ -82,7 +82,7 @@ def test_shared_planets_are_written_as_mechanisms(tmp_path: Path) -> None:
 
 def test_what_leaves_a_choice_is_told() -> None:
     answer = said("--ratios", "R2=-8")
-    assert "the wanted ratios leave a choice of P3, P4" in answer.err
+    assert "the wanted ratios leave a choice of P1, P2, P3, P4" in answer.err
     assert answer.status == 0
 
 

@@ -117,7 +117,7 @@ def test_a_ratio_may_be_given() -> None:
     found = fit(BELAZ, {"4": 2.01}, bounds={"P3": (-3.0, -3.0)})
     assert found.ratios["P3"] == -3.0
     assert found.ratios["P2"] == pytest.approx(-4 * 1.01 / 1.99, rel=1e-12)
-    assert found.free == []
+    assert found.free == ["P1", "P4"]  # in no wanted ratio
 
 
 def test_bounds_on_both_sides_of_0_give_solutions_of_both_signs() -> None:
@@ -138,7 +138,7 @@ def test_where_there_is_a_choice_the_case_decides() -> None:
     away = np.log(6.12 / 6.12) / 2
     expected = -np.exp(own + away)
     assert [found.ratios["P3"], found.ratios["P4"]] == pytest.approx(expected, rel=1e-6)
-    assert (found.free, len(found.solutions)) == (["P3", "P4"], 1)
+    assert (found.free, len(found.solutions)) == (["P1", "P2", "P3", "P4"], 1)
     moved = fit(BELAZ, {"R2": -8.0})
     away = math.log(9 / 6.12) / 2
     assert moved.ratios["P3"] == pytest.approx(-3.0 * math.exp(away), rel=1e-3)
@@ -350,3 +350,14 @@ def test_a_ratio_of_minus_1_is_kept_and_told_where_it_is_in_the_way() -> None:
         found.warnings
     )
     assert fit(case, {"1": 4.0}, bounds={"D1": (-14, -1)}).ratios["D1"] == pytest.approx(-3)
+
+
+def test_the_best_is_the_least_sum_of_squares_also_where_another_one_meets_all() -> None:
+    """Heavy weights: both sets in series, once met but for the light gear, once everywhere."""
+    found = fit(SERIES, {"slow": 12.0, "back": 6.5}, weights={"back": 1e-6})
+    squares = [
+        math.log(one.gears["slow"] / 12) ** 2 + 1e-6 * math.log(one.gears["back"] / 6.5) ** 2
+        for one in found.solutions
+    ]
+    assert squares == sorted(squares)
+    assert found.residual == found.solutions[0].residual

@@ -46,11 +46,11 @@ class Fit(NamedTuple):
     residual: float
     unmet: Sequence[str]
     solutions: Sequence[FitSolution]
-    """Minima of the sum of squares, the best first: those where all is met, if there are any."""
+    """Minima of the sum of squares, the best first: where it meets all, those that do."""
     problem: FitProblem
     free: Sequence[str]
-    """Mechanisms whose ratios the wanted ones do not determine; with others they stay as near as
-    may be to the case's own."""
+    """Mechanisms whose ratios the wanted ones do not determine, those among them that matter for
+    none: they stay as near as may be to the case's own."""
     warnings: Sequence[str]
     """What else is to be known of it."""
 
@@ -97,11 +97,12 @@ def fit(
     """
     problem = fit_problem(case, ratios, bounds, weights, tolerance)
     found, free = found_ratios(problem)
+    free = [*free, *problem.unused]
     minima = [_solution(problem, one) for one in found]
-    solutions = [one for one in minima if not one.unmet] or minima
-    best = solutions[0]
+    best = minima[0]
+    solutions = minima if best.unmet else [one for one in minima if not one.unmet]
     names = [mechanism.name for mechanism in problem.own.case.mechanisms]
-    loose = [names[index] for index in free]
+    loose = [name for index, name in enumerate(names) if index in free]
     warnings = [
         *doubts(problem),
         *(_kept(problem) if best.unmet else ()),

@@ -63,7 +63,7 @@ def mechanism_note(problem: FitProblem, index: int, ratio: float, found: Fit) ->
     low, high = problem.bounds.low[index], problem.bounds.high[index]
     if low == high:
         return "given"
-    if index not in problem.varied:
+    if index in problem.unused:
         return "in no wanted ratio"
     if ratio in (low, high):
         return "at its bound"

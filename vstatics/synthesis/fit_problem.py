@@ -47,6 +47,13 @@ class FitProblem(NamedTuple):
         return [index for index in sorted(matter) if not self.bounds.is_fixed(index)]
 
     @property
+    def unused(self) -> list[int]:
+        """The indices of mechanisms that matter for nothing that is wanted, and are not fixed."""
+        count = len(self.own.case.mechanisms)
+        fixed = [index for index in range(count) if self.bounds.is_fixed(index)]
+        return sorted({*range(count)} - {*self.varied, *fixed})
+
+    @property
     def anchor(self) -> Floats:
         """The case's own ratios, or the bounds nearest to them [-]."""
         ratios = [mechanism.ratio for mechanism in self.own.case.mechanisms]
@@ -175,7 +182,7 @@ def _impossible(problem: FitProblem, index: int) -> Iterator[Problem]:
         return
     if formula.kind == "constant" and _is_constant(problem, index):
         if not is_same(formula.constant, target):
-            constant = f"gear {name}: read {target:g}, but its ratio is {formula.constant:g}"
+            constant = f"gear {name}: read {target:.12g}, but its ratio is {formula.constant:.12g}"
             yield Problem(f"{constant} whatever the ratios of the mechanisms are", path)
         return
     limits = problem.reach(index)
