@@ -22,7 +22,8 @@ import pytest
 
 from tests.oracle.combinations import Train, every
 from vstatics import load, solve
-from vstatics.model.transmission import Gear
+from vstatics.model.transmission import Gear, ShiftElement
+from vstatics.synthesis.combinations import combinations as combinations_of
 
 PAGE = Path(__file__).parents[2] / "docs" / "synthesis-tables.md"
 TABLE_10 = [
@@ -229,3 +230,18 @@ def test_the_program_solves_the_gears_and_no_others(case_of_the_page: Path) -> N
     scheme = next(scheme for number, scheme in schemes() if number == 686)
     expected = [kind in {"gear", "direct"} for kind in kinds(scheme).values()]
     assert found.tolist() == expected
+
+
+def test_the_program_tells_the_kinds_of_table_14_in_its_order(case_of_the_page: Path) -> None:
+    """All 66, and with a brake on J1 besides the two gears that the source leaves out."""
+    case = load(case_of_the_page)
+    found = combinations_of(case)
+    assert [" ".join(one.engaged) for one in found] == PAIRS
+    scheme = next(scheme for number, scheme in schemes() if number == 686)
+    assert [one.kind for one in found] == list(kinds(scheme).values())
+    more = replace(case, shift_elements=[*case.shift_elements, ShiftElement(2, name="T3")])
+    with_brake = [one for one in combinations_of(more) if "T3" in one.engaged]
+    gears = {one.engaged[0]: one.ratio for one in with_brake if one.kind == "gear"}
+    k1, k2 = map(float, RATIOS)
+    # b1 stands: a1 = (1 - K1) h; then F9 gives 1 - K1, F8 a2 = K2 a1 + (1 - K2) h
+    assert gears == pytest.approx({"F8": k2 * (1 - k1) + 1 - k2, "F9": 1 - k1}, rel=1e-14)
