@@ -27,6 +27,7 @@ COMMANDS = {
     "report": ("report", "pipe", "-o", "out.html"),
     "convert": ("convert", "pipe", "out.dat"),
     "compare": ("compare", "pipe", "pipe"),
+    "combinations": ("synth", "combinations", "pipe", "--write", "out.yaml"),
     "fit": ("synth", "fit", "pipe", "--ratios", "low=2", "--write", "out.yaml"),
     "sweep": ("sweep", "pipe", "--vary", "D.ratio=-3:-2:3", "-o", "out.csv"),
     "table": ("sweep", "box.yaml", "--variants", "pipe", "-o", "out.csv"),

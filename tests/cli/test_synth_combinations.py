@@ -151,10 +151,10 @@ def test_how_many_how_large_how_long() -> None:
 
 WRONG = {
     ("--engaged", "7"): "read 7 engaged elements, expected 0 to 6",
-    ("--engaged", "two"): "read 'two', expected a whole number of elements",
-    ("--engaged", ""): "read '', expected a whole number",
-    ("--engaged", "-1"): "read '-1'",
-    ("--elements", "T11"): "no shift element 'T11'",
+    ("--engaged", "two"): "read `two`, expected a whole number of elements",
+    ("--engaged", ""): "read ``, expected a whole number",
+    ("--engaged", "-1"): "read `-1`",
+    ("--elements", "T11"): "no shift element `T11`",
     ("--elements", "auto,F1"): "expected `auto` alone",
     ("--elements", "Auto"): "did you mean `auto`",
     ("--write", "gears.txt"): "can't tell the format of gears.txt",

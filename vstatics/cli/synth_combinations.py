@@ -16,7 +16,7 @@ from vstatics.cli.formats import OutputOptions
 from vstatics.cli.synth_case_file import case_format, write_case, written_case
 from vstatics.cli.telling import Telling
 from vstatics.cli.torsion_case import file_name, one_text, problems_of
-from vstatics.errors import CaseError, ReadError, listed, of_file, plural
+from vstatics.errors import CaseError, ReadError, listed, of_file, plural, quoted
 
 if TYPE_CHECKING:
     from vstatics.synthesis.combinations import CombinationSearch
@@ -30,7 +30,7 @@ def _separate(asked: Iterable[str]) -> list[str]:
 def _sizes(_context: click.Context, _option: click.Parameter, asked: Sequence[str]) -> list[int]:
     for one in _separate(asked):
         if not (one.isascii() and one.isdigit() and len(one) <= 9):
-            message = f"read {one!r}, expected a whole number of elements, or several: 2,3"
+            message = f"read {quoted(one)}, expected a whole number of elements, or several: 2,3"
             raise click.BadParameter(message)
     return list(dict.fromkeys(map(int, _separate(asked))))
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from itertools import combinations as subsets
 
-from vstatics.errors import CaseError, Problem, listed, nearest, typed_number
+from vstatics.errors import CaseError, Problem, listed, nearest, quoted, typed_number
 from vstatics.model.transmission import HOUSING, ShiftElement, Transmission
 
 Pair = tuple[int, int]
@@ -40,8 +40,8 @@ def controls(case: Transmission, asked: Sequence[str] = ()) -> list[ShiftElement
     if list(asked) == [AUTO]:
         return all_controls(case)
     if AUTO in asked:
-        message = f"read {listed(asked)}, expected `{AUTO}` alone, or names of shift elements"
-        raise CaseError([Problem(message)])
+        expected = f"expected `{AUTO}` alone, or names of shift elements"
+        raise CaseError([Problem(f"read {quoted(', '.join(asked))}, {expected}")])
     numbers = sorted({_number(case, one) for one in asked}) or range(len(case.shift_elements))
     return [case.shift_elements[number] for number in numbers]
 
@@ -57,7 +57,7 @@ def _number(case: Transmission, asked: str) -> int:
     hint = nearest(asked, [*names, AUTO])
     if not hint:
         hint = f"; they are {listed(names, 12)}" if names else f"; expected `{AUTO}`"
-    raise CaseError([Problem(f"no shift element {asked!r}{hint}")])
+    raise CaseError([Problem(f"no shift element {quoted(asked)}{hint}")])
 
 
 def all_controls(case: Transmission) -> list[ShiftElement]:
