@@ -11,7 +11,7 @@ from tests.commands import CASES
 from vstatics import Gear, Mechanism, ShiftElement, Spring, Transmission, load
 from vstatics.errors import CaseError
 from vstatics.synthesis import combinations
-from vstatics.synthesis.combinations import CombinationSearch
+from vstatics.synthesis.combination_search import CombinationSearch
 from vstatics.synthesis.engaged_alone import kind_alone
 from vstatics.synthesis.engaged_sets import EngagedSet
 

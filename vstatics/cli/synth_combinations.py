@@ -19,7 +19,7 @@ from vstatics.cli.torsion_case import file_name, one_text, problems_of
 from vstatics.errors import CaseError, ReadError, listed, of_file, plural, quoted
 
 if TYPE_CHECKING:
-    from vstatics.synthesis.combinations import CombinationSearch
+    from vstatics.synthesis.combination_search import CombinationSearch
 
 
 def _separate(asked: Iterable[str]) -> list[str]:
@@ -99,14 +99,14 @@ def combinations(
     to = one_text(wanted, [case])
     form = None if target is None else case_format(target, [case], to.output)
     from vstatics.cli.synth_combinations_output import check_room, estimate, show
-    from vstatics.synthesis.combinations import CombinationSearch
-    from vstatics.synthesis.controls import AUTO, controls
+    from vstatics.synthesis.combination_search import CombinationSearch
+    from vstatics.synthesis.element_choice import AUTO, chosen_elements
 
     reading = arguments.read_one(case, input_format, telling)
     chosen = _chosen([one.name for one in reading.case.shift_elements], elements)
     with _wrong_use("--elements"):
         if chosen != [AUTO]:
-            controls(reading.case, chosen)
+            chosen_elements(reading.case, chosen)
     with problems_of(reading), _wrong_use("--engaged"), _hint("see --elements and --engaged"):
         search = CombinationSearch(reading.case, engaged, chosen)
     with problems_of(reading), _hint("see --dry-run, --engaged, --elements and --at-most"):

@@ -19,7 +19,7 @@ from vstatics.cli.torsion_case import file_name
 from vstatics.errors import ReadError, listed, of_file
 from vstatics.jobs.files import is_stream
 from vstatics.synthesis.combination_grids import combination_grids
-from vstatics.synthesis.combinations import CombinationSearch, count_text
+from vstatics.synthesis.combination_search import CombinationSearch, count_text
 from vstatics.synthesis.engaged_kinds import EngagedKind
 from vstatics.synthesis.engaged_sets import EngagedSets
 

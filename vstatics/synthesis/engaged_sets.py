@@ -16,7 +16,7 @@ class EngagedSet(NamedTuple):
     engaged: Sequence[str]
     """Their names; a freewheel among them holds."""
     kind: str
-    """The word of a `EngagedKind`."""
+    """The word of an `EngagedKind`."""
     ratio: float
     """Input speed by output speed; NaN but for `gear` and `direct`. [-]"""
     free: bool

@@ -10,7 +10,7 @@ from vstatics.model.transmission import Gear, ShiftElement, Transmission
 from vstatics.statics.solve import solve
 from vstatics.summary.combinations import is_plain, shared
 from vstatics.summary.design import is_same
-from vstatics.synthesis.combinations import CombinationSearch
+from vstatics.synthesis.combination_search import CombinationSearch
 from vstatics.synthesis.engaged_sets import EngagedSet
 
 MOST_GEARS = 5000

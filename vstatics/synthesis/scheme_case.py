@@ -8,7 +8,7 @@ from collections.abc import Iterator, Sequence
 from vstatics.errors import plural
 from vstatics.model.parts import HOUSING, Gear, Mechanism, ShiftElement
 from vstatics.model.transmission import Transmission
-from vstatics.synthesis.combinations import CombinationSearch
+from vstatics.synthesis.combination_search import CombinationSearch
 from vstatics.synthesis.scheme import SetScheme, link_name
 from vstatics.synthesis.scheme_arrays import LEAST_MOBILITY
 

@@ -7,20 +7,20 @@ from itertools import combinations as subsets
 
 from vstatics.errors import CaseError, Problem, listed, nearest, quoted, typed_number
 from vstatics.model.transmission import HOUSING, ShiftElement, Transmission
+from vstatics.synthesis.speed_forms import Pair
 
-Pair = tuple[int, int]
 AUTO = "auto"
 """What asks for all elements that a scheme may have."""
 
 
-def controls(case: Transmission, asked: Sequence[str] = ()) -> list[ShiftElement]:
+def chosen_elements(case: Transmission, asked: Sequence[str] = ()) -> list[ShiftElement]:
     """The shift elements that combinations are made of.
 
     Parameters
     ----------
     asked : sequence of str
         Names or numbers of elements of the case; all of them when not given. Or ``auto``
-        alone: see `all_controls`.
+        alone: see `all_elements`.
 
     Raises
     ------
@@ -32,13 +32,13 @@ def controls(case: Transmission, asked: Sequence[str] = ()) -> list[ShiftElement
     >>> from vstatics import Gear, Mechanism
     >>> case = Transmission(3, [ShiftElement(2), ShiftElement(1, 2)],
     ...                     [Mechanism(1, 2, 3, -2.5)], [Gear([1])])
-    >>> [one.name for one in controls(case, ["F2"])]
+    >>> [one.name for one in chosen_elements(case, ["F2"])]
     ['F2']
-    >>> [one.name for one in controls(case, ["auto"])]
+    >>> [one.name for one in chosen_elements(case, ["auto"])]
     ['F2', 'F-1-3', 'F-2-3', 'T1']
     """
     if list(asked) == [AUTO]:
-        return all_controls(case)
+        return all_elements(case)
     if AUTO in asked:
         expected = f"expected `{AUTO}` alone, or names of shift elements"
         raise CaseError([Problem(f"read {quoted(', '.join(asked))}, {expected}")])
@@ -60,7 +60,7 @@ def _number(case: Transmission, asked: str) -> int:
     raise CaseError([Problem(f"no shift element {quoted(asked)}{hint}")])
 
 
-def all_controls(case: Transmission) -> list[ShiftElement]:
+def all_elements(case: Transmission) -> list[ShiftElement]:
     """All clutches and brakes that the scheme of a case may have.
 
     A clutch between any two links, then a brake on any link but the input and outputs.
@@ -83,11 +83,12 @@ def all_controls(case: Transmission) -> list[ShiftElement]:
     return [own.get(frozenset(pair)) or ShiftElement(*pair, name=names[pair]) for pair in pairs]
 
 
-def count_all(case: Transmission) -> int:
-    """How many elements `all_controls` gives.
+def count_all_elements(case: Transmission) -> int:
+    """How many elements `all_elements` gives.
 
     >>> from vstatics import Gear, Mechanism
-    >>> count_all(Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)], [Gear([1])]))
+    >>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)], [Gear([1])])
+    >>> count_all_elements(case)
     4
     """
     ports = {case.input, case.output, *case.outputs}
