@@ -186,7 +186,7 @@ def _signed_less(entry: Entry, factor: Entry, term: Entry) -> Entry:
     one, other = of_any_sign(value), -of_any_sign(product)
     larger = max(abs(value_of(one)), abs(value_of(other)))
     if left == 0:
-        guard_equal(one, -other, ZERO * size / larger)
+        guard_equal(one, -other, 2 * ZERO * size / larger)  # sizes of others may be larger
         return 0.0, size
     part = abs(left) / larger
     if part <= 2 * REAL:
@@ -194,9 +194,9 @@ def _signed_less(entry: Entry, factor: Entry, term: Entry) -> Entry:
     return watched(one, other, max(min(SIGNED_LEAST, part / 16), 1.5 * REAL)), size
 
 
-def _signed_enough(pivot: Number, other: Number) -> bool:
-    """By the first variant alone: sums are watched, so that no order of pivots spoils them."""
-    return abs(value_of(of_any_sign(pivot))) >= PIVOT * abs(value_of(of_any_sign(other)))
+def _any(pivot: Number, other: Number) -> bool:  # noqa: ARG001
+    """By the structure alone: sums are watched, so that no order of pivots spoils them."""
+    return True
 
 
-SIGNED = Arithmetic(_signed_entry, _signed_quotient, _signed_less, _signed_enough)
+SIGNED = Arithmetic(_signed_entry, _signed_quotient, _signed_less, _any)

@@ -28,6 +28,8 @@ from vstatics.numerics.tape import Untraceable
 
 FEW = 4
 """So many variants are not worth a plan; more of them, when plans were made in vain."""
+OFTEN = 4
+"""So many times more of them are, when they were left of several calls."""
 WORTH = 12
 """A plan costs about as much as so many variants that are calculated by themselves."""
 STEPS = 250
@@ -95,7 +97,7 @@ class Plans:
                 left = left[left != variant]
             elif served > FEW or before.size <= FEW:
                 self.plans = (*self.plans, plan)
-            else:
+            if served <= FEW < inputs.values.shape[1]:
                 self.few += FEW
             trials = TRIALS if served >= WORTH else trials - 1
         return left
@@ -110,7 +112,8 @@ class Plans:
 
     def _worth(self, left: int, inputs: Inputs) -> bool:
         """Whether a plan is worth making: for many now, or for few that come often."""
-        often = left == inputs.values.shape[1] and self.alone > FEW and self.special < TRIALS
+        most = FEW if left == inputs.values.shape[1] else OFTEN * self.few
+        often = self.alone > most and self.special < TRIALS
         return left > self.few or (left > 0 and often)
 
     def _promises(self, plan: Plan, inputs: Inputs, rows: Rows, left: Integers) -> bool:

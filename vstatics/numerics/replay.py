@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import operator
+import threading
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
 
@@ -60,6 +61,25 @@ PLAIN: Mapping[str, Callable[..., float]] = {
 }
 
 
+class _Own(threading.local):
+    """Memory of a thread for working arrays; fresh memory costs more time than the steps."""
+
+    numbers: Floats = np.empty(0)
+    holds: Booleans = np.empty(0, dtype=np.bool_)
+
+
+_own = _Own()
+
+
+def _working_arrays(count: int, variants: int) -> tuple[Floats, Booleans]:
+    """So many arrays over the variants, and one of what holds; they are full of what was there."""
+    if _own.numbers.size < count * variants:
+        _own.numbers = np.empty(count * variants)
+    if _own.holds.size < variants:
+        _own.holds = np.empty(variants, dtype=np.bool_)
+    return _own.numbers[: count * variants].reshape(count, variants), _own.holds[:variants]
+
+
 class Step(NamedTuple):
     """A function of arrays and its like for plain numbers, the cells of operands and result."""
 
@@ -98,8 +118,7 @@ class Replay(NamedTuple):
         """
         variants = len(passed)
         varied = rows.lay_out(self.layout)
-        buffers = np.empty((self.working, min(CHUNK, variants)))
-        holds = np.empty(min(CHUNK, variants), dtype=np.bool_)
+        buffers, holds = _working_arrays(self.working, min(CHUNK, variants))
         plain = self.plain[::-1]
         for start in range(0, variants, CHUNK):
             part = slice(start, min(start + CHUNK, variants))
