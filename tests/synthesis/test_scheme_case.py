@@ -40,4 +40,4 @@ def test_every_speed_is_determined_in_a_gear(code: str) -> None:
     case = scheme_case(scheme, scheme.links - 1, scheme.links - 3, [-2.0] * len(scheme.sets))
     results = solve(case)
     assert results.calculable.all()
-    assert all(len(gear.engaged) == scheme.freedoms - 1 for gear in case.gears)
+    assert all(len(gear.engaged) == scheme.mobility - 1 for gear in case.gears)

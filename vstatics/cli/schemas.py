@@ -18,7 +18,6 @@ from vstatics.explain import schema as explain
 from vstatics.flow import schema as flow
 from vstatics.readers.named import schema as case
 from vstatics.summary import schema as summary
-from vstatics.synthesis.fit_document import fit_schema
 from vstatics.writers import schema as result
 
 
@@ -35,7 +34,6 @@ def schemas() -> dict[str, dict[str, Any]]:
         **simulate_schemas.json_schemas(),
         **synth_schemas.json_schemas(),
         "dump": torsion_dump.json_schema(),
-        "fit": fit_schema(),
         "check": problem_json.json_schema(),
     }
 

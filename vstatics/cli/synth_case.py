@@ -14,7 +14,7 @@ from vstatics.errors import CaseError, Problem, nearest, quoted, spoken
 from vstatics.jobs.files import STDOUT, is_stream
 from vstatics.readers.named.arithmetic import calculated
 from vstatics.synthesis.scheme import SetScheme, link_name
-from vstatics.synthesis.scheme_case import MOST_GEARS, NEUTRAL, scheme_case, set_name
+from vstatics.synthesis.scheme_case import MOST_OF_SCHEME, NEUTRAL, scheme_case, set_name
 
 FIRST, STEP = -2.0, -0.1
 """The ratios that sets have where none are given: all different, so that no two gears agree
@@ -30,8 +30,10 @@ def _scheme(_: click.Context, parameter: click.Parameter, code: str) -> SetSchem
 
 @click.command()
 @click.argument("scheme", metavar="CODE", callback=_scheme)
-@click.option("--input", "inlet", required=True, metavar="LINK", help="The input, such as L0.")
-@click.option("--output", "outlet", required=True, metavar="LINK", help="The output, such as L4.")
+@click.option("--input", "input_link", required=True, metavar="LINK", help="The input, such as L0.")
+@click.option(
+    "--output", "output_link", required=True, metavar="LINK", help="The output, such as L4."
+)
 @click.option(
     "--ratios",
     multiple=True,
@@ -57,8 +59,8 @@ def _scheme(_: click.Context, parameter: click.Parameter, code: str) -> SetSchem
 )
 def case(
     scheme: SetScheme,
-    inlet: str,
-    outlet: str,
+    input_link: str,
+    output_link: str,
     ratios: tuple[str, ...],
     form: str | None,
     target: str,
@@ -80,7 +82,7 @@ def case(
     """
     form = form or ("yaml" if is_stream(target) else case_format(target, []))
     given = _ratios(scheme, ratios)
-    first, last = _link(scheme, inlet, "--input"), _link(scheme, outlet, "--output")
+    first, last = _link(scheme, input_link, "--input"), _link(scheme, output_link, "--output")
     if first == last:
         message = f"read {link_name(first)}, which is the input; expected another link"
         raise click.BadParameter(message, param_hint="--output")
@@ -96,8 +98,8 @@ def case(
         files.say(f"warning: {sets}, so they turn as one body whatever their ratios are")
     if not any(gear.engaged for gear in made.gears):
         files.say(f"warning: no combination of its elements gives a gear but {NEUTRAL}, neutral")
-    elif len(made.gears) >= MOST_GEARS:
-        files.say(f"there may be more gears than the {MOST_GEARS} of the case")
+    elif len(made.gears) >= MOST_OF_SCHEME:
+        files.say(f"there may be more gears than the {MOST_OF_SCHEME} of the case")
     if not ratios:
         some = spoken(f"{one:g}" for one in given)
         files.show([Problem(f"no ratios are given: the sets have {some}", severity="note")])

@@ -4,13 +4,18 @@ from __future__ import annotations
 
 from vstatics.synthesis.engaged_kinds import EngagedKind
 from vstatics.synthesis.engaged_sets import EngagedSet
+from vstatics.synthesis.fit_document import fit_schema
 from vstatics.synthesis.found_schemes import FoundScheme
 from vstatics.writers.record_schema import Schema, list_of, record, schema_of
 
 
 def json_schemas() -> dict[str, Schema]:
     """By the name of each: the schemas of ``vstatics synth ... -f json``."""
-    return {"structures": structures_schema(), "combinations": combinations_schema()}
+    return {
+        "structures": structures_schema(),
+        "combinations": combinations_schema(),
+        "fit": fit_schema(),
+    }
 
 
 def structures_schema() -> Schema:

@@ -14,8 +14,8 @@ from vstatics.synthesis.scheme_arrays import LEAST_MOBILITY, MEMBERS, are_connec
 from vstatics.synthesis.structures import MOST_SETS
 
 MEMBER_NAMES = ("sun", "carrier", "ring")
-LONGEST = 3 * 3 * MOST_SETS
-"""Characters of a code."""
+LONGEST = MEMBERS * 3 * MOST_SETS
+"""Characters of a code: a link has two figures and a hyphen."""
 
 
 class SetScheme(NamedTuple):
@@ -52,8 +52,8 @@ class SetScheme(NamedTuple):
         return 1 + max(link for one in self.sets for link in one)
 
     @property
-    def freedoms(self) -> int:
-        """Links less sets: so many speeds may be chosen."""
+    def mobility(self) -> int:
+        """Links less sets, the degrees of freedom: so many speeds may be chosen."""
         return self.links - len(self.sets)
 
     @property

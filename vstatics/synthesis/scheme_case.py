@@ -13,8 +13,9 @@ from vstatics.synthesis.scheme import SetScheme, link_name
 from vstatics.synthesis.scheme_arrays import LEAST_MOBILITY
 
 FEW = 60
-"""With more combinations of elements the input has no clutches but that to the output."""
-MOST_GEARS = 100
+"""If clutches to all links gave more combinations the input has none but that to the output."""
+MOST_OF_SCHEME = 100
+"""So many gears has a case, those that are found first."""
 NEUTRAL = "N"
 """The gear of a case that no combination gives a ratio."""
 INERTIA = 1.0
@@ -22,19 +23,19 @@ INERTIA = 1.0
 
 
 def scheme_case(
-    scheme: SetScheme, inlet: int, outlet: int, ratios: Sequence[float]
+    scheme: SetScheme, input_link: int, output_link: int, ratios: Sequence[float]
 ) -> Transmission:
     """A case with brakes, clutches and all gears that they give.
 
-    Every link has a brake, but input and output; a clutch joins these two. Where that gives few
-    combinations, and more than one element is engaged, clutches join the input to all other
-    links too. Gears are the combinations with a ratio that no other has, by descending ratio;
-    direct drive is one of them.
+    Every link has a brake, but input and output; a clutch joins these two. Where more than one
+    element is engaged, clutches join the input to all other links too, unless that makes more
+    than `FEW` combinations. Gears are the combinations with a ratio that no other has, by
+    descending ratio; direct drive is one of them.
 
     Parameters
     ----------
     scheme : SetScheme
-    inlet, outlet : int
+    input_link, output_link : int
         Links of the scheme, from 0.
     ratios : sequence of float
         Internal ratio of each set, sun to ring with the carrier held. [-]
@@ -54,8 +55,8 @@ def scheme_case(
     >>> [element.name for element in case.shift_elements]
     ['T-L2', 'F-L0-L1']
     """
-    _check(scheme, inlet, outlet)
-    elements = _elements(scheme, inlet, outlet)
+    _check(scheme, input_link, output_link)
+    elements = _elements(scheme, input_link, output_link)
     case = Transmission(
         links=scheme.links,
         shift_elements=elements,
@@ -66,14 +67,14 @@ def scheme_case(
             )
         ],
         gears=[Gear((), name=NEUTRAL)],
-        input=inlet + 1,
-        output=outlet + 1,
+        input=input_link + 1,
+        output=output_link + 1,
         link_names=[link_name(link) for link in range(scheme.links)],
         name=f"scheme {scheme.code}",
         description=f"The inertias are in place of those of engine and load, {INERTIA:g} kg*m^2.",
-        inertias={inlet + 1: INERTIA, outlet + 1: INERTIA},
+        inertias={input_link + 1: INERTIA, output_link + 1: INERTIA},
     )
-    found = _gears(case, scheme.freedoms - 1)
+    found = _gears(case, scheme.mobility - 1)
     return case.replace(gears=found) if found else case
 
 
@@ -86,31 +87,31 @@ def set_name(number: int) -> str:
     return f"P{number}"
 
 
-def _check(scheme: SetScheme, inlet: int, outlet: int) -> None:
+def _check(scheme: SetScheme, input_link: int, output_link: int) -> None:
     """Refuse what can't be a gearbox.
 
     Raises
     ------
     ValueError
     """
-    if inlet == outlet:
-        raise ValueError(f"{link_name(inlet)} is input and output; expected two links")
+    if input_link == output_link:
+        raise ValueError(f"{link_name(input_link)} is input and output; expected two links")
     if not scheme.is_connected:
         raise ValueError("its sets share no link: these are several gearboxes, expected one")
-    if scheme.freedoms < LEAST_MOBILITY:
+    if scheme.mobility < LEAST_MOBILITY:
         sets = len(scheme.sets)
         message = f"{sets} {plural('set', sets)} with {scheme.links} links turn as one body"
         raise ValueError(f"{message}; expected {sets + LEAST_MOBILITY} links or more")
 
 
-def _elements(scheme: SetScheme, inlet: int, outlet: int) -> list[ShiftElement]:
+def _elements(scheme: SetScheme, input_link: int, output_link: int) -> list[ShiftElement]:
     """Its brakes and clutches."""
-    others = [link for link in range(scheme.links) if link not in (inlet, outlet)]
+    others = [link for link in range(scheme.links) if link not in (input_link, output_link)]
     elements = [ShiftElement(link + 1, HOUSING, f"T-{link_name(link)}") for link in others]
-    clutches = [_clutch(inlet, outlet)]
-    engaged = scheme.freedoms - 1
+    clutches = [_clutch(input_link, output_link)]
+    engaged = scheme.mobility - 1
     if engaged > 1:
-        more = [_clutch(inlet, link) for link in others]
+        more = [_clutch(input_link, link) for link in others]
         if math.comb(len(elements) + 1 + len(more), engaged) <= FEW:
             clutches += more
     return elements + clutches
@@ -128,9 +129,9 @@ def _gears(case: Transmission, engaged: int) -> list[Gear]:
         good = batch.where(batch.gears & ~batch.free)
         for ratio, members in zip(good.ratios.tolist(), good.members.tolist(), strict=True):
             found.setdefault(f"{ratio:.9e}", (ratio, tuple(index + 1 for index in members)))
-        if len(found) >= MOST_GEARS:
+        if len(found) >= MOST_OF_SCHEME:
             break
-    return list(_named(list(found.values())[:MOST_GEARS]))
+    return list(_named(list(found.values())[:MOST_OF_SCHEME]))
 
 
 def _named(found: list[tuple[float, tuple[int, ...]]]) -> Iterator[Gear]:

@@ -25,7 +25,7 @@ from vstatics.synthesis.structures import (
 )
 
 ByLinks = dict[int, int]
-Elements = tuple[int, ...]
+LinkSizes = tuple[int, ...]
 """How many members each link of a scheme joins, ascending."""
 
 
@@ -125,15 +125,15 @@ def _mixed(sets: int) -> Counter[int]:
     """Connected schemes with a body that has not all of the sets."""
     found: Counter[int] = Counter()
     for outside in range(1, sets - 1):
-        for elements, number in _elements(outside).items():
-            for links, ways in _with_bodies(elements, sets - outside):
+        for sizes, number in _link_sizes(outside).items():
+            for links, ways in _with_bodies(sizes, sets - outside):
                 # a scheme of the outer sets without bodies has none of the others
                 found[links] += comb(sets, outside) * number * ways
     return found
 
 
 @cache
-def _with_bodies(elements: Elements, inside: int) -> tuple[tuple[int, int], ...]:
+def _with_bodies(sizes: LinkSizes, inside: int) -> tuple[tuple[int, int], ...]:
     """The ways to put bodies of so many sets in the place of links.
 
     A member that the link has had may be joined to any of the links of the body.
@@ -143,22 +143,22 @@ def _with_bodies(elements: Elements, inside: int) -> tuple[tuple[int, int], ...]
     tuple
         Pairs of a number of links, and the ways to have so many.
     """
-    if not elements:
+    if not sizes:
         return () if inside else ((0, 1),)
     found: Counter[int] = Counter()
     for own in (0, *range(2, inside + 1)):
         places = _bodies(own).items() if own else [(1, 1)]
-        for rest, ways in _with_bodies(elements[1:], inside - own):
+        for rest, ways in _with_bodies(sizes[1:], inside - own):
             for links, number in places:
-                joined = links ** elements[0] if own else 1
+                joined = links ** sizes[0] if own else 1
                 found[rest + links] += comb(inside, own) * number * joined * ways
     return tuple(found.items())
 
 
 @cache
-def _elements(sets: int) -> dict[Elements, int]:
+def _link_sizes(sets: int) -> dict[LinkSizes, int]:
     """How many sound schemes have links of so many members each."""
-    found: Counter[Elements] = Counter()
+    found: Counter[LinkSizes] = Counter()
     search = StructureSearch(sets)
     for batch in batches(counted_by(search)):
         sizes = np.zeros((len(batch.codes), 2 * sets + 1), np.intp)

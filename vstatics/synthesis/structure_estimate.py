@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 import time
+from collections.abc import Mapping
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -43,12 +44,13 @@ WRITTEN = 2000
 class Estimate(NamedTuple):
     """What is known of a search beforehand."""
 
-    by_links: dict[int, float]
+    by_links: Mapping[int, float]
     exact: bool
     """Whether these are counts."""
     bytes: float
-    """Of the lines."""
+    """Size of the lines. [bytes]"""
     seconds: float
+    """How long it takes. [s]"""
 
     @property
     def total(self) -> float:
@@ -87,7 +89,7 @@ def estimate(search: StructureSearch, *, listed: bool) -> Estimate:
 def _labelled(search: StructureSearch) -> Estimate:
     """Schemes whose sets have numbers, and how long it takes to count them."""
     if _are_soon_counted(search):
-        return Estimate(count(search), exact=True, bytes=0.0, seconds=0.0)  # type: ignore[arg-type]
+        return Estimate(count(search), exact=True, bytes=0.0, seconds=0.0)
     sample = _sample(counted_by(search))
     by_links = _by_links(search, sample, weights(search, sample.batch))
     # they are counted by a list of those of two sets less
@@ -171,15 +173,15 @@ def _drawn(
     groups = [np.flatnonzero(batch.links == links) for links in np.unique(batch.links)]
     drawn, stand = [], []
     for group in groups:
-        count = rows_at_once(search, batch.codes[group], tried // len(groups))
+        share = rows_at_once(search, batch.codes[group], tried // len(groups))
         reached = np.cumsum(sizes[group])
-        if len(group) <= count:
+        if len(group) <= share:
             drawn.append(group)
             stand.append(sizes[group])
             continue
-        step = reached[-1] / count
-        drawn.append(group[np.searchsorted(reached, (np.arange(count) + 0.5) * step)])
-        stand.append(np.full(count, step))
+        step = reached[-1] / share
+        drawn.append(group[np.searchsorted(reached, (np.arange(share) + 0.5) * step)])
+        stand.append(np.full(share, step))
     return np.concatenate(drawn), np.concatenate(stand)
 
 
@@ -192,8 +194,8 @@ def _written(search: StructureSearch, batch: SchemeBatch) -> tuple[float, float]
     began = time.perf_counter()
     text = lines(search, part)
     seconds = time.perf_counter() - began
-    count = text.count(b"\n")
-    return len(text) / count, seconds / count
+    written = text.count(b"\n")
+    return len(text) / written, seconds / written
 
 
 def _every(batch: SchemeBatch, step: int) -> SchemeBatch:

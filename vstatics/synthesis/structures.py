@@ -14,7 +14,7 @@ from typing import Literal, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from vstatics.numerics.arrays import Floats
+from vstatics.numerics.arrays import Floats, Integers
 from vstatics.synthesis import scheme_arrays
 from vstatics.synthesis.least_codes import Symmetries, symmetries
 from vstatics.synthesis.scheme_arrays import MEMBERS, Codes
@@ -25,8 +25,6 @@ exchanged; with the members of a set in any order."""
 MOST_SETS = 10
 AT_ONCE = 50_000
 """So many schemes grow at once, for the sake of memory."""
-
-Integers = NDArray[np.int64]
 
 
 class StructureSearch(NamedTuple):
@@ -43,7 +41,7 @@ class StructureSearch(NamedTuple):
 
     @property
     def link_range(self) -> range:
-        """The numbers of links that connected schemes of two or more freedoms may have.
+        """The numbers of links that connected schemes of two or more degrees of freedom have.
 
         >>> StructureSearch(4).link_range
         range(6, 10)
