@@ -11,6 +11,7 @@ import pytest
 from tests.cli.test_schemas import validator
 from tests.commands import CASES, Said, vstatics
 from vstatics import load, solve
+from vstatics.cli import disk_room
 
 BELAZ = CASES / "belaz7516.yaml"
 
@@ -178,6 +179,16 @@ def test_too_many_are_told_with_what_helps() -> None:
     done = said(BELAZ, "--elements", "auto", "--engaged", "13", "--at-most", "100000000")
     assert done.status == 2
     assert "text is for 200000 rows at most, not for 10400600" in done.err
+
+
+def test_what_has_no_room_is_refused_before_it_begins(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(disk_room, "free_room", lambda _: 1000)
+    done = said(BELAZ, "-f", "jsonl", "-o", tmp_path / "found.jsonl")
+    assert done.status == 1
+    assert "but 1 kB are free there: expected --engaged or --elements" in done.err
+    assert not list(tmp_path.iterdir())
 
 
 def test_nothing_to_choose_from() -> None:

@@ -13,7 +13,7 @@ from jsonschema import Draft202012Validator
 
 from tests.commands import vstatics
 from vstatics import load, solve
-from vstatics.cli import synth_structures
+from vstatics.cli import disk_room, synth_structures
 from vstatics.cli.synth_schemas import structures_schema
 from vstatics.jobs.files import STDOUT
 
@@ -98,7 +98,7 @@ def test_a_dry_run_tells_how_many_how_large_how_long() -> None:
 
 def test_what_has_no_room_is_refused_before_it_begins(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(synth_structures, "QUICK", 1)
-    monkeypatch.setattr(synth_structures, "_free", lambda _: 1000)
+    monkeypatch.setattr(disk_room, "free_room", lambda _: 1000)
     said = vstatics("synth", "structures", "--sets", 2, "-o", "two.jsonl")
     assert said.status == 1
     assert said.err.startswith(

@@ -3,21 +3,19 @@
 from __future__ import annotations
 
 import math
-import os
 from collections.abc import Iterator
-from shutil import disk_usage
 
 import click
 
 from vstatics.cli import files, texts
 from vstatics.cli.amounts import duration_text, size_text
 from vstatics.cli.cases import CalculatedCase
+from vstatics.cli.disk_room import check_room as check_disk_room
 from vstatics.cli.formats import Destination
 from vstatics.cli.progress import Advance, progress
 from vstatics.cli.telling import Telling
 from vstatics.cli.torsion_case import file_name
-from vstatics.errors import ReadError, listed, of_file
-from vstatics.jobs.files import is_stream
+from vstatics.errors import listed
 from vstatics.synthesis.combination_grids import combination_grids
 from vstatics.synthesis.combination_search import CombinationSearch, count_text
 from vstatics.synthesis.engaged_kinds import EngagedKind
@@ -43,16 +41,7 @@ def check_room(search: CombinationSearch, to: Destination) -> None:
             message = f"{to.form} is for {MOST_ROWS} rows at most, not for {search.count}"
             raise click.UsageError(f"{message}: expected -f json or jsonl")
         return
-    if to.output is None or is_stream(to.output):
-        return
-    size = _length(search) * search.count
-    try:
-        free = disk_usage(os.path.dirname(to.output) or os.curdir).free  # noqa: PTH120
-    except OSError:
-        return  # it is told when the output is to be written
-    if size > free:
-        message = f"would have about {size_text(size)}, but {size_text(free)} are free there"
-        raise ReadError([of_file(to.output, f"{message}: see --engaged and --elements")])
+    check_disk_room(_length(search) * search.count, to.output, "--engaged or --elements")
 
 
 def _length(search: CombinationSearch) -> float:

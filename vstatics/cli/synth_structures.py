@@ -2,19 +2,16 @@
 
 from __future__ import annotations
 
-import contextlib
-import os
-import stat
-import sys
 from typing import get_args
 
 import click
 
 from vstatics.cli import files
 from vstatics.cli.amounts import about, duration_text, size_text
+from vstatics.cli.disk_room import check_room
 from vstatics.cli.progress import progress
-from vstatics.errors import Problem, ReadError, of_file, quoted, typed_number
-from vstatics.jobs.files import STDOUT, is_stream
+from vstatics.errors import Problem, quoted, typed_number
+from vstatics.jobs.files import is_stream
 from vstatics.synthesis import structures as search
 from vstatics.synthesis.structure_counts import count
 from vstatics.synthesis.structure_estimate import Estimate, estimate
@@ -146,31 +143,12 @@ def _told(asked: StructureSearch, output: str | None, *, listed: bool) -> int:
     if asked.sets <= QUICK:
         return 0
     found = estimate(asked, listed=listed)
-    free = _free(output)
-    if free is not None and found.bytes > free:
-        name = "<stdout>" if output in (None, STDOUT) else str(output)
-        message = (
-            f"would have about {size_text(found.bytes)}, but {size_text(free)} are free there: "
-            "expected --count, --classes, --links, or another disk"
-        )
-        raise ReadError([of_file(name, message)])
+    check_room(found.bytes, output, "--count, --classes, --links, or another disk")
     if found.seconds > LONG:
         size = f", {size_text(found.bytes)}" if listed else ""
         text = f"{about(found.total)} schemes{size}, in about {duration_text(found.seconds)}"
         files.show([Problem(text, severity="note")])
     return round(found.total)
-
-
-def _free(output: str | None) -> int | None:
-    """The bytes that are free where the output goes, if it goes to a file."""
-    from shutil import disk_usage
-
-    with contextlib.suppress(OSError, ValueError, AttributeError, TypeError):
-        if not is_stream(output):
-            return disk_usage(os.path.dirname(str(output)) or os.curdir).free  # noqa: PTH120
-        if output in (None, STDOUT) and stat.S_ISREG(os.fstat(sys.stdout.fileno()).st_mode):
-            return disk_usage(sys.stdout.fileno()).free
-    return None
 
 
 def _estimate_text(

@@ -1,7 +1,19 @@
 """The gearbox to be found: which schemes there are, which gears they give, with which ratios.
 
-A number of planetary sets goes in, or a case; schemes come out, combinations of shift
-elements, internal ratios. Each of them is a case again.
+A number of planetary sets goes in, schemes come out; a scheme becomes a case, whose shift
+elements are tried, and whose ratios are fitted to those that are wanted.
+
+>>> from vstatics.synthesis.fit import fit
+>>> [one.code for one in schemes(StructureSearch(sets=2, classes="order"))]
+['0-1-2-0-1-3', '0-1-2-0-3-4']
+>>> case = scheme_case(SetScheme.of_code("0-1-2-0-1-3"), 0, 3, ratios=[-2, -2.5])
+>>> for one in combinations(case):
+...     print(one.engaged, one.kind, round(one.ratio, 9))
+['T-L1'] gear -2.5
+['T-L2'] gear 15.0
+['F-L0-L3'] direct 1.0
+>>> round(fit(case, {"R": -3.0}).ratios["P2"], 9)
+-3.0
 """
 
 from __future__ import annotations
