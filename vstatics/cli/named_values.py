@@ -1,11 +1,21 @@
-"""Options that give values by names: `shaft=.03,damper=.2`."""
+"""Options that hold several values: `5,7`, or by names: `shaft=.03,damper=.2`."""
 
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 
 _ITEM = re.compile(r'\s*(?:"(?P<quoted>(?:[^"]|"")+)"\s*|(?P<name>[^",=][^,=]*))=(?P<value>[^,=]*)')
 """A name with its value; a name in double quotes may have commas in it."""
+
+
+def separated(texts: Iterable[str]) -> list[str]:
+    """The values of an option that is given several times, or holds commas.
+
+    >>> separated(["5, 7", "6"])
+    ['5', '7', '6']
+    """
+    return [one.strip() for text in texts for one in text.split(",")]
 
 
 def named_values(text: str, expected: str = "NAME=NUMBER") -> list[tuple[str, str]]:

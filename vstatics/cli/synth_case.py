@@ -9,6 +9,7 @@ import click
 from vstatics import readers
 from vstatics.cli import files
 from vstatics.cli.exit_status import DONE, FAILED
+from vstatics.cli.named_values import separated
 from vstatics.cli.synth_case_file import case_format, write_case
 from vstatics.errors import CaseError, Problem, nearest, quoted, spoken
 from vstatics.jobs.files import STDOUT, is_stream
@@ -126,7 +127,7 @@ def _ratios(scheme: SetScheme, given: Sequence[str]) -> list[float]:
     if not given:
         return [round(FIRST + STEP * number, 1) for number in range(len(names))]
     found: dict[str, float] = {}
-    words = [word.strip() for one in given for word in one.split(",")]
+    words = separated(given)
     for number, word in enumerate(words):
         name, equals, text = (one.strip() for one in word.rpartition("="))
         if not equals:

@@ -13,6 +13,7 @@ from vstatics.cli import cases as arguments
 from vstatics.cli import files, formats
 from vstatics.cli.exit_status import DONE, FAILED
 from vstatics.cli.formats import OutputOptions
+from vstatics.cli.named_values import separated
 from vstatics.cli.synth_case_file import case_format, write_case, written_case
 from vstatics.cli.telling import Telling
 from vstatics.cli.torsion_case import file_name, one_text, problems_of
@@ -22,17 +23,12 @@ if TYPE_CHECKING:
     from vstatics.synthesis.combination_search import CombinationSearch
 
 
-def _separate(asked: Iterable[str]) -> list[str]:
-    """Options that are given several times, or hold commas."""
-    return [one.strip() for text in asked for one in text.split(",")]
-
-
 def _sizes(_context: click.Context, _option: click.Parameter, asked: Sequence[str]) -> list[int]:
-    for one in _separate(asked):
+    for one in separated(asked):
         if not (one.isascii() and one.isdigit() and len(one) <= 9):
             message = f"read {quoted(one)}, expected a whole number of elements, or several: 2,3"
             raise click.BadParameter(message)
-    return list(dict.fromkeys(map(int, _separate(asked))))
+    return list(dict.fromkeys(map(int, separated(asked))))
 
 
 @click.command()
@@ -123,7 +119,7 @@ def combinations(
 
 def _chosen(names: Sequence[str], asked: Iterable[str]) -> list[str]:
     """Names of elements; a comma separates them unless it is in one of these."""
-    return [one for text in asked for one in ([text] if text in names else _separate([text]))]
+    return [one for text in asked for one in ([text] if text in names else separated([text]))]
 
 
 @contextmanager

@@ -9,6 +9,7 @@ import click
 from vstatics.cli import files
 from vstatics.cli.amounts import about, duration_text, size_text
 from vstatics.cli.disk_room import check_room
+from vstatics.cli.named_values import separated
 from vstatics.cli.progress import progress
 from vstatics.errors import Problem, quoted, typed_number
 from vstatics.jobs.files import is_stream
@@ -30,7 +31,7 @@ def _links(
     context: click.Context, parameter: click.Parameter, given: tuple[str, ...]
 ) -> tuple[int, ...]:
     """Numbers, each by itself or several with commas."""
-    words = [word.strip() for one in given for word in one.split(",")]
+    words = separated(given)
     numbers = [typed_number(word, 2 * search.MOST_SETS + 1) for word in words]
     for word, number in zip(words, numbers, strict=True):
         if number is None:
