@@ -15,10 +15,10 @@ from vstatics.cli import files, formats, simulate_samples, texts
 from vstatics.cli.cases import CalculatedCase
 from vstatics.cli.exit_status import DONE, FAILED
 from vstatics.cli.formats import Destination, OutputOptions
+from vstatics.cli.one_case import file_name, one_text
 from vstatics.cli.scenario_input import read_document
 from vstatics.cli.simulate_samples import SampleOptions, run_samples
 from vstatics.cli.telling import Telling
-from vstatics.cli.torsion_case import file_name, one_text
 from vstatics.errors import CaseError, Problem, ReadError
 from vstatics.extras import missing
 from vstatics.sweep.scenario import Document

@@ -15,10 +15,10 @@ from vstatics.cli import files
 from vstatics.cli.cases import Command
 from vstatics.cli.exit_status import DONE, FAILED, stopped_by
 from vstatics.cli.formats import Destination, OutputOptions
+from vstatics.cli.one_case import show
 from vstatics.cli.sweep_run import run, tell_reason
 from vstatics.cli.sweep_subject import read_scenario_subject, spare
 from vstatics.cli.telling import Telling
-from vstatics.cli.torsion_case import show
 from vstatics.errors import CaseError, ReadError
 from vstatics.jobs.files import is_stream
 from vstatics.jobs.stopping import StoppedError

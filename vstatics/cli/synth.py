@@ -25,4 +25,12 @@ class SynthesisCommands(LazyGroup):
 
 @click.group(cls=SynthesisCommands)
 def synth() -> None:
-    """Find a gearbox: schemes of planetary sets, gears of a case, ratios for wanted gears."""
+    """Find a gearbox: schemes of planetary sets, gears of a case, ratios for wanted gears.
+
+    \b
+    Examples:
+      vstatics synth structures --sets 3 --classes sets
+      vstatics synth case 0-1-2-0-3-1 --input L0 --output L1 -o box.yaml
+      vstatics synth combinations box.yaml --elements auto --write gears.yaml
+      vstatics synth fit box.yaml --ratios 1=3.5 --write fitted.yaml
+    """

@@ -14,9 +14,9 @@ from vstatics.cli import files, formats
 from vstatics.cli.exit_status import DONE, FAILED
 from vstatics.cli.formats import OutputOptions
 from vstatics.cli.named_values import separated
+from vstatics.cli.one_case import file_name, one_text, problems_of
 from vstatics.cli.synth_case_file import case_format, write_case, written_case
 from vstatics.cli.telling import Telling
-from vstatics.cli.torsion_case import file_name, one_text, problems_of
 from vstatics.errors import CaseError, ReadError, listed, of_file, plural, quoted
 
 if TYPE_CHECKING:

@@ -12,9 +12,9 @@ from vstatics.cli.amounts import duration_text, size_text
 from vstatics.cli.cases import CalculatedCase
 from vstatics.cli.disk_room import check_room as check_disk_room
 from vstatics.cli.formats import Destination
+from vstatics.cli.one_case import file_name
 from vstatics.cli.progress import Advance, progress
 from vstatics.cli.telling import Telling
-from vstatics.cli.torsion_case import file_name
 from vstatics.errors import listed
 from vstatics.synthesis.combination_grids import combination_grids
 from vstatics.synthesis.combination_search import CombinationSearch, count_text

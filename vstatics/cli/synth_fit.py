@@ -16,10 +16,10 @@ from vstatics.cli.cases import CalculatedCase
 from vstatics.cli.exit_status import DONE, FAILED
 from vstatics.cli.formats import Destination, OutputOptions
 from vstatics.cli.named_values import named_values
+from vstatics.cli.one_case import file_name, one_text, problems_of, tell
 from vstatics.cli.synth_case_file import case_format, write_case, written_case
 from vstatics.cli.telling import Telling
 from vstatics.cli.texts import CaseOutput, OutputForm, alone
-from vstatics.cli.torsion_case import file_name, one_text, problems_of, tell
 from vstatics.errors import CaseError, Problem, listed, of_file, quoted, spoken
 from vstatics.model.transmission import Transmission
 from vstatics.readers.named.arithmetic import calculated, expected

@@ -12,16 +12,9 @@ from vstatics.cli import cases as arguments
 from vstatics.cli import files, formats
 from vstatics.cli.exit_status import DONE, FAILED
 from vstatics.cli.formats import Destination, OutputOptions
+from vstatics.cli.one_case import one_text, problems_of, show, tell
 from vstatics.cli.telling import Telling
-from vstatics.cli.torsion_case import (
-    gear_names,
-    located,
-    needs_scipy,
-    one_text,
-    problems_of,
-    show,
-    tell,
-)
+from vstatics.cli.torsion_case import gear_names, located, needs_scipy
 from vstatics.readers.reading import Reading
 from vstatics.torsion.clutch import DumpTorque
 from vstatics.torsion.dump_document import (

@@ -16,8 +16,9 @@ from vstatics.cli.cases import gear_number
 from vstatics.cli.exit_status import DONE, FAILED
 from vstatics.cli.formats import OutputOptions
 from vstatics.cli.named_values import named_values
+from vstatics.cli.one_case import one_text, problems_of, show
 from vstatics.cli.telling import Telling
-from vstatics.cli.torsion_case import located, needs_scipy, one_text, problems_of, show
+from vstatics.cli.torsion_case import located, needs_scipy
 from vstatics.errors import CaseError, ReadError
 from vstatics.model.transmission import Gear
 from vstatics.readers.reading import Reading

@@ -9,17 +9,9 @@ from vstatics.cli import cases as arguments
 from vstatics.cli import formats
 from vstatics.cli.exit_status import DONE, FAILED
 from vstatics.cli.formats import OutputOptions
+from vstatics.cli.one_case import one_text, show, tell
 from vstatics.cli.telling import Telling
-from vstatics.cli.torsion_case import (
-    coasting,
-    gear_names,
-    link_name,
-    located,
-    needs_scipy,
-    one_text,
-    show,
-    tell,
-)
+from vstatics.cli.torsion_case import coasting, gear_names, link_name, located, needs_scipy
 
 
 @click.command()

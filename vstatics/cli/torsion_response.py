@@ -13,17 +13,9 @@ from vstatics.cli import cases as arguments
 from vstatics.cli import files, formats
 from vstatics.cli.exit_status import DONE, FAILED
 from vstatics.cli.formats import FULL, OutputOptions
+from vstatics.cli.one_case import one_text, show, tell
 from vstatics.cli.telling import Telling
-from vstatics.cli.torsion_case import (
-    coasting,
-    gear_names,
-    link_name,
-    located,
-    needs_scipy,
-    one_text,
-    show,
-    tell,
-)
+from vstatics.cli.torsion_case import coasting, gear_names, link_name, located, needs_scipy
 
 if TYPE_CHECKING:
     from vstatics.numerics.arrays import Floats

@@ -12,16 +12,9 @@ from vstatics.cli import files
 from vstatics.cli.cases import gear_number
 from vstatics.cli.exit_status import DONE, FAILED
 from vstatics.cli.formats import TABLES, Destination, TextStyle
+from vstatics.cli.one_case import file_name, problems_of, show, tell
 from vstatics.cli.telling import Telling
-from vstatics.cli.torsion_case import (
-    coasting,
-    file_name,
-    located,
-    needs_scipy,
-    problems_of,
-    show,
-    tell,
-)
+from vstatics.cli.torsion_case import coasting, located, needs_scipy
 from vstatics.errors import Problem, ReadError, of_file, spoken
 from vstatics.model.damping import damping
 from vstatics.model.transmission import Transmission
