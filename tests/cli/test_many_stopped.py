@@ -277,14 +277,16 @@ def test_a_bar_tells_rate_and_time_left(
 ) -> None:
     monkeypatch.setattr(progress, "PERIOD", 0.0)
     monkeypatch.setattr(progress, "_is_watched", lambda: True)
-    monkeypatch.setenv("COLUMNS", "100")
+    monkeypatch.setenv("COLUMNS", "80")
     monkeypatch.setenv("TTY_COMPATIBLE", "1")
     monkeypatch.setenv("FORCE_COLOR", "1")
-    with progress.progress(1000, "variants") as advance:
+    with progress.progress(10_000_000, "combinations") as advance:
         for _ in range(10):
             time.sleep(0.002)
-            advance(50)
-    assert re.search(r"500/1000.*variants.* variants/s.*0:00:0", capsys.readouterr().err)
+            advance(500_000)
+    shown = re.sub(r"\x1b\[[0-9;?]*[a-zA-Z]", "\n", capsys.readouterr().err)
+    assert re.search(r"5000000/10000000\s+combinations.*/s.*0:00:0", shown.replace("\n", ""))
+    assert max(map(len, shown.splitlines())) <= 80
 
 
 @pytest.mark.slow

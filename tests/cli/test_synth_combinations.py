@@ -74,6 +74,8 @@ def test_names_with_commas_and_strange_letters(tmp_path: Path) -> None:
     (tmp_path / "box.yaml").write_text(text, encoding="utf-8")
     found = entries(tmp_path / "box.yaml", "--elements", 'a,\\"b', "--elements", "F2")
     assert [one["engaged"] for one in found] == [['a,\\"b', "F2"]]
+    found = entries(tmp_path / "box.yaml", "--elements", 'F2,"a,\\""b"')
+    assert [one["engaged"] for one in found] == [['a,\\"b', "F2"]]
 
 
 def test_a_table_for_people(tmp_path: Path) -> None:

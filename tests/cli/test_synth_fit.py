@@ -99,6 +99,11 @@ def test_the_dry_run_says_what_gears_can_have() -> None:
     assert "What the gears can have" in said("--ratios", "2=4", "--dry-run").out
 
 
+def test_a_ratio_of_any_size_is_shown() -> None:
+    for more in ((), ("--dry-run",)):
+        assert "1e-300 " in said("--ratios", "2=1e-300", *more).out
+
+
 @pytest.mark.parametrize(
     ("options", "message"),
     [
@@ -110,10 +115,12 @@ def test_the_dry_run_says_what_gears_can_have() -> None:
         (("--ratios", "2="), "2: read ``, expected a number"),
         (("--ratios", "2=4,2=5"), "2 is given twice"),
         (("--ratios", "2=4", "--ratios", "2=5"), "2 is given twice"),
-        (("--ratios", "2=4,02=5"), "gear 2 is given twice"),
+        (("--ratios", "2=4,02=5"), "no gear `02`; did you mean `2`?; gears are 1, 2, 3, 4"),
         (("--ratios", "2=4 rpm"), "expected a number"),
         (("--ratios", ""), "expected GEAR=RATIO"),
-        (("--ratios", "2=4,9=1"), "Invalid value for --ratios: no gear '9'"),
+        (("--ratios", "2=4,9=1"), "Invalid value for --ratios: no gear `9`; gears are 1, 2, 3"),
+        (("--ratios", "7=-7"), "no gear `7`; gears are 1, 2, 3, 4, 5, 6, R1, R2"),
+        (("--ratios", "2=4", "--weights", "8=2"), "Invalid value for --weights: no gear `8`"),
         (("--ratios", "6=1.01"), "gear 6: read 1.01, but its ratio is 1 whatever"),
         (("--ratios", "R2=5.12"), "expected a ratio below 0"),
         (("--ratios", "2=4", "--bounds", "P3=-1.5:-4"), "did you mean -4:-1.5?"),

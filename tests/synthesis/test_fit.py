@@ -161,7 +161,8 @@ def test_freewheels_hold_as_they_do_in_the_case() -> None:
 @pytest.mark.parametrize(
     ("ratios", "options", "said"),
     [
-        ({"9": 2.0}, {}, "no gear '9'"),
+        ({"9": 2.0}, {}, "no gear `9`"),
+        ({"7": -7.0}, {}, "no gear `7`; gears are 1, 2, 3, 4, 5, 6, R1, R2"),
         ({"R3": 2.0}, {}, "did you mean `3`?"),
         ({"6": 1.1}, {}, "its ratio is 1 whatever the ratios of the mechanisms are"),
         ({"2": -4.0}, {}, "within the bounds its ratio is 2 to 15: expected a ratio above 0"),
@@ -170,7 +171,7 @@ def test_freewheels_hold_as_they_do_in_the_case() -> None:
         ({}, {}, "expected a ratio for one gear at least"),
         ({"2": 4.0}, {"weights": {"1": 2.0}}, "gear 1: no ratio is wanted of it"),
         ({"2": 4.0}, {"weights": {"2": 0.0}}, "read 0, expected a weight above 0"),
-        ({"2": 4.0}, {"weights": {"x": 1.0}}, "no gear 'x'"),
+        ({"2": 4.0}, {"weights": {"x": 1.0}}, "no gear `x`"),
         ({"2": 4.0}, {"tolerance": 0.0}, "expected a number above 0"),
         ({"2": 4.0}, {"tolerance": math.nan}, "read nan, expected a number above 0"),
         ({"2": 4.0}, {"bounds": {"P9": (-4, -2)}}, "no mechanism `P9`"),

@@ -19,6 +19,8 @@ Advance = Callable[[int], None]
 
 PERIOD = 0.1
 """So often the bar is drawn anew [s]."""
+WIDTH = 24
+"""Columns of the bar itself: with eight digits of each number the line fits 80."""
 
 
 @contextmanager
@@ -86,14 +88,14 @@ def _bar(unit: str) -> Progress:
     from vstatics.cli.console import SafeConsole
 
     class Rate(parts.ProgressColumn):
-        """Units a second."""
+        """How many a second; of what, stands before it."""
 
         def render(self, task: parts.Task) -> Text:
             speed = task.finished_speed or task.speed
-            return Text(f"{speed:.3g} {unit}/s" if speed else "")
+            return Text(f"{speed:.3g}/s" if speed else "")
 
     return parts.Progress(
-        parts.BarColumn(),
+        parts.BarColumn(WIDTH),
         parts.MofNCompleteColumn(),
         parts.TextColumn(unit),
         Rate(),

@@ -45,7 +45,8 @@ def _sizes(_context: click.Context, _option: click.Parameter, asked: Sequence[st
     "--elements",
     multiple=True,
     metavar="auto|NAME,...",
-    help="auto: all clutches and brakes that the scheme may have; else these of the case only.",
+    help="auto: all clutches and brakes that the scheme may have; else these of the case only, "
+    "a name with commas in double quotes.",
 )
 @click.option(
     "--at-most",
@@ -118,7 +119,7 @@ def combinations(
 
 
 def _chosen(names: Sequence[str], asked: Iterable[str]) -> list[str]:
-    """Names of elements; a comma separates them unless it is in one of these."""
+    """Names of elements; a comma separates them unless it is in quotes, or all is one name."""
     return [one for text in asked for one in ([text] if text in names else separated([text]))]
 
 

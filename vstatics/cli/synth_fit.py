@@ -44,8 +44,8 @@ Value = TypeVar("Value")
     multiple=True,
     required=True,
     metavar="GEAR=I,...",
-    help="What gears should have, such as 1=4.7,2=3.13,R=-3.3; a name with commas in double "
-    "quotes; may be given several times.",
+    help="What gears should have, by their names, such as 1=4.7,2=3.13,R=-3.3; a name with commas "
+    "in double quotes; may be given several times.",
 )
 @click.option(
     "--bounds",

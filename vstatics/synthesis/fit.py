@@ -73,12 +73,12 @@ def fit(
     case : Transmission
         What its mechanisms have does not matter, but for their signs and where there is a choice.
     ratios : mapping of str to float
-        By gear: what it should have. [-]
+        By the name of a gear, never by its number: what it should have. [-]
     bounds : mapping of str to (float, float)
         By mechanism, or `all`: least and largest ratio. Without, one keeps its sign, and its size
         is up to 14, where it has moving links on the same side of 1. [-]
     weights : mapping of str to float
-        By gear; 1 when not given. [-]
+        By the name of a gear; 1 when not given. [-]
     tolerance : float
         The largest ``|ln(i/target)|`` of a gear that is met. [-]
 

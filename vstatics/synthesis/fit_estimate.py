@@ -9,11 +9,12 @@ from typing import Any
 
 import numpy as np
 
+from vstatics.synthesis.fit_grids import number
 from vstatics.synthesis.fit_problem import FitProblem
 from vstatics.synthesis.fit_space import FitPoints, FitSpace, fit_space
 from vstatics.synthesis.fit_starts import start_count
 from vstatics.synthesis.least_squares import STEPS
-from vstatics.tables.grid import Column, Grid, Row, exact, text
+from vstatics.tables.grid import Column, Grid, Row, text
 from vstatics.writers.plain_json import plain_data
 
 
@@ -60,11 +61,11 @@ def dry_grids(problem: FitProblem) -> Iterator[Grid]:
     """The same as tables."""
     known = dry_document(problem)
     mechanisms: list[Row] = [
-        [name, exact(one["from"], 4), exact(one["to"], 4)] for name, one in known["varied"].items()
+        [name, number(one["from"]), number(one["to"])] for name, one in known["varied"].items()
     ]
     yield Grid("Varied", [text("mechanism"), Column("from"), Column("to")], mechanisms)
     gears: list[Row] = [
-        [name, *(exact(one[key], 4) for key in ("wanted", "from", "to"))]
+        [name, *(number(one[key]) for key in ("wanted", "from", "to"))]
         for name, one in known["gears"].items()
     ]
     columns = [text("gear"), *map(Column, ("wanted", "from", "to"))]

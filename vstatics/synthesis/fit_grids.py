@@ -6,10 +6,12 @@ from collections.abc import Iterator
 
 from vstatics.synthesis.fit import Fit, deviation
 from vstatics.synthesis.fit_problem import FitProblem
-from vstatics.tables.grid import Column, Grid, Row, exact, text, whole
+from vstatics.tables.grid import Cell, Column, Grid, Row, exact, text, whole
 
 ROUNDED = 9
 """Digits of a deviation; what is below them is rounding."""
+TINY = 1e-4
+"""A smaller ratio is told with a power of ten."""
 
 
 def fit_grids(found: Fit) -> Iterator[Grid]:
@@ -30,12 +32,23 @@ def fit_grids(found: Fit) -> Iterator[Grid]:
         yield _solutions(found)
 
 
+def number(value: float | None) -> Cell:
+    """A ratio as somebody gave it, which may be of any size, as a cell.
+
+    >>> number(-4.7).text, number(0.00125).text, number(1e-300).text, number(None).text
+    ('-4.7000', '.001250', '1e-300', '-')
+    """
+    if value is None or not 0 < abs(value) < TINY:
+        return exact(value, 4)
+    return Cell(f"{value:.4g}", value, kind=float)
+
+
 def _gears(found: Fit) -> Grid:
     problem = found.problem
     rows: list[Row] = []
     for index, gear in enumerate(problem.own.case.gears):
         ratio, target = found.gears[gear.name], problem.targets.get(index)
-        row: Row = [gear.name, exact(target, 4), exact(ratio, 4)]
+        row: Row = [gear.name, number(target), exact(ratio, 4)]
         if target is None:
             row += [exact(None), ""]
         else:
@@ -52,7 +65,7 @@ def _mechanisms(found: Fit) -> Grid:
     rows: list[Row] = []
     for index, (name, ratio) in enumerate(found.ratios.items()):
         low, high = problem.bounds.low[index], problem.bounds.high[index]
-        numbers = (exact(one, 4) for one in (ratio, low, high))
+        numbers = (number(one) for one in (ratio, low, high))
         rows.append([name, *numbers, mechanism_note(problem, index, ratio, found)])
     columns = [text("mechanism"), *map(Column, ("ratio", "from", "to")), text("note")]
     return Grid("Mechanisms", columns, rows)

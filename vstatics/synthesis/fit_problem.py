@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.errors import CaseError, Problem, plural
+from vstatics.errors import CaseError, Problem, listed, nearest, plural, quoted
 from vstatics.explain.bodies import OwnLinks, on_own_links
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Floats
@@ -137,19 +137,14 @@ def _by_gear(
     """Numbers by the index of the gear, and names that are none."""
     found: dict[int, float] = {}
     problems = []
-    unknown = 0
+    names = [gear.name for gear in case.gears]
     for name, number in given.items():
-        try:
-            index = case.gear_number(name) - 1
-        except ValueError as error:
-            problems.append(Problem(str(error), (argument, name)))
-            unknown += 1
-            continue
-        if index in found:
-            message = f"gear {case.gears[index].name} is given twice"
-            problems.append(Problem(message, (argument, name)))
-        found[index] = float(number)
-    if unknown and len(given) > len(case.gears):
+        if name in names:
+            found[names.index(name)] = float(number)
+        else:  # a number is no place here: `9=-3.3` would be any gear
+            hint = f"{nearest(name, names)}; gears are {listed(names, 12)}"
+            problems.append(Problem(f"no gear {quoted(name)}{hint}", (argument, name)))
+    if problems and len(given) > len(case.gears):
         count = len(case.gears)
         message = f"{len(given)} are wanted, and the case has {count} {plural('gear', count)}"
         problems.append(Problem(message, (argument,)))
