@@ -25,6 +25,7 @@ from tests.statics.batches import (
     ARRAYS,
     KINDS,
     LOSSES,
+    alike,
     chain,
     disagreements,
     efficiencies,
@@ -218,8 +219,8 @@ def test_calls_in_any_order_give_the_same() -> None:
             single = solve(own)
             results = solve(case, ratios=u, efficiencies=eta)
             for name in ARRAYS:
-                assert same(getattr(results, name), getattr(expected[number], name))
-                assert same(getattr(single, name), getattr(expected[number], name)[variant])
+                assert alike(getattr(results, name), getattr(expected[number], name))
+                assert alike(getattr(single, name), getattr(expected[number], name)[variant])
 
 
 @pytest.mark.slow
@@ -325,7 +326,7 @@ def test_threads_may_solve_at_the_same_time(monkeypatch: pytest.MonkeyPatch) -> 
                 wrong.extend(
                     name
                     for name in ARRAYS
-                    if not same(getattr(results, name), getattr(expected[number], name)[order])
+                    if not alike(getattr(results, name), getattr(expected[number], name)[order])
                 )
         except Exception as error:  # noqa: BLE001 any failure is told below
             wrong.append(repr(error))

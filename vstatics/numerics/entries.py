@@ -17,7 +17,15 @@ from typing import NamedTuple
 
 from vstatics.numerics.signed import Signed, value_of
 from vstatics.numerics.tape import Untraceable
-from vstatics.numerics.tolerances import LEAST, PIVOT, REAL, SIGNED_LEAST, ZERO
+from vstatics.numerics.tolerances import (
+    LEAST,
+    PIVOT,
+    REAL,
+    SIGNED_LEAST,
+    SIGNED_PIVOT,
+    SIGNED_SAME,
+    ZERO,
+)
 from vstatics.numerics.traced import (
     Number,
     Traced,
@@ -186,7 +194,10 @@ def _signed_less(entry: Entry, factor: Entry, term: Entry) -> Entry:
     one, other = of_any_sign(value), -of_any_sign(product)
     larger = max(abs(value_of(one)), abs(value_of(other)))
     if left == 0:
-        guard_equal(one, -other, 2 * ZERO * size / larger)  # sizes of others may be larger
+        if abs(value_of(one) + value_of(other)) > SIGNED_SAME * larger:
+            raise Untraceable
+        # sizes of others may be larger
+        guard_equal(one, -other, min(1.5 * ZERO * size / larger, SIGNED_SAME))
         return 0.0, size
     part = abs(left) / larger
     if part <= 2 * REAL:
@@ -194,9 +205,9 @@ def _signed_less(entry: Entry, factor: Entry, term: Entry) -> Entry:
     return watched(one, other, max(min(SIGNED_LEAST, part / 16), 1.5 * REAL)), size
 
 
-def _any(pivot: Number, other: Number) -> bool:  # noqa: ARG001
-    """By the structure alone: sums are watched, so that no order of pivots spoils them."""
-    return True
+def _signed_enough(pivot: Number, other: Number) -> bool:
+    """For ordinary ratios the structure alone decides, so that all such plans are alike."""
+    return abs(value_of(of_any_sign(pivot))) >= SIGNED_PIVOT * abs(value_of(of_any_sign(other)))
 
 
-SIGNED = Arithmetic(_signed_entry, _signed_quotient, _signed_less, _any)
+SIGNED = Arithmetic(_signed_entry, _signed_quotient, _signed_less, _signed_enough)

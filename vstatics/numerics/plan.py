@@ -151,12 +151,10 @@ def plan_of_any_sign(function: Function, inputs: Inputs, place: int) -> Plan:
 def _wide(own: Range) -> Range:
     """Bounds of numbers, and some room."""
     low, high = own
-    less, more = 1 / SIGNED_WIDENING, SIGNED_WIDENING
-    most = 1 / LEAST_INPUT
-    return Range(
-        max(low * (more if low < 0 else less), -most),
-        min(high * (more if high > 0 else less), most),
-    )
+    less, more, most = 1 / SIGNED_WIDENING, SIGNED_WIDENING, 1 / LEAST_INPUT
+    low = max(low * more, -most) if low < 0 else max(low * less, LEAST_INPUT)
+    high = min(high * more, most) if high > 0 else min(high * less, -LEAST_INPUT)
+    return Range(low, high)
 
 
 def _bounds(value: float, values: Floats, own: Range, widening: float) -> Range:

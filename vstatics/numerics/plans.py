@@ -68,11 +68,12 @@ class Plans:
     def run(self, inputs: Inputs, rows: Rows) -> None:
         """Calculate all variants, into a row for each result."""
         total = inputs.values.shape[1]
-        if total == 1 and any(one.run_one(inputs, rows) for one in self.plans):
+        mine = [plan for plan in self.plans if not plan.signed or total > 1]
+        if total == 1 and any(plan.run_one(inputs, rows) for plan in mine):
             return
         self.calls += 1
         left = np.arange(total)
-        for plan in self.plans:
+        for plan in mine:
             plan.served = 0
             if left.size and self._promises(plan, inputs, rows, left):
                 left = self._run(plan, inputs, rows, left)
@@ -83,12 +84,13 @@ class Plans:
 
     def _with_new_plans(self, inputs: Inputs, rows: Rows, left: Integers) -> Integers:
         """Make plans for variants that are left as long as that is worth it; who is left then."""
-        trials = TRIALS
+        trials, total = TRIALS, inputs.values.shape[1]
         while trials and len(self.plans) < MOST and self._worth(left.size, inputs):
             place = (TRIALS - trials) * left.size // TRIALS  # neighbours are special together
             before, variant = left, left[place]
             with contextlib.suppress(Untraceable):
-                plan = self._new(prepared(inputs.values[:, left]), place)
+                alike = before.size == total and not any(plan.signed for plan in self.plans)
+                plan = self._new(prepared(inputs.values[:, left]), place, alike=alike)
                 left = self._run(plan, inputs, rows, left)
             served = before.size - left.size
             if variant in left:  # it does not even stand for itself
@@ -97,14 +99,15 @@ class Plans:
                 left = left[left != variant]
             elif served > FEW or before.size <= FEW:
                 self.plans = (*self.plans, plan)
-            if served <= FEW < inputs.values.shape[1]:
+            if served <= FEW < total:
                 self.few += FEW
             trials = TRIALS if served >= WORTH else trials - 1
         return left
 
-    def _new(self, inputs: Inputs, place: int) -> Plan:
-        """The plan of a variant: of its sign if it is the first one and all variants have that."""
-        if self.plans or any(low < 0 < high for low, high in inputs.ranges):
+    def _new(self, inputs: Inputs, place: int, *, alike: bool) -> Plan:
+        """The plan of a variant: of its sign, where that may serve all or there is but one."""
+        alike &= all(low >= 0 or high <= 0 for low, high in inputs.ranges)
+        if inputs.values.shape[1] > 1 and not alike:
             with contextlib.suppress(Untraceable):
                 return plan_of_any_sign(self.function, inputs, place)
         widening = WIDENING[min(len(self.plans), len(WIDENING) - 1)]

@@ -19,8 +19,12 @@ LEAST = 1 / 64
 sixteenth of the part that the first variant has, but more than `REAL`."""
 SIGNED_LEAST = 2.0**-15
 """Signed: the same; so rounding grows by this factor at most where terms cancel."""
+SIGNED_SAME = 2.0**-36
+"""Signed: what leaves more than this part is not zero for certain, whatever its size."""
 PIVOT = 0.1
 """A pivot is at least this part of the largest entry in its row: so rows can't grow."""
+SIGNED_PIVOT = 1 / 256
+"""Signed: the same, in the first variant; other sums are watched besides."""
 
 # a gear
 TIE = 1e-9
