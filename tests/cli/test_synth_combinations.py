@@ -152,6 +152,18 @@ def test_how_many_how_large_how_long() -> None:
     assert said(BELAZ, "--dry-run").out.splitlines()[0] == "elements      6: F1, F2, T1, T2, T3, T4"
 
 
+def test_an_estimate_as_json(tmp_path: Path) -> None:
+    """C(208, 2) combinations, as text tells."""
+    file = tmp_path / "estimate.json"
+    asked = (CASES / "driveline-8hp70.yaml", "--elements", "auto", "--engaged", "2", "--dry-run")
+    assert said(*asked, "-o", file).out == ""
+    known = json.loads(file.read_text("utf-8"))
+    assert [*validator("combinations").iter_errors(known)] == []
+    assert list(known) == ["elements", "engaged", "count", "bytes", "seconds"]
+    assert (len(known["elements"]), known["engaged"], known["count"]) == (208, [2], 21528)
+    assert said(BELAZ, "--dry-run", "-f", "jsonl").out.count("\n") == 1
+
+
 WRONG = {
     ("--engaged", "7"): "read 7 engaged elements, expected 0 to 6",
     ("--engaged", "two"): "read `two`, expected a whole number of elements",

@@ -95,7 +95,7 @@ def combinations(
     """
     to = one_text(wanted, [case])
     form = None if target is None else case_format(target, [case], to.output)
-    from vstatics.cli.synth_combinations_output import check_room, estimate, show
+    from vstatics.cli.synth_combinations_output import check_room, show, show_estimate
     from vstatics.synthesis.combination_search import CombinationSearch
     from vstatics.synthesis.element_choice import AUTO, chosen_elements
 
@@ -109,7 +109,7 @@ def combinations(
     with problems_of(reading), _hint("see --dry-run, --engaged, --elements and --at-most"):
         search.check(None if dry_run else at_most)
     if dry_run:
-        files.write_output(estimate(search), None)
+        show_estimate(search, case, to)
         return FAILED if telling.fails(reading.warnings) else DONE
     check_room(search, to)
     _told_freewheels(search, telling)

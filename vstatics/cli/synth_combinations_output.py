@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
 
 import click
 
-from vstatics.cli import files, texts
+from vstatics.cli import files, one_case, texts
 from vstatics.cli.amounts import duration_text, size_text
 from vstatics.cli.cases import CalculatedCase
 from vstatics.cli.disk_room import check_room as check_disk_room
@@ -20,6 +21,10 @@ from vstatics.synthesis.combination_grids import combination_grids
 from vstatics.synthesis.combination_search import CombinationSearch, count_text
 from vstatics.synthesis.engaged_kinds import EngagedKind
 from vstatics.synthesis.engaged_sets import EngagedSets
+from vstatics.tables.grid import Grid
+from vstatics.tables.grid import text as words
+from vstatics.writers import plain_json
+from vstatics.writers.plain_json import plain_data
 
 STREAMED = ("json", "jsonl")
 """Formats that are written as they are found."""
@@ -50,16 +55,49 @@ def _length(search: CombinationSearch) -> float:
     return sum(len(line.encode()) + 3 for line in lines) / len(lines)
 
 
-def estimate(search: CombinationSearch) -> str:
+class CombinationEstimate(NamedTuple):
+    """What is known before any combination is tried."""
+
+    elements: Sequence[str]
+    """Names of those to choose from."""
+    engaged: Sequence[int]
+    total: float
+    """Of combinations; `count` in JSON."""
+    bytes: float
+    """About so many of JSON."""
+    seconds: float
+
+
+def estimate(search: CombinationSearch) -> CombinationEstimate:
     """How many combinations, how large, about how long."""
-    lines = {
-        "elements": f"{search.choice}: {listed([one.name for one in search.elements])}",
-        "engaged": ", ".join(map(str, search.sizes)),
-        "combinations": count_text(search.count),
-        "size": f"about {size_text(_length(search) * search.count)} of JSON",
-        "time": f"about {duration_text(search.seconds())}",
+    names = [one.name for one in search.elements]
+    size = _length(search) * search.count
+    return CombinationEstimate(names, search.sizes, search.count, size, search.seconds())
+
+
+def show_estimate(search: CombinationSearch, case: str, to: Destination) -> None:
+    """Write it: lines as text, an object as JSON, else a table."""
+    known = estimate(search)
+    if to.form in STREAMED:
+        size = round(known.bytes) if math.isfinite(known.bytes) else math.inf
+        parts = {"elements": known.elements, "engaged": known.engaged, "count": known.total}
+        made = plain_data(parts | {"bytes": size, "seconds": known.seconds})
+        text = plain_json.line(made) if to.form == "jsonl" else f"{plain_json.text(made)}\n"
+        files.write_output(text, to.output)
+        return
+    rows = {
+        "elements": f"{search.choice}: {listed(known.elements)}",
+        "engaged": ", ".join(map(str, known.engaged)),
+        "combinations": count_text(known.total),
+        "size": f"about {size_text(known.bytes)} of JSON",
+        "time": f"about {duration_text(known.seconds)}",
     }
-    return "".join(f"{name:12}  {value}\n" for name, value in lines.items())
+    if to.form == "text":
+        lines = [f"{name:12}  {value}\n" for name, value in rows.items()]
+        files.write_output("".join(lines), to.output)
+        return
+    grid = Grid("Estimate", [words(""), words("")], [[*row] for row in rows.items()])
+    one_case.show(case, to, search.case.name, lambda: [grid], dict)
 
 
 def show(search: CombinationSearch, case: str, to: Destination, telling: Telling) -> None:
@@ -99,8 +137,6 @@ def _json(search: CombinationSearch, advance: Advance, *, as_lines: bool) -> Ite
 
 def _lines(found: EngagedSets) -> Iterator[str]:
     """Combinations as JSON, an object each."""
-    from vstatics.writers import plain_json
-
     names = [plain_json.line(element.name).rstrip() for element in found.elements]
     kinds = [f'"kind": "{kind.word}"' for kind in EngagedKind]
     columns = (found.members, found.kinds, found.ratios, found.free)

@@ -6,7 +6,7 @@ from vstatics.synthesis.engaged_kinds import EngagedKind
 from vstatics.synthesis.engaged_sets import EngagedSet
 from vstatics.synthesis.fit_document import fit_schema
 from vstatics.synthesis.found_schemes import FoundScheme
-from vstatics.writers.record_schema import Schema, list_of, record, schema_of
+from vstatics.writers.record_schema import NUMBER, TEXT, Schema, list_of, record, schema_of
 
 
 def json_schemas() -> dict[str, Schema]:
@@ -33,13 +33,14 @@ def structures_schema() -> Schema:
 
 
 def combinations_schema() -> Schema:
-    """The schema of ``vstatics synth combinations -f json``."""
+    """The schema of ``vstatics synth combinations -f json``: all of them, or an estimate."""
     kinds: Schema = {"enum": [kind.word for kind in EngagedKind]}
-    return _schema(
-        "combinations",
-        "Combinations of shift elements, of vstatics synth combinations",
-        record({"combinations": list_of(schema_of(EngagedSet, kind=kinds))}),
-    )
+    found = record({"combinations": list_of(schema_of(EngagedSet, kind=kinds))})
+    names, sizes = list_of(TEXT), list_of({"type": "integer", "minimum": 0})
+    numbers = dict.fromkeys(("count", "bytes", "seconds"), NUMBER)
+    about = record({"elements": names, "engaged": sizes, **numbers})
+    title = "Combinations of shift elements, of vstatics synth combinations"
+    return _schema("combinations", title, {"anyOf": [found, about]})
 
 
 def _schema(name: str, title: str, document: Schema) -> Schema:
