@@ -11,10 +11,8 @@ from __future__ import annotations
 
 import math
 
+from vstatics.numerics.intervals import Interval, bounds_of_product, bounds_of_quotient, is_below
 from vstatics.numerics.tape import HUGE, NEGATIONS, Operand, Plain, Tape, Untraceable, ordered
-
-SURE = 1e-9
-"""Bounds settle a comparison only beyond this part of them, their own rounding."""
 
 
 class Signed:
@@ -172,7 +170,7 @@ def value_of(number: Either) -> float:
     return number.value if isinstance(number, Signed) else number
 
 
-def bounds_of(number: Either) -> tuple[float, float]:
+def bounds_of(number: Either) -> Interval:
     """The bounds of a number in all variants."""
     return (number.low, number.high) if isinstance(number, Signed) else (number, number)
 
@@ -223,10 +221,6 @@ def _made(  # noqa: PLR0913, PLR0917
     return made
 
 
-def _interval(ends: list[float]) -> tuple[float, float]:
-    return (-math.inf, math.inf) if any(end != end for end in ends) else (min(ends), max(ends))  # noqa: PLR0124
-
-
 def _product(one: Signed, other: Either) -> Either:
     if is_nothing(other):
         return other
@@ -234,7 +228,7 @@ def _product(one: Signed, other: Either) -> Either:
         return one if other > 0 else -one
     (a, a_negated), (b, b_negated) = _operand(one), _operand(other)
     slot = one.tape.note("multiply", *ordered(a, b))
-    bounds = _interval([x * y for x in bounds_of(one) for y in bounds_of(other)])
+    bounds = bounds_of_product(bounds_of(one), bounds_of(other))
     value = one.value * value_of(other)
     return _made(one.tape, slot, a_negated != b_negated, value, *bounds)
 
@@ -250,10 +244,7 @@ def _quotient(tape: Tape, one: Either, other: Either) -> Either:
     if a == b:
         return -1.0 if a_negated != b_negated else 1.0
     slot = tape.note("divide", a, b)
-    low, high = bounds_of(other)
-    bounds = -math.inf, math.inf
-    if low > 0 or high < 0:
-        bounds = _interval([x / y for x in bounds_of(one) for y in (low, high)])
+    bounds = bounds_of_quotient(bounds_of(one), bounds_of(other))
     value = value_of(one) / value_of(other)
     return _made(tape, slot, a_negated != b_negated, value, *bounds)
 
@@ -279,18 +270,19 @@ def _total(one: Signed, other: Either) -> Either:
 
 def _compared(tape: Tape, name: str, one: Either, other: Either) -> Condition:
     """A comparison that bounds settle, or that differs between variants."""
-    (a, b), (c, d) = bounds_of(one), bounds_of(other)
-    if a != a or c != c or math.inf in (a, -d):  # noqa: PLR0124 - NaN
+    if is_nan(one) or is_nan(other):
         return False
-    if math.inf in (-b, c):
-        return True
-    if b + SURE * abs(b) < c - SURE * abs(c) or (b < c and 0 in (b, c)):
-        return True
-    if a - SURE * abs(a) > d + SURE * abs(d) or (a > d and 0 in (a, d)):
-        return False
+    below = is_below(bounds_of(one), bounds_of(other))
+    if below is not None:
+        return below
     if _operand(one) == _operand(other):
         return name == "less_equal"
     return Truth(tape, name, one, other)
+
+
+def is_nan(number: Either) -> bool:
+    """Whether there is no number."""
+    return not isinstance(number, Signed) and math.isnan(number)
 
 
 def _equal(one: Signed, other: object) -> bool:
