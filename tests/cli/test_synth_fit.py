@@ -11,6 +11,8 @@ import pytest
 from tests.cli.test_schemas import validator
 from tests.commands import CASES, Said, vstatics
 from vstatics import load, solve
+from vstatics.cli.convert import write
+from vstatics.explain.bodies import on_own_links
 
 BELAZ = CASES / "belaz7516.yaml"
 GOLDEN = ("--ratios", "2=4.00,4=2.01,R2=-5.12,5=1.4925")
@@ -75,9 +77,29 @@ def test_shared_planets_are_written_as_mechanisms(tmp_path: Path) -> None:
     file = tmp_path / "fitted.yaml"
     wanted = "1=4.17,2=2.34,3=1.52,4=1.14,5=0.87,6=0.69,R=-3.40"
     answer = said("--ratios", wanted, "--write", str(file), case=CASES / "ford-6r80.yaml")
-    assert (answer.status, answer.err) == (0, "")
+    left_out = "planet speeds of rear.small_sun-ring: with these ratios no planet ratio is known"
+    assert (answer.status, answer.err) == (0, f"{file}: left out: {left_out}\n")
     targets = [float(one.partition("=")[2]) for one in wanted.split(",")]
     assert solve(load(file)).ratio.tolist() == pytest.approx(targets, rel=5e-3)
+
+
+def test_planet_ratios_that_are_left_out_are_told(tmp_path: Path) -> None:
+    """That of P1 stays with its ratio; P2 has -1.4, not (K + 1)/2 as a plain set; P3 just that."""
+    file, fitted = tmp_path / "box.yaml", tmp_path / "fitted.yaml"
+    case = on_own_links(load(BELAZ)).case
+    given = {"P1": -0.7, "P2": -1.4, "P3": -1.0}
+    mechanisms = [one._replace(planet_ratio=given.get(one.name)) for one in case.mechanisms]
+    file.write_text(write(case.replace(mechanisms=mechanisms), "yaml")[0], encoding="utf-8")
+    bounds = ("--bounds", "P4=1.5:4")
+    wanted = ("--ratios", "2=4.2,4=2.1,R2=12", *bounds, "--write", str(fitted))
+    answer = said(*wanted, case=file)
+    for text in (
+        "planet_ratio of P2: with these ratios planets turn as in plain sets",
+        "planet speeds of P4: with these ratios no planet ratio is known",
+    ):
+        assert f"{fitted}: left out: {text}\n" in answer.err
+    assert [one.planet_ratio for one in load(fitted).mechanisms] == [-0.7, None, None, None]
+    assert "left out" not in said(*wanted, "-q", case=file).err
 
 
 def test_what_leaves_a_choice_is_told() -> None:

@@ -30,7 +30,7 @@ from vstatics.synthesis.fit_document import fit_document
 from vstatics.synthesis.fit_estimate import dry_document, dry_grids
 from vstatics.synthesis.fit_grids import fit_grids
 from vstatics.synthesis.fit_problem import doubts, fit_problem
-from vstatics.synthesis.fitted_case import fitted_case, lost_by_fit
+from vstatics.synthesis.fitted_case import fitted_case, left_out_by_fit, lost_by_fit
 from vstatics.tables.grid import Grid
 from vstatics.writers import plain_json
 
@@ -126,18 +126,20 @@ def fit(
         return FAILED if telling.fails([*reading.warnings, *notes]) else DONE
     notes = _notes(found, file_name(case))
     tell(notes, telling, case)
-    kept = target is None or _write(own, found, target, form)
+    kept = target is None or _write(own, found, target, form, telling)
     _show(case, to, own.name, lambda: fit_grids(found), lambda: fit_document(found))
     fails = telling.fails([*reading.warnings, *notes])
     return FAILED if found.unmet or not kept or fails else DONE
 
 
-def _write(case: Transmission, found: Fit, target: str, form: str) -> bool:
+def _write(case: Transmission, found: Fit, target: str, form: str, telling: Telling) -> bool:
     """Write the case with the ratios found; whether it keeps all of the other."""
     lost = lost_by_fit(case)
     kept = write_case(fitted_case(case, found.ratios), target, form)
     for what in lost:
         files.say(f"{target}: not kept: {what}")
+    for what in () if telling.quiet else left_out_by_fit(case, found.ratios):
+        files.say(f"{target}: left out: {what}")
     return kept and not lost
 
 
