@@ -60,6 +60,7 @@ def test_json_has_the_shape_that_is_promised() -> None:
     assert found[1] == {"engaged": ["F1", "T1"], "kind": "blocked", "ratio": None, "free": False}
     lines = said(BELAZ, "-f", "jsonl").out.splitlines()
     assert list(map(json.loads, lines)) == found
+    assert [*validator("combinations").iter_errors(found[0])] == []
 
 
 def test_options_are_repeated_or_hold_commas() -> None:

@@ -33,14 +33,15 @@ def structures_schema() -> Schema:
 
 
 def combinations_schema() -> Schema:
-    """The schema of ``vstatics synth combinations -f json``: all of them, or an estimate."""
+    """The schema of ``vstatics synth combinations -f json``: all, a line, an estimate."""
     kinds: Schema = {"enum": [kind.word for kind in EngagedKind]}
-    found = record({"combinations": list_of(schema_of(EngagedSet, kind=kinds))})
+    one = schema_of(EngagedSet, kind=kinds)
+    found = record({"combinations": list_of(one)})
     names, sizes = list_of(TEXT), list_of({"type": "integer", "minimum": 0})
     numbers = dict.fromkeys(("count", "bytes", "seconds"), NUMBER)
     about = record({"elements": names, "engaged": sizes, **numbers})
     title = "Combinations of shift elements, of vstatics synth combinations"
-    return _schema("combinations", title, {"anyOf": [found, about]})
+    return _schema("combinations", title, {"anyOf": [found, one, about]})
 
 
 def _schema(name: str, title: str, document: Schema) -> Schema:
