@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
-from itertools import product
 from typing import NamedTuple
 
 import numpy as np
@@ -12,8 +12,10 @@ from vstatics.numerics.arrays import Booleans, Floats
 from vstatics.synthesis.gear_formula import GearFormula
 from vstatics.synthesis.multilinear import Polynomial, bits
 
-MOST_CORNERS = 2**12
-"""So many corners of bounds are looked at: those of 12 ratios."""
+MOST_CORNERS = 2**16
+"""So many corners of bounds are looked at: those of 16 ratios."""
+ROOM = 4_000_000
+"""So many products are calculated together."""
 
 
 class RatioArrays(NamedTuple):
@@ -51,10 +53,13 @@ class RatioArrays(NamedTuple):
         ndarray, shape (variants, gears)
             Not finite where the output stands. [-]
         """
+        pieces = -(-len(of_mechanisms) * len(self.powers) // ROOM)
         with np.errstate(all="ignore"):
-            products = self.products(of_mechanisms)
-            found: Floats = (products @ self.above) / (products @ self.below)
-        return found
+            found = [
+                (products @ self.above) / (products @ self.below)
+                for products in map(self.products, np.array_split(of_mechanisms, max(pieces, 1)))
+            ]
+        return np.concatenate(found)
 
     def sensitivities(self, of_mechanisms: Floats) -> Floats:
         """Relative sensitivities ``(u/i) di/du`` of the gears.
@@ -76,8 +81,9 @@ class RatioArrays(NamedTuple):
 
     def products(self, of_mechanisms: Floats) -> Floats:
         """The products of ratios, (variants, products)."""
-        factors = np.where(self.powers, of_mechanisms[:, np.newaxis, :], 1.0)
-        found: Floats = factors.prod(axis=-1)
+        found = np.ones((len(of_mechanisms), len(self.powers)))
+        for has_it, ratios in zip(self.powers.T, of_mechanisms.T, strict=True):
+            found *= np.where(has_it, ratios[:, np.newaxis], 1.0)
         return found
 
     def _part(self, products: Floats, factors: Floats) -> Floats:
@@ -140,13 +146,30 @@ def reach(formula: GearFormula, low: Floats, high: Floats) -> tuple[float, float
     varied = [index for index in formula.ratios if low[index] < high[index]]
     if 2 ** len(varied) > MOST_CORNERS:
         return None
-    corners = np.tile(low, (2 ** len(varied), 1))
-    corners[:, varied] = list(product(*([low[index], high[index]] for index in varied)))
-    arrays = ratio_arrays([formula], len(low))
     with np.errstate(all="ignore"):
-        products = arrays.products(corners)
-        above, below = (products @ one[:, 0] for one in (arrays.above, arrays.below))
+        above, below = (
+            _at_corners(one, varied, low, high) for one in (formula.above, formula.below)
+        )
         found = above / below
     if not np.isfinite(found).all() or not ((below > 0).all() or (below < 0).all()):
         return None
     return float(found.min()), float(found.max())
+
+
+def _at_corners(polynomial: Polynomial, varied: Sequence[int], low: Floats, high: Floats) -> Floats:
+    """A polynomial, linear in each ratio, at all corners of the bounds, (corners,).
+
+    A ratio after the other is put in: the half without it, and the half with it at each bound.
+    """
+    places = {ratio: 1 << place for place, ratio in enumerate(varied)}
+    found = np.zeros(2 ** len(varied))
+    for ratios, coefficient in polynomial.items():
+        indices = bits(ratios)
+        given = [float(low[index]) for index in indices if index not in places]
+        place = sum(places.get(index, 0) for index in indices)
+        found[place] += float(coefficient) * math.prod(given)
+    for place, ratio in enumerate(varied):
+        halves = found.reshape(-1, 2, 1 << place)
+        without, with_it = halves[:, 0], halves[:, 1]
+        found = np.stack([without + one[ratio] * with_it for one in (low, high)], axis=1).ravel()
+    return found
