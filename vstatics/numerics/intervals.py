@@ -9,7 +9,7 @@ Interval = tuple[float, float]
 
 OPEN = -math.inf, math.inf
 SURE = 1e-9
-"""Interval settle a comparison only beyond this part of them, their own rounding."""
+"""Bounds settle a comparison only beyond this part of them, their own rounding."""
 
 
 def bounds_of_product(one: Interval, other: Interval) -> Interval:
