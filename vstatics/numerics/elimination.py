@@ -10,20 +10,22 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from vstatics.numerics.entries import (
     EXACTLY_ONE,
     FLOATS,
     RIGHT,
+    TRACED,
     Arithmetic,
     Entry,
     Equation,
     Row,
-    arithmetic_of,
     row_of,
 )
+from vstatics.numerics.signed import Signed
+from vstatics.numerics.signed_entries import SIGNED
 from vstatics.numerics.traced import Number, is_traced
 
 
@@ -75,6 +77,16 @@ def solve(
     if consistent:
         values = run.values(unknowns, sums)
     return Solution(values, consistent, unknowns - len(run.pivots), len(run.left))
+
+
+def arithmetic_of(equations: Iterable[Equation]) -> Arithmetic:
+    """The arithmetic for some equations: that of the first number that is no float."""
+    for equation in equations:
+        for coefficient in equation.values():
+            for term in coefficient if isinstance(coefficient, tuple) else (coefficient,):
+                if is_traced(term):
+                    return SIGNED if isinstance(term, Signed) else TRACED
+    return FLOATS
 
 
 def in_free_unknowns(equations: Sequence[Equation], unknowns: int) -> list[dict[int, float]]:

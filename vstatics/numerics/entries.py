@@ -12,20 +12,11 @@ first variant is so for all.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Mapping, Sequence
-from typing import NamedTuple
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any, NamedTuple
 
-from vstatics.numerics.signed import Signed, value_of
 from vstatics.numerics.tape import Untraceable
-from vstatics.numerics.tolerances import (
-    LEAST,
-    PIVOT,
-    REAL,
-    SIGNED_LEAST,
-    SIGNED_PIVOT,
-    SIGNED_SAME,
-    ZERO,
-)
+from vstatics.numerics.tolerances import LEAST, PIVOT, REAL, ZERO
 from vstatics.numerics.traced import (
     Number,
     Traced,
@@ -34,13 +25,11 @@ from vstatics.numerics.traced import (
     first,
     guard_same,
     is_traced,
-    of_any_sign,
     plain,
 )
-from vstatics.numerics.watched import guard_equal, watched
 
-Entry = tuple[Number, float]
-"""A value and its size."""
+Entry = tuple[Number, Any]
+"""A value and its size, a float; of any sign see `signed_entries`."""
 Row = dict[int, Entry]
 """Column -> entry of an equation."""
 Coefficient = Number | tuple[Number, ...]
@@ -67,17 +56,6 @@ class Arithmetic(NamedTuple):
     """Whether a number is large enough as pivot beside another one."""
 
 
-def arithmetic_of(equations: Iterable[Equation]) -> Arithmetic:
-    """The arithmetic for some equations: traced, if one of their numbers is."""
-    for equation in equations:
-        for coefficient in equation.values():
-            terms = coefficient if isinstance(coefficient, tuple) else (coefficient,)
-            for term in terms:
-                if is_traced(term):
-                    return SIGNED if isinstance(term, Signed) else TRACED
-    return FLOATS
-
-
 def row_of(equation: Equation, arithmetic: Arithmetic) -> Row:
     """An equation as entries of a system.
 
@@ -100,21 +78,24 @@ def _total(terms: Sequence[Number], arithmetic: Arithmetic) -> Entry:
     return total
 
 
-_FloatEntry = tuple[float, float]
+FloatEntry = tuple[float, float]
+"""An entry of one variant."""
 
 
-def _entry(number: float) -> _FloatEntry:
+def _entry(number: float) -> FloatEntry:
     return float(number), abs(number)
 
 
-def _quotient(entry: _FloatEntry, pivot: _FloatEntry) -> _FloatEntry:
+def quotient_of_floats(entry: FloatEntry, pivot: FloatEntry) -> FloatEntry:
+    """An entry by a pivot, of one variant."""
     value, size = entry
     divisor, its_size = pivot
     ratio = value / divisor
     return ratio, (size + abs(ratio) * its_size) / abs(divisor)
 
 
-def _less(entry: _FloatEntry, factor: _FloatEntry, term: _FloatEntry) -> _FloatEntry:
+def less_of_floats(entry: FloatEntry, factor: FloatEntry, term: FloatEntry) -> FloatEntry:
+    """What `Arithmetic.less` gives for one variant."""
     value, size = entry
     a, its_size = factor
     b, last_size = term
@@ -130,8 +111,8 @@ def large_enough(pivot: Number, other: Number) -> bool:
     return bool(absolute(pivot) >= PIVOT * absolute(other))
 
 
-FLOATS = Arithmetic(_entry, _quotient, _less, large_enough)  # type: ignore[arg-type]
-"""For equations without a traced number, as `arithmetic_of` makes sure."""
+FLOATS = Arithmetic(_entry, quotient_of_floats, less_of_floats, large_enough)  # type: ignore[arg-type]
+"""For equations without a traced number, as `elimination` makes sure."""
 
 
 def _traced_entry(number: Number) -> Entry:
@@ -141,13 +122,13 @@ def _traced_entry(number: Number) -> Entry:
 def _traced_quotient(entry: Entry, pivot: Entry) -> Entry:
     if is_traced(entry[0]) or is_traced(pivot[0]):
         return entry[0] / pivot[0], UNKNOWN
-    return _quotient(entry, pivot)  # type: ignore[arg-type]
+    return quotient_of_floats(entry, pivot)  # type: ignore[arg-type]
 
 
 def _traced_less(entry: Entry, factor: Entry, term: Entry) -> Entry:
     untraced = not any(map(is_traced, (entry[0], factor[0], term[0])))
     if untraced and not math.isnan(entry[1] + factor[1] + term[1]):
-        return _less(entry, factor, term)  # type: ignore[arg-type]
+        return less_of_floats(entry, factor, term)  # type: ignore[arg-type]
     value, product = entry[0], factor[0] * term[0]
     if not all(is_traced(one) or math.isfinite(plain(one)) for one in (value, product)):
         raise Untraceable
@@ -166,48 +147,3 @@ def _traced_less(entry: Entry, factor: Entry, term: Entry) -> Entry:
 
 
 TRACED = Arithmetic(_traced_entry, _traced_quotient, _traced_less, large_enough)
-
-
-def _first(entry: Entry) -> _FloatEntry:
-    """An entry as it is in the first variant, whose sizes signed numbers carry."""
-    return value_of(of_any_sign(entry[0])), entry[1]
-
-
-def _signed_entry(number: Number) -> Entry:
-    return number, abs(value_of(of_any_sign(number)))
-
-
-def _signed_quotient(entry: Entry, pivot: Entry) -> Entry:
-    return entry[0] / pivot[0], _quotient(_first(entry), _first(pivot))[1]
-
-
-def _signed_less(entry: Entry, factor: Entry, term: Entry) -> Entry:
-    """As for the first variant; the sign of what is left decides nothing."""
-    value, product = entry[0], factor[0] * term[0]
-    left, size = _less(_first(entry), _first(factor), _first(term))
-    if not (is_traced(value) or is_traced(product)):
-        return left, size
-    if not math.isfinite(left):
-        raise Untraceable
-    if value == 0 or product == 0:
-        return value - product, size
-    one, other = of_any_sign(value), -of_any_sign(product)
-    larger = max(abs(value_of(one)), abs(value_of(other)))
-    if left == 0:
-        if abs(value_of(one) + value_of(other)) > SIGNED_SAME * larger:
-            raise Untraceable
-        # sizes of others may be larger
-        guard_equal(one, -other, min(1.5 * ZERO * size / larger, SIGNED_SAME))
-        return 0.0, size
-    part = abs(left) / larger
-    if part <= 2 * REAL:
-        raise Untraceable
-    return watched(one, other, max(min(SIGNED_LEAST, part / 16), 1.5 * REAL)), size
-
-
-def _signed_enough(pivot: Number, other: Number) -> bool:
-    """For ordinary ratios the structure alone decides, so that all such plans are alike."""
-    return abs(value_of(of_any_sign(pivot))) >= SIGNED_PIVOT * abs(value_of(of_any_sign(other)))
-
-
-SIGNED = Arithmetic(_signed_entry, _signed_quotient, _signed_less, _signed_enough)

@@ -52,15 +52,28 @@ class Rows:
             self._layout = layout
         return [self.arrays[row] for row in layout.varied]
 
-    def _fill(self, row: int, value: Any) -> None:
+    def _holds(self, row: int, value: Any) -> bool:
         known = self.holds.get(row, self)
-        if known is self or (known != value and (known == known or value == value)):  # noqa: PLR0124
+        return known is not self and (known == value or (known != known and value != value))  # noqa: PLR0124
+
+    def _fill(self, row: int, value: Any) -> None:
+        if not self._holds(row, value):
             self.arrays[row].fill(value)
             self.holds[row] = value
 
-    def alike(self, variants: int) -> Rows:
-        """Rows of the same types, for so many variants."""
-        return Rows([np.empty(variants, dtype=row.dtype) for row in self.arrays])
+    def alike(self, variants: int, layout: Layout) -> Rows:
+        """Rows of the same types, for so many variants; those that do not vary are not filled."""
+        own = Rows([np.empty(variants, dtype=row.dtype) for row in self.arrays])
+        own._layout = layout
+        return own
+
+    def put(self, places: Any, own: Rows, chosen: Any, layout: Layout) -> None:
+        """Write the chosen variants of other rows to their places among these."""
+        for row in layout.varied:
+            self.vary(row)[places] = own.arrays[row][chosen]
+        for row, value in layout.constants:
+            if not self._holds(row, value):
+                self.vary(row)[places] = value
 
     def vary(self, row: int) -> Any:
         """The array of a row, to be written to."""

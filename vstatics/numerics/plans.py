@@ -130,7 +130,7 @@ class Plans:
         some = prepared(inputs.values[:, left[:: left.size // SAMPLE + 1]])
         passed = plan.suits(some)
         if passed.mean() > HALF:
-            passed &= plan.run(some, rows.alike(int(passed.size)))
+            passed &= plan.run(some, rows.alike(int(passed.size), plan.replay.layout))
         return bool(passed.mean() > HALF)
 
     def _run(self, plan: Plan, inputs: Inputs, rows: Rows, chosen: Integers) -> Integers:
@@ -143,11 +143,10 @@ class Plans:
             passed &= plan.run(inputs, rows)
         elif count:
             suited = chosen[passed]
-            own = rows.alike(count)
+            layout = plan.replay.layout
+            own = rows.alike(count, layout)
             stands = plan.run(prepared(part.values[:, passed]), own)
-            places = suited[stands]
-            for row, values in enumerate(own.arrays):
-                rows.vary(row)[places] = values[stands]
+            rows.put(suited[stands], own, stands, layout)
             passed[passed] = stands
         left = chosen[~passed]
         plan.served = chosen.size - left.size

@@ -18,14 +18,15 @@ def watched(one: Either, other: Either, part: float) -> Either:
     return total
 
 
-def guard_equal(one: Either, other: Either, part: float) -> None:
-    """Guard that two numbers, one of them signed, differ by no more than a part."""
+def guard_equal(one: Either, other: Either, rounding: Either, part: float) -> None:
+    """Guard that two numbers, one of them signed, differ by rounding, and by a part at most."""
     if isinstance(one, Signed) and isinstance(other, Signed) and one.slot == other.slot:
         return
     tape = one.tape if isinstance(one, Signed) else other.tape  # type: ignore[union-attr]
     left = tape.note("subtract", upright(tape, one), upright(tape, other))
-    whole = size_of(_cheapest(one, other)) * part
-    tape.note("less_equal", tape.note("absolute", left, left), upright(tape, whole))
+    left = tape.note("absolute", left, left)
+    for most in (rounding, size_of(_cheapest(one, other)) * part):
+        tape.note("less_equal", left, upright(tape, most))
 
 
 def _cheapest(one: Either, other: Either) -> Either:
