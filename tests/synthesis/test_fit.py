@@ -64,6 +64,14 @@ def test_ratios_of_shipped_gears_give_them_back(file: Path) -> None:
     assert found.unmet == []
 
 
+def test_steps_are_told() -> None:
+    """A formula of each gear at least, and a step of the search."""
+    told: list[int] = []
+    fit(SERIES, {"slow": 12.0}, advance=told.append)
+    assert len(told) > len(SERIES.gears)
+    assert set(told) == {1}
+
+
 def test_sets_that_may_change_places_are_two_solutions() -> None:
     """K1 + K2 = 1 + b - a and K1 K2 = b have the solutions -2, -3 for a = 12, b = 6."""
     found = fit(SERIES, {"slow": 12.0, "back": 6.0})

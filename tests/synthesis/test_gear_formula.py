@@ -173,3 +173,11 @@ def test_a_ratio_without_bounds_has_no_reach() -> None:
     formula = GearFormula("ratio", {0: one}, {0: one, 1: one})
     assert reach(formula, np.array([-2.0]), np.array([-0.5])) is None
     assert reach(formula, np.array([-4.0]), np.array([-2.0])) == pytest.approx((-1.0, -1 / 3))
+
+
+def test_reach_of_many_sets_in_series() -> None:
+    """The product of 1 - K over 13 sets, each from 2 to 15 while K is from -14 to -1."""
+    above = {ratios: Fraction((-1) ** ratios.bit_count()) for ratios in range(2**13)}
+    formula = GearFormula("ratio", above, {0: Fraction(1)})
+    found = reach(formula, np.full(13, -14.0), np.full(13, -1.0))
+    assert found == pytest.approx((2**13, 15**13), rel=1e-12)

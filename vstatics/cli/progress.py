@@ -25,7 +25,7 @@ WIDTH = 24
 
 @contextmanager
 def progress(
-    total: int, unit: str, *, beside_stdout: bool = False, quiet: bool = False
+    total: int | None, unit: str, *, beside_stdout: bool = False, quiet: bool = False
 ) -> Iterator[Advance]:
     """Show how many of `total` are done, if stderr is a terminal; else nothing at all.
 
@@ -34,8 +34,8 @@ def progress(
 
     Parameters
     ----------
-    total : int
-        Number of units in all.
+    total : int, optional
+        Number of units in all, where it is known.
     unit : str
         What is counted, in the plural: "variants".
     beside_stdout : bool

@@ -17,6 +17,7 @@ from vstatics.cli.exit_status import DONE, FAILED
 from vstatics.cli.formats import Destination, OutputOptions
 from vstatics.cli.named_values import named_values
 from vstatics.cli.one_case import file_name, one_text, problems_of, tell
+from vstatics.cli.progress import progress
 from vstatics.cli.synth_case_file import case_format, write_case, written_case
 from vstatics.cli.telling import Telling
 from vstatics.cli.texts import CaseOutput, OutputForm, alone
@@ -116,9 +117,15 @@ def fit(
         if dry_run:
             problem = fit_problem(own, *given, tolerance)
         else:
-            found = fitting.fit(
-                own, given[0], bounds=given[1], weights=given[2], tolerance=tolerance
-            )
+            with progress(None, "steps", quiet=telling.quiet) as advance:
+                found = fitting.fit(
+                    own,
+                    given[0],
+                    bounds=given[1],
+                    weights=given[2],
+                    tolerance=tolerance,
+                    advance=advance,
+                )
     if dry_run:
         notes = _warnings(doubts(problem), file_name(case))
         tell(notes, telling, case)

@@ -14,7 +14,7 @@ from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Floats
 from vstatics.statics.solve import solve
 from vstatics.synthesis.bounds import WIDEST
-from vstatics.synthesis.fit_problem import FitProblem, doubts, fit_problem
+from vstatics.synthesis.fit_problem import Advance, FitProblem, doubts, fit_problem, untold
 from vstatics.synthesis.fit_search import found_ratios
 from vstatics.synthesis.ratio_arrays import ratio_arrays
 
@@ -55,13 +55,14 @@ class Fit(NamedTuple):
     """What else is to be known of it."""
 
 
-def fit(
+def fit(  # noqa: PLR0913 - all but the first two by name
     case: Transmission,
     ratios: Mapping[str, float],
     *,
     bounds: Mapping[str, tuple[float, float]] = _NO_BOUNDS,
     weights: Mapping[str, float] = _NONE,
     tolerance: float = TOLERANCE,
+    advance: Advance = untold,
 ) -> Fit:
     """Ratios of mechanisms with which gears have the ratios that are wanted.
 
@@ -81,6 +82,8 @@ def fit(
         By the name of a gear; 1 when not given. [-]
     tolerance : float
         The largest ``|ln(i/target)|`` of a gear that is met. [-]
+    advance : callable
+        Called with how many steps more are done, from the first formula of a gear on.
 
     Raises
     ------
@@ -95,8 +98,8 @@ def fit(
     >>> round(found.ratios["D1"], 9), found.residual < 1e-12, found.unmet
     (-3.0, True, [])
     """
-    problem = fit_problem(case, ratios, bounds, weights, tolerance)
-    found, free = found_ratios(problem)
+    problem = fit_problem(case, ratios, bounds, weights, tolerance, advance=advance)
+    found, free = found_ratios(problem, advance)
     free = [*free, *problem.unused]
     minima = [_solution(problem, one) for one in found]
     best = minima[0]

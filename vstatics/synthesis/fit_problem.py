@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from typing import NamedTuple
 
@@ -19,6 +19,13 @@ from vstatics.summary.design import is_same
 from vstatics.synthesis.bounds import Bounds, bounds_of
 from vstatics.synthesis.gear_formula import GearFormula, gear_formula
 from vstatics.synthesis.ratio_arrays import reach
+
+Advance = Callable[[int], None]
+"""Told how many steps more are done."""
+
+
+def untold(_steps: int) -> None:
+    """Tell nobody."""
 
 
 class FitProblem(NamedTuple):
@@ -67,12 +74,14 @@ class FitProblem(NamedTuple):
         return reach(formula, np.array(self.bounds.low), np.array(self.bounds.high))
 
 
-def fit_problem(
+def fit_problem(  # noqa: PLR0913 - what `fit` is given
     case: Transmission,
     ratios: Mapping[str, float],
     bounds: Mapping[str, tuple[float, float]],
     weights: Mapping[str, float],
     tolerance: float,
+    *,
+    advance: Advance = untold,
 ) -> FitProblem:
     """What is asked, by `fit`, in numbers.
 
@@ -102,7 +111,10 @@ def fit_problem(
     if limits is None or problems:
         raise CaseError(problems)
     fixed = {n: low for n, low in enumerate(limits.low) if limits.is_fixed(n)}
-    formulas = [_formula(own, index, fixed, targets) for index in range(len(case.gears))]
+    formulas = []
+    for index in range(len(case.gears)):
+        formulas.append(_formula(own, index, fixed, targets))
+        advance(1)
     made = FitProblem(own, formulas, targets, weighted, limits, tolerance)
     problems = [one for index in targets for one in _impossible(made, index)]
     if problems:

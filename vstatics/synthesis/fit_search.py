@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.numerics.arrays import Floats
-from vstatics.synthesis.fit_problem import FitProblem
+from vstatics.synthesis.fit_problem import Advance, FitProblem, untold
 from vstatics.synthesis.fit_space import FitPoints, FitSpace, fit_space
 from vstatics.synthesis.fit_starts import fit_starts
 from vstatics.synthesis.least_squares import Minima
@@ -34,7 +34,7 @@ class FoundRatios(NamedTuple):
     """The indices of mechanisms that the wanted ratios leave a choice."""
 
 
-def found_ratios(problem: FitProblem) -> FoundRatios:
+def found_ratios(problem: FitProblem, advance: Advance = untold) -> FoundRatios:
     """The ratios of all mechanisms in all minima that differ.
 
     Raises
@@ -42,7 +42,7 @@ def found_ratios(problem: FitProblem) -> FoundRatios:
     CaseError
         If nothing is found to start from.
     """
-    space = fit_space(problem)
+    space = fit_space(problem, advance)
     if not space.varied:
         return FoundRatios([problem.anchor], [])
     points = fit_starts(space)

@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.numerics.arrays import Booleans, Floats, Integers
-from vstatics.synthesis.fit_problem import FitProblem
+from vstatics.synthesis.fit_problem import Advance, FitProblem, untold
 from vstatics.synthesis.least_squares import STEPS, Minima, minimize
 from vstatics.synthesis.ratio_arrays import RatioArrays, ratio_arrays
 
@@ -43,6 +43,8 @@ class FitSpace(NamedTuple):
     """By gear [-]."""
     roots: Floats
     """Of the weights, the largest of which is 1."""
+    advance: Advance
+    """Called at every step of a search."""
 
     @property
     def own(self) -> FitPoints:
@@ -65,6 +67,7 @@ class FitSpace(NamedTuple):
 
     def quotients(self, points: FitPoints) -> Floats:
         """The ratios of gears by those that are wanted, (points, gears) [-]."""
+        self.advance(1)
         return self.arrays.ratios(self.full(points)) / self.targets
 
     def deviations(self, points: FitPoints) -> tuple[Floats, Floats]:
@@ -83,6 +86,7 @@ class FitSpace(NamedTuple):
         own = self.own.sizes
 
         def residuals(sizes: Floats, which: Integers) -> tuple[Floats, Floats]:
+            self.advance(1)
             found = self.deviations(FitPoints(starts.signs[which], sizes))
             return _anchored(*found, weight, sizes - own) if weight else found
 
@@ -96,6 +100,7 @@ class FitSpace(NamedTuple):
         """
 
         def residuals(sizes: Floats, which: Integers) -> tuple[Floats, Floats]:
+            self.advance(1)
             full = self.full(FitPoints(starts.signs[which], sizes))
             quotients = self.arrays.ratios(full) / self.targets
             size = np.hypot(quotients, 1)
@@ -107,7 +112,7 @@ class FitSpace(NamedTuple):
         return FitPoints(starts.signs, found.unknowns)
 
 
-def fit_space(problem: FitProblem) -> FitSpace:
+def fit_space(problem: FitProblem, advance: Advance = untold) -> FitSpace:
     """The space of a problem."""
     fitted = problem.fitted
     formulas = [problem.formulas[index] for index in fitted]
@@ -115,7 +120,8 @@ def fit_space(problem: FitProblem) -> FitSpace:
     targets = np.array([problem.targets[index] for index in fitted])
     weights = np.array([problem.weights.get(index, 1.0) for index in fitted])
     roots = np.sqrt(weights / weights.max(initial=0.0)) if fitted else weights
-    return FitSpace(problem, ratio_arrays(formulas, mechanisms), problem.varied, targets, roots)
+    arrays = ratio_arrays(formulas, mechanisms)
+    return FitSpace(problem, arrays, problem.varied, targets, roots, advance)
 
 
 def _anchored(values: Floats, slopes: Floats, weight: float, off: Floats) -> tuple[Floats, Floats]:
