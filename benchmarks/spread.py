@@ -1,7 +1,7 @@
 """What it costs where variants do not go alike.
 
 Ratios and efficiencies at random: ratios by up to 10 %, by up to a factor of 2, and by a
-factor of up to 4 with any sign. The wider, the more plans are made, and the more variants
+factor of up to 4 with any sign. Plans of any sign serve what does not go alike; few variants
 are calculated one by one. The time of the peer does not depend on the numbers.
 """
 

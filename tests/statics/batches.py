@@ -15,7 +15,7 @@ from tests import trains
 from tests.trains import random_train, seeded
 from vstatics import Gear, Mechanism, Results, ShiftElement, Transmission, solve
 from vstatics.numerics.arrays import Floats
-from vstatics.statics import variants
+from vstatics.statics import variants as solver
 
 Array = np.ndarray[Any, Any]
 
@@ -106,12 +106,12 @@ def with_numbers(case: Transmission, u: Floats | None, eta: Floats | None) -> Tr
 @contextmanager
 def no_plans() -> Iterator[None]:
     """Without the plans of earlier calls: a single case is then calculated with floats."""
-    kept = variants._plans
-    variants._plans = OrderedDict()
+    kept = solver._plans
+    solver._plans = OrderedDict()
     try:
         yield
     finally:
-        variants._plans = kept
+        solver._plans = kept
 
 
 def plainly(case: Transmission) -> Results:
@@ -147,8 +147,14 @@ def disagreements(
     eta: Floats | None = None,
     variants: Iterable[int] | None = None,
 ) -> list[str]:
-    """Where variants together are not what they are alone; [] is what we want."""
-    together = solve(case, ratios=u, efficiencies=eta)
+    """Where variants together are not what they are alone; [] is what we want.
+
+    To the last bit, but where a plan of any sign has served: there to rounding.
+    """
+    with no_plans():
+        together = solve(case, ratios=u, efficiencies=eta)
+        signed = any(plan.signed for own in solver._plans.values() for plan in own.plans)
+    agree = alike if signed else same
     given = next(array for array in (u, eta) if array is not None)
     found = []
     for variant in range(len(given)) if variants is None else variants:
@@ -156,7 +162,7 @@ def disagreements(
             case, None if u is None else u[variant], None if eta is None else eta[variant]
         )
         alone = plainly(own)
-        wrong = [n for n in ARRAYS if not alike(getattr(together, n)[variant], getattr(alone, n))]
+        wrong = [n for n in ARRAYS if not agree(getattr(together, n)[variant], getattr(alone, n))]
         if wrong:
             found.append(f"variant {variant}: {', '.join(wrong)} of {trains.shown(own)}")
     return found

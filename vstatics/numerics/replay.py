@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import operator
 import threading
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
@@ -37,6 +36,11 @@ def _minimum(one: Floats, other: Floats, result: Floats) -> None:
     np.minimum(one, other, out=result)
 
 
+def _of_arrays(one: float, other: float) -> float:
+    """Stands for functions of plans of any sign, which single variants do not take."""
+    raise NotImplementedError
+
+
 ARRAYS: Mapping[str, Callable[..., Any]] = {
     "absolute": _absolute,
     "choose": _choose,
@@ -45,11 +49,6 @@ ARRAYS: Mapping[str, Callable[..., Any]] = {
 """Functions of tapes that are no functions of NumPy by this name."""
 
 PLAIN: Mapping[str, Callable[..., float]] = {
-    "absolute": lambda one, _: abs(one),
-    "choose": lambda margin, yes, no: yes if margin > 0 else no,
-    "minimum": min,
-    "copysign": math.copysign,
-    "greater": operator.gt,
     "add": operator.add,
     "subtract": operator.sub,
     "multiply": operator.mul,
@@ -140,15 +139,14 @@ class Replay(NamedTuple):
                     function(cells[one], cells[other], cells[third], cells[result])
 
     def run_one(self, magnitudes: Sequence[float], rows: Rows) -> bool:
-        """Write the results of a single variant; tell whether it passes the guards.
+        """Write the results of a single variant of one sign; tell whether it passes the guards.
 
         Plain numbers take a quarter of the time that arrays of one number take.
         """
         none = [0.0] * (len(self.layout.varied) + self.working)
         cells = [*magnitudes, *none, *self.plain[::-1]]
-        for _, function, one, other, result, third in self.steps:
-            operands = (cells[one], cells[other])
-            number = function(*operands) if third is None else function(*operands, cells[third])
+        for _, function, one, other, result, _ in self.steps:
+            number = function(cells[one], cells[other])
             if result is not None:
                 cells[result] = number
             elif not number:
@@ -180,7 +178,7 @@ def replay(tape: Tape, results: Sequence[Number | Rest | Truth]) -> Replay:
             cells.release(used for used in operation.slots if last[used] == slot)
             cell = None if name in GUARDS else cells.taken(slot, copies)
             function = ARRAYS.get(name) or getattr(np, name)
-            steps.append(Step(function, PLAIN[name], *operands, cell, more))
+            steps.append(Step(function, PLAIN.get(name, _of_arrays), *operands, cell, more))
             steps += cells.copied(slot, copies)
     varies = set(varied)
     constants = [(row, value) for row, value in enumerate(results) if row not in varies]

@@ -286,7 +286,7 @@ def is_nan(number: Either) -> bool:
 
 
 def _equal(one: Signed, other: object) -> bool:
-    """Whether two numbers are the same; a signed one is never 0."""
+    """Whether two numbers are the same; a signed one is not 0 but by chance, or as a choice."""
     if not isinstance(other, Signed):
         plain = float(other)  # type: ignore[arg-type]
         if is_nothing(plain) or abs(plain) == math.inf or not one.low <= plain <= one.high:

@@ -74,7 +74,7 @@ def check_signs(
         if not (x == 0 or own.lossless):
             agrees = agrees & (x * direction >= 0)
     passes = (efficiency > 0) & (efficiency < math.inf)
-    if passes is False:
+    if passes is False:  # of one variant; those of a plan all pass power, or none of them does
         passes = not _passes_power(ideal)
     return LossyTorques(
         signs=signs,

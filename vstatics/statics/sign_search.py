@@ -71,6 +71,7 @@ def find_signs(ideal: IdealGear, *, moving: bool) -> SignSearch:
         )
     lossy = found.lossy or no_solution(ideal, start.signs)
     idle = start.idle
+    # of an idle one the sign is a convention; one object stands for what no search has changed
     turned = [
         lossy.admissible is True
         and not is_idle
