@@ -93,7 +93,7 @@ class FitSpace(NamedTuple):
         return minimize(residuals, starts.sizes, *self.within(starts.signs), steps)
 
     def turned(self, starts: FitPoints) -> FitPoints:
-        """FitPoints at which gears may turn as wanted, from starts at which they do not.
+        """Points at which gears may turn as wanted, from starts at which they do not.
 
         For ``i = Q/P`` the deviation ``(Q/target - P)/sqrt((Q/target)^2 + P^2)`` has no poles, and
         is the same where a gear turns the other way.

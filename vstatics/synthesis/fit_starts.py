@@ -12,7 +12,7 @@ MOST_STARTS, LEAST_STARTS = 128, 8
 ROOM = 12_800
 """So large are the matrices of all starts together: with many ratios there are fewer starts."""
 SAMPLES, ROUNDS = 2048, 4
-"""FitPoints that are tried at a time, and how many times."""
+"""Points that are tried at a time, and how many times."""
 
 
 def start_count(space: FitSpace) -> int:
@@ -58,7 +58,7 @@ def turns(space: FitSpace, points: FitPoints) -> Booleans:
 
 
 def _sampled(space: FitSpace, random: np.random.Generator, *, own: bool) -> FitPoints:
-    """FitPoints all over the bounds; the first of them may be the case's own ratios."""
+    """Points all over the bounds; the first of them may be the case's own ratios."""
     low, high = (np.array(one)[space.varied] for one in space.problem.bounds)
     shape = (SAMPLES, len(space.varied))
     signs = np.where(random.random(shape) * (high - low) < np.maximum(high, 0), 1.0, -1.0)
