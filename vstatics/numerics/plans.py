@@ -28,8 +28,6 @@ from vstatics.numerics.tape import Untraceable
 
 FEW = 4
 """So many variants are not worth a plan; more of them, when plans were made in vain."""
-OFTEN = 4
-"""So many times more of them are, when they were left of several calls."""
 WORTH = 12
 """A plan costs about as much as so many variants that are calculated by themselves."""
 STEPS = 250
@@ -115,8 +113,7 @@ class Plans:
 
     def _worth(self, left: int, inputs: Inputs) -> bool:
         """Whether a plan is worth making: for many now, or for few that come often."""
-        most = FEW if left == inputs.values.shape[1] else OFTEN * self.few
-        often = self.alone > most and self.special < TRIALS
+        often = left == inputs.values.shape[1] and self.alone > FEW and self.special < TRIALS
         return left > self.few or (left > 0 and often)
 
     def _promises(self, plan: Plan, inputs: Inputs, rows: Rows, left: Integers) -> bool:

@@ -16,7 +16,7 @@ from vstatics.numerics.entries import (
     less_of_floats,
     quotient_of_floats,
 )
-from vstatics.numerics.signed import Either, size_of, value_of
+from vstatics.numerics.signed import Either, Signed, size_of, value_of
 from vstatics.numerics.tape import Untraceable
 from vstatics.numerics.tolerances import REAL, SIGNED_LEAST, SIGNED_PIVOT, SIGNED_SAME, ZERO
 from vstatics.numerics.traced import Number, is_traced, of_any_sign
@@ -94,7 +94,13 @@ def _less(entry: Entry, factor: Entry, term: Entry) -> Entry:
     part = abs(left) / larger
     if part <= 2 * REAL:
         raise Untraceable
-    return watched(one, other, max(min(SIGNED_LEAST, part / 16), 1.5 * REAL)), size
+    most = REAL if _is_given(one) and _is_given(other) else SIGNED_LEAST
+    return watched(one, other, max(min(most, part / 16), 1.5 * REAL)), size
+
+
+def _is_given(number: Either) -> bool:
+    """Whether a number has no rounding error: a plain one or an input."""
+    return not isinstance(number, Signed) or number.slot < number.tape.inputs
 
 
 def _sum(one: Either, other: Either) -> Either:
