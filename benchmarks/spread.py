@@ -2,7 +2,8 @@
 
 Ratios and efficiencies at random: ratios by up to 10 %, by up to a factor of 2, and by a
 factor of up to 4 with any sign. Plans of any sign serve what does not go alike; few variants
-are calculated one by one. The time of the peer does not depend on the numbers.
+are calculated one by one. The time of the peer does not depend on the numbers. Calls are made
+ten in a turn, as in `variants`.
 """
 
 import tempfile
@@ -11,7 +12,7 @@ from pathlib import Path
 
 import numpy as np
 from common import MZKT, Peer, medians, options, print_table, timed
-from variants import SEED, all_read
+from variants import CALLS, SEED, all_read, in_a_row
 
 from vstatics import load, solve
 
@@ -45,7 +46,7 @@ def main() -> None:
                 measured = medians(
                     {
                         "peer": partial(peer.seconds, repeats * count),
-                        "vstatics": partial(timed, read),
+                        "vstatics": partial(in_a_row, read, 1 if given.quick else CALLS),
                     },
                     rounds,
                 )

@@ -23,7 +23,7 @@ Calculation = Callable[[Sequence[Number]], list[Number | Rest | Condition]]
 def replayed(function: Calculation, values: np.ndarray = VALUES) -> tuple[np.ndarray, np.ndarray]:
     """Results of the plan of the first variant, and who passed its guards."""
     inputs = prepared(values)
-    plan = plan_of_any_sign(function, inputs, 0)
+    plan = plan_of_any_sign(function, inputs, 0, again=False)
     rows = rows_for(len(function(values[:, 0].tolist())), values.shape[1])
     with np.errstate(all="ignore"):
         passed = plan.suits(inputs) & plan.run(inputs, rows)

@@ -25,8 +25,8 @@ from vstatics.errors import CaseError, Problem, listed, of_file, quoted, spoken
 from vstatics.model.transmission import Transmission
 from vstatics.readers.named.arithmetic import calculated, expected
 from vstatics.readers.reading import Reading
-from vstatics.synthesis import fit as fitting
-from vstatics.synthesis.fit import Fit
+from vstatics.synthesis.fit import TOLERANCE, Fit
+from vstatics.synthesis.fit import fit as fitted
 from vstatics.synthesis.fit_document import fit_document
 from vstatics.synthesis.fit_estimate import dry_document, dry_grids
 from vstatics.synthesis.fit_grids import fit_grids
@@ -65,7 +65,7 @@ Value = TypeVar("Value")
 @click.option(
     "--tolerance",
     type=float,
-    default=fitting.TOLERANCE,
+    default=TOLERANCE,
     show_default=True,
     metavar="T",
     help="A ratio is met where |ln(i/wanted)| is no more.",
@@ -118,7 +118,7 @@ def fit(
             problem = fit_problem(own, *given, tolerance)
         else:
             with progress(None, "steps", quiet=telling.quiet) as advance:
-                found = fitting.fit(
+                found = fitted(
                     own,
                     given[0],
                     bounds=given[1],

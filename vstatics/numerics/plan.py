@@ -23,8 +23,9 @@ from vstatics.numerics.traced import Magnitude, Number, Traced
 SPREAD = 64.0
 """The bounds of a plan of one sign reach no further than this factor from the variant that made
 it."""
-SIGNED_WIDENING = 2.0
-"""The bounds of a plan of any sign are so much wider than the numbers that it is made for."""
+SIGNED_WIDENING = (1.005, 2.0)
+"""The bounds of a plan of any sign are so much wider than the numbers that it is made for: less
+for the first one and numbers of one sign, so that efficiencies stay below 1."""
 
 LEAST_INPUT = 1e-20
 """A plan of any sign is for no smaller magnitudes, nor for larger ones than its inverse."""
@@ -130,7 +131,7 @@ def plan_of_one_sign(function: Function, inputs: Inputs, place: int, widening: f
     return Plan(ranges, replay(tape, function(traced)), signed=False)
 
 
-def plan_of_any_sign(function: Function, inputs: Inputs, place: int) -> Plan:
+def plan_of_any_sign(function: Function, inputs: Inputs, place: int, *, again: bool) -> Plan:
     """The plan that one variant makes, for inputs of any size and sign.
 
     Raises
@@ -139,7 +140,7 @@ def plan_of_any_sign(function: Function, inputs: Inputs, place: int) -> Plan:
         If it is a special case.
     """
     firsts = inputs.values[:, place].tolist()
-    ranges = [_wide(own) for own in inputs.ranges]
+    ranges = [_wide(own, again=again) for own in inputs.ranges]
     tape = Tape(len(firsts))
     numbers = [
         Signed(tape, slot, value, *bounds)
@@ -148,10 +149,11 @@ def plan_of_any_sign(function: Function, inputs: Inputs, place: int) -> Plan:
     return Plan(ranges, replay(tape, function(numbers)), signed=True)
 
 
-def _wide(own: Range) -> Range:
+def _wide(own: Range, *, again: bool) -> Range:
     """Bounds of numbers, and some room."""
     low, high = own
-    less, more, most = 1 / SIGNED_WIDENING, SIGNED_WIDENING, 1 / LEAST_INPUT
+    more = SIGNED_WIDENING[again or low < 0 < high]
+    less, most = 1 / more, 1 / LEAST_INPUT
     low = max(low * more, -most) if low < 0 else max(low * less, LEAST_INPUT)
     high = min(high * more, most) if high > 0 else min(high * less, -LEAST_INPUT)
     return Range(low, high)

@@ -107,7 +107,8 @@ class Plans:
         alike &= all(low >= 0 or high <= 0 for low, high in inputs.ranges)
         if inputs.values.shape[1] > 1 and not alike:
             with contextlib.suppress(Untraceable):
-                return plan_of_any_sign(self.function, inputs, place)
+                again = any(plan.signed for plan in self.plans)
+                return plan_of_any_sign(self.function, inputs, place, again=again)
         widening = WIDENING[min(len(self.plans), len(WIDENING) - 1)]
         return plan_of_one_sign(self.function, inputs, place, widening)
 

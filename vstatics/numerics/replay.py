@@ -24,7 +24,8 @@ def _absolute(one: Floats, _: Floats, result: Floats) -> None:
 
 
 def _choose(margin: Floats, yes: Floats, no: Floats, result: Floats) -> None:
-    result[...] = np.where(margin > 0, yes, no)
+    np.copyto(result, no)
+    np.copyto(result, yes, where=margin > 0)
 
 
 def _store(one: Floats, factor: float, result: Any) -> None:
@@ -175,8 +176,12 @@ def replay(tape: Tape, results: Sequence[Number | Rest | Truth]) -> Replay:
             name, one, other, third = operation
             operands = cells.of(one), cells.of(other)
             more = None if third is None else cells.of(third)
-            cells.release(used for used in operation.slots if last[used] == slot)
+            released = [used for used in operation.slots if last[used] == slot]
+            if third is None:
+                cells.release(released)
             cell = None if name in GUARDS else cells.taken(slot, copies)
+            if third is not None:  # its result is written while its operands are still read
+                cells.release(released)
             function = ARRAYS.get(name) or getattr(np, name)
             steps.append(Step(function, PLAIN.get(name, _of_arrays), *operands, cell, more))
             steps += cells.copied(slot, copies)

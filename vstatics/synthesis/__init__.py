@@ -3,7 +3,6 @@
 A number of planetary sets goes in, schemes come out; a scheme becomes a case, whose shift
 elements are tried, and whose ratios are fitted to those that are wanted.
 
->>> from vstatics.synthesis.fit import fit
 >>> [one.code for one in schemes(StructureSearch(sets=2, classes="order"))]
 ['0-1-2-0-1-3', '0-1-2-0-3-4']
 >>> case = scheme_case(SetScheme.of_code("0-1-2-0-1-3"), 0, 3, ratios=[-2, -2.5])
@@ -19,6 +18,7 @@ elements are tried, and whose ratios are fitted to those that are wanted.
 from __future__ import annotations
 
 from vstatics.synthesis.combinations import combinations
+from vstatics.synthesis.fit import fit
 from vstatics.synthesis.found_schemes import FoundScheme, schemes
 from vstatics.synthesis.scheme import SetScheme
 from vstatics.synthesis.scheme_case import scheme_case
@@ -31,6 +31,7 @@ __all__ = [
     "StructureSearch",
     "combinations",
     "count",
+    "fit",
     "scheme_case",
     "schemes",
 ]
