@@ -71,13 +71,14 @@ class _Own(threading.local):
 _own = _Own()
 
 
-def _working_arrays(count: int, variants: int) -> tuple[Floats, Booleans]:
-    """So many arrays over the variants, and one of what holds; they are full of what was there."""
+def _working_arrays(count: int, guards: int, variants: int) -> tuple[Floats, Booleans]:
+    """Arrays over the variants, for numbers and for guards; they are full of what was there."""
     if _own.numbers.size < count * variants:
         _own.numbers = np.empty(count * variants)
-    if _own.holds.size < variants:
-        _own.holds = np.empty(variants, dtype=np.bool_)
-    return _own.numbers[: count * variants].reshape(count, variants), _own.holds[:variants]
+    if _own.holds.size < guards * variants:
+        _own.holds = np.empty(guards * variants, dtype=np.bool_)
+    numbers, holds = _own.numbers[: count * variants], _own.holds[: guards * variants]
+    return numbers.reshape(count, variants), holds.reshape(guards, variants)
 
 
 class Step(NamedTuple):
@@ -118,7 +119,8 @@ class Replay(NamedTuple):
         """
         variants = len(passed)
         varied = rows.lay_out(self.layout)
-        buffers, holds = _working_arrays(self.working, min(CHUNK, variants))
+        guards = sum(step.result is None for step in self.steps)
+        buffers, holds = _working_arrays(self.working, guards, min(CHUNK, variants))
         plain = self.plain[::-1]
         for start in range(0, variants, CHUNK):
             part = slice(start, min(start + CHUNK, variants))
@@ -129,15 +131,15 @@ class Replay(NamedTuple):
                 *buffers[:, :size],
                 *plain,
             ]
-            mask, hold = passed[part], holds[:size]
+            held = iter(holds[:, :size])
             for function, _, one, other, result, third in self.steps:
                 if result is None:
-                    function(cells[one], cells[other], hold)
-                    np.logical_and(mask, hold, mask)
+                    function(cells[one], cells[other], next(held))
                 elif third is None:
                     function(cells[one], cells[other], cells[result])
                 else:
                     function(cells[one], cells[other], cells[third], cells[result])
+            passed[part] &= holds[:, :size].all(axis=0)
 
     def run_one(self, magnitudes: Sequence[float], rows: Rows) -> bool:
         """Write the results of a single variant of one sign; tell whether it passes the guards.

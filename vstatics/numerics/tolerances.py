@@ -17,7 +17,7 @@ REAL = 2.0**-20
 LEAST = 1 / 64
 """Traced: a difference is at least this part of its larger term for all variants, or a
 sixteenth of the part that the first variant has, but more than `REAL`."""
-SIGNED_LEAST = 2.0**-15
+SIGNED_LEAST = 2.0**-16
 """Signed: the same; so rounding grows by this factor at most where terms cancel."""
 SIGNED_SAME = 2.0**-36
 """Signed: what leaves more than this part is not zero for certain, whatever its size."""
