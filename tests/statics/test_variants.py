@@ -91,6 +91,7 @@ def test_trains_that_are_easily_wrong(name: str) -> None:
     assert not disagreements(case, None, efficiencies(rng, case, 12, "nearly 1"))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["mzkt7922.dat", "power-split.yaml"])
 def test_variants_that_do_not_go_alike_run_on_arrays(name: str) -> None:
     """Ratios by up to a factor of 4, of any sign: of 1,500 variants few are left alone."""
