@@ -92,7 +92,7 @@ def test_no_label_covers_another(name: str, style: Style, kind: str) -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("kind", OURS)
-@pytest.mark.parametrize("name", NAMES[::3])
+@pytest.mark.parametrize("name", NAMES[::5])
 def test_no_label_covers_another_in_any_shipped_case(name: str, kind: str) -> None:
     if has_picture(kind, name):
         style = STYLES[NAMES.index(name) % len(STYLES)]
