@@ -255,6 +255,7 @@ def test_bevel_planets_go_in_where_both_sides_add_up_to_a_multiple_of_them() -> 
     assert "left 15, planet 10, right 15 (ratio -1)" in problem.message
 
 
+@pytest.mark.slow
 @RANDOM
 @given(st.data(), st.integers(2, 5))
 def test_planets_can_be_assembled_where_turning_them_tooth_by_tooth_finds_a_way(

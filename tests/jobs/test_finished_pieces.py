@@ -158,6 +158,7 @@ def test_where_nothing_is_finished_nothing_stays(tmp_path: Path) -> None:
     assert names(tmp_path) == []
 
 
+@pytest.mark.slow
 def test_two_sweeps_do_not_write_one_output(tmp_path: Path) -> None:
     """A process has the directory until it ends, however it ends."""
     held = store(tmp_path / "out.csv")

@@ -651,6 +651,7 @@ def test_1_to_8_is_reverse_with_7_stopped_where_8_is_slower_than_7(z: Teeth) -> 
     assert (ratio(z, "1", "8", "7") < 0) == slower
 
 
+@pytest.mark.slow
 @given(z=any_teeth())
 @settings(max_examples=6)
 def test_the_program_has_these_signs_and_ratios_too(z: Teeth) -> None:

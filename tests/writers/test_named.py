@@ -25,6 +25,7 @@ def differential(**other: object) -> Transmission:
     return Transmission(**{**parts, **other})  # type: ignore[arg-type]
 
 
+@pytest.mark.slow
 @settings(max_examples=25)
 @given(transmissions(ANY_NUMBER, torsional=True))
 @example(differential(description="\x85 \u2028 \u2029 \ufeff \x00 \x1b \t\r\n \r"))
