@@ -26,8 +26,10 @@ test-beside: .venv/dev.stamp ## the slow tests that others do not disturb, on al
 test-alone: .venv/dev.stamp ## the slow tests that disturb or time processes, one by one
 	$(BIN)/pytest -q -n 0 -m "slow and alone"
 
+# Without the rooms that ask nothing of other packages but arithmetic of NumPy.
+PLAIN_ROOMS := statics elements published oracle flow explain
 test-oldest: .venv-oldest/stamp ## the fast tests with the oldest versions allowed (Python 3.11)
-	$(OLDEST)/pytest -q -n $(TEST_JOBS) -m "not slow" -p no:cacheprovider
+	$(OLDEST)/pytest -q -n $(TEST_JOBS) -m "not slow" -p no:cacheprovider $(PLAIN_ROOMS:%=--ignore=tests/%)
 
 coverage: .venv/dev.stamp ## the fast tests, with the lines that they miss
 	$(BIN)/pytest -q -m "not slow" --cov=vstatics --cov-report=term-missing

@@ -37,8 +37,8 @@ def by_name(cases: list[Path]) -> list[object]:
     ]
 
 
-every_case = pytest.mark.parametrize("path", by_name(CASES[::3]))
-every_drawn_case = pytest.mark.parametrize("path", by_name(DRAWN[::3]))
+every_case = pytest.mark.parametrize("path", by_name(CASES[::5]))
+every_drawn_case = pytest.mark.parametrize("path", by_name(DRAWN[::5]))
 
 PAIRS = """\
 input: a
