@@ -19,6 +19,7 @@ EXTRAS = {
     "formula": "sympy",
     "plot": "matplotlib",
     "xlsx": "openpyxl",
+    "boxes": "numba",
 }
 """By extra: the package that it brings."""
 
