@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
-from typing import Any, TypeVar
+from typing import Any
 
 import click
 
@@ -15,15 +15,14 @@ from vstatics.cli import files, formats
 from vstatics.cli.cases import CalculatedCase
 from vstatics.cli.exit_status import DONE, FAILED
 from vstatics.cli.formats import Destination, OutputOptions
-from vstatics.cli.named_values import named_values
 from vstatics.cli.one_case import file_name, one_text, problems_of, tell
+from vstatics.cli.option_values import named, number, pair, wrong_use
 from vstatics.cli.progress import progress
 from vstatics.cli.synth_case_file import case_format, write_case, written_case
 from vstatics.cli.telling import Telling
 from vstatics.cli.texts import CaseOutput, OutputForm, alone
-from vstatics.errors import CaseError, Problem, listed, of_file, quoted, spoken
+from vstatics.errors import Problem, listed, of_file, spoken
 from vstatics.model.transmission import Transmission
-from vstatics.readers.named.arithmetic import calculated, expected
 from vstatics.readers.reading import Reading
 from vstatics.synthesis.fit import TOLERANCE, Fit
 from vstatics.synthesis.fit import fit as fitted
@@ -34,8 +33,6 @@ from vstatics.synthesis.fit_problem import doubts, fit_problem
 from vstatics.synthesis.fitted_case import fitted_case, left_out_by_fit, lost_by_fit
 from vstatics.tables.grid import Grid
 from vstatics.writers import plain_json
-
-Value = TypeVar("Value")
 
 
 @click.command()
@@ -107,9 +104,9 @@ def fit(
     to = one_text(wanted, [case])
     form = "" if target is None else case_format(target, [case], to.output)
     given = (
-        _of_option("ratios", ratios, "GEAR=RATIO", _number),
-        _of_option("bounds", bounds, "MECHANISM=LOW:HIGH", _pair),
-        _of_option("weights", weights, "GEAR=WEIGHT", _number),
+        named("ratios", ratios, "GEAR=RATIO", number),
+        named("bounds", bounds, "MECHANISM=LOW:HIGH", pair),
+        named("weights", weights, "GEAR=WEIGHT", number),
     )
     reading = arguments.read_one(case, input_format, telling)
     own = reading.case
@@ -167,59 +164,11 @@ def _show(
     files.write_data(alone(outcome, shown, OutputForm(to.form, to.style)), to.output)
 
 
-def _of_option(
-    option: str, texts: Sequence[str], shape: str, read: Callable[[str], Value]
-) -> dict[str, Value]:
-    """The values of an option by their names; it may be given several times.
-
-    Raises
-    ------
-    BadParameter
-    """
-    found: dict[str, Value] = {}
-    for text in texts:
-        try:
-            for name, value in named_values(text, shape):
-                if name in found:
-                    raise ValueError(f"{name} is given twice")  # noqa: TRY301
-                try:
-                    found[name] = read(value)
-                except ValueError as error:
-                    raise ValueError(f"{name}: read {quoted(value)}, {error}") from None
-        except ValueError as error:
-            raise click.BadParameter(str(error), param_hint=f"--{option}") from None
-    return found
-
-
-def _number(text: str) -> float:
-    """A number, or a calculation of one."""
-    number = calculated(text)
-    if number.behind:
-        raise ValueError(expected(text))
-    return number.value
-
-
-def _pair(text: str) -> tuple[float, float]:
-    """Both bounds, or the one number that both are."""
-    low, colon, high = text.partition(":")
-    try:
-        return _number(low), _number(high if colon else low)
-    except ValueError:
-        raise ValueError("expected LOW:HIGH, such as -4:-1.5, or one number") from None
-
-
 @contextmanager
 def _told(reading: Reading) -> Iterator[None]:
     """Tell what can't be asked for as wrong use, what is wrong with the case at its place."""
-    try:
+    with problems_of(reading), wrong_use(_OPTIONS):
         yield
-    except CaseError as error:
-        of_options = [one for one in error.problems if one.path[:1] and one.path[0] in _OPTIONS]
-        if not of_options:
-            with problems_of(reading):
-                raise
-        lines = [f"Invalid value for --{one.path[0]}: {one.message}" for one in of_options]
-        raise click.UsageError("\n".join(lines)) from None
 
 
 _OPTIONS = ("ratios", "bounds", "weights", "tolerance")
