@@ -1,7 +1,8 @@
-"""Finished pieces of a sweep that a resumed one trusts.
+"""Finished pieces of work that takes long, a sweep say, which a resumed one trusts.
 
 While a sweep into `out.csv` runs there is a directory `out.csv.parts`. It holds a file for
-each finished piece, a description of the sweep, and a lock.
+each finished piece, a description of the sweep, and a lock. What other work is called, and
+whether its output is a directory too, it says itself.
 """
 
 from __future__ import annotations
@@ -22,15 +23,26 @@ SUFFIX = ".parts"
 PLAN = "plan.json"
 LOCK = "lock"
 OF_BUILDS = ("build", "fingerprint", "pieces")
-"""What another build may have otherwise for the same sweep."""
+"""What another build may have otherwise for the same work."""
 
 
 class FinishedPieces:
-    """The directory of finished pieces of one sweep, held by one process."""
+    """The directory of finished pieces of one sweep, say, held by one process.
 
-    def __init__(self, output: str) -> None:
-        """For an output file; `open` makes the directory."""
+    Parameters
+    ----------
+    output : str
+        The file, or directory, that will be there in the end.
+    what : str
+        What the work is called.
+    into_folder : bool
+        Whether the output is a directory, which others fill.
+    """
+
+    def __init__(self, output: str, what: str = "sweep", *, into_folder: bool = False) -> None:
+        """Name the directory; `open` makes it."""
         self.output = os.path.realpath(output)
+        self.what, self.into_folder = what, into_folder
         self.directory = self.output + SUFFIX
         self.accounts: dict[int, Account] = {}
         self._lock: int | None = None
@@ -64,7 +76,7 @@ class FinishedPieces:
         Parameters
         ----------
         description : dict
-            What the sweep is; its `fingerprint` must be that of the pieces that are there.
+            What the work is; its `fingerprint` must be that of the pieces that are there.
             Those of another `build` of this package are removed.
         pieces : int
             How many there will be.
@@ -77,7 +89,7 @@ class FinishedPieces:
             If another process is at it, or pieces are there that are not to be taken up.
         OSError
         """
-        if os.path.isdir(self.output):  # noqa: PTH112
+        if os.path.isdir(self.output) and not self.into_folder:  # noqa: PTH112
             raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR))
         self.lock()
         known = self._known()
@@ -96,7 +108,7 @@ class FinishedPieces:
         return without
 
     def _known(self) -> Description | None:
-        """The description of the sweep whose pieces are there."""
+        """The description of the work whose pieces are there."""
         try:
             with open(self.path(PLAN), encoding="utf-8") as file:  # noqa: PTH123
                 known = json.load(file)
@@ -106,7 +118,7 @@ class FinishedPieces:
             return known
         if all(name == LOCK or is_temporary(name) for name in self._names()):
             return None
-        message = "holds no sweep that can be taken up; move it away"
+        message = f"holds no {self.what} that can be taken up; move it away"
         raise ReadError([of_file(self.directory, message)])
 
     def _names(self) -> list[str]:
@@ -120,28 +132,28 @@ class FinishedPieces:
     def _check(
         self, known: Description, wanted: Description, finished: int, *, resume: bool
     ) -> str:
-        """Refuse pieces of another sweep, and pieces that nobody asked to take up.
+        """Refuse pieces of other work, and pieces that nobody asked to take up.
 
-        The result tells why pieces of this sweep are not taken up: two builds have other
-        fingerprints for one sweep.
+        The result tells why pieces of this work are not taken up: two builds have other
+        fingerprints for the same.
         """
         changed = differing(known, wanted)
         said = [key for key in changed if key not in OF_BUILDS]
         other_build = known.get("build") != wanted["build"]
         if said or ("fingerprint" in changed and not other_build):
             what = f": {', '.join(said)} changed" if said else ""
-            sweep = f"of another sweep{what}; repeat that one with --resume"
+            whose = f"of another {self.what}{what}; repeat that one with --resume"
         elif not resume:
-            sweep = "of this sweep, which was stopped; go on with --resume"
+            whose = f"of this {self.what}, which was stopped; go on with --resume"
         else:
             return OTHER_BUILD if other_build else ""
         held = f"holds {finished} of {known.get('pieces')} finished pieces"
-        message = f"{held} {sweep}, or remove the directory to begin anew"
+        message = f"{held} {whose}, or remove the directory to begin anew"
         raise ReadError([of_file(self.directory, message)])
 
     def lock(self) -> None:
         """Take the directory for this process; see `vstatics.jobs.lock.lock`."""
-        self._lock = lock(self.directory, LOCK, "sweep")
+        self._lock = lock(self.directory, LOCK, self.what)
 
     def unlock(self) -> None:
         """Let go of the directory."""
@@ -161,11 +173,15 @@ class FinishedPieces:
         OSError
         """
         put_for_good(self.path(ASSEMBLED), self.output)
+        self.drop()
+
+    def drop(self) -> None:
+        """Remove the pieces: what was made of them is there."""
         self._remove()
         self.unlock()
 
     def _remove(self) -> None:
-        """Remove the directory, last what tells of which sweep it is: so any rest can go on."""
+        """Remove the directory, last what tells of which work it is: so any rest can go on."""
         for name in sorted(self._names(), key=(PLAN, LOCK).__contains__):
             self.discard(name)
         with contextlib.suppress(OSError):

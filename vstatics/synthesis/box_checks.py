@@ -1,0 +1,124 @@
+"""What can be asked of a search for boxes: each mistake with the option that has it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+from vstatics.errors import CaseError, Problem, plural
+from vstatics.synthesis.box import BoxSearch
+from vstatics.synthesis.structures import MOST_SETS
+
+LARGEST = 1000.0
+"""Of ratios of gears, of their reciprocals, and of ring teeth/sun teeth. [-]"""
+COARSEST = 0.5
+"""The largest tolerance. [-]"""
+
+
+def check_box_search(search: BoxSearch) -> None:
+    """Refuse what can't be searched for.
+
+    Raises
+    ------
+    CaseError
+        With the name of an option as the path of each problem.
+
+    Examples
+    --------
+    >>> check_box_search(BoxSearch(2, 4, 2, (2.84, 1.57, 1, -2.21), own_input=True))
+    >>> check_box_search(BoxSearch(2, 4, 3, (2.84, 1.57, 1, -2.21)))
+    Traceback (most recent call last):
+    vstatics.errors.CaseError: engaged: read 3, but 2 sets leave 1 or 2 to be engaged
+    """
+    problems = [*_of_numbers(search), *_of_ratios(search.targets)] or [*_of_counts(search)]
+    if problems:
+        raise CaseError(problems)
+
+
+def engaged_range(search: BoxSearch) -> range:
+    """How many elements may be engaged with so many sets: connected ones have so many links.
+
+    Examples
+    --------
+    >>> engaged_range(BoxSearch(4, 5, 3, (2.0, 1.0)))
+    range(1, 5)
+    """
+    others = search.links - search.engaged
+    return range(max(search.sets + 2 - others, 1), 2 * search.sets + 2 - others)
+
+
+def elements_there(search: BoxSearch) -> tuple[int, int]:
+    """How many brakes and clutches there are to choose from.
+
+    Examples
+    --------
+    >>> elements_there(BoxSearch(4, 5, 3, (2.0, 1.0)))
+    (6, 28)
+    """
+    shafts = search.links + (1 if search.own_input else 0) - (1 if search.fixed else 0)
+    return shafts - 2, math.comb(shafts, 2)
+
+
+def _of_numbers(search: BoxSearch) -> Iterator[Problem]:
+    """Problems of one number each."""
+    sets = f"{search.sets} {plural('set', search.sets)}"
+    if not 1 <= search.sets <= MOST_SETS:
+        yield _problem("sets", f"read {search.sets}, expected 1 to {MOST_SETS}")
+        return
+    for name, given in (("meshed", search.meshed), ("fixed", search.fixed)):
+        if not 0 <= given <= search.sets:
+            yield _problem(name, f"read {given}, expected 0 to {search.sets}, as there are {sets}")
+    low, high = search.bounds
+    if not 1 < low < high <= LARGEST:
+        expected = f"two numbers above 1, the larger one behind, up to {LARGEST:g}"
+        yield _problem("bounds", f"read {low:g}:{high:g}, expected {expected}")
+    if not 0 < search.tolerance <= COARSEST:
+        message = f"read {search.tolerance:g}, expected a number above 0, up to {COARSEST:g}"
+        yield _problem("tolerance", message)
+
+
+def _of_ratios(targets: tuple[float, ...]) -> Iterator[Problem]:
+    """Problems of the ratios of gears."""
+    if not targets:
+        yield _problem("ratios", "read none, expected the ratio of each gear")
+    for target in targets:
+        if not 1 / LARGEST <= abs(target) <= LARGEST:
+            sizes = f"{1 / LARGEST:g} to {LARGEST:g} in size, below 0 backward"
+            yield _problem("ratios", f"read {target:g}, expected a ratio of {sizes}")
+    for target in sorted({one for one in targets if targets.count(one) > 1}):
+        yield _problem("ratios", f"read {target:g} twice, expected gears that differ")
+
+
+def _of_counts(search: BoxSearch) -> Iterator[Problem]:
+    """Problems of numbers that do not go together."""
+    engaged, elements, gears = search.engaged, search.elements, len(search.targets)
+    possible = engaged_range(search)
+    if engaged not in possible:
+        sets = f"{search.sets} {plural('set', search.sets)}"
+        given = " with an input shaft of its own" * search.own_input
+        given += f"{' and' if given else ' with'} held members" * bool(search.fixed)
+        words = " or ".join(map(str, possible)) or "none"
+        if len(possible) > 2:
+            words = f"{possible[0]} to {possible[-1]}"
+        verb = "leave" if search.sets > 1 else "leaves"
+        message = f"but {sets}{given} {verb} {words} to be engaged"
+        yield _problem("engaged", f"read {engaged}, {message}")
+        return
+    brakes, clutches = elements_there(search)
+    if not engaged <= elements <= brakes + clutches:
+        there = f"{engaged}, which are engaged, to {brakes + clutches}, all that there are"
+        choice = f"{brakes} {plural('brake', brakes)} and {clutches} clutches"
+        yield _problem("elements", f"read {elements}, expected {there} ({choice})")
+    elif gears > math.comb(elements, engaged):
+        most = math.comb(elements, engaged)
+        given = f"read {gears} ratios, but {elements} elements with {engaged} engaged"
+        yield _problem("ratios", f"{given} give {most} {plural('gear', most)} at most")
+    elif elements > gears * engaged:
+        used = f"{gears} {plural('gear', gears)} with {engaged} engaged"
+        yield _problem(
+            "elements", f"read {elements}, but {used} can't use more than {gears * engaged}"
+        )
+
+
+def _problem(option: str, message: str) -> Problem:
+    return Problem(message, path=(option,))
