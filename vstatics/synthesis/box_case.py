@@ -1,0 +1,75 @@
+"""A found box as a case that every command takes."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from vstatics.model.parts import HOUSING, Gear, Mechanism, ShiftElement
+from vstatics.model.transmission import Transmission
+from vstatics.synthesis.box import HELD, FoundBox
+from vstatics.synthesis.box_names import box_element_name, in_order, target_names
+from vstatics.synthesis.scheme import link_name
+from vstatics.synthesis.scheme_case import INERTIA, set_name
+
+
+def box_case(box: FoundBox, targets: Sequence[float], efficiency: float) -> Transmission:
+    """The case of a found box: its sets, shift elements and gears.
+
+    A link that is held for good is the housing; the others keep their numbers as names.
+
+    Parameters
+    ----------
+    box : FoundBox
+    targets : sequence of float
+        Wanted ratios of its gears, in its order. [-]
+    efficiency : float
+        Of each set with its carrier held. [-]
+
+    Raises
+    ------
+    CaseError
+        If the box can't be a gearbox, as with a ratio that is none.
+
+    Examples
+    --------
+    >>> from vstatics.synthesis.scheme import SetScheme
+    >>> box = FoundBox(SetScheme.of_code("0-1-2"), None, 0, 1, ((2, HELD), (0, 1)), (-2.0,),
+    ...                ((1,), (0,)), 0.0)
+    >>> case = box_case(box, [1, 3], 0.98)
+    >>> [(gear.name, gear.engaged) for gear in case.gears], case.output
+    ([('1', (1,)), ('2', (2,))], 2)
+    >>> [element.name for element in case.shift_elements]
+    ['T-L2', 'F-L0-L1']
+    """
+    links = [link for link in range(max(box.scheme.links, box.input + 1)) if link != box.held]
+    number = {link: place for place, link in enumerate(links, 1)} | {HELD: HOUSING}
+    if box.held is not None:
+        number[box.held] = HOUSING
+    names = target_names(targets)
+    inertia = f"The inertias are in place of those of engine and load, {INERTIA:g} kg*m^2."
+    assumed = f"Every set has the efficiency {efficiency:g} with its carrier held"
+    return Transmission(
+        links=len(links),
+        shift_elements=[
+            ShiftElement(number[first], number[second], box_element_name((first, second)))
+            for first, second in box.elements
+        ],
+        mechanisms=[
+            Mechanism(
+                number[sun], number[ring], number[carrier], ratio, efficiency, name=set_name(place)
+            )
+            for place, ((sun, carrier, ring), ratio) in enumerate(
+                zip(box.scheme.sets, box.ratios, strict=True), 1
+            )
+        ],
+        gears=[
+            Gear(tuple(element + 1 for element in box.gears[index]), name=names[index])
+            for index in in_order(targets)
+        ],
+        input=number[box.input],
+        output=number[box.output],
+        link_names=[link_name(link) for link in links],
+        name=f"box {box.scheme.code}",
+        description=f"{assumed}, as assumed. {inertia}",
+        inertias={number[box.input]: INERTIA, number[box.output]: INERTIA},
+    )

@@ -1,0 +1,157 @@
+"""Found boxes side by side: their order, families of equal ratios, and the Pareto list."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from vstatics.numerics.arrays import Booleans, Floats
+from vstatics.synthesis.box import BoxSearch
+from vstatics.synthesis.box_figures import DIGITS, MeasuredBox
+from vstatics.synthesis.box_filter import BoxFilter
+from vstatics.synthesis.box_least import identity
+
+ALIKE = 1e-6
+"""Ratios of a gear that differ by less than this part are one: they are fitted."""
+PARETO = ("loss", "planet_speed", "torque", "clutches")
+"""The figures of the Pareto list."""
+
+
+class RankedBox(NamedTuple):
+    """A found box in its place."""
+
+    found: MeasuredBox
+    family: int
+    """A number from 1; boxes of one family have equal ratios in all gears."""
+    pareto: bool
+    """Whether no other is better in one of `PARETO` and not worse in the others."""
+
+
+def ranked(
+    search: BoxSearch, boxes: Iterable[MeasuredBox], wanted: BoxFilter
+) -> tuple[RankedBox, ...]:
+    """The boxes that are wanted, each once, in their order.
+
+    Errors within the tolerance count as equal. Then by mean loss, largest torque, number of
+    clutches, planet speed and code. Families are numbered as they come.
+
+    Parameters
+    ----------
+    search : BoxSearch
+    boxes : iterable of MeasuredBox
+        In any order.
+    wanted : BoxFilter
+
+    Examples
+    --------
+    >>> from vstatics.synthesis.box import HELD, FoundBox
+    >>> from vstatics.synthesis.box_figures import measured
+    >>> from vstatics.synthesis.scheme import SetScheme
+    >>> scheme, search = SetScheme.of_code("0-1-2"), BoxSearch(1, 2, 1, (3.0, 1.0))
+    >>> boxes = [
+    ...     FoundBox(scheme, None, 0, 1, ((2, HELD), clutch), (-2.0,), ((0,), (1,)), 0.0)
+    ...     for clutch in [(1, 2), (0, 2), (0, 1)]
+    ... ]
+    >>> found = ranked(search, [measured(search, box, 0.98) for box in boxes], BoxFilter())
+    >>> [(one.found.box.elements[1], one.family, one.pareto) for one in found]
+    [((0, 1), 1, True), ((0, 2), 1, True), ((1, 2), 1, True)]
+    """
+    chosen = sorted(
+        _each_once(box for box in boxes if wanted.lets(box)), key=lambda box: _place(search, box)
+    )
+    if not chosen:
+        return ()
+    families = _families(np.array([[gear.ratio for gear in box.gears] for box in chosen]))
+    best = pareto(np.array([[_figure(box, name) for name in PARETO] for box in chosen]))
+    return tuple(RankedBox(*one) for one in zip(chosen, families, best.tolist(), strict=True))
+
+
+def family_count(boxes: Iterable[RankedBox]) -> int:
+    """The number of families among boxes."""
+    return len({box.family for box in boxes})
+
+
+def _each_once(boxes: Iterable[MeasuredBox]) -> Iterable[MeasuredBox]:
+    """Of those that are one up to renaming that with the least error."""
+    best: dict[tuple[Any, ...], MeasuredBox] = {}
+    for box in boxes:
+        key = identity(box.box)
+        if key not in best or _worth(box) < _worth(best[key]):
+            best[key] = box
+    return best.values()
+
+
+def _worth(box: MeasuredBox) -> tuple[Any, ...]:
+    """By which one of several fits is taken; the ratios settle it, whoever came first."""
+    return round(box.figures.error, DIGITS), round(box.figures.loss, DIGITS), box.box.ratios
+
+
+def _figure(box: MeasuredBox, name: str) -> float:
+    """A figure by which boxes are compared; one that none has does not matter."""
+    value = float(getattr(box.figures, name))
+    return 0.0 if math.isnan(value) else round(value, DIGITS)
+
+
+def _place(search: BoxSearch, box: MeasuredBox) -> tuple[Any, ...]:
+    """By which boxes are put in order."""
+    error = box.figures.error
+    figures = (_figure(box, name) for name in ("loss", "torque", "clutches", "planet_speed"))
+    return 0.0 if error <= search.tolerance else error, *figures, identity(box.box)
+
+
+def _families(ratios: Floats) -> list[int]:
+    """The family of each row of ratios, (boxes, gears), numbered as they come."""
+    groups = [np.arange(len(ratios))]
+    sizes = np.log(np.abs(ratios))
+    before = 0
+    while len(groups) > before:  # a box that goes may have filled a gap between others
+        before = len(groups)
+        for gear in sizes.T:
+            groups = [part for group in groups for part in _parted(group, gear)]
+    family = np.empty(len(ratios), np.intp)
+    for number, group in enumerate(sorted(groups, key=min), 1):
+        family[group] = number
+    found: list[int] = family.tolist()
+    return found
+
+
+def _parted(group: Any, sizes: Floats) -> list[Any]:
+    """A group of boxes, parted where the sizes of a gear have a gap."""
+    ordered = group[np.argsort(sizes[group], kind="stable")]
+    gaps = np.flatnonzero(np.diff(sizes[ordered]) > ALIKE) + 1
+    return np.split(ordered, gaps)
+
+
+def pareto(figures: Floats) -> Booleans:
+    """Which rows no other row is better than in one column, and not worse in any.
+
+    Parameters
+    ----------
+    figures : ndarray, shape (boxes, figures)
+        The less the better.
+
+    Returns
+    -------
+    ndarray, shape (boxes,)
+
+    Examples
+    --------
+    >>> pareto(np.array([[1.0, 3.0], [2.0, 2.0], [2.0, 3.0], [2.0, 2.0], [3.0, 1.0]]))
+    array([ True,  True, False,  True,  True])
+    """
+    order = np.lexsort(figures.T[::-1])
+    found = np.zeros(len(figures), np.bool_)
+    front = np.empty_like(figures)
+    size = 0
+    for row in order.tolist():  # whoever is better than a row stands before it
+        own = figures[row]
+        others = front[:size]
+        better = (others <= own).all(axis=1) & (others < own).any(axis=1)
+        if not better.any():
+            found[row] = True
+            front[size] = own
+            size += 1
+    return found
