@@ -101,6 +101,11 @@ def test_no_figure_without_what_it_is_of() -> None:
     assert found.figures.loss > 0  # the mean of all gears, as none is forward
 
 
+def test_a_gear_of_another_sign_meets_no_target() -> None:
+    found = measured(SIMPSON_SEARCH._replace(targets=(2.5, 1.5, 1.0, 2.1)), SIMPSON, 0.98)
+    assert found.figures.error == math.inf
+
+
 def test_a_box_goes_to_other_processes() -> None:
     found = measured(SIMPSON_SEARCH, SIMPSON, 0.98)
     assert pickle.loads(pickle.dumps(found)) == found  # noqa: S301

@@ -125,10 +125,16 @@ def measured(search: BoxSearch, box: FoundBox, efficiency: float) -> MeasuredBox
         )
         for gear in gears
     )
-    error = max(abs(math.log(abs(gear.ratio / gear.target))) for gear in told)
+    error = max(map(_error, told))
     figures = _figures(chosen, search.targets, gears, error)
     chosen = chosen._replace(error=error)
     return MeasuredBox(chosen, search.targets, efficiency, told, figures)
+
+
+def _error(gear: BoxGear) -> float:
+    """``|ln(i/target)|``; infinite where the solver finds no ratio of this sign."""
+    part = gear.ratio / gear.target
+    return abs(math.log(part)) if part > 0 else math.inf
 
 
 class _GearValues(NamedTuple):
