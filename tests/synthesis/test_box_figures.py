@@ -26,6 +26,7 @@ from vstatics.synthesis.box import HELD, BoxSearch, FoundBox
 from vstatics.synthesis.box_figures import MeasuredBox, measured
 from vstatics.synthesis.box_gears import Engaged, chosen_sets, equal_sets, set_ratios
 from vstatics.synthesis.box_planar import box_is_planar
+from vstatics.synthesis.scheme import SetScheme
 
 PUBLISHED = Path(__file__).parents[1] / "published"
 BUILT = {
@@ -99,6 +100,16 @@ def test_no_figure_without_what_it_is_of() -> None:
     assert math.isnan(found.figures.planet_speed)
     assert math.isnan(found.figures.slip)  # nothing is open
     assert found.figures.loss > 0  # the mean of all gears, as none is forward
+
+
+def test_planets_turn_where_their_carrier_is_held_for_good() -> None:
+    # ring 1 backward by half of the input, planets by twice: 1/((1 - p)/2) with p = 2;
+    # the second set, p = 2.5, stands on its sun: ratio -2 (1 + 1/2.5)
+    scheme = SetScheme(((0, 1, 2), (3, 4, 2)))
+    box = FoundBox(scheme, 1, 0, 4, ((3, HELD),), (-2.0, -2.5), ((0,),), 0.0)
+    found = measured(BoxSearch(2, 1, 1, (-2.8,), fixed=1), box, 0.98)
+    assert found.figures.error < 1e-12
+    assert found.figures.planet_speed == pytest.approx(2.0)
 
 
 def test_a_gear_of_another_sign_meets_no_target() -> None:

@@ -55,10 +55,8 @@ def box_case(box: FoundBox, targets: Sequence[float], efficiency: float) -> Tran
             for first, second in box.elements
         ],
         mechanisms=[
-            Mechanism(
-                number[sun], number[ring], number[carrier], ratio, efficiency, name=set_name(place)
-            )
-            for place, ((sun, carrier, ring), ratio) in enumerate(
+            _set(place, [number[link] for link in links_of_set], ratio, efficiency)
+            for place, (links_of_set, ratio) in enumerate(
                 zip(box.scheme.sets, box.ratios, strict=True), 1
             )
         ],
@@ -72,4 +70,13 @@ def box_case(box: FoundBox, targets: Sequence[float], efficiency: float) -> Tran
         name=f"box {box.scheme.code}",
         description=f"{assumed}, as assumed. {inertia}",
         inertias={number[box.input]: INERTIA, number[box.output]: INERTIA},
+    )
+
+
+def _set(place: int, links: Sequence[int], ratio: float, efficiency: float) -> Mechanism:
+    """A set by its number from 1; with its carrier held for good it has planets all the same."""
+    sun, carrier, ring = links
+    of_planet = (ratio + 1) / 2 if carrier == HOUSING and ratio < 0 and ratio != -1 else None
+    return Mechanism(
+        sun, ring, carrier, ratio, efficiency, planet_ratio=of_planet, name=set_name(place)
     )
