@@ -1,0 +1,382 @@
+"""All gearboxes of a small space for wanted ratios, by brute force.
+
+Nothing is shared with the program. Each ratio of a set stands in one row of the equations, so
+by Cramer's rule the speed of a link is, up to a common factor, a polynomial that is linear in
+each ratio. Its factors are whole numbers, read off determinants at ratios 0 and 1. A function
+that is linear in each variable has its extremes in a cell at the cell's corners; so it is
+*proved*, not sampled, in which cells of the bounds a gear can be within the tolerance of a
+target. Gears are chosen one after another as long as some cell is left for all of them. What
+is left at the end is fitted by scipy's least squares from many starts in these cells.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from functools import cache
+from itertools import combinations, permutations, product
+from typing import NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+from scipy.optimize import least_squares
+
+Array = npt.NDArray[np.float64]
+Code = tuple[int, ...]
+Pair = tuple[Array, Array]
+"""Of input and output."""
+HELD = -1
+"""The second link of a brake."""
+EPS = 1e-13
+STARTS = 16
+"""Fits of one choice of gears."""
+
+
+class Space(NamedTuple):
+    """What is asked: as the options of the command say it."""
+
+    sets: int
+    elements: int
+    engaged: int
+    targets: tuple[float, ...]
+    bounds: tuple[float, float] = (1.4, 5.0)
+    meshed: int = 0
+    own_input: bool = False
+    fixed: int = 0
+    tolerance: float = 0.01
+    cells: int = 16
+    """Along the ratio of each set."""
+
+    @property
+    def links(self) -> int:
+        """Of the scheme."""
+        return self.sets + self.engaged + (not self.own_input) + bool(self.fixed)
+
+
+class Frame(NamedTuple):
+    """A scheme with all that is chosen but the shift elements."""
+
+    code: Code
+    """Links of sun, carrier, ring of each set."""
+    meshed: tuple[bool, ...]
+    held: int
+    """`HELD` if none is."""
+    input: int
+    output: int
+
+    @property
+    def moving(self) -> list[int]:
+        """Links that can turn, an input of its own among them."""
+        links = set(self.code) | {self.input}
+        return sorted(links - {self.held})
+
+    @property
+    def possible(self) -> list[tuple[int, int]]:
+        """Brakes and clutches that it may have."""
+        brakes = [(one, HELD) for one in self.moving if one not in (self.input, self.output)]
+        return brakes + list(combinations(self.moving, 2))
+
+
+class Box(NamedTuple):
+    """A frame with shift elements, in the least of all names, and how near it comes."""
+
+    frame: Frame
+    elements: tuple[tuple[int, int], ...]
+    error: float
+    """The least of the largest |ln(i/target)| of all its minima."""
+    best: float
+    """That of the minimum with the least sum of squares."""
+    ratios: tuple[float, ...]
+    gears: tuple[tuple[tuple[int, int], ...], ...]
+    """Links of the engaged elements for each target, in the names of `found_as`."""
+    found_as: tuple[Frame, tuple[tuple[int, int], ...]]
+
+
+def codes(sets: int, links: int) -> Iterator[Code]:
+    """All schemes of so many links, each set with three of its own."""
+
+    def grown(code: Code) -> Iterator[Code]:
+        if len(code) == 3 * sets:
+            if max(code) + 1 == links:
+                yield code
+            return
+        own = code[len(code) // 3 * 3 :]
+        for link in range(max(code, default=-1) + 2):
+            if link not in own:
+                yield from grown((*code, link))
+
+    return grown(())
+
+
+def triples(code: Code) -> list[Code]:
+    """The links of each set."""
+    return [code[at : at + 3] for at in range(0, len(code), 3)]
+
+
+def hangs_together(code: Code) -> bool:
+    """Whether all sets are joined by links."""
+    reached, *left = map(set, triples(code))
+    while near := [one for one in left if one & reached]:
+        reached = reached.union(*near)
+        left = [one for one in left if not one & reached]
+    return not left
+
+
+def is_sound(code: Code) -> bool:
+    """Whether no group of sets turns as one piece."""
+    own = list(map(set, triples(code)))
+    groups = (group for size in range(1, len(own) + 1) for group in combinations(own, size))
+    return all(len(set().union(*group)) >= len(group) + 2 for group in groups)
+
+
+def names(
+    frame: Frame, elements: Sequence[tuple[int, int]]
+) -> Iterator[tuple[Frame, tuple[tuple[int, int], ...]]]:
+    """The same box under all names that its sets can have."""
+    own = triples(frame.code)
+    for order in permutations(range(len(own))):
+        new: dict[int, int] = {HELD: HELD}
+        for at in order:
+            for link in own[at]:
+                new.setdefault(link, len(new) - 1)
+        new.setdefault(frame.input, len(new) - 1)
+        renamed = Frame(
+            tuple(new[link] for at in order for link in own[at]),
+            tuple(frame.meshed[at] for at in order),
+            new[frame.held],
+            new[frame.input],
+            new[frame.output],
+        )
+        pairs = sorted(
+            (new[a], HELD) if b == HELD else (min(new[a], new[b]), max(new[a], new[b]))
+            for a, b in elements
+        )
+        yield renamed, tuple(pairs)
+
+
+def frames(space: Space) -> Iterator[Frame]:
+    """All schemes with meshed sets, held link and ports, each once."""
+    flags = [
+        tuple(at in some for at in range(space.sets))
+        for some in combinations(range(space.sets), space.meshed)
+    ]
+    for code in codes(space.sets, space.links):
+        if not is_sound(code) or not (space.fixed or hangs_together(code)):
+            continue
+        links = range(space.links)
+        held = [one for one in links if code.count(one) == space.fixed] if space.fixed else [HELD]
+        for meshed, still, input_, output in product(
+            flags, held, [space.links] if space.own_input else links, links
+        ):
+            frame = Frame(code, meshed, still, input_, output)
+            if len({still, input_, output}) == 3 and frame == min(names(frame, ()))[0]:
+                yield frame
+
+
+def polynomials(frame: Frame, choices: Sequence[Sequence[int]]) -> Array:
+    """Factors of the speeds of input and output for each choice of engaged elements.
+
+    Behind the axis of choices one for each set (0: without its ratio, 1: with it), then input
+    and output.
+    """
+    size, own = len(frame.moving), triples(frame.code)
+    turning = np.zeros((max(frame.moving) + 2, size))  # a row for each link, the last for `HELD`
+    for at, link in enumerate(frame.moving):
+        turning[link, at] = 1
+    speed = {link: turning[link] for link in {HELD, *frame.code, frame.input}}
+    corners = list(product((0, 1), repeat=len(own)))
+    matrix = np.zeros((len(choices), len(corners), 2, size, size))
+    for number, corner in enumerate(corners):
+        for at, ((a, h, b), k) in enumerate(zip(own, corner, strict=True)):
+            matrix[:, number, :, at] = speed[a] - k * speed[b] - (1 - k) * speed[h]
+    equal = np.array([speed[a] - speed[b] for a, b in frame.possible])
+    rows = equal[np.array(choices, dtype=np.intp)]
+    assert len(own) + rows.shape[1] == size - 1
+    matrix[:, :, :, len(own) : -1] = rows[:, np.newaxis, np.newaxis]
+    matrix[:, :, 0, -1] = speed[frame.input]
+    matrix[:, :, 1, -1] = speed[frame.output]
+    values = np.linalg.det(matrix)
+    exact = np.rint(values)
+    assert np.allclose(values, exact, atol=1e-6)
+    factors: Array = exact.reshape(len(choices), *(2,) * len(own), 2)
+    for axis in range(1, len(own) + 1):  # a + b K from its values at 0 and 1
+        low, high = np.moveaxis(factors, axis, 0)
+        factors = np.stack([low, high - low], axis)
+    return factors
+
+
+def valued(factors: Array, axes: Sequence[Array]) -> Array:
+    """A polynomial on the grid of the values of each ratio."""
+    for axis, ratios in enumerate(axes):
+        powers = np.stack([ratios**0, ratios], 1)
+        factors = np.moveaxis(np.tensordot(powers, factors, (1, axis)), 0, axis)
+    return factors
+
+
+def _cells(above: npt.NDArray[np.bool_]) -> npt.NDArray[np.bool_]:
+    """Whether it is so at all corners of each cell of a grid."""
+    for axis in range(above.ndim):
+        rolled = np.moveaxis(above, axis, 0)
+        above = np.moveaxis(rolled[1:] & rolled[:-1], 0, axis)
+    return above
+
+
+def reached(speeds: Pair, target: float, tolerance: float) -> int:
+    """The cells in which input/output can be within the tolerance of the target, as bits."""
+    low, high = (speeds[0] - target * math.exp(s * tolerance) * speeds[1] for s in (-1, 1))
+    never = _cells((low > 0) & (high > 0)) | _cells((low < 0) & (high < 0))
+    return int.from_bytes(np.packbits(~never.ravel()).tobytes(), "big")
+
+
+class Gear(NamedTuple):
+    """A choice of engaged elements that is a gear."""
+
+    engaged: frozenset[int]
+    input_speed: Array
+    output_speed: Array
+    cells: tuple[int, ...]
+    """For each target those in which it can have it."""
+
+    @property
+    def formula(self) -> tuple[int, ...]:
+        """The same for all that have one ratio whatever those of the sets are."""
+        both = [round(one) for one in (*self.input_speed.ravel(), *self.output_speed.ravel())]
+        common = math.gcd(*both) * (1 if next(filter(None, both)) > 0 else -1)
+        return tuple(one // common for one in both)
+
+
+Choice = tuple[tuple[Gear, ...], int]
+"""Gears, one for each target, and the cells that are left."""
+
+
+class Search:
+    """All boxes of one frame."""
+
+    def __init__(self, space: Space, frame: Frame) -> None:
+        self.space, self.frame = space, frame
+        least, most = map(math.log, space.bounds)
+        self.logarithms = np.linspace(least, most, space.cells + 1)
+        self.signs = [1.0 if one else -1.0 for one in frame.meshed]
+        self.gears = list(self._gears())
+
+    def _gears(self) -> Iterator[Gear]:
+        axes = [sign * np.exp(self.logarithms) for sign in self.signs]
+        ends = [axis[[0, -1]] for axis in axes]
+        space = self.space
+        choices = list(combinations(range(len(self.frame.possible)), space.engaged))
+        for some, factors in zip(choices, polynomials(self.frame, choices), strict=True):
+            pair = factors[..., 0], factors[..., 1]
+            if not (pair[0].any() and pair[1].any()):
+                continue
+            coarse = valued(pair[0], ends), valued(pair[1], ends)
+            wanted = [reached(coarse, one, space.tolerance) for one in space.targets]
+            if any(wanted):
+                fine = valued(pair[0], axes), valued(pair[1], axes)
+                cells = tuple(
+                    reached(fine, target, space.tolerance) if hope else 0
+                    for target, hope in zip(space.targets, wanted, strict=True)
+                )
+                if any(cells):
+                    yield Gear(frozenset(some), *pair, cells)
+
+    def choices(self) -> Iterator[Choice]:
+        """Gears for the targets that some cell allows, with these cells."""
+        targets = range(len(self.space.targets))
+        able = [[gear for gear in self.gears if gear.cells[n]] for n in targets]
+        order = sorted(targets, key=lambda n: len(able[n]))
+        chosen: dict[int, Gear] = {}
+
+        def grown(depth: int, used: frozenset[int], cells: int) -> Iterator[Choice]:
+            if depth == len(order):
+                if len(used) == self.space.elements:
+                    yield tuple(chosen[n] for n in targets), cells
+                return
+            for gear in able[order[depth]]:
+                left = cells & gear.cells[order[depth]]
+                both = used | gear.engaged
+                if (
+                    left
+                    and len(both) <= self.space.elements
+                    and all(gear.engaged != one.engaged for one in chosen.values())
+                ):
+                    chosen[order[depth]] = gear
+                    yield from grown(depth + 1, both, left)
+                    del chosen[order[depth]]
+
+        everywhere = (1 << 8 * math.ceil(self.space.cells**self.space.sets / 8)) - 1
+        if all(able):
+            yield from grown(0, frozenset(), everywhere)
+
+    def fitted(self, gears: Sequence[Gear], cells: int) -> list[tuple[float, float, Array]]:
+        """Minima: the sum of squares, the largest error, the ratios."""
+        count, sets = self.space.cells, self.space.sets
+        bits = np.frombuffer(cells.to_bytes(math.ceil(count**sets / 8), "big"), np.uint8)
+        places = np.argwhere(np.unpackbits(bits)[: count**sets].reshape((count,) * sets))
+        middle = (self.logarithms[1:] + self.logarithms[:-1]) / 2
+        centres = middle[places]
+        targets = np.array(self.space.targets)
+        factors = np.array([[one.input_speed.ravel(), one.output_speed.ravel()] for one in gears])
+
+        def off(x: Array) -> Array:
+            terms = np.ones(1)
+            for sign, one in zip(self.signs, np.exp(x), strict=True):
+                terms = np.multiply.outer(terms, np.array([1.0, sign * one])).ravel()
+            speeds = factors @ terms
+            with np.errstate(divide="ignore", invalid="ignore"):
+                gaps: Array = np.log(speeds[:, 0] / speeds[:, 1] / targets)
+            return np.where(np.isfinite(gaps), gaps, 1e3)
+
+        squares = [float((off(x) ** 2).sum()) for x in centres]
+        nearest = np.argsort(squares)[:STARTS]
+        limits = (self.logarithms[0], self.logarithms[-1])
+        minima = []
+        for at in nearest:
+            if squares[at] >= 1e6:
+                continue
+            found = least_squares(off, centres[at], bounds=limits, xtol=EPS, ftol=EPS, gtol=EPS)
+            gaps = off(found.x)
+            ratios = np.exp(found.x) * self.signs
+            minima.append((float(gaps @ gaps), float(abs(gaps).max()), ratios))
+        return minima
+
+
+def found_in(space: Space, frame: Frame) -> list[Box]:
+    """The boxes of a frame with an error of no more than 1.05 times the tolerance."""
+    search = Search(space, frame)
+    boxes: dict[object, Box] = {}
+    known: dict[object, list[tuple[float, float, Array]]] = {}
+    for gears, cells in search.choices():
+        formulas = tuple(one.formula for one in gears)
+        if formulas not in known:
+            known[formulas] = search.fitted(gears, cells)
+        minima = known[formulas]
+        if not minima:
+            continue
+        best = min(minima, key=lambda one: one[0])[1]
+        _, error, ratios = min(minima, key=lambda one: one[1])
+        if error > 1.05 * space.tolerance:
+            continue
+        used = frozenset().union(*(one.engaged for one in gears))
+        elements = tuple(frame.possible[at] for at in sorted(used))
+        name = min(names(frame, elements))
+        if name in boxes and boxes[name].error <= error:
+            continue
+        chosen = tuple(tuple(frame.possible[at] for at in sorted(one.engaged)) for one in gears)
+        boxes[name] = Box(*name, error, best, tuple(ratios.tolist()), chosen, (frame, elements))
+    return [boxes[name] for name in sorted(boxes)]  # type: ignore[type-var]
+
+
+@cache
+def all_frames(space: Space) -> tuple[Frame, ...]:
+    """Those of `frames`."""
+    return tuple(frames(space))
+
+
+def searched(space: Space) -> int:
+    """Frames times choices of elements."""
+    return sum(math.comb(len(one.possible), space.elements) for one in all_frames(space))
+
+
+def found(space: Space) -> list[Box]:
+    """All boxes, those near the tolerance too."""
+    return [box for frame in all_frames(space) for box in found_in(space, frame)]
