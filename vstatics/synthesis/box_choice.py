@@ -8,14 +8,21 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from vstatics.numerics.arrays import Booleans, Floats
+from vstatics.numerics.arrays import Booleans, Floats, Integers
+from vstatics.numerics.tolerances import SAME
 from vstatics.synthesis.box import BoxSearch
-from vstatics.synthesis.box_figures import DIGITS, MeasuredBox
+from vstatics.synthesis.box_figures import DIGITS, BoxFigures, MeasuredBox
 from vstatics.synthesis.box_filter import BoxFilter
 from vstatics.synthesis.box_least import identity
 
-ALIKE = 1e-6
+ALIKE = 1e-5
 """Ratios of a gear that differ by less than this part are one: they are fitted."""
+EQUAL_FIGURES = 1e-7
+"""Figures that differ by less than this part, or as much, are equal: they follow from fits."""
+NUMBERS = BoxFigures._fields.index("single")
+"""So many figures are numbers."""
+ORDER = ("error", "loss", "torque", "clutches", "planet_speed")
+"""The figures by which boxes stand in order."""
 PARETO = ("loss", "planet_speed", "torque", "clutches")
 """The figures of the Pareto list."""
 
@@ -59,14 +66,23 @@ def ranked(
     >>> [(one.found.box.elements[1], one.family, one.pareto) for one in found]
     [((0, 1), 1, True), ((0, 2), 1, True), ((1, 2), 1, True)]
     """
-    chosen = sorted(
-        _each_once(box for box in boxes if wanted.lets(box)), key=lambda box: _place(search, box)
-    )
+    there = (box for box in boxes if box.figures.error < math.inf)
+    chosen = list(_each_once(box for box in there if wanted.lets(box)))
     if not chosen:
         return ()
-    families = _families(np.array([[gear.ratio for gear in box.gears] for box in chosen]))
-    best = pareto(np.array([[_figure(box, name) for name in PARETO] for box in chosen]))
-    return tuple(RankedBox(*one) for one in zip(chosen, families, best.tolist(), strict=True))
+    sizes = np.array([box.figures[:NUMBERS] for box in chosen], np.float64)
+    within = sizes[:, 0] <= search.tolerance * (1 + SAME)
+    sizes[within, 0] = 0.0
+    places = dict(zip(BoxFigures._fields, map(_places, sizes.T), strict=False))
+    keys = (places[name].tolist() for name in ORDER)
+    order = sorted(zip(*keys, map(_name, chosen), range(len(chosen)), strict=True))
+    rows = [row for *_, row in order]
+    families = _families(np.array([[gear.ratio for gear in chosen[row].gears] for row in rows]))
+    best = pareto(np.array([places[name] for name in PARETO]).T[rows])
+    return tuple(
+        RankedBox(chosen[row], family, is_best)
+        for row, family, is_best in zip(rows, families, best.tolist(), strict=True)
+    )
 
 
 def family_count(boxes: Iterable[RankedBox]) -> int:
@@ -89,17 +105,19 @@ def _worth(box: MeasuredBox) -> tuple[Any, ...]:
     return round(box.figures.error, DIGITS), round(box.figures.loss, DIGITS), box.box.ratios
 
 
-def _figure(box: MeasuredBox, name: str) -> float:
-    """A figure by which boxes are compared; one that none has does not matter."""
-    value = float(getattr(box.figures, name))
-    return 0.0 if math.isnan(value) else round(value, DIGITS)
+def _name(box: MeasuredBox) -> tuple[Any, ...]:
+    """What puts boxes of equal figures in order."""
+    return identity(box.box)
 
 
-def _place(search: BoxSearch, box: MeasuredBox) -> tuple[Any, ...]:
-    """By which boxes are put in order."""
-    error = box.figures.error
-    figures = (_figure(box, name) for name in ("loss", "torque", "clutches", "planet_speed"))
-    return 0.0 if error <= search.tolerance else error, *figures, identity(box.box)
+def _places(values: Floats) -> Integers:
+    """The place of each value among those that differ; one that does not exist is 0."""
+    known = np.nan_to_num(values)
+    order = np.argsort(known, kind="stable")
+    gaps = np.diff(known[order]) > EQUAL_FIGURES * (1 + np.abs(known[order][:-1]))
+    places = np.empty(len(values), np.int64)
+    places[order] = np.concatenate([[0], np.cumsum(gaps)])
+    return places
 
 
 def _families(ratios: Floats) -> list[int]:
@@ -125,7 +143,7 @@ def _parted(group: Any, sizes: Floats) -> list[Any]:
     return np.split(ordered, gaps)
 
 
-def pareto(figures: Floats) -> Booleans:
+def pareto(figures: Floats | Integers) -> Booleans:
     """Which rows no other row is better than in one column, and not worse in any.
 
     Parameters
