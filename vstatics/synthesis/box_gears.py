@@ -15,7 +15,7 @@ Engaged = tuple[int, ...]
 EQUAL = 1e-9
 """Ratios of the same numbers that differ by less than this part are one."""
 SINGULAR = 1e-9
-"""Elements that leave more than one motion have a singular value below this part of the largest."""
+"""Elements that leave more than one motion have a singular value below this."""
 STANDS = 1e-9
 """A speed below this part of the largest is none."""
 
@@ -85,7 +85,7 @@ def set_ratios(box: FoundBox, sets: Sequence[Engaged]) -> Floats:
     speeds = turned[:, -1] @ basis
     inputs, outputs = speeds[:, box.input], speeds[:, box.output]
     turns = np.minimum(np.abs(inputs), np.abs(outputs)) > STANDS * np.abs(speeds).max(axis=1)
-    is_one = sizes[:, -1] > SINGULAR * sizes[:, 0]
+    is_one = sizes[:, -1] > SINGULAR  # of rows no longer than 2, on an orthonormal basis
     with np.errstate(all="ignore"):
         return np.asarray(np.where(turns & is_one, inputs / outputs, np.nan))
 
