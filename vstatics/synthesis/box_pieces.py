@@ -1,0 +1,221 @@
+"""The search for boxes, cut into pieces that can be done apart."""
+
+from __future__ import annotations
+
+import math
+from functools import cache, lru_cache
+from itertools import combinations
+from typing import NamedTuple
+
+import numpy as np
+
+from vstatics.numerics.arrays import Floats, Integers
+from vstatics.synthesis.box import HELD, BoxSearch, FoundBox
+from vstatics.synthesis.box_cells import cell_room
+from vstatics.synthesis.box_elements import Combinations, set_room
+from vstatics.synthesis.box_fit import Asked
+from vstatics.synthesis.box_kernel import Room, boxes_of_ports
+from vstatics.synthesis.box_minors import gear_speeds
+from vstatics.synthesis.box_schemes import BoxScheme, box_schemes
+from vstatics.synthesis.box_speeds import SpeedBases, speed_bases
+
+AT_ONCE = 500
+"""A piece has about so many choices of ports."""
+ROOM = 4096
+"""So many sets of elements there is room for at first."""
+ROUNDING = 1e-9
+"""The same speeds differ by less; of the gears of one scheme no two agree so well by chance. [-]"""
+MARGIN = 1e-9
+"""Targets are looked for that much further than the tolerance. [-]"""
+
+
+class FoundPiece(NamedTuple):
+    """What a piece of the search found."""
+
+    searched: int
+    """Boxes that there are in it."""
+    boxes: tuple[FoundBox, ...]
+
+
+def cut(search: BoxSearch) -> int:
+    """The number of pieces, each of schemes of its own.
+
+    >>> cut(BoxSearch(1, 2, 1, (3.0, 1.0)))
+    1
+    """
+    return len(_pieces(search))
+
+
+def found_in(search: BoxSearch, piece: int) -> FoundPiece:
+    """What is found in a piece.
+
+    Parameters
+    ----------
+    search : BoxSearch
+    piece : int
+        From 0.
+
+    Examples
+    --------
+    A set with its ring held, where p = 2 makes 3, and one that is locked:
+
+    >>> found = found_in(BoxSearch(1, 2, 1, (3.0, 1.0)), 0)
+    >>> found.searched, len(found.boxes)
+    (36, 3)
+    """
+    searched = 0
+    boxes: list[FoundBox] = []
+    for one in _pieces(search)[piece]:
+        ports = _PortSearch(search, one)
+        for first, last in one.ports:
+            boxes += ports.boxes(first, last)
+        searched += ports.searched
+    return FoundPiece(searched, tuple(boxes))
+
+
+@lru_cache(maxsize=4)
+def _pieces(search: BoxSearch) -> list[list[BoxScheme]]:
+    """The schemes of each piece."""
+    pieces: list[list[BoxScheme]] = []
+    room = 0
+    for one in box_schemes(search):
+        if room <= 0:
+            pieces.append([])
+            room = AT_ONCE
+        pieces[-1].append(one)
+        room -= len(one.ports)
+    return pieces
+
+
+class _PortSearch:
+    """The search in one scheme, for any of its ports."""
+
+    def __init__(self, search: BoxSearch, one: BoxScheme) -> None:
+        """Find the speeds in all gears that there may be."""
+        self.search = search
+        self.scheme = one
+        self.bases = speed_bases(search, one)
+        self.table = _table(len(self.bases.moving), search.engaged, search.elements)
+        self.way, self.speeds = _speeds(self.bases, self.table)
+        self.searched = 0
+
+    def boxes(self, first: int, last: int) -> list[FoundBox]:
+        """All boxes with these links as input and output."""
+        search, table = self.search, self.table
+        ports = self.bases.moving.index(first), self.bases.moving.index(last)
+        ends = enumerate(table.ends.tolist())
+        there = [number for number, (one, other) in ends if other >= 0 or one not in ports]
+        self.searched += math.comb(len(there), search.elements)
+        asked, most = _asked(search), ROOM
+        while True:
+            room = _room(search, most)
+            bits = sum(1 << number for number in there)
+            arrays = table, self.way, self.speeds, ports, bits, asked, room
+            found, count = boxes_of_ports(*arrays)
+            if count >= 0:
+                return [self._box(room, row, first, last) for row in range(found)]
+            most *= 4
+
+    def _box(self, room: Room, row: int, first: int, last: int) -> FoundBox:
+        """A box of a row of the results; its brakes stand first."""
+        moving = self.bases.moving
+        signs = np.where(self.scheme.meshed, 1.0, -1.0)
+        numbers = room.found[row].tolist()
+        elements = tuple(
+            (moving[one], moving[other] if other >= 0 else HELD)
+            for one, other in self.table.ends[numbers].tolist()
+        )
+        return FoundBox(
+            self.scheme.scheme,
+            self.scheme.held,
+            first,
+            last,
+            elements,
+            tuple((signs * np.exp(room.logs[row])).tolist()),
+            tuple(tuple(self.table.places[one].tolist()) for one in room.gears[row].tolist()),
+            float(room.errors[row]),
+        )
+
+
+def _speeds(bases: SpeedBases, table: Combinations) -> tuple[Integers, Floats]:
+    """The different speeds that gears can have, and which of them each combination gives.
+
+    They are compared at the point within; only the different ones are found at the corners.
+    """
+    points, links, free = bases.speeds.shape
+    minors = np.zeros(2**free)
+    within = np.zeros((len(table.members), links, 1))
+    gear_speeds(bases.speeds[-1:], bases.factors[-1:], table.ends, table.members, minors, within)
+    sizes = np.abs(within).max(axis=1)
+    unit = within[:, :, 0] / np.where(sizes > ROUNDING, sizes, np.inf)
+    keys = np.abs(unit @ _KEYS[: 2 * links].reshape(links, 2))
+    numbers = np.round(keys / ROUNDING)
+    _, which, way = np.unique(numbers[:, 0] + 1j * numbers[:, 1], return_index=True, return_inverse=True)
+    found = np.zeros((len(which), links, points))
+    gear_speeds(bases.speeds, bases.factors, table.ends, table.members[which], minors, found)
+    found /= np.where(sizes[which] > ROUNDING, sizes[which], np.inf)[:, :, None]
+    return way.astype(np.int64).reshape(-1), found
+
+
+_KEYS = np.sqrt(np.arange(2, 66)) % 1 - 0.3
+
+
+@cache
+def _table(links: int, engaged: int, size: int) -> Combinations:
+    """All brakes, clutches and their combinations, with so many moving links."""
+    ends = [(link, HELD) for link in range(links)] + list(combinations(range(links), 2))
+    members = _ascending(len(ends), engaged)
+    rests = [
+        [_number(one[:place] + one[place + 1 :]) for place in range(engaged)] for one in members
+    ]
+    ranks = [[math.comb(one, place) for place in range(engaged + 1)] for one in range(len(ends))]
+    starts = [math.comb(place, engaged) for place in range(size + 1)]
+    places = _ascending(size, engaged)
+    arrays = (np.array(one, np.int64) for one in (ends, members, rests, ranks, places, starts))
+    return Combinations(*arrays)
+
+
+def _ascending(number: int, size: int) -> list[tuple[int, ...]]:
+    """All choices of so many of a number, ordered by the last, then the one before."""
+    return sorted(combinations(range(number), size), key=lambda one: one[::-1])
+
+
+def _number(chosen: tuple[int, ...]) -> int:
+    """Where a choice stands among all."""
+    return sum(math.comb(one, place) for place, one in enumerate(chosen, 1))
+
+
+@cache
+def _asked(search: BoxSearch) -> Asked:
+    """What is asked, as arrays."""
+    targets = np.array(search.targets, dtype=float)
+    factor = math.exp(search.tolerance + MARGIN)
+    ends = np.sort([targets / factor, targets * factor], axis=0)
+    return Asked(targets, ends[0], ends[1], search.tolerance, *search.bounds)
+
+
+@lru_cache(maxsize=2)
+def _room(search: BoxSearch, most: int) -> Room:
+    """Room for the boxes of a choice of ports."""
+    table = _table(_moving(search), search.engaged, search.elements)
+    targets, sets = len(search.targets), search.sets
+    all_of_them = len(table.places)
+    return Room(
+        sets=set_room(table, targets),
+        cells=cell_room(all_of_them, targets, sets),
+        found=np.zeros((most, search.elements), np.int64),
+        gears=np.zeros((most, targets), np.int64),
+        logs=np.zeros((most, sets)),
+        errors=np.zeros(most),
+        reach=np.zeros(len(table.members), np.int64),
+        ratios=np.zeros(len(table.members)),
+        parts=np.zeros((all_of_them, 2, 2**sets)),
+        ratio_of=np.zeros(all_of_them, np.int64),
+        chosen=np.zeros(targets, np.int64),
+        came=np.zeros((targets + 1, 2**search.elements), np.int64),
+    )
+
+
+def _moving(search: BoxSearch) -> int:
+    """Moving links of every scheme, the input shaft among them."""
+    return search.links - bool(search.fixed) + search.own_input
