@@ -21,6 +21,8 @@ from vstatics.synthesis.box_ranges import has_one_sign, reached
 SPREADS = np.array([0.5, 0.2, 0.06])
 """A fit is tried when ln(i) of all gears chosen spreads by less than the first in a cell, again
 below each of the others; what has not been found then is not there. [-]"""
+NARROW = 1.05
+"""A cell is not halved further along a ratio whose bounds are so near. [-]"""
 MOST_CELLS = 200_000
 """Cells of one set of elements, where ratios are such that nothing can be told."""
 MOST_WAYS = 24
@@ -109,6 +111,9 @@ def solved(
             continue
         stage = room.stages[top]
         spread = _spread(cell, room.chosen)
+        number = _longest(cell, room.chosen, sets, room.low[top], room.high[top])
+        if number < 0:
+            stage, spread = 0, 0.0
         if stage < len(SPREADS) and spread <= SPREADS[stage]:
             while stage < len(SPREADS) and spread <= SPREADS[stage]:
                 stage += 1
@@ -125,7 +130,7 @@ def solved(
             if error < math.inf or stage == len(SPREADS):
                 continue
         if room.depths[top] < DEEPEST:
-            _halve(room, count, top, _longest(cell, room.chosen, sets))
+            _halve(room, count, top, number)
             top += 2
     return best
 
@@ -147,11 +152,13 @@ def _spread(cell: Floats, chosen: Integers) -> float:
 
 
 @compiled
-def _longest(cell: Floats, chosen: Integers, sets: int) -> int:
-    """The set along whose ratio the chosen ratios change most."""
-    best = -1.0
-    found = 0
+def _longest(cell: Floats, chosen: Integers, sets: int, low: Floats, high: Floats) -> int:
+    """The set along whose ratio the chosen ratios change most; -1 if the cell is too narrow."""
+    best = 0.0
+    found = -1
     for number in range(sets):
+        if high[number] < NARROW * low[number]:
+            continue
         total = 0.0
         for ratio in chosen:
             most = 0.0

@@ -70,6 +70,8 @@ class SetRoom(NamedTuple):
     """Shape (depths, combinations of a set). [-]"""
     reach: Integers
     """Targets of the ratios, as bits, shape (depths, combinations of a set)."""
+    barred: Integers
+    """Elements that no set may have besides, as bits, shape (depths,)."""
     chosen: Integers
     """The elements, shape (depths,)."""
     pairs: Integers
@@ -92,6 +94,7 @@ def set_room(table: Combinations, targets: int) -> SetRoom:
         counts=zeros(depths),
         ratios=np.zeros((depths, all_of_them)),
         reach=zeros(depths, all_of_them),
+        barred=zeros(depths),
         chosen=zeros(depths),
         pairs=zeros(targets),
     )
@@ -172,6 +175,7 @@ def _placed(reach: Integers, ratio: int, targets: int, chosen: Integers) -> bool
 def element_sets(
     table: Combinations,
     way: Integers,
+    still: Integers,
     reach: Integers,
     ratios: Floats,
     allowed: int,
@@ -185,6 +189,9 @@ def element_sets(
     table : Combinations
     way : array, shape (combinations,)
         Which of the speeds that gears can have each of them gives.
+    still : array, shape (speeds,)
+        Elements that do not slip at each, as bits. With one more of them a set has as many
+        equal ratios as are engaged; where that are too many, no set has it.
     reach, ratios : array, shape (speeds,)
         Targets of each, as bits; its ratio at a point within. [-]
     allowed : int
@@ -204,6 +211,8 @@ def element_sets(
     room.missing[0, :] = 0
     if table.places.shape[1] == 1:
         _without(room.missing, 0, ~room.rows[0])
+    is_strict = spare < table.places.shape[1]
+    room.barred[0] = 0
     room.gone[0] = 0
     room.counts[0] = 0
     room.coming[0] = allowed & ~room.missing[0, spare]
@@ -220,7 +229,9 @@ def element_sets(
         if depth + 1 < size:
             depth += 1
             _find_missing(table, room, depth)
-            after = allowed & ~(2 * lowest - 1)
+            if is_strict:
+                _bar(table, way, still, room, depth)
+            after = allowed & ~(2 * lowest - 1) & ~room.barred[depth]
             room.coming[depth] = after & ~room.missing[depth, spare - room.gone[depth]]
         elif matched(room.reach[size], room.counts[size], len(room.pairs), room.pairs):
             if count == len(found):
@@ -269,6 +280,15 @@ def _one_more(
     room.gone[after] = gone
     room.counts[after] = count
     return True
+
+
+@compiled
+def _bar(table: Combinations, way: Integers, still: Integers, room: SetRoom, depth: int) -> None:
+    """Bar what does not slip in a gear of the elements chosen, so many as `depth`."""
+    barred = room.barred[depth - 1]
+    for subset in range(table.starts[depth - 1], table.starts[depth]):
+        barred |= still[way[number_of(table, room.chosen, subset)]]
+    room.barred[depth] = barred
 
 
 @compiled

@@ -12,7 +12,7 @@ from vstatics.numerics.compiled import compiled
 from vstatics.synthesis.box_cells import CellRoom, solved
 from vstatics.synthesis.box_elements import SAME, Combinations, SetRoom, element_sets, number_of
 from vstatics.synthesis.box_fit import Asked
-from vstatics.synthesis.box_ranges import reached
+from vstatics.synthesis.box_ranges import divide, has_one_sign, reached
 
 ZERO = 1e-11
 """What is smaller, in terms of the largest speed in a gear, is nothing. [-]"""
@@ -35,6 +35,8 @@ class Room(NamedTuple):
     """Targets that gears of some speeds reach, as bits, shape (speeds,)."""
     ratios: Floats
     """Their ratios at a point within, shape (speeds,). [-]"""
+    lines: Floats
+    """See `lines`, shape (corners, sets)."""
     parts: Floats
     """Numerators and denominators of a set, shape (combinations of a set, 2, corners)."""
     ratio_of: Integers
@@ -50,6 +52,7 @@ def boxes_of_ports(
     table: Combinations,
     way: Integers,
     speeds: Floats,
+    still: Integers,
     ports: tuple[int, int],
     elements: int,
     asked: Asked,
@@ -64,6 +67,8 @@ def boxes_of_ports(
         The row of speeds that each combination gives.
     speeds : array, shape (speeds, links, points)
         Polynomials at the corners of the bounds, then at a point within.
+    still : array, shape (speeds,)
+        Elements that do not slip, as bits.
     ports : int, int
         Input and output.
     elements : int
@@ -76,15 +81,16 @@ def boxes_of_ports(
     int, int
         How many boxes, and of how many sets of elements; below 0 if there was no room.
     """
-    find_reach(speeds, ports, asked, room.reach, room.ratios)
-    count = element_sets(table, way, room.reach, room.ratios, elements, room.sets, room.found)
+    find_reach(speeds, ports, asked, room)
+    reach, ratios = room.reach, room.ratios
+    count = element_sets(table, way, still, reach, ratios, elements, room.sets, room.found)
     every = room.came.shape[1] - 1
     found = 0
     for number in range(count):
         elements_of = room.found[number]
-        ratios = _different(table, way, speeds, ports, elements_of, room)
+        different = _different(table, way, speeds, ports, elements_of, room)
         logs, gears = room.logs[found], room.gears[found]
-        error = solved(room.parts[:ratios], asked, room.cells, logs, room.chosen)
+        error = solved(room.parts[:different], asked, room.cells, logs, room.chosen)
         if error < math.inf and _all_used(table, room, every, gears):
             room.errors[found] = error
             for place in range(len(elements_of)):
@@ -94,18 +100,21 @@ def boxes_of_ports(
 
 
 @compiled
-def find_reach(
-    speeds: Floats, ports: tuple[int, int], asked: Asked, reach: Integers, ratios: Floats
-) -> None:
+def find_reach(speeds: Floats, ports: tuple[int, int], asked: Asked, room: Room) -> None:
     """Which targets gears of some speeds reach, and their ratios within."""
     corners = speeds.shape[2] - 1
     for which in range(len(speeds)):
         first, last = speeds[which, ports[0]], speeds[which, ports[1]]
-        reach[which] = 0
+        room.reach[which] = 0
         if abs(first[corners]) > ZERO and abs(last[corners]) > ZERO:
-            ratios[which] = first[corners] / last[corners]
+            room.ratios[which] = first[corners] / last[corners]
             above, below = first[:corners], last[:corners]
-            reach[which] = reached(above, below, asked.least, asked.most)
+            if not (has_one_sign(above) or has_one_sign(below)):
+                room.parts[0, 0] = above
+                room.parts[0, 1] = below
+                above, below = room.parts[0, 0], room.parts[0, 1]
+                divide(above, below, room.lines)
+            room.reach[which] = reached(above, below, asked.least, asked.most)
 
 
 @compiled
@@ -134,6 +143,7 @@ def _different(
                 for corner in range(corners):
                     room.parts[count, 0, corner] = speeds[which, ports[0], corner]
                     room.parts[count, 1, corner] = speeds[which, ports[1], corner]
+                divide(room.parts[count, 0], room.parts[count, 1], room.lines)
                 count += 1
     return count
 

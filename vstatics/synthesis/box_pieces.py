@@ -16,6 +16,7 @@ from vstatics.synthesis.box_elements import Combinations, set_room
 from vstatics.synthesis.box_fit import Asked
 from vstatics.synthesis.box_kernel import Room, boxes_of_ports
 from vstatics.synthesis.box_minors import gear_speeds
+from vstatics.synthesis.box_ranges import lines
 from vstatics.synthesis.box_schemes import BoxScheme, box_schemes
 from vstatics.synthesis.box_speeds import SpeedBases, speed_bases
 
@@ -27,6 +28,11 @@ ROUNDING = 1e-9
 """The same speeds differ by less; of the gears of one scheme no two agree so well by chance. [-]"""
 MARGIN = 1e-9
 """Targets are looked for that much further than the tolerance. [-]"""
+
+
+def prepare() -> None:
+    """Compile what searches need, which takes some seconds where it has not been kept."""
+    found_in(BoxSearch(1, 2, 1, (3.0, 1.0)), 0)
 
 
 class FoundPiece(NamedTuple):
@@ -97,6 +103,7 @@ class _PortSearch:
         self.bases = speed_bases(search, one)
         self.table = _table(len(self.bases.moving), search.engaged, search.elements)
         self.way, self.speeds = _speeds(self.bases, self.table)
+        self.still = _still(self.speeds[:, :, -1], self.table)
         self.searched = 0
 
     def boxes(self, first: int, last: int) -> list[FoundBox]:
@@ -110,7 +117,7 @@ class _PortSearch:
         while True:
             room = _room(search, most)
             bits = sum(1 << number for number in there)
-            arrays = table, self.way, self.speeds, ports, bits, asked, room
+            arrays = table, self.way, self.speeds, self.still, ports, bits, asked, room
             found, count = boxes_of_ports(*arrays)
             if count >= 0:
                 return [self._box(room, row, first, last) for row in range(found)]
@@ -155,6 +162,13 @@ def _speeds(bases: SpeedBases, table: Combinations) -> tuple[Integers, Floats]:
     gear_speeds(bases.speeds, bases.factors, table.ends, table.members[which], minors, found)
     found /= np.where(sizes[which] > ROUNDING, sizes[which], np.inf)[:, :, None]
     return way.astype(np.int64).reshape(-1), found
+
+
+def _still(speeds: Floats, table: Combinations) -> Integers:
+    """Elements that do not slip at some speeds, as bits, shape (speeds,)."""
+    with_housing = np.column_stack([speeds, np.zeros(len(speeds))])  # HELD is the last column
+    slips = with_housing[:, table.ends[:, 0]] - with_housing[:, table.ends[:, 1]]
+    return np.asarray((np.abs(slips) < ROUNDING) @ (1 << np.arange(len(table.ends))))
 
 
 _KEYS = np.sqrt(np.arange(2, 66)) % 1 - 0.3
@@ -209,6 +223,7 @@ def _room(search: BoxSearch, most: int) -> Room:
         errors=np.zeros(most),
         reach=np.zeros(len(table.members), np.int64),
         ratios=np.zeros(len(table.members)),
+        lines=lines(sets),
         parts=np.zeros((all_of_them, 2, 2**sets)),
         ratio_of=np.zeros(all_of_them, np.int64),
         chosen=np.zeros(targets, np.int64),

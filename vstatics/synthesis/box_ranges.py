@@ -7,8 +7,13 @@ corners; and a polynomial of this kind has no zero within if it has one sign at 
 
 from __future__ import annotations
 
+import numpy as np
+
 from vstatics.numerics.arrays import Floats
 from vstatics.numerics.compiled import compiled
+
+INDEPENDENT = 1e-10
+"""A quotient does not depend on a ratio if it is as equal at both its ends. [-]"""
 
 
 @compiled
@@ -69,3 +74,69 @@ def _within(numerator: Floats, denominator: Floats, low: Floats, high: Floats) -
         if least <= high[target] and most >= low[target]:
             found |= 1 << target
     return found
+
+
+@compiled
+def divide(above: Floats, below: Floats, within: Floats) -> None:
+    """Take out a common factor of numerator and denominator, in place.
+
+    Both are linear in each ratio. So a factor has ratios that the cofactor doesn't have, and
+    the quotient does not depend on these: they take the value where the factor is largest.
+
+    Parameters
+    ----------
+    above, below : array, shape (corners,)
+    within : array, shape (corners, sets)
+        For each ratio how the corners weigh on a line along it: they add to 0 and 1 at its
+        ends, where bit j of the corner's number is clear or set.
+
+    Examples
+    --------
+    >>> above = np.array([1.0, -1.0])  # (k - 1/2) 2 / (k - 1/2)
+    >>> below = np.array([0.5, -0.5])
+    >>> divide(above, below, np.ones((2, 1)))
+    >>> above, below
+    (array([1., 1.]), array([0.5, 0.5]))
+    """
+    corners, sets = within.shape
+    factor = 0
+    for number in range(sets):
+        first_above = first_below = last_above = last_below = 0.0
+        for corner in range(corners):
+            weight = within[corner, number]
+            if (corner >> number) & 1:
+                last_above += weight * above[corner]
+                last_below += weight * below[corner]
+            else:
+                first_above += weight * above[corner]
+                first_below += weight * below[corner]
+        one, other = first_above * last_below, last_above * first_below
+        if abs(one - other) <= INDEPENDENT * (abs(one) + abs(other)):
+            factor |= 1 << number
+    if factor == 0:
+        return
+    best, most = 0, -1.0
+    for start in range(corners):
+        if start & ~factor == 0:
+            total = 0.0
+            for corner in range(corners):
+                if corner & factor == start:
+                    total += abs(below[corner])
+            if total > most:
+                best, most = start, total
+    for corner in range(corners):
+        above[corner] = above[(corner & ~factor) | best]
+        below[corner] = below[(corner & ~factor) | best]
+
+
+def lines(sets: int) -> Floats:
+    """Weights of the corners for `divide`, on lines through a point within, (corners, sets).
+
+    >>> lines(2)[:, 0]  # along the first, at one place of the second
+    array([0.58578644, 0.58578644, 0.41421356, 0.41421356])
+    """
+    places = np.sqrt(np.array([3, 2, 5, 7, 11, 13, 17, 19, 23, 29][:sets])) % 1
+    bits = (np.arange(2**sets)[:, None] >> np.arange(sets)) & 1
+    weights = np.where(bits, places, 1 - places)
+    others = [np.delete(weights, number, axis=1).prod(axis=1) for number in range(sets)]
+    return np.stack(others, axis=1)
