@@ -28,16 +28,9 @@ def _cache() -> str:
     return folder
 
 
-numba.config.CACHE_DIR = _cache()
+numba.config.CACHE_DIR = _cache()  # type: ignore[attr-defined]
 
 
 def compiled(function: Compiled) -> Compiled:
-    """A function that is compiled when it is called first; the machine code is kept.
-
-    >>> @compiled
-    ... def half(number):
-    ...     return number / 2
-    >>> half(3)
-    1.5
-    """
+    """A function that is compiled when it is called first; the machine code is kept."""
     return cast(Compiled, numba.njit(function, nogil=True, error_model="numpy", cache=True))

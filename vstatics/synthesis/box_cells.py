@@ -14,9 +14,10 @@ import numpy as np
 
 from vstatics.numerics.arrays import Booleans, Floats, Integers
 from vstatics.numerics.compiled import compiled
-from vstatics.synthesis.box_elements import matched
+from vstatics.synthesis.box_elements import Combinations, matched
 from vstatics.synthesis.box_fit import NOTHING, Asked, FitRoom, fit_room, fitted
 from vstatics.synthesis.box_ranges import has_one_sign, reached
+from vstatics.synthesis.box_use import all_used
 
 SPREADS = np.array([0.5, 0.2, 0.06])
 """A fit is tried when ln(i) of all gears chosen spreads by less than the first in a cell, again
@@ -27,8 +28,6 @@ MOST_CELLS = 200_000
 """Cells of one set of elements, where ratios are such that nothing can be told."""
 MOST_WAYS = 24
 """So many ways to give targets to gears are tried in a cell."""
-DEEPEST = 60
-"""So often is a cell halved."""
 MORE_FITS = 12
 """So many fits are made when there is a solution already: another may be better."""
 
@@ -43,62 +42,66 @@ class CellRoom(NamedTuple):
     high: Floats
     stages: Integers
     """How many of `SPREADS` have been tried, shape (cells,)."""
-    depths: Integers
-    """How often it was halved, shape (cells,)."""
     reach: Integers
     """Targets that each ratio reaches in the cell, shape (ratios,)."""
     chosen: Integers
     """A ratio for each target, shape (targets,)."""
-    start: Floats
-    """Logarithms of ring teeth/sun teeth, shape (sets,). [-]"""
     taken: Booleans
     """Whether a ratio has a target, shape (ratios,)."""
+    ratio_of: Integers
+    """The ratio of each combination of a set, below 0 of none, shape (combinations of a set,)."""
+    came: Integers
+    """Room for `all_used`."""
+    gears: Integers
+    """A combination for each target, shape (targets,)."""
     fit: FitRoom
+    best_logs: Floats
+    """Logarithms of the best fit within tolerance, shape (sets,). [-]"""
+    best_gears: Integers
+    """Its combination of elements for each target, shape (targets,)."""
+    best: Floats
+    """Its largest |ln(i/target)| and its sum of squares; infinity where there is none. [-]"""
 
 
-def cell_room(ratios: int, targets: int, sets: int) -> CellRoom:
-    """Room for so many ratios."""
+def cell_room(table: Combinations, asked: Asked, sets: int) -> CellRoom:
+    """Room for the ratios of a set of elements."""
+    ratios, size = len(table.places), len(table.starts) - 1
+    targets = len(asked.targets)
+    halvings = math.log2(math.log(asked.high / asked.low) / math.log(NARROW))
+    deep = 2 + sets * math.ceil(max(halvings, 0))
     return CellRoom(
-        parts=np.zeros((DEEPEST + 2, ratios, 2, 2**sets)),
-        low=np.zeros((DEEPEST + 2, sets)),
-        high=np.zeros((DEEPEST + 2, sets)),
-        stages=np.zeros(DEEPEST + 2, np.int64),
-        depths=np.zeros(DEEPEST + 2, np.int64),
+        parts=np.zeros((deep, ratios, 2, 2**sets)),
+        low=np.zeros((deep, sets)),
+        high=np.zeros((deep, sets)),
+        stages=np.zeros(deep, np.int64),
         reach=np.zeros(ratios, np.int64),
         chosen=np.zeros(targets, np.int64),
-        start=np.zeros(sets),
         taken=np.zeros(ratios, np.bool_),
+        ratio_of=np.zeros(ratios, np.int64),
+        came=np.zeros((targets + 1, 2**size), np.int64),
+        gears=np.zeros(targets, np.int64),
         fit=fit_room(targets, sets),
+        best_logs=np.zeros(sets),
+        best_gears=np.zeros(targets, np.int64),
+        best=np.zeros(2),
     )
 
 
 @compiled
-def solved(
-    parts: Floats, asked: Asked, room: CellRoom, best_logs: Floats, best_chosen: Integers
-) -> float:
+def solved(table: Combinations, parts: Floats, asked: Asked, room: CellRoom) -> float:
     """The largest |ln(i/target)| of the best fit within tolerance; infinity if there is none.
 
     Parameters
     ----------
+    table : Combinations
     parts : array, shape (ratios, 2, corners)
         Numerators and denominators of different ratios at the corners of the bounds.
     asked : Asked
     room : CellRoom
-    best_logs, best_chosen : array, shape (sets,) and (targets,)
-        Take the logarithms of the ratios, and the ratio of each target.
+        `ratio_of` tells whose ratios they are; `best_logs` and `best_gears` take the fit.
     """
-    sets = len(best_logs)
     count = len(parts)
-    room.stages[0] = 0
-    room.depths[0] = 0
-    for ratio in range(count):
-        for corner in range(parts.shape[2]):
-            room.parts[0, ratio, 0, corner] = parts[ratio, 0, corner]
-            room.parts[0, ratio, 1, corner] = parts[ratio, 1, corner]
-    for number in range(sets):
-        room.low[0, number] = asked.low
-        room.high[0, number] = asked.high
-    best = least = math.inf
+    _begin(parts, asked, room)
     looked = fits = 0
     top = 1
     while top > 0 and looked < MOST_CELLS:
@@ -109,30 +112,42 @@ def solved(
             room.reach[ratio] = reached(cell[ratio, 0], cell[ratio, 1], asked.least, asked.most)
         if not matched(room.reach, count, len(asked.targets), room.chosen):
             continue
-        stage = room.stages[top]
-        spread = _spread(cell, room.chosen)
-        number = _longest(cell, room.chosen, sets, room.low[top], room.high[top])
-        if number < 0:
-            stage, spread = 0, 0.0
-        if stage < len(SPREADS) and spread <= SPREADS[stage]:
-            while stage < len(SPREADS) and spread <= SPREADS[stage]:
-                stage += 1
-            room.stages[top] = stage
-            for number in range(sets):
-                middle = room.low[top, number] * room.high[top, number]
-                room.start[number] = 0.5 * math.log(middle)
+        number = _longest(room, top)
+        if _is_due(room, top, number):
             fits += 1
-            error, total = _fits(parts, asked, room, least, best_logs, best_chosen)
-            if total < least:
-                least, best = total, error
-            if best < math.inf and (fits > MORE_FITS or least < NOTHING):
-                return best
-            if error < math.inf or stage == len(SPREADS):
+            is_met = _fits(table, parts, asked, room, top)
+            if room.best[1] < (math.inf if fits > MORE_FITS else NOTHING):
+                break
+            if is_met or room.stages[top] == len(SPREADS):
                 continue
-        if room.depths[top] < DEEPEST:
-            _halve(room, count, top, number)
-            top += 2
-    return best
+        _halve(room, count, top, number)
+        top += 2
+    return float(room.best[0])
+
+
+@compiled
+def _begin(parts: Floats, asked: Asked, room: CellRoom) -> None:
+    """Begin with the bounds as the only cell."""
+    room.best[:] = math.inf
+    room.stages[0] = 0
+    for ratio in range(len(parts)):
+        for corner in range(parts.shape[2]):
+            room.parts[0, ratio, 0, corner] = parts[ratio, 0, corner]
+            room.parts[0, ratio, 1, corner] = parts[ratio, 1, corner]
+    room.low[0] = asked.low
+    room.high[0] = asked.high
+
+
+@compiled
+def _is_due(room: CellRoom, top: int, number: int) -> bool:
+    """Whether a fit is to be tried in a cell; it is noted that it was."""
+    is_narrow = number < 0
+    stage = before = room.stages[top]
+    spread = 0.0 if is_narrow else _spread(room.parts[top], room.chosen)
+    while stage < len(SPREADS) and spread <= SPREADS[stage]:
+        stage += 1
+    room.stages[top] = stage
+    return bool(is_narrow or stage > before)
 
 
 @compiled
@@ -152,28 +167,33 @@ def _spread(cell: Floats, chosen: Integers) -> float:
 
 
 @compiled
-def _longest(cell: Floats, chosen: Integers, sets: int, low: Floats, high: Floats) -> int:
+def _longest(room: CellRoom, top: int) -> int:
     """The set along whose ratio the chosen ratios change most; -1 if the cell is too narrow."""
     best = 0.0
     found = -1
-    for number in range(sets):
-        if high[number] < NARROW * low[number]:
-            continue
-        total = 0.0
-        for ratio in chosen:
-            most = 0.0
-            for corner in range(cell.shape[2]):
-                if (corner >> number) & 1 == 0:
-                    other = corner | (1 << number)
-                    one = cell[ratio, 0, other] * cell[ratio, 1, corner]
-                    two = cell[ratio, 0, corner] * cell[ratio, 1, other]
-                    if one != two:
-                        most = max(most, abs(one - two) / (abs(one) + abs(two)))
-            total += most
-        if total > best:
-            best = total
-            found = number
+    for number in range(room.low.shape[1]):
+        if room.high[top, number] > NARROW * room.low[top, number]:
+            total = 0.0
+            for ratio in room.chosen:
+                total += _change(room.parts[top, ratio], number)
+            if total > best:
+                best = total
+                found = number
     return found
+
+
+@compiled
+def _change(ratio: Floats, number: int) -> float:
+    """How much a quotient changes at most along the ratio of a set, from 0 to 1."""
+    most = 0.0
+    for corner in range(ratio.shape[1]):
+        if (corner >> number) & 1 == 0:
+            other = corner | (1 << number)
+            one = ratio[0, other] * ratio[1, corner]
+            two = ratio[0, corner] * ratio[1, other]
+            if one != two:
+                most = max(most, abs(one - two) / (abs(one) + abs(two)))
+    return most
 
 
 @compiled
@@ -199,41 +219,25 @@ def _halve(room: CellRoom, count: int, top: int, number: int) -> None:
         room.high[top + 1, other] = room.high[top, other]
     room.high[top, number] = middle
     room.low[top + 1, number] = middle
-    room.depths[top] += 1
-    room.depths[top + 1] = room.depths[top]
     room.stages[top + 1] = room.stages[top]
 
 
 @compiled
-def _fits(
-    parts: Floats,
-    asked: Asked,
-    room: CellRoom,
-    least: float,
-    best_logs: Floats,
-    best_chosen: Integers,
-) -> tuple[float, float]:
-    """Fit from one point, for every way to give targets to ratios; largest error and sum.
+def _fits(table: Combinations, parts: Floats, asked: Asked, room: CellRoom, top: int) -> bool:
+    """Fit from the middle of a cell, for every way to give targets to ratios; whether one does.
 
-    Both are infinite if no fit is within tolerance and below the sum `least`.
+    The best is noted.
     """
     count, ratios = len(asked.targets), len(parts)
     way = room.chosen
     way[:] = -1
     room.taken[:] = False
-    best = worst = math.inf
+    is_met = False
     target = ways = 0
     while target >= 0 and ways < MOST_WAYS:
         if target == count:
             ways += 1
-            room.fit.logs[:] = room.start
-            total = fitted(parts, way, asked, room.fit)
-            if total < min(least, best):
-                largest = np.abs(room.fit.errors).max()
-                if largest <= asked.tolerance:
-                    best, worst = total, largest
-                    best_logs[:] = room.fit.logs
-                    best_chosen[:] = way
+            is_met |= _fit(table, parts, asked, room, top)
             target -= 1
             continue
         ratio = way[target]
@@ -249,4 +253,26 @@ def _fits(
             way[target] = ratio
             room.taken[ratio] = True
             target += 1
-    return worst, best
+    return is_met
+
+
+@compiled
+def _fit(table: Combinations, parts: Floats, asked: Asked, room: CellRoom, top: int) -> bool:
+    """Fit the chosen ratios; whether all are within tolerance, and all elements used."""
+    for number in range(room.low.shape[1]):
+        middle = room.low[top, number] * room.high[top, number]
+        room.fit.logs[number] = 0.5 * math.log(middle)
+    total = fitted(parts, room.chosen, asked, room.fit)
+    if total == math.inf:
+        return False
+    largest = np.abs(room.fit.errors).max()
+    if largest > asked.tolerance or not all_used(
+        table, room.ratio_of, room.chosen, room.came, room.gears
+    ):
+        return False
+    if total < room.best[1]:
+        room.best[0] = largest
+        room.best[1] = total
+        room.best_logs[:] = room.fit.logs
+        room.best_gears[:] = room.gears
+    return True

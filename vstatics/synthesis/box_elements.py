@@ -13,6 +13,7 @@ import numpy as np
 
 from vstatics.numerics.arrays import Floats, Integers
 from vstatics.numerics.compiled import compiled
+from vstatics.synthesis.box_minors import GearSpeeds
 
 SAME = 1e-9
 """Ratios that differ by less, at a point within, are one: no chance makes them so. [-]"""
@@ -76,10 +77,25 @@ class SetRoom(NamedTuple):
     """The elements, shape (depths,)."""
     pairs: Integers
     """The ratio of each target, shape (targets,)."""
+    found: Integers
+    """Sets that were found, shape (most, size)."""
 
 
-def set_room(table: Combinations, targets: int) -> SetRoom:
-    """Room for the sets of a table."""
+class PortGears(NamedTuple):
+    """What the gears of a scheme are with one choice of its ports."""
+
+    input: int
+    output: int
+    elements: int
+    """The elements that there are, as bits."""
+    reach: Integers
+    """Targets that gears of some speeds reach, as bits, shape (speeds,)."""
+    ratios: Floats
+    """Their ratios at a point within, shape (speeds,). [-]"""
+
+
+def set_room(table: Combinations, targets: int, most: int) -> SetRoom:
+    """Room for so many sets of a table."""
     depths, all_of_them = len(table.starts), len(table.places)
     spare = all_of_them - targets
 
@@ -97,6 +113,7 @@ def set_room(table: Combinations, targets: int) -> SetRoom:
         barred=zeros(depths),
         chosen=zeros(depths),
         pairs=zeros(targets),
+        found=zeros(most, depths - 1),
     )
 
 
@@ -110,7 +127,7 @@ def number_of(table: Combinations, chosen: Integers, subset: int) -> int:
 
 
 @compiled
-def find_rows(table: Combinations, way: Integers, reach: Integers, rows: Integers) -> None:
+def _find_rows(table: Combinations, way: Integers, reach: Integers, rows: Integers) -> None:
     """For some elements together, with which others they are usable."""
     rows[:] = 0
     for which in range(len(way)):
@@ -123,7 +140,6 @@ def find_rows(table: Combinations, way: Integers, reach: Integers, rows: Integer
 def matched(reach: Integers, count: int, targets: int, chosen: Integers) -> bool:
     """Whether each target can have a ratio of its own; `chosen` takes one for each.
 
-    >>> import numpy as np
     >>> chosen = np.zeros(2, np.int64)
     >>> matched(np.array([1, 3]), 2, 2, chosen), chosen.tolist()
     (True, [0, 1])
@@ -133,10 +149,7 @@ def matched(reach: Integers, count: int, targets: int, chosen: Integers) -> bool
     chosen[:targets] = -1
     for ratio in range(count):
         _placed(reach, ratio, targets, chosen)
-    for target in range(targets):
-        if chosen[target] < 0:
-            return False
-    return True
+    return bool((chosen[:targets] >= 0).all())
 
 
 @compiled
@@ -174,39 +187,27 @@ def _placed(reach: Integers, ratio: int, targets: int, chosen: Integers) -> bool
 @compiled
 def element_sets(
     table: Combinations,
-    way: Integers,
-    still: Integers,
-    reach: Integers,
-    ratios: Floats,
-    allowed: int,
+    gears: GearSpeeds,
+    port: PortGears,
     room: SetRoom,
-    found: Integers,
 ) -> int:
     """All sets of elements whose combinations may give every target; how many.
 
     Parameters
     ----------
     table : Combinations
-    way : array, shape (combinations,)
-        Which of the speeds that gears can have each of them gives.
-    still : array, shape (speeds,)
-        Elements that do not slip at each, as bits. With one more of them a set has as many
-        equal ratios as are engaged; where that are too many, no set has it.
-    reach, ratios : array, shape (speeds,)
-        Targets of each, as bits; its ratio at a point within. [-]
-    allowed : int
-        The elements that there are, as bits.
+    gears : GearSpeeds
+    port : PortGears
     room : SetRoom
-    found : array, shape (most, size)
-        Takes the sets.
+        `found` takes the sets.
 
     Returns
     -------
     int
         How many there are; -1 if there is no room for them.
     """
-    find_rows(table, way, reach, room.rows)
-    size = found.shape[1]
+    _find_rows(table, gears.way, port.reach, room.rows)
+    size = room.found.shape[1]
     spare = room.missing.shape[1] - 1
     room.missing[0, :] = 0
     if table.places.shape[1] == 1:
@@ -215,7 +216,7 @@ def element_sets(
     room.barred[0] = 0
     room.gone[0] = 0
     room.counts[0] = 0
-    room.coming[0] = allowed & ~room.missing[0, spare]
+    room.coming[0] = port.elements & ~room.missing[0, spare]
     depth = count = 0
     while depth >= 0:
         if room.coming[depth] == 0:
@@ -224,20 +225,20 @@ def element_sets(
         lowest = room.coming[depth] & -room.coming[depth]
         room.coming[depth] ^= lowest
         room.chosen[depth] = bits(lowest - 1)
-        if not _one_more(table, way, reach, ratios, room, depth, spare):
+        if not _one_more(table, gears.way, port, room, depth):
             continue
         if depth + 1 < size:
             depth += 1
             _find_missing(table, room, depth)
             if is_strict:
-                _bar(table, way, still, room, depth)
-            after = allowed & ~(2 * lowest - 1) & ~room.barred[depth]
+                _bar(table, gears, room, depth)
+            after = port.elements & ~(2 * lowest - 1) & ~room.barred[depth]
             room.coming[depth] = after & ~room.missing[depth, spare - room.gone[depth]]
         elif matched(room.reach[size], room.counts[size], len(room.pairs), room.pairs):
-            if count == len(found):
+            if count == len(room.found):
                 return -1
             for place in range(size):
-                found[count, place] = room.chosen[place]
+                room.found[count, place] = room.chosen[place]
             count += 1
     return count
 
@@ -246,13 +247,12 @@ def element_sets(
 def _one_more(
     table: Combinations,
     way: Integers,
-    reach: Integers,
-    ratios: Floats,
+    port: PortGears,
     room: SetRoom,
     depth: int,
-    spare: int,
 ) -> bool:
     """Note the combinations of the last element; whether enough different ratios are left."""
+    spare = room.missing.shape[1] - 1
     gone = room.gone[depth]
     count = room.counts[depth]
     after = depth + 1
@@ -261,19 +261,19 @@ def _one_more(
         room.reach[after, one] = room.reach[depth, one]
     for subset in range(table.starts[depth], table.starts[after]):
         which = way[number_of(table, room.chosen, subset)]
-        if reach[which] == 0:
+        if port.reach[which] == 0:
             gone += 1
         else:
-            ratio = ratios[which]
+            ratio = port.ratios[which]
             same = 0
             while same < count and abs(room.ratios[after, same] - ratio) > SAME * abs(ratio):
                 same += 1
             if same < count:
                 gone += 1
-                room.reach[after, same] |= reach[which]
+                room.reach[after, same] |= port.reach[which]
             else:
                 room.ratios[after, count] = ratio
-                room.reach[after, count] = reach[which]
+                room.reach[after, count] = port.reach[which]
                 count += 1
         if gone > spare:
             return False
@@ -283,11 +283,14 @@ def _one_more(
 
 
 @compiled
-def _bar(table: Combinations, way: Integers, still: Integers, room: SetRoom, depth: int) -> None:
-    """Bar what does not slip in a gear of the elements chosen, so many as `depth`."""
+def _bar(table: Combinations, gears: GearSpeeds, room: SetRoom, depth: int) -> None:
+    """Bar what does not slip in a gear of the elements chosen, so many as `depth`.
+
+    With one more of these a set has as many equal ratios as are engaged, besides the first.
+    """
     barred = room.barred[depth - 1]
     for subset in range(table.starts[depth - 1], table.starts[depth]):
-        barred |= still[way[number_of(table, room.chosen, subset)]]
+        barred |= gears.still[gears.way[number_of(table, room.chosen, subset)]]
     room.barred[depth] = barred
 
 

@@ -161,9 +161,7 @@ def _weigh(logs: Floats, asked: Asked, room: FitRoom) -> None:
 
 
 @compiled
-def _errors(
-    parts: Floats, chosen: Integers, asked: Asked, room: FitRoom, found: Floats
-) -> float:
+def _errors(parts: Floats, chosen: Integers, asked: Asked, room: FitRoom, found: Floats) -> float:
     """ln(i/target) of every gear; the sum of squares, or infinity where one has another sign."""
     total = 0.0
     for target in range(len(asked.targets)):
@@ -200,24 +198,9 @@ def _slopes(parts: Floats, chosen: Integers, room: FitRoom) -> None:
 @compiled
 def _step(room: FitRoom, least: float, most: float, damping: float) -> None:
     """The step of damped normal equations into `tried`, of what is not held by a bound."""
-    count, sets = room.jacobian.shape
+    _find_system(room, least, most, damping)
     system, step = room.system, room.tried
-    for row in range(sets):
-        slope = 0.0
-        for target in range(count):
-            slope += room.jacobian[target, row] * room.errors[target]
-        held_low = room.logs[row] <= least and slope > 0
-        held_high = room.logs[row] >= most and slope < 0
-        step[row] = 0.0 if held_low or held_high else 1.0
-        system[row, sets] = -slope * step[row]
-    for row in range(sets):
-        for column in range(sets):
-            total = 0.0
-            for target in range(count):
-                total += room.jacobian[target, row] * room.jacobian[target, column]
-            system[row, column] = total * step[row] * step[column]
-        system[row, row] *= 1 + damping
-        system[row, row] += TINY if step[row] else 1.0
+    sets = len(step)
     for pivot in range(sets):  # positive definite: no pivots are looked for
         for row in range(pivot + 1, sets):
             factor = system[row, pivot] / system[pivot, pivot]
@@ -228,3 +211,26 @@ def _step(room: FitRoom, least: float, most: float, damping: float) -> None:
         for column in range(row + 1, sets):
             total -= system[row, column] * step[column]
         step[row] = total / system[row, row]
+
+
+@compiled
+def _find_system(room: FitRoom, least: float, most: float, damping: float) -> None:
+    """The damped normal equations; what a bound holds stays where it is."""
+    count, sets = room.jacobian.shape
+    system, moves = room.system, room.tried
+    for row in range(sets):
+        slope = 0.0
+        for target in range(count):
+            slope += room.jacobian[target, row] * room.errors[target]
+        held_low = room.logs[row] <= least and slope > 0
+        held_high = room.logs[row] >= most and slope < 0
+        moves[row] = 0.0 if held_low or held_high else 1.0
+        system[row, sets] = -slope * moves[row]
+    for row in range(sets):
+        for column in range(sets):
+            total = 0.0
+            for target in range(count):
+                total += room.jacobian[target, row] * room.jacobian[target, column]
+            system[row, column] = total * moves[row] * moves[column]
+        system[row, row] *= 1 + damping
+        system[row, row] += TINY if moves[row] else 1.0

@@ -6,8 +6,24 @@ whose components are minors: with as many rows as free speeds less one, the cros
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
+import numpy as np
+
 from vstatics.numerics.arrays import Floats, Integers
 from vstatics.numerics.compiled import compiled
+
+
+class GearSpeeds(NamedTuple):
+    """The different speeds that gears of a scheme can have."""
+
+    speeds: Floats
+    """Polynomials of the ratios: at the corners of the bounds, then at a point within; shape
+    (speeds, links, points)."""
+    way: Integers
+    """Which of them each combination of elements gives, shape (combinations,)."""
+    still: Integers
+    """The elements that do not slip then, as bits, shape (speeds,)."""
 
 
 @compiled
@@ -24,7 +40,6 @@ def cross_product(rows: Floats, minors: Floats, found: Floats) -> None:
 
     Examples
     --------
-    >>> import numpy as np
     >>> found = np.zeros(3)
     >>> cross_product(np.array([[1.0, 2, 0], [0, 1, 1]]), np.zeros(8), found)
     >>> found
@@ -58,7 +73,6 @@ def gear_speeds(
     factors: Floats,
     ends: Integers,
     members: Integers,
-    minors: Floats,
     found: Floats,
 ) -> None:
     """Speeds of all links with each combination engaged; polynomials, at some points.
@@ -71,14 +85,13 @@ def gear_speeds(
         The rows of speeds that an element joins; below 0 the housing.
     members : array, shape (combinations, engaged)
         Elements of each combination.
-    minors : array
-        Scratch, see `cross_product`.
     found : array, shape (combinations, links, points)
         Takes the result: zeros where speeds stay undetermined.
     """
     points, links, free = speeds.shape
-    rows = found[0, :1, :1].repeat(free * (free - 1)).reshape(free - 1, free)
-    vector = rows[0].copy()
+    minors = np.zeros(1 << free)
+    rows = np.zeros((free - 1, free))
+    vector = np.zeros(free)
     for point in range(points):
         for which in range(members.shape[0]):
             for row in range(free - 1):

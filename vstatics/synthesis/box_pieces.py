@@ -12,10 +12,10 @@ import numpy as np
 from vstatics.numerics.arrays import Floats, Integers
 from vstatics.synthesis.box import HELD, BoxSearch, FoundBox
 from vstatics.synthesis.box_cells import cell_room
-from vstatics.synthesis.box_elements import Combinations, set_room
+from vstatics.synthesis.box_elements import Combinations, PortGears, set_room
 from vstatics.synthesis.box_fit import Asked
 from vstatics.synthesis.box_kernel import Room, boxes_of_ports
-from vstatics.synthesis.box_minors import gear_speeds
+from vstatics.synthesis.box_minors import GearSpeeds, gear_speeds
 from vstatics.synthesis.box_ranges import lines
 from vstatics.synthesis.box_schemes import BoxScheme, box_schemes
 from vstatics.synthesis.box_speeds import SpeedBases, speed_bases
@@ -102,8 +102,7 @@ class _PortSearch:
         self.scheme = one
         self.bases = speed_bases(search, one)
         self.table = _table(len(self.bases.moving), search.engaged, search.elements)
-        self.way, self.speeds = _speeds(self.bases, self.table)
-        self.still = _still(self.speeds[:, :, -1], self.table)
+        self.gears = _gears(self.bases, self.table)
         self.searched = 0
 
     def boxes(self, first: int, last: int) -> list[FoundBox]:
@@ -113,12 +112,12 @@ class _PortSearch:
         ends = enumerate(table.ends.tolist())
         there = [number for number, (one, other) in ends if other >= 0 or one not in ports]
         self.searched += math.comb(len(there), search.elements)
-        asked, most = _asked(search), ROOM
+        bits, speeds = sum(1 << number for number in there), len(self.gears.speeds)
+        port = PortGears(*ports, bits, np.zeros(speeds, np.int64), np.zeros(speeds))
+        most = ROOM
         while True:
             room = _room(search, most)
-            bits = sum(1 << number for number in there)
-            arrays = table, self.way, self.speeds, self.still, ports, bits, asked, room
-            found, count = boxes_of_ports(*arrays)
+            found, count = boxes_of_ports(table, self.gears, port, _asked(search), room)
             if count >= 0:
                 return [self._box(room, row, first, last) for row in range(found)]
             most *= 4
@@ -127,7 +126,7 @@ class _PortSearch:
         """A box of a row of the results; its brakes stand first."""
         moving = self.bases.moving
         signs = np.where(self.scheme.meshed, 1.0, -1.0)
-        numbers = room.found[row].tolist()
+        numbers = room.sets.found[row].tolist()
         elements = tuple(
             (moving[one], moving[other] if other >= 0 else HELD)
             for one, other in self.table.ends[numbers].tolist()
@@ -144,24 +143,24 @@ class _PortSearch:
         )
 
 
-def _speeds(bases: SpeedBases, table: Combinations) -> tuple[Integers, Floats]:
+def _gears(bases: SpeedBases, table: Combinations) -> GearSpeeds:
     """The different speeds that gears can have, and which of them each combination gives.
 
     They are compared at the point within; only the different ones are found at the corners.
     """
-    points, links, free = bases.speeds.shape
-    minors = np.zeros(2**free)
+    points, links, _ = bases.speeds.shape
     within = np.zeros((len(table.members), links, 1))
-    gear_speeds(bases.speeds[-1:], bases.factors[-1:], table.ends, table.members, minors, within)
+    gear_speeds(bases.speeds[-1:], bases.factors[-1:], table.ends, table.members, within)
     sizes = np.abs(within).max(axis=1)
-    unit = within[:, :, 0] / np.where(sizes > ROUNDING, sizes, np.inf)
-    keys = np.abs(unit @ _KEYS[: 2 * links].reshape(links, 2))
-    numbers = np.round(keys / ROUNDING)
-    _, which, way = np.unique(numbers[:, 0] + 1j * numbers[:, 1], return_index=True, return_inverse=True)
+    sizes[sizes < ROUNDING] = np.inf
+    keys = np.round(np.abs(within[:, :, 0] / sizes @ _KEYS[:links]) / ROUNDING)
+    alike = keys[:, 0] + 1j * keys[:, 1]
+    _, which, way = np.unique(alike, return_index=True, return_inverse=True)
     found = np.zeros((len(which), links, points))
-    gear_speeds(bases.speeds, bases.factors, table.ends, table.members[which], minors, found)
-    found /= np.where(sizes[which] > ROUNDING, sizes[which], np.inf)[:, :, None]
-    return way.astype(np.int64).reshape(-1), found
+    gear_speeds(bases.speeds, bases.factors, table.ends, table.members[which], found)
+    found /= sizes[which, :, None]
+    still = _still(found[:, :, -1], table)
+    return GearSpeeds(found, way.astype(np.int64).reshape(-1), still)
 
 
 def _still(speeds: Floats, table: Combinations) -> Integers:
@@ -171,7 +170,8 @@ def _still(speeds: Floats, table: Combinations) -> Integers:
     return np.asarray((np.abs(slips) < ROUNDING) @ (1 << np.arange(len(table.ends))))
 
 
-_KEYS = np.sqrt(np.arange(2, 66)) % 1 - 0.3
+_KEYS = np.sqrt(np.arange(2, 66)).reshape(-1, 2) % 1 - 0.3
+"""Weights of links in two sums that tell speeds apart."""
 
 
 @cache
@@ -212,22 +212,17 @@ def _asked(search: BoxSearch) -> Asked:
 def _room(search: BoxSearch, most: int) -> Room:
     """Room for the boxes of a choice of ports."""
     table = _table(_moving(search), search.engaged, search.elements)
-    targets, sets = len(search.targets), search.sets
+    asked = _asked(search)
+    targets, sets = len(asked.targets), search.sets
     all_of_them = len(table.places)
     return Room(
-        sets=set_room(table, targets),
-        cells=cell_room(all_of_them, targets, sets),
-        found=np.zeros((most, search.elements), np.int64),
+        sets=set_room(table, targets, most),
+        cells=cell_room(table, asked, sets),
         gears=np.zeros((most, targets), np.int64),
         logs=np.zeros((most, sets)),
         errors=np.zeros(most),
-        reach=np.zeros(len(table.members), np.int64),
-        ratios=np.zeros(len(table.members)),
         lines=lines(sets),
         parts=np.zeros((all_of_them, 2, 2**sets)),
-        ratio_of=np.zeros(all_of_them, np.int64),
-        chosen=np.zeros(targets, np.int64),
-        came=np.zeros((targets + 1, 2**search.elements), np.int64),
     )
 
 

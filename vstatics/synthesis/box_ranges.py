@@ -98,21 +98,8 @@ def divide(above: Floats, below: Floats, within: Floats) -> None:
     >>> above, below
     (array([1., 1.]), array([0.5, 0.5]))
     """
-    corners, sets = within.shape
-    factor = 0
-    for number in range(sets):
-        first_above = first_below = last_above = last_below = 0.0
-        for corner in range(corners):
-            weight = within[corner, number]
-            if (corner >> number) & 1:
-                last_above += weight * above[corner]
-                last_below += weight * below[corner]
-            else:
-                first_above += weight * above[corner]
-                first_below += weight * below[corner]
-        one, other = first_above * last_below, last_above * first_below
-        if abs(one - other) <= INDEPENDENT * (abs(one) + abs(other)):
-            factor |= 1 << number
+    corners = len(within)
+    factor = _independent(above, below, within)
     if factor == 0:
         return
     best, most = 0, -1.0
@@ -127,6 +114,27 @@ def divide(above: Floats, below: Floats, within: Floats) -> None:
     for corner in range(corners):
         above[corner] = above[(corner & ~factor) | best]
         below[corner] = below[(corner & ~factor) | best]
+
+
+@compiled
+def _independent(above: Floats, below: Floats, within: Floats) -> int:
+    """The ratios that a quotient does not depend on, as bits."""
+    corners, sets = within.shape
+    found = 0
+    for number in range(sets):
+        first_above = first_below = last_above = last_below = 0.0
+        for corner in range(corners):
+            weight = within[corner, number]
+            if (corner >> number) & 1:
+                last_above += weight * above[corner]
+                last_below += weight * below[corner]
+            else:
+                first_above += weight * above[corner]
+                first_below += weight * below[corner]
+        one, other = first_above * last_below, last_above * first_below
+        if abs(one - other) <= INDEPENDENT * (abs(one) + abs(other)):
+            found |= 1 << number
+    return found
 
 
 def lines(sets: int) -> Floats:

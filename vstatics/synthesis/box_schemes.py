@@ -7,7 +7,6 @@ from itertools import combinations, combinations_with_replacement, groupby, perm
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from vstatics.synthesis.box import BoxSearch
 from vstatics.synthesis.least_codes import Symmetries, symmetries
@@ -57,11 +56,11 @@ def _classes(search: BoxSearch) -> Iterator[tuple[Codes, Symmetries]]:
             assert batch.symmetries is not None  # noqa: S101 - they are classes
             yield batch.codes, batch.symmetries
     if search.fixed:
-        for parts in _in_parts(search.sets, links, None):
+        for parts in _in_parts(search.sets, links):
             yield _least(parts)
 
 
-def _in_parts(sets: int, links: int, least: tuple[int, int] | None) -> Iterator[list[Codes]]:
+def _in_parts(sets: int, links: int) -> Iterator[list[Codes]]:
     """Classes of parts that have no link in common, two or more: codes of each part."""
     for sizes in _splits(sets, links, (1, 3)):
         if len(sizes) < 2:
@@ -89,7 +88,7 @@ def _connected(sets: int, links: int) -> Codes:
 def _least(parts: list[Codes]) -> tuple[Codes, Symmetries]:
     """The least codes of all choices of a class for each part."""
     choices: list[list[tuple[tuple[int, ...], ...]]] = []
-    for _, alike in groupby(parts, key=lambda codes: codes.shape + (int(codes.max()),)):
+    for _, alike in groupby(parts, key=lambda codes: (*codes.shape, int(codes.max()))):
         group = list(alike)
         rows = [tuple(map(int, row)) for row in group[0].tolist()]
         choices.append(list(combinations_with_replacement(rows, len(group))))
@@ -98,7 +97,9 @@ def _least(parts: list[Codes]) -> tuple[Codes, Symmetries]:
         sets: list[tuple[int, ...]] = []
         start = 0
         for code in one:
-            sets += [tuple(start + link for link in code[at : at + 3]) for at in range(0, len(code), 3)]
+            sets += [
+                tuple(start + link for link in code[at : at + 3]) for at in range(0, len(code), 3)
+            ]
             start += 1 + max(code)
         found.append(min(_grown(order) for order in permutations(sets)))
     codes = np.array(sorted(found), np.uint8)

@@ -63,7 +63,7 @@ def speed_bases(search: BoxSearch, one: BoxScheme) -> SpeedBases:
 @cache
 def _inner(sets: int) -> Floats:
     """A point within the unit cube, where no two ratios agree by chance."""
-    return np.sqrt(np.array([2, 3, 5, 7, 11, 13, 17, 19, 23, 29][:sets])) % 1
+    return np.asarray(np.sqrt(np.array([2, 3, 5, 7, 11, 13, 17, 19, 23, 29][:sets])) % 1)
 
 
 def _points(bounds: tuple[float, float], meshed: tuple[bool, ...]) -> Floats:
