@@ -215,7 +215,17 @@ def _scenario(data: bytes, name: str, settings: CaseOptions) -> ScenarioFile | N
 
 def _no_case(data: bytes, name: str, settings: CaseOptions) -> list[Problem]:
     """What is to be said of a text that is no case but a scenario, where none is taken."""
-    return [] if settings.scenarios else _scenario_said(data, name)
+    return _boxes_said(data, name) or ([] if settings.scenarios else _scenario_said(data, name))
+
+
+def _boxes_said(data: bytes, name: str) -> list[Problem]:
+    if b'"searched"' not in data:
+        return []
+    from vstatics.synthesis.box_reading import is_listing
+
+    taking = "plot --kind boxes, report and summary take them"
+    message = f"these are found boxes, expected a case; {taking}"
+    return [of_file(name, message)] if is_listing(data) else []
 
 
 def _scenario_said(data: bytes, name: str) -> list[Problem]:
@@ -245,7 +255,8 @@ def read_data(
     try:
         reading = readers.read(data, name, input_format)
     except ReadError as error:
-        raise ReadError(telling.printed(_scenario_said(data, name) or error.problems)) from None
+        said = _boxes_said(data, name) or _scenario_said(data, name)
+        raise ReadError(telling.printed(said or error.problems)) from None
     files.show(telling.printed(reading.warnings))
     files.show(telling.quiet_failure(reading.warnings, name))
     return reading

@@ -10,6 +10,7 @@ import click
 
 from vstatics.cli import cases as arguments
 from vstatics.cli import formats, texts
+from vstatics.cli.box_documents import plot_boxes
 from vstatics.cli.cases import CalculatedCase, CaseOptions
 from vstatics.cli.job import Job
 from vstatics.cli.one_or_many import carry_out
@@ -21,11 +22,14 @@ from vstatics.pictures.style import Style
 from vstatics.statics.results import Language
 from vstatics.tables.suffixes import known, suffix_of
 
+BOXES = "boxes"
+"""The kind of picture that shows no case, but a document of found boxes."""
+
 
 @click.command()
 @arguments.argument
 @click.option(
-    "-k", "--kind", type=click.Choice(list(PICTURES)), required=True, help="What is drawn."
+    "-k", "--kind", type=click.Choice([*PICTURES, BOXES]), required=True, help="What is drawn."
 )
 @arguments.required_output(
     "SVG, PNG or PDF by the suffix; - is standard output, for SVG; several cases go to a "
@@ -60,6 +64,8 @@ def plot(
                  where its orders meet them
     shift        the run of a scenario: speeds, slips, torques and heat over
                  time, with its events
+    boxes        what `synth box -f json` found, in place of a case: mean loss
+                 over the largest torque, families, stick diagrams
 
     \b
     Of a scenario plan shows its run, too; other kinds show its case.
@@ -78,11 +84,15 @@ def plot(
     Exit status: 0 done; 1 a case is in error, a gear is tied up, or there is
     nothing to draw; 2 wrong use.
     """
+    if kind == BOXES and gears:
+        raise click.UsageError("--gear: found boxes are shown with all their gears")
     if kind == "shift" and gears:
         raise click.UsageError("--gear: a run goes through all gears of its scenario")
     if output != STDOUT and not suffix_of(output) and len(cases) == 1:
         _refuse_without_suffix(output)
     to = formats.each_by_itself(output, cases, FORMATS, "a picture")
+    if kind == BOXES:
+        return plot_boxes(cases, to, cast("Format", to.form), Style(lang, dark))
     picture = partial(_shown, kind=kind, form=to.form, gears=gears, style=Style(lang, dark))
     form = texts.OutputForm(to.form, to.style)
     own = settings._replace(scenarios=True)

@@ -8,6 +8,7 @@ import click
 
 from vstatics.cli import cases as arguments
 from vstatics.cli import files, formats, texts
+from vstatics.cli.box_documents import listing_in, report_boxes
 from vstatics.cli.cases import CalculatedCase, CaseOptions
 from vstatics.cli.job import Job
 from vstatics.cli.one_or_many import carry_out
@@ -25,7 +26,8 @@ from vstatics.cli.simulate import run_of
 def report(cases: tuple[str, ...], output: str, digits: int | None, settings: CaseOptions) -> int:
     """Write each CASE and its results as one page of HTML; - is standard input.
 
-    A scenario may stand for its case; then the page has its run, too.
+    A scenario may stand for its case; then the page has its run, too. For what `synth box -f
+    json` found the page has all boxes, their families, and diagrams.
 
     The page has the input, ratios, pictures, the power flow of each gear, transitions,
     largest values and all tables; a click on a heading sorts those of the results. It loads nothing
@@ -45,6 +47,8 @@ def report(cases: tuple[str, ...], output: str, digits: int | None, settings: Ca
     """
     to = formats.each_by_itself(output, cases, ["html"], "a page")
     form = texts.OutputForm(to.form, to.style)
+    if len(cases) == 1 and not to.is_folder and (found := listing_in(cases[0])):
+        return report_boxes(*found, cases[0], output, digits)
     show = partial(_shown, digits=digits, quiet=settings.telling.quiet)
     return carry_out(Job("report", settings._replace(scenarios=True), form, show), cases, to)
 

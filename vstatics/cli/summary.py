@@ -10,11 +10,13 @@ import click
 
 from vstatics.cli import cases as arguments
 from vstatics.cli import files, formats, texts
+from vstatics.cli.box_documents import listing_in
 from vstatics.cli.cases import CalculatedCase, CaseOptions, calculate
 from vstatics.cli.exit_status import DONE, FAILED
-from vstatics.cli.formats import OutputOptions
+from vstatics.cli.formats import Destination, OutputOptions
 from vstatics.cli.job import Job
 from vstatics.cli.one_or_many import carry_out
+from vstatics.cli.summary_boxes import box_numbers, calculated_boxes
 from vstatics.errors import CaseError, ReadError, of_file
 from vstatics.tables.grid import Grid
 
@@ -61,6 +63,14 @@ def _torque(_context: click.Context, _option: click.Parameter, text: str | None)
     metavar="TORQUE",
     help="Outside torque on the output, for accelerations: -1200 or '-1200 N*m'.  [default: 0]",
 )
+@click.option(
+    "--box",
+    "boxes",
+    multiple=True,
+    callback=box_numbers,
+    metavar="N,...",
+    help="Which boxes of a document of found ones; else those that tell most.",
+)
 @arguments.settings
 def summary(
     cases: tuple[str, ...],
@@ -69,6 +79,7 @@ def summary(
     at_most: int,
     duty: str | None,
     output_torque: float,
+    boxes: tuple[int, ...],
     settings: CaseOptions,
 ) -> int:
     """Ratios, steps, spread, transitions and largest values of each CASE; - is standard input.
@@ -76,12 +87,14 @@ def summary(
     Steps and transitions go from a gear to the next one of the same direction. The largest
     values are those over all gears. Sensitivities tell by how many per cent a ratio changes
     when the internal ratio of a mechanism changes by one. Several cases stand side by
-    side, as A, B, C; in a directory (-o DIRECTORY/) each has its own summary.
+    side, as A, B, C; in a directory (-o DIRECTORY/) each has its own summary. What `synth box
+    -f json` found may stand for cases: its Pareto list and families side by side.
 
     \b
     Examples:
       vstatics summary gearbox.yaml
       vstatics summary gearbox.yaml other.yaml
+      vstatics summary boxes.json --box 1,4
       vstatics summary gearbox.yaml --combinations -o gearbox.md
       vstatics summary gearbox.yaml --duty duty.yaml
       vstatics summary gearbox.yaml -f json | jq .spread
@@ -106,15 +119,37 @@ def summary(
         duty=cycle,
         output_torque=output_torque,
     )
+    listed = listing_in(cases[0]) if len(cases) == 1 else None
+    if listed:
+        calculated = calculated_boxes(listed[0], cases[0], boxes, settings)
+        return _of_boxes(list(calculated), summarized, form, to)
+    if boxes:
+        raise click.UsageError("--box: expected one document of found boxes for the case")
     if len(cases) == 1 or to.is_folder or to.form in ("json", "jsonl"):
         show = partial(_shown, summarized=summarized)
         return carry_out(Job("summary", settings, form, show), cases, to, others=others)
-    return _side_by_side(cases, settings, summarized, form, to.output)
+    return _side_by_side(calculate(cases, settings), summarized, form, to.output)
+
+
+def _of_boxes(
+    outcomes: Sequence[CalculatedCase],
+    summarized: Callable[[CalculatedCase], Summary],
+    form: texts.OutputForm,
+    to: Destination,
+) -> int:
+    """Write the summaries of found boxes; in JSON one after another."""
+    if to.is_folder:
+        message = f"found boxes give one table: expected -o FILE, not {to.output}"
+        raise click.UsageError(message)
+    if form.name not in ("json", "jsonl"):
+        return _side_by_side(outcomes, summarized, form, to.output)
+    parts = [texts.among_several(one, _shown(one, summarized), form) for one in outcomes]
+    files.write_data(b"".join(texts.joined(parts, form)), to.output)
+    return FAILED if any(one.failed for one in outcomes) else DONE
 
 
 def _side_by_side(
-    cases: Sequence[str],
-    settings: CaseOptions,
+    outcomes: Iterable[CalculatedCase],
     summarized: Callable[[CalculatedCase], Summary],
     form: texts.OutputForm,
     output: str | None,
@@ -123,7 +158,7 @@ def _side_by_side(
     from vstatics.summary.contrast import contrasted, letters
 
     failed, found = False, []
-    for outcome in calculate(cases, settings):
+    for outcome in outcomes:
         failed |= outcome.failed
         if outcome.results is not None:
             try:

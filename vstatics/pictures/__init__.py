@@ -88,7 +88,7 @@ def picture(
     """
     require("plot", "a picture")
     module = import_module(PICTURES[kind])
-    with _settings(style):
+    with settings_of(style):
         figure: Figure = module.draw(results, style, gears, *_run(kind, motion))
     return figure
 
@@ -103,7 +103,7 @@ def render(  # noqa: PLR0913 - what is drawn, and how
     motion: Motion | None = None,
 ) -> bytes:
     """A picture of a result as a file; parameters and errors as of `picture`."""
-    return _written(picture(results, kind, style, gears, motion=motion), form, style)
+    return written(picture(results, kind, style, gears, motion=motion), form, style)
 
 
 def sheets(
@@ -121,9 +121,9 @@ def sheets(
     module = import_module(PICTURES[kind])
     if not hasattr(module, "sheets"):
         return [render(results, kind, "svg", style, gears, motion=motion)]
-    with _settings(style):
+    with settings_of(style):
         figures = module.sheets(results, style, gears, *_run(kind, motion))
-    return [_written(figure, "svg", style) for figure in figures]
+    return [written(figure, "svg", style) for figure in figures]
 
 
 def _run(kind: str, motion: Motion | None) -> tuple[()] | tuple[Motion | None]:
@@ -131,15 +131,16 @@ def _run(kind: str, motion: Motion | None) -> tuple[()] | tuple[Motion | None]:
     return (motion,) if kind in OF_RUNS else ()
 
 
-def _written(figure: Figure, form: Format, style: Style) -> bytes:
-    written = io.BytesIO()
-    with _settings(style):
-        figure.savefig(written, format=form, dpi=DPI, metadata=_METADATA[form])
-    return written.getvalue()
+def written(figure: Figure, form: Format, style: Style) -> bytes:
+    """A figure as a file; the same figure gives the same bytes."""
+    file = io.BytesIO()
+    with settings_of(style):
+        figure.savefig(file, format=form, dpi=DPI, metadata=_METADATA[form])
+    return file.getvalue()
 
 
 @contextmanager
-def _settings(style: Style) -> Iterator[None]:
+def settings_of(style: Style) -> Iterator[None]:
     """The settings of a style for a while; the user's own would move texts."""
     import matplotlib as mpl
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from importlib.resources import files
 from typing import Any
 
@@ -33,15 +33,32 @@ def page(material: Material) -> str:
     material : Material
         See `gather`.
     """
-    case = material.results.case
-    title = case.name or "Transmission"
-    parts = list(_sections(material))
+    title = material.results.case.name or "Transmission"
+    return framed(title, _about(material), list(_sections(material)), material.document)
+
+
+Part = tuple[str, Sequence[Markup]]
+"""The name of a section, and what it shows."""
+
+
+def framed(
+    title: str, about: Iterable[Markup], parts: Sequence[Part], document: dict[str, Any]
+) -> str:
+    """A page of sections with its contents, its look and the data that it carries.
+
+    Parameters
+    ----------
+    about : iterable of Markup
+        What stands below the title.
+    document : dict
+        What the page shows, as JSON.
+    """
     contents = tag("nav", *(tag("a", name, href=f"#{_id(name)}") for name, _ in parts))
     body = tag(
         "body",
-        tag("header", tag("h1", title), *_about(material), contents),
+        tag("header", tag("h1", title), *about, contents),
         tag("main", *(_section(name, inner) for name, inner in parts)),
-        _data(material.document),
+        _data(document),
         tag("script", _resource("script.js")),
     )
     head = tag(
@@ -63,7 +80,7 @@ def _about(material: Material) -> Iterator[Markup]:
         yield tag("p", "Source: ", case.source, class_="told source")
 
 
-def _sections(material: Material) -> Iterator[tuple[str, Sequence[Markup]]]:
+def _sections(material: Material) -> Iterator[Part]:
     """Each section of the page with its name."""
     results = material.results
     gears, *others = (one.with_digits(material.digits) for one in grids(material.summary))

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from functools import reduce
 from string import ascii_uppercase
 
+from vstatics.model.parts import HOUSING, ShiftElement
 from vstatics.summary import Summary
 from vstatics.summary.design import GearLine
 from vstatics.summary.extremes import (
@@ -124,8 +125,13 @@ def _in_all(summaries: Sequence[Summary]) -> Iterator[Row]:
     yield _row(
         "shift elements", [_count(len(one.results.case.shift_elements)) for one in summaries]
     )
+    kinds = [
+        [_joins_two(element) for element in one.results.case.shift_elements] for one in summaries
+    ]
+    yield _row("of them between two links", [_count(sum(one)) for one in kinds])
     yield _row("most that change in a shift", [_count(_most_changes(one)) for one in summaries])
     yield _row("spread", [(exact(one.design.spread), "") for one in summaries])
+    yield _row("mean forward efficiency", [(exact(_mean_efficiency(one)), "") for one in summaries])
     if any(one.cycle for one in summaries):
         yield _row(
             "efficiency of the duty cycle",
@@ -157,6 +163,19 @@ def _count(how_many: int) -> Cells:
 def _most_changes(summary: Summary) -> int:
     """Elements that change at once between neighbours, at most."""
     return max((one.changes for one in summary.transitions if not one.jumped), default=0)
+
+
+def _joins_two(element: ShiftElement) -> bool:
+    """Whether it joins two links that turn."""
+    return HOUSING not in (element.first, element.second)
+
+
+def _mean_efficiency(summary: Summary) -> float:
+    """Of all forward gears, NaN where one has none."""
+    forward = [
+        line.efficiency for line in summary.design.gears if line.gear in summary.design.forward
+    ]
+    return math.fsum(forward) / len(forward) if forward else math.nan
 
 
 def _least_margin(summary: Summary) -> Cells:

@@ -17,6 +17,8 @@ Reach = Literal["row", "edge", "pass", "none"]
 """From where a tap comes to its track: from the row, from the outer edge of the channel, or
 through the whole channel, joining the track if the wire has one there; or it has no track."""
 
+GAP = 16.0
+"""Between items, where nothing else is told. [pt]"""
 CROSSING, TRACK = 300.0, 40.0
 """What a crossing costs, and one track more, in points of length of wire."""
 
@@ -124,7 +126,7 @@ class Board:
     wires: Sequence[int]
     from_left: Sequence[int] = ()
     to_right: Sequence[int] = ()
-    gap: float = 16.0
+    gap: float = GAP
 
     def row(self, arrangement: Arrangement, extra: Mapping[int, float] | None = None) -> PlacedRow:
         """The places of items and taps; `extra` widens the gap before an item."""

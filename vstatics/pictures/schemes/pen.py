@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import cache
-from typing import Any
+from typing import Any, NamedTuple
 
+from matplotlib.figure import Figure
 from matplotlib.font_manager import FontProperties
 from matplotlib.patches import Circle, Polygon, Rectangle
 from matplotlib.textpath import TextToPath
@@ -47,6 +48,18 @@ def wrapped(name: str, letters: int = WRAP) -> str:
     return "\n".join(lines)
 
 
+class Window(NamedTuple):
+    """A rectangle of a figure, in which a picture is drawn smaller."""
+
+    figure: Figure
+    corner: Point
+    """Lower left, from that of the figure. [pt]"""
+    size: Point
+    """[pt]"""
+    letters: float = 1.0
+    """Size of letters over what they would have."""
+
+
 class Pen:
     """Draws on a figure of a given size, with points as its unit.
 
@@ -55,13 +68,25 @@ class Pen:
     low, high : (float, float)
         Corners of the picture. [pt]
     style : Style
+    within : Window, optional
+        Where on another figure it stands, as large as has room there, and no larger than it is.
     """
 
-    def __init__(self, low: Point, high: Point, style: Style) -> None:
-        """Make the figure."""
+    def __init__(self, low: Point, high: Point, style: Style, within: Window | None = None) -> None:
+        """Make the figure, or its place in another one."""
         self.style = style
-        self.figure = labels.figure(high[0] - low[0], high[1] - low[1])
-        self.axes = self.figure.add_axes((0.0, 0.0, 1.0, 1.0))
+        own = high[0] - low[0], high[1] - low[1]
+        if within is None:
+            within = Window(labels.figure(*own), (0.0, 0.0), own)
+        self.figure = within.figure
+        self.scale = min(1.0, *(room / size for room, size in zip(within.size, own, strict=True)))
+        self.letters = within.letters
+        size = own[0] * self.scale, own[1] * self.scale
+        left, bottom = (
+            start + (room - length) / 2
+            for start, room, length in zip(within.corner, within.size, size, strict=True)
+        )
+        self.axes = labels.panel(self.figure, left, bottom, *size).axes
         self.axes.set_axis_off()
         self.axes.set_xlim(low[0], high[0])
         self.axes.set_ylim(low[1], high[1])
@@ -70,7 +95,7 @@ class Pen:
         """A line through points."""
         xs, ys = zip(*points, strict=True)
         options = {"solid_capstyle": "butt", "solid_joinstyle": "miter", "zorder": 3, **more}
-        self.axes.plot(xs, ys, color=color, linewidth=width, **options)
+        self.axes.plot(xs, ys, color=color, linewidth=width * self.scale, **options)
 
     def dot(self, at: Point, color: str) -> None:
         """Where wires are joined."""
@@ -79,7 +104,14 @@ class Pen:
     def shape(self, points: Sequence[Point], *, fill: str, edge: str, width: float = LINE) -> None:
         """A filled polygon."""
         self.axes.add_patch(
-            Polygon(points, closed=True, facecolor=fill, edgecolor=edge, linewidth=width, zorder=4)
+            Polygon(
+                points,
+                closed=True,
+                facecolor=fill,
+                edgecolor=edge,
+                linewidth=width * self.scale,
+                zorder=4,
+            )
         )
 
     def text(  # noqa: PLR0913 - a text has these
@@ -98,7 +130,7 @@ class Pen:
             *at,
             text,
             color=color,
-            fontsize=size,
+            fontsize=size * self.scale * self.letters,
             family=FONT,
             weight="bold" if bold else "normal",
             ha=across,

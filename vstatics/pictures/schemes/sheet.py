@@ -9,7 +9,7 @@ from vstatics.errors import CaseError, Problem
 from vstatics.model.transmission import HOUSING
 from vstatics.pictures.labels import Point
 from vstatics.pictures.schemes.channels import ABOVE, BELOW, Item, PlacedTap, Tap
-from vstatics.pictures.schemes.pen import LINE, SIZE, Pen, width_of, wrapped
+from vstatics.pictures.schemes.pen import LINE, SIZE, Pen, Window, width_of, wrapped
 from vstatics.pictures.schemes.placing import Placement
 from vstatics.pictures.schemes.scheme import Device, Scheme, SchemeState, scheme_state
 from vstatics.pictures.state import state_of
@@ -30,6 +30,7 @@ PLATE = 9.0
 """Half the length of a plate. [pt]"""
 SPLIT = {"freewheel": 6.0, "dog_clutch": 4.0, "spring": 9.0}
 """Half the length along the line, where it is not that of plates. [pt]"""
+_OF_NO_GEAR = SchemeState()
 
 
 class Sheet(NamedTuple):
@@ -75,6 +76,30 @@ def sheet_of(
         state = scheme_state(scheme, shown)
         texts = [gear_title(shown.gear.name, style), *(fault(one, style) for one in shown.faults)]
         title = ", ".join([title, *texts] if title else texts)
+    return wired(scheme, placement, style, title=title, state=state)
+
+
+def wired(  # noqa: PLR0913 - what is drawn, and how
+    scheme: Scheme,
+    placement: Placement,
+    style: Style,
+    *,
+    title: str = "",
+    state: SchemeState = _OF_NO_GEAR,
+    within: Window | None = None,
+) -> Sheet:
+    """A sheet with its title, its wires and the names of its ends; by itself or within another."""
+    low, high = extent(scheme, placement, title)
+    sheet = Sheet(Pen(low, high, style, within), placement, scheme, state)
+    at = low[0] + MARGIN, high[1] - 1.4 * HEIGHT
+    sheet.pen.text(at, title, color=style.ink, size=SIZE + 2, across="left", bold=True)
+    _wires(sheet)
+    _ends(sheet)
+    return sheet
+
+
+def extent(scheme: Scheme, placement: Placement, title: str = "") -> tuple[Point, Point]:
+    """The lower left and the upper right corner of a picture with room for everything."""
     names = {
         "left": [width_of(scheme.name(wire)) for wire in placement.from_left],
         "right": [width_of(scheme.name(wire)) for wire in placement.to_right],
@@ -86,12 +111,7 @@ def sheet_of(
     low = placement.edge(BELOW) - (BAND + 14 if BELOW in sides else 0)
     high = placement.edge(ABOVE) + (BAND + 14 if ABOVE in sides else 0)
     high += 2.6 * HEIGHT * bool(title)
-    sheet = Sheet(Pen((left, low), (right, high), style), placement, scheme, state)
-    at = left + MARGIN, high - 1.4 * HEIGHT
-    sheet.pen.text(at, title, color=style.ink, size=SIZE + 2, across="left", bold=True)
-    _wires(sheet)
-    _ends(sheet)
-    return sheet
+    return (left, low), (right, high)
 
 
 def _wires(sheet: Sheet) -> None:

@@ -17,7 +17,7 @@ from vstatics.elements.drawing import drawing_of
 from vstatics.elements.group import group_of
 from vstatics.elements.kinds import Planetary
 from vstatics.errors import CaseError, Problem
-from vstatics.pictures.schemes.channels import ABOVE, BELOW, Board, Item, Tap
+from vstatics.pictures.schemes.channels import ABOVE, BELOW, GAP, Board, Item, Tap
 from vstatics.pictures.schemes.glyphs import Glyph
 from vstatics.pictures.schemes.pairs import pair_glyphs
 from vstatics.pictures.schemes.pen import SMALL, width_of, wrapped
@@ -45,6 +45,8 @@ BRIDGE = 6.0
 """Width of a wall that joins a shaft to a drum. [pt]"""
 BESIDE = 7.0
 """From the name of an element to its drawing. [pt]"""
+CLOSE = 9.0
+"""Between what stands in the row of a small diagram. [pt]"""
 
 
 class StickLayout(NamedTuple):
@@ -80,20 +82,38 @@ def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> Figure:
     layout = place(scheme, style)
     sheet = sheet_of(results, scheme, layout.placement, style, gears)
     if all(_is_coaxial(device) for device in scheme.devices):
-        _axis(sheet)
-    draw_devices(sheet, partial(_mechanism, layout))
+        axis(sheet)
+    draw_devices(sheet, partial(draw_mechanism, layout))
     return sheet.pen.figure
 
 
-def place(scheme: Scheme, style: Style) -> StickLayout:
-    """Where everything stands in the picture; the same for all gears of a case."""
-    glyphs = {
-        index: glyphs_of(device)
-        for index, device in enumerate(scheme.devices)
-        if device.element is not None and not device.is_on_housing
-    }
+def place(
+    scheme: Scheme,
+    style: Style,
+    glyphs: Mapping[int, list[Glyph]] | None = None,
+    *,
+    is_small: bool = False,
+    is_quick: bool = False,
+) -> StickLayout:
+    """Where everything stands in the picture; the same for all gears of a case.
+
+    Parameters
+    ----------
+    glyphs : mapping of int to list of Glyph, optional
+        All ways to draw what is no box, by its index; those of the elements if not given.
+    is_small : bool
+        It stands beside others: it is narrow, and links have no names but those at the ends.
+    is_quick : bool
+        It is one of many; elements stand in any order.
+    """
+    if glyphs is None:
+        glyphs = {
+            index: glyphs_of(device)
+            for index, device in enumerate(scheme.devices)
+            if device.element is not None and not device.is_on_housing
+        }
     items = [
-        _element_item(index, device, glyphs[index], style)
+        _element_item(index, device, glyphs[index], style, None if is_quick else index)
         if index in glyphs
         else _item(index, device, style)
         for index, device in enumerate(scheme.devices)
@@ -102,10 +122,11 @@ def place(scheme: Scheme, style: Style) -> StickLayout:
     for wire in wires:
         wall = [Tap(wire, ABOVE, BRIDGE / 2), Tap(wire, BELOW, BRIDGE / 2)]
         items.append(Item(len(items), [BRIDGE], [wall], bridge=wire))
-    board = Board(items, wires, *scheme.ends)
-    arrangement = arranged(board, is_free=False)
+    board = Board(items, wires, *scheme.ends, CLOSE if is_small else GAP)
+    arrangement = arranged(board, is_free=False, is_quick=is_quick)
     half = max([LEAST_HALF, *(glyph.half + 8 for ways in glyphs.values() for glyph in ways)])
-    return StickLayout(placed(board, arrangement, half, named_on_tracks(scheme)), glyphs)
+    names = {} if is_small else named_on_tracks(scheme)
+    return StickLayout(placed(board, arrangement, half, names), glyphs)
 
 
 def glyphs_of(device: Device) -> list[Glyph]:
@@ -124,7 +145,8 @@ def _is_coaxial(device: Device) -> bool:
     return element is None or isinstance(element.shape, Planetary) or device.kind == "held"
 
 
-def _axis(sheet: Sheet) -> None:
+def axis(sheet: Sheet) -> None:
+    """The line about which all turns."""
     y = sheet.placement.edge(BELOW) + 4
     ends = (-TERMINAL, y), (sheet.placement.row.width + TERMINAL, y)
     dashes = (0, (12, 3, 2, 3))
@@ -138,11 +160,13 @@ def _names(device: Device, style: Style) -> tuple[str, str]:
     return wrapped(device.name), "" if is_set else word(device.kind, style)
 
 
-def _element_item(index: int, device: Device, glyphs: list[Glyph], style: Style) -> Item:
+def _element_item(
+    index: int, device: Device, glyphs: list[Glyph], style: Style, rank: int | None
+) -> Item:
     name, kind = _names(device, style)
     label = max(width_of(name, bold=True), width_of(kind, SMALL)) + BESIDE
     variants = [[tap._replace(x=tap.x + label) for tap in glyph.taps] for glyph in glyphs]
-    return Item(index, [glyph.width + label for glyph in glyphs], variants, rank=index)
+    return Item(index, [glyph.width + label for glyph in glyphs], variants, rank=rank)
 
 
 def _item(index: int, device: Device, style: Style) -> Item:
@@ -157,9 +181,9 @@ def _item(index: int, device: Device, style: Style) -> Item:
     return replace(box_item(index, device, (ABOVE, BELOW), style), rank=index)
 
 
-def _mechanism(layout: StickLayout, sheet: Sheet, index: int) -> None:
+def draw_mechanism(layout: StickLayout, sheet: Sheet, index: int) -> None:
     """An element with its name; a box, where its wheels are not known."""
-    if sheet.scheme.devices[index].element is None:
+    if index not in layout.glyphs:
         draw_box(sheet, index)
         return
     pen, color, placement = sheet.pen, sheet.color(index), sheet.placement

@@ -1,0 +1,121 @@
+"""The picture of found boxes, and the stick diagrams of boxes without teeth."""
+
+from __future__ import annotations
+
+import itertools
+import math
+from typing import Any
+
+import pytest
+from matplotlib.figure import Figure
+from matplotlib.text import Text
+
+from tests.synthesis.listed_boxes import many, simpson, zf_6hp
+from vstatics import CaseError
+from vstatics.pictures import settings_of
+from vstatics.pictures.box_stick import stick_diagram
+from vstatics.pictures.boxes import draw_boxes, render_boxes
+from vstatics.pictures.schemes.bare import bare_stick
+from vstatics.pictures.style import Style
+from vstatics.synthesis.box_listing import drawn_boxes
+from vstatics.synthesis.box_reading import listing_of
+
+
+def drawn(document: dict[str, Any], most: int = 8, style: Style | None = None) -> Figure:
+    listing, style = listing_of(document), style or Style()
+    with settings_of(style):
+        return draw_boxes(listing, style, drawn_boxes(listing, most))
+
+
+def words(figure: Figure) -> list[str]:
+    texts = [*figure.texts, *(text for axes in figure.axes for text in axes.texts)]
+    return [text.get_text() for text in texts if text.get_text()]
+
+
+def test_one_box_has_its_point_and_its_diagram() -> None:
+    figure = drawn(simpson())
+    said = words(figure)
+    assert "Found boxes: 1" in said
+    assert "27885 looked at, 1 family with equal ratios" in said
+    assert {"1", "family 1 (1)", "Pareto list", "P1", "P2", "A", "B", "C", "D"} <= set(said)
+    points, diagram = figure.axes
+    low, high = points.get_xlim()
+    torque = simpson()["boxes"][0]["torque"]
+    assert low < torque < high
+    assert diagram.get_position().y1 < points.get_position().y0
+
+
+def test_a_held_link_and_meshed_planets_are_drawn() -> None:
+    """Lepelletier: one sun stands for good, one set has two rows of planets."""
+    [box] = listing_of(zf_6hp()).boxes
+    with settings_of(Style()):
+        sheet = bare_stick(box.transmission(), Style()).drawn()
+    held = [tap for tap in sheet.placement.row.taps if tap.reach == "none"]
+    assert [tap.label for tap in held] == ["sun"]
+    said = {text.get_text() for text in sheet.pen.axes.texts}
+    assert {"P1", "P2", "P3", "T-L0", "T-L1", "F-L0-L5", "F-L1-L6", "F-L3-L5"} <= said
+    assert {"L0", "L1", "L2", "L3", "L5", "L6"} <= said
+
+
+def numbers(figure: Figure) -> list[Text]:
+    axes = figure.axes[0]
+    return [text for text in axes.texts if text.get_bbox_patch() is not None]
+
+
+@pytest.mark.slow
+def test_points_that_coincide_share_their_numbers() -> None:
+    """Of each family of three the first two stand at one place."""
+    assert [text.get_text() for text in numbers(drawn(many(3), most=3))] == ["1, 2", "3"]
+
+
+@pytest.mark.slow
+def test_numbers_of_many_boxes_cover_no_other() -> None:
+    figure = drawn(many(400), most=8)
+    figure.canvas.draw()
+    boxes = [text.get_window_extent() for text in numbers(figure)]
+    assert len(boxes) == 8
+    for one, other in itertools.combinations(boxes, 2):
+        assert not one.overlaps(other)
+    axes = figure.axes[0].get_window_extent()
+    assert all(axes.contains(box.x0, box.y0) and axes.contains(box.x1, box.y1) for box in boxes)
+    assert "126 others" in words(figure)
+
+
+def test_boxes_without_figures_have_no_point_but_are_told() -> None:
+    document = many(3)
+    document["boxes"][0] |= {"loss": None, "torque": None}
+    said = words(drawn(document, most=1))
+    assert any(text.endswith("; without loss or torque: 1") for text in said)
+    assert not any("nan" in text for text in said)
+    document["boxes"] = document["boxes"][:1]
+    assert "Found boxes: 1" in words(drawn(document))
+
+
+def test_figures_that_differ_widely_have_scales_of_logarithms() -> None:
+    document = many(6)
+    document["boxes"][5] |= {"torque": 200.0, "loss": 0.0}
+    axes = drawn(document, most=1).axes[0]
+    assert (axes.get_xscale(), axes.get_yscale()) == ("log", "linear")
+    low, high = axes.get_xlim()
+    assert low < 2.0
+    assert 200.0 < high < math.inf
+
+
+def test_a_box_without_a_name_is_drawn() -> None:
+    document = simpson()
+    del document["boxes"][0]["case"]["name"]
+    [box] = listing_of(document).boxes
+    assert b"<svg" in stick_diagram(box.transmission())
+
+
+def test_no_box_is_told() -> None:
+    with pytest.raises(CaseError, match="no box was found, so there is nothing to draw"):
+        drawn({"searched": 10, "boxes": []})
+
+
+@pytest.mark.slow
+def test_the_same_boxes_give_the_same_picture() -> None:
+    listing = listing_of(zf_6hp())
+    for form in ("svg", "png", "pdf"):
+        first, again = (render_boxes(listing, form, Style("ru", dark=True)) for _ in range(2))
+        assert first == again

@@ -1,0 +1,79 @@
+"""The page of found boxes."""
+
+from __future__ import annotations
+
+import json
+import re
+from typing import Any
+
+import pytest
+
+from tests.synthesis.listed_boxes import many, simpson
+from vstatics import CaseError
+from vstatics.report import boxes
+from vstatics.report.boxes import box_pages, boxes_page
+from vstatics.synthesis.box_reading import listing_of
+
+
+def page(document: dict[str, Any], digits: int | None = None) -> str:
+    return boxes_page(listing_of(document), document, digits)
+
+
+def rows(html: str, section: str) -> list[str]:
+    body = html.partition(f'<section id="{section}">')[2].partition("<tbody>")[2]
+    return re.findall("<tr.*?</tr>", body.partition("</tbody>")[0])
+
+
+def test_the_page_has_all_boxes_families_gears_and_diagrams() -> None:
+    html = page(simpson())
+    sections = re.findall(r'<section id="([\w-]+)"', html)
+    assert sections == ["overview", "boxes", "families", "diagrams"]
+    assert "<h1>1 found box</h1>" in html
+    assert "27885 looked at; 1 family with equal ratios in all gears; 1 in the Pareto list." in html
+    assert len(rows(html, "boxes")) == len(rows(html, "families")) == 1
+    assert len(rows(html, "diagrams")) == 4  # gears
+    assert html.count("<svg") == 2
+    assert 'id="box-1"' in html
+
+
+def test_the_page_carries_the_document() -> None:
+    found = re.search('<script type="application/json" id="result">(.*?)</script>', page(simpson()))
+    assert found is not None
+    assert json.loads(found[1]) == simpson()
+
+
+def test_of_many_boxes_those_are_drawn_that_tell_most(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(boxes, "MOST_SHOWN", 1)
+    html = page(many(50))
+    assert len(rows(html, "boxes")) == 50
+    assert len(rows(html, "families")) == 17
+    assert "49 more are in the table only" in html
+    assert html.count("Stick diagram of box") == 2  # as a heading, and for those who do not see
+
+
+def test_names_are_text() -> None:
+    document = simpson()
+    text = json.dumps(document).replace("T-L0", "<b onload=x>")
+    html = page(json.loads(text))
+    assert "<b onload" not in html
+    assert "&lt;b onload=x&gt;" in html
+
+
+def test_without_matplotlib_the_tables_are_there(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(boxes, "missing", lambda *_: "a picture needs the package matplotlib")
+    html = page(simpson())
+    assert "There are no pictures: a picture needs the package matplotlib" in html
+    assert "<svg" not in html
+    assert len(rows(html, "diagrams")) == 4
+
+
+def test_no_box_is_told() -> None:
+    with pytest.raises(CaseError, match="no box was found"):
+        page({"searched": 3, "boxes": []})
+
+
+def test_the_files_of_a_directory() -> None:
+    made = box_pages(simpson())
+    assert list(made) == ["boxes.svg", "boxes.html"]
+    assert made["boxes.svg"].startswith(b"<?xml")
+    assert made["boxes.html"].startswith(b"<!DOCTYPE html>")

@@ -1,0 +1,106 @@
+"""Numbers beside points, so that they cover no other number and few points."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from typing import Any, NamedTuple
+
+from vstatics.pictures import labels
+from vstatics.pictures.labels import GAP, Panel, Point
+from vstatics.pictures.style import SIZE, Style
+from vstatics.synthesis.box_listing import ListedBox
+
+NEAR = 1.5
+"""Points that are closer are one. [pt]"""
+SPOT, LARGE_SPOT = 4.5, 6.5
+"""Of the point of a box, and of one that nothing is better than in all figures. [pt]"""
+DISTANCES = (9.0, 17.0, 27.0, 40.0)
+"""Of the middle of a number from its point. [pt]"""
+WAYS = 16
+"""Directions that are tried for a number."""
+
+
+class BoxPoint(NamedTuple):
+    """Boxes of one family at one place."""
+
+    at: Point
+    """[pt]"""
+    boxes: list[ListedBox]
+
+    @property
+    def is_pareto(self) -> bool:
+        """Whether nothing is better than one of them in all figures."""
+        return any(box.pareto for box in self.boxes)
+
+
+def number_spots(panel: Panel, spots: Sequence[BoxPoint], numbers: set[int], style: Style) -> None:
+    """The numbers of boxes with a diagram, so that they cover no other and few points."""
+    taken: list[tuple[float, float, float, float]] = []
+    points = [spot.at for spot in spots]
+    for at, text in _texts(spots, numbers):
+        wide, high = labels.width(text), SIZE
+        place = min(
+            _places(at, wide, panel),
+            key=lambda place: _cost(place, at, (wide, high), points, taken),
+        )
+        taken.append((*place, wide, high))
+        if math.dist(place, at) > DISTANCES[1] + wide / 2:
+            panel.line(at, place, color=style.soft, linewidth=0.5, zorder=2)
+        how: dict[str, Any] = {"ha": "center", "va": "center", "zorder": 8}
+        how["bbox"] = {"facecolor": style.paper, "edgecolor": "none", "alpha": 0.7, "pad": 0.5}
+        panel.write(*place, text, color=style.ink, **how)
+
+
+def _texts(spots: Sequence[BoxPoint], numbers: set[int]) -> Iterator[tuple[Point, str]]:
+    """What is written beside each place: the numbers of its diagrams, of all families there."""
+    together: dict[tuple[int, int], tuple[Point, list[int]]] = {}
+    for spot in spots:
+        key = round(spot.at[0] / NEAR), round(spot.at[1] / NEAR)
+        own = [box.number for box in spot.boxes if box.number in numbers]
+        together.setdefault(key, (spot.at, []))[1].extend(own)
+    for at, found in together.values():
+        if found:
+            yield at, _few(sorted(found))
+
+
+def _few(numbers: Sequence[int]) -> str:
+    """Numbers at one place, as many as have room there.
+
+    >>> _few([1, 4]), _few([1, 4, 5, 9, 12])
+    ('1, 4', '1, 4, 5 ...')
+    """
+    shown = ", ".join(map(str, numbers[:3]))
+    return f"{shown} ..." if len(numbers) > 3 else shown
+
+
+def _places(at: Point, wide: float, panel: Panel) -> Iterator[Point]:
+    """Where a number may stand, the nearest first."""
+    for distance in DISTANCES:
+        for step in range(WAYS):
+            angle = 2 * math.pi * (step / WAYS + 1 / 8)
+            x = at[0] + (distance + wide / 2) * math.cos(angle)
+            y = at[1] + distance * math.sin(angle)
+            if wide / 2 < x < panel.width - wide / 2 and SIZE < y < panel.height - SIZE:
+                yield x, y
+    yield at[0], at[1] + DISTANCES[0]
+
+
+def _cost(
+    place: Point,
+    at: Point,
+    size: Point,
+    points: Sequence[Point],
+    taken: Sequence[tuple[float, float, float, float]],
+) -> float:
+    """How much a number covers, and how far it stands from its point."""
+    (x, y), (wide, high) = place, size
+    others = sum(
+        abs(x - left) < (wide + other) / 2 + GAP and abs(y - low) < (high + up) / 2 + 1
+        for left, low, other, up in taken
+    )
+    covered = sum(
+        abs(x - left) < wide / 2 + LARGE_SPOT / 2 and abs(y - low) < high / 2 + LARGE_SPOT / 2
+        for left, low in points
+    )
+    return 1000.0 * others + 30.0 * covered + math.dist(place, at)

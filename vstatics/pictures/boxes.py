@@ -1,0 +1,154 @@
+"""Found boxes at a glance: mean loss over the largest torque, and stick diagrams."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from matplotlib.figure import Figure
+
+from vstatics.errors import CaseError, Problem
+from vstatics.extras import require
+from vstatics.pictures import Format, labels, settings_of, written
+from vstatics.pictures.box_points import LEFT, draw_points, draw_words
+from vstatics.pictures.labels import Point
+from vstatics.pictures.schemes.bare import BareStick, bare_stick
+from vstatics.pictures.schemes.pen import Window
+from vstatics.pictures.style import SIZE, Style
+from vstatics.summary.contrast import letters
+from vstatics.synthesis.box_listing import BoxListing, ListedBox, drawn_boxes
+
+WIDE = 595.0
+"""Of the page: A4. [pt]"""
+MARGIN = 26.0
+HIGH = 210.0
+"""Of the axes. [pt]"""
+BELOW = 34.0
+"""For the scale. [pt]"""
+BESIDE = 118.0
+"""For the families. [pt]"""
+HEAD = 40.0
+"""For what stands over the axes. [pt]"""
+LINE, SMALL = 11.0, 6.5
+"""From line to line; the letters below the name of a diagram. [pt]"""
+MOST_DRAWN = 8
+"""So many diagrams have room on a page."""
+COLUMNS = 2
+BETWEEN = 18.0
+"""Between diagrams. [pt]"""
+LARGEST = 0.62
+"""Scale of a diagram, at most."""
+LETTERS = 1.5
+"""Size of letters in a diagram over what they would have."""
+
+
+def render_boxes(listing: BoxListing, form: Format, style: Style) -> bytes:
+    """The picture of found boxes as a file.
+
+    Raises
+    ------
+    CaseError
+        If there is no box, or matplotlib is not installed.
+    ReadError
+        If the case of one that is drawn is none.
+    """
+    require("plot", "a picture")
+    with settings_of(style):
+        figure = draw_boxes(listing, style, drawn_boxes(listing, MOST_DRAWN))
+    return written(figure, form, style)
+
+
+def render_points(listing: BoxListing, drawn: Sequence[ListedBox]) -> bytes:
+    """The points alone as SVG, for a page that has the diagrams of these boxes elsewhere."""
+    with settings_of(Style()):
+        figure = _paper(listing, drawn, 0.0, Style())
+    return written(figure, "svg", Style())
+
+
+def draw_boxes(listing: BoxListing, style: Style, drawn: Sequence[ListedBox]) -> Figure:
+    """Points of all boxes over the diagrams of some.
+
+    Raises
+    ------
+    CaseError
+        If there is no box.
+    """
+    if not drawn:
+        raise CaseError([Problem("no box was found, so there is nothing to draw")])
+    room = (WIDE - 2 * MARGIN - (COLUMNS - 1) * BETWEEN) / COLUMNS
+    sticks = [bare_stick(box.transmission(), style, is_small=True) for box in drawn]
+    scale = min(LARGEST, *(room / stick.size[0] for stick in sticks))
+    captions = [_caption(box, room, style) for box in drawn]
+    rows = _rows(sticks, captions, scale)
+    figure = _paper(listing, drawn, sum(rows) + BETWEEN * len(rows), style)
+    top = sum(rows) + BETWEEN * (len(rows) - 1) + MARGIN
+    for number, high in enumerate(rows):
+        for column in range(COLUMNS):
+            place = number * COLUMNS + column
+            if place < len(drawn):
+                at = MARGIN + column * (room + BETWEEN), top
+                below = _write(figure, at, captions[place], style)
+                size = sticks[place].size[0] * scale, sticks[place].size[1] * scale
+                corner = at[0] + (room - size[0]) / 2, below - size[1]
+                sticks[place].drawn(within=Window(figure, corner, size, LETTERS))
+        top -= high + BETWEEN
+    return figure
+
+
+def _paper(listing: BoxListing, drawn: Sequence[ListedBox], below: float, style: Style) -> Figure:
+    """The points on a page with so much room below them [pt]."""
+    low = MARGIN + below + BELOW
+    figure = labels.figure(WIDE, low + HIGH + HEAD + MARGIN)
+    wide = WIDE - 2 * MARGIN - LEFT - BESIDE
+    panel = labels.panel(figure, MARGIN + LEFT, low, wide, HIGH)
+    draw_points(panel, listing, drawn, style)
+    draw_words(panel, listing, drawn, style)
+    return figure
+
+
+Caption = list[str]
+"""Lines, of which the first is a heading."""
+
+
+def _rows(sticks: Sequence[BareStick], captions: Sequence[Caption], scale: float) -> list[float]:
+    """Heights of the rows of diagrams [pt]."""
+    heights = [
+        stick.size[1] * scale + LINE * len(lines)
+        for stick, lines in zip(sticks, captions, strict=True)
+    ]
+    return [max(heights[at : at + COLUMNS]) for at in range(0, len(heights), COLUMNS)]
+
+
+def _caption(box: ListedBox, room: float, style: Style) -> Caption:
+    """What stands over a diagram."""
+    called = zip(letters(len(box.elements)), box.elements, strict=True)
+    lines = [
+        _figures(box, style),
+        ", ".join(f"{letter} {name}" for letter, name in called),
+    ]
+    wrapped = [line for text in lines for line in labels.wrapped(text, room, SMALL).split("\n")]
+    return [f"{box.number}   {style.text('family', 'семейство')} {box.family}", *wrapped]
+
+
+def _figures(box: ListedBox, style: Style) -> str:
+    """The figures of a box in a line."""
+    said = (
+        (style.text("loss", "потери"), f"{100 * box.loss:.2f} %"),
+        (style.text("torque", "момент"), f"{box.torque:.2f}"),
+        (style.text("planets", "сателлиты"), f"{box.planet_speed:.2f}"),
+        (style.text("slip", "скольжение"), f"{box.slip:.2f}"),
+        (style.text("brakes", "тормоза"), f"{box.brakes}"),
+        (style.text("clutches", "муфты"), f"{box.clutches}"),
+    )
+    return ", ".join(f"{name} {number}".replace("nan", "–") for name, number in said)
+
+
+def _write(figure: Figure, at: Point, lines: Caption, style: Style) -> float:
+    """Write a caption; where it ends [pt]."""
+    wide, high = (labels.POINTS * length for length in figure.get_size_inches())
+    (x, y), (title, *others) = at, lines
+    figure.text(x / wide, y / high, title, fontsize=SIZE, weight="bold", ha="left", va="top")
+    for line in others:
+        y -= LINE
+        place = x / wide, y / high
+        figure.text(*place, line, color=style.soft, fontsize=SMALL, ha="left", va="top")
+    return y - LINE

@@ -1,0 +1,111 @@
+"""Found boxes as one page of HTML, and what stands beside their cases in a directory."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+from vstatics.errors import CaseError, Problem
+from vstatics.extras import missing
+from vstatics.pictures.style import Style
+from vstatics.report.box_parts import all_grid, family_grid, shown_box
+from vstatics.report.drawn import inline
+from vstatics.report.page import framed
+from vstatics.report.parts import figure
+from vstatics.synthesis.box_listing import BoxListing, drawn_boxes
+from vstatics.synthesis.box_reading import listing_of
+from vstatics.tables.html import Markup, table, tag
+
+MOST_SHOWN = 40
+"""So many boxes have a diagram on the page."""
+
+
+def box_pages(document: Mapping[str, Any]) -> dict[str, bytes]:
+    """What stands beside the cases of found boxes: name of the file -> content.
+
+    Parameters
+    ----------
+    document : mapping
+        As `vstatics.synthesis.box_document.box_document` makes it, with boxes.
+
+    Raises
+    ------
+    CaseError
+        If matplotlib is not installed, or there is no box.
+    """
+    from vstatics.pictures.boxes import render_boxes
+
+    listing = listing_of(document)
+    page = boxes_page(listing, document).encode(errors="backslashreplace")
+    return {"boxes.svg": render_boxes(listing, "svg", Style()), "boxes.html": page}
+
+
+def boxes_page(listing: BoxListing, document: Mapping[str, Any], digits: int | None = None) -> str:
+    """The page, as HTML; without matplotlib it has no pictures.
+
+    Parameters
+    ----------
+    document : mapping
+        From which the listing was made; the page carries it.
+    digits : int, optional
+        After the point, where they are not those that suit a number.
+
+    Raises
+    ------
+    CaseError
+        If there is no box.
+    ReadError
+        If the case of one that is drawn is none.
+    """
+    if not listing.boxes:
+        raise CaseError([Problem("no box was found, so there is nothing to show")])
+    without = missing("plot", "a picture")
+    parts = [
+        ("Overview", list(_overview(listing, without))),
+        ("Boxes", [table(all_grid(listing).with_digits(digits))]),
+        ("Families", [table(family_grid(listing).with_digits(digits))]),
+        ("Diagrams", list(_diagrams(listing, without))),
+    ]
+    found = len(listing.boxes)
+    title = f"{found} found {'box' if found == 1 else 'boxes'}"
+    return framed(title, _about(listing), parts, dict(document))
+
+
+def _about(listing: BoxListing) -> Iterator[Markup]:
+    families = len(listing.families)
+    with_equal = f"{families} {'family' if families == 1 else 'families'} with equal ratios"
+    best = sum(box.pareto for box in listing.boxes)
+    said = f"{listing.searched} looked at; {with_equal} in all gears; {best} in the Pareto list."
+    yield tag("p", said, class_="told")
+    targets = (f"{name} {gear.target:g}" for name, gear in listing.boxes[0].gears.items())
+    yield tag("p", f"Wanted: {', '.join(targets)}.", class_="told")
+
+
+def _overview(listing: BoxListing, without: str) -> Iterator[Markup]:
+    if without:
+        yield tag("p", f"There are no pictures: {without}")
+        return
+    from vstatics.pictures.boxes import render_points
+
+    svg = render_points(listing, drawn_boxes(listing, MOST_SHOWN))
+    name = "Mean loss over the largest torque"
+    yield figure(name, inline(svg, "boxes", name))
+    yield tag("p", "Numbers are those of boxes with a diagram; one colour is one family.")
+
+
+def _diagrams(listing: BoxListing, without: str) -> Iterator[Markup]:
+    """The boxes that tell most: the Pareto list, the first of each family."""
+    shown = drawn_boxes(listing, MOST_SHOWN)
+    rest = len(listing.boxes) - len(shown)
+    yield tag("p", *(tag("a", f"{box.number} ", href=f"#box-{box.number}") for box in shown))
+    if rest:
+        said = "Here are boxes of the Pareto list and the first of each family"
+        yield tag("p", f"{said}; {rest} more {'is' if rest == 1 else 'are'} in the table only.")
+    for box in shown:
+        case = box.transmission()
+        svg = None
+        if not without:
+            from vstatics.pictures.box_stick import stick_diagram
+
+            svg = stick_diagram(case, "")
+        yield from shown_box(box, svg)

@@ -1,0 +1,88 @@
+"""Found boxes as a document lists them, for pictures, a page and summaries of them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any, NamedTuple
+
+from vstatics.errors import ReadError
+from vstatics.model.transmission import Transmission
+from vstatics.readers import from_dict
+
+
+class ListedGear(NamedTuple):
+    """A gear of a listed box."""
+
+    engaged: tuple[str, ...]
+    ratio: float
+    target: float
+
+
+class ListedBox(NamedTuple):
+    """A box of a document, with its number in the order of the document from 1."""
+
+    number: int
+    code: str
+    elements: Mapping[str, tuple[str, ...]]
+    """By name the two links that each joins, or a link and the housing."""
+    ratios: Mapping[str, float]
+    gears: Mapping[str, ListedGear]
+    error: float
+    loss: float
+    planet_speed: float
+    slip: float
+    torque: float
+    brakes: int
+    clutches: int
+    single: bool
+    planar: bool
+    family: int
+    pareto: bool
+    case: Mapping[str, Any]
+
+    def transmission(self) -> Transmission:
+        """Its case.
+
+        Raises
+        ------
+        ReadError
+            If what stands there is none.
+        """
+        try:
+            return from_dict(self.case)
+        except ReadError as error:
+            name = f"case of box {self.number}"
+            raise ReadError(
+                one._replace(message=f"{name}: {one.message}") for one in error.problems
+            ) from None
+
+
+class BoxListing(NamedTuple):
+    """What a search for boxes has found."""
+
+    searched: int
+    boxes: tuple[ListedBox, ...]
+
+    @property
+    def families(self) -> dict[int, list[ListedBox]]:
+        """The boxes with equal ratios in all gears, by the number of their family."""
+        found: dict[int, list[ListedBox]] = {}
+        for box in self.boxes:
+            found.setdefault(box.family, []).append(box)
+        return found
+
+
+def drawn_boxes(listing: BoxListing, most: int) -> list[ListedBox]:
+    """The boxes that get a diagram, in the order of the document.
+
+    First come those of the Pareto list, each of another family, then the first of each other
+    family, the rest of the Pareto list, and the rest.
+    """
+    seen: set[int] = set()
+    ranks: list[tuple[int, int, ListedBox]] = []
+    for box in sorted(listing.boxes, key=lambda box: (not box.pareto, box.number)):
+        is_first = box.family not in seen
+        seen.add(box.family)
+        rank = (0 if box.pareto else 1) if is_first else (2 if box.pareto else 3)
+        ranks.append((rank, box.number, box))
+    return sorted((box for *_, box in sorted(ranks)[:most]), key=lambda box: box.number)
