@@ -112,9 +112,8 @@ def measured(search: BoxSearch, box: FoundBox, efficiency: float) -> MeasuredBox
     (1.0, 2.0, True, True)
     """
     least = least_box(box)
-    gears = _chosen(least, search.targets, _solved(box_case(least, search.targets, efficiency)))
-    by_place = {gear.place: gear.engaged for gear in gears}
-    chosen = least._replace(gears=tuple(by_place[index] for index in range(len(gears))))
+    case = box_case(least, search.targets, efficiency)
+    gears = _chosen(least, search.targets, _solved(case))
     names = target_names(search.targets)
     told = tuple(
         BoxGear(
@@ -125,9 +124,11 @@ def measured(search: BoxSearch, box: FoundBox, efficiency: float) -> MeasuredBox
         )
         for gear in gears
     )
-    error = max(map(_error, told))
-    figures = _figures(chosen, search.targets, gears, error)
-    chosen = chosen._replace(error=error)
+    by_place = {gear.place: gear.engaged for gear in gears}
+    chosen = least._replace(
+        gears=tuple(by_place[place] for place in range(len(gears))), error=max(map(_error, told))
+    )
+    figures = _figures(chosen, case, search.targets, gears)
     return MeasuredBox(chosen, search.targets, efficiency, told, figures)
 
 
@@ -204,14 +205,14 @@ def _chosen(box: FoundBox, targets: Sequence[float], solved: _Solved) -> list[_C
 
 
 def _figures(
-    box: FoundBox, targets: Sequence[float], gears: Sequence[_ChosenGear], error: float
+    box: FoundBox, case: Transmission, targets: Sequence[float], gears: Sequence[_ChosenGear]
 ) -> BoxFigures:
     """The figures of a box with the gears that are chosen."""
     forward = [gear for gear in gears if targets[gear.place] > 0]
     backward = gears[len(forward) :]
     losses = [gear.values.loss for gear in forward or gears]
     return BoxFigures(
-        error=error,
+        error=box.error,
         loss=math.fsum(losses) / len(losses),
         planet_speed=_largest(gear.values.planet_speed for gear in gears),
         slip=_largest(gear.values.slip for gear in gears),
@@ -219,5 +220,5 @@ def _figures(
         brakes=sum(1 for _ in box.brakes),
         clutches=sum(1 for _ in box.clutches),
         single=all(is_single([gear.engaged for gear in part]) for part in (forward, backward)),
-        planar=box_is_planar(box_case(box, targets, 1.0)),
+        planar=box_is_planar(case),
     )
