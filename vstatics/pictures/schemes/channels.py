@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Literal, NamedTuple
 
 ABOVE, BELOW = 1, -1
@@ -108,6 +109,25 @@ class PlacedRow:
     width: float
 
 
+_Joints = tuple[set[int], set[int], set[int], set[int]]
+"""Wires that an item joins above, below and on both sides at one place; those on a free side."""
+
+
+def _joints_of(taps: Sequence[Tap]) -> _Joints:
+    above: set[int] = set()
+    below: set[int] = set()
+    joined: set[int] = set()
+    free: set[int] = set()
+    first: dict[tuple[int, float], int] = {}
+    for wire, side, x, reach, _, _ in taps:
+        if reach == "none":
+            continue
+        (free if not side else above if side == ABOVE else below).add(wire)
+        if first.setdefault((wire, x), side) != side:
+            joined.add(wire)
+    return above, below, joined, free
+
+
 @dataclass(frozen=True)
 class Board:
     """What is to be arranged.
@@ -135,7 +155,7 @@ class Board:
         taps: list[PlacedTap] = []
         x = 0.0
         missing = self._bridges(arrangement)
-        reaches = self._reaches(arrangement)
+        reaches = self._reaches(arrangement) if self._has_slots else {}
         for place, index in enumerate(arrangement.order):
             item = self.items[index]
             if item.bridge is not None and item.bridge not in missing:
@@ -152,21 +172,31 @@ class Board:
 
     def _bridges(self, arrangement: Arrangement) -> set[int]:
         """Wires whose tracks on both sides are joined by no item."""
-        sides: dict[int, set[int]] = {}
+        above: set[int] = set()
+        below: set[int] = set()
         joined: set[int] = set()
-        for index in arrangement.order:
-            item = self.items[index]
-            if item.bridge is not None:
-                continue
-            own: dict[tuple[int, float], int] = {}
-            for wire, given, x, reach, _, _ in item.variants[arrangement.variants[index]]:
-                if reach == "none":
-                    continue
-                side = given or arrangement.sides[wire]
-                sides.setdefault(wire, set()).add(side)
-                if own.setdefault((wire, x), side) != side:
-                    joined.add(wire)
-        return {wire for wire, found in sides.items() if len(found) > 1} - joined
+        for index, variants in self._joints:
+            own = variants[arrangement.variants[index]]
+            above |= own[0]
+            below |= own[1]
+            joined |= own[2]
+            for wire in own[3]:
+                (above if arrangement.sides[wire] == ABOVE else below).add(wire)
+        return (above & below) - joined
+
+    @cached_property
+    def _joints(self) -> list[tuple[int, list[_Joints]]]:
+        """By item, what each of its variants joins; bridges join nothing by themselves."""
+        return [
+            (index, [_joints_of(taps) for taps in item.variants])
+            for index, item in enumerate(self.items)
+            if item.bridge is None
+        ]
+
+    @cached_property
+    def _has_slots(self) -> bool:
+        """Whether the reach of wires matters, as taps are sorted into slots by it."""
+        return any(item.slot for item in self.items)
 
     def _reaches(self, arrangement: Arrangement) -> dict[int, tuple[int, int]]:
         """The first and the last place in the row at which a wire meets an item."""

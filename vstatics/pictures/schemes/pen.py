@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 
 from matplotlib.figure import Figure
 from matplotlib.font_manager import FontProperties
+from matplotlib.lines import Line2D
 from matplotlib.patches import Circle, Polygon, Rectangle
 from matplotlib.textpath import TextToPath
 
@@ -95,7 +96,8 @@ class Pen:
         """A line through points."""
         xs, ys = zip(*points, strict=True)
         options = {"solid_capstyle": "butt", "solid_joinstyle": "miter", "zorder": 3, **more}
-        self.axes.plot(xs, ys, color=color, linewidth=width * self.scale, **options)
+        # what `plot` does besides, as fitting the limits, costs most of the time
+        self.axes.add_artist(Line2D(xs, ys, color=color, linewidth=width * self.scale, **options))
 
     def dot(self, at: Point, color: str) -> None:
         """Where wires are joined."""
