@@ -15,7 +15,7 @@ from vstatics.synthesis.box_figures import DIGITS, BoxFigures, MeasuredBox
 from vstatics.synthesis.box_filter import BoxFilter
 from vstatics.synthesis.box_least import identity
 
-ALIKE = 1e-5
+ALIKE = 1e-6
 """Ratios of a gear that differ by less than this part are one: they are fitted."""
 EQUAL_FIGURES = 1e-7
 """Figures that differ by less than this part, or as much, are equal: they follow from fits."""
