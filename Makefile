@@ -50,6 +50,9 @@ schema: .venv/dev.stamp ## rewrite schemas/ from the declarations
 bench: .venv/dev.stamp ## all figures of docs/performance.md (needs a C compiler, 5 minutes)
 	$(BIN)/python benchmarks
 
+boxes: .venv/dev.stamp ## the eight-speed search of docs/performance.md, TIME
+	$(BIN)/python benchmarks boxes
+
 dist: .venv/dev.stamp ## build wheel and sdist in dist/, and try the wheel without extras
 	rm -rf dist
 	$(BIN)/python -m build --outdir dist
@@ -78,4 +81,4 @@ clean: ## remove what make has made
 	touch $@
 
 .DEFAULT_GOAL := help
-.PHONY: help run test test-slow test-beside test-alone test-oldest coverage lint types golden schema bench dist clean
+.PHONY: help run test test-slow test-beside test-alone test-oldest coverage lint types golden schema bench boxes dist clean

@@ -14,7 +14,9 @@ from pathlib import Path
 from common import compiled, machine
 
 NAMES = ("variants", "spread", "sizes", "decks", "long_sweeps", "torsion", "simulation", "startup")
-WITHOUT_PEER = ("long_sweeps", "torsion", "simulation", "startup")
+LONG = ("boxes",)
+"""Those that are run only where they are named."""
+WITHOUT_PEER = ("long_sweeps", "torsion", "simulation", "startup", "boxes")
 PLACE = "<!-- bench: {} -->\n"
 END = "<!-- end of bench -->"
 
@@ -28,19 +30,23 @@ def placed(document: str, name: str, text: str) -> str:
 
 def main() -> None:
     """Run them one after another."""
+    known = (*NAMES, *LONG)
     parser = argparse.ArgumentParser(prog="benchmarks", description=__doc__.splitlines()[0])
     parser.add_argument("--quick", action="store_true", help="less work: do they run at all?")
     parser.add_argument("--peer", type=Path, metavar="PROGRAM", help="another peer, same usage")
     parser.add_argument("--into", type=Path, metavar="FILE", help="a document with their places")
-    parser.add_argument("names", nargs="*", metavar="NAME", help=", ".join(NAMES))
+    parser.add_argument("names", nargs="*", metavar="NAME", help=", ".join(known))
     given = parser.parse_args()
-    if unknown := set(given.names) - set(NAMES):
-        parser.error(f"no benchmark {', '.join(sorted(unknown))}: choose of {', '.join(NAMES)}")
-    peer = given.peer.resolve() if given.peer else compiled()
+    if unknown := set(given.names) - set(known):
+        parser.error(f"no benchmark {', '.join(sorted(unknown))}: choose of {', '.join(known)}")
+    names = given.names or NAMES
+    peer = None
+    if not set(names) <= set(WITHOUT_PEER):
+        peer = given.peer.resolve() if given.peer else compiled()
     texts = {"machine": f"{machine()}. Times are medians; what is compared alternates.\n"}
     print(texts["machine"], end="", flush=True)
     failed = []
-    for name in given.names or NAMES:
+    for name in names:
         command = [sys.executable, str(Path(__file__).with_name(f"{name}.py"))]
         command += ["--quick"] * given.quick
         if name not in WITHOUT_PEER:

@@ -17,12 +17,18 @@ from vstatics.synthesis.box import BoxSearch
 from vstatics.synthesis.box_checks import check_box_search, elements_there, engaged_range
 
 EIGHT = (4.70, 3.13, 2.10, 1.67, 1.28, 1.0, 0.84, 0.67, -3.30)
-SIMPSON = {"sets": 2, "elements": 4, "engaged": 2, "targets": (2.46, 1.46, 1.0, -2.2)}
+SIMPSON: dict[str, Any] = {
+    "sets": 2,
+    "elements": 4,
+    "engaged": 2,
+    "targets": (2.46, 1.46, 1.0, -2.2),
+}
 
 
 def search(**given: Any) -> BoxSearch:
     """A search of the eight-speed of four sets, but for what is given."""
-    return BoxSearch(**({"sets": 4, "elements": 5, "engaged": 3, "targets": EIGHT} | given))
+    eight: dict[str, Any] = {"sets": 4, "elements": 5, "engaged": 3, "targets": EIGHT}
+    return BoxSearch(**(eight | given))
 
 
 @pytest.mark.parametrize(

@@ -14,6 +14,7 @@ COMMANDS = {
         "What each combination of shift elements of a case does.",
     ),
     "fit": ("vstatics.cli.synth_fit", "Ratios of mechanisms for wanted ratios of gears."),
+    "box": ("vstatics.cli.synth_box", "Whole gearboxes for wanted ratios of gears."),
 }
 
 
@@ -25,7 +26,7 @@ class SynthesisCommands(LazyGroup):
 
 @click.group(cls=SynthesisCommands)
 def synth() -> None:
-    """Find a gearbox: schemes of planetary sets, gears of a case, ratios for wanted gears.
+    """Find a gearbox: schemes of planetary sets, gears of a case, ratios, whole gearboxes.
 
     \b
     Examples:
@@ -33,4 +34,5 @@ def synth() -> None:
       vstatics synth case 0-1-2-0-3-1 --input L0 --output L1 -o box.yaml
       vstatics synth combinations box.yaml --elements auto --write gears.yaml
       vstatics synth fit box.yaml --ratios 1=3.5 --write fitted.yaml
+      vstatics synth box --sets 1 --elements 2 --engaged 1 --ratios 3,1 -o found/
     """

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from vstatics.synthesis.box_document import box_schema
 from vstatics.synthesis.engaged_kinds import EngagedKind
 from vstatics.synthesis.engaged_sets import EngagedSet
 from vstatics.synthesis.fit_document import fit_schema
@@ -15,6 +16,7 @@ def json_schemas() -> dict[str, Schema]:
         "structures": structures_schema(),
         "combinations": combinations_schema(),
         "fit": fit_schema(),
+        "box": boxes_schema(),
     }
 
 
@@ -42,6 +44,16 @@ def combinations_schema() -> Schema:
     about = record({"elements": names, "engaged": sizes, **numbers})
     title = "Combinations of shift elements, of vstatics synth combinations"
     return _schema("combinations", title, {"anyOf": [found, one, about]})
+
+
+def boxes_schema() -> Schema:
+    """The schema of ``vstatics synth box -f json``: all that is found, a line, an estimate."""
+    found = box_schema()
+    one = found["properties"]["boxes"]["items"]
+    numbers = dict.fromkeys(("searched", "found", "seconds"), NUMBER)
+    about = record({**numbers, "exact": {"type": "boolean"}})
+    title = "Gearboxes for wanted ratios, of vstatics synth box"
+    return _schema("box", title, {"anyOf": [found, one, about]})
 
 
 def _schema(name: str, title: str, document: Schema) -> Schema:

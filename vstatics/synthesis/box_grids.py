@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 from vstatics.synthesis.box_choice import RankedBox, family_count
 from vstatics.tables.grid import Column, Grid, Row, exact, sign, text, whole
@@ -32,18 +32,28 @@ def _counts(searched: int, boxes: Sequence[RankedBox]) -> Grid:
     return Grid("Boxes", [text("what"), Column("boxes")], rows)
 
 
+def all_boxes(boxes: Sequence[RankedBox]) -> Grid:
+    """A row for each found box, in their order."""
+    return _listed("Found boxes", "boxes", enumerate(boxes, 1))
+
+
 def _pareto(boxes: Sequence[RankedBox]) -> Grid:
     """Those of the Pareto list, with their places among all."""
+    own = ((place, box) for place, box in enumerate(boxes, 1) if box.pareto)
+    return _listed("Pareto list", "pareto", own)
+
+
+def _listed(title: str, key: str, boxes: Iterable[tuple[int, RankedBox]]) -> Grid:
+    """Boxes with their places among all."""
     columns = [
         *map(Column, ("box", "family", "loss [%]", "planet speed", "slip", "torque")),
         *map(Column, ("brakes", "clutches", "single", "planar")),
         *map(text, ("code", "input", "output", "elements")),
     ]
-    rows: list[Row] = []
-    for place, box in enumerate(boxes, 1):
-        if box.pareto:
-            rows.append([whole(place), whole(box.family), *_figures(box), *_structure(box)])
-    return Grid("Pareto list", columns, rows, key="pareto")
+    rows: list[Row] = [
+        [whole(place), whole(box.family), *_figures(box), *_structure(box)] for place, box in boxes
+    ]
+    return Grid(title, columns, rows, key=key)
 
 
 def _figures(box: RankedBox) -> Row:
