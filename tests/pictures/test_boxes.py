@@ -101,6 +101,14 @@ def test_figures_that_differ_widely_have_scales_of_logarithms() -> None:
     assert 200.0 < high < math.inf
 
 
+def test_figures_that_differ_by_rounding_are_one_place() -> None:
+    document = many(2)
+    for number, box in enumerate(document["boxes"]):
+        box["torque"] = 3.0 + number * 1e-12
+    low, high = drawn(document, most=1).axes[0].get_xlim()
+    assert (low, high) == pytest.approx((2.85, 3.15))
+
+
 def test_a_box_without_a_name_is_drawn() -> None:
     document = simpson()
     del document["boxes"][0]["case"]["name"]

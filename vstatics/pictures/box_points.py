@@ -19,6 +19,8 @@ MARKERS = "os^Dv"
 """Of families, each in all colours."""
 ROOM = 0.06
 """Beside the outermost points, as a part of the axis."""
+LEAST_ROOM = 0.05
+"""At least, as a part of the largest number."""
 LEFT = 40.0
 """From the words over the axes to these. [pt]"""
 WIDELY = 8.0
@@ -83,15 +85,15 @@ def _scale(axes: Axes, along: Literal["x", "y"], values: Sequence[float]) -> Non
 
 
 def _ends(values: Sequence[float]) -> tuple[float, float]:
-    """The ends of an axis: beside all values, and never at one place.
+    """The ends of an axis: beside all values, and apart where these differ by rounding.
 
     >>> _ends([2.0, 2.0]), _ends([])
-    ((1.8, 2.2), (0.0, 1.0))
+    ((1.9, 2.1), (0.0, 1.0))
     """
     if not values:
         return 0.0, 1.0
     low, high = min(values), max(values)
-    room = ROOM * (high - low) or 0.1 * abs(high) or 0.1
+    room = max(ROOM * (high - low), LEAST_ROOM * max(abs(low), abs(high))) or LEAST_ROOM
     return low - room, high + room
 
 
