@@ -1,6 +1,7 @@
 """Options of the test run."""
 
 import gc
+import os
 import signal
 
 import pytest
@@ -12,8 +13,14 @@ settings.register_profile("repeatable", derandomize=True, deadline=None, max_exa
 settings.load_profile("repeatable")
 
 
-def pytest_configure() -> None:
-    """Let programs that are tried be stopped by Ctrl-C, also where a shell has us in the background."""
+def pytest_configure(config: pytest.Config) -> None:
+    """Let programs that are tried be stopped by Ctrl-C, also where a shell has us in the background.
+
+    Fast tests take compiled functions as they are written: to compile them would take longer
+    than all the rest. The slow ones compile them.
+    """
+    if config.option.markexpr == "not slow":
+        os.environ["NUMBA_DISABLE_JIT"] = "1"
     if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
         signal.signal(signal.SIGINT, signal.default_int_handler)
 

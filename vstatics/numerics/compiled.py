@@ -10,6 +10,7 @@ from typing import Any, TypeVar, cast
 import numba
 
 from vstatics.extras import build
+from vstatics.numerics.arrays import Floats, Integers
 
 Compiled = TypeVar("Compiled", bound=Callable[..., Any])
 
@@ -34,3 +35,10 @@ numba.config.CACHE_DIR = _cache()  # type: ignore[attr-defined]
 def compiled(function: Compiled) -> Compiled:
     """A function that is compiled when it is called first; the machine code is kept."""
     return cast(Compiled, numba.njit(function, nogil=True, error_model="numpy", cache=True))
+
+
+@compiled
+def put(values: Floats | Integers, into: Floats | Integers) -> None:
+    """Copy an array; an assignment of slices would take seconds to compile."""
+    for place in range(len(values)):
+        into[place] = values[place]

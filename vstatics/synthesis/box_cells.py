@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.numerics.arrays import Booleans, Floats, Integers
-from vstatics.numerics.compiled import compiled
+from vstatics.numerics.compiled import compiled, put
 from vstatics.synthesis.box_elements import Combinations, matched
 from vstatics.synthesis.box_fit import NOTHING, Asked, FitRoom, fit_room, fitted
 from vstatics.synthesis.box_ranges import has_one_sign, reached
@@ -131,9 +131,8 @@ def _begin(parts: Floats, asked: Asked, room: CellRoom) -> None:
     room.best[:] = math.inf
     room.stages[0] = 0
     for ratio in range(len(parts)):
-        for corner in range(parts.shape[2]):
-            room.parts[0, ratio, 0, corner] = parts[ratio, 0, corner]
-            room.parts[0, ratio, 1, corner] = parts[ratio, 1, corner]
+        put(parts[ratio, 0], room.parts[0, ratio, 0])
+        put(parts[ratio, 1], room.parts[0, ratio, 1])
     room.low[0] = asked.low
     room.high[0] = asked.high
 
@@ -214,9 +213,8 @@ def _halve(room: CellRoom, count: int, top: int, number: int) -> None:
                     here[corner | bit] = value
                     there[corner] = value
                     there[corner | bit] = last
-    for other in range(room.low.shape[1]):
-        room.low[top + 1, other] = room.low[top, other]
-        room.high[top + 1, other] = room.high[top, other]
+    put(room.low[top], room.low[top + 1])
+    put(room.high[top], room.high[top + 1])
     room.high[top, number] = middle
     room.low[top + 1, number] = middle
     room.stages[top + 1] = room.stages[top]
@@ -265,7 +263,9 @@ def _fit(table: Combinations, parts: Floats, asked: Asked, room: CellRoom, top: 
     total = fitted(parts, room.chosen, asked, room.fit)
     if total == math.inf:
         return False
-    largest = np.abs(room.fit.errors).max()
+    largest = 0.0
+    for error in room.fit.errors:
+        largest = max(largest, abs(error))
     if largest > asked.tolerance or not all_used(
         table, room.ratio_of, room.chosen, room.came, room.gears
     ):
@@ -273,6 +273,6 @@ def _fit(table: Combinations, parts: Floats, asked: Asked, room: CellRoom, top: 
     if total < room.best[1]:
         room.best[0] = largest
         room.best[1] = total
-        room.best_logs[:] = room.fit.logs
-        room.best_gears[:] = room.gears
+        put(room.fit.logs, room.best_logs)
+        put(room.gears, room.best_gears)
     return True

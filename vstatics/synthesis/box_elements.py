@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.numerics.arrays import Floats, Integers
-from vstatics.numerics.compiled import compiled
+from vstatics.numerics.compiled import compiled, put
 from vstatics.synthesis.box_minors import GearSpeeds
 
 SAME = 1e-9
@@ -141,23 +141,26 @@ def matched(reach: Integers, count: int, targets: int, chosen: Integers) -> bool
     """Whether each target can have a ratio of its own; `chosen` takes one for each.
 
     >>> chosen = np.zeros(2, np.int64)
-    >>> matched(np.array([1, 3]), 2, 2, chosen), chosen.tolist()
+    >>> bool(matched(np.array([1, 3]), 2, 2, chosen)), chosen.tolist()
     (True, [0, 1])
-    >>> matched(np.array([1, 1]), 2, 2, chosen)
+    >>> bool(matched(np.array([1, 1]), 2, 2, chosen))
     False
     """
     chosen[:targets] = -1
     for ratio in range(count):
         _placed(reach, ratio, targets, chosen)
-    return bool((chosen[:targets] >= 0).all())
+    missing = 0
+    for target in range(targets):
+        missing += chosen[target] < 0
+    return missing == 0
 
 
 @compiled
 def _placed(reach: Integers, ratio: int, targets: int, chosen: Integers) -> bool:
     """Give a ratio a target, moving others along a shortest way; False if none is free."""
-    came_from = chosen[:targets].copy()
+    came_from = np.empty(targets, np.int64)
+    line = np.empty(targets, np.int64)
     seen = reach[ratio]
-    line = chosen[:targets].copy()
     first = last = 0
     for target in range(targets):
         if (seen >> target) & 1:
@@ -237,8 +240,7 @@ def element_sets(
         elif matched(room.reach[size], room.counts[size], len(room.pairs), room.pairs):
             if count == len(room.found):
                 return -1
-            for place in range(size):
-                room.found[count, place] = room.chosen[place]
+            put(room.chosen[:size], room.found[count])
             count += 1
     return count
 
@@ -256,9 +258,8 @@ def _one_more(
     gone = room.gone[depth]
     count = room.counts[depth]
     after = depth + 1
-    for one in range(count):
-        room.ratios[after, one] = room.ratios[depth, one]
-        room.reach[after, one] = room.reach[depth, one]
+    put(room.ratios[depth, :count], room.ratios[after])
+    put(room.reach[depth, :count], room.reach[after])
     for subset in range(table.starts[depth], table.starts[after]):
         which = way[number_of(table, room.chosen, subset)]
         if port.reach[which] == 0:
@@ -297,9 +298,7 @@ def _bar(table: Combinations, gears: GearSpeeds, room: SetRoom, depth: int) -> N
 @compiled
 def _find_missing(table: Combinations, room: SetRoom, depth: int) -> None:
     """Count for all elements the combinations that they would lack; `depth` are chosen."""
-    levels = room.missing.shape[1]
-    for level in range(levels):
-        room.missing[depth, level] = room.missing[depth - 1, level]
+    put(room.missing[depth - 1], room.missing[depth])
     engaged = table.places.shape[1]
     for subset in range(table.starts[depth], table.starts[depth + 1]):
         # of the set with one more, whose place is the last of each of these combinations

@@ -14,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.numerics.arrays import Floats, Integers
-from vstatics.numerics.compiled import compiled
+from vstatics.numerics.compiled import compiled, put
 
 STEPS = 60
 LEAST_STEP = 1e-12
@@ -99,7 +99,7 @@ def fitted(parts: Floats, chosen: Integers, asked: Asked, room: FitRoom) -> floa
     >>> room = fit_room(1, 1)
     >>> room.logs[0] = np.log(2.0)
     >>> parts = np.array([[[2.4, 6.0], [1.0, 1.0]]])
-    >>> fitted(parts, np.array([0]), Asked(four, four, four, 0.01, 1.4, 5.0), room) < 1e-20
+    >>> bool(fitted(parts, np.array([0]), Asked(four, four, four, 0.01, 1.4, 5.0), room) < 1e-20)
     True
     >>> round(float(np.exp(room.logs[0])), 9)
     3.0
@@ -130,8 +130,8 @@ def fitted(parts: Floats, chosen: Integers, asked: Asked, room: FitRoom) -> floa
             continue
         is_last = best - value <= LEAST_GAIN * best or value < NOTHING
         best = value
-        room.logs[:] = room.tried
-        room.errors[:] = room.trial
+        put(room.tried, room.logs)
+        put(room.trial, room.errors)
         if is_last:
             return best
         damping = max(damping * 0.1, 1e-12)

@@ -6,7 +6,7 @@ import math
 from typing import NamedTuple
 
 from vstatics.numerics.arrays import Floats, Integers
-from vstatics.numerics.compiled import compiled
+from vstatics.numerics.compiled import compiled, put
 from vstatics.synthesis.box_cells import CellRoom, solved
 from vstatics.synthesis.box_elements import (
     SAME,
@@ -70,12 +70,9 @@ def boxes_of_ports(
         error = solved(table, room.parts[:different], asked, room.cells)
         if error < math.inf:
             room.errors[found] = error
-            for target in range(room.gears.shape[1]):
-                room.gears[found, target] = room.cells.best_gears[target]
-            for place in range(sets.shape[1]):
-                sets[found, place] = sets[number, place]
-            for one in range(room.logs.shape[1]):
-                room.logs[found, one] = room.cells.best_logs[one]
+            put(room.cells.best_gears, room.gears[found])
+            put(sets[number], sets[found])
+            put(room.cells.best_logs, room.logs[found])
             found += 1
     return found, count
 
@@ -91,8 +88,8 @@ def _find_reach(speeds: Floats, port: PortGears, asked: Asked, room: Room) -> No
             port.ratios[which] = first[corners] / last[corners]
             above, below = first[:corners], last[:corners]
             if not (has_one_sign(above) or has_one_sign(below)):
-                room.parts[0, 0] = above
-                room.parts[0, 1] = below
+                put(above, room.parts[0, 0])
+                put(below, room.parts[0, 1])
                 above, below = room.parts[0, 0], room.parts[0, 1]
                 divide(above, below, room.lines)
             port.reach[which] = reached(above, below, asked.least, asked.most)
@@ -117,9 +114,8 @@ def _different(
             room.cells.ratio_of[subset] = same
             if same == count:
                 ratios[count] = ratio
-                for corner in range(corners):
-                    room.parts[count, 0, corner] = gears.speeds[which, port.input, corner]
-                    room.parts[count, 1, corner] = gears.speeds[which, port.output, corner]
+                put(gears.speeds[which, port.input, :corners], room.parts[count, 0])
+                put(gears.speeds[which, port.output, :corners], room.parts[count, 1])
                 divide(room.parts[count, 0], room.parts[count, 1], room.lines)
                 count += 1
     return count
