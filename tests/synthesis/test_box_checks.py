@@ -1,7 +1,8 @@
 """What can't be searched for is told with the option that has the mistake.
 
 Links: a connected scheme of N sets that leaves two degrees of freedom or more has N + 2 to
-2 N + 1 (docs/synthesis.md, method). Elements: brakes on all links but input and output, clutches
+2 N + 1 (docs/synthesis.md, method); one with K held members, in parts or not, up to 3 N - K + 1,
+as no other members need share a link. Elements: brakes on all links but input and output, clutches
 between any two.
 """
 
@@ -37,6 +38,7 @@ def search(**given: Any) -> BoxSearch:
         {},
         {**SIMPSON, "own_input": True},
         {"sets": 3, "engaged": 2, "fixed": 1, "meshed": 1, "targets": EIGHT[:6]},
+        {"sets": 2, "engaged": 2, "elements": 3, "fixed": 1, "targets": (3.0, 1.0)},
         {"sets": 1, "elements": 2, "engaged": 1, "targets": (3.0, 1.0)},
         {"sets": 1, "elements": 2, "engaged": 2, "targets": (1.0,), "own_input": True},
     ],
@@ -63,7 +65,7 @@ def test_what_gearboxes_have_can_be_asked_for(given: dict[str, Any]) -> None:
         ({"targets": (2.0, 2.0)}, "ratios: read 2 twice"),
         ({"engaged": 5}, "engaged: read 5, but 4 sets leave 1 to 4"),
         ({"engaged": 0}, "engaged: read 0, but 4 sets leave 1 to 4"),
-        ({"engaged": 4, "fixed": 2}, "engaged: read 4, but 4 sets with held members leave 1 to 3"),
+        ({"engaged": 7, "fixed": 2}, "engaged: read 7, but 4 sets with held members leave 1 to 5"),
         ({**SIMPSON, "engaged": 1, "own_input": True}, "of its own leave 2 or 3 to be engaged"),
         ({"sets": 1, "fixed": 1, "engaged": 1}, "leaves none to be engaged"),
         ({"elements": 2}, "elements: read 2, expected 3, which are engaged, to 34, all"),

@@ -38,13 +38,16 @@ def check_box_search(search: BoxSearch) -> None:
 def engaged_range(search: BoxSearch) -> range:
     """How many elements may be engaged with so many sets: connected ones have so many links.
 
+    With a held link a scheme may be in parts, as in Lepelletier's gearbox: clutches join them.
+
     Examples
     --------
     >>> engaged_range(BoxSearch(4, 5, 3, (2.0, 1.0)))
     range(1, 5)
     """
     others = search.links - search.engaged
-    return range(max(search.sets + 2 - others, 1), 2 * search.sets + 2 - others)
+    most = 3 * search.sets + 1 - search.fixed if search.fixed else 2 * search.sets + 1
+    return range(max(search.sets + 2 - others, 1), most + 1 - others)
 
 
 def elements_there(search: BoxSearch) -> tuple[int, int]:
