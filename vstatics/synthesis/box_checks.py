@@ -7,10 +7,14 @@ from collections.abc import Iterator
 
 from vstatics.errors import CaseError, Problem, plural
 from vstatics.synthesis.box import BoxSearch
-from vstatics.synthesis.structures import MOST_SETS
 
 LARGEST = 1000.0
 """Of ratios of gears, of their reciprocals, and of ring teeth/sun teeth. [-]"""
+MOST_SETS = 5
+"""With more there are more schemes than can be looked at."""
+MOST_LINKS = 10
+"""Moving links: their brakes and clutches are bits of a number."""
+MOST_ELEMENTS = 12
 COARSEST = 0.5
 """The largest tolerance. [-]"""
 
@@ -108,10 +112,17 @@ def _of_counts(search: BoxSearch) -> Iterator[Problem]:
         yield _problem("engaged", f"read {engaged}, {message}")
         return
     brakes, clutches = elements_there(search)
-    if not engaged <= elements <= brakes + clutches:
-        there = f"{engaged}, which are engaged, to {brakes + clutches}, all that there are"
+    if brakes + 2 > MOST_LINKS:
+        message = f"read {engaged}, but then {brakes + 2} links move, expected {MOST_LINKS} at most"
+        yield _problem("engaged", message)
+        return
+    there = brakes + clutches
+    most = min(there, MOST_ELEMENTS)
+    if not engaged <= elements <= most:
         choice = f"{brakes} {plural('brake', brakes)} and {clutches} clutches"
-        yield _problem("elements", f"read {elements}, expected {there} ({choice})")
+        all_of_them = f", all that there are ({choice})" if most == there else ""
+        message = f"expected {engaged}, which are engaged, to {most}{all_of_them}"
+        yield _problem("elements", f"read {elements}, {message}")
     elif gears > math.comb(elements, engaged):
         most = math.comb(elements, engaged)
         given = f"read {gears} ratios, but {elements} elements with {engaged} engaged"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import cache
 from itertools import combinations, combinations_with_replacement, groupby, permutations
 from typing import NamedTuple
 
@@ -143,7 +144,11 @@ def _chosen(
             if held is not None and min(links[held] for links in kept) != held:
                 continue
             still = [links for links in kept if held is None or links[held] == held]
-            if ports := tuple(_ports(search, scheme, held, still)):
+            if len(still) == 1:  # most schemes have no symmetry, and the same choices
+                ports = _all_ports(scheme.links, held, search.own_input)
+            else:
+                ports = tuple(_ports(search, scheme, held, still))
+            if ports:
                 yield BoxScheme(scheme, are_meshed, held, ports)
 
 
@@ -157,16 +162,19 @@ def _held(search: BoxSearch, scheme: SetScheme) -> Iterator[int | None]:
             yield link
 
 
+@cache
+def _all_ports(links: int, held: int | None, own_input: bool) -> tuple[Ports, ...]:  # noqa: FBT001
+    """Inputs and outputs; a shaft of its own has the number after the links of the sets."""
+    moving = [link for link in range(links) if link != held]
+    inputs = [links] if own_input else moving
+    return tuple((first, last) for first in inputs for last in moving if first != last)
+
+
 def _ports(
     search: BoxSearch, scheme: SetScheme, held: int | None, renamings: list[list[int]]
 ) -> Iterator[Ports]:
-    """Inputs and outputs; a shaft of its own has the number after the links of the sets."""
-    links = [link for link in range(scheme.links) if link != held]
-    inputs = [scheme.links] if search.own_input else links
-    for first in inputs:
-        for last in links:
-            if first == last:
-                continue
-            images = ((one[first] if first < len(one) else first, one[last]) for one in renamings)
-            if min(images) == (first, last):
-                yield first, last
+    """The least of the choices that renamings make equal."""
+    for first, last in _all_ports(scheme.links, held, search.own_input):
+        images = ((one[first] if first < len(one) else first, one[last]) for one in renamings)
+        if min(images) == (first, last):
+            yield first, last
