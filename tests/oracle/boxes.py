@@ -173,7 +173,7 @@ def frames(space: Space) -> Iterator[Frame]:
                 yield frame
 
 
-def polynomials(frame: Frame, choices: Sequence[Sequence[int]]) -> Array:
+def polynomials(frame: Frame, choices: npt.NDArray[np.intp]) -> Array:
     """Factors of the speeds of input and output for each choice of engaged elements.
 
     Behind the axis of choices one for each set (0: without its ratio, 1: with it), then input
@@ -190,7 +190,7 @@ def polynomials(frame: Frame, choices: Sequence[Sequence[int]]) -> Array:
         for at, ((a, h, b), k) in enumerate(zip(own, corner, strict=True)):
             matrix[:, number, :, at] = speed[a] - k * speed[b] - (1 - k) * speed[h]
     equal = np.array([speed[a] - speed[b] for a, b in frame.possible])
-    rows = equal[np.array(choices, dtype=np.intp)]
+    rows = equal[choices]
     assert len(own) + rows.shape[1] == size - 1
     matrix[:, :, :, len(own) : -1] = rows[:, np.newaxis, np.newaxis]
     matrix[:, :, 0, -1] = speed[frame.input]
@@ -203,6 +203,30 @@ def polynomials(frame: Frame, choices: Sequence[Sequence[int]]) -> Array:
         low, high = np.moveaxis(factors, axis, 0)
         factors = np.stack([low, high - low], axis)
     return factors
+
+
+@cache
+def reduced(pair: bytes) -> bytes:
+    """Two polynomials, as `polynomials` has them, without a factor that both have.
+
+    Linear in each variable, a polynomial has factors in variables of their own: it is the product
+    of one in some variables and one in the rest if, as a matrix of these by those, it has rank 1.
+    Where a common factor is 0 all ratios seem possible; no gear is meant by that.
+    """
+    factors = np.frombuffer(pair)
+    sets = len(factors).bit_length() - 2
+    factors = factors.reshape((2,) * sets + (2,))
+    for size in range(sets, 0, -1):
+        for some in combinations(range(sets), size):
+            matrix = np.moveaxis(factors, some, range(size)).reshape(2**size, -1)
+            row = matrix[np.argmax(matrix.any(axis=1))]
+            at = np.argmax(row != 0)
+            if (matrix * row[at] == np.outer(matrix[:, at], row)).all():
+                rest = np.zeros_like(factors)
+                common = max(int(np.gcd.reduce(row.astype(np.int64))), 1)
+                rest[(0,) * size] = row.reshape((2,) * (sets + 1 - size)) / common
+                return np.moveaxis(rest, range(size), some).tobytes()
+    return pair
 
 
 def valued(factors: Array, axes: Sequence[Array]) -> Array:
@@ -228,6 +252,14 @@ def reached(speeds: Pair, target: float, tolerance: float) -> int:
     return int.from_bytes(np.packbits(~never.ravel()).tobytes(), "big")
 
 
+def _can(speeds: Array, target: float, tolerance: float) -> npt.NDArray[np.bool_]:
+    """Whether choices, the last axis, can be near the target somewhere between all corners."""
+    low, high = (speeds[:, 0] - target * math.exp(s * tolerance) * speeds[:, 1] for s in (-1, 1))
+    not_above, not_below = (low <= 0) | (high <= 0), (low >= 0) | (high >= 0)
+    able: npt.NDArray[np.bool_] = np.logical_and(not_above.any(axis=0), not_below.any(axis=0))
+    return able
+
+
 class Gear(NamedTuple):
     """A choice of engaged elements that is a gear."""
 
@@ -236,13 +268,8 @@ class Gear(NamedTuple):
     output_speed: Array
     cells: tuple[int, ...]
     """For each target those in which it can have it."""
-
-    @property
-    def formula(self) -> tuple[int, ...]:
-        """The same for all that have one ratio whatever those of the sets are."""
-        both = [round(one) for one in (*self.input_speed.ravel(), *self.output_speed.ravel())]
-        common = math.gcd(*both) * (1 if next(filter(None, both)) > 0 else -1)
-        return tuple(one // common for one in both)
+    formula: tuple[float, ...]
+    """Its ratio at some ratios of the sets: the same for all that have one ratio anywhere."""
 
 
 Choice = tuple[tuple[Gear, ...], int]
@@ -261,51 +288,61 @@ class Search:
 
     def _gears(self) -> Iterator[Gear]:
         axes = [sign * np.exp(self.logarithms) for sign in self.signs]
-        ends = [axis[[0, -1]] for axis in axes]
-        space = self.space
-        choices = list(combinations(range(len(self.frame.possible)), space.engaged))
-        for some, factors in zip(choices, polynomials(self.frame, choices), strict=True):
-            pair = factors[..., 0], factors[..., 1]
-            if not (pair[0].any() and pair[1].any()):
-                continue
-            coarse = valued(pair[0], ends), valued(pair[1], ends)
-            wanted = [reached(coarse, one, space.tolerance) for one in space.targets]
-            if any(wanted):
-                fine = valued(pair[0], axes), valued(pair[1], axes)
-                cells = tuple(
-                    reached(fine, target, space.tolerance) if hope else 0
-                    for target, hope in zip(space.targets, wanted, strict=True)
+        space, frame = self.space, self.frame
+        choices = np.array(list(combinations(range(len(frame.possible)), space.engaged)), np.intp)
+        whole = polynomials(frame, choices)
+        factors = np.stack([np.frombuffer(reduced(one.tobytes())) for one in whole], -1)
+        factors = factors.reshape(*whole.shape[1:], -1)
+        speeds = valued(factors, [axis[[0, -1]] for axis in axes])
+        corners = speeds.reshape(-1, *speeds.shape[-2:])
+        hope = np.array([_can(corners, one, space.tolerance) for one in space.targets])
+        hope &= factors.any(axis=tuple(range(space.sets))).all(axis=0)
+        if not hope.any(axis=1).all():
+            return
+        somewhere = [np.array([-1.5 - 0.1 * math.sqrt(at + 2), -3.3]) for at in range(space.sets)]
+        speeds = valued(factors, somewhere).reshape(-1, *speeds.shape[-2:])
+        ratios = np.round(speeds[:, 0] / np.where(speeds[:, 1], speeds[:, 1], np.nan), 9)
+        for number in np.flatnonzero(hope.any(axis=0)):
+            own = factors[..., number]
+            fine = valued(own[..., 0], axes), valued(own[..., 1], axes)
+            cells = tuple(
+                reached(fine, target, space.tolerance) if can else 0
+                for target, can in zip(space.targets, hope[:, number], strict=True)
+            )
+            if any(cells):
+                formula = tuple(ratios[:, number].tolist())
+                yield Gear(
+                    frozenset(choices[number].tolist()), own[..., 0], own[..., 1], cells, formula
                 )
-                if any(cells):
-                    yield Gear(frozenset(some), *pair, cells)
 
     def choices(self) -> Iterator[Choice]:
-        """Gears for the targets that some cell allows, with these cells."""
+        """Gears for the targets that some cell allows, with these cells.
+
+        Of choices with the same elements and the same formulas one is as good as another.
+        """
         targets = range(len(self.space.targets))
         able = [[gear for gear in self.gears if gear.cells[n]] for n in targets]
         order = sorted(targets, key=lambda n: len(able[n]))
-        chosen: dict[int, Gear] = {}
-
-        def grown(depth: int, used: frozenset[int], cells: int) -> Iterator[Choice]:
-            if depth == len(order):
-                if len(used) == self.space.elements:
-                    yield tuple(chosen[n] for n in targets), cells
-                return
-            for gear in able[order[depth]]:
-                left = cells & gear.cells[order[depth]]
-                both = used | gear.engaged
-                if (
-                    left
-                    and len(both) <= self.space.elements
-                    and all(gear.engaged != one.engaged for one in chosen.values())
-                ):
-                    chosen[order[depth]] = gear
-                    yield from grown(depth + 1, both, left)
-                    del chosen[order[depth]]
-
+        ways: dict[object, tuple[frozenset[int], dict[int, Gear], int]] = {}
         everywhere = (1 << 8 * math.ceil(self.space.cells**self.space.sets / 8)) - 1
-        if all(able):
-            yield from grown(0, frozenset(), everywhere)
+        ways[()] = frozenset(), {}, everywhere
+        for n in order:
+            after: dict[object, tuple[frozenset[int], dict[int, Gear], int]] = {}
+            for used, chosen, cells in ways.values():
+                for gear in able[n]:
+                    left, both = cells & gear.cells[n], used | gear.engaged
+                    if not left or len(both) > self.space.elements:
+                        continue
+                    alike = [one.engaged for one in chosen.values() if one.formula == gear.formula]
+                    if gear.engaged not in alike:
+                        more = chosen | {n: gear}
+                        name = tuple(one.formula for one in more.values())
+                        # two targets with one formula need two choices of elements
+                        after[both, name, frozenset(alike)] = both, more, left
+            ways = after
+        for used, chosen, cells in ways.values():
+            if len(used) == self.space.elements:
+                yield tuple(chosen[n] for n in targets), cells
 
     def fitted(self, gears: Sequence[Gear], cells: int) -> list[tuple[float, float, Array]]:
         """Minima: the sum of squares, the largest error, the ratios."""
