@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 
 from vstatics.synthesis.box_choice import RankedBox, family_count
 from vstatics.tables.grid import Column, Grid, Row, exact, sign, text, whole
@@ -34,21 +34,25 @@ def _counts(searched: int, boxes: Sequence[RankedBox]) -> Grid:
 
 def all_boxes(boxes: Sequence[RankedBox]) -> Grid:
     """A row for each found box, in their order."""
-    return _listed("Found boxes", "boxes", enumerate(boxes, 1))
+    return _listed("Found boxes", "boxes", list(enumerate(boxes, 1)))
 
 
 def _pareto(boxes: Sequence[RankedBox]) -> Grid:
     """Those of the Pareto list, with their places among all."""
-    own = ((place, box) for place, box in enumerate(boxes, 1) if box.pareto)
+    own = [(place, box) for place, box in enumerate(boxes, 1) if box.pareto]
     return _listed("Pareto list", "pareto", own)
 
 
-def _listed(title: str, key: str, boxes: Iterable[tuple[int, RankedBox]]) -> Grid:
-    """Boxes with their places among all."""
+def _listed(title: str, key: str, boxes: Sequence[tuple[int, RankedBox]]) -> Grid:
+    """Boxes with their places among all; their sets are the same ones, and so is what is held."""
+    first = boxes[0][1].found if boxes else None
+    sets = list(first.ratios) if first else []
+    ports = ("input", "output", *(["held"] if first and first.box.held is not None else []))
     columns = [
         *map(Column, ("box", "family", "loss [%]", "planet speed", "slip", "torque")),
         *map(Column, ("brakes", "clutches", "single", "planar")),
-        *map(text, ("code", "input", "output", "elements")),
+        *map(Column, sets),
+        *map(text, ("code", *ports, "elements")),
     ]
     rows: list[Row] = [
         [whole(place), whole(box.family), *_figures(box), *_structure(box)] for place, box in boxes
@@ -68,9 +72,11 @@ def _figures(box: RankedBox) -> Row:
 
 
 def _structure(box: RankedBox) -> Row:
+    """The ratios of its sets, its code, ports and elements."""
     own = box.found.box
-    ports = (str(link) for link in (own.input, own.output))
-    return [own.scheme.code, *ports, " ".join(box.found.elements)]
+    ratios = (exact(ratio) for ratio in own.ratios)
+    ports = (str(link) for link in (own.input, own.output, own.held) if link is not None)
+    return [*ratios, own.scheme.code, *ports, " ".join(box.found.elements)]
 
 
 def _of_families(boxes: Sequence[RankedBox]) -> Grid:
