@@ -138,6 +138,8 @@ def _families(ratios: Floats) -> list[int]:
 
 def _parted(group: Any, sizes: Floats) -> list[Any]:
     """A group of boxes, parted where the sizes of a gear have a gap."""
+    if len(group) == 1:
+        return [group]
     ordered = group[np.argsort(sizes[group], kind="stable")]
     gaps = np.flatnonzero(np.diff(sizes[ordered]) > ALIKE) + 1
     return np.split(ordered, gaps)
@@ -160,16 +162,13 @@ def pareto(figures: Floats | Integers) -> Booleans:
     >>> pareto(np.array([[1.0, 3.0], [2.0, 2.0], [2.0, 3.0], [2.0, 2.0], [3.0, 1.0]]))
     array([ True,  True, False,  True,  True])
     """
-    order = np.lexsort(figures.T[::-1])
-    found = np.zeros(len(figures), np.bool_)
-    front = np.empty_like(figures)
+    rows, which = np.unique(figures, axis=0, return_inverse=True)  # the less stand first
+    is_best = np.zeros(len(rows), np.bool_)
+    front = np.empty_like(rows)
     size = 0
-    for row in order.tolist():  # whoever is better than a row stands before it
-        own = figures[row]
-        others = front[:size]
-        better = (others <= own).all(axis=1) & (others < own).any(axis=1)
-        if not better.any():
-            found[row] = True
+    for number, own in enumerate(rows):  # whoever is better than a row stands before it
+        if not (front[:size] <= own).all(axis=1).any():
+            is_best[number] = True
             front[size] = own
             size += 1
-    return found
+    return np.asarray(is_best[which.reshape(-1)])
