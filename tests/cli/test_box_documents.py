@@ -50,6 +50,7 @@ def test_summaries_stand_side_by_side(boxes: Path) -> None:
         (("summary", "BOXES", "--box", "x"), "read 'x', expected numbers of boxes"),
         (("summary", CASES / "simpson.yaml", "--box", "1"), "--box: expected one document"),
         (("plot", "BOXES", "--kind", "boxes", "--gear", "1", "-o", "x.svg"), "--gear: found boxes"),
+        (("report", "BOXES", "-o", "x/"), "found boxes give one page: expected -o FILE, not x/"),
         (("plot", "BOXES", "BOXES", "--kind", "boxes", "-o", "x/"), "expected one document"),
     ],
 )

@@ -223,7 +223,7 @@ def _boxes_said(data: bytes, name: str) -> list[Problem]:
         return []
     from vstatics.synthesis.box_reading import is_listing
 
-    taking = "plot --kind boxes, report and summary take them"
+    taking = "plot --kind boxes, report and summary take one such file"
     message = f"these are found boxes, expected a case; {taking}"
     return [of_file(name, message)] if is_listing(data) else []
 

@@ -47,7 +47,9 @@ def report(cases: tuple[str, ...], output: str, digits: int | None, settings: Ca
     """
     to = formats.each_by_itself(output, cases, ["html"], "a page")
     form = texts.OutputForm(to.form, to.style)
-    if len(cases) == 1 and not to.is_folder and (found := listing_in(cases[0])):
+    if len(cases) == 1 and (found := listing_in(cases[0])):
+        if to.is_folder:
+            raise click.UsageError(f"found boxes give one page: expected -o FILE, not {output}")
         return report_boxes(*found, cases[0], output, digits)
     show = partial(_shown, digits=digits, quiet=settings.telling.quiet)
     return carry_out(Job("report", settings._replace(scenarios=True), form, show), cases, to)

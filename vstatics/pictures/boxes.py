@@ -8,6 +8,7 @@ from matplotlib.figure import Figure
 
 from vstatics.errors import CaseError, Problem
 from vstatics.extras import require
+from vstatics.model.transmission import Transmission
 from vstatics.pictures import Format, labels, settings_of, written
 from vstatics.pictures.box_points import LEFT, draw_points, draw_words
 from vstatics.pictures.labels import Point
@@ -75,9 +76,10 @@ def draw_boxes(listing: BoxListing, style: Style, drawn: Sequence[ListedBox]) ->
     if not drawn:
         raise CaseError([Problem("no box was found, so there is nothing to draw")])
     room = (WIDE - 2 * MARGIN - (COLUMNS - 1) * BETWEEN) / COLUMNS
-    sticks = [bare_stick(box.transmission(), style, is_small=True) for box in drawn]
+    cases = [box.transmission() for box in drawn]
+    sticks = [bare_stick(case, style, is_small=True) for case in cases]
     scale = min(LARGEST, *(room / stick.size[0] for stick in sticks))
-    captions = [_caption(box, room, style) for box in drawn]
+    captions = [_caption(*both, room, style) for both in zip(drawn, cases, strict=True)]
     rows = _rows(sticks, captions, scale)
     figure = _paper(listing, drawn, sum(rows) + BETWEEN * len(rows), style)
     top = sum(rows) + BETWEEN * (len(rows) - 1) + MARGIN
@@ -118,9 +120,10 @@ def _rows(sticks: Sequence[BareStick], captions: Sequence[Caption], scale: float
     return [max(heights[at : at + COLUMNS]) for at in range(0, len(heights), COLUMNS)]
 
 
-def _caption(box: ListedBox, room: float, style: Style) -> Caption:
+def _caption(box: ListedBox, case: Transmission, room: float, style: Style) -> Caption:
     """What stands over a diagram."""
-    called = zip(letters(len(box.elements)), box.elements, strict=True)
+    names = [element.name for element in case.shift_elements]
+    called = zip(letters(len(names)), names, strict=True)
     lines = [
         _figures(box, style),
         ", ".join(f"{letter} {name}" for letter, name in called),

@@ -14,7 +14,7 @@ from vstatics.pictures.schemes.pen import Window
 from vstatics.pictures.schemes.scheme import Scheme, scheme_of
 from vstatics.pictures.schemes.sets import set_glyphs
 from vstatics.pictures.schemes.sheet import Sheet, draw_devices, extent, wired
-from vstatics.pictures.schemes.stick import StickLayout, axis, draw_mechanism, place
+from vstatics.pictures.schemes.stick import StickLayout, axis, draw_mechanism, glyphs_of, place
 from vstatics.pictures.style import Style
 from vstatics.summary.contrast import letters
 
@@ -65,9 +65,9 @@ def bare_stick(case: Transmission, style: Style, *, is_small: bool = False) -> B
     if is_small:
         scheme = _lettered(scheme)
     glyphs = {
-        index: set_glyphs(bare_group(case.mechanisms[device.numbers[0]]))
+        index: glyphs_of(device) or set_glyphs(bare_group(case.mechanisms[device.numbers[0]]))
         for index, device in enumerate(scheme.devices)
-        if device.kind == "mechanism"
+        if device.kind == "mechanism" or device.element is not None
     }
     layout = place(scheme, style, glyphs, is_small=is_small, is_quick=True)
     return BareStick(scheme, layout, style)
