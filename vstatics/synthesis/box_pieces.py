@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from functools import cache, lru_cache
 from itertools import combinations
+from threading import get_ident
 from typing import NamedTuple
 
 import numpy as np
@@ -116,7 +117,7 @@ class _PortSearch:
         port = PortGears(*ports, bits, np.zeros(speeds, np.int64), np.zeros(speeds))
         most = ROOM
         while True:
-            room = _room(search, most)
+            room = _room(search, most, get_ident())
             found, count = boxes_of_ports(table, self.gears, port, _asked(search), room)
             if count >= 0:
                 return [self._box(room, row, first, last) for row in range(found)]
@@ -208,9 +209,9 @@ def _asked(search: BoxSearch) -> Asked:
     return Asked(targets, ends[0], ends[1], search.tolerance, *search.bounds)
 
 
-@lru_cache(maxsize=2)
-def _room(search: BoxSearch, most: int) -> Room:
-    """Room for the boxes of a choice of ports."""
+@lru_cache(maxsize=32)
+def _room(search: BoxSearch, most: int, thread: int) -> Room:  # noqa: ARG001
+    """Room for the boxes of a choice of ports; each thread of a worker has its own."""
     table = _table(_moving(search), search.engaged, search.elements)
     asked = _asked(search)
     targets, sets = len(asked.targets), search.sets
