@@ -17,6 +17,10 @@ elements are tried, and whose ratios are fitted to those that are wanted.
 
 from __future__ import annotations
 
+from vstatics.synthesis.box import BoxSearch
+from vstatics.synthesis.box_filter import BoxFilter
+from vstatics.synthesis.box_planar import box_is_planar
+from vstatics.synthesis.box_search import find_boxes
 from vstatics.synthesis.combinations import combinations
 from vstatics.synthesis.fit import fit
 from vstatics.synthesis.found_schemes import FoundScheme, schemes
@@ -26,11 +30,15 @@ from vstatics.synthesis.structure_counts import count
 from vstatics.synthesis.structures import StructureSearch
 
 __all__ = [
+    "BoxFilter",
+    "BoxSearch",
     "FoundScheme",
     "SetScheme",
     "StructureSearch",
+    "box_is_planar",
     "combinations",
     "count",
+    "find_boxes",
     "fit",
     "scheme_case",
     "schemes",
