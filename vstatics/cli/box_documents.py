@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Sequence
 from typing import Any
 
@@ -15,7 +14,7 @@ from vstatics.errors import CaseError, ReadError, of_file
 from vstatics.pictures import Format
 from vstatics.pictures.style import Style
 from vstatics.synthesis.box_listing import BoxListing
-from vstatics.synthesis.box_reading import is_listing, read_boxes
+from vstatics.synthesis.box_reading import is_listing, read_boxes, read_document
 
 
 def listing_in(file: str) -> tuple[BoxListing, dict[str, Any]] | None:
@@ -36,7 +35,7 @@ def listing_in(file: str) -> tuple[BoxListing, dict[str, Any]] | None:
         return None
     if not is_listing(data):
         return None
-    return read_boxes(data, name), json.loads(data.decode("utf-8-sig"))
+    return read_document(data, name)
 
 
 def plot_boxes(cases: Sequence[str], to: Destination, form: Format, style: Style) -> int:

@@ -40,9 +40,10 @@ def number_spots(panel: Panel, spots: Sequence[BoxPoint], numbers: set[int], sty
     points = [spot.at for spot in spots]
     for at, text in _texts(spots, numbers):
         wide, high = labels.width(text), SIZE
+        near = [point for point in points if math.dist(point, at) < DISTANCES[-1] + 2 * wide]
         place = min(
             _places(at, wide, panel),
-            key=lambda place: _cost(place, at, (wide, high), points, taken),
+            key=lambda place: _cost(place, at, (wide, high), near, taken),
         )
         taken.append((*place, wide, high))
         if math.dist(place, at) > DISTANCES[1] + wide / 2:

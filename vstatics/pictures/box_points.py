@@ -48,8 +48,11 @@ def draw_points(
     _axes(panel, boxes, style)
     looks = _looks(drawn, style)
     spots = list(_spots(panel, boxes))
-    for spot in sorted(spots, key=lambda spot: spot.is_pareto):
-        _draw_spot(panel, spot, looks.get(spot.boxes[0].family), style)
+    alike: dict[tuple[Look | None, bool], list[BoxPoint]] = {}
+    for spot in spots:
+        alike.setdefault((looks.get(spot.boxes[0].family), spot.is_pareto), []).append(spot)
+    for (look, is_pareto), own in alike.items():
+        _draw_spots(panel, own, look, style, is_pareto=is_pareto)
     number_spots(panel, spots, {box.number for box in drawn}, style)
 
 
@@ -120,20 +123,20 @@ def _spots(panel: Panel, boxes: Sequence[ListedBox]) -> Iterator[BoxPoint]:
     yield from found.values()
 
 
-def _draw_spot(panel: Panel, spot: BoxPoint, look: Look | None, style: Style) -> None:
+def _draw_spots(
+    panel: Panel, spots: Sequence[BoxPoint], look: Look | None, style: Style, *, is_pareto: bool
+) -> None:
     colour, marker = look or (style.faint, "o")
-    edge = style.ink if spot.is_pareto else style.paper
-    x, y = spot.at
     panel.axes.plot(
-        x / panel.width,
-        y / panel.height,
+        [spot.at[0] / panel.width for spot in spots],
+        [spot.at[1] / panel.height for spot in spots],
         marker,
         transform=panel.axes.transAxes,
         color=colour,
-        markeredgecolor=edge,
-        markeredgewidth=1.2 if spot.is_pareto else 0.4,
-        markersize=LARGE_SPOT if spot.is_pareto else SPOT,
-        zorder=3 + spot.is_pareto + 2 * (look is not None),
+        markeredgecolor=style.ink if is_pareto else style.paper,
+        markeredgewidth=1.2 if is_pareto else 0.4,
+        markersize=LARGE_SPOT if is_pareto else SPOT,
+        zorder=3 + is_pareto + 2 * (look is not None),
     )
 
 

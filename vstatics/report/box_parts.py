@@ -11,8 +11,8 @@ from vstatics.tables.grid import NO, YES, Cell, Column, Grid, Row, exact, sign, 
 from vstatics.tables.html import Markup, table, tag
 
 
-def all_grid(listing: BoxListing) -> Grid:
-    """All boxes with their figures, in the order of the document."""
+def all_grid(listing: BoxListing, most: int) -> Grid:
+    """Boxes with their figures, in the order of the document, up to so many."""
     numbers = ("box", "family", "loss [%]", "torque", "planet speed", "slip", "error [%]")
     columns = [
         *map(Column, (*numbers, "brakes", "clutches")),
@@ -33,9 +33,9 @@ def all_grid(listing: BoxListing) -> Grid:
             box.code,
             " ".join(box.elements),
         ]
-        for box in listing.boxes
+        for box in listing.boxes[:most]
     ]
-    return Grid("All boxes", columns, rows)
+    return Grid("Boxes in their order", columns, rows)
 
 
 def family_grid(listing: BoxListing) -> Grid:
@@ -43,13 +43,15 @@ def family_grid(listing: BoxListing) -> Grid:
     names = list(dict.fromkeys(name for box in listing.boxes for name in box.gears))
     columns = [Column("family"), Column("boxes"), text("its boxes"), *map(Column, names)]
     rows: list[Row] = []
-    for family, boxes in listing.families.items():
+    for family, boxes in list(listing.families.items())[:MOST_FAMILIES]:
         own = {name: gear.ratio for name, gear in boxes[0].gears.items()}
         ratios = [exact(own.get(name)) for name in names]
         rows.append([whole(family), whole(len(boxes)), _numbers(boxes), *ratios])
     return Grid("Families: boxes with equal ratios in all gears", columns, rows)
 
 
+MOST_FAMILIES = 1000
+"""So many families are listed."""
 MOST_NAMED = 12
 """So many boxes of a family are named."""
 

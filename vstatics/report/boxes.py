@@ -18,6 +18,8 @@ from vstatics.tables.html import Markup, table, tag
 
 MOST_SHOWN = 40
 """So many boxes have a diagram on the page."""
+MOST_LISTED = 1000
+"""So many boxes stand in its table."""
 
 
 def box_pages(document: Mapping[str, Any]) -> dict[str, bytes]:
@@ -46,7 +48,7 @@ def boxes_page(listing: BoxListing, document: Mapping[str, Any], digits: int | N
     Parameters
     ----------
     document : mapping
-        From which the listing was made; the page carries it.
+        From which the listing was made; the page carries it, with the boxes that it lists.
     digits : int, optional
         After the point, where they are not those that suit a number.
 
@@ -62,13 +64,20 @@ def boxes_page(listing: BoxListing, document: Mapping[str, Any], digits: int | N
     without = missing("plot", "a picture")
     parts = [
         ("Overview", list(_overview(listing, without))),
-        ("Boxes", [table(all_grid(listing).with_digits(digits))]),
+        ("Boxes", [table(all_grid(listing, MOST_LISTED).with_digits(digits)), *_rest(listing)]),
         ("Families", [table(family_grid(listing).with_digits(digits))]),
         ("Diagrams", list(_diagrams(listing, without))),
     ]
     found = len(listing.boxes)
     title = f"{found} found {'box' if found == 1 else 'boxes'}"
-    return framed(title, _about(listing), parts, dict(document))
+    listed = {**document, "boxes": document["boxes"][:MOST_LISTED]}
+    return framed(title, _about(listing), parts, listed)
+
+
+def _rest(listing: BoxListing) -> Iterator[Markup]:
+    """That not all boxes are there."""
+    if len(listing.boxes) > MOST_LISTED:
+        yield tag("p", f"These are the first {MOST_LISTED} of {len(listing.boxes)}.")
 
 
 def _about(listing: BoxListing) -> Iterator[Markup]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+import re
 from collections.abc import Callable, Mapping
 from typing import Any, NoReturn
 
@@ -26,11 +27,16 @@ def is_listing(data: bytes) -> bool:
     """
     if b'"boxes"' not in data or b'"searched"' not in data:
         return False
+    if _BEGINNING.match(data):
+        return True
     try:
         document = json.loads(data)
     except (ValueError, RecursionError):
-        return data.lstrip(b"\xef\xbb\xbf \t\r\n").startswith(b'{"searched"')
+        return False
     return isinstance(document, dict) and {"searched", "boxes"} <= document.keys()
+
+
+_BEGINNING = re.compile(rb'(?:\xef\xbb\xbf)?\s*\{\s*"searched"\s*:')
 
 
 def read_boxes(data: bytes, file: str) -> BoxListing:
@@ -41,6 +47,11 @@ def read_boxes(data: bytes, file: str) -> BoxListing:
     ReadError
         With what is wrong, at the box that it is in.
     """
+    return read_document(data, file)[0]
+
+
+def read_document(data: bytes, file: str) -> tuple[BoxListing, dict[str, Any]]:
+    """The found boxes of a document, and the document; errors as of `read_boxes`."""
     try:
         document = json.loads(data.decode("utf-8-sig"), parse_constant=_refuse_constant)
     except json.JSONDecodeError as error:
@@ -50,7 +61,7 @@ def read_boxes(data: bytes, file: str) -> BoxListing:
     except (ValueError, RecursionError) as error:
         raise ReadError([of_file(file, f"not JSON that can be read: {error}")]) from None
     try:
-        return listing_of(document)
+        return listing_of(document), document
     except ReadError as error:
         raise ReadError(of_file(file, one.message) for one in error.problems) from None
 
