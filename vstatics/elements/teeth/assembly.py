@@ -7,8 +7,11 @@ from collections.abc import Iterator, Mapping
 from fractions import Fraction
 from itertools import combinations
 
+import numpy as np
+
 from vstatics.elements.element import CentralWheel, Element
 from vstatics.elements.group import PlanetGroup
+from vstatics.elements.teeth.conditions import common_step, seated
 from vstatics.elements.teeth.layout import AxisLayout, Doubt, Teeth
 from vstatics.elements.teeth.subjects import OfPlanets, Subject
 
@@ -16,10 +19,7 @@ from vstatics.elements.teeth.subjects import OfPlanets, Subject
 def placements(group: PlanetGroup, train: Mapping[str, Fraction]) -> int:
     """In how many places around the axis a train of planets would go in; 0 in any.
 
-    At a place ``k/n`` turn from the first train, a wheel of z teeth stands ``z k/n`` teeth
-    further in the planet's eyes (a ring backward). Phases of the planets that fit all
-    meshes exist where every whole combination of meshes that leaves no planet has a
-    whole number of teeth; the greatest common divisor of these is what n must divide.
+    See `common_step` for the condition.
 
     >>> wheels = [CentralWheel("sun", 1, 30, False, "p"), CentralWheel("ring2", 2, 95, True, "p2")]
     >>> rims = {"p": Fraction(20), "p2": Fraction(25)}
@@ -39,20 +39,7 @@ def placements(group: PlanetGroup, train: Mapping[str, Fraction]) -> int:
             for rim in pair:
                 row[column[group.planet_of[rim]]] += group.teeth(rim).numerator
             rows.append([*row, 0])
-    for number in column.values():
-        _eliminate(rows, number)
-    return math.gcd(*(row[-1] for row in rows))
-
-
-def _eliminate(rows: list[list[int]], column: int) -> None:
-    """Whole steps until one row is left that has anything in a column; take that one out."""
-    while left := sorted((row for row in rows if row[column]), key=lambda row: abs(row[column])):
-        pivot, *others = left
-        if not others:
-            rows[:] = [row for row in rows if row is not pivot]
-        for row in others:
-            times = row[column] // pivot[column]
-            row[:] = [value - times * part for value, part in zip(row, pivot, strict=True)]
+    return int(common_step(np.array(rows, dtype=object), len(column)))
 
 
 def goes_in(subject: Subject, teeth: Teeth) -> bool:
@@ -61,7 +48,7 @@ def goes_in(subject: Subject, teeth: Teeth) -> bool:
     if count == 1 or not isinstance(subject, OfPlanets):
         return True
     group = subject.layout(teeth).group
-    return not any(placements(group, train) % count for train in group.trains)
+    return all(seated(placements(group, train), count) for train in group.trains)
 
 
 def assembled(layout: AxisLayout) -> Iterator[Doubt]:
@@ -69,7 +56,7 @@ def assembled(layout: AxisLayout) -> Iterator[Doubt]:
     count = layout.element.planets or 1
     for train in layout.group.trains:
         places = placements(layout.group, train)
-        if places % count == 0:
+        if seated(places, count):
             continue
         wheels = layout.group.wheels_of(train)
         sums = [_sum(layout, *pair) for pair in combinations(wheels, 2)]

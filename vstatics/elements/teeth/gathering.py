@@ -10,8 +10,9 @@ from vstatics.elements.group import group_of
 from vstatics.elements.group_checks import wheel_path
 from vstatics.elements.kinds import Planetary
 from vstatics.elements.teeth.assembly import bevel_assembled, goes_in
+from vstatics.elements.teeth.conditions import UNCUT
 from vstatics.elements.teeth.layout import Doubt, Key, Teeth
-from vstatics.elements.teeth.meshing import UNCUT, hunting, interfering, undercut
+from vstatics.elements.teeth.meshing import hunting, interfering, undercut
 from vstatics.elements.teeth.nearby import nearest
 from vstatics.elements.teeth.spacing import counts, of_planets
 from vstatics.elements.teeth.subjects import OfPlanets, OfWheels, Subject, suggested

@@ -19,9 +19,6 @@ Key = str | int
 
 Teeth = Mapping[Key, int]
 
-SHIFT = 2
-"""Teeth by which wheels of one axis may differ where profiles are shifted."""
-
 
 class Doubt(NamedTuple):
     """What is doubtful about an element: of which wheel, or of the number of planets."""

@@ -9,13 +9,8 @@ import math
 from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
+from vstatics.elements.teeth.conditions import INSIDE, UNCUT, UNCUT_SHIFTED
 from vstatics.elements.teeth.layout import Doubt, Key
-
-UNCUT, UNCUT_SHIFTED = 17, 14
-"""Fewest teeth of a wheel without undercut, and of one with a shifted profile."""
-
-INSIDE = 8
-"""Teeth that a ring must have more than the wheel in it."""
 
 
 class Toothed(NamedTuple):

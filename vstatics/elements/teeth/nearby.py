@@ -15,7 +15,8 @@ from typing import NamedTuple
 
 from vstatics.elements.element import CentralWheel
 from vstatics.elements.group import PlanetGroup
-from vstatics.elements.teeth.layout import SHIFT, Key, Teeth, ratio_pairs
+from vstatics.elements.teeth.conditions import SHIFT
+from vstatics.elements.teeth.layout import Key, Teeth, ratio_pairs
 
 TEETH_PER_RATIO = 100
 """A percent of ratio is as far away as a tooth."""
@@ -167,16 +168,18 @@ def _around(group: PlanetGroup, rim: str) -> list[tuple[int, CentralWheel]]:
 
 def _ratios(group: PlanetGroup) -> list[Teeth]:
     """The ratios of a group as products of powers of teeth; what cancels is left out."""
-    found: list[Teeth] = []
+    return [ratio_powers(group, one, last) for one, last in ratio_pairs(group)]
+
+
+def ratio_powers(group: PlanetGroup, one: CentralWheel, last: CentralWheel) -> dict[Key, int]:
+    """The ratio of two wheels of a train, but for its sign, as powers of teeth."""
     wheels = list(group.wheels)
-    for one, last in ratio_pairs(group):
-        powers: dict[Key, int] = {wheels.index(one): -1, wheels.index(last): 1}
-        way = _way(group, one.rim, last.rim)
-        for driver, driven in zip(way[::2], way[1::2], strict=True):
-            powers[driver] = powers.get(driver, 0) + 1
-            powers[driven] = powers.get(driven, 0) - 1
-        found.append({key: power for key, power in powers.items() if power})
-    return found
+    powers: dict[Key, int] = {wheels.index(one): -1, wheels.index(last): 1}
+    way = _way(group, one.rim, last.rim)
+    for driver, driven in zip(way[::2], way[1::2], strict=True):
+        powers[driver] = powers.get(driver, 0) + 1
+        powers[driven] = powers.get(driven, 0) - 1
+    return {key: power for key, power in powers.items() if power}
 
 
 def _way(group: PlanetGroup, first: str, last: str) -> list[str]:

@@ -8,12 +8,18 @@ from fractions import Fraction
 
 from vstatics.elements.element import CentralWheel
 from vstatics.elements.teeth.assembly import assembled, placements
-from vstatics.elements.teeth.layout import SHIFT, AxisLayout, Doubt
+from vstatics.elements.teeth.conditions import (
+    SHIFT,
+    TIPS,
+    closes,
+    crossing_distance,
+    neighbours_room,
+    passing_room,
+    seated,
+)
+from vstatics.elements.teeth.layout import AxisLayout, Doubt
 from vstatics.elements.teeth.subjects import OfPlanets, Subject
 from vstatics.numerics.tolerances import GAP
-
-CLEAR = 4
-"""Of two tips on either side: teeth by which wheels differ whose tips just touch."""
 
 PASSING = {
     "double_planet": (("inner", "ring"), ("outer", "sun")),
@@ -97,7 +103,7 @@ def _triangles(layout: AxisLayout) -> Iterator[Doubt]:
     """Planets that mesh with one another stand at the corners of a triangle with the axis."""
     for one, other in layout.group.meshes:
         sides = _sides(layout, one, other)
-        if sides is None or abs(sides[0] - sides[1]) < sides[2] < sides[0] + sides[1]:
+        if sides is None or closes(*map(float, sides)):
             continue
         first, second, apart = (float(side) / 2 for side in sides)
         names = f"{layout.label(one)} and {layout.label(other)}"
@@ -135,8 +141,10 @@ def _clear_wheels(layout: AxisLayout) -> Iterator[Doubt]:
         passed = next((wheel for wheel in layout.group.wheels if wheel.member == member), None)
         if axis is None or teeth is None or passed is None:
             continue
-        room = passed.teeth - axis[0] if passed.internal else axis[0] - passed.teeth
-        if room - teeth > CLEAR:
+        room = passing_room(
+            float(axis[0]), float(teeth), float(passed.teeth), internal=passed.internal
+        )
+        if room > 0:
             continue
         names = f"{rim} {teeth} and {member} {passed.teeth}"
         if layout.element.kind == "ravigneaux":
@@ -151,7 +159,7 @@ def _touching(layout: AxisLayout, count: int) -> Iterator[Doubt]:
     sine = math.sin(math.pi / count)
     for rims in layout.group.planets.values():
         gaps = [  # between the tips of neighbours, in modules
-            (float(axis[0]) * sine - float(teeth) - 2, rim, axis)
+            (neighbours_room(float(axis[0]), float(teeth), sine), rim, axis)
             for rim, teeth in rims.items()
             if teeth is not None and (axis := layout.axis(rim))
         ]
@@ -173,14 +181,11 @@ def _touching(layout: AxisLayout, count: int) -> Iterator[Doubt]:
 def _crossing(layout: AxisLayout, one: str, other: str, count: int) -> Iterator[Doubt]:
     """A planet against the meshing planet of the next place."""
     sides = _sides(layout, one, other)
-    if sides is None or not abs(sides[0] - sides[1]) < sides[2] < sides[0] + sides[1]:
+    if sides is None or not closes(*map(float, sides)):
         return
     first, second, apart = (float(side) / 2 for side in sides)
-    angle = math.acos((first**2 + second**2 - apart**2) / (2 * first * second))
-    turn = 2 * math.pi / count
-    beyond = first**2 + second**2 - 2 * first * second * math.cos(turn - angle)
-    distance = math.sqrt(max(beyond, 0.0))
-    if distance - apart - 2 < GAP:
+    distance = crossing_distance(first, second, apart, 2 * math.pi / count)
+    if distance - apart - TIPS < GAP:
         message = (
             f"{layout.label(one)} and {layout.label(other)} of neighbouring planets touch with "
             f"their tips: axes are {distance:.4g} modules apart, expected more than {apart + 2:g}"
@@ -198,7 +203,7 @@ def counts(subject: Subject) -> str:
     fit = [
         number
         for number in range(max(2, count - 3), count + 3)
-        if not any(places % number for places in trains) and not any(_touching(layout, number))
+        if all(seated(places, number) for places in trains) and not any(_touching(layout, number))
     ]
     fit = sorted(sorted(fit, key=lambda number: abs(number - count))[:2])
     return f"; {' or '.join(map(str, fit))} planets fit" if fit else ""
