@@ -157,19 +157,46 @@ def reach(formula: GearFormula, low: Floats, high: Floats) -> tuple[float, float
 
 
 def _at_corners(polynomial: Polynomial, varied: Sequence[int], low: Floats, high: Floats) -> Floats:
-    """A polynomial, linear in each ratio, at all corners of the bounds, (corners,).
-
-    A ratio after the other is put in: the half without it, and the half with it at each bound.
-    """
+    """A polynomial, linear in each ratio, at all corners of the bounds, (corners,)."""
     places = {ratio: 1 << place for place, ratio in enumerate(varied)}
-    found = np.zeros(2 ** len(varied))
+    factors = np.zeros(2 ** len(varied))
     for ratios, coefficient in polynomial.items():
         indices = bits(ratios)
         given = [float(low[index]) for index in indices if index not in places]
         place = sum(places.get(index, 0) for index in indices)
-        found[place] += float(coefficient) * math.prod(given)
-    for place, ratio in enumerate(varied):
-        halves = found.reshape(-1, 2, 1 << place)
-        without, with_it = halves[:, 0], halves[:, 1]
-        found = np.stack([without + one[ratio] * with_it for one in (low, high)], axis=1).ravel()
+        factors[place] += float(coefficient) * math.prod(given)
+    return at_corners(factors, low[list(varied)], high[list(varied)])
+
+
+def at_corners(factors: Floats, low: Floats, high: Floats) -> Floats:
+    """Polynomials, linear in each ratio, at all corners of bounds.
+
+    A ratio after the other is put in: the half without it, and the half with it at each bound.
+
+    Parameters
+    ----------
+    factors : ndarray, shape (2**ratios,)
+        By product; the bits of its place are the ratios in it.
+    low, high : ndarray, shape (..., ratios)
+        [-]
+
+    Returns
+    -------
+    ndarray, shape (..., 2**ratios)
+
+    Examples
+    --------
+    ``1 - u`` for u of -4 to -1.5:
+
+    >>> at_corners(np.array([1.0, -1.0]), np.array([-4.0]), np.array([-1.5]))
+    array([5. , 2.5])
+    """
+    outer = low.shape[:-1]
+    found = np.broadcast_to(factors, (*outer, len(factors)))
+    for place in range(low.shape[-1]):
+        halves = found.reshape(*outer, -1, 2, 1 << place)
+        without, with_it = halves[..., 0, :], halves[..., 1, :]
+        ends = (one[..., place, np.newaxis, np.newaxis] for one in (low, high))
+        found = np.stack([without + end * with_it for end in ends], axis=-2)
+        found = found.reshape(*outer, len(factors))
     return found

@@ -1,0 +1,327 @@
+"""Integer teeth for wanted ratios of gears or sets, as `vstatics synth teeth` finds them."""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from vstatics.errors import CaseError, Problem
+from vstatics.model.transmission import Transmission
+from vstatics.numerics.arrays import Floats, Integers
+from vstatics.statics.solve import solve
+from vstatics.synthesis.fit_problem import Advance, reach_text, untold
+from vstatics.synthesis.teeth_layout import TeethLayout
+from vstatics.synthesis.teeth_limits import TeethLimits
+from vstatics.synthesis.teeth_problem import TeethProblem, teeth_problem
+from vstatics.synthesis.teeth_rows import LOOKED, TeethRows, TooManyError
+from vstatics.synthesis.teeth_search import BestTeeth, best_teeth
+from vstatics.synthesis.teeth_table import TeethTable, teeth_table
+from vstatics.synthesis.teeth_targets import TeethError
+from vstatics.synthesis.teeth_windows import ends_by_ranges, limits_of_errors, narrowed
+
+KEPT = 20
+"""So many solutions are given."""
+AT_ONCE = 30_000_000
+"""An element with more candidates has only those listed whose ratios are of use."""
+
+
+DIGITS = 14
+"""Decimals of an error; what is below them is rounding."""
+
+
+class TeethSolution(NamedTuple):
+    """Teeth of the elements that matter for what is wanted."""
+
+    teeth: Mapping[str, Mapping[str, int]]
+    """By element, by wheel or rim."""
+    planets: Mapping[str, int]
+    """How many planets an element has, or pairs of meshed ones."""
+    gears: Mapping[str, float]
+    """The ratio of every gear of the case [-]; NaN where it has none."""
+    error: float
+    """The largest of what is wanted: `|ln(i/target)|`, or `|i - target|` [-]."""
+    modules: Mapping[str, Mapping[str, float]]
+    """By element, by wheel, where modules are chosen [mm]."""
+    ratios: Mapping[str, float]
+    """Of the mechanisms of the case on its own links [-]."""
+
+
+class FoundTeeth(NamedTuple):
+    """The best teeth, and what is proven of them."""
+
+    solutions: Sequence[TeethSolution]
+    """Each with other teeth, in the order of the error; the smaller first where it is equal."""
+    problem: TeethProblem
+    tables: Sequence[TeethTable]
+    bound: float
+    """All other teeth have an error that is no smaller [-]."""
+    is_proven: bool
+    """Whether no others are better than the last of the solutions."""
+
+
+def find_teeth(
+    case: Transmission,
+    ratios: Mapping[str, float],
+    limits: TeethLimits | None = None,
+    *,
+    error: TeethError = "ln",
+    advance: Advance = untold,
+) -> FoundTeeth:
+    """Integer teeth with which gears, or elements, have ratios as near as may be to those wanted.
+
+    Parameters
+    ----------
+    case : Transmission
+        The teeth and ratios that it has do not matter, but for their signs.
+    ratios : mapping of str to float
+        By the name of a gear, or else of an element or one of its mechanisms. [-]
+    limits : TeethLimits, optional
+    error : {"ln", "absolute"}
+        What is least in its largest value.
+    advance : callable
+        Told how many regions of the search more are done.
+
+    Raises
+    ------
+    CaseError
+        If nothing can be looked for, or no teeth fulfil the conditions; the path of each problem
+        begins with the option that it is about, or is empty.
+
+    Examples
+    --------
+    >>> from vstatics import Gear, Mechanism, ShiftElement
+    >>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)], [Gear([1])])
+    >>> found = find_teeth(case, {"1": 3.6})
+    >>> best = found.solutions[0]
+    >>> dict(best.teeth["D1"]), best.error < 1e-12, found.is_proven
+    ({'sun': 25, 'ring': 65, 'planet': 20}, True, True)
+    """
+    problem = teeth_problem(case, ratios, limits or TeethLimits(), error)
+    rows = [TeethRows(layout, problem.limits) for layout in problem.layouts]
+    tables: list[TeethTable | None] = []
+    for one in rows:
+        tables.append(_whole_table(one))
+        advance(1)
+    full = [table for table in tables if table is not None]
+    if len(full) == len(tables):
+        _check_signs(problem, full)
+        best = best_teeth(full, problem.targets, KEPT, advance=advance)
+    else:
+        full, best = _by_limits(problem, rows, tables, advance)
+    solutions = [*_solutions(problem, full, best)]
+    last = solutions[-1].error if solutions else math.inf
+    is_proven = not best.bound < last or last == 0
+    return FoundTeeth(solutions, problem, full, best.bound, is_proven)
+
+
+def _whole_table(rows: TeethRows) -> TeethTable | None:
+    """All teeth of an element; None if they are too many to list.
+
+    Raises
+    ------
+    CaseError
+        If there are none, with the condition that excludes most.
+    """
+    told: Counter[str] = Counter()
+    try:
+        found = teeth_table(rows.layout, rows.found({}, told, AT_ONCE), _counts(rows))
+    except TooManyError:
+        return None
+    if not found.total:
+        raise CaseError([none_fits(rows.layout, told)])
+    return found
+
+
+def _counts(rows: TeethRows) -> tuple[int, ...]:
+    return rows.limits.counts(rows.layout)
+
+
+def none_fits(layout: TeethLayout, told: Counter[str]) -> Problem:
+    """That no teeth fulfil all conditions, and which of these excludes most."""
+    del told[LOOKED]
+    message = f"no teeth of {layout.name} fulfil all conditions"
+    most = told.most_common(1)
+    if most and most[0][1]:
+        message += f"; most are excluded by: {most[0][0]} ({most[0][1]} of {sum(told.values())})"
+    return Problem(message)
+
+
+def _check_signs(problem: TeethProblem, tables: Sequence[TeethTable]) -> None:
+    """Refuse what has the other sign than all that the teeth can make.
+
+    Raises
+    ------
+    CaseError
+    """
+    low = np.concatenate([table.low[0] for table in tables])[np.newaxis]
+    high = np.concatenate([table.high[0] for table in tables])[np.newaxis]
+    problems = []
+    for target in problem.targets:
+        ends = target.ends(low, high)
+        if ends and (ends[1] <= 0 < target.wanted or target.wanted < 0 <= ends[0]):
+            side = "below" if target.wanted > 0 else "above"
+            message = f"{target.name}: read {target.wanted:g}, but {reach_text(*ends)}"
+            problems.append(Problem(f"{message}: expected a ratio {side} 0", ("ratios", target.name)))
+    if problems:
+        raise CaseError(problems)
+
+
+def _by_limits(
+    problem: TeethProblem,
+    rows: Sequence[TeethRows],
+    tables: Sequence[TeethTable | None],
+    advance: Advance,
+) -> tuple[list[TeethTable], BestTeeth]:
+    """The best teeth where some elements have too many: below limits of errors that grow.
+
+    Raises
+    ------
+    CaseError
+        If too many are left, or there are none.
+    """
+    ends = [
+        ends_by_ranges(one) if table is None else (table.low[0], table.high[0])
+        for one, table in zip(rows, tables, strict=True)
+    ]
+    low, high = (np.concatenate([pair[side] for pair in ends]) for side in (0, 1))
+    best: tuple[list[TeethTable], BestTeeth] | None = None
+    told: Counter[str] = Counter()
+    for most in limits_of_errors(problem.targets, low, high):
+        between = narrowed(problem.targets, low, high, most)
+        if between is None:
+            continue
+        try:
+            listed = list(_in_windows(rows, tables, between, told))
+        except TooManyError:
+            break
+        if not all(table.total for table in listed):
+            continue
+        found = best_teeth(listed, problem.targets, KEPT, most=most, advance=advance)
+        if len(found.errors):
+            best = listed, found._replace(bound=min(found.bound, most))
+        if _different(listed, found) >= KEPT:
+            return listed, found
+    else:
+        if best is not None:
+            return best
+        raise CaseError([none_fits(rows[tables.index(None)].layout, told)])
+    if best is not None:
+        return best
+    names = [one.layout.name for one, table in zip(rows, tables, strict=True) if table is None]
+    message = f"{', '.join(names)}: too many teeth to be looked at"
+    hint = "expected narrower ranges, or fewer numbers of planets or modules"
+    raise CaseError([Problem(f"{message}; {hint}", ("range",))])
+
+
+def _in_windows(
+    rows: Sequence[TeethRows],
+    tables: Sequence[TeethTable | None],
+    between: tuple[Floats, Floats],
+    told: Counter[str],
+) -> Iterator[TeethTable]:
+    """The tables of all elements, of those with too many only with ratios that are of use."""
+    column = 0
+    for one, table in zip(rows, tables, strict=True):
+        columns = range(column, column + len(one.layout.ratios))
+        column = columns.stop
+        if table is not None:
+            yield table
+            continue
+        windows = {
+            number: tuple(sorted(abs(float(end[place])) for end in between))
+            for number, place in enumerate(columns)
+        }
+        pairs = {number: (window[0], window[1]) for number, window in windows.items()}
+        yield teeth_table(one.layout, one.found(pairs, told), _counts(one))
+
+
+def _different(tables: Sequence[TeethTable], best: BestTeeth) -> float:
+    """How many different teeth there are in what was found."""
+    pairs = zip(tables, best.places.T, strict=True)
+    return float(np.prod([table.different[own].astype(float) for table, own in pairs], axis=0).sum())
+
+
+def _solutions(
+    problem: TeethProblem, tables: Sequence[TeethTable], best: BestTeeth
+) -> Iterator[TeethSolution]:
+    """The first of what was found, each place with all its teeth, small ones first."""
+    chosen: list[tuple[float, int, tuple[Integers, ...]]] = []
+    for error, places in zip(best.errors.tolist(), best.places.tolist(), strict=True):
+        alike = [_smallest(table, place) for table, place in zip(tables, places, strict=True)]
+        for rows in itertools.islice(_by_size(alike), KEPT):
+            total = sum(int(_teeth(table, row).sum()) for table, row in zip(tables, rows, strict=True))
+            chosen.append((round(error, DIGITS), total, rows))
+    chosen.sort(key=lambda one: (*one[:2], [row.tolist() for row in one[2]]))
+    for _, _, rows in chosen[:KEPT]:
+        yield _solution(problem, tables, rows)
+
+
+def _teeth(table: TeethTable, row: Integers) -> Integers:
+    return row[: len(table.layout.wheels)]
+
+
+def _smallest(table: TeethTable, place: int) -> list[Integers]:
+    """The rows of a place with the fewest teeth."""
+    rows = table.rows[table.starts[place] : table.starts[place + 1]]
+    order = np.argsort(rows[:, : len(table.layout.wheels)].sum(axis=1), kind="stable")
+    return list(rows[order[:KEPT]])
+
+
+def _by_size(alike: Sequence[Sequence[Integers]]) -> Iterator[tuple[Integers, ...]]:
+    """Choices of a row each, those with the fewest places down the lists first."""
+    total = sum(len(rows) - 1 for rows in alike)
+    for depth in range(total + 1):
+        for steps in _steps(depth, [len(rows) for rows in alike]):
+            yield tuple(rows[step] for rows, step in zip(alike, steps, strict=True))
+
+
+def _steps(depth: int, lengths: Sequence[int]) -> Iterator[tuple[int, ...]]:
+    """All ways to go down so many steps in lists."""
+    if not lengths:
+        if not depth:
+            yield ()
+        return
+    for step in range(min(depth, lengths[0] - 1) + 1):
+        yield from ((step, *others) for others in _steps(depth - step, lengths[1:]))
+
+
+def _solution(
+    problem: TeethProblem, tables: Sequence[TeethTable], rows: Sequence[Integers]
+) -> TeethSolution:
+    case = problem.own.case
+    ratios = np.array([mechanism.ratio for mechanism in case.mechanisms])
+    teeth: dict[str, dict[str, int]] = {}
+    planets: dict[str, int] = {}
+    modules: dict[str, dict[str, float]] = {}
+    points = []
+    for table, row in zip(tables, rows, strict=True):
+        layout, wheels = table.layout, len(table.layout.wheels)
+        teeth[layout.name] = dict(zip(layout.wheels, row.tolist(), strict=False))
+        if layout.planets:
+            planets[layout.name] = int(row[wheels])
+        if problem.limits.modules and (
+            max(layout.component) or problem.limits.largest_diameter is not None
+        ):
+            sizes = TeethRows(layout, problem.limits).modules[row[wheels + 1 :]].tolist()
+            modules[layout.name] = {
+                wheel: sizes[component]
+                for wheel, component in zip(layout.wheels, layout.component, strict=True)
+            }
+        for ratio in layout.ratios:
+            value = ratio.sign * math.prod(
+                float(row[wheel]) ** power for wheel, power in ratio.powers.items()
+            )
+            ratios[ratio.mechanism] = value
+            points.append(value)
+    gears = dict(
+        zip((gear.name for gear in case.gears), solve(case, ratios=ratios).ratio.tolist(), strict=True)
+    )
+    at = np.array([points])
+    error = round(max(float(target.errors(at)[0]) for target in problem.targets), DIGITS)
+    named = dict(zip((one.name for one in case.mechanisms), ratios.tolist(), strict=True))
+    return TeethSolution(teeth, planets, gears, error, modules, named)

@@ -1,0 +1,222 @@
+"""What of a case has teeth to be found: wheels, what meshes, what ratios the teeth make."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import NamedTuple
+
+from vstatics.elements.element import Element
+from vstatics.elements.group import PlanetGroup, group_of
+from vstatics.elements.kinds import Planetary, Simple
+from vstatics.elements.lower import DrawnPart
+from vstatics.elements.teeth.layout import Key
+from vstatics.elements.teeth.nearby import ratio_powers
+from vstatics.elements.teeth.spacing import PASSING
+from vstatics.explain.bodies import OwnLinks
+from vstatics.model.parts import HOUSING, Mechanism
+
+PAIRS = ("gear_pair", "internal_pair", "bevel_pair", "idler", "chain")
+"""Kinds of wheels without planets whose teeth are looked for."""
+
+
+class TeethRatio(NamedTuple):
+    """A ratio of an element, but for its sign a product of powers of teeth."""
+
+    mechanism: int
+    """Index of the mechanism on the case's own links."""
+    name: str
+    sign: int
+    powers: Mapping[int, int]
+    """Number of a wheel -> exponent."""
+
+
+@dataclass(frozen=True)
+class TeethLayout:
+    """An element whose teeth are looked for; wheels and rims are numbered from 0.
+
+    Parameters
+    ----------
+    element : Element
+        As it is drawn, or as a mechanism of the case would be; its teeth do not matter.
+    wheels : tuple of str
+        Central wheels, then rims of planets; or the wheels of a pair.
+    internal : tuple of bool
+        Which of them are rings.
+    around : tuple of (int, int)
+        Central wheels with the rims that they mesh with.
+    planets : tuple of tuples of int
+        The rims of each planet.
+    meshes : tuple of (int, int)
+        Rims of planets that mesh with one another.
+    ratios : tuple of TeethRatio
+    is_drawn : bool
+        Whether the case has it as an element, not as a mechanism.
+    """
+
+    element: Element
+    wheels: tuple[str, ...]
+    internal: tuple[bool, ...]
+    around: tuple[tuple[int, int], ...]
+    planets: tuple[tuple[int, ...], ...]
+    meshes: tuple[tuple[int, int], ...]
+    ratios: tuple[TeethRatio, ...]
+    is_drawn: bool
+
+    @property
+    def name(self) -> str:
+        """That of the element."""
+        return self.element.name
+
+    @cached_property
+    def component(self) -> tuple[int, ...]:
+        """By wheel: what meshes has one module, and one number here, from 0."""
+        group = list(range(len(self.wheels)))
+        for one, other in (*self.around, *self.meshes) if self.planets else ():
+            old, new = sorted((group[one], group[other]), reverse=True)
+            group = [new if number == old else number for number in group]
+        if not self.planets:
+            return (0,) * len(group)
+        numbers = sorted(set(group))
+        return tuple(numbers.index(number) for number in group)
+
+    def around_rim(self, rim: int) -> list[int]:
+        """The central wheels that mesh with a rim."""
+        return [wheel for wheel, other in self.around if other == rim]
+
+    def axis(self, rim: int) -> tuple[int, int] | None:
+        """A central wheel and the rim of the same planet that tell how far out its axis is."""
+        planet = next(rims for rims in self.planets if rim in rims)
+        for one in (rim, *planet):
+            for wheel in self.around_rim(one):
+                return wheel, one
+        return None
+
+    @cached_property
+    def passing(self) -> list[tuple[int, int]]:
+        """Rims, and wheels in the same plane that they must keep clear of.
+
+        So does a rim whose partner meshes with the wheel, unless it has such a wheel itself: then
+        the two stand in different planes. In a Ravigneaux set it is always asked of the long
+        planet and the small sun.
+        """
+        named = [
+            (self.wheels.index(rim), self.wheels.index(wheel))
+            for rim, wheel in PASSING.get(self.element.kind, ())
+            if rim in self.wheels and wheel in self.wheels
+        ]
+        for pair in self.meshes:
+            for rim, partner in (pair, pair[::-1]):
+                own = {self.internal[wheel] for wheel in self.around_rim(rim)}
+                others = self.around_rim(partner)
+                named += [(rim, wheel) for wheel in others if self.internal[wheel] not in own]
+        return [pair for pair in dict.fromkeys(named) if self.axis(pair[0])]
+
+    @cached_property
+    def trains(self) -> list[list[int]]:
+        """Planets that mesh with one another, directly or not."""
+        group = list(range(len(self.planets)))
+        for pair in self.meshes:
+            one, other = (self.planet_of(rim) for rim in pair)
+            old, new = group[one], group[other]
+            group = [new if number == old else number for number in group]
+        return [[n for n, one in enumerate(group) if one == train] for train in sorted(set(group))]
+
+    def planet_of(self, rim: int) -> int:
+        """The number of the planet that a rim is on."""
+        return next(number for number, rims in enumerate(self.planets) if rim in rims)
+
+
+def teeth_layouts(own: OwnLinks) -> list[TeethLayout]:
+    """Everything of a case whose teeth can be looked for.
+
+    A mechanism without teeth is what it would be as an element: with a third link a planetary set,
+    of meshed planets where its ratio is above 0, else a pair of wheels.
+
+    Examples
+    --------
+    >>> from vstatics.explain.bodies import on_own_links
+    >>> from vstatics.model.transmission import Gear, Transmission
+    >>> mechanisms = [Mechanism(1, 2, 3, 2.5, name="P"), Mechanism(3, 2, ratio=-0.8, name="G")]
+    >>> own = on_own_links(Transmission(3, [], mechanisms, [Gear()]))
+    >>> for one in teeth_layouts(own):
+    ...     print(one.name, one.element.kind, one.wheels, one.ratios[0].powers)
+    P double_planet ('sun', 'ring', 'inner', 'outer') {0: -1, 1: 1}
+    G gear_pair ('first', 'second') {0: -1, 1: 1}
+    """
+    found, last = [], 0
+    for part in own.parts:
+        mechanisms = range(last, last + len(part.lowered))
+        last += len(part.lowered)
+        element = part.element or _stand_in(part.lowered[0].mechanism)
+        if any(own.is_fixed(number) for number in mechanisms) or element is None:
+            continue
+        if isinstance(element.shape, Planetary):
+            found.append(_of_planets(element, part, mechanisms))
+        elif element.kind in PAIRS:
+            found.append(_of_pair(element, part, mechanisms[0]))
+    return found
+
+
+def _stand_in(mechanism: Mechanism) -> Element | None:
+    """The element that a mechanism would be, with teeth that do not matter."""
+    name, ratio = mechanism.name, mechanism.ratio
+    if mechanism.third != HOUSING:
+        first, second = ("sun", "ring") if abs(ratio) > 1 else ("ring", "sun")
+        members = {first: mechanism.first, second: mechanism.second, "carrier": mechanism.third}
+        kind = "planetary" if ratio < 0 else "double_planet"
+        return Element(name, kind, members, {"sun": 20, "ring": 60})
+    members = {"first": mechanism.first, "second": mechanism.second}
+    kind = "gear_pair" if ratio < 0 else "bevel_pair"
+    return Element(name, kind, members, {"first": 20, "second": 20}) if ratio else None
+
+
+def _of_planets(element: Element, part: DrawnPart, mechanisms: Sequence[int]) -> TeethLayout:
+    group = group_of(element)
+    rims = list(group.planet_of)
+    names = [wheel.member for wheel in group.wheels] + rims
+    first = len(group.wheels)
+    numbers = {rim: first + place for place, rim in enumerate(rims)}
+    return TeethLayout(
+        element,
+        tuple(names),
+        tuple([wheel.internal for wheel in group.wheels] + [False] * len(rims)),
+        tuple((place, numbers[wheel.rim]) for place, wheel in enumerate(group.wheels)),
+        tuple(tuple(numbers[rim] for rim in own) for own in group.planets.values()),
+        tuple((numbers[one], numbers[other]) for one, other in group.meshes),
+        tuple(_ratios(group, numbers, part, mechanisms)),
+        part.element is not None,
+    )
+
+
+def _ratios(
+    group: PlanetGroup, numbers: Mapping[str, int], part: DrawnPart, mechanisms: Sequence[int]
+) -> Iterator[TeethRatio]:
+    """What the mechanisms of an element are by its teeth."""
+    wheels = {wheel.member: wheel for wheel in group.wheels}
+    for number, (mechanism, members) in zip(mechanisms, part.lowered, strict=True):
+        if part.element is None:
+            members = ("sun", "ring", "carrier")[:: 1 if abs(mechanism.ratio) > 1 else -1]
+            first, second = (name for name in members if name != "carrier")
+        else:
+            first, second, _ = members
+        given = ratio_powers(group, wheels[first], wheels[second])
+        powers = {_number(key, numbers): power for key, power in given.items()}
+        yield TeethRatio(number, mechanism.name, 1 if mechanism.ratio > 0 else -1, powers)
+
+
+def _number(key: Key, rims: Mapping[str, int]) -> int:
+    return rims[key] if isinstance(key, str) else key
+
+
+def _of_pair(element: Element, part: DrawnPart, mechanism: int) -> TeethLayout:
+    shape = element.shape
+    assert isinstance(shape, Simple)  # noqa: S101 - for mypy
+    made = part.lowered[0].mechanism
+    last = len(shape.toothed) - 1
+    ratio = TeethRatio(mechanism, made.name, shape.sign, {0: -1, last: 1})
+    internal = (False,) * (last + 1)
+    return TeethLayout(
+        element, shape.toothed, internal, (), (), (), (ratio,), part.element is not None
+    )
