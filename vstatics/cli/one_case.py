@@ -15,6 +15,7 @@ from vstatics.cli.telling import Telling
 from vstatics.errors import CaseError, Problem, ReadError, of_file
 from vstatics.readers.reading import Reading
 from vstatics.tables.grid import Grid
+from vstatics.writers import plain_json
 from vstatics.writers.plain_json import plain_data
 
 
@@ -57,6 +58,24 @@ def show(
     shown = texts.CaseOutput([title or name], {}, grids, lambda: plain_data(document()))
     form = texts.OutputForm(to.form, to.style)
     files.write_data(texts.alone(CalculatedCase(name, None, []), shown, form), to.output)
+
+
+def show_alone(
+    file: str,
+    to: Destination,
+    name: str,
+    grids: Callable[[], Iterable[Grid]],
+    document: Callable[[], dict[str, Any]],
+) -> None:
+    """Write what there is of one case; the document in JSON has what it has, and no more."""
+    as_json = {
+        "json": lambda _: f"{plain_json.text(document())}\n",
+        "jsonl": lambda _: plain_json.line(document()),
+    }
+    shown = texts.CaseOutput([name or file_name(file)], as_json, grids, document)
+    outcome = CalculatedCase(file_name(file), None, [])
+    form = texts.OutputForm(to.form, to.style)
+    files.write_data(texts.alone(outcome, shown, form), to.output)
 
 
 def tell(problems: Sequence[Problem], telling: Telling, file: str) -> None:

@@ -15,6 +15,7 @@ COMMANDS = {
     ),
     "fit": ("vstatics.cli.synth_fit", "Ratios of mechanisms for wanted ratios of gears."),
     "box": ("vstatics.cli.synth_box", "Whole gearboxes for wanted ratios of gears."),
+    "teeth": ("vstatics.cli.synth_teeth", "Integer teeth for wanted ratios of gears or sets."),
 }
 
 
@@ -35,4 +36,5 @@ def synth() -> None:
       vstatics synth combinations box.yaml --elements auto --write gears.yaml
       vstatics synth fit box.yaml --ratios 1=3.5 --write fitted.yaml
       vstatics synth box --sets 1 --elements 2 --engaged 1 --ratios 3,1 -o found/
+      vstatics synth teeth fitted.yaml --write teeth.yaml
     """

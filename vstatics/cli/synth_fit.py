@@ -3,24 +3,21 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
-from typing import Any
 
 import click
 
 from vstatics import readers
 from vstatics.cli import cases as arguments
 from vstatics.cli import files, formats
-from vstatics.cli.cases import CalculatedCase
 from vstatics.cli.exit_status import DONE, FAILED
-from vstatics.cli.formats import Destination, OutputOptions
-from vstatics.cli.one_case import file_name, one_text, problems_of, tell
+from vstatics.cli.formats import OutputOptions
+from vstatics.cli.one_case import file_name, one_text, problems_of, show_alone, tell
 from vstatics.cli.option_values import named, number, pair, wrong_use
 from vstatics.cli.progress import progress
 from vstatics.cli.synth_case_file import case_format, write_case, written_case
 from vstatics.cli.telling import Telling
-from vstatics.cli.texts import CaseOutput, OutputForm, alone
 from vstatics.errors import Problem, listed, of_file, spoken
 from vstatics.model.transmission import Transmission
 from vstatics.readers.reading import Reading
@@ -31,8 +28,6 @@ from vstatics.synthesis.fit_estimate import dry_document, dry_grids
 from vstatics.synthesis.fit_grids import fit_grids
 from vstatics.synthesis.fit_problem import doubts, fit_problem
 from vstatics.synthesis.fitted_case import fitted_case, left_out_by_fit, lost_by_fit
-from vstatics.tables.grid import Grid
-from vstatics.writers import plain_json
 
 
 @click.command()
@@ -126,12 +121,12 @@ def fit(
     if dry_run:
         notes = _warnings(doubts(problem), file_name(case))
         tell(notes, telling, case)
-        _show(case, to, own.name, lambda: dry_grids(problem), lambda: dry_document(problem))
+        show_alone(case, to, own.name, lambda: dry_grids(problem), lambda: dry_document(problem))
         return FAILED if telling.fails([*reading.warnings, *notes]) else DONE
     notes = _notes(found, file_name(case))
     tell(notes, telling, case)
     kept = target is None or _write(own, found, target, form, telling)
-    _show(case, to, own.name, lambda: fit_grids(found), lambda: fit_document(found))
+    show_alone(case, to, own.name, lambda: fit_grids(found), lambda: fit_document(found))
     fails = telling.fails([*reading.warnings, *notes])
     return FAILED if found.unmet or not kept or fails else DONE
 
@@ -145,23 +140,6 @@ def _write(case: Transmission, found: Fit, target: str, form: str, telling: Tell
     for what in () if telling.quiet else left_out_by_fit(case, found.ratios):
         files.say(f"{target}: left out: {what}")
     return kept and not lost
-
-
-def _show(
-    file: str,
-    to: Destination,
-    name: str,
-    grids: Callable[[], Iterable[Grid]],
-    document: Callable[[], dict[str, Any]],
-) -> None:
-    """Write what there is of one case; the document in JSON has what it has, and no more."""
-    as_json = {
-        "json": lambda _: f"{plain_json.text(document())}\n",
-        "jsonl": lambda _: plain_json.line(document()),
-    }
-    shown = CaseOutput([name or file_name(file)], as_json, grids, document)
-    outcome = CalculatedCase(file_name(file), None, [])
-    files.write_data(alone(outcome, shown, OutputForm(to.form, to.style)), to.output)
 
 
 @contextmanager

@@ -7,6 +7,7 @@ from vstatics.synthesis.engaged_kinds import EngagedKind
 from vstatics.synthesis.engaged_sets import EngagedSet
 from vstatics.synthesis.fit_document import fit_schema
 from vstatics.synthesis.found_schemes import FoundScheme
+from vstatics.synthesis.teeth_document import teeth_schema
 from vstatics.writers.record_schema import NUMBER, TEXT, Schema, list_of, record, schema_of
 
 
@@ -17,6 +18,7 @@ def json_schemas() -> dict[str, Schema]:
         "combinations": combinations_schema(),
         "fit": fit_schema(),
         "box": boxes_schema(),
+        "teeth": teeth_schema(),
     }
 
 

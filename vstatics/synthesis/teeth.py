@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import itertools
 import math
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
@@ -12,43 +11,24 @@ import numpy as np
 
 from vstatics.errors import CaseError, Problem
 from vstatics.model.transmission import Transmission
-from vstatics.numerics.arrays import Floats, Integers
-from vstatics.statics.solve import solve
+from vstatics.numerics.arrays import Floats
 from vstatics.synthesis.fit_problem import Advance, reach_text, untold
 from vstatics.synthesis.teeth_layout import TeethLayout
 from vstatics.synthesis.teeth_limits import TeethLimits
 from vstatics.synthesis.teeth_problem import TeethProblem, teeth_problem
 from vstatics.synthesis.teeth_rows import LOOKED, TeethRows, TooManyError
-from vstatics.synthesis.teeth_search import BestTeeth, best_teeth
+from vstatics.synthesis.teeth_search import EXACT, BestTeeth, best_teeth
+from vstatics.synthesis.teeth_solutions import KEPT, TeethSolution, teeth_solutions
 from vstatics.synthesis.teeth_table import TeethTable, teeth_table
 from vstatics.synthesis.teeth_targets import TeethError
 from vstatics.synthesis.teeth_windows import ends_by_ranges, limits_of_errors, narrowed
 
-KEPT = 20
-"""So many solutions are given."""
 AT_ONCE = 30_000_000
 """An element with more candidates has only those listed whose ratios are of use."""
 
 
-DIGITS = 14
-"""Decimals of an error; what is below them is rounding."""
-
-
-class TeethSolution(NamedTuple):
-    """Teeth of the elements that matter for what is wanted."""
-
-    teeth: Mapping[str, Mapping[str, int]]
-    """By element, by wheel or rim."""
-    planets: Mapping[str, int]
-    """How many planets an element has, or pairs of meshed ones."""
-    gears: Mapping[str, float]
-    """The ratio of every gear of the case [-]; NaN where it has none."""
-    error: float
-    """The largest of what is wanted: `|ln(i/target)|`, or `|i - target|` [-]."""
-    modules: Mapping[str, Mapping[str, float]]
-    """By element, by wheel, where modules are chosen [mm]."""
-    ratios: Mapping[str, float]
-    """Of the mechanisms of the case on its own links [-]."""
+class NoTeethError(CaseError):
+    """No teeth of an element fulfil all conditions."""
 
 
 class FoundTeeth(NamedTuple):
@@ -88,9 +68,11 @@ def find_teeth(
 
     Raises
     ------
+    NoTeethError
+        If no teeth fulfil the conditions: which one excludes most.
     CaseError
-        If nothing can be looked for, or no teeth fulfil the conditions; the path of each problem
-        begins with the option that it is about, or is empty.
+        If nothing can be looked for; the path of each problem begins with the option that it is
+        about.
 
     Examples
     --------
@@ -113,9 +95,9 @@ def find_teeth(
         best = best_teeth(full, problem.targets, KEPT, advance=advance)
     else:
         full, best = _by_limits(problem, rows, tables, advance)
-    solutions = [*_solutions(problem, full, best)]
+    solutions = [*teeth_solutions(problem, full, best)]
     last = solutions[-1].error if solutions else math.inf
-    is_proven = not best.bound < last or last == 0
+    is_proven = best.bound >= last * (1 - EXACT) - EXACT
     return FoundTeeth(solutions, problem, full, best.bound, is_proven)
 
 
@@ -124,7 +106,7 @@ def _whole_table(rows: TeethRows) -> TeethTable | None:
 
     Raises
     ------
-    CaseError
+    NoTeethError
         If there are none, with the condition that excludes most.
     """
     told: Counter[str] = Counter()
@@ -133,7 +115,7 @@ def _whole_table(rows: TeethRows) -> TeethTable | None:
     except TooManyError:
         return None
     if not found.total:
-        raise CaseError([none_fits(rows.layout, told)])
+        raise NoTeethError([none_fits(rows.layout, told)])
     return found
 
 
@@ -166,7 +148,9 @@ def _check_signs(problem: TeethProblem, tables: Sequence[TeethTable]) -> None:
         if ends and (ends[1] <= 0 < target.wanted or target.wanted < 0 <= ends[0]):
             side = "below" if target.wanted > 0 else "above"
             message = f"{target.name}: read {target.wanted:g}, but {reach_text(*ends)}"
-            problems.append(Problem(f"{message}: expected a ratio {side} 0", ("ratios", target.name)))
+            problems.append(
+                Problem(f"{message}: expected a ratio {side} 0", ("ratios", target.name))
+            )
     if problems:
         raise CaseError(problems)
 
@@ -209,7 +193,7 @@ def _by_limits(
     else:
         if best is not None:
             return best
-        raise CaseError([none_fits(rows[tables.index(None)].layout, told)])
+        raise NoTeethError([none_fits(rows[tables.index(None)].layout, told)])
     if best is not None:
         return best
     names = [one.layout.name for one, table in zip(rows, tables, strict=True) if table is None]
@@ -243,85 +227,6 @@ def _in_windows(
 def _different(tables: Sequence[TeethTable], best: BestTeeth) -> float:
     """How many different teeth there are in what was found."""
     pairs = zip(tables, best.places.T, strict=True)
-    return float(np.prod([table.different[own].astype(float) for table, own in pairs], axis=0).sum())
-
-
-def _solutions(
-    problem: TeethProblem, tables: Sequence[TeethTable], best: BestTeeth
-) -> Iterator[TeethSolution]:
-    """The first of what was found, each place with all its teeth, small ones first."""
-    chosen: list[tuple[float, int, tuple[Integers, ...]]] = []
-    for error, places in zip(best.errors.tolist(), best.places.tolist(), strict=True):
-        alike = [_smallest(table, place) for table, place in zip(tables, places, strict=True)]
-        for rows in itertools.islice(_by_size(alike), KEPT):
-            total = sum(int(_teeth(table, row).sum()) for table, row in zip(tables, rows, strict=True))
-            chosen.append((round(error, DIGITS), total, rows))
-    chosen.sort(key=lambda one: (*one[:2], [row.tolist() for row in one[2]]))
-    for _, _, rows in chosen[:KEPT]:
-        yield _solution(problem, tables, rows)
-
-
-def _teeth(table: TeethTable, row: Integers) -> Integers:
-    return row[: len(table.layout.wheels)]
-
-
-def _smallest(table: TeethTable, place: int) -> list[Integers]:
-    """The rows of a place with the fewest teeth."""
-    rows = table.rows[table.starts[place] : table.starts[place + 1]]
-    order = np.argsort(rows[:, : len(table.layout.wheels)].sum(axis=1), kind="stable")
-    return list(rows[order[:KEPT]])
-
-
-def _by_size(alike: Sequence[Sequence[Integers]]) -> Iterator[tuple[Integers, ...]]:
-    """Choices of a row each, those with the fewest places down the lists first."""
-    total = sum(len(rows) - 1 for rows in alike)
-    for depth in range(total + 1):
-        for steps in _steps(depth, [len(rows) for rows in alike]):
-            yield tuple(rows[step] for rows, step in zip(alike, steps, strict=True))
-
-
-def _steps(depth: int, lengths: Sequence[int]) -> Iterator[tuple[int, ...]]:
-    """All ways to go down so many steps in lists."""
-    if not lengths:
-        if not depth:
-            yield ()
-        return
-    for step in range(min(depth, lengths[0] - 1) + 1):
-        yield from ((step, *others) for others in _steps(depth - step, lengths[1:]))
-
-
-def _solution(
-    problem: TeethProblem, tables: Sequence[TeethTable], rows: Sequence[Integers]
-) -> TeethSolution:
-    case = problem.own.case
-    ratios = np.array([mechanism.ratio for mechanism in case.mechanisms])
-    teeth: dict[str, dict[str, int]] = {}
-    planets: dict[str, int] = {}
-    modules: dict[str, dict[str, float]] = {}
-    points = []
-    for table, row in zip(tables, rows, strict=True):
-        layout, wheels = table.layout, len(table.layout.wheels)
-        teeth[layout.name] = dict(zip(layout.wheels, row.tolist(), strict=False))
-        if layout.planets:
-            planets[layout.name] = int(row[wheels])
-        if problem.limits.modules and (
-            max(layout.component) or problem.limits.largest_diameter is not None
-        ):
-            sizes = TeethRows(layout, problem.limits).modules[row[wheels + 1 :]].tolist()
-            modules[layout.name] = {
-                wheel: sizes[component]
-                for wheel, component in zip(layout.wheels, layout.component, strict=True)
-            }
-        for ratio in layout.ratios:
-            value = ratio.sign * math.prod(
-                float(row[wheel]) ** power for wheel, power in ratio.powers.items()
-            )
-            ratios[ratio.mechanism] = value
-            points.append(value)
-    gears = dict(
-        zip((gear.name for gear in case.gears), solve(case, ratios=ratios).ratio.tolist(), strict=True)
+    return float(
+        np.prod([table.different[own].astype(float) for table, own in pairs], axis=0).sum()
     )
-    at = np.array([points])
-    error = round(max(float(target.errors(at)[0]) for target in problem.targets), DIGITS)
-    named = dict(zip((one.name for one in case.mechanisms), ratios.tolist(), strict=True))
-    return TeethSolution(teeth, planets, gears, error, modules, named)

@@ -1,4 +1,4 @@
-"""The conditions on teeth as filters of candidates; `elements.teeth.conditions` has the formulas."""
+"""The conditions on teeth as filters of candidates; the formulas are those of `elements.teeth`."""
 
 from __future__ import annotations
 
@@ -220,5 +220,3 @@ def _assembly(layout: TeethLayout, train: list[int]) -> Test:
         return found
 
     return test
-
-

@@ -163,13 +163,18 @@ def _stand_in(mechanism: Mechanism) -> Element | None:
     """The element that a mechanism would be, with teeth that do not matter."""
     name, ratio = mechanism.name, mechanism.ratio
     if mechanism.third != HOUSING:
-        first, second = ("sun", "ring") if abs(ratio) > 1 else ("ring", "sun")
+        first, second = _wheels_of(mechanism)
         members = {first: mechanism.first, second: mechanism.second, "carrier": mechanism.third}
         kind = "planetary" if ratio < 0 else "double_planet"
         return Element(name, kind, members, {"sun": 20, "ring": 60})
     members = {"first": mechanism.first, "second": mechanism.second}
     kind = "gear_pair" if ratio < 0 else "bevel_pair"
     return Element(name, kind, members, {"first": 20, "second": 20}) if ratio else None
+
+
+def _wheels_of(mechanism: Mechanism) -> tuple[str, str]:
+    """What the first and second link of a mechanism are of a planetary set."""
+    return ("sun", "ring") if abs(mechanism.ratio) > 1 else ("ring", "sun")
 
 
 def _of_planets(element: Element, part: DrawnPart, mechanisms: Sequence[int]) -> TeethLayout:
@@ -196,11 +201,9 @@ def _ratios(
     """What the mechanisms of an element are by its teeth."""
     wheels = {wheel.member: wheel for wheel in group.wheels}
     for number, (mechanism, members) in zip(mechanisms, part.lowered, strict=True):
+        first, second, _ = members
         if part.element is None:
-            members = ("sun", "ring", "carrier")[:: 1 if abs(mechanism.ratio) > 1 else -1]
-            first, second = (name for name in members if name != "carrier")
-        else:
-            first, second, _ = members
+            first, second = _wheels_of(mechanism)
         given = ratio_powers(group, wheels[first], wheels[second])
         powers = {_number(key, numbers): power for key, power in given.items()}
         yield TeethRatio(number, mechanism.name, 1 if mechanism.ratio > 0 else -1, powers)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -85,6 +85,17 @@ def teeth_problem(
     return TeethProblem(own, used, targets, limits, unused)
 
 
+def own_ratios(case: Transmission) -> dict[str, float]:
+    """The ratios of the gears of a case, of those that have one [-].
+
+    >>> from vstatics import Gear, Mechanism, ShiftElement
+    >>> own_ratios(Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)], [Gear([1])]))
+    {'1': 3.5}
+    """
+    ratios = zip(case.gears, solve(case).ratio.tolist(), strict=True)
+    return {gear.name: ratio for gear, ratio in ratios if math.isfinite(ratio) and ratio}
+
+
 def _searched(layouts: Sequence[TeethLayout]) -> str:
     names = [layout.name for layout in layouts]
     return f"; they can be for {listed(names, 12)}" if names else ""
@@ -100,7 +111,7 @@ class _Asked:
     @property
     def of_sets(self) -> dict[str, TeethRatio]:
         """Ratios of elements by their names; of an element with several each has its own."""
-        found = {}
+        found: dict[str, TeethRatio] = {}
         for layout in self.layouts:
             found |= {ratio.name: ratio for ratio in layout.ratios}
             if len(layout.ratios) == 1:
@@ -131,7 +142,9 @@ class _Asked:
         ratio = self.of_sets[name]
         if wanted * ratio.sign < 0:
             side = "below" if ratio.sign < 0 else "above"
-            message = f"{name}: read {wanted:g}, expected a ratio {side} 0: did you mean {-wanted:g}?"
+            message = (
+                f"{name}: read {wanted:g}, expected a ratio {side} 0: did you mean {-wanted:g}?"
+            )
             raise CaseError([Problem(message, path)])
         return GearFormula("ratio", {1 << ratio.mechanism: ONE}, {0: ONE})
 
@@ -162,17 +175,7 @@ class _Asked:
 
 def _wrong_limits(limits: TeethLimits, layouts: Sequence[TeethLayout]) -> Iterator[Problem]:
     """What can't be meant."""
-    names = {"all"}
-    for layout in layouts:
-        names |= {*layout.wheels, *(f"{layout.name}.{wheel}" for wheel in layout.wheels)}
-    for name, (low, high) in limits.ranges.items():
-        if name not in names:
-            shown = _wheels(layouts)
-            hint = f"{nearest(name, names)}; wheels are {listed(shown, 12)}"
-            yield Problem(f"no wheel {quoted(name)}{hint}", ("range", name))
-        elif not 1 <= low <= high < MOST:
-            message = f"{name}: read {low}:{high}, expected two numbers of teeth"
-            yield Problem(f"{message}, the least first, below {MOST}", ("range", name))
+    yield from _wrong_ranges(limits, layouts)
     for count in limits.planets:
         if not 1 <= count <= MOST_PLANETS:
             message = f"read {count}, expected numbers of planets from 1 to {MOST_PLANETS}"
@@ -190,8 +193,18 @@ def _wrong_limits(limits: TeethLimits, layouts: Sequence[TeethLayout]) -> Iterat
     yield from _wrong_sizes(limits)
 
 
-def _wheels(layouts: Sequence[TeethLayout]) -> Collection[str] | list[str]:
-    return list(dict.fromkeys(wheel for layout in layouts for wheel in layout.wheels))
+def _wrong_ranges(limits: TeethLimits, layouts: Sequence[TeethLayout]) -> Iterator[Problem]:
+    """Wheels that there are not, and what is no range."""
+    wheels = [*dict.fromkeys(wheel for layout in layouts for wheel in layout.wheels)]
+    special = [f"{layout.name}.{wheel}" for layout in layouts for wheel in layout.wheels]
+    names = ["all", *wheels, *special]
+    for name, (low, high) in limits.ranges.items():
+        if name not in names:
+            hint = f"{nearest(name, names)}; wheels are {listed(wheels, 12)}"
+            yield Problem(f"no wheel {quoted(name)}{hint}", ("range", name))
+        elif not 1 <= low <= high < MOST:
+            message = f"{name}: read {low}:{high}, expected two numbers of teeth"
+            yield Problem(f"{message}, the least first, below {MOST}", ("range", name))
 
 
 def _wrong_sizes(limits: TeethLimits) -> Iterator[Problem]:
@@ -205,7 +218,9 @@ def _wrong_sizes(limits: TeethLimits) -> Iterator[Problem]:
             message = f"read {limits.largest_diameter:g}, expected a length above 0"
             yield Problem(message, ("largest-diameter",))
         if not limits.modules:
-            yield Problem("teeth have a size by their module: give --modules", ("largest-diameter",))
+            yield Problem(
+                "teeth have a size by their module: give --modules", ("largest-diameter",)
+            )
     if not 0 <= limits.shift <= SHIFT:
         message = f"read {limits.shift}, expected 0 to {SHIFT} teeth"
         yield Problem(f"{message}: shifted profiles make up for no more", ("shift",))

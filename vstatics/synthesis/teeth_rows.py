@@ -26,6 +26,8 @@ ROOM = 300_000
 CLOSE = 1e-6
 """What rounding may take from a number of teeth."""
 
+LARGEST = 50.0
+"""Of logarithms: no number of teeth is near it."""
 MOST = 1_000_000_000
 """So many candidates are looked at, which takes less than a minute."""
 LOOKED = "left"
@@ -212,11 +214,8 @@ class TeethRows:
             ends = [power * math.log(max(int(one), 1)) for one in self.ends(wheel)]
             low, high = low - max(ends), high - min(ends)
         power = powers[column]
-        ends = (low / power, high / power) if power > 0 else (high / power, low / power)
-        with np.errstate(over="ignore"):
-            return np.exp(np.minimum(ends[0], 50)) * (1 - CLOSE**2), np.exp(
-                np.minimum(ends[1], 50)
-            ) * (1 + CLOSE**2)
+        low, high = (low / power, high / power) if power > 0 else (high / power, low / power)
+        return np.exp(np.minimum(low, LARGEST)), np.exp(np.minimum(high, LARGEST))
 
     def ends(self, wheel: int) -> tuple[int, int]:
         """Fewest and most teeth of a wheel that may be."""

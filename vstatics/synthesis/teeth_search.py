@@ -48,7 +48,6 @@ def best_teeth(
     *,
     most: float = math.inf,
     advance: Advance = untold,
-    effort: int = MOST,
 ) -> BestTeeth:
     """The places of tables with the least errors, as many as give so many different teeth.
 
@@ -63,14 +62,14 @@ def best_teeth(
         Errors above it are of no use.
     advance : callable
         Told how many regions more are done.
-    effort : int
-        Of so many regions.
     """
     search = _Halving(tables, targets, wanted, most)
-    start = np.zeros((1, len(tables)), np.int64)
-    waiting = [(search.least(start), start)] if all(len(one.ratios) for one in tables) else []
+    start: Integers = np.zeros((1, len(tables)), np.int64)
+    waiting: list[tuple[Floats, Integers]] = (
+        [(search.least(start), start)] if all(len(one.ratios) for one in tables) else []
+    )
     done = 0
-    while waiting and search.most > EXACT and done < effort:
+    while waiting and search.most > EXACT and done < MOST:
         least, regions = waiting.pop()
         hopeful = least < search.most
         least, regions = least[hopeful], regions[hopeful]
@@ -121,16 +120,14 @@ class _Halving:
 
     def halved(self, regions: Integers) -> Iterator[tuple[Floats, Integers]]:
         """What is left of regions, halved, the best first; small ones are tried out."""
-        starts = np.stack(
-            [one.nodes[nodes, 0] for one, nodes in zip(self.tables, regions.T, strict=True)], axis=1
-        )
-        sizes = (
+        starts, ends = (
             np.stack(
-                [one.nodes[nodes, 1] for one, nodes in zip(self.tables, regions.T, strict=True)],
+                [one.nodes[own, side] for one, own in zip(self.tables, regions.T, strict=True)],
                 axis=1,
             )
-            - starts
+            for side in (0, 1)
         )
+        sizes = ends - starts
         few = sizes.astype(np.float64).prod(axis=1) <= FEW
         self._try(starts[few], sizes[few])
         regions, starts, sizes = regions[~few], starts[~few], sizes[~few]
@@ -141,8 +138,11 @@ class _Halving:
                     alone = (others == 1).all(axis=1)
                     self._solve(number, regions[alone], starts[alone], sizes[alone])
                     regions, starts, sizes = regions[~alone], starts[~alone], sizes[~alone]
-        if not len(regions):
-            return
+        if len(regions):
+            yield self._left(self._children(regions, sizes))
+
+    def _children(self, regions: Integers, sizes: Integers) -> Integers:
+        """Both halves of regions, by the element whose ratios lie farthest apart."""
         widths = np.stack(
             [one[nodes] for one, nodes in zip(self.widest, regions.T, strict=True)], axis=1
         )
@@ -154,7 +154,10 @@ class _Halving:
                 chosen = element == number
                 one[chosen, number] = table.nodes[regions[chosen, number], half]
             children.append(one)
-        both = np.concatenate(children)
+        return np.concatenate(children)
+
+    def _left(self, both: Integers) -> tuple[Floats, Integers]:
+        """What may be better than the best of regions, with its least error, best first."""
         low, high = self.ends(both)
         least = least_errors(self.targets, low, high)
         hopeful = least < self.most
@@ -165,7 +168,7 @@ class _Halving:
                 largest_errors(self.targets, ((low + high) / 2)[hopeful]), 1e3
             )
         by_least = np.argsort(order, kind="stable")
-        yield least[by_least], both[by_least]
+        return least[by_least], both[by_least]
 
     def _solve(self, number: int, regions: Integers, starts: Integers, sizes: Integers) -> None:
         """Try what one element may still have for an error below the best, all others chosen."""

@@ -116,10 +116,11 @@ def _of_rows(layout: TeethLayout, rows: Integers) -> Floats:
 
 def _places(ratios: Floats) -> Integers:
     """Numbers of the different rows of an array, from 0."""
-    place = np.zeros(len(ratios), np.int64)
+    place: Integers = np.zeros(len(ratios), np.int64)
     for column in ratios.T:
         _, one = np.unique(column, return_inverse=True)
-        _, place = np.unique(place * (one.max(initial=0) + 1) + one, return_inverse=True)
+        both = place * (one.max(initial=0) + 1) + one
+        place = np.unique(both, return_inverse=True)[1].astype(np.int64)
     return place
 
 

@@ -81,6 +81,10 @@ class TeethTarget:
         """The error at points, (points, columns) [-]."""
         return self.apart(self.ratios(points))
 
+    def apart_from(self, ratio: float) -> float:
+        """How far one ratio is from what is wanted [-]."""
+        return float(self.apart(np.array([ratio]))[0])
+
     def apart(self, ratios: Floats) -> Floats:
         """How far ratios are from what is wanted [-]."""
         with np.errstate(all="ignore"):
@@ -112,8 +116,8 @@ class TeethTarget:
         above, below = (at_corners(one, *own) for one in self._factors)
         with np.errstate(all="ignore"):
             corners = above / below
-        stands = ~((below > 0).all(axis=1) | (below < 0).all(axis=1))
-        return corners.min(axis=1), corners.max(axis=1), stands
+        keeps_sign = np.abs(np.sign(below).sum(axis=1)) == below.shape[1]
+        return corners.min(axis=1), corners.max(axis=1), ~keeps_sign
 
     def within(self, points: Floats, column: int, most: float) -> tuple[Floats, Floats, Booleans]:
         """Between which ratios of one column the error is no more than `most`, if others stay.
@@ -132,10 +136,11 @@ class TeethTarget:
             ends.append([at_corners(one, at, at)[..., 0] for one in self._factors])
         (above, below), (above_1, below_1) = ends
         slope, slope_below = above_1 - above, below_1 - below
-        found = []
         with np.errstate(all="ignore"):
-            for limit in self._limits(most):
-                found.append((limit * below - above) / (slope - limit * slope_below))
+            found = [
+                (limit * below - above) / (slope - limit * slope_below)
+                for limit in self._limits(most)
+            ]
             pole = -below / slope_below
         low, high = np.minimum(*found), np.maximum(*found)
         is_sure = np.isfinite(low) & np.isfinite(high) & ~((low <= pole) & (pole <= high))
@@ -149,9 +154,11 @@ class TeethTarget:
 
 def largest_errors(targets: Sequence[TeethTarget], points: Floats) -> Floats:
     """The largest error of all targets at points, (points, columns) [-]."""
-    return np.max([target.errors(points) for target in targets], axis=0, initial=0.0)
+    found: Floats = np.max([target.errors(points) for target in targets], axis=0, initial=0.0)
+    return found
 
 
 def least_errors(targets: Sequence[TeethTarget], low: Floats, high: Floats) -> Floats:
     """What the largest error of all targets is at least, of regions, (regions, columns) [-]."""
-    return np.max([target.least(low, high) for target in targets], axis=0, initial=0.0)
+    found: Floats = np.max([one.least(low, high) for one in targets], axis=0, initial=0.0)
+    return found

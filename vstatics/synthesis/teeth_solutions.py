@@ -1,0 +1,130 @@
+"""Solutions of a search for teeth: each place of the tables with all teeth that it has."""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from vstatics.numerics.arrays import Integers
+from vstatics.statics.solve import solve
+from vstatics.synthesis.teeth_problem import TeethProblem
+from vstatics.synthesis.teeth_rows import TeethRows
+from vstatics.synthesis.teeth_search import BestTeeth
+from vstatics.synthesis.teeth_table import TeethTable
+
+KEPT = 20
+"""So many solutions are given."""
+DIGITS = 14
+"""Decimals of an error; what is below them is rounding."""
+
+
+class TeethSolution(NamedTuple):
+    """Teeth of the elements that matter for what is wanted."""
+
+    teeth: Mapping[str, Mapping[str, int]]
+    """By element, by wheel or rim."""
+    planets: Mapping[str, int]
+    """How many planets an element has, or pairs of meshed ones."""
+    gears: Mapping[str, float]
+    """The ratio of every gear of the case [-]; NaN where it has none."""
+    error: float
+    """The largest of what is wanted: `|ln(i/target)|`, or `|i - target|` [-]."""
+    modules: Mapping[str, Mapping[str, float]]
+    """By element, by wheel, where modules are chosen [mm]."""
+    ratios: Mapping[str, float]
+    """Of the mechanisms of the case on its own links [-]."""
+
+
+def teeth_solutions(
+    problem: TeethProblem, tables: Sequence[TeethTable], best: BestTeeth
+) -> Iterator[TeethSolution]:
+    """The first of what was found, each place with all its teeth, small ones first."""
+    chosen: list[tuple[float, int, tuple[Integers, ...]]] = []
+    for error, places in zip(best.errors.tolist(), best.places.tolist(), strict=True):
+        alike = [_smallest(table, place) for table, place in zip(tables, places, strict=True)]
+        for rows in itertools.islice(_by_size(alike), KEPT):
+            total = sum(
+                int(_teeth(table, row).sum()) for table, row in zip(tables, rows, strict=True)
+            )
+            chosen.append((round(error, DIGITS), total, rows))
+    chosen.sort(key=_in_order)
+    for _, _, rows in chosen[:KEPT]:
+        yield _solution(problem, tables, rows)
+
+
+def _in_order(one: tuple[float, int, tuple[Integers, ...]]) -> tuple[float, int, list[list[int]]]:
+    return one[0], one[1], [row.tolist() for row in one[2]]
+
+
+def _teeth(table: TeethTable, row: Integers) -> Integers:
+    return row[: len(table.layout.wheels)]
+
+
+def _smallest(table: TeethTable, place: int) -> list[Integers]:
+    """The rows of a place with the fewest teeth."""
+    rows = table.rows[table.starts[place] : table.starts[place + 1]]
+    order = np.argsort(rows[:, : len(table.layout.wheels)].sum(axis=1), kind="stable")
+    return list(rows[order[:KEPT]])
+
+
+def _by_size(alike: Sequence[Sequence[Integers]]) -> Iterator[tuple[Integers, ...]]:
+    """Choices of a row each, those with the fewest places down the lists first."""
+    total = sum(len(rows) - 1 for rows in alike)
+    for depth in range(total + 1):
+        for steps in _steps(depth, [len(rows) for rows in alike]):
+            yield tuple(rows[step] for rows, step in zip(alike, steps, strict=True))
+
+
+def _steps(depth: int, lengths: Sequence[int]) -> Iterator[tuple[int, ...]]:
+    """All ways to go down so many steps in lists."""
+    if not lengths:
+        if not depth:
+            yield ()
+        return
+    for step in range(min(depth, lengths[0] - 1) + 1):
+        yield from ((step, *others) for others in _steps(depth - step, lengths[1:]))
+
+
+def _solution(
+    problem: TeethProblem, tables: Sequence[TeethTable], rows: Sequence[Integers]
+) -> TeethSolution:
+    case = problem.own.case
+    ratios = np.array([mechanism.ratio for mechanism in case.mechanisms])
+    teeth: dict[str, dict[str, int]] = {}
+    planets: dict[str, int] = {}
+    modules: dict[str, dict[str, float]] = {}
+    points = []
+    for table, row in zip(tables, rows, strict=True):
+        layout, wheels = table.layout, len(table.layout.wheels)
+        teeth[layout.name] = dict(zip(layout.wheels, row.tolist(), strict=False))
+        if layout.planets:
+            planets[layout.name] = int(row[wheels])
+        if problem.limits.modules and (
+            max(layout.component) or problem.limits.largest_diameter is not None
+        ):
+            sizes = TeethRows(layout, problem.limits).modules[row[wheels + 1 :]].tolist()
+            modules[layout.name] = {
+                wheel: sizes[component]
+                for wheel, component in zip(layout.wheels, layout.component, strict=True)
+            }
+        for ratio in layout.ratios:
+            value = ratio.sign * math.prod(
+                float(row[wheel]) ** power for wheel, power in ratio.powers.items()
+            )
+            ratios[ratio.mechanism] = value
+            points.append(value)
+    gears = dict(
+        zip(
+            (gear.name for gear in case.gears),
+            solve(case, ratios=ratios).ratio.tolist(),
+            strict=True,
+        )
+    )
+    at = np.array([points])
+    error = round(max(float(target.errors(at)[0]) for target in problem.targets), DIGITS)
+    named = dict(zip((one.name for one in case.mechanisms), ratios.tolist(), strict=True))
+    return TeethSolution(teeth, planets, gears, error, modules, named)
