@@ -13,6 +13,8 @@ elements are tried, and whose ratios are fitted to those that are wanted.
 ['F-L0-L3'] direct 1.0
 >>> round(fit(case, {"R": -3.0}).ratios["P2"], 9)
 -3.0
+>>> dict(find_teeth(case, {"P1": -2.0}).solutions[0].teeth["P1"])
+{'sun': 34, 'ring': 68, 'planet': 17}
 """
 
 from __future__ import annotations
@@ -28,6 +30,8 @@ from vstatics.synthesis.scheme import SetScheme
 from vstatics.synthesis.scheme_case import scheme_case
 from vstatics.synthesis.structure_counts import count
 from vstatics.synthesis.structures import StructureSearch
+from vstatics.synthesis.teeth import find_teeth
+from vstatics.synthesis.teeth_limits import TeethLimits
 
 __all__ = [
     "BoxFilter",
@@ -35,10 +39,12 @@ __all__ = [
     "FoundScheme",
     "SetScheme",
     "StructureSearch",
+    "TeethLimits",
     "box_is_planar",
     "combinations",
     "count",
     "find_boxes",
+    "find_teeth",
     "fit",
     "scheme_case",
     "schemes",

@@ -138,7 +138,7 @@ def teeth_layouts(own: OwnLinks) -> list[TeethLayout]:
     --------
     >>> from vstatics.explain.bodies import on_own_links
     >>> from vstatics.model.transmission import Gear, Transmission
-    >>> mechanisms = [Mechanism(1, 2, 3, 2.5, name="P"), Mechanism(3, 2, ratio=-0.8, name="G")]
+    >>> mechanisms = [Mechanism(1, 2, 3, 2.5, name="P"), Mechanism(3, 2, 0, -0.8, name="G")]
     >>> own = on_own_links(Transmission(3, [], mechanisms, [Gear()]))
     >>> for one in teeth_layouts(own):
     ...     print(one.name, one.element.kind, one.wheels, one.ratios[0].powers)

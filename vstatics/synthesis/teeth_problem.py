@@ -59,7 +59,7 @@ def teeth_problem(
     if not ratios:
         problems.append(Problem("expected a ratio for one gear or set at least", ("ratios",)))
     formulas: dict[str, GearFormula] = {}
-    asked = _Asked(own, layouts)
+    asked = _AskedByName(own, layouts)
     for name, wanted in ratios.items():
         try:
             formulas[name] = asked.formula(name, wanted)
@@ -102,7 +102,7 @@ def _searched(layouts: Sequence[TeethLayout]) -> str:
 
 
 @dataclass(frozen=True)
-class _Asked:
+class _AskedByName:
     """A case of which ratios are asked for by name."""
 
     own: OwnLinks

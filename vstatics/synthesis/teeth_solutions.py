@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import itertools
-import math
 from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
@@ -14,7 +13,7 @@ from vstatics.statics.solve import solve
 from vstatics.synthesis.teeth_problem import TeethProblem
 from vstatics.synthesis.teeth_rows import TeethRows
 from vstatics.synthesis.teeth_search import BestTeeth
-from vstatics.synthesis.teeth_table import TeethTable
+from vstatics.synthesis.teeth_table import TeethTable, of_rows
 
 KEPT = 20
 """So many solutions are given."""
@@ -92,39 +91,31 @@ def _steps(depth: int, lengths: Sequence[int]) -> Iterator[tuple[int, ...]]:
 def _solution(
     problem: TeethProblem, tables: Sequence[TeethTable], rows: Sequence[Integers]
 ) -> TeethSolution:
+    """What rows of all elements give."""
     case = problem.own.case
     ratios = np.array([mechanism.ratio for mechanism in case.mechanisms])
     teeth: dict[str, dict[str, int]] = {}
     planets: dict[str, int] = {}
     modules: dict[str, dict[str, float]] = {}
-    points = []
+    points: list[float] = []
     for table, row in zip(tables, rows, strict=True):
         layout, wheels = table.layout, len(table.layout.wheels)
         teeth[layout.name] = dict(zip(layout.wheels, row.tolist(), strict=False))
         if layout.planets:
             planets[layout.name] = int(row[wheels])
-        if problem.limits.modules and (
-            max(layout.component) or problem.limits.largest_diameter is not None
-        ):
-            sizes = TeethRows(layout, problem.limits).modules[row[wheels + 1 :]].tolist()
-            modules[layout.name] = {
-                wheel: sizes[component]
-                for wheel, component in zip(layout.wheels, layout.component, strict=True)
-            }
-        for ratio in layout.ratios:
-            value = ratio.sign * math.prod(
-                float(row[wheel]) ** power for wheel, power in ratio.powers.items()
-            )
+        limits = problem.limits
+        has_sizes = max(layout.component) > 0 or limits.largest_diameter is not None
+        if limits.modules and has_sizes:
+            sizes = TeethRows(layout, limits).modules[row[wheels + 1 :]].tolist()
+            pairs = zip(layout.wheels, layout.component, strict=True)
+            modules[layout.name] = {wheel: sizes[component] for wheel, component in pairs}
+        of_row = of_rows(layout, row[np.newaxis])[0].tolist()
+        for ratio, value in zip(layout.ratios, of_row, strict=True):
             ratios[ratio.mechanism] = value
-            points.append(value)
-    gears = dict(
-        zip(
-            (gear.name for gear in case.gears),
-            solve(case, ratios=ratios).ratio.tolist(),
-            strict=True,
-        )
-    )
-    at = np.array([points])
-    error = round(max(float(target.errors(at)[0]) for target in problem.targets), DIGITS)
+        points += of_row
+    of_gears = solve(case, ratios=ratios).ratio.tolist()
+    gears = dict(zip((gear.name for gear in case.gears), of_gears, strict=True))
+    errors = [float(target.errors(np.array([points]))[0]) for target in problem.targets]
+    error = round(max(errors), DIGITS)
     named = dict(zip((one.name for one in case.mechanisms), ratios.tolist(), strict=True))
     return TeethSolution(teeth, planets, gears, error, modules, named)

@@ -72,7 +72,7 @@ def teeth_table(
             raise CaseError([Problem(f"{layout.name}: {message}; {hint}", ("range",))])
     width = len(layout.wheels) + 2 + max(layout.component)
     rows = _different(np.concatenate([np.zeros((0, width), np.int32), *kept]), layout, counts)
-    ratios = _of_rows(layout, rows)
+    ratios = of_rows(layout, rows)
     place = _places(ratios)
     order = np.argsort(place, kind="stable")
     sizes = np.bincount(place, minlength=int(place.max(initial=-1)) + 1)
@@ -100,7 +100,7 @@ def _different(rows: Integers, layout: TeethLayout, counts: Sequence[int]) -> In
     return rows[is_new]
 
 
-def _of_rows(layout: TeethLayout, rows: Integers) -> Floats:
+def of_rows(layout: TeethLayout, rows: Integers) -> Floats:
     """The ratios of rows: equal ones are the same number, as each is rounded once."""
     found = np.empty((len(rows), len(layout.ratios)))
     for number, ratio in enumerate(layout.ratios):
@@ -131,9 +131,11 @@ def _halves(ratios: Floats) -> tuple[Integers, Integers, Floats, Floats]:
     >>> order.tolist(), nodes.tolist()
     ([1, 2, 0], [[0, 3, 1, 2], [0, 2, 3, 4], [2, 3, -1, -1], [0, 1, -1, -1], [1, 2, -1, -1]])
     """
-    order = np.arange(len(ratios))
+    order: Integers = np.arange(len(ratios))
     sizes = np.log(np.abs(ratios))
-    level = np.array([[0, len(ratios)]], np.int64) if len(ratios) else np.zeros((0, 2), np.int64)
+    level: Integers = (
+        np.array([[0, len(ratios)]], np.int64) if len(ratios) else np.zeros((0, 2), np.int64)
+    )
     nodes, lows, highs, made = [], [], [], 0
     while len(level):
         starts = level[:, 0]
