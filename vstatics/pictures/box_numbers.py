@@ -17,6 +17,8 @@ SPOT, LARGE_SPOT = 4.5, 6.5
 """Of the point of a box, and of one that nothing is better than in all figures. [pt]"""
 DISTANCES = (9.0, 17.0, 27.0, 40.0)
 """Of the middle of a number from its point. [pt]"""
+STRANGE = 18.0
+"""What it costs that a number is nearer to the point of another one. [pt]"""
 WAYS = 16
 """Directions that are tried for a number."""
 
@@ -38,19 +40,35 @@ def number_spots(panel: Panel, spots: Sequence[BoxPoint], numbers: set[int], sty
     """The numbers of boxes with a diagram, so that they cover no other and few points."""
     taken: list[tuple[float, float, float, float]] = []
     points = [spot.at for spot in spots]
-    for at, text in _texts(spots, numbers):
-        wide, high = labels.width(text), SIZE
-        near = [point for point in points if math.dist(point, at) < DISTANCES[-1] + 2 * wide]
-        place = min(
-            _places(at, wide, panel),
-            key=lambda place: _cost(place, at, (wide, high), near, taken),
-        )
-        taken.append((*place, wide, high))
-        if math.dist(place, at) > DISTANCES[1] + wide / 2:
-            panel.line(at, place, color=style.soft, linewidth=0.5, zorder=2)
+    texts = list(_texts(spots, numbers))
+    for at, text in texts:
+        size = labels.width(text), SIZE
+        near = [point for point in points if math.dist(point, at) < DISTANCES[-1] + 2 * size[0]]
+        rivals = [other for other, _ in texts if other != at]
+
+        def cost(  # the names are those of this number
+            place: Point,
+            at: Point = at,
+            size: Point = size,
+            near: Sequence[Point] = near,
+            rivals: Sequence[Point] = rivals,
+        ) -> float:
+            strange = _is_nearer(place, at, rivals)
+            return _cost(place, at, size, near, taken) + STRANGE * strange
+
+        place = min(_places(at, size[0], panel), key=cost)
+        taken.append((*place, *size))
+        if math.dist(place, at) > DISTANCES[1] + size[0] / 2 or _is_nearer(place, at, rivals):
+            panel.line(at, place, color=style.soft, linewidth=0.5, zorder=7)
         how: dict[str, Any] = {"ha": "center", "va": "center", "zorder": 8}
         how["bbox"] = {"facecolor": style.paper, "edgecolor": "none", "alpha": 0.7, "pad": 0.5}
         panel.write(*place, text, color=style.ink, **how)
+
+
+def _is_nearer(place: Point, at: Point, rivals: Sequence[Point]) -> bool:
+    """Whether a number there would seem to belong to another point that has one."""
+    own = math.dist(place, at)
+    return any(math.dist(place, other) < 1.2 * own for other in rivals)
 
 
 def _texts(spots: Sequence[BoxPoint], numbers: set[int]) -> Iterator[tuple[Point, str]]:
@@ -104,4 +122,4 @@ def _cost(
         abs(x - left) < wide / 2 + LARGE_SPOT / 2 and abs(y - low) < high / 2 + LARGE_SPOT / 2
         for left, low in points
     )
-    return 1000.0 * others + 30.0 * covered + math.dist(place, at)
+    return 1000.0 * others + min(12.0 * covered, 24.0) + math.dist(place, at)

@@ -21,6 +21,8 @@ ROOM = 0.06
 """Beside the outermost points, as a part of the axis."""
 LEAST_ROOM = 0.05
 """At least, as a part of the largest number."""
+CROWD = 1000
+"""From so many points of one look on they are small."""
 LEFT = 40.0
 """From the words over the axes to these. [pt]"""
 WIDELY = 8.0
@@ -135,7 +137,7 @@ def _draw_spots(
         color=colour,
         markeredgecolor=style.ink if is_pareto else style.paper,
         markeredgewidth=1.2 if is_pareto else 0.4,
-        markersize=LARGE_SPOT if is_pareto else SPOT,
+        markersize=LARGE_SPOT if is_pareto else SPOT if len(spots) < CROWD else SPOT / 2,
         zorder=3 + is_pareto + 2 * (look is not None),
     )
 
