@@ -25,12 +25,19 @@ EXTRAS = {
 
 
 @cache
-def build() -> str:
+def build(holding: bytes = b"") -> str:
     """A hash of all files of this package: two that calculate differently have two of them.
 
     It reads every file, so it is asked for only where builds meet: what `--resume` takes
-    up, workers of a cluster.
+    up, workers of a cluster, machine code that is kept.
 
+    Parameters
+    ----------
+    holding : bytes
+        Only of the files in which this stands.
+
+    Examples
+    --------
     >>> len(build())
     12
     """
@@ -44,8 +51,9 @@ def build() -> str:
             path = os.path.join(folder, name)  # noqa: PTH118
             with open(path, "rb") as file:  # noqa: PTH123
                 content = file.read()
-            label = os.path.relpath(path, top).replace(os.sep, "/")
-            digest.update(f"{label} {len(content)}\n".encode() + content)
+            if holding in content:
+                label = os.path.relpath(path, top).replace(os.sep, "/")
+                digest.update(f"{label} {len(content)}\n".encode() + content)
     return digest.hexdigest()[:12]
 
 

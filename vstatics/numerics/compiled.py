@@ -16,10 +16,10 @@ Compiled = TypeVar("Compiled", bound=Callable[..., Any])
 
 
 def _cache() -> str:
-    """Where machine code lasts: beside that of another build it could be taken for its own."""
+    """Where machine code lasts: beside that of other sources it could be taken for theirs."""
     home = os.environ.get("XDG_CACHE_HOME") or os.path.expanduser("~/.cache")  # noqa: PTH111
     for top in (home, tempfile.gettempdir()):
-        folder = os.path.join(top, "vstatics", build())  # noqa: PTH118
+        folder = os.path.join(top, "vstatics", build(b"import compiled"))  # noqa: PTH118
         try:
             os.makedirs(folder, exist_ok=True)  # noqa: PTH103
         except OSError:
