@@ -190,6 +190,16 @@ def test_boxes_of_an_earlier_search_go_and_other_files_stay() -> None:
     assert names(Path("found")) == [*own, *tables, "letter.txt"]
 
 
+def test_where_there_are_many_the_first_are_drawn(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The first of each family, here."""
+    monkeypatch.setattr("vstatics.cli.synth_box_output.MOST_DRAWN", 2)
+    said = vstatics("synth", "box", *ASKED, "-o", "found")
+    assert said.err.startswith("found: 2 of 3 boxes have a diagram: those of the Pareto list, ")
+    assert [name for name in names(Path("found")) if name.startswith("box-")] == [
+        *("box-0001.svg", "box-0001.yaml", "box-0002.yaml", "box-0003.svg", "box-0003.yaml"),
+    ]
+
+
 # interrupted
 
 

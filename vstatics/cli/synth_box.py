@@ -9,6 +9,7 @@ from vstatics.cli import files, formats
 from vstatics.cli.amounts import about, duration_text
 from vstatics.cli.exit_status import DONE
 from vstatics.cli.formats import OutputOptions
+from vstatics.cli.progress import progress
 from vstatics.cli.synth_box_options import BoxAsked, options
 from vstatics.errors import CaseError, ReadError
 from vstatics.extras import require
@@ -74,7 +75,7 @@ def box(
         if to.is_folder and not dry_run:
             require("plot", f"-o {to.output}/, with its diagrams,")
         if dry_run:
-            _estimate(asked, to.form, processes)
+            _estimate(asked, to.form, processes, quiet=quiet)
             return DONE
         from vstatics.cli.synth_box_run import BoxRun, carry_out
 
@@ -83,11 +84,12 @@ def box(
         raise ReadError(error.problems) from error
 
 
-def _estimate(asked: BoxAsked, form: str, jobs: int) -> None:
+def _estimate(asked: BoxAsked, form: str, jobs: int, *, quiet: bool) -> None:
     """Tell about how many boxes there are, and how long they take."""
     from vstatics.synthesis.box_estimate import box_estimate
 
-    found = box_estimate(asked.search)
+    with progress(None, "pieces tried", quiet=quiet):
+        found = box_estimate(asked.search)
     seconds = found.seconds / min(jobs, max(found.pieces, 1))
     if form in ("json", "jsonl"):
         counts = {"searched": round(found.boxes), "found": round(found.found)}

@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterator, Mapping
 from collections.abc import Set as AbstractSet
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
+from typing import Any, NamedTuple
 
 from vstatics.cli import files, texts
 from vstatics.cli.cases import CalculatedCase
@@ -24,12 +24,16 @@ from vstatics.synthesis.box import BoxSearch
 from vstatics.synthesis.box_choice import RankedBox
 from vstatics.synthesis.box_document import box_document
 from vstatics.synthesis.box_grids import all_boxes, box_grids
+from vstatics.synthesis.box_listing import drawn_boxes
+from vstatics.synthesis.box_reading import listing_of
 from vstatics.synthesis.box_work import BoxWork
 from vstatics.tables.grid import Grid
 from vstatics.writers import plain_json
 
 TABLES = {"text": "boxes.txt", "json": "boxes.json"}
 """The result in a directory, by format."""
+MOST_DRAWN = 1000
+"""So many boxes have a diagram: a thousand take minutes."""
 OWN = re.compile(r"box-\d{4,}\.(yaml|svg)|boxes\.(svg|html)")
 """Names of files that not every search has; those of an earlier one are removed."""
 
@@ -80,6 +84,15 @@ class FoundBoxes:
         return texts.alone(CalculatedCase(self.title, None, []), shown, OutputForm(form, style))
 
 
+class BoxFiles(NamedTuple):
+    """What the files of a box are made of."""
+
+    name: str
+    """Without suffix."""
+    case: Transmission
+    is_drawn: bool
+
+
 def write_folder(
     folder: str, found: FoundBoxes, style: TextStyle, called: Workers, *, quiet: bool
 ) -> None:
@@ -93,32 +106,50 @@ def write_folder(
     from vstatics.report.boxes import box_pages
 
     os.makedirs(folder, exist_ok=True)  # noqa: PTH103
-    names = file_names(len(found.boxes))
-    with progress(2 * len(names) + 1, "files", quiet=quiet) as advance:
-        for name, box in zip(names, found.boxes, strict=True):
-            text, _ = write(box.found.case, "yaml")
-            _put(folder, f"{name}.yaml", files.encoded(text))
-            advance(1)
-        items = zip(names, (box.found.case for box in found.boxes), strict=True)
-        for (name, _), picture in called.each(draw, items):
-            _put(folder, f"{name}.svg", picture)
+    items = _items(found)
+    own: set[str] = set()
+    with progress(len(items) + 1, "boxes written", quiet=quiet) as advance:
+        for item, contents in called.each(box_files, items):
+            for suffix, content in contents.items():
+                own.add(f"{item.name}{suffix}")
+                _put(folder, f"{item.name}{suffix}", content)
             advance(1)
         pages = box_pages(found.document) if found.boxes else {}
         for name, content in pages.items():
             _put(folder, name, content)
         advance(1)
-    own = {f"{name}{suffix}" for name in names for suffix in (".yaml", ".svg")}
     _forget(folder, own | pages.keys())
     _put(folder, "boxes.csv", found.table(TextStyle(raw=style.raw)))
     for form, name in TABLES.items():  # the document last: where it is all is
         _put(folder, name, found.text(form, style))
+    if len(items) > MOST_DRAWN and not quiet:
+        some = "those of the Pareto list, the first of each family, and the next in order"
+        files.say(f"{folder}: {MOST_DRAWN} of {len(items)} boxes have a diagram: {some}")
 
 
-def draw(_: BoxWork, item: tuple[str, Transmission]) -> bytes:
-    """The stick diagram of a case with its name."""
-    from vstatics.pictures.box_stick import stick_diagram
+def _items(found: FoundBoxes) -> list[BoxFiles]:
+    """Each box with its name; not more of them are drawn than anybody can look at."""
+    numbers = range(1, len(found.boxes) + 1)
+    drawn = set(numbers)
+    if len(drawn) > MOST_DRAWN:
+        listing = listing_of(found.document)
+        drawn = {box.number for box in drawn_boxes(listing, MOST_DRAWN)}
+    names = file_names(len(found.boxes))
+    return [
+        BoxFiles(name, box.found.case, number in drawn)
+        for number, name, box in zip(numbers, names, found.boxes, strict=True)
+    ]
 
-    return stick_diagram(item[1])
+
+def box_files(_: BoxWork, item: BoxFiles) -> dict[str, bytes]:
+    """The files of a box by their suffixes: its case, and its stick diagram."""
+    text, _lost = write(item.case, "yaml")
+    made = {".yaml": files.encoded(text)}
+    if item.is_drawn:
+        from vstatics.pictures.box_stick import stick_diagram
+
+        made[".svg"] = stick_diagram(item.case)
+    return made
 
 
 def file_names(count: int) -> list[str]:

@@ -58,8 +58,8 @@ class BoxRun(NamedTuple):
 def carry_out(run: BoxRun) -> int:
     """Search, write what is found, and tell what became of it; the exit status."""
     began = time.perf_counter()
-    count = box_pieces.cut(run.asked.search)
     with progress(None, "made ready", quiet=run.quiet):
+        count = box_pieces.cut(run.asked.search)
         box_pieces.prepare()  # once, not in every process
     found = _to_stream(run, count) if is_stream(run.to.output) else _to_store(run, count)
     if isinstance(found, int):

@@ -34,8 +34,10 @@ class BoxWork(NamedTuple):
     efficiency: float
 
     def describe(self, item: object) -> str:
-        """A piece, or boxes that are measured, in words."""
-        return f"piece {item} of the search" if isinstance(item, int) else "figures of boxes"
+        """A piece, boxes that are measured, or files of one with a name, in words."""
+        if isinstance(item, int):
+            return f"piece {item} of the search"
+        return str(getattr(item, "name", "figures of boxes"))
 
 
 def find(work: BoxWork, piece: int) -> FoundPiece:
