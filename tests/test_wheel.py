@@ -87,6 +87,11 @@ REFUSED = {
         "vstatics simulate case.yaml",
         "vstatics simulate nowhere.yaml -o out.csv",
     ),
+    "boxes": (
+        "vstatics synth box --sets 1 --elements 2 --engaged 1 --ratios 3,1",
+        "vstatics synth box --sets 1 --elements 2 --engaged 1 --ratios 3,1 --dry-run",
+        "@ from vstatics import synthesis as own; own.find_boxes(own.BoxSearch(1, 2, 1, (3.0, 1.0)))",
+    ),
     "xlsx": tuple(
         f"vstatics {command} case.yaml -o out.xlsx"
         for command in ("run", "summary", "flow", "explain")

@@ -16,6 +16,7 @@ from vstatics.errors import nearest, quoted, spoken, typed_number
 from vstatics.synthesis.box import BoxSearch
 from vstatics.synthesis.box_checks import check_box_search
 from vstatics.synthesis.box_filter import LIMITED, BoxFilter
+from vstatics.synthesis.box_search import EFFICIENCY
 
 
 class BoxAsked(NamedTuple):
@@ -96,7 +97,7 @@ _OPTIONS: tuple[Callable[[Any], Any], ...] = (
     click.option(
         "--efficiency",
         type=float,
-        default=0.98,
+        default=EFFICIENCY,
         show_default=True,
         metavar="ETA",
         help="Of each set with its carrier held.",
