@@ -1,0 +1,98 @@
+"""The program's search for boxes against the brute force: complete lists of small spaces."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Iterator
+
+import pytest
+
+from tests.oracle.boxes import HELD, Box, Frame, Space, all_frames, found_in, names, searched
+from tests.oracle.test_boxes import A41TE, AOD, GF4A, GM6, LEPELLETIER, SIMPSON, Built, Pairs, holds
+from vstatics.synthesis.box import BoxSearch, FoundBox
+from vstatics.synthesis.box_pieces import _pieces, cut
+from vstatics.synthesis.box_pieces import found_in as search_piece
+from vstatics.synthesis.box_schemes import BoxScheme
+
+pytestmark = pytest.mark.slow  # they compile
+Name = tuple[Frame, Pairs]
+NEAR = 0.02
+"""A box so near to the tolerance may be found or not."""
+
+
+def asked(space: Space) -> BoxSearch:
+    return BoxSearch(**{key: value for key, value in space._asdict().items() if key != "cells"})
+
+
+def name_of(box: FoundBox) -> Name:
+    frame = Frame(
+        tuple(link for one in box.scheme.sets for link in one),
+        tuple(ratio > 0 for ratio in box.ratios),
+        HELD if box.held is None else box.held,
+        box.input,
+        box.output,
+    )
+    return min(names(frame, box.elements))
+
+
+def frames_of(piece: list[BoxScheme]) -> Iterator[Frame]:
+    """The frames of a piece, in their least names."""
+    for one in piece:
+        code = tuple(link for own in one.scheme.sets for link in own)
+        held = HELD if one.held is None else one.held
+        for ports in one.ports:
+            yield min(names(Frame(code, one.meshed, held, *ports), ()))[0]
+
+
+def compare(space: Space, found: list[FoundBox], boxes: list[Box]) -> None:
+    """All boxes are found, no other ones, with their errors."""
+    own = {name_of(box): box.error for box in found}
+    others = {(box.frame, box.elements): box.error for box in boxes}
+    tolerance = space.tolerance
+    surely = {name for name, error in others.items() if error < (1 - NEAR) * tolerance}
+    perhaps = {name for name, error in others.items() if error < (1 + NEAR) * tolerance}
+    assert surely <= set(own) <= perhaps
+    assert [own[name] for name in surely] == pytest.approx(
+        [others[name] for name in surely], abs=1e-3 * tolerance
+    )
+
+
+SMALL = {
+    "simpson": SIMPSON.space,
+    "aod": AOD.space,
+    "gf4a": GF4A.space,
+    "41te": A41TE.space,
+    "one set": Space(1, 2, 1, (3.5, 1), cells=100),
+    "two meshed": Space(2, 5, 2, (1, 0.739, -4.857, -0.529), meshed=2, own_input=True),
+    "held": Space(2, 4, 1, (1, -2.667, -1.886, -1.059), fixed=1),
+    "held, meshed, in parts": Space(2, 5, 2, (6.581, 1.523, 1, -0.68), meshed=1, fixed=1),
+    "two held": Space(2, 5, 2, (1.948, 1, -4.047, -2.077, -0.481), own_input=True, fixed=2),
+    "wide": Space(2, 4, 2, (3.5, 2, 1, -3), (1.2, 8), tolerance=0.03),
+}
+
+
+@pytest.mark.parametrize("space", SMALL.values(), ids=SMALL)
+def test_complete_lists_of_small_spaces(space: Space) -> None:
+    search = asked(space)
+    pieces = [search_piece(search, piece) for piece in range(cut(search))]
+    assert sum(piece.searched for piece in pieces) == searched(space)
+    boxes = [box for frame in all_frames(space) for box in found_in(space, frame)]
+    assert boxes
+    built = (one for one in (SIMPSON, AOD, GF4A, A41TE) if one.space == space)
+    assert all(holds(boxes, one) for one in built)
+    compare(space, [box for piece in pieces for box in piece.boxes], boxes)
+
+
+@pytest.mark.parametrize("built", [GM6, LEPELLETIER], ids=["6t70", "6hp26"])
+def test_built_gearboxes_are_found(built: Built) -> None:
+    """In the piece with the scheme, of which some other frames are compared, too."""
+    search = asked(built.space)
+    wanted = min(names(built.frame, built.elements))
+    pieces = _pieces(search)
+    [number] = [n for n, piece in enumerate(pieces) if any(map(wanted[0].__eq__, frames_of(piece)))]
+    found = {name_of(box): box for box in search_piece(search, number).boxes}
+    assert wanted in found
+    frames = list(frames_of(pieces[number]))
+    for other in random.Random(15).sample(frames, min(len(frames), 10)):  # noqa: S311
+        same = [box for name, box in found.items() if name[0] == other]
+        compare(built.space, same, found_in(built.space, other))
