@@ -10,6 +10,8 @@ import pytest
 from matplotlib.figure import Figure
 from matplotlib.text import Text
 
+from tests.pictures.test_schemes import assert_apart, assert_clear, assert_joins, overlaps
+from tests.synthesis import hand_boxes
 from tests.synthesis.listed_boxes import many, simpson, zf_6hp
 from vstatics import CaseError
 from vstatics.pictures import settings_of
@@ -17,6 +19,8 @@ from vstatics.pictures.box_stick import stick_diagram
 from vstatics.pictures.boxes import draw_boxes, render_boxes
 from vstatics.pictures.schemes.bare import bare_stick
 from vstatics.pictures.style import Style
+from vstatics.synthesis.box import BoxSearch, FoundBox
+from vstatics.synthesis.box_case import box_case
 from vstatics.synthesis.box_listing import drawn_boxes
 from vstatics.synthesis.box_reading import listing_of
 
@@ -55,6 +59,29 @@ def test_a_held_link_and_meshed_planets_are_drawn() -> None:
     said = {text.get_text() for text in sheet.pen.axes.texts}
     assert {"P1", "P2", "P3", "T-L0", "T-L1", "F-L0-L5", "F-L1-L6", "F-L3-L5"} <= said
     assert {"L0", "L1", "L2", "L3", "L5", "L6"} <= said
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("is_small", [False, True])
+@pytest.mark.parametrize(
+    ("search", "box"),
+    [
+        (hand_boxes.ZF_8HP_SEARCH, hand_boxes.ZF_8HP),
+        (hand_boxes.ZF_6HP_SEARCH, hand_boxes.ZF_6HP),
+        (hand_boxes.CROWDED_SEARCH, hand_boxes.CROWDED),
+    ],
+)
+def test_diagrams_can_be_read_and_join_what_the_case_joins(
+    search: BoxSearch, box: FoundBox, is_small: bool
+) -> None:
+    case = box_case(box, search.targets, 0.98)
+    with settings_of(Style()):
+        stick = bare_stick(case, Style(), is_small=is_small)
+        sheet = stick.drawn("" if is_small else case.name)
+    assert_joins(stick.scheme, sheet.placement)
+    assert_apart(sheet.placement)
+    assert_clear(sheet.pen.figure, sheet.placement, stick.scheme)
+    assert overlaps(sheet.pen.figure) == []
 
 
 def numbers(figure: Figure) -> list[Text]:

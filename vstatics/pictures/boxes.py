@@ -21,8 +21,8 @@ from vstatics.synthesis.box_listing import BoxListing, ListedBox, drawn_boxes
 WIDE = 595.0
 """Of the page: A4. [pt]"""
 MARGIN = 26.0
-HIGH = 210.0
-"""Of the axes. [pt]"""
+HIGH, ALONE = 210.0, 340.0
+"""Of the axes, over diagrams or alone. [pt]"""
 BELOW = 34.0
 """For the scale. [pt]"""
 BESIDE = 118.0
@@ -61,7 +61,7 @@ def render_boxes(listing: BoxListing, form: Format, style: Style) -> bytes:
 def render_points(listing: BoxListing, drawn: Sequence[ListedBox]) -> bytes:
     """The points alone as SVG, for a page that has the diagrams of these boxes elsewhere."""
     with settings_of(Style()):
-        figure = _paper(listing, drawn, 0.0, Style())
+        figure = _paper(listing, drawn, 0.0, ALONE, Style())
     return written(figure, "svg", Style())
 
 
@@ -81,7 +81,7 @@ def draw_boxes(listing: BoxListing, style: Style, drawn: Sequence[ListedBox]) ->
     scale = min(LARGEST, *(room / stick.size[0] for stick in sticks))
     captions = [_caption(*both, room, style) for both in zip(drawn, cases, strict=True)]
     rows = _rows(sticks, captions, scale)
-    figure = _paper(listing, drawn, sum(rows) + BETWEEN * len(rows), style)
+    figure = _paper(listing, drawn, sum(rows) + BETWEEN * len(rows), HIGH, style)
     top = sum(rows) + BETWEEN * (len(rows) - 1) + MARGIN
     for number, high in enumerate(rows):
         for column in range(COLUMNS):
@@ -96,12 +96,14 @@ def draw_boxes(listing: BoxListing, style: Style, drawn: Sequence[ListedBox]) ->
     return figure
 
 
-def _paper(listing: BoxListing, drawn: Sequence[ListedBox], below: float, style: Style) -> Figure:
-    """The points on a page with so much room below them [pt]."""
+def _paper(
+    listing: BoxListing, drawn: Sequence[ListedBox], below: float, high: float, style: Style
+) -> Figure:
+    """The points in axes so high, on a page with so much room below them [pt]."""
     low = MARGIN + below + BELOW
-    figure = labels.figure(WIDE, low + HIGH + HEAD + MARGIN)
+    figure = labels.figure(WIDE, low + high + HEAD + MARGIN)
     wide = WIDE - 2 * MARGIN - LEFT - BESIDE
-    panel = labels.panel(figure, MARGIN + LEFT, low, wide, HIGH)
+    panel = labels.panel(figure, MARGIN + LEFT, low, wide, high)
     draw_points(panel, listing, drawn, style)
     draw_words(panel, listing, drawn, style)
     return figure

@@ -10,8 +10,9 @@ from vstatics.elements.group import PlanetGroup
 from vstatics.model.parts import Mechanism
 from vstatics.model.transmission import Transmission
 from vstatics.pictures.labels import Point
+from vstatics.pictures.schemes.glyphs import Glyph
 from vstatics.pictures.schemes.pen import Window
-from vstatics.pictures.schemes.scheme import Scheme, scheme_of
+from vstatics.pictures.schemes.scheme import Device, Scheme, scheme_of
 from vstatics.pictures.schemes.sets import set_glyphs
 from vstatics.pictures.schemes.sheet import Sheet, draw_devices, extent, wired
 from vstatics.pictures.schemes.stick import StickLayout, axis, draw_mechanism, glyphs_of, place
@@ -61,25 +62,25 @@ def bare_stick(case: Transmission, style: Style, *, is_small: bool = False) -> B
     >>> sorted(text.get_text() for text in sheet.pen.axes.texts if text.get_text())
     ['1', '3', 'A', 'D1']
     """
-    scheme = scheme_of(case)
-    if is_small:
-        scheme = _lettered(scheme)
-    glyphs = {
-        index: glyphs_of(device) or set_glyphs(bare_group(case.mechanisms[device.numbers[0]]))
-        for index, device in enumerate(scheme.devices)
-        if device.kind == "mechanism" or device.element is not None
-    }
+    drawn = scheme_of(case)
+    names = iter(letters(len(drawn.devices)))
+    devices: list[Device] = []
+    glyphs: dict[int, list[Glyph]] = {}
+    for index, device in enumerate(drawn.devices):
+        if device.kind == "mechanism":
+            group = bare_group(case.mechanisms[device.numbers[0]])
+            glyphs[index] = set_glyphs(group)
+            members = {wheel.member: wheel.link for wheel in group.wheels}
+            devices.append(device._replace(members={**members, "carrier": group.carrier}))
+        elif device.element is not None and not device.is_on_housing:
+            glyphs[index] = glyphs_of(device)
+            devices.append(device)
+        else:
+            is_lettered = is_small and device.is_shift_element
+            devices.append(device._replace(name=next(names)) if is_lettered else device)
+    scheme = Scheme(drawn.links, devices, drawn.ports)
     layout = place(scheme, style, glyphs, is_small=is_small, is_quick=True)
     return BareStick(scheme, layout, style)
-
-
-def _lettered(scheme: Scheme) -> Scheme:
-    """A scheme with letters for the names of its shift elements."""
-    names = iter(letters(len(scheme.devices)))
-    devices = [
-        one._replace(name=next(names)) if one.is_shift_element else one for one in scheme.devices
-    ]
-    return Scheme(scheme.links, devices, scheme.ports)
 
 
 def bare_group(mechanism: Mechanism) -> PlanetGroup:
