@@ -297,10 +297,15 @@ Options = tuple[object, ...]
         (("--resume",), "--resume needs a file or a directory to go on with"),
         (("-j", 2, "--scheduler", "tcp://h:1"), "--jobs and --scheduler exclude one another"),
         (("-o", "found.abc"), "found.abc: no format has this suffix here"),
+        (("-o", "letter/"), "letter/ is a file: expected a directory"),
+        (("-o", ""), "-o names nothing: expected a directory or a file"),
+        (("--ratios", ",".join(["2"] * 1000)), "--ratios: read 1002, expected 924 at most"),
     ],
 )
 def test_what_cannot_be_asked_for_is_wrong_use(options: Options, told: str) -> None:
+    Path("letter").write_text("dear", encoding="utf-8")
     assert told in refused(*ASKED, *options)
+    assert names(Path.cwd()) == ["letter"]
 
 
 @pytest.mark.parametrize(

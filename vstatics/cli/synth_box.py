@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+
 import click
 
 from vstatics.cli import cases as arguments
@@ -65,6 +67,8 @@ def box(
     if scheduler and (jobs or 1) > 1:
         raise click.UsageError("--jobs and --scheduler exclude one another.")
     to = wanted.destination([], several=True)
+    if to.is_folder:
+        _check_folder(str(to.output))
     if resume and is_stream(to.output):
         raise click.UsageError("--resume needs a file or a directory to go on with: -o DIR.")
     processes = 1 if scheduler else jobs or cores()
@@ -82,6 +86,19 @@ def box(
         return carry_out(BoxRun(asked, to, processes, scheduler, resume, quiet))
     except CaseError as error:  # is shown as what ends a reading
         raise ReadError(error.problems) from error
+
+
+def _check_folder(output: str) -> None:
+    """Refuse a directory that can't be one, before anything is searched.
+
+    Raises
+    ------
+    UsageError
+    """
+    if not output:
+        raise click.UsageError("-o names nothing: expected a directory or a file.")
+    if os.path.exists(output.rstrip("/") or "/") and not os.path.isdir(output):  # noqa: PTH110, PTH112
+        raise click.UsageError(f"{output} is a file: expected a directory")
 
 
 def _estimate(asked: BoxAsked, form: str, jobs: int, *, quiet: bool) -> None:

@@ -12,7 +12,7 @@ import click
 from vstatics.cli.cases import Command
 from vstatics.cli.named_values import separated
 from vstatics.cli.option_values import Value, named, number, pair, wrong_use
-from vstatics.errors import nearest, quoted, spoken, typed_number
+from vstatics.errors import nearest, plural, quoted, spoken, typed_number
 from vstatics.synthesis.box import BoxSearch
 from vstatics.synthesis.box_checks import check_box_search
 from vstatics.synthesis.box_filter import LIMITED, BoxFilter
@@ -144,7 +144,7 @@ def _asked(
     if not 0 < efficiency <= 1:
         raise _refused("efficiency", f"read {efficiency:g}, expected a number above 0, up to 1")
     numbers = {
-        name: _each(name, texts, lambda text: _count(text, search.elements))
+        name: tuple(sorted({*_each(name, texts, lambda text: _count(text, search.elements))}))
         for name, texts in (("brakes", brakes), ("clutches", clutches))
     }
     _check_sum(search.elements, **numbers)
@@ -184,7 +184,8 @@ def _count(text: str, most: int) -> int:
 def _check_sum(elements: int, brakes: Sequence[int], clutches: Sequence[int]) -> None:
     """Refuse counts that no elements have together."""
     if brakes and clutches and elements not in {one + two for one in brakes for two in clutches}:
-        there = f"{spoken(map(str, brakes), 'or')} brakes"
+        noun = plural("brake", brakes[-1])
+        there = f"{spoken(map(str, brakes), 'or')} {noun}"
         message = f"read {spoken(map(str, clutches), 'or')}, but with {there} these are not"
         raise _refused("clutches", f"{message} {elements} elements together")
 

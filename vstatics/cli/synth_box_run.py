@@ -164,7 +164,9 @@ def _kept(store: FinishedPieces, output: str, count: int) -> str:
     if not finished:
         return "nothing was finished"
     pieces = f"{finished} of {count} pieces of the search are finished and kept"
-    return f"{pieces} in {output}{SUFFIX}; the same command with --resume goes on"
+    is_named = os.path.basename(output) not in (".", "..")  # noqa: PTH119
+    name = f"{output}{SUFFIX}" if is_named else store.directory
+    return f"{pieces} in {name}; the same command with --resume goes on"
 
 
 def _summary(output: str, found: FoundBoxes, seconds: float) -> str:

@@ -15,6 +15,8 @@ MOST_SETS = 5
 MOST_LINKS = 10
 """Moving links: their brakes and clutches are bits of a number."""
 MOST_ELEMENTS = 12
+MOST_TARGETS = 924
+"""So many sets of six have twelve elements, which is the most that there can be."""
 COARSEST = 0.5
 """The largest tolerance. [-]"""
 
@@ -88,6 +90,9 @@ def _of_ratios(targets: tuple[float, ...]) -> Iterator[Problem]:
     """Problems of the ratios of gears."""
     if not targets:
         yield _problem("ratios", "read none, expected the ratio of each gear")
+    if len(targets) > MOST_TARGETS:
+        yield _problem("ratios", f"read {len(targets)}, expected {MOST_TARGETS} at most")
+        return
     for target in targets:
         if not 1 / LARGEST <= abs(target) <= LARGEST:
             sizes = f"{1 / LARGEST:g} to {LARGEST:g} in size, below 0 backward"
