@@ -108,6 +108,7 @@ def test_numbers_of_many_boxes_cover_no_other() -> None:
     assert "126 others" in words(figure)
 
 
+@pytest.mark.slow
 def test_boxes_without_figures_have_no_point_but_are_told() -> None:
     document = many(3)
     document["boxes"][0] |= {"loss": None, "torque": None}
@@ -118,6 +119,7 @@ def test_boxes_without_figures_have_no_point_but_are_told() -> None:
     assert "Found boxes: 1" in words(drawn(document))
 
 
+@pytest.mark.slow
 def test_figures_that_differ_widely_have_scales_of_logarithms() -> None:
     document = many(6)
     document["boxes"][5] |= {"torque": 200.0, "loss": 0.0}
@@ -136,6 +138,7 @@ def test_figures_that_differ_by_rounding_are_one_place() -> None:
     assert (low, high) == pytest.approx((2.85, 3.15))
 
 
+@pytest.mark.slow
 def test_a_box_without_a_name_is_drawn() -> None:
     document = simpson()
     del document["boxes"][0]["case"]["name"]

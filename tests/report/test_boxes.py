@@ -36,12 +36,14 @@ def test_the_page_has_all_boxes_families_gears_and_diagrams() -> None:
     assert 'id="box-1"' in html
 
 
+@pytest.mark.slow
 def test_the_page_carries_the_document() -> None:
     found = re.search('<script type="application/json" id="result">(.*?)</script>', page(simpson()))
     assert found is not None
     assert json.loads(found[1]) == simpson()
 
 
+@pytest.mark.slow
 def test_of_many_boxes_those_are_drawn_that_tell_most(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(boxes, "MOST_SHOWN", 1)
     html = page(many(50))
@@ -51,6 +53,7 @@ def test_of_many_boxes_those_are_drawn_that_tell_most(monkeypatch: pytest.Monkey
     assert html.count("Stick diagram of box") == 2  # as a heading, and for those who do not see
 
 
+@pytest.mark.slow
 def test_names_are_text() -> None:
     document = simpson()
     text = json.dumps(document).replace("T-L0", "<b onload=x>")
@@ -72,6 +75,7 @@ def test_no_box_is_told() -> None:
         page({"searched": 3, "boxes": []})
 
 
+@pytest.mark.slow
 def test_the_files_of_a_directory() -> None:
     made = box_pages(simpson())
     assert list(made) == ["boxes.svg", "boxes.html"]

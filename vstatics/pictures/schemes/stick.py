@@ -75,7 +75,8 @@ def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> Figure:
     if drawing is None or not drawing.elements:
         message = (
             "a stick diagram needs elements with their kinds (docs/elements.md); "
-            "this case has mechanisms only, take the picture `structure`"
+            "this case has mechanisms only: take the picture `structure`, or find teeth for it "
+            "(vstatics synth teeth CASE --write FILE)"
         )
         raise CaseError([Problem(message)])
     scheme = scheme_of(case)
