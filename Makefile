@@ -50,7 +50,7 @@ schema: .venv/dev.stamp ## rewrite schemas/ from the declarations
 bench: .venv/dev.stamp ## all figures of docs/performance.md (needs a C compiler, 5 minutes)
 	$(BIN)/python benchmarks
 
-boxes: .venv/dev.stamp ## the eight-speed search of docs/performance.md, TIME
+boxes: .venv/dev.stamp ## the eight-speed search of docs/performance.md (ten minutes)
 	$(BIN)/python benchmarks boxes
 
 dist: .venv/dev.stamp ## build wheel and sdist in dist/, and try the wheel without extras

@@ -13,10 +13,12 @@ import signal
 from pathlib import Path
 
 import pytest
+from jsonschema import Draft202012Validator
 
 from tests.commands import Said, vstatics
 from tests.sweep.sweeps import names
 from vstatics import load, solve
+from vstatics.cli.synth_schemas import boxes_schema
 from vstatics.synthesis import box_pieces
 from vstatics.synthesis.box import HELD, BoxSearch, FoundBox
 from vstatics.synthesis.box_pieces import FoundPiece
@@ -152,6 +154,14 @@ def test_a_dry_run_says_how_many() -> None:
     document = json.loads(said.out)
     assert 0 < document.pop("seconds") < 10
     assert document == {"searched": 600, "found": 4, "exact": True}
+
+
+def test_all_of_it_is_as_the_schema_says() -> None:
+    check = Draft202012Validator(boxes_schema()).validate
+    check(json.loads(vstatics("synth", "box", *ASKED, "-f", "json").out))
+    check(json.loads(vstatics("synth", "box", *ASKED, "-f", "json", "--dry-run").out))
+    for line in vstatics("synth", "box", *ASKED, "-f", "jsonl").out.splitlines():
+        check(json.loads(line))
 
 
 # a directory
