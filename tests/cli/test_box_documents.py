@@ -38,6 +38,9 @@ def test_summaries_stand_side_by_side(boxes: Path) -> None:
     assert re.search(r"^1 +2\.479 +2\.479 +1\.676 +1\.676 ", said.out, re.MULTILINE)
     assert re.search(r"^of them between two links +2 +2$", said.out, re.MULTILINE)
     assert len(json.loads(vstatics("summary", boxes, "-f", "json").out)) == 4
+    tables = vstatics("summary", boxes).out.partition("Gears")[2]
+    assert max(map(len, tables.splitlines())) <= 80
+    assert tables.count("mean forward efficiency") == 2  # two boxes beside two others
 
 
 @pytest.mark.parametrize(

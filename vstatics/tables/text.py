@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from vstatics.tables.grid import Column, Grid
 
 WIDTH = 80
-"""A table that is wider goes on below, where its last column is one of numbers."""
+"""A table that is wider goes on below, if its columns are numbers, or numbers and words in turn."""
 GAP = "  "
 INDENT = "  "
 """Of a level."""
@@ -72,12 +72,26 @@ def _padded(cell: str, column: Column, width: int) -> str:
 
 def _pieces(grid: Grid, widths: Sequence[int], room: int, gap: int) -> Iterator[list[int]]:
     """Columns that stand beside one another; the first one is repeated."""
-    parted = all(column.is_number for column in grid.columns[1:])
     chosen, width = [0], widths[0]
-    for place in range(1, len(widths)):
-        width += gap + widths[place]
-        if width > room and len(chosen) > 1 and parted:
+    for together in _together(grid):
+        more = sum(gap + widths[place] for place in together)
+        if width + more > room and len(chosen) > 1:
             yield chosen
-            chosen, width = [0], widths[0] + gap + widths[place]
-        chosen.append(place)
+            chosen, width = [0], widths[0]
+        chosen += together
+        width += more
     yield chosen
+
+
+def _together(grid: Grid) -> list[list[int]]:
+    """Columns behind the first that are not parted.
+
+    Numbers may be, also those that have words beside them; other tables stay whole.
+    """
+    kinds = [column.is_number for column in grid.columns[1:]]
+    places = list(range(1, len(kinds) + 1))
+    if all(kinds):
+        return [[place] for place in places]
+    if kinds == [True, False] * (len(kinds) // 2):
+        return [places[at : at + 2] for at in range(0, len(places), 2)]
+    return [places]
