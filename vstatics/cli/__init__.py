@@ -39,7 +39,7 @@ COMMANDS = {
     "explain": ("vstatics.cli.explain", "Write out the equations and the ratio of a gear."),
     "simulate": ("vstatics.cli.simulate", "What a scenario does to a case over time."),
     "torsion": ("vstatics.cli.torsion", "The transmission as a torsional system."),
-    "synth": ("vstatics.cli.synth", "Find schemes, their gears, and ratios for wanted gears."),
+    "synth": ("vstatics.cli.synth", "Find gearboxes: schemes, gears, ratios, teeth, whole ones."),
     "plot": ("vstatics.cli.plot", "Draw a picture of a case: SVG, PNG or PDF."),
     "report": ("vstatics.cli.report", "Write a case and its results as one page of HTML."),
     "check": ("vstatics.cli.check", "Report problems of the input, and the conditions per gear."),
