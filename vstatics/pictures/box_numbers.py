@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from functools import partial
 from typing import Any, NamedTuple
 
 from vstatics.pictures import labels
@@ -19,6 +20,8 @@ DISTANCES = (9.0, 17.0, 27.0, 40.0)
 """Of the middle of a number from its point. [pt]"""
 STRANGE = 18.0
 """What it costs that a number is nearer to the point of another one. [pt]"""
+HIDDEN = 1000.0
+"""What it costs that a number covers another one. [pt]"""
 WAYS = 16
 """Directions that are tried for a number."""
 
@@ -36,39 +39,41 @@ class BoxPoint(NamedTuple):
         return any(box.pareto for box in self.boxes)
 
 
+class _BoxNumber(NamedTuple):
+    """A number that looks for its place."""
+
+    at: Point
+    """Its own point."""
+    size: Point
+    points: list[Point]
+    """All points that it could cover."""
+    rivals: list[Point]
+    """Points of other numbers."""
+
+
 def number_spots(panel: Panel, spots: Sequence[BoxPoint], numbers: set[int], style: Style) -> None:
     """The numbers of boxes with a diagram, so that they cover no other and few points."""
-    taken: list[tuple[float, float, float, float]] = []
+    taken: list[tuple[Point, Point]] = []
     points = [spot.at for spot in spots]
     texts = list(_texts(spots, numbers))
     for at, text in texts:
-        size = labels.width(text), SIZE
-        near = [point for point in points if math.dist(point, at) < DISTANCES[-1] + 2 * size[0]]
+        wide = labels.width(text)
+        near = [point for point in points if math.dist(point, at) < DISTANCES[-1] + 2 * wide]
         rivals = [other for other, _ in texts if other != at]
-
-        def cost(  # the names are those of this number
-            place: Point,
-            at: Point = at,
-            size: Point = size,
-            near: Sequence[Point] = near,
-            rivals: Sequence[Point] = rivals,
-        ) -> float:
-            strange = _is_nearer(place, at, rivals)
-            return _cost(place, at, size, near, taken) + STRANGE * strange
-
-        place = min(_places(at, size[0], panel), key=cost)
-        taken.append((*place, *size))
-        if math.dist(place, at) > DISTANCES[1] + size[0] / 2 or _is_nearer(place, at, rivals):
+        own = _BoxNumber(at, (wide, SIZE), near, rivals)
+        place = min(_places(at, wide, panel), key=partial(_cost, own=own, taken=taken))
+        taken.append((place, own.size))
+        if math.dist(place, at) > DISTANCES[1] + wide / 2 or _is_strange(place, own):
             panel.line(at, place, color=style.soft, linewidth=0.5, zorder=7)
         how: dict[str, Any] = {"ha": "center", "va": "center", "zorder": 8}
         how["bbox"] = {"facecolor": style.paper, "edgecolor": "none", "alpha": 0.7, "pad": 0.5}
         panel.write(*place, text, color=style.ink, **how)
 
 
-def _is_nearer(place: Point, at: Point, rivals: Sequence[Point]) -> bool:
-    """Whether a number there would seem to belong to another point that has one."""
-    own = math.dist(place, at)
-    return any(math.dist(place, other) < 1.2 * own for other in rivals)
+def _is_strange(place: Point, own: _BoxNumber) -> bool:
+    """Whether a number there would seem to belong to the point of another one."""
+    distance = math.dist(place, own.at)
+    return any(math.dist(place, other) < 1.2 * distance for other in own.rivals)
 
 
 def _texts(spots: Sequence[BoxPoint], numbers: set[int]) -> Iterator[tuple[Point, str]]:
@@ -105,21 +110,16 @@ def _places(at: Point, wide: float, panel: Panel) -> Iterator[Point]:
     yield at[0], at[1] + DISTANCES[0]
 
 
-def _cost(
-    place: Point,
-    at: Point,
-    size: Point,
-    points: Sequence[Point],
-    taken: Sequence[tuple[float, float, float, float]],
-) -> float:
+def _cost(place: Point, own: _BoxNumber, taken: Sequence[tuple[Point, Point]]) -> float:
     """How much a number covers, and how far it stands from its point."""
-    (x, y), (wide, high) = place, size
+    (x, y), (wide, high) = place, own.size
     others = sum(
         abs(x - left) < (wide + other) / 2 + GAP and abs(y - low) < (high + up) / 2 + 1
-        for left, low, other, up in taken
+        for (left, low), (other, up) in taken
     )
     covered = sum(
-        abs(x - left) < wide / 2 + LARGE_SPOT / 2 and abs(y - low) < high / 2 + LARGE_SPOT / 2
-        for left, low in points
+        abs(x - left) < (wide + LARGE_SPOT) / 2 and abs(y - low) < (high + LARGE_SPOT) / 2
+        for left, low in own.points
     )
-    return 1000.0 * others + min(12.0 * covered, 24.0) + math.dist(place, at)
+    strange = STRANGE * _is_strange(place, own)
+    return HIDDEN * others + min(12.0 * covered, 24.0) + strange + math.dist(place, own.at)
