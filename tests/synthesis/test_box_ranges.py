@@ -7,8 +7,8 @@ from scipy.sparse import csr_array
 from scipy.sparse.csgraph import maximum_bipartite_matching
 
 from vstatics.numerics.arrays import Floats
-from vstatics.synthesis.box_elements import matched
 from vstatics.synthesis.box_fit import Asked, fit_room, fitted
+from vstatics.synthesis.box_matching import matched
 from vstatics.synthesis.box_ranges import divide, lines, reached
 
 CORNERS = (np.arange(8)[:, None] >> np.arange(3)) & 1

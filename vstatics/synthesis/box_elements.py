@@ -13,6 +13,8 @@ import numpy as np
 
 from vstatics.numerics.arrays import Floats, Integers
 from vstatics.numerics.compiled import compiled, put
+from vstatics.synthesis.box_combinations import Combinations, number_of
+from vstatics.synthesis.box_matching import matched
 from vstatics.synthesis.box_minors import GearSpeeds
 
 SAME = 1e-9
@@ -31,27 +33,6 @@ def bits(value: int) -> int:
         value &= value - 1
         count += 1
     return count
-
-
-class Combinations(NamedTuple):
-    """Combinations of shift elements that are engaged together, of which sets are made.
-
-    Those of the elements are ordered by their last element, then the one before, and so on:
-    the number of one is a sum of binomials. Those of places in a set likewise.
-    """
-
-    ends: Integers
-    """The links that an element joins, below 0 the housing, shape (elements, 2)."""
-    members: Integers
-    """Shape (combinations, engaged)."""
-    rests: Integers
-    """The number of the other members without one, shape (combinations, engaged)."""
-    ranks: Integers
-    """Binomials of an element and a place counted from 1, shape (elements, engaged + 1)."""
-    places: Integers
-    """Combinations of the places in a set, shape (combinations of a set, engaged)."""
-    starts: Integers
-    """So many combinations of places are without a place, shape (size + 1,)."""
 
 
 class SetRoom(NamedTuple):
@@ -118,15 +99,6 @@ def set_room(table: Combinations, targets: int, most: int) -> SetRoom:
 
 
 @compiled
-def number_of(table: Combinations, chosen: Integers, subset: int) -> int:
-    """The number of a combination of a set, whose elements ascend."""
-    number = 0
-    for place in range(table.places.shape[1]):
-        number += table.ranks[chosen[table.places[subset, place]], place + 1]
-    return number
-
-
-@compiled
 def _find_rows(table: Combinations, way: Integers, reach: Integers, rows: Integers) -> None:
     """For some elements together, with which others they are usable."""
     rows[:] = 0
@@ -134,57 +106,6 @@ def _find_rows(table: Combinations, way: Integers, reach: Integers, rows: Intege
         if reach[way[which]]:
             for place in range(table.members.shape[1]):
                 rows[table.rests[which, place]] |= 1 << table.members[which, place]
-
-
-@compiled
-def matched(reach: Integers, count: int, targets: int, chosen: Integers) -> bool:
-    """Whether each target can have a ratio of its own; `chosen` takes one for each.
-
-    >>> chosen = np.zeros(2, np.int64)
-    >>> bool(matched(np.array([1, 3]), 2, 2, chosen)), chosen.tolist()
-    (True, [0, 1])
-    >>> bool(matched(np.array([1, 1]), 2, 2, chosen))
-    False
-    """
-    chosen[:targets] = -1
-    for ratio in range(count):
-        _placed(reach, ratio, targets, chosen)
-    missing = 0
-    for target in range(targets):
-        missing += chosen[target] < 0
-    return missing == 0
-
-
-@compiled
-def _placed(reach: Integers, ratio: int, targets: int, chosen: Integers) -> bool:
-    """Give a ratio a target, moving others along a shortest way; False if none is free."""
-    came_from = np.empty(targets, np.int64)
-    line = np.empty(targets, np.int64)
-    seen = reach[ratio]
-    first = last = 0
-    for target in range(targets):
-        if (seen >> target) & 1:
-            came_from[target] = -1
-            line[last] = target
-            last += 1
-    while first < last:
-        target = line[first]
-        first += 1
-        holder = chosen[target]
-        if holder < 0:
-            while target >= 0:
-                before = came_from[target]
-                chosen[target] = ratio if before < 0 else chosen[before]
-                target = before
-            return True
-        new = reach[holder] & ~seen
-        seen |= new
-        for other in range(targets):
-            if (new >> other) & 1:
-                came_from[other] = target
-                line[last] = other
-                last += 1
-    return False
 
 
 @compiled

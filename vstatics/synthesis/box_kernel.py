@@ -7,18 +7,13 @@ from typing import NamedTuple
 
 from vstatics.numerics.arrays import Floats, Integers
 from vstatics.numerics.compiled import compiled, put
-from vstatics.synthesis.box_cells import CellRoom, solved
-from vstatics.synthesis.box_elements import (
-    SAME,
-    Combinations,
-    PortGears,
-    SetRoom,
-    element_sets,
-    number_of,
-)
+from vstatics.synthesis.box_cells import CellRoom
+from vstatics.synthesis.box_combinations import Combinations, number_of
+from vstatics.synthesis.box_elements import SAME, PortGears, SetRoom, element_sets
 from vstatics.synthesis.box_fit import Asked
 from vstatics.synthesis.box_minors import GearSpeeds
 from vstatics.synthesis.box_ranges import divide, has_one_sign, reached
+from vstatics.synthesis.box_solving import solved
 
 ZERO = 1e-11
 """What is smaller, in terms of the largest speed in a gear, is nothing. [-]"""

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from functools import cache, lru_cache
-from itertools import combinations
 from threading import get_ident
 from typing import NamedTuple
 
@@ -13,7 +12,8 @@ import numpy as np
 from vstatics.numerics.arrays import Floats, Integers
 from vstatics.synthesis.box import HELD, BoxSearch, FoundBox
 from vstatics.synthesis.box_cells import cell_room
-from vstatics.synthesis.box_elements import Combinations, PortGears, set_room
+from vstatics.synthesis.box_combinations import Combinations, combinations_table
+from vstatics.synthesis.box_elements import PortGears, set_room
 from vstatics.synthesis.box_fit import Asked
 from vstatics.synthesis.box_kernel import Room, boxes_of_ports
 from vstatics.synthesis.box_minors import GearSpeeds, gear_speeds
@@ -102,7 +102,7 @@ class _PortSearch:
         self.search = search
         self.scheme = one
         self.bases = speed_bases(search, one)
-        self.table = _table(len(self.bases.moving), search.engaged, search.elements)
+        self.table = combinations_table(len(self.bases.moving), search.engaged, search.elements)
         self.gears = _gears(self.bases, self.table)
         self.searched = 0
 
@@ -176,31 +176,6 @@ _KEYS = np.sqrt(np.arange(2, 66)).reshape(-1, 2) % 1 - 0.3
 
 
 @cache
-def _table(links: int, engaged: int, size: int) -> Combinations:
-    """All brakes, clutches and their combinations, with so many moving links."""
-    ends = [(link, HELD) for link in range(links)] + list(combinations(range(links), 2))
-    members = _ascending(len(ends), engaged)
-    rests = [
-        [_number(one[:place] + one[place + 1 :]) for place in range(engaged)] for one in members
-    ]
-    ranks = [[math.comb(one, place) for place in range(engaged + 1)] for one in range(len(ends))]
-    starts = [math.comb(place, engaged) for place in range(size + 1)]
-    places = _ascending(size, engaged)
-    arrays = (np.array(one, np.int64) for one in (ends, members, rests, ranks, places, starts))
-    return Combinations(*arrays)
-
-
-def _ascending(number: int, size: int) -> list[tuple[int, ...]]:
-    """All choices of so many of a number, ordered by the last, then the one before."""
-    return sorted(combinations(range(number), size), key=lambda one: one[::-1])
-
-
-def _number(chosen: tuple[int, ...]) -> int:
-    """Where a choice stands among all."""
-    return sum(math.comb(one, place) for place, one in enumerate(chosen, 1))
-
-
-@cache
 def _asked(search: BoxSearch) -> Asked:
     """What is asked, as arrays."""
     targets = np.array(search.targets, dtype=float)
@@ -212,7 +187,7 @@ def _asked(search: BoxSearch) -> Asked:
 @lru_cache(maxsize=32)
 def _room(search: BoxSearch, most: int, thread: int) -> Room:  # noqa: ARG001
     """Room for the boxes of a choice of ports; each thread of a worker has its own."""
-    table = _table(_moving(search), search.engaged, search.elements)
+    table = combinations_table(_moving(search), search.engaged, search.elements)
     asked = _asked(search)
     targets, sets = len(asked.targets), search.sets
     all_of_them = len(table.places)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from vstatics.numerics.arrays import Integers
 from vstatics.numerics.compiled import compiled
-from vstatics.synthesis.box_elements import Combinations
+from vstatics.synthesis.box_combinations import Combinations
 
 
 @compiled
