@@ -23,7 +23,7 @@ from vstatics.synthesis.teeth_table import TeethTable, teeth_table
 from vstatics.synthesis.teeth_targets import TeethError
 from vstatics.synthesis.teeth_windows import ends_by_ranges, limits_of_errors, narrowed
 
-AT_ONCE = 30_000_000
+AT_ONCE = 8_000_000
 """An element with more candidates has only those listed whose ratios are of use."""
 
 

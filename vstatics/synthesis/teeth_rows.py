@@ -28,8 +28,8 @@ CLOSE = 1e-6
 
 LARGEST = 50.0
 """Of logarithms: no number of teeth is near it."""
-MOST = 1_000_000_000
-"""So many candidates are looked at, which takes less than a minute."""
+MOST = 100_000_000
+"""So many candidates are looked at, which takes half a minute."""
 LOOKED = "left"
 """What counts the candidates that may still be looked at, among those that are told."""
 
@@ -65,7 +65,7 @@ class TeethRows:
     @cached_property
     def modules(self) -> Floats:
         """All modules; 1 where there are none."""
-        return np.array(sorted(self.limits.modules) or [1.0])
+        return np.array(sorted(set(self.limits.modules)) or [1.0])
 
     @cached_property
     def _sets_of_modules(self) -> Integers:
@@ -132,7 +132,7 @@ class TeethRows:
         low, high = self._between(column, known, rows, windows, told)
         widths = np.maximum(high - low + 1, 0)
         ends = np.cumsum(widths)
-        told[LOOKED] -= int(ends[-1])
+        told[LOOKED] -= len(rows) + int(ends[-1])
         if told[LOOKED] < 0:
             raise TooManyError
         start = 0

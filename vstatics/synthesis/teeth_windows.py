@@ -15,10 +15,10 @@ from vstatics.numerics.arrays import Floats
 from vstatics.synthesis.teeth_rows import TeethRows
 from vstatics.synthesis.teeth_targets import TeethTarget, least_errors
 
-SLICES = 64
-"""A range of ratios is cut into so many."""
-ROUNDS = 6
-"""So often all ranges are cut."""
+PARTS = 4096
+"""The ranges of ratios are halved until so many parts of them are left."""
+NARROW = 1e-4
+"""Parts of which no ratio lies farther apart, in logarithms, are narrow enough."""
 WIDEST = 20.0
 """Larger limits of errors are none."""
 HALVINGS = 30
@@ -54,23 +54,21 @@ def narrowed(
     (True, True)
     >>> narrowed([target], np.array([-8.0]), np.array([-4.0]), 0.5)
     """
-    low, high = low.copy(), high.copy()
-    for _ in range(ROUNDS):
-        before = high - low
-        for column in range(len(low)):
-            sign = math.copysign(1.0, low[column])
-            cuts = sign * np.geomspace(abs(low[column]), abs(high[column]), SLICES + 1)
-            cuts[0], cuts[-1] = low[column], high[column]
-            parts = np.repeat(low[np.newaxis], SLICES, axis=0)
-            parts_high = np.repeat(high[np.newaxis], SLICES, axis=0)
-            parts[:, column], parts_high[:, column] = cuts[:-1], cuts[1:]
-            kept = np.flatnonzero(least_errors(targets, parts, parts_high) <= most)
-            if not len(kept):
-                return None
-            low[column], high[column] = cuts[kept[0]], cuts[kept[-1] + 1]
-        if (high - low > 0.9 * before).all():
+    low, high = low[np.newaxis], high[np.newaxis]
+    while len(low) <= PARTS:
+        widths = np.abs(np.log(high / low))
+        if widths.max() <= NARROW:
             break
-    return low, high
+        widest = (np.arange(len(low)), widths.argmax(axis=1))
+        middle = np.sign(low[widest]) * np.sqrt(low[widest] * high[widest])
+        upper, lower = low.copy(), high.copy()
+        upper[widest], lower[widest] = middle, middle
+        low, high = np.concatenate([low, upper]), np.concatenate([lower, high])
+        kept = least_errors(targets, low, high) <= most
+        if not kept.any():
+            return None
+        low, high = low[kept], high[kept]
+    return low.min(axis=0), high.max(axis=0)
 
 
 def limits_of_errors(targets: Sequence[TeethTarget], low: Floats, high: Floats) -> Iterator[float]:
