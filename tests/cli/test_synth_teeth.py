@@ -81,3 +81,18 @@ def test_no_teeth() -> None:
     answer = said("--ratios", "P1=-2", "--range", "P1.sun=12:13", "-f", "json")
     assert (answer.status, json.loads(answer.out)) == (1, {"solutions": []})
     assert "most are excluded by: undercut" in answer.err
+
+
+def test_what_excludes_most_of_what_is_coaxial() -> None:
+    """Six planets need a sun about as large as they are: (1 + p) sin 30° > p + 2.5 at p = 1."""
+    ranges = ["--planets", "6", "--range", "sun=14:19,planet=14:22"]
+    assert "excluded by: neighbouring planets" in said("--ratios", "P1=-2", *ranges).err
+    ranges = ["--range", "sun=20,planet=20,ring=61:70"]
+    assert said("--ratios", "P1=-2", *ranges).err.endswith("excluded by: coaxial\n")
+
+
+def test_few_teeth_and_a_target_far_away() -> None:
+    """Nothing is left to try once the best is known."""
+    ranges = ("--range", "sun=14:58,planet=14:58,ring=20:70", "--planets", "3")
+    made = document("--ratios", "2=4.3217", *ranges, "--clearance", "2.5", "--error", "absolute")
+    assert made["solutions"]

@@ -194,7 +194,7 @@ def at_corners(factors: Floats, low: Floats, high: Floats) -> Floats:
     outer = low.shape[:-1]
     found = np.broadcast_to(factors, (*outer, len(factors)))
     for place in range(low.shape[-1]):
-        halves = found.reshape(*outer, -1, 2, 1 << place)
+        halves = found.reshape(*outer, len(factors) >> place + 1, 2, 1 << place)
         without, with_it = halves[..., 0, :], halves[..., 1, :]
         ends = (one[..., place, np.newaxis, np.newaxis] for one in (low, high))
         found = np.stack([without + end * with_it for end in ends], axis=-2)

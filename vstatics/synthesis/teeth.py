@@ -14,14 +14,19 @@ from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Floats
 from vstatics.synthesis.fit_problem import Advance, reach_text, untold
 from vstatics.synthesis.teeth_layout import TeethLayout
-from vstatics.synthesis.teeth_limits import TeethLimits
+from vstatics.synthesis.teeth_limits import COAXIAL, TeethLimits
 from vstatics.synthesis.teeth_problem import TeethProblem, teeth_problem
-from vstatics.synthesis.teeth_rows import LOOKED, TeethRows, TooManyError
+from vstatics.synthesis.teeth_rows import LOOKED, TeethRows
 from vstatics.synthesis.teeth_search import EXACT, BestTeeth, best_teeth
 from vstatics.synthesis.teeth_solutions import KEPT, TeethSolution, teeth_solutions
 from vstatics.synthesis.teeth_table import TeethTable, teeth_table
 from vstatics.synthesis.teeth_targets import TeethError
-from vstatics.synthesis.teeth_windows import ends_by_ranges, limits_of_errors, narrowed
+from vstatics.synthesis.teeth_windows import (
+    ends_by_ranges,
+    growing_limits,
+    least_possible,
+    narrowed,
+)
 
 AT_ONCE = 8_000_000
 """An element with more candidates has only those listed whose ratios are of use."""
@@ -90,11 +95,12 @@ def find_teeth(
         tables.append(_whole_table(one))
         advance(1)
     full = [table for table in tables if table is not None]
+    ends = _ends(rows, tables)
+    _check_signs(problem, *ends)
     if len(full) == len(tables):
-        _check_signs(problem, full)
         best = best_teeth(full, problem.targets, KEPT, advance=advance)
     else:
-        full, best = _by_limits(problem, rows, tables, advance)
+        full, best = _by_limits(problem, rows, tables, ends, advance)
     solutions = [*teeth_solutions(problem, full, best)]
     last = solutions[-1].error if solutions else math.inf
     is_proven = best.bound >= last * (1 - EXACT) - EXACT
@@ -110,9 +116,8 @@ def _whole_table(rows: TeethRows) -> TeethTable | None:
         If there are none, with the condition that excludes most.
     """
     told: Counter[str] = Counter()
-    try:
-        found = teeth_table(rows.layout, rows.found({}, told, AT_ONCE), _counts(rows))
-    except TooManyError:
+    found = teeth_table(rows.layout, rows.found({}, told, AT_ONCE), _counts(rows))
+    if not found.is_whole:
         return None
     if not found.total:
         raise NoTeethError([none_fits(rows.layout, told)])
@@ -124,33 +129,45 @@ def _counts(rows: TeethRows) -> tuple[int, ...]:
 
 
 def none_fits(layout: TeethLayout, told: Counter[str]) -> Problem:
-    """That no teeth fulfil all conditions, and which of these excludes most."""
-    del told[LOOKED]
+    """That no teeth fulfil all conditions, and which of these excludes most.
+
+    Of all teeth most are not coaxial: that counts where none are.
+    """
     message = f"no teeth of {layout.name} fulfil all conditions"
-    most = told.most_common(1)
-    if most and most[0][1]:
-        message += f"; most are excluded by: {most[0][0]} ({most[0][1]} of {sum(told.values())})"
+    left = {label: count for label, count in told.items() if count and label != LOOKED}
+    on_one_axis = {label: count for label, count in left.items() if label != COAXIAL}
+    left = on_one_axis or left
+    if left:
+        label = max(left, key=lambda one: left[one])
+        of = "" if label == COAXIAL else f" ({left[label]} of {sum(left.values())})"
+        message += f"; most are excluded by: {label}{of}"
     return Problem(message)
 
 
-def _check_signs(problem: TeethProblem, tables: Sequence[TeethTable]) -> None:
+def _ends(rows: Sequence[TeethRows], tables: Sequence[TeethTable | None]) -> tuple[Floats, Floats]:
+    """The least and largest ratios of all elements; by the ranges where no table tells them."""
+    ends = [
+        ends_by_ranges(one) if table is None else (table.low[0], table.high[0])
+        for one, table in zip(rows, tables, strict=True)
+    ]
+    return np.concatenate([low for low, _ in ends]), np.concatenate([high for _, high in ends])
+
+
+def _check_signs(problem: TeethProblem, low: Floats, high: Floats) -> None:
     """Refuse what has the other sign than all that the teeth can make.
 
     Raises
     ------
     CaseError
     """
-    low = np.concatenate([table.low[0] for table in tables])[np.newaxis]
-    high = np.concatenate([table.high[0] for table in tables])[np.newaxis]
     problems = []
     for target in problem.targets:
-        ends = target.ends(low, high)
+        ends = target.ends(low[np.newaxis], high[np.newaxis])
         if ends and (ends[1] <= 0 < target.wanted or target.wanted < 0 <= ends[0]):
             side = "below" if target.wanted > 0 else "above"
-            message = f"{target.name}: read {target.wanted:g}, but {reach_text(*ends)}"
-            problems.append(
-                Problem(f"{message}: expected a ratio {side} 0", ("ratios", target.name))
-            )
+            read = f"{target.name}: read {target.wanted:g}, but {reach_text(*ends)}"
+            message = f"{read}: expected a ratio {side} 0"
+            problems.append(Problem(message, ("ratios", target.name)))
     if problems:
         raise CaseError(problems)
 
@@ -159,45 +176,44 @@ def _by_limits(
     problem: TeethProblem,
     rows: Sequence[TeethRows],
     tables: Sequence[TeethTable | None],
+    ends: tuple[Floats, Floats],
     advance: Advance,
 ) -> tuple[list[TeethTable], BestTeeth]:
     """The best teeth where some elements have too many: below limits of errors that grow.
 
+    Where too many are below a limit, as many as may be are looked at.
+
     Raises
     ------
     CaseError
-        If too many are left, or there are none.
+        If no teeth are found.
     """
-    ends = [
-        ends_by_ranges(one) if table is None else (table.low[0], table.high[0])
-        for one, table in zip(rows, tables, strict=True)
-    ]
-    low, high = (np.concatenate([pair[side] for pair in ends]) for side in (0, 1))
+    targets = problem.targets
+    proven = least_possible(targets, *ends)
     best: tuple[list[TeethTable], BestTeeth] | None = None
     told: Counter[str] = Counter()
-    for most in limits_of_errors(problem.targets, low, high):
-        between = narrowed(problem.targets, low, high, most)
+    for most in growing_limits(proven):
+        between = narrowed(targets, *ends, most)
         if between is None:
             continue
-        try:
-            listed = list(_in_windows(rows, tables, between, told))
-        except TooManyError:
+        listed = list(_in_windows(rows, tables, between, told))
+        is_whole = all(table.is_whole for table in listed)
+        if all(table.total for table in listed):
+            within = most if is_whole else math.inf
+            found = best_teeth(listed, targets, KEPT, most=within, advance=advance)
+            if len(found.errors) and (is_whole or best is None):
+                best = listed, found._replace(bound=min(found.bound, most if is_whole else proven))
+            if _different(listed, found) >= KEPT:
+                break
+        if not is_whole:
             break
-        if not all(table.total for table in listed):
-            continue
-        found = best_teeth(listed, problem.targets, KEPT, most=most, advance=advance)
-        if len(found.errors):
-            best = listed, found._replace(bound=min(found.bound, most))
-        if _different(listed, found) >= KEPT:
-            return listed, found
-    else:
-        if best is not None:
-            return best
-        raise NoTeethError([none_fits(rows[tables.index(None)].layout, told)])
+        proven = most
     if best is not None:
         return best
-    names = [one.layout.name for one, table in zip(rows, tables, strict=True) if table is None]
-    message = f"{', '.join(names)}: too many teeth to be looked at"
+    first = tables.index(None)
+    if is_whole:
+        raise NoTeethError([none_fits(rows[first].layout, told)])
+    message = f"{rows[first].layout.name}: too many teeth to be looked at"
     hint = "expected narrower ranges, or fewer numbers of planets or modules"
     raise CaseError([Problem(f"{message}; {hint}", ("range",))])
 

@@ -150,7 +150,9 @@ def teeth_layouts(own: OwnLinks) -> list[TeethLayout]:
         mechanisms = range(last, last + len(part.lowered))
         last += len(part.lowered)
         element = part.element or _stand_in(part.lowered[0].mechanism)
-        if any(own.is_fixed(number) for number in mechanisms) or element is None:
+        is_set = part.element is not None and isinstance(part.element.shape, Planetary)
+        is_fixed = any(own.is_fixed(number) for number in mechanisms)
+        if element is None or (is_fixed and not is_set):
             continue
         if isinstance(element.shape, Planetary):
             found.append(_of_planets(element, part, mechanisms))

@@ -21,6 +21,8 @@ MOST_OF_RING = 121
 """The same of a ring."""
 CLEARANCE = 0.5
 """Modules between tips of neighbouring planets, when not given."""
+COAXIAL = "coaxial"
+"""What the condition is called that axes coincide."""
 PLANETS = (3, 4, 5)
 """How many planets there may be, where neither the case nor anybody else says it."""
 
@@ -120,7 +122,7 @@ def axis_equations(layout: TeethLayout, limits: TeethLimits) -> Iterator[AxisEqu
                     terms[number] = (terms.get(number, (0.0, 0))[0] + part, component)
             terms = {number: term for number, term in terms.items() if term[0]}
             both = (layout.component[first[1]], layout.component[other[1]])
-            yield AxisEquation("coaxial", terms, 0.0, (float(limits.shift), both))
+            yield AxisEquation(COAXIAL, terms, 0.0, (float(limits.shift), both))
     if layout.name in limits.centre:
         twice = 2 * limits.centre[layout.name]
         if layout.element.kind == "gear_pair":

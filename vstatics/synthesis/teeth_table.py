@@ -7,11 +7,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.errors import CaseError, Problem
 from vstatics.numerics.arrays import Floats, Integers
 from vstatics.synthesis.teeth_layout import TeethLayout
+from vstatics.synthesis.teeth_rows import TooManyError
 
-MOST_ROWS = 6_000_000
+MOST_ROWS = 1_000_000
 """So many rows of teeth of an element are kept in memory."""
 
 
@@ -22,6 +22,8 @@ class TeethTable(NamedTuple):
     """
 
     layout: TeethLayout
+    is_whole: bool
+    """Whether all rows are here that there are."""
     total: int
     """How many choices of teeth, numbers of planets and modules there are."""
     rows: Integers
@@ -55,21 +57,19 @@ def teeth_table(
         As `TeethRows` finds them.
     counts : sequence of int
         Numbers of planets: of rows with equal teeth that with the first of them is kept.
-
-    Raises
-    ------
-    CaseError
-        If they are too many.
     """
     kept: list[Integers] = []
     total = 0
-    for piece in pieces:
-        kept.append(piece)
-        total += len(piece)
-        if total > MOST_ROWS:
-            message = f"more than {MOST_ROWS} choices of teeth fulfil the conditions"
-            hint = "expected narrower ranges, or fewer numbers of planets or modules"
-            raise CaseError([Problem(f"{layout.name}: {message}; {hint}", ("range",))])
+    is_whole = True
+    try:
+        for piece in pieces:
+            kept.append(piece)
+            total += len(piece)
+            if total > MOST_ROWS:
+                is_whole = False
+                break
+    except TooManyError:
+        is_whole = False
     width = len(layout.wheels) + 2 + max(layout.component)
     rows = _different(np.concatenate([np.zeros((0, width), np.int32), *kept]), layout, counts)
     ratios = of_rows(layout, rows)
@@ -83,9 +83,9 @@ def teeth_table(
     moved = np.repeat(moved, sizes)
     starts = np.concatenate([[0], np.cumsum(sizes)])
     within = np.arange(len(rows)) - np.repeat(starts[:-1], sizes)
-    return TeethTable(
-        layout, total, rows[order][moved + within], starts, unique[in_halves], nodes, low, high
-    )
+    rows = rows[order][moved + within]
+    nodes_of = (unique[in_halves], nodes, low, high)
+    return TeethTable(layout, is_whole, total, rows, starts, *nodes_of)
 
 
 def _different(rows: Integers, layout: TeethLayout, counts: Sequence[int]) -> Integers:

@@ -71,18 +71,28 @@ def narrowed(
     return low.min(axis=0), high.max(axis=0)
 
 
-def limits_of_errors(targets: Sequence[TeethTarget], low: Floats, high: Floats) -> Iterator[float]:
-    """Limits of errors to be tried in turn; the last one is none."""
+def least_possible(targets: Sequence[TeethTarget], low: Floats, high: Floats) -> float:
+    """An error that no ratios within bounds are below [-]."""
     least, most = 0.0, WIDEST
-    if narrowed(targets, low, high, most) is not None:
-        for _ in range(HALVINGS):
-            middle = (least + most) / 2
-            if narrowed(targets, low, high, middle) is None:
-                least = middle
-            else:
-                most = middle
-        more = 1e-5
-        while most + more < WIDEST:
-            yield most + more
-            more *= 4
+    if narrowed(targets, low, high, most) is None:
+        return most
+    for _ in range(HALVINGS):
+        middle = (least + most) / 2
+        if narrowed(targets, low, high, middle) is None:
+            least = middle
+        else:
+            most = middle
+    return least
+
+
+def growing_limits(least: float) -> Iterator[float]:
+    """Limits of errors to be tried in turn, from the least possible one; the last one is none.
+
+    >>> [round(limit, 6) for limit in growing_limits(0.5)][:3]
+    [0.50001, 0.50004, 0.50016]
+    """
+    more = 1e-5
+    while least + more < WIDEST:
+        yield least + more
+        more *= 4
     yield math.inf
