@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 import itertools
+import json
 import math
 from collections import Counter
 from collections.abc import Mapping, Sequence
+from pathlib import Path
 
 import pytest
 
 from tests.commands import CASES
 from tests.oracle import teeth as oracle
 from vstatics import load, solve
-from vstatics.elements.drawing import Drawing
+from vstatics.elements.drawing import Drawing, drawing_of
 from vstatics.elements.element import Element
 from vstatics.elements.teeth import doubts
 from vstatics.explain.bodies import on_own_links
@@ -21,6 +23,7 @@ from vstatics.synthesis.teeth import FoundTeeth, find_teeth
 from vstatics.synthesis.teeth_case import case_with_teeth
 from vstatics.synthesis.teeth_layout import teeth_layouts
 from vstatics.synthesis.teeth_limits import TeethLimits
+from vstatics.synthesis.teeth_problem import own_ratios
 from vstatics.synthesis.teeth_rows import TeethRows
 
 RULES = oracle.Rules(0.5, 14)
@@ -115,3 +118,77 @@ def test_the_twenty_best_of_sets_that_gears_share() -> None:
         for one, other in itertools.product(sets_of.values(), repeat=2)
     ]
     assert wanted_of(found) == pytest.approx(sorted(errors)[:20])
+
+
+TWO_RIMS = {
+    "links": ["sun 4", "sun 1", "carrier", "ring"],
+    "input": "sun 4",
+    "output": "ring",
+    "elements": {
+        "set": {
+            "kind": "planet_group",
+            "carrier": "carrier",
+            "rims": {"A": {"N2": 20, "N3": 20}, "B": {"N5": 20}},
+            "suns": [
+                {"link": "sun 1", "teeth": 30, "rim": "N2"},
+                {"link": "sun 4", "teeth": 30, "rim": "N5"},
+            ],
+            "rings": [{"link": "ring", "teeth": 90, "rim": "N3"}],
+            "meshes": [["N3", "N5"]],
+        }
+    },
+    "shift_elements": {"B1": ["carrier", "housing"], "B2": ["sun 4", "housing"]},
+    "gears": {
+        "1": {"engaged": ["B1"]},
+        "2": {"engaged": ["B2"], "input": "sun 1"},
+        "R": {"engaged": ["B1"], "input": "sun 1"},
+    },
+}
+"""The benchmark of Simionescu, Beale and Dozier: i1 = N6/N4, iR = -N2 N6/(N1 N3), and
+i2 = N6 (N1 N3 + N2 N4)/(N1 N3 (N6 - N4))."""
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("shift", "wheels", "count"),
+    [(0, (44, 37, 39, 33, 120), 3), (1, (25, 15, 16, 19, 69), 5), (2, (25, 15, 16, 19, 69), 5)],
+)
+def test_the_benchmark_of_two_rims(
+    shift: int, wheels: tuple[int, ...], count: int, tmp_path: Path
+) -> None:
+    """The optimum 0.52325, with shifted profiles; the wheels by plain loops over all teeth.
+
+    The loops ask for identical planets (N1 N3 + N6 N2 by n gcd(N2, N3)), and axes as
+    |m1 (N1 + N2) - m3 (N6 - N3)| <= shift (m1 + m3)/2.
+    """
+    file = tmp_path / "two-rims.json"
+    file.write_text(json.dumps(TWO_RIMS), encoding="utf-8")
+    wide = {"sun 4": (17, 104), "sun 1": (17, 96), "N2": (14, 58), "ring": (1, 200)}
+    ranges = {**wide, "N3": (14, 46), "N5": (14, 46)}
+    modules = tuple(1.75 + 0.25 * number for number in range(6))
+    limits = TeethLimits(ranges, (3, 4, 5), 0.5, {}, modules, 220.0, shift)
+    wanted = {"1": 3.11, "2": 1.84, "R": -3.11}
+    found = find_teeth(load(file), wanted, limits, error="absolute")
+    best = found.solutions[0]
+    sun1, rim2, rim3, sun4, ring = wheels
+    gear2 = ring * (sun1 * rim3 + rim2 * sun4) / (sun1 * rim3 * (ring - sun4))
+    gears = (ring / sun4, gear2, -rim2 * ring / (sun1 * rim3))
+    errors = [abs(one - other) for one, other in zip(gears, wanted.values(), strict=True)]
+    assert found.is_proven
+    assert best.error == pytest.approx(max(errors))
+    assert best.error == pytest.approx(0.52325 if shift else 0.5263636, abs=1e-7)
+    assert best.planets == {"set": count}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["zf-6hp26", "ravigneaux-gf4a", "two-stage", "aisin-8speed"])
+def test_what_is_found_leaves_nothing_to_check(name: str) -> None:
+    """Teeth for the case's own ratios: the program's own checks of them have no warning."""
+    case = load(CASES / f"{name}.yaml")
+    found = find_teeth(case, own_ratios(case))
+    for solution in (found.solutions[0], found.solutions[-1]):
+        made = case_with_teeth(case, found.problem, solution)
+        drawing = drawing_of(made)
+        assert drawing is not None
+        assert [one.message for one in doubts(drawing) if one.severity != "note"] == []
+        assert solve(made).ratio.tolist() == pytest.approx([*solution.gears.values()])

@@ -162,8 +162,10 @@ def teeth_layouts(own: OwnLinks) -> list[TeethLayout]:
 
 
 def _stand_in(mechanism: Mechanism) -> Element | None:
-    """The element that a mechanism would be, with teeth that do not matter."""
+    """The element that a mechanism would be, with teeth that do not matter; none of a worm pair."""
     name, ratio = mechanism.name, mechanism.ratio
+    if mechanism.back_efficiency is not None:
+        return None
     if mechanism.third != HOUSING:
         first, second = _wheels_of(mechanism)
         members = {first: mechanism.first, second: mechanism.second, "carrier": mechanism.third}
