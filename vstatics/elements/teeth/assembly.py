@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from fractions import Fraction
 from itertools import combinations
+from typing import Any
 
 import numpy as np
 
 from vstatics.elements.element import CentralWheel, Element
 from vstatics.elements.group import PlanetGroup
 from vstatics.elements.teeth.conditions import common_step, seated
-from vstatics.elements.teeth.layout import AxisLayout, Doubt, Teeth
+from vstatics.elements.teeth.layout import AxisLayout, Doubt, Key, Teeth
 from vstatics.elements.teeth.subjects import OfPlanets, Subject
+from vstatics.numerics.arrays import Integers
 
 
 def placements(group: PlanetGroup, train: Mapping[str, Fraction]) -> int:
@@ -27,28 +29,54 @@ def placements(group: PlanetGroup, train: Mapping[str, Fraction]) -> int:
     >>> placements(group, group.trains[0])  # (30 * 25 + 95 * 20)/gcd(20, 25)
     530
     """
+
+    def teeth(key: Key) -> int:
+        return group.teeth(key).numerator if isinstance(key, str) else group.wheels[key].teeth
+
+    rows = np.array([*_rows(group, train, teeth)], dtype=object)
+    return int(common_step(rows, len(train)))
+
+
+def _rows(
+    group: PlanetGroup, train: Mapping[str, Fraction], teeth: Callable[[Key], Any]
+) -> Iterator[list[Any]]:
+    """The meshes of a train as `common_step` has them."""
     column = {planet: number for number, planet in enumerate(train)}
-    rows: list[list[int]] = []
-    for wheel in group.wheels_of(train):
-        row = [0] * len(column)
-        row[column[group.planet_of[wheel.rim]]] = group.teeth(wheel.rim).numerator
-        rows.append([*row, -wheel.teeth if wheel.internal else wheel.teeth])
+    for place, wheel in enumerate(group.wheels):
+        planet = group.planet_of[wheel.rim]
+        if planet in column:
+            row: list[Any] = [0] * (len(column) + 1)
+            row[column[planet]] = teeth(wheel.rim)
+            row[-1] = -teeth(place) if wheel.internal else teeth(place)
+            yield row
     for pair in group.meshes:
-        if group.planet_of[pair[0]] in train:
-            row = [0] * len(column)
+        if group.planet_of[pair[0]] in column:
+            row = [0] * (len(column) + 1)
             for rim in pair:
-                row[column[group.planet_of[rim]]] += group.teeth(rim).numerator
-            rows.append([*row, 0])
-    return int(common_step(np.array(rows, dtype=object), len(column)))
+                number = column[group.planet_of[rim]]
+                row[number] = row[number] + teeth(rim)
+            yield row
 
 
-def goes_in(subject: Subject, teeth: Teeth) -> bool:
-    """Whether planets can be assembled: for a search the quickest question."""
+def that_go_in(subject: Subject, choices: Iterable[Teeth]) -> Iterator[Teeth]:
+    """Of some teeth those with which planets can be assembled; all are asked about together."""
     count = subject.element.planets or 1
     if count == 1 or not isinstance(subject, OfPlanets):
-        return True
-    group = subject.layout(teeth).group
-    return all(seated(placements(group, train), count) for train in group.trains)
+        yield from choices
+        return
+    many = list(choices)
+    group = subject.given.group
+
+    def teeth(key: Key) -> Integers:
+        return np.array([one.get(key, 1) for one in many], dtype=np.int64)
+
+    go_in = np.ones(len(many), np.bool_)
+    for train in group.trains:
+        rows = [
+            [np.broadcast_to(cell, len(many)) for cell in row] for row in _rows(group, train, teeth)
+        ]
+        go_in &= seated(common_step(np.array(rows, dtype=np.int64), len(train)), count)
+    yield from (one for one, goes in zip(many, go_in.tolist(), strict=True) if goes)
 
 
 def assembled(layout: AxisLayout) -> Iterator[Doubt]:

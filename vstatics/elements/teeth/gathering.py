@@ -9,7 +9,7 @@ from vstatics.elements.element import Element
 from vstatics.elements.group import group_of
 from vstatics.elements.group_checks import wheel_path
 from vstatics.elements.kinds import Planetary
-from vstatics.elements.teeth.assembly import bevel_assembled, goes_in
+from vstatics.elements.teeth.assembly import bevel_assembled, that_go_in
 from vstatics.elements.teeth.conditions import UNCUT
 from vstatics.elements.teeth.layout import Doubt, Key, Teeth
 from vstatics.elements.teeth.meshing import hunting, interfering, undercut
@@ -99,13 +99,14 @@ def _with_cures(subject: Subject) -> Iterator[Doubt]:
         return (
             min(teeth.values()) >= min(least, UNCUT)
             and 1 not in subject.ratios(teeth)  # one piece
-            and goes_in(subject, teeth)
             and not any(doubt.has_cure for doubt in _wrong(subject, teeth))
         )
 
     cures, has_cure = "", True
     if any(doubt.has_cure for doubt in found):
-        cures = suggested(subject, filter(is_right, nearest(subject.space)), "that fit")
+        cures = suggested(
+            subject, filter(is_right, that_go_in(subject, nearest(subject.space))), "that fit"
+        )
         has_cure = bool(cures)
     for doubt in found:
         hint = counts(subject) if doubt.about is None else ""
@@ -116,7 +117,9 @@ def _with_cures(subject: Subject) -> Iterator[Doubt]:
         return
     for doubt in hunting(subject.meshes(), subject.against):
         coprime = filter(subject.is_hunting, nearest(subject.space) if has_cure else ())
-        hint = suggested(subject, filter(is_right, coprime), "without a common divisor")
+        hint = suggested(
+            subject, filter(is_right, that_go_in(subject, coprime)), "without a common divisor"
+        )
         yield doubt._replace(message=doubt.message + hint)
 
 
