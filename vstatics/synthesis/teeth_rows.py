@@ -20,6 +20,7 @@ from vstatics.numerics.arrays import Floats, Integers
 from vstatics.synthesis.teeth_conditions import TeethCandidates, TeethCondition, teeth_conditions
 from vstatics.synthesis.teeth_layout import TeethLayout
 from vstatics.synthesis.teeth_limits import AxisEquation, TeethLimits, axis_equations
+from vstatics.synthesis.teeth_order import growth_order
 
 ROOM = 300_000
 """So many candidates are looked at together."""
@@ -231,47 +232,14 @@ class TeethRows:
         modules = {wheels + 1 + number for number in range(max(self.layout.component) + 1)}
         waiting = list(teeth_conditions(self.layout, self.limits))
         known = set(modules)
+        widths = (self.ranges[:, 1] - self.least).tolist()
         plan: list[tuple[int, list[TeethCondition]]] = []
-        for column in self._order():
+        for column in growth_order(self.layout, self._equations, widths):
             known.add(column)
             now = [one for one in waiting if one.needs <= known]
             waiting = [one for one in waiting if not one.needs <= known]
             plan.append((column, now))
         return plan
-
-    def _order(self) -> list[int]:
-        """Columns of wheels, and of the number of planets behind the first planet."""
-        order: list[int] = []
-
-        def add(column: int) -> None:
-            if column in order:
-                return
-            order.append(column)
-            rims = (
-                axis and {rim, *axis} <= {*order}
-                for rims in self.layout.planets
-                for rim in rims
-                for axis in [self.layout.axis(rim)]
-            )
-            if len(self.layout.wheels) not in order and any(rims):
-                order.append(len(self.layout.wheels))
-            for equation in self._equations:
-                left = [one for one in equation.terms if one not in order]
-                if len(left) == 1:
-                    add(left[0])
-
-        def choices(wheel: int) -> int:
-            low, high = self.ends(wheel)
-            return high - low
-
-        wanted = sorted(self.layout.ratios, key=lambda one: len(one.powers))
-        for powers in (one.powers for one in wanted):
-            for wheel in sorted(powers, key=choices):
-                add(wheel)
-        for wheel in sorted(range(len(self.layout.wheels)), key=choices):
-            add(wheel)
-        add(len(self.layout.wheels))
-        return order
 
 
 def _solved(
