@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import tempfile
 from collections.abc import Callable
 from typing import Any, TypeVar, cast
 
@@ -16,25 +15,32 @@ Compiled = TypeVar("Compiled", bound=Callable[..., Any])
 
 
 def _cache() -> str:
-    """Where machine code lasts: beside that of other sources it could be taken for theirs."""
+    """Where machine code lasts: a folder that nobody else can write, or none.
+
+    It is by the files that are compiled: machine code of other ones could be taken for theirs.
+    """
     home = os.environ.get("XDG_CACHE_HOME") or os.path.expanduser("~/.cache")  # noqa: PTH111
-    for top in (home, tempfile.gettempdir()):
-        folder = os.path.join(top, "vstatics", build(b"import compiled"))  # noqa: PTH118
-        try:
-            os.makedirs(folder, exist_ok=True)  # noqa: PTH103
-        except OSError:
-            continue
-        if os.access(folder, os.W_OK):
-            break
-    return folder
+    folder = os.path.join(home, "vstatics", build(b"import compiled"))  # noqa: PTH118
+    try:
+        os.makedirs(folder, mode=0o700, exist_ok=True)  # noqa: PTH103
+        is_own = not os.stat(folder).st_mode & 0o022  # noqa: PTH116
+    except OSError:
+        return ""
+    return folder if is_own and os.access(folder, os.W_OK) else ""
 
 
-numba.config.CACHE_DIR = _cache()  # type: ignore[attr-defined]
+CACHE = _cache()
 
 
 def compiled(function: Compiled) -> Compiled:
-    """A function that is compiled when it is called first; the machine code is kept."""
-    return cast(Compiled, numba.njit(function, nogil=True, error_model="numpy", cache=True))
+    """A function that is compiled when it is called first; the machine code is kept if it can."""
+    before = numba.config.CACHE_DIR  # type: ignore[attr-defined]
+    numba.config.CACHE_DIR = CACHE  # type: ignore[attr-defined]
+    try:
+        made = numba.njit(function, nogil=True, error_model="numpy", cache=bool(CACHE))
+    finally:  # functions of others are kept where they want
+        numba.config.CACHE_DIR = before  # type: ignore[attr-defined]
+    return cast(Compiled, made)
 
 
 @compiled

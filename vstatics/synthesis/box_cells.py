@@ -39,6 +39,8 @@ class CellRoom(NamedTuple):
     """Room for `all_used`."""
     gears: Integers
     """A combination for each target, shape (targets,)."""
+    given_up: Booleans
+    """Whether something was left that might have been a solution, shape (1,)."""
     fit: FitRoom
     best_logs: Floats
     """Logarithms of the best fit within tolerance, shape (sets,). [-]"""
@@ -65,6 +67,7 @@ def cell_room(table: Combinations, asked: Asked, sets: int) -> CellRoom:
         ratio_of=np.zeros(ratios, np.int64),
         came=np.zeros((targets + 1, 2**size), np.int64),
         gears=np.zeros(targets, np.int64),
+        given_up=np.zeros(1, np.bool_),
         fit=fit_room(targets, sets),
         best_logs=np.zeros(sets),
         best_gears=np.zeros(targets, np.int64),

@@ -39,7 +39,7 @@ class Room(NamedTuple):
 @compiled
 def boxes_of_ports(
     table: Combinations, gears: GearSpeeds, port: PortGears, asked: Asked, room: Room
-) -> tuple[int, int]:
+) -> tuple[int, int, int]:
     """All boxes with some ports, into the room: their sets stand first.
 
     Parameters
@@ -53,13 +53,14 @@ def boxes_of_ports(
 
     Returns
     -------
-    int, int
-        How many boxes, and of how many sets of elements; below 0 if there was no room.
+    int, int, int
+        How many boxes; of how many sets of elements, below 0 if there was no room; how many of
+        these were given up.
     """
     _find_reach(gears.speeds, port, asked, room)
     count = element_sets(table, gears, port, room.sets)
     sets = room.sets.found
-    found = 0
+    found = given_up = 0
     for number in range(count):
         different = _different(table, gears, port, sets[number], room)
         error = solved(table, room.parts[:different], asked, room.cells)
@@ -69,7 +70,8 @@ def boxes_of_ports(
             put(sets[number], sets[found])
             put(room.cells.best_logs, room.logs[found])
             found += 1
-    return found, count
+        given_up += room.cells.given_up[0]
+    return found, count, given_up
 
 
 @compiled

@@ -42,6 +42,8 @@ class FoundPiece(NamedTuple):
     searched: int
     """Boxes that there are in it."""
     boxes: tuple[FoundBox, ...]
+    given_up: int = 0
+    """Sets of elements that may be boxes, too, but could not be looked at to the end."""
 
 
 def cut(search: BoxSearch) -> int:
@@ -70,14 +72,15 @@ def found_in(search: BoxSearch, piece: int) -> FoundPiece:
     >>> found.searched, len(found.boxes)
     (36, 3)
     """
-    searched = 0
+    searched = given_up = 0
     boxes: list[FoundBox] = []
     for one in _pieces(search)[piece]:
         ports = _PortSearch(search, one)
         for first, last in one.ports:
             boxes += ports.boxes(first, last)
         searched += ports.searched
-    return FoundPiece(searched, tuple(boxes))
+        given_up += ports.given_up
+    return FoundPiece(searched, tuple(boxes), given_up)
 
 
 @lru_cache(maxsize=4)
@@ -104,7 +107,7 @@ class _PortSearch:
         self.bases = speed_bases(search, one)
         self.table = combinations_table(len(self.bases.moving), search.engaged, search.elements)
         self.gears = _gears(self.bases, self.table)
-        self.searched = 0
+        self.searched = self.given_up = 0
 
     def boxes(self, first: int, last: int) -> list[FoundBox]:
         """All boxes with these links as input and output."""
@@ -118,8 +121,9 @@ class _PortSearch:
         most = ROOM
         while True:
             room = _room(search, most, get_ident())
-            found, count = boxes_of_ports(table, self.gears, port, _asked(search), room)
+            found, count, given_up = boxes_of_ports(table, self.gears, port, _asked(search), room)
             if count >= 0:
+                self.given_up += given_up
                 return [self._box(room, row, first, last) for row in range(found)]
             most *= 4
 

@@ -23,6 +23,8 @@ class BoxList(NamedTuple):
     """Boxes that were looked at."""
     boxes: tuple[RankedBox, ...]
     """Those that are wanted, in their order."""
+    given_up: int
+    """Sets of elements that may be boxes, too, but could not be looked at to the end."""
 
 
 def find_boxes(
@@ -57,4 +59,6 @@ def find_boxes(
     check_box_search(search)
     pieces = [found_in(search, piece) for piece in range(cut(search))]
     boxes = (measured(search, box, efficiency) for piece in pieces for box in piece.boxes)
-    return BoxList(sum(piece.searched for piece in pieces), ranked(search, boxes, wanted))
+    searched = sum(piece.searched for piece in pieces)
+    given_up = sum(piece.given_up for piece in pieces)
+    return BoxList(searched, ranked(search, boxes, wanted), given_up)

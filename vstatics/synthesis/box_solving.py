@@ -24,9 +24,9 @@ SPREADS = np.array([0.5, 0.2, 0.06])
 """A fit is tried when ln(i) of all gears chosen spreads by less than the first in a cell, again
 below each of the others; what has not been found then is not there. [-]"""
 MOST_CELLS = 200_000
-"""Cells of one set of elements, where ratios are such that nothing can be told."""
+"""With more cells a set of elements is given up."""
 MOST_WAYS = 24
-"""So many ways to give targets to gears are tried in a cell."""
+"""So many ways to give targets to gears are tried in a cell; with more it is given up."""
 MORE_FITS = 12
 """So many fits are made when there is a solution already: another may be better."""
 
@@ -42,7 +42,8 @@ def solved(table: Combinations, parts: Floats, asked: Asked, room: CellRoom) -> 
         Numerators and denominators of different ratios at the corners of the bounds.
     asked : Asked
     room : CellRoom
-        `ratio_of` tells whose ratios they are; `best_logs` and `best_gears` take the fit.
+        `ratio_of` tells whose ratios they are; `best_logs` and `best_gears` take the fit,
+        `given_up` whether there may be one although none was found.
     """
     count = len(parts)
     _begin(parts, asked, room)
@@ -66,6 +67,8 @@ def solved(table: Combinations, parts: Floats, asked: Asked, room: CellRoom) -> 
                 continue
         halve(room, count, top, number)
         top += 2
+    room.given_up[0] |= top > 0
+    room.given_up[0] &= room.best[0] == math.inf
     return float(room.best[0])
 
 
@@ -73,6 +76,7 @@ def solved(table: Combinations, parts: Floats, asked: Asked, room: CellRoom) -> 
 def _begin(parts: Floats, asked: Asked, room: CellRoom) -> None:
     """Begin with the bounds as the only cell."""
     room.best[:] = math.inf
+    room.given_up[0] = False
     room.stages[0] = 0
     for ratio in range(len(parts)):
         put(parts[ratio, 0], room.parts[0, ratio, 0])
@@ -124,6 +128,7 @@ def _fits(table: Combinations, parts: Floats, asked: Asked, room: CellRoom, top:
             way[target] = ratio
             room.taken[ratio] = True
             target += 1
+    room.given_up[0] |= target >= 0
     return is_met
 
 

@@ -24,7 +24,8 @@ MOST_MEASURED = 50_000
 """So many have their figures made."""
 AT_ONCE = 20
 """So many boxes a worker measures at once."""
-SEARCHED = "searched"
+SEARCHED, GIVEN_UP = "searched", "given up"
+"""What is counted in a piece."""
 
 
 class BoxWork(NamedTuple):
@@ -101,6 +102,11 @@ class SearchedPieces:
         return sum(account.counts[SEARCHED] for account in self._accounts.values())
 
     @property
+    def given_up(self) -> int:
+        """So many sets of elements may be boxes, too."""
+        return sum(account.counts.get(GIVEN_UP, 0) for account in self._accounts.values())
+
+    @property
     def found(self) -> int:
         """So many of them have the ratios."""
         return sum(account.rows for account in self._accounts.values())
@@ -116,7 +122,7 @@ class SearchedPieces:
             If it can't be written.
         """
         lines = box_lines(found.boxes)
-        counts = {SEARCHED: int(found.searched)}
+        counts = {SEARCHED: int(found.searched), GIVEN_UP: found.given_up}
         account, buffers = piece_bytes(piece, len(found.boxes), counts, [lines])
         if self._store is None:
             self._lines[piece] = lines
