@@ -22,6 +22,8 @@ EXTRAS = {
     "boxes": "numba",
 }
 """By extra: the package that it brings."""
+BESIDES = {"boxes": ("networkx",)}
+"""Further packages of an extra."""
 
 
 @cache
@@ -66,10 +68,10 @@ def missing(extra: str, purpose: str) -> str:
     """
     from importlib.util import find_spec
 
-    package = EXTRAS[extra]
-    if find_spec(package) is not None:
-        return ""
-    return f'{purpose} needs the package {package}: pip install "vstatics[{extra}]"'
+    for package in (EXTRAS[extra], *BESIDES.get(extra, ())):
+        if find_spec(package) is None:
+            return f'{purpose} needs the package {package}: pip install "vstatics[{extra}]"'
+    return ""
 
 
 def require(extra: str, purpose: str) -> None:

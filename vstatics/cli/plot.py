@@ -29,7 +29,12 @@ BOXES = "boxes"
 @click.command()
 @arguments.argument
 @click.option(
-    "-k", "--kind", type=click.Choice([*PICTURES, BOXES]), required=True, help="What is drawn."
+    "-k",
+    "--kind",
+    type=click.Choice([*PICTURES, BOXES]),
+    metavar="KIND",
+    required=True,
+    help="What is drawn, one of the above.",
 )
 @arguments.required_output(
     "SVG, PNG or PDF by the suffix; - is standard output, for SVG; several cases go to a "

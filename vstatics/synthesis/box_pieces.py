@@ -32,7 +32,7 @@ MARGIN = 1e-9
 
 
 def prepare() -> None:
-    """Compile what searches need, which takes some seconds where it has not been kept."""
+    """Compile what searches need, which takes ten seconds or more where it has not been kept."""
     found_in(BoxSearch(1, 2, 1, (3.0, 1.0)), 0)
 
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from itertools import pairwise
 
-from vstatics.errors import CaseError, Problem
 from vstatics.explain.bodies import on_own_links
+from vstatics.extras import require
 from vstatics.model.parts import HOUSING
 from vstatics.model.transmission import Transmission
 
@@ -61,11 +61,9 @@ def is_planar(edges: Iterable[Edge]) -> bool:
     >>> is_planar((one, other) for one in five for other in five), is_planar([(0, 1), (1, 0)])
     (False, True)
     """
-    try:
-        import networkx as nx  # an extra
-    except ImportError as error:
-        needs = "whether a gearbox is planar needs the package networkx"
-        raise CaseError([Problem(f'{needs}: pip install "vstatics[boxes]"')]) from error
+    require("boxes", "whether a gearbox is planar")
+    import networkx as nx  # an extra
+
     graph: nx.Graph[int] = nx.Graph()
     graph.add_edges_from((one, other) for one, other in edges if one != other)
     return bool(nx.check_planarity(graph)[0])

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from vstatics.errors import CaseError, Problem
 from vstatics.extras import require
 from vstatics.synthesis.box import BoxSearch
 from vstatics.synthesis.box_checks import check_box_search
@@ -56,7 +57,12 @@ def find_boxes(
     require("boxes", "the search for gearboxes")
     from vstatics.synthesis.box_pieces import cut, found_in  # compiles
 
+    low, high = search.bounds
+    search = search._replace(targets=tuple(search.targets), bounds=(low, high))
     check_box_search(search)
+    if not 0 < efficiency <= 1:
+        message = f"read {efficiency:g}, expected a number above 0, up to 1"
+        raise CaseError([Problem(message, ("efficiency",))])
     pieces = [found_in(search, piece) for piece in range(cut(search))]
     boxes = (measured(search, box, efficiency) for piece in pieces for box in piece.boxes)
     searched = sum(piece.searched for piece in pieces)
