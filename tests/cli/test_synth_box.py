@@ -334,3 +334,11 @@ def test_packages_that_are_missing_are_told_before(
     said = vstatics("synth", "box", *ASKED, *options)
     assert (said.status, said.out) == (1, "")
     assert f"needs the package {package}: pip install" in said.err
+
+
+def test_files_that_no_search_wrote_are_not_touched(tmp_path: Path) -> None:
+    (tmp_path / "box-0999.yaml").write_text("mine")
+    said = vstatics("synth", "box", *ASKED, "-o", f"{tmp_path}/")
+    assert said.status == 2
+    assert "holds box-0999.yaml, but no boxes.json" in said.err
+    assert [file.name for file in tmp_path.iterdir()] == ["box-0999.yaml"]

@@ -59,8 +59,8 @@ def box(
     \b
     While it runs, finished pieces lie in DIR.parts or FILE.parts; --resume takes
     them up after an interruption, also with other filters.
-    Needs numba and networkx: pip install "vstatics[boxes]"; for -o DIR matplotlib,
-    too: "vstatics[boxes,plot]".
+    Needs numba and networkx: pip install "vstatics[boxes]"; for -o DIR also
+    matplotlib: "vstatics[boxes,plot]".
     Exit status: 0 done; 1 no box is found, or not finished; 2 wrong use;
     130 or 143 stopped by Ctrl-C or SIGTERM.
     """
@@ -99,6 +99,11 @@ def _check_folder(output: str) -> None:
         raise click.UsageError("-o names nothing: expected a directory or a file.")
     if os.path.exists(output.rstrip("/") or "/") and not os.path.isdir(output):  # noqa: PTH110, PTH112
         raise click.UsageError(f"{output} is a file: expected a directory")
+    from vstatics.cli.synth_box_output import of_others
+
+    if name := of_others(output):
+        there = f"{output} holds {name}, but no boxes.json of an earlier search"
+        raise click.UsageError(f"{there}, so it may be yours: expected another directory")
 
 
 def _estimate(asked: BoxAsked, form: str, jobs: int, *, quiet: bool) -> None:

@@ -19,6 +19,7 @@ from vstatics.cli.texts import CaseOutput, OutputForm
 from vstatics.errors import plural
 from vstatics.jobs.alone import Workers
 from vstatics.jobs.files import replace
+from vstatics.jobs.finished_pieces import SUFFIX
 from vstatics.model.transmission import Transmission
 from vstatics.synthesis.box import BoxSearch
 from vstatics.synthesis.box_choice import RankedBox
@@ -164,6 +165,14 @@ def file_names(count: int) -> list[str]:
 
 def _put(folder: str, name: str, content: bytes) -> None:
     replace(os.path.join(folder, name), content)  # noqa: PTH118
+
+
+def of_others(folder: str) -> str:
+    """A file with a name that a search gives, where no search has been; "" if there is none."""
+    is_own = os.path.exists(os.path.join(folder, "boxes.json"))  # noqa: PTH110, PTH118
+    if is_own or not os.path.isdir(folder) or os.path.isdir(f"{folder.rstrip('/')}{SUFFIX}"):  # noqa: PTH112
+        return ""
+    return min(filter(OWN.fullmatch, os.listdir(folder)), default="")  # noqa: PTH208
 
 
 def _forget(folder: str, kept: AbstractSet[str]) -> None:

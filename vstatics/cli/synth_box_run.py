@@ -72,7 +72,7 @@ def carry_out(run: BoxRun) -> int:
         files.say(f"no box is found: {_boxes(found.with_ratios)} with these ratios, none as wanted")
     else:
         within = f"within {run.asked.search.tolerance:g} of these ratios"
-        files.say(f"no box is found: none of {found.searched:.4g} comes {within}")
+        files.say(f"no box is found: none of {found.searched} comes {within}")
     return FAILED
 
 
@@ -177,7 +177,7 @@ def _summary(output: str, found: FoundBoxes, seconds: float) -> str:
     """What became of the search."""
     families = family_count(found.boxes)
     count = f"{_boxes(len(found.boxes))} in {families} {'family' if families == 1 else 'families'}"
-    return f"{output}: {count} of {found.searched:.4g} that were looked at; {seconds:.3g} s"
+    return f"{output}: {count} of {found.searched} that were looked at; {seconds:.3g} s"
 
 
 def _boxes(count: int) -> str:

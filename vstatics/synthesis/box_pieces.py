@@ -123,7 +123,7 @@ class _PortSearch:
             room = _room(search, most, get_ident())
             found, count, given_up = boxes_of_ports(table, self.gears, port, _asked(search), room)
             if count >= 0:
-                self.given_up += given_up
+                self.given_up += int(given_up)
                 return [self._box(room, row, first, last) for row in range(found)]
             most *= 4
 
