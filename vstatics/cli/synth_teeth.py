@@ -26,6 +26,7 @@ from vstatics.synthesis.teeth_document import asked_document, teeth_document
 from vstatics.synthesis.teeth_grids import asked_grids, teeth_grids
 from vstatics.synthesis.teeth_limits import CLEARANCE, TeethLimits
 from vstatics.synthesis.teeth_problem import own_ratios, teeth_problem
+from vstatics.synthesis.teeth_reach import doubts_before
 from vstatics.synthesis.teeth_targets import TeethError
 
 
@@ -149,10 +150,12 @@ def teeth(
         asked = asked or own_ratios(own)
         if dry_run:
             problem = teeth_problem(own, asked, limits, error)
+            notes = _warnings(doubts_before(problem), file_name(case))
+            tell(notes, telling, case)
             show_alone(
                 case, to, own.name, lambda: asked_grids(problem), lambda: asked_document(problem)
             )
-            return FAILED if telling.fails(reading.warnings) else DONE
+            return FAILED if telling.fails([*reading.warnings, *notes]) else DONE
         try:
             with progress(None, "regions", quiet=telling.quiet) as advance:
                 found = find_teeth(own, asked, limits, error=error, advance=advance)
@@ -228,6 +231,7 @@ _OPTIONS = (
 
 def _notes(found: FoundTeeth, file: str) -> Iterator[Problem]:
     """What to know of the solutions."""
+    yield from _warnings(found.doubts, file)
     if found.problem.unused:
         message = f"in no wanted ratio, so as they are: {listed(found.problem.unused)}"
         yield of_file(file, message)._replace(severity="note")
@@ -236,4 +240,8 @@ def _notes(found: FoundTeeth, file: str) -> Iterator[Problem]:
             f"the search was ended: that others are better is possible, "
             f"but none has an error below {found.bound:.3g}"
         )
-        yield of_file(file, message)._replace(severity="warning")
+        yield from _warnings([message], file)
+
+
+def _warnings(texts: Iterable[str], file: str) -> list[Problem]:
+    return [of_file(file, one)._replace(severity="warning") for one in texts]

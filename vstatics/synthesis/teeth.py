@@ -12,17 +12,17 @@ import numpy as np
 from vstatics.errors import CaseError, Problem
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Floats
-from vstatics.synthesis.fit_problem import Advance, reach_text, untold
+from vstatics.synthesis.fit_problem import Advance, untold
 from vstatics.synthesis.teeth_layout import TeethLayout
 from vstatics.synthesis.teeth_limits import COAXIAL, TeethLimits
 from vstatics.synthesis.teeth_problem import TeethProblem, teeth_problem
+from vstatics.synthesis.teeth_reach import reach, reach_doubts, refuse_signs
 from vstatics.synthesis.teeth_rows import LOOKED, TeethRows
 from vstatics.synthesis.teeth_search import EXACT, BestTeeth, best_teeth
 from vstatics.synthesis.teeth_solutions import KEPT, TeethSolution, teeth_solutions
 from vstatics.synthesis.teeth_table import TeethTable, teeth_table
 from vstatics.synthesis.teeth_targets import TeethError
 from vstatics.synthesis.teeth_windows import (
-    ends_by_ranges,
     growing_limits,
     least_possible,
     narrowed,
@@ -47,6 +47,8 @@ class FoundTeeth(NamedTuple):
     """All other teeth have an error that is no smaller [-]."""
     is_proven: bool
     """Whether no others are better than the last of the solutions."""
+    doubts: Sequence[str]
+    """Ratios that no teeth come to, in words."""
 
 
 def find_teeth(
@@ -95,8 +97,8 @@ def find_teeth(
         tables.append(_whole_table(one))
         advance(1)
     full = [table for table in tables if table is not None]
-    ends = _ends(rows, tables)
-    _check_signs(problem, *ends)
+    ends = reach(rows, tables)
+    refuse_signs(problem, *ends)
     if len(full) == len(tables):
         best = best_teeth(full, problem.targets, KEPT, advance=advance)
     else:
@@ -104,7 +106,8 @@ def find_teeth(
     solutions = [*teeth_solutions(problem, full, best)]
     last = solutions[-1].error if solutions else math.inf
     is_proven = best.bound >= last * (1 - EXACT) - EXACT
-    return FoundTeeth(solutions, problem, full, best.bound, is_proven)
+    doubts = [*reach_doubts(problem, *ends)]
+    return FoundTeeth(solutions, problem, full, best.bound, is_proven, doubts)
 
 
 def _whole_table(rows: TeethRows) -> TeethTable | None:
@@ -142,34 +145,6 @@ def none_fits(layout: TeethLayout, told: Counter[str]) -> Problem:
         of = "" if label == COAXIAL else f" ({left[label]} of {sum(left.values())})"
         message += f"; most are excluded by: {label}{of}"
     return Problem(message)
-
-
-def _ends(rows: Sequence[TeethRows], tables: Sequence[TeethTable | None]) -> tuple[Floats, Floats]:
-    """The least and largest ratios of all elements; by the ranges where no table tells them."""
-    ends = [
-        ends_by_ranges(one) if table is None else (table.low[0], table.high[0])
-        for one, table in zip(rows, tables, strict=True)
-    ]
-    return np.concatenate([low for low, _ in ends]), np.concatenate([high for _, high in ends])
-
-
-def _check_signs(problem: TeethProblem, low: Floats, high: Floats) -> None:
-    """Refuse what has the other sign than all that the teeth can make.
-
-    Raises
-    ------
-    CaseError
-    """
-    problems = []
-    for target in problem.targets:
-        ends = target.ends(low[np.newaxis], high[np.newaxis])
-        if ends and (ends[1] <= 0 < target.wanted or target.wanted < 0 <= ends[0]):
-            side = "below" if target.wanted > 0 else "above"
-            read = f"{target.name}: read {target.wanted:g}, but {reach_text(*ends)}"
-            message = f"{read}: expected a ratio {side} 0"
-            problems.append(Problem(message, ("ratios", target.name)))
-    if problems:
-        raise CaseError(problems)
 
 
 def _by_limits(

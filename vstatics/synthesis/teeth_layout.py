@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 from functools import cached_property
 from typing import NamedTuple
 
@@ -68,6 +69,20 @@ class TeethLayout:
     def name(self) -> str:
         """That of the element."""
         return self.element.name
+
+    @cached_property
+    def own_teeth(self) -> dict[int, int]:
+        """By wheel: how many it has in the case, where the case tells them."""
+        if not self.is_drawn:
+            return {}
+        given: list[Fraction | float | None]
+        if self.planets:
+            group = group_of(self.element)
+            given = [wheel.teeth for wheel in group.wheels]
+            given += [teeth for rims in group.planets.values() for teeth in rims.values()]
+        else:
+            given = [self.element.teeth.get(wheel) for wheel in self.wheels]
+        return {n: int(one) for n, one in enumerate(given) if one is not None and one == int(one)}
 
     @cached_property
     def component(self) -> tuple[int, ...]:

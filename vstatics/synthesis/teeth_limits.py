@@ -14,7 +14,8 @@ Range = tuple[int, int]
 """Fewest and most teeth."""
 
 MOST_TEETH = 60
-"""Of a wheel or rim whose range is not given: of an external one of a planetary set."""
+"""Of a wheel or rim whose range is not given and that has no more itself: of an external one of a
+planetary set."""
 MOST_OF_PAIR = 100
 """The same of a wheel of a pair."""
 MOST_OF_RING = 121
@@ -51,7 +52,8 @@ class TeethLimits:
         Of an element. [mm]
     shift : int
         Teeth by which axes may differ, as shifted profiles make up for it. Without, they coincide,
-        and no wheel with fewer than 17 teeth is looked for unless a range says so.
+        and no wheel with fewer than 17 teeth is looked for unless a range says so, or the case
+        has such a wheel.
     """
 
     ranges: Mapping[str, Range] = field(default_factory=lambda: _NO_RANGES)
@@ -63,7 +65,10 @@ class TeethLimits:
     shift: int = 0
 
     def of_wheels(self, layout: TeethLayout) -> list[Range]:
-        """The range of each wheel of an element; the most special one that is given."""
+        """The range of each wheel of an element; the most special one that is given.
+
+        One that is not given holds the wheel's own number of teeth.
+        """
         return [self._of_wheel(layout, number) for number in range(len(layout.wheels))]
 
     def _of_wheel(self, layout: TeethLayout, number: int) -> Range:
@@ -74,7 +79,9 @@ class TeethLimits:
         most = MOST_TEETH if layout.planets else MOST_OF_PAIR
         if layout.internal[number]:
             most = MOST_OF_RING
-        return (UNCUT_SHIFTED if self.shift else UNCUT, most)
+        least = UNCUT_SHIFTED if self.shift else UNCUT
+        own = layout.own_teeth.get(number, least)
+        return min(least, own), max(most, own)
 
     def counts(self, layout: TeethLayout) -> tuple[int, ...]:
         """How many planets an element may have, the number that is best liked first."""
