@@ -20,7 +20,7 @@ def box_grids(searched: int, boxes: Sequence[RankedBox]) -> Iterator[Grid]:
     """
     yield _counts(searched, boxes)
     if boxes:
-        yield _pareto(boxes)
+        yield from _pareto(boxes)
         yield _of_families(boxes)
 
 
@@ -34,49 +34,52 @@ def _counts(searched: int, boxes: Sequence[RankedBox]) -> Grid:
 
 def all_boxes(boxes: Sequence[RankedBox]) -> Grid:
     """A row for each found box, in their order."""
-    return _listed("Found boxes", "boxes", list(enumerate(boxes, 1)))
+    columns = [Column("box"), *_figure_columns(boxes), *_scheme_columns(boxes)]
+    rows = [[whole(place), *_figures(box), *_scheme(box)] for place, box in enumerate(boxes, 1)]
+    return Grid("Found boxes", columns, rows, key="boxes")
 
 
-def _pareto(boxes: Sequence[RankedBox]) -> Grid:
-    """Those of the Pareto list, with their places among all."""
+def _pareto(boxes: Sequence[RankedBox]) -> Iterator[Grid]:
+    """Those of the Pareto list, with their places among all: figures, then what they are."""
     own = [(place, box) for place, box in enumerate(boxes, 1) if box.pareto]
-    return _listed("Pareto list", "pareto", own)
+    figures: list[Row] = [[whole(place), *_figures(box)] for place, box in own]
+    yield Grid("Pareto list", [Column("box"), *_figure_columns(boxes)], figures, key="pareto")
+    schemes: list[Row] = [[whole(place), *_scheme(box)] for place, box in own]
+    columns = [Column("box"), *_scheme_columns(boxes)]
+    yield Grid("Schemes of the Pareto list", columns, schemes, key="schemes")
 
 
-def _listed(title: str, key: str, boxes: Sequence[tuple[int, RankedBox]]) -> Grid:
-    """Boxes with their places among all; their sets are the same ones, and so is what is held."""
-    first = boxes[0][1].found if boxes else None
-    sets = list(first.ratios) if first else []
-    ports = ("input", "output", *(["held"] if first and first.box.held is not None else []))
-    columns = [
-        *map(Column, ("box", "family", "loss [%]", "planet speed", "slip", "torque")),
-        *map(Column, ("brakes", "clutches", "single", "planar")),
-        *map(Column, sets),
-        *map(text, ("code", *ports, "elements")),
-    ]
-    rows: list[Row] = [
-        [whole(place), whole(box.family), *_figures(box), *_structure(box)] for place, box in boxes
-    ]
-    return Grid(title, columns, rows, key=key)
+def _figure_columns(boxes: Sequence[RankedBox]) -> list[Column]:
+    """Figures, then the ratios of the sets, which all boxes have."""
+    names = ("family", "loss [%]", "planet speed", "slip", "torque", "brakes", "clutches")
+    sets = boxes[0].found.ratios if boxes else ()
+    return [*map(Column, names), *map(Column, ("single", "planar")), *map(Column, sets)]
+
+
+def _scheme_columns(boxes: Sequence[RankedBox]) -> list[Column]:
+    """Code, ports and elements; what is held, if it is in any."""
+    has_held = bool(boxes) and boxes[0].found.box.held is not None
+    return [*map(text, ("code", "input", "output", *["held"] * has_held, "elements"))]
 
 
 def _figures(box: RankedBox) -> Row:
     own = box.found.figures
     numbers = (own.planet_speed, own.slip, own.torque)
     return [
+        whole(box.family),
         exact(100 * own.loss, 2),
         *(exact(number) for number in numbers),
         *(whole(count) for count in (own.brakes, own.clutches)),
         *(sign(one) for one in (own.single, own.planar)),
+        *(exact(ratio) for ratio in box.found.box.ratios),
     ]
 
 
-def _structure(box: RankedBox) -> Row:
-    """The ratios of its sets, its code, ports and elements."""
+def _scheme(box: RankedBox) -> Row:
+    """Its code, ports and elements."""
     own = box.found.box
-    ratios = (exact(ratio) for ratio in own.ratios)
     ports = (str(link) for link in (own.input, own.output, own.held) if link is not None)
-    return [*ratios, own.scheme.code, *ports, " ".join(box.found.elements)]
+    return [own.scheme.code, *ports, " ".join(box.found.elements)]
 
 
 def _of_families(boxes: Sequence[RankedBox]) -> Grid:
