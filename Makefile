@@ -47,7 +47,7 @@ golden: .venv/dev.stamp ## rewrite tests/golden; fails where something changed
 schema: .venv/dev.stamp ## rewrite schemas/ from the declarations
 	$(BIN)/python -m vstatics.cli.schemas schemas
 
-bench: .venv/dev.stamp ## all figures of docs/performance.md (needs a C compiler, 5 minutes)
+bench: .venv/dev.stamp ## the figures of docs/performance.md but those of boxes (C compiler, 5 minutes)
 	$(BIN)/python benchmarks
 
 boxes: .venv/dev.stamp ## the eight-speed search of docs/performance.md (ten minutes)
