@@ -101,6 +101,8 @@ def test_few_teeth_and_a_target_far_away() -> None:
 def test_the_ranges_hold_the_own_teeth_and_what_is_beyond_them_is_told() -> None:
     """P3 of BelAZ-7516 has 15 teeth on sun and planet; no other has fewer than 17."""
     answer = said("--ratios", "2=20,P4=-2", "--dry-run", "-f", "json")
-    ranges = json.loads(answer.out)["ranges"]
+    asked = json.loads(answer.out)
+    ranges = asked["ranges"]
+    assert asked["kinds"] == {"P3": "planetary", "P4": "planetary"}
     assert {name: one["sun"]["from"] for name, one in ranges.items()} == {"P3": 15, "P4": 17}
     assert "warning: gear 2 can't have 20: within the bounds its ratio is" in answer.err

@@ -84,6 +84,11 @@ def tell(problems: Sequence[Problem], telling: Telling, file: str) -> None:
     files.show(telling.quiet_failure(problems, file_name(file)))
 
 
+def warnings_of(messages: Iterable[str], file: str) -> list[Problem]:
+    """Warnings about a file as a whole."""
+    return [of_file(file, one)._replace(severity="warning") for one in messages]
+
+
 def one_text(wanted: OutputOptions, inputs: Sequence[str]) -> Destination:
     """Where the result goes; a directory is for several, of which there are none."""
     to = wanted.destination(inputs)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
 
 import click
@@ -13,7 +13,7 @@ from vstatics.cli import cases as arguments
 from vstatics.cli import files, formats
 from vstatics.cli.exit_status import DONE, FAILED
 from vstatics.cli.formats import OutputOptions
-from vstatics.cli.one_case import file_name, one_text, problems_of, show_alone, tell
+from vstatics.cli.one_case import file_name, one_text, problems_of, show_alone, tell, warnings_of
 from vstatics.cli.option_values import named, number, pair, wrong_use
 from vstatics.cli.progress import progress
 from vstatics.cli.synth_case_file import case_format, write_case, written_case
@@ -119,7 +119,7 @@ def fit(
                     advance=advance,
                 )
     if dry_run:
-        notes = _warnings(doubts(problem), file_name(case))
+        notes = warnings_of(doubts(problem), file_name(case))
         tell(notes, telling, case)
         show_alone(case, to, own.name, lambda: dry_grids(problem), lambda: dry_document(problem))
         return FAILED if telling.fails([*reading.warnings, *notes]) else DONE
@@ -162,8 +162,4 @@ def _notes(found: Fit, file: str) -> list[Problem]:
     if found.free:
         choice = f"the wanted ratios leave a choice of {listed(found.free)}"
         told.append(f"{choice}: they are as near as may be to the case's own")
-    return notes + _warnings(told, file)
-
-
-def _warnings(texts: Iterable[str], file: str) -> list[Problem]:
-    return [of_file(file, one)._replace(severity="warning") for one in texts]
+    return notes + warnings_of(told, file)

@@ -13,7 +13,7 @@ from vstatics.cli import formats
 from vstatics.cli.exit_status import DONE, FAILED
 from vstatics.cli.formats import OutputOptions
 from vstatics.cli.named_values import separated
-from vstatics.cli.one_case import file_name, one_text, problems_of, show_alone, tell
+from vstatics.cli.one_case import file_name, one_text, problems_of, show_alone, tell, warnings_of
 from vstatics.cli.option_values import named, number, pair, wrong_use
 from vstatics.cli.progress import progress
 from vstatics.cli.synth_case_file import case_format, write_case, written_case
@@ -45,7 +45,9 @@ from vstatics.synthesis.teeth_targets import TeethError
     multiple=True,
     metavar="WHEEL=LOW:HIGH,...",
     help="Fewest and most teeth, or the number there is to be: of the wheels of one name, "
-    "sun=17:60, of one of them, P2.ring=40:121, or of all others, all=17:90.",
+    "sun=17:60, of one of them, P2.ring=40:121, or of all others, all=17:90. Else 17 to 60, "
+    "rings to 121, wheels of pairs to 100, and as far as what the case has. Fewer than 17 mean a "
+    "shifted profile.",
 )
 @click.option(
     "--planets",
@@ -64,7 +66,8 @@ from vstatics.synthesis.teeth_targets import TeethError
     "--centre",
     multiple=True,
     metavar="PAIR=A,...",
-    help="Distance of the axes of an external gear pair in modules, half the sum of its teeth.",
+    help="Distance of the axes of an external gear pair in modules, half the sum of its teeth; "
+    "pairs on the same two shafts need it, since their axes are not compared.",
 )
 @click.option(
     "--modules",
@@ -84,7 +87,7 @@ from vstatics.synthesis.teeth_targets import TeethError
     default="0",
     show_default=True,
     help="Teeth by which axes may differ, up to 2, as shifted profiles make up for it; else they "
-    "coincide.",
+    "coincide. Then wheels may have 14 teeth.",
 )
 @click.option(
     "--error",
@@ -93,7 +96,9 @@ from vstatics.synthesis.teeth_targets import TeethError
     show_default=True,
     help="What is least in its largest value: |ln(i/target)|, or |i - target|.",
 )
-@click.option("--dry-run", is_flag=True, help="Only say which wheels are looked for.")
+@click.option(
+    "--dry-run", is_flag=True, help="Only say which wheels of which kinds are looked for."
+)
 @written_case
 @formats.options(*formats.TABLES)
 @arguments.input_format
@@ -118,9 +123,11 @@ def teeth(
     """Find teeth of the elements of CASE for wanted ratios; - is standard input.
 
     All teeth fulfil the conditions: axes coincide, planets go in and don't touch, no wheel is
-    undercut, no tips foul one another in a ring. The 20 best are given, each with other teeth, by
+    undercut (14 to 16 teeth, where a range has them, need a shifted profile), no tips foul one
+    another in a ring. The 20 best are given, each with other teeth, by
     the largest error of all that is wanted; it is proven that no others are better. A mechanism
-    without teeth counts as a planetary set, or as a pair of wheels where it has two links.
+    without teeth counts as a planetary set, or as a pair of wheels where it has two links:
+    --dry-run tells which.
 
     \b
     Examples:
@@ -150,7 +157,7 @@ def teeth(
         asked = asked or own_ratios(own)
         if dry_run:
             problem = teeth_problem(own, asked, limits, error)
-            notes = _warnings(doubts_before(problem), file_name(case))
+            notes = warnings_of(doubts_before(problem), file_name(case))
             tell(notes, telling, case)
             show_alone(
                 case, to, own.name, lambda: asked_grids(problem), lambda: asked_document(problem)
@@ -231,7 +238,7 @@ _OPTIONS = (
 
 def _notes(found: FoundTeeth, file: str) -> Iterator[Problem]:
     """What to know of the solutions."""
-    yield from _warnings(found.doubts, file)
+    yield from warnings_of(found.doubts, file)
     if found.problem.unused:
         message = f"in no wanted ratio, so as they are: {listed(found.problem.unused)}"
         yield of_file(file, message)._replace(severity="note")
@@ -240,8 +247,4 @@ def _notes(found: FoundTeeth, file: str) -> Iterator[Problem]:
             f"the search was ended: that others are better is possible, "
             f"but none has an error below {found.bound:.3g}"
         )
-        yield from _warnings([message], file)
-
-
-def _warnings(texts: Iterable[str], file: str) -> list[Problem]:
-    return [of_file(file, one)._replace(severity="warning") for one in texts]
+        yield from warnings_of([message], file)

@@ -23,7 +23,7 @@ from vstatics.elements.teeth.conditions import (
 from vstatics.numerics.arrays import Booleans, Floats, Integers
 from vstatics.numerics.tolerances import GAP
 from vstatics.synthesis.teeth_layout import TeethLayout
-from vstatics.synthesis.teeth_limits import TeethLimits
+from vstatics.synthesis.teeth_limits import AxisEquation, TeethLimits
 
 FOOT = 2.5
 """What a ring is wider than its pitch circle: its teeth, and as much metal as makes it a body."""
@@ -220,3 +220,19 @@ def _assembly(layout: TeethLayout, train: list[int]) -> Test:
         return found
 
     return test
+
+
+def solved(
+    equation: AxisEquation, column: int, candidates: TeethCandidates
+) -> tuple[Floats, Floats]:
+    """The teeth of a wheel by an equation in which all others are known."""
+    rest = np.full(len(candidates.rows), -equation.value)
+    for wheel, (factor, component) in equation.terms.items():
+        if wheel != column:
+            rest = rest + factor * candidates.module(component) * candidates.teeth(wheel)
+    factor, component = equation.terms[column]
+    within, both = equation.tolerance
+    slack = within * (candidates.module(both[0]) + candidates.module(both[1])) / 2
+    by = factor * candidates.module(component)
+    ends = (-slack - rest) / by, (slack - rest) / by
+    return np.minimum(*ends), np.maximum(*ends)

@@ -33,7 +33,7 @@ def teeth_schema() -> Schema:
 
 
 def asked_document(problem: TeethProblem) -> dict[str, Any]:
-    """What is looked for: ranges of wheels, numbers of planets."""
+    """What is looked for: ranges of wheels, numbers of planets, the kinds of the elements."""
     limits = problem.limits
     ranges = {
         layout.name: {
@@ -43,4 +43,5 @@ def asked_document(problem: TeethProblem) -> dict[str, Any]:
         for layout in problem.layouts
     }
     planets = {one.name: sorted(limits.counts(one)) for one in problem.layouts if one.planets}
-    return {"ranges": ranges, "planets": planets}
+    kinds = {one.name: one.element.kind for one in problem.layouts}
+    return {"ranges": ranges, "planets": planets, "kinds": kinds}

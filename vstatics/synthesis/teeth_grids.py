@@ -96,13 +96,17 @@ def _choice(found: FoundTeeth) -> Grid:
 
 
 def asked_grids(problem: TeethProblem) -> Iterator[Grid]:
-    """What is looked for, before it is: the ranges of all wheels."""
+    """What is looked for, before it is: the ranges of all wheels, and of what kind each element is.
+
+    A mechanism has the kind that it is taken for.
+    """
     limits: TeethLimits = problem.limits
     rows: list[Row] = []
     for layout in problem.layouts:
         planets = ", ".join(map(str, sorted(limits.counts(layout)))) if layout.planets else "-"
         for wheel, (low, high) in zip(layout.wheels, limits.of_wheels(layout), strict=True):
             row: Row = [f"{layout.name}.{wheel}", whole(low), whole(high), planets]
+            row.append(layout.element.kind)
             rows.append(row)
-    columns = [text("wheel"), Column("from"), Column("to"), text("planets")]
+    columns = [text("wheel"), Column("from"), Column("to"), text("planets"), text("kind")]
     yield Grid("Ranges", columns, rows)

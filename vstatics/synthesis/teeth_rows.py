@@ -17,7 +17,12 @@ import numpy as np
 
 from vstatics.elements.teeth.conditions import UNCUT_SHIFTED
 from vstatics.numerics.arrays import Floats, Integers
-from vstatics.synthesis.teeth_conditions import TeethCandidates, TeethCondition, teeth_conditions
+from vstatics.synthesis.teeth_conditions import (
+    TeethCandidates,
+    TeethCondition,
+    solved,
+    teeth_conditions,
+)
 from vstatics.synthesis.teeth_layout import TeethLayout
 from vstatics.synthesis.teeth_limits import AxisEquation, TeethLimits, axis_equations
 from vstatics.synthesis.teeth_order import growth_order
@@ -188,7 +193,7 @@ class TeethRows:
         candidates = TeethCandidates(self.layout, self.modules, rows)
         for equation in self._equations:
             if column in equation.terms and equation.terms.keys() <= known | {column}:
-                yield equation.label, _solved(equation, column, candidates)
+                yield equation.label, solved(equation, column, candidates)
         for number, window in windows.items():
             powers = self.layout.ratios[number].powers
             if column in powers:
@@ -240,19 +245,3 @@ class TeethRows:
             waiting = [one for one in waiting if not one.needs <= known]
             plan.append((column, now))
         return plan
-
-
-def _solved(
-    equation: AxisEquation, column: int, candidates: TeethCandidates
-) -> tuple[Floats, Floats]:
-    """The teeth of a wheel by an equation in which all others are known."""
-    rest = np.full(len(candidates.rows), -equation.value)
-    for wheel, (factor, component) in equation.terms.items():
-        if wheel != column:
-            rest = rest + factor * candidates.module(component) * candidates.teeth(wheel)
-    factor, component = equation.terms[column]
-    within, both = equation.tolerance
-    slack = within * (candidates.module(both[0]) + candidates.module(both[1])) / 2
-    by = factor * candidates.module(component)
-    ends = (-slack - rest) / by, (slack - rest) / by
-    return np.minimum(*ends), np.maximum(*ends)
