@@ -27,6 +27,7 @@ from vstatics.cli import COMMANDS
 from vstatics.cli.torsion import COMMANDS as TORSION
 from vstatics.extras import build
 
+pytestmark = pytest.mark.slow  # each starts the program anew
 RUSSIAN = NEUTRAL.replace("links: 3", "name: коробка\nlinks: 3").replace("low:", "низшая:")
 LISTING = vstatics("run", MZKT).out.encode()
 

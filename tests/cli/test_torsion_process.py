@@ -12,6 +12,7 @@ import pytest
 from tests.cli.torsional import GOOD, said
 from tests.commands import environment, on_terminal, shell
 
+pytestmark = pytest.mark.slow  # each starts the program anew
 SIMPLIFY = ("simplify", "--gear", "direct", "--links", "2")
 
 
