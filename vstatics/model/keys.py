@@ -14,10 +14,10 @@ from vstatics.model.parts import (
     ELEMENT_KINDS,
     GEAR_KINDS,
     Gear,
-    Mechanism,
     ShiftElement,
     load_fault,
     load_of,
+    mechanism_of,
 )
 from vstatics.model.shape import (
     FLAG,
@@ -95,7 +95,12 @@ MECHANISM = ByKey(
     (
         KeyShape("first", LINK, "First link; the sun of a planetary set.", required=True),
         KeyShape("second", LINK, "Second link; the ring of a planetary set.", required=True),
-        KeyShape("third", LINK, "Third link; the carrier of a planetary set.", default=0),
+        KeyShape(
+            "third",
+            LINK,
+            "Third link; the carrier of a planetary set. The housing: of one that is held for "
+            "good; without a third link it is a pair of wheels.",
+        ),
         KeyShape(
             "ratio",
             NUMBER,
@@ -128,7 +133,7 @@ MECHANISM = ByKey(
         ),
         *ELASTIC,
     ),
-    Mechanism,
+    mechanism_of,
 )
 
 LOAD = ByKey(

@@ -123,6 +123,9 @@ class Mechanism(NamedTuple):
         when not given. [N*m/rad]
     damping : Damping or float
         Beside the stiffness; a number is viscous. [N*m*s/rad]
+    is_set : bool
+        With the housing as third link: whether it is a planetary set with its carrier held, not
+        a pair of wheels.
     """
 
     first: int
@@ -135,6 +138,7 @@ class Mechanism(NamedTuple):
     back_efficiency: float | None = None
     stiffness: float | None = None
     damping: Damping | float = NO_DAMPING
+    is_set: bool = False
 
     @property
     def links(self) -> tuple[int, int, int]:
@@ -148,6 +152,25 @@ class Mechanism(NamedTuple):
         ``(ratio + 1)/2``, with the sun or with the ring as first link.
         """
         return (self.third != HOUSING) & (ratio < 0) & (ratio != -1)
+
+
+def mechanism_of(third: int | None = None, **others: Any) -> Mechanism:
+    """The mechanism of what a case gives: the housing as third link is the carrier of a set.
+
+    Examples
+    --------
+    >>> mechanism_of(0, first=1, second=2, ratio=1.5).is_set
+    True
+    >>> mechanism_of(first=1, second=2, ratio=1.5).is_set
+    False
+    """
+    return Mechanism(third=third or HOUSING, is_set=third == HOUSING, **others)
+
+
+def mechanism_record(mechanism: Mechanism) -> dict[str, Any]:
+    """What `mechanism_of` takes."""
+    has_third = mechanism.third != HOUSING or mechanism.is_set
+    return {**mechanism._asdict(), "third": mechanism.third if has_third else None}
 
 
 class Load(NamedTuple):

@@ -78,5 +78,12 @@ def _set(place: int, links: Sequence[int], ratio: float, efficiency: float) -> M
     sun, carrier, ring = links
     of_planet = (ratio + 1) / 2 if carrier == HOUSING and ratio < 0 and ratio != -1 else None
     return Mechanism(
-        sun, ring, carrier, ratio, efficiency, planet_ratio=of_planet, name=set_name(place)
+        sun,
+        ring,
+        carrier,
+        ratio,
+        efficiency,
+        planet_ratio=of_planet,
+        name=set_name(place),
+        is_set=carrier == HOUSING,
     )

@@ -146,8 +146,9 @@ class TeethLayout:
 def teeth_layouts(own: OwnLinks) -> list[TeethLayout]:
     """Everything of a case whose teeth can be looked for.
 
-    A mechanism without teeth is what it would be as an element: with a third link a planetary set,
-    of meshed planets where its ratio is above 0, else a pair of wheels.
+    A mechanism without teeth is what it would be as an element: with a third link, also with the
+    housing in its place, a planetary set, of meshed planets where its ratio is above 0, else a pair
+    of wheels.
 
     Examples
     --------
@@ -181,7 +182,7 @@ def _stand_in(mechanism: Mechanism) -> Element | None:
     name, ratio = mechanism.name, mechanism.ratio
     if mechanism.back_efficiency is not None:
         return None
-    if mechanism.third != HOUSING:
+    if mechanism.third != HOUSING or mechanism.is_set:
         first, second = _wheels_of(mechanism)
         members = {first: mechanism.first, second: mechanism.second, "carrier": mechanism.third}
         kind = "planetary" if ratio < 0 else "double_planet"

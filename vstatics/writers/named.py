@@ -11,7 +11,7 @@ from vstatics.elements.drawing import drawing_of
 from vstatics.errors import printable
 from vstatics.model.clutch_dump import dump_record
 from vstatics.model.keys import CASE
-from vstatics.model.parts import OfLoad
+from vstatics.model.parts import OfLoad, mechanism_record
 from vstatics.model.shape import (
     UNITS,
     ByKey,
@@ -67,6 +67,8 @@ def mapping(case: Transmission) -> dict[str, Any]:
     values["output"] = None if case.outputs or case.output == own else case.output
     for part in ("shift_elements", "mechanisms", "gears"):
         values[part] = {item.name: item for item in values[part]}
+    sets = values["mechanisms"]  # those of a drawing, where there is one
+    values["mechanisms"] = {name: mechanism_record(one) for name, one in sets.items()}
     values["springs"] = {one.name: spring_record(one) for one in case.springs}
     values["dump"] = dump_record(case.dump)
     order = _CASE if shape is CASE else _as_written(shape)
