@@ -11,6 +11,7 @@ from vstatics.synthesis.box import FoundBox
 from vstatics.synthesis.box_case import box_case
 from vstatics.synthesis.scheme import SetScheme
 from vstatics.synthesis.teeth_layout import teeth_layouts
+from vstatics.writers import deck
 from vstatics.writers.named import mapping, write_json, write_yaml
 
 MEMBERS = ("sun", "carrier", "ring")
@@ -46,3 +47,4 @@ def test_a_pair_has_no_third_link(third: str, is_set: bool) -> None:
     case = read(text.encode(), "a.yaml").case
     assert case.mechanisms[0].is_set is is_set
     assert ("third" in mapping(case)["mechanisms"]["g"]) is is_set
+    assert ("third: housing of mechanism g" in deck.lost(case)) is is_set

@@ -104,6 +104,7 @@ def lost(case: Transmission) -> list[str]:
             for part in parts
             for key in _unkept(part, shape)
         ),
+        *(f"third: housing of mechanism {one.name}" for one in case.mechanisms if one.is_set),
         *(
             f"speed of link {case.link_name(link)} in gear {gear.name} as that of another link"
             for gear in case.gears
