@@ -616,6 +616,7 @@ OTHER: dict[type, dict[str, object]] = {
         "back_efficiency": 0.5,
         "stiffness": 9e4,
         "damping": Damping(3.0),
+        "is_set": True,
     },
     Spring: {
         "twist": ((3, 1.0), (4, -2.0)),

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import click
 
@@ -11,28 +12,33 @@ from vstatics.cli import files
 from vstatics.cli.exit_status import DONE
 from vstatics.cli.formats import Destination
 from vstatics.errors import CaseError, ReadError, of_file
-from vstatics.pictures import Format
-from vstatics.pictures.style import Style
-from vstatics.synthesis.box_listing import BoxListing
-from vstatics.synthesis.box_reading import is_listing, read_boxes, read_document
+
+if TYPE_CHECKING:  # they cost start-up time
+    from vstatics.pictures import Format
+    from vstatics.pictures.style import Style
+    from vstatics.synthesis.box_listing import BoxListing
 
 
 def listing_in(file: str) -> tuple[BoxListing, dict[str, Any]] | None:
     """The found boxes that a file lists, and its document; None if it is another file.
 
-    Standard input is left to those that read cases.
+    What can be read but once is left to those that read cases: standard input, pipes.
 
     Raises
     ------
     ReadError
         If it is such a document with something wrong.
     """
-    if file == files.STDIN:
+    if file == files.STDIN or not os.path.isfile(file):  # noqa: PTH113
         return None
     try:
         data, name = files.read_input(file)
     except ReadError:  # told where cases are read
         return None
+    if b'"searched"' not in data:
+        return None
+    from vstatics.synthesis.box_reading import is_listing, read_document
+
     if not is_listing(data):
         return None
     return read_document(data, name)
@@ -49,6 +55,7 @@ def plot_boxes(cases: Sequence[str], to: Destination, form: Format, style: Style
         If the file has none, or can't be written.
     """
     from vstatics.pictures.boxes import render_boxes
+    from vstatics.synthesis.box_reading import read_boxes
 
     if len(cases) > 1 or to.is_folder:
         raise click.UsageError("boxes: expected one document of found boxes, and a file for it")

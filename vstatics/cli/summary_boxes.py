@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
 
 import click
 
 from vstatics.cli.cases import CalculatedCase, CaseOptions
 from vstatics.errors import ReadError, of_file
 from vstatics.statics.solve import solve
-from vstatics.synthesis.box_listing import BoxListing, ListedBox, drawn_boxes
+
+if TYPE_CHECKING:  # it costs start-up time
+    from vstatics.synthesis.box_listing import BoxListing, ListedBox
 
 MOST = 6
 """So many boxes stand side by side where nobody says which."""
@@ -40,6 +43,8 @@ def calculated_boxes(
 
 
 def _chosen(listing: BoxListing, asked: Sequence[int]) -> list[ListedBox]:
+    from vstatics.synthesis.box_listing import drawn_boxes
+
     if not asked:
         return drawn_boxes(listing, MOST)
     last = len(listing.boxes)

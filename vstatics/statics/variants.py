@@ -131,7 +131,7 @@ WITHOUT_EFFECT: dict[type, frozenset[str]] = {
         }
     ),
     ShiftElement: frozenset({"name", "capacity", "stiffness", "damping", "static", "friction"}),
-    Mechanism: frozenset({"name", "stiffness", "damping"}),
+    Mechanism: frozenset({"name", "stiffness", "damping", "is_set"}),
     Spring: frozenset({"name", "stiffness", "compliance", "damping", "limit"}),
     Gear: frozenset({"name", "load"}),
 }
