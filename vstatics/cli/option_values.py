@@ -10,28 +10,9 @@ import click
 
 from vstatics.cli.named_values import named_values
 from vstatics.errors import CaseError, quoted
-from vstatics.readers.named.arithmetic import calculated, expected
+from vstatics.readers.named.scalars import number
 
 Value = TypeVar("Value")
-
-
-def number(text: str) -> float:
-    """A number, or a calculation of one.
-
-    Raises
-    ------
-    ValueError
-        With what was expected.
-
-    Examples
-    --------
-    >>> number("-73/35 - 1") == -73 / 35 - 1
-    True
-    """
-    read = calculated(text)
-    if read.behind:
-        raise ValueError(expected(text))
-    return read.value
 
 
 def pair(text: str, example: str = "-4:-1.5") -> tuple[float, float]:

@@ -11,8 +11,9 @@ import click
 
 from vstatics.cli.cases import Command
 from vstatics.cli.named_values import separated
-from vstatics.cli.option_values import Value, named, number, pair, wrong_use
+from vstatics.cli.option_values import Value, named, pair, wrong_use
 from vstatics.errors import nearest, plural, quoted, spoken, typed_number
+from vstatics.readers.named.scalars import number
 from vstatics.synthesis.box import BoxSearch
 from vstatics.synthesis.box_checks import check_box_search
 from vstatics.synthesis.box_filter import LIMITED, BoxFilter

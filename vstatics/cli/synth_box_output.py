@@ -60,7 +60,8 @@ class FoundBoxes:
         """What was searched for."""
         search = self.search
         sets = f"{search.sets} {plural('set', search.sets)}"
-        return f"{sets}, {search.elements} elements, {search.engaged} engaged"
+        elements = f"{search.elements} {plural('element', search.elements)}"
+        return f"{sets}, {elements}, {search.engaged} engaged"
 
     def text(self, form: str, style: TextStyle) -> bytes:
         """The result in a format; in JSON lines each box is one."""

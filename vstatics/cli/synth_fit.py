@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
-from contextlib import contextmanager
 
 import click
 
@@ -14,13 +12,13 @@ from vstatics.cli import files, formats
 from vstatics.cli.exit_status import DONE, FAILED
 from vstatics.cli.formats import OutputOptions
 from vstatics.cli.one_case import file_name, one_text, problems_of, show_alone, tell, warnings_of
-from vstatics.cli.option_values import named, number, pair, wrong_use
+from vstatics.cli.option_values import named, pair, wrong_use
 from vstatics.cli.progress import progress
 from vstatics.cli.synth_case_file import case_format, write_case, written_case
 from vstatics.cli.telling import Telling
 from vstatics.errors import Problem, listed, of_file, spoken
 from vstatics.model.transmission import Transmission
-from vstatics.readers.reading import Reading
+from vstatics.readers.named.scalars import number
 from vstatics.synthesis.fit import TOLERANCE, Fit
 from vstatics.synthesis.fit import fit as fitted
 from vstatics.synthesis.fit_document import fit_document
@@ -105,7 +103,7 @@ def fit(
     )
     reading = arguments.read_one(case, input_format, telling)
     own = reading.case
-    with _told(reading):
+    with problems_of(reading), wrong_use(_OPTIONS):
         if dry_run:
             problem = fit_problem(own, *given, tolerance)
         else:
@@ -140,13 +138,6 @@ def _write(case: Transmission, found: Fit, target: str, form: str, telling: Tell
     for what in () if telling.quiet else left_out_by_fit(case, found.ratios):
         files.say(f"{target}: left out: {what}")
     return kept and not lost
-
-
-@contextmanager
-def _told(reading: Reading) -> Iterator[None]:
-    """Tell what can't be asked for as wrong use, what is wrong with the case at its place."""
-    with problems_of(reading), wrong_use(_OPTIONS):
-        yield
 
 
 _OPTIONS = ("ratios", "bounds", "weights", "tolerance")

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from contextlib import contextmanager
 
 import click
 
@@ -14,12 +13,12 @@ from vstatics.cli.exit_status import DONE, FAILED
 from vstatics.cli.formats import OutputOptions
 from vstatics.cli.named_values import separated
 from vstatics.cli.one_case import file_name, one_text, problems_of, show_alone, tell, warnings_of
-from vstatics.cli.option_values import named, number, pair, wrong_use
+from vstatics.cli.option_values import named, pair, wrong_use
 from vstatics.cli.progress import progress
 from vstatics.cli.synth_case_file import case_format, write_case, written_case
 from vstatics.cli.telling import Telling
 from vstatics.errors import Problem, listed, of_file, quoted
-from vstatics.readers.reading import Reading
+from vstatics.readers.named.scalars import number
 from vstatics.synthesis.teeth import FoundTeeth, NoTeethError, find_teeth
 from vstatics.synthesis.teeth_case import case_with_teeth
 from vstatics.synthesis.teeth_document import asked_document, teeth_document
@@ -153,7 +152,7 @@ def teeth(
     asked = named("ratios", ratios, "NAME=RATIO", number)
     reading = arguments.read_one(case, input_format, telling)
     own = reading.case
-    with _told(reading):
+    with problems_of(reading), wrong_use(_OPTIONS):
         asked = asked or own_ratios(own)
         if dry_run:
             problem = teeth_problem(own, asked, limits, error)
@@ -221,13 +220,6 @@ def _whole_pair(text: str) -> tuple[int, int]:
     if low != int(low) or high != int(high):
         raise ValueError("expected whole numbers of teeth, such as 17:60")
     return int(low), int(high)
-
-
-@contextmanager
-def _told(reading: Reading) -> Iterator[None]:
-    """Tell what can't be asked for as wrong use, what is wrong with the case at its place."""
-    with problems_of(reading), wrong_use(_OPTIONS):
-        yield
 
 
 _OPTIONS = (
