@@ -265,7 +265,7 @@ def test_third_gear_of_the_eight_speed_marks_its_three_elements(
     results = vstatics.solve(vstatics.load(SHIPPED / "zf-8hp70.yaml"))
     style = Style()
     colors = {text.get_text(): text.get_color() for text in draw(results, style, [3]).axes[0].texts}
-    assert {name for name, color in colors.items() if color == style.accent} == {"B", "C", "E"}
+    assert {name for name, color in colors.items() if color == style.engaged} == {"B", "C", "E"}
     assert colors["A"] == colors["D"] == style.faint
     # carrier 3 goes to the open clutch D alone; P2 and P3 are locked by E, as ring 2 = ring 3
     assert colors["carrier 3"] == colors["P3"] == style.faint

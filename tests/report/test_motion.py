@@ -23,7 +23,7 @@ SCENARIO = CASES / "scenarios" / "tarasik-set-lock.yaml"
 
 def test_a_run_has_its_events_energy_and_torques() -> None:
     shown = Page("".join(shown_run(RunSection(run()), None)))
-    assert list(shown.table("Events")) == [f"{LOCK:.9f}".lstrip("0")]
+    assert list(shown.table("Events")) == [f"{LOCK:.9f}"]
     assert value(shown.table("Energy")["brake"]["energy [J]"]) == 858.815102
     assert value(shown.table("Largest torques")["brake"]["torque [N*m]"]) == -120.0
 

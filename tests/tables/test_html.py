@@ -11,7 +11,7 @@ def test_texts_are_escaped_and_numbers_keep_their_digits() -> None:
     made = table(grid)
     assert "<h3>&lt;b&gt;</h3>" in made
     assert "a &amp; b" in made
-    assert f'<td class="number" data-value="{1 / 3!r}">.333</td>' in made
+    assert f'<td class="number" data-value="{1 / 3!r}">0.333</td>' in made
 
 
 def test_signs_are_said_and_rows_have_levels() -> None:

@@ -55,8 +55,7 @@ DPI = 150
 """Of PNG. [1/inch]"""
 
 # nothing that differs from run to run: the same case gives the same bytes
-_METADATA: dict[Format, dict[str, Any]] = {
-    "svg": {"Date": None, "Creator": None},
+_METADATA: dict[str, dict[str, Any]] = {
     "png": {"Software": None},
     "pdf": {"CreationDate": None, "Creator": None, "Producer": None},
 }
@@ -103,7 +102,8 @@ def render(  # noqa: PLR0913 - what is drawn, and how
     motion: Motion | None = None,
 ) -> bytes:
     """A picture of a result as a file; parameters and errors as of `picture`."""
-    return written(picture(results, kind, style, gears, motion=motion), form, style)
+    figure = picture(results, kind, style, gears, motion=motion)
+    return written(figure, form, style, _alternative(results, kind))
 
 
 def sheets(
@@ -123,7 +123,24 @@ def sheets(
         return [render(results, kind, "svg", style, gears, motion=motion)]
     with settings_of(style):
         figures = module.sheets(results, style, gears, *_run(kind, motion))
-    return [written(figure, "svg", style) for figure in figures]
+    return [written(figure, "svg", style, _alternative(results, kind)) for figure in figures]
+
+
+def of_each_gear(results: Results, kind: str, style: Style) -> list[bytes]:
+    """A picture of each gear as SVG, in the order of the gears.
+
+    A module with ``of_each_gear(results, style)`` makes what gears have in common once.
+    Parameters and errors as of `picture`.
+    """
+    require("plot", "a picture")
+    module = import_module(PICTURES[kind])
+    numbers = range(1, len(results.case.gears) + 1)
+    with settings_of(style):
+        if hasattr(module, "of_each_gear"):
+            figures = list(module.of_each_gear(results, style))
+        else:
+            figures = [module.draw(results, style, (number,)) for number in numbers]
+    return [written(figure, "svg", style, _alternative(results, kind)) for figure in figures]
 
 
 def _run(kind: str, motion: Motion | None) -> tuple[()] | tuple[Motion | None]:
@@ -131,12 +148,27 @@ def _run(kind: str, motion: Motion | None) -> tuple[()] | tuple[Motion | None]:
     return (motion,) if kind in OF_RUNS else ()
 
 
-def written(figure: Figure, form: Format, style: Style) -> bytes:
-    """A figure as a file; the same figure gives the same bytes."""
-    file = io.BytesIO()
+def written(figure: Figure, form: Format, style: Style, title: str) -> bytes:
+    """A figure as a file; the same figure gives the same bytes.
+
+    Parameters
+    ----------
+    title : str
+        What it shows, for those who do not see it.
+    """
     with settings_of(style):
+        if form == "svg":
+            from vstatics.pictures.svg import written_as_svg
+
+            return written_as_svg(figure, title, style)
+        file = io.BytesIO()
         figure.savefig(file, format=form, dpi=DPI, metadata=_METADATA[form])
-    return file.getvalue()
+        return file.getvalue()
+
+
+def _alternative(results: Results, kind: str) -> str:
+    """What a picture shows, for those who do not see it."""
+    return f"{results.case.name}: {kind}" if results.case.name else kind
 
 
 @contextmanager

@@ -27,4 +27,4 @@ def stick_diagram(case: Transmission, title: str | None = None) -> bytes:
     with settings_of(style):
         shown = case.name if title is None else title
         figure = bare_stick(case, style).drawn(shown).pen.figure
-    return written(figure, "svg", style)
+    return written(figure, "svg", style, shown)

@@ -55,14 +55,14 @@ def render_boxes(listing: BoxListing, form: Format, style: Style) -> bytes:
     require("plot", "a picture")
     with settings_of(style):
         figure = draw_boxes(listing, style, drawn_boxes(listing, MOST_DRAWN))
-    return written(figure, form, style)
+    return written(figure, form, style, "found boxes")
 
 
 def render_points(listing: BoxListing, drawn: Sequence[ListedBox]) -> bytes:
     """The points alone as SVG, for a page that has the diagrams of these boxes elsewhere."""
     with settings_of(Style()):
         figure = _paper(listing, drawn, 0.0, ALONE, Style())
-    return written(figure, "svg", Style())
+    return written(figure, "svg", Style(), "found boxes")
 
 
 def draw_boxes(listing: BoxListing, style: Style, drawn: Sequence[ListedBox]) -> Figure:

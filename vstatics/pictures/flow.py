@@ -5,12 +5,11 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from itertools import pairwise
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from matplotlib.figure import Figure
 from matplotlib.patches import PathPatch, Polygon, Rectangle
 from matplotlib.path import Path
-from matplotlib.patheffects import withStroke
 
 from vstatics.flow.power import flows
 from vstatics.flow.power_flow import GearFlow
@@ -21,6 +20,7 @@ from vstatics.pictures.flow_places import Box, FlowLayout, Line, layout
 from vstatics.pictures.flow_texts import FlowTexts, heading
 from vstatics.pictures.labels import Panel, Point, height, wrapped
 from vstatics.pictures.style import TITLE, Style
+from vstatics.pictures.svg import halo
 from vstatics.pictures.words import gear_title
 from vstatics.statics.results import Results
 
@@ -40,8 +40,6 @@ BETWEEN = 26.0
 """Gears. [pt]"""
 PALE = 0.5
 """How much of a band covers what it crosses."""
-POWER, LOSS, LOOP = 0, 1, 3
-"""Colours."""
 
 
 class _GearPart(NamedTuple):
@@ -137,13 +135,13 @@ def _legend(panel: Panel, y: float, shown: Sequence[FlowLayout], style: Style) -
     losses = any(box.cell.lost for one in shown for box in one.boxes)
     x = MARGIN
     for colour, text, there in (
-        (POWER, style.text("power", "мощность"), bool(shown)),
-        (LOSS, style.text("lost", "потери"), losses),
-        (LOOP, style.text("circulates", "циркулирует"), loops),
+        (style.power, style.text("power", "мощность"), bool(shown)),
+        (style.lost, style.text("lost", "потери"), losses),
+        (style.circulating, style.text("circulates", "циркулирует"), loops),
     ):
         if there:
-            patch = Rectangle((x, y - 3), 12, 6, linewidth=0, color=style.colour(colour))
-            patch.set_alpha(1.0 if colour == LOSS else PALE)
+            patch = Rectangle((x, y - 3), 12, 6, linewidth=0, color=colour)
+            patch.set_alpha(PALE if colour == style.circulating else 1.0)
             panel.axes.add_patch(patch)
             panel.write(x + 16, y, text, va="center", color=style.ink)
             x += 32 + labels.width(text)
@@ -161,16 +159,23 @@ def _draw_gear(panel: Panel, top: float, one: _GearPart, style: Style) -> None:
     for box in one.layout.boxes:
         _draw_box(panel, top, box, style)
     for note in one.layout.notes:
-        how = {"color": style.colour(LOOP) if note.loop else style.ink, "va": "center"}
-        panel.write(MARGIN + note.x, top - note.y, note.text, **how, **_halo(style))
+        how = {"color": style.circulating if note.loop else style.ink, "va": "center"}
+        panel.write(
+            MARGIN + note.x, top - note.y, note.text, ha="center", zorder=5, **how, **halo(style)
+        )
 
 
 def _draw_line(panel: Panel, top: float, line: Line, style: Style) -> None:
     points = [(MARGIN + x, top - y) for x, y in line.points]
     path = _corners(points, line.width) if line.band.back else _curves(points)
-    colour = style.colour(POWER if line.band.loop is None else LOOP)
+    colour = style.power if line.band.loop is None else style.circulating
     wide = max(line.width, VISIBLE)
-    how = {"edgecolor": colour, "facecolor": "none", "alpha": PALE, "capstyle": "butt"}
+    how = {
+        "edgecolor": colour,
+        "facecolor": "none",
+        "alpha": 1.0 if line.band.loop is None else PALE,
+        "capstyle": "butt",
+    }
     panel.axes.add_patch(PathPatch(path, linewidth=wide, **how))
 
     if line.band.back:
@@ -224,7 +229,7 @@ def _draw_box(panel: Panel, top: float, box: Box, style: Style) -> None:
     left, right, middle = MARGIN + box.left, MARGIN + box.right, MARGIN + box.middle
     high, low = top - box.top, top - box.bottom
     kind = cell.node.kind if cell.node else ""
-    how = _halo(style)
+    how = {"ha": "center", "zorder": 5, **halo(style)}
     if cell.lost:
         tip = low - ARM - cell.loss / 2
         half = max(cell.loss, VISIBLE) / 2
@@ -232,8 +237,8 @@ def _draw_box(panel: Panel, top: float, box: Box, style: Style) -> None:
         shaft = [(middle + half, low), (middle + half, tip + head)]
         outline = [*shaft, (middle + head, tip + head), (middle, tip)]
         outline += [(2 * middle - x, y) for x, y in reversed(outline[:-1])]
-        panel.axes.add_patch(Polygon(outline, color=style.colour(LOSS), linewidth=0))
-        panel.write(middle, tip - 1, cell.lost, va="top", color=style.colour(LOSS), **how)
+        panel.axes.add_patch(Polygon(outline, color=style.lost, linewidth=0))
+        panel.write(middle, tip - 1, cell.lost, va="top", color=style.lost, **how)
     point = min(6.0, box.cell.body / 2) if kind == "port" else 0.0
     shape = [(left, high), (right - point, high), (right, (high + low) / 2), (right - point, low)]
     shape += [(left, low)]
@@ -241,12 +246,3 @@ def _draw_box(panel: Panel, top: float, box: Box, style: Style) -> None:
     outer = Polygon(shape, zorder=3, facecolor=face, edgecolor=style.ink, linewidth=0.9)
     panel.axes.add_patch(outer)
     panel.write(middle, high + 2, cell.text, va="bottom", color=style.ink, **how)
-
-
-def _halo(style: Style) -> dict[str, Any]:
-    """How a text is written that may stand on a band: with a rim of paper around it."""
-    return {
-        "ha": "center",
-        "zorder": 5,
-        "path_effects": [withStroke(linewidth=2, foreground=style.paper)],
-    }

@@ -6,12 +6,15 @@ from collections.abc import Sequence
 from functools import cache
 from typing import Any, Literal, NamedTuple
 
+from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.font_manager import FontProperties
+from matplotlib.lines import Line2D
 from matplotlib.patches import Rectangle
 from matplotlib.ticker import MaxNLocator
+from matplotlib.transforms import Affine2D, Transform
 
 from vstatics.pictures.style import FONT, SIZE
 
@@ -175,7 +178,7 @@ class Panel(NamedTuple):
             self.line(*ends, color=label.colour, linewidth=0.7)
             aligned = {"ha": "right" if side == "left" else "left", "va": "center"}
             x = edge + LEADER * way
-            self.write(x, place, label.text, color=label.colour, **aligned)
+            self.write(x, place, label.text, **aligned)
 
     def along(
         self, edge: Literal["bottom", "top"], labels: Sequence[Label], *, upright: bool
@@ -196,7 +199,31 @@ class Panel(NamedTuple):
             aligned = {"ha": "center", "va": "top" if edge == "bottom" else "bottom"}
             y = start + 0.65 * LEADER * way
             turned = {"rotation": 90} if upright else {}
-            self.write(place, y, label.text, color=label.colour, **aligned, **turned)
+            self.write(place, y, label.text, **aligned, **turned)
+
+
+class Paper(NamedTuple):
+    """A figure without axes, which take most of the time: places in points from its lower left."""
+
+    figure: Figure
+
+    @property
+    def _points(self) -> Transform:
+        return Affine2D().scale(1 / POINTS) + self.figure.dpi_scale_trans
+
+    def write(self, x: float, y: float, text: str, **how: Any) -> None:
+        """A text at a place."""
+        self.figure.text(x, y, text, transform=self._points, **how)
+
+    def line(self, *places: Point, **how: Any) -> None:
+        """A line through places."""
+        xs, ys = zip(*places, strict=True)
+        self.add(Line2D(xs, ys, **how))
+
+    def add(self, artist: Artist) -> None:
+        """An artist whose places are in points: a patch, a line."""
+        artist.set_transform(self._points)
+        self.figure.add_artist(artist)
 
 
 def ticks(low: float, high: float, most: int) -> list[float]:

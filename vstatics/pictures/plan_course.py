@@ -113,7 +113,7 @@ def draw_time(
         axes.axhline(time, color=style.faint, linewidth=0.6, zorder=0.5)
     for on_plan, wide, dashes in ((True, 2.4, "solid"), (False, 0.9, (0, (1, 1.5)))):
         values = run.masked(run.output, on_plan=on_plan)
-        axes.plot(values, run.time, color=style.accent, linewidth=wide, linestyle=dashes)
+        axes.plot(values, run.time, color=style.engaged, linewidth=wide, linestyle=dashes)
     axes.set_xticks([])
     axes.yaxis.tick_left()
     axes.tick_params(axis="y", length=2)

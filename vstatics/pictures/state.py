@@ -39,6 +39,10 @@ class PictureState(NamedTuple):
     loaded_springs: Sequence[bool]
     """By spring: the same."""
 
+    def is_one_piece(self, mechanism: int) -> bool:
+        """Whether a mechanism carries torque, but no power: it turns as one piece."""
+        return self.is_idle[mechanism] and self.is_loaded[mechanism]
+
 
 def state_of(results: Results, number: int) -> PictureState:
     """The state of a gear of one case; its number counts from 1.

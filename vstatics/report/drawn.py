@@ -16,7 +16,7 @@ from vstatics.statics.results import Results
 from vstatics.tables.html import Markup
 
 _LIGHT, _DARK = Style(), Style(dark=True)
-_NAMES = ("paper", "ink", "soft", "faint", "accent")
+_NAMES = ("paper", "ink", "soft", "faint", "engaged", "lost", "circulating", "power")
 _PAIRS = {name: (getattr(_LIGHT, name), getattr(_DARK, name)) for name in _NAMES} | {
     f"colour{number}": pair
     for number, pair in enumerate(zip(_LIGHT.colours, _DARK.colours, strict=True))

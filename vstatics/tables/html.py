@@ -7,6 +7,7 @@ from collections.abc import Iterable
 from html import escape
 
 from vstatics.tables.grid import Cell, Column, Grid
+from vstatics.tables.numbers import typeset
 
 
 class Markup(str):
@@ -98,7 +99,9 @@ def _cell(column: Column, cell: Cell) -> Markup:
 
 
 def _text(cell: Cell) -> str:
-    return tag("span", cell.text, role="img", aria_label=cell.says) if cell.says else cell.text
+    if cell.says:
+        return tag("span", cell.text, role="img", aria_label=cell.says)
+    return cell.text if cell.value is None else typeset(cell.text)
 
 
 def _kind(column: Column) -> str:

@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from functools import lru_cache
 from itertools import chain
 from math import isfinite
+
+_MINUS = re.compile(r"(?<![\w.)\]])-(?=\.?\d)")
+_POINT = re.compile(r"(?<![\w.])\.(?=\d)")
 
 DIGITS = 4
 """Digits of the E format, where they are enough."""
@@ -154,3 +158,14 @@ def short(value: float, digits: int | None = None) -> str:
     if digits is None or value == int(value):
         return f"{value + 0.0:.5g}"
     return f"{value:.{digits}f}"
+
+
+def typeset(text: str) -> str:
+    """Numbers of a text as they are printed on a page: a zero before the point, a true minus.
+
+    For pictures and pages; what a program reads keeps its hyphens.
+
+    >>> typeset("-.953"), typeset("sun 1-2: -.5, 2.5 (-1e-07)")
+    ('−0.953', 'sun 1-2: −0.5, 2.5 (−1e-07)')
+    """
+    return _POINT.sub("0.", _MINUS.sub("−", text))

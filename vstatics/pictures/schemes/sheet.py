@@ -45,7 +45,7 @@ class Sheet(NamedTuple):
         """Of a device."""
         style = self.pen.style
         if index in self.state.engaged:
-            return style.accent
+            return style.engaged
         return style.faint if index in self.state.idle else style.ink
 
     def wire_color(self, link: int) -> str:
