@@ -43,10 +43,19 @@ class Style(NamedTuple):
         Of axes and titles; names are those of the case.
     dark : bool
         Light on dark, for a screen.
+    titled : bool
+        With a title; a page has its own.
+    wheels : bool
+        Stick diagrams with names and teeth of wheels.
+    merged : bool
+        Two sets with two common links are one lever.
     """
 
     language: Language = "en"
     dark: bool = False
+    titled: bool = True
+    wheels: bool = False
+    merged: bool = False
 
     def text(self, english: str, russian: str) -> str:
         """A text in the language of the picture.
