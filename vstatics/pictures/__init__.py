@@ -51,7 +51,7 @@ PICTURES = {
 OF_RUNS = ("shift", "plan")
 """Kinds that show a run: ``draw(results, style, gears, motion)``."""
 
-DPI = 150
+DPI = 200
 """Of PNG. [1/inch]"""
 
 # nothing that differs from run to run: the same case gives the same bytes

@@ -150,6 +150,9 @@ class Style(NamedTuple):
             "text.parse_math": False,  # names of links may have any letters
             "svg.hashsalt": "vstatics",
             "svg.fonttype": "none",
+            "text.hinting": "none",  # else stems of single capitals become one pixel wide
+            "lines.solid_capstyle": "butt",
+            "lines.dash_capstyle": "butt",
             "pdf.fonttype": 42,
         }
 

@@ -78,6 +78,7 @@ def written_as_svg(figure: Figure, title: str, style: Style) -> bytes:
         _say(element, style)
         _shorten(element)
     _unwrap(root)
+    root.set("viewBox", _plain(root.get("viewBox", "")))
     root.set("font-family", FAMILIES)
     root.set("stroke-linejoin", "round")
     root.set("role", "img")
