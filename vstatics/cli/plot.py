@@ -14,7 +14,7 @@ from vstatics.cli.box_documents import plot_boxes
 from vstatics.cli.cases import CalculatedCase, CaseOptions
 from vstatics.cli.job import Job
 from vstatics.cli.one_or_many import carry_out
-from vstatics.cli.simulate import run_of
+from vstatics.cli.scenario_run import run_of
 from vstatics.errors import CaseError, ReadError, of_file
 from vstatics.jobs.files import STDOUT, is_stream
 from vstatics.pictures import FORMATS, OF_RUNS, PICTURES, Format, render

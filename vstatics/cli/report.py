@@ -12,7 +12,7 @@ from vstatics.cli.box_documents import listing_in, report_boxes
 from vstatics.cli.cases import CalculatedCase, CaseOptions
 from vstatics.cli.job import Job
 from vstatics.cli.one_or_many import carry_out
-from vstatics.cli.simulate import run_of
+from vstatics.cli.scenario_run import run_of
 
 
 @click.command()

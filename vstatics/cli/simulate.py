@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
 from functools import partial
 from typing import TYPE_CHECKING, Literal, get_args
 
@@ -17,10 +16,10 @@ from vstatics.cli.exit_status import DONE, FAILED
 from vstatics.cli.formats import Destination, OutputOptions
 from vstatics.cli.one_case import file_name, one_text
 from vstatics.cli.scenario_input import read_document
+from vstatics.cli.scenario_run import needs, run_problems
 from vstatics.cli.simulate_samples import SampleOptions, run_samples
 from vstatics.cli.telling import Telling
-from vstatics.errors import CaseError, Problem, ReadError
-from vstatics.extras import missing
+from vstatics.errors import CaseError, ReadError
 from vstatics.sweep.scenario import Document
 from vstatics.writers.plain_json import plain_data
 
@@ -31,8 +30,6 @@ if TYPE_CHECKING:
 Method = Literal["events", "tarasik"]
 MOST_STEPS = 1_000_000
 """So many multiples of a step may be written."""
-INSTANTS = 400
-"""Of a run that is drawn, at least."""
 FORMATS = ("text", "json", "jsonl", "csv", "npz", "parquet", "markdown", "latex", "xlsx")
 
 
@@ -111,12 +108,12 @@ def simulate(
     arguments.check_streams(inputs)
     sampling.check(step=step is not None, method=method != "events")
     to = one_text(wanted, inputs)
-    _needs("simulation", "vstatics simulate")
+    needs("simulation", "vstatics simulate")
     if sampling.samples is not None:
         document = Document(*files.read_input(scenario))
         return run_samples(document, case, input_format, rtol, sampling, wanted, telling)
     if to.form == "parquet":
-        _needs("parquet", "Parquet")
+        needs("parquet", "Parquet")
     read = read_document(*files.read_input(scenario), input_format, case, to.output)
     _check_step(step, read.scenario.duration)
     from vstatics.simulation.run import simulate as simulated
@@ -125,7 +122,7 @@ def simulate(
         motion = simulated(read.scenario, step=step, rtol=rtol, method=method)
     except CaseError as error:
         raise ReadError(map(read.locate, error.problems)) from None
-    problems = [*read.reading.warnings, *_problems(read, motion)]
+    problems = [*read.reading.warnings, *run_problems(read, motion)]
     files.show(telling.printed(problems))
     files.show(telling.quiet_failure(problems, file_name(scenario)))
     show(scenario, to, read, motion)
@@ -143,45 +140,6 @@ def _check_step(step: float | None, duration: float) -> None:
     if step is not None and duration / step > MOST_STEPS:
         message = f"read {step:g} s of {duration:g} s, expected at least {duration / MOST_STEPS:g}"
         raise click.BadParameter(message, param_hint="--step")
-
-
-def _needs(extra: str, purpose: str) -> None:
-    if message := missing(extra, purpose):
-        raise ReadError([Problem(message)])
-
-
-def run_of(outcome: CalculatedCase) -> Motion | None:
-    """The run of what names its case by a scenario, with enough instants for pictures.
-
-    What is to be said of it is printed.
-
-    Raises
-    ------
-    ReadError
-        If it can't begin, with the places of what keeps it from that.
-    """
-    read = outcome.scenario
-    if read is None:
-        return None
-    _needs("simulation", "a run")
-    from vstatics.simulation.run import simulate as simulated
-
-    try:
-        motion = simulated(read.scenario, step=read.scenario.duration / INSTANTS)
-    except CaseError as error:
-        raise ReadError(map(read.locate, error.problems)) from None
-    files.show(outcome.telling.printed(_problems(read, motion)))
-    return motion
-
-
-def _problems(read: ScenarioFile, motion: Motion) -> Iterator[Problem]:
-    """Messages of a run, and why it stopped, at their places."""
-    file = read.spots.place(())._replace(line=0, column=0, text="")
-    for message in motion.messages:
-        text = f"gear {message.gear}: {message.text}" if message.gear else message.text
-        yield Problem(text, (), file, message.severity)
-    if motion.stopped is not None:
-        yield read.locate(motion.stopped)
 
 
 def show(scenario: str, to: Destination, read: ScenarioFile, motion: Motion) -> None:
