@@ -22,13 +22,14 @@ def grids(explained: Iterable[Explanation]) -> Iterator[Grid]:
     ['matrix', 'equations', 'solution', 'power signs', 'ratio']
     """
     for one in explained:
-        for grid in (_matrix(one), _equations(one), _solution(one), _signs(one), _ratio(one)):
+        for grid in (matrix(one), _equations(one), _solution(one), _signs(one), _ratio(one)):
             if grid.rows:
                 gear = f"Gear {one.gear}"
                 yield grid._replace(title=f"{gear}: {grid.title}", group=gear)
 
 
-def _matrix(one: Explanation) -> Grid:
+def matrix(one: Explanation) -> Grid:
+    """The structural-distribution matrix of what can carry torque."""
     columns = [text("link"), *map(Column, one.columns)]
     rows: list[Row] = [
         [name, *map(exact, row)] for name, row in zip(one.rows, one.matrix.tolist(), strict=True)

@@ -6,6 +6,7 @@ import math
 import re
 from collections.abc import Iterable, Iterator
 from textwrap import wrap
+from typing import NamedTuple
 
 from vstatics.explain.equations import System
 from vstatics.explain.explanation import Explanation
@@ -32,23 +33,57 @@ def write(explained: Iterable[Explanation], digits: int | None = None) -> str:
 
 
 def _gear(one: Explanation, digits: int | None) -> Iterator[str]:
-    title = f"Gear {one.gear}: {_engaged(one)}"
+    title = f"Gear {one.gear}: {engaged(one)}"
     yield from (title, "=" * min(len(title), WIDTH))
     for message in one.messages:
         yield from wrap(message, WIDTH, subsequent_indent=INDENT)
-    yield ""
-    yield from _matrix(one, digits)
-    yield from ("", "Speeds")
-    yield from _system(one.speeds, digits, with_symbols=True)
-    if one.torques is not None:
-        yield from ("", "Torques: the balance of each link")
-        yield from _system(one.torques, digits, with_symbols=True)
-    yield from _losses(one, digits)
-    yield from _together(one)
-    yield from _ratio(one, digits)
+    for section in sections(one, digits):
+        yield from ("", *wrap(section.heading, WIDTH), *section.lines)
 
 
-def _engaged(one: Explanation) -> str:
+class Section(NamedTuple):
+    """A part of an explanation."""
+
+    heading: str
+    lines: list[str]
+
+
+def sections(one: Explanation, digits: int | None = None) -> Iterator[Section]:
+    """The parts of an explanation that it has something for: the matrix first, the ratio last.
+
+    >>> from vstatics import Gear, Mechanism, Transmission, solve
+    >>> from vstatics.explain import explain_gear
+    >>> gear = explain_gear(solve(Transmission(2, [], [Mechanism(1, 2, 0, -4.0)], [Gear()])), 1)
+    >>> [section.heading.partition(":")[0] for section in sections(gear)]
+    ['Structural-distribution matrix', 'Speeds', 'Torques', 'Torques with losses', 'Ratio']
+    """
+    drags = ", M with drag" * _drags(one)
+    is_ratio = one.formula is None or one.formula.left == "i"
+    parts = {
+        MATRIX: _matrix(one, digits),
+        "Speeds": _system(one.speeds, digits, with_symbols=True),
+        "Torques: the balance of each link": _balances(one, digits),
+        f"{LOSSES}{drags}": _losses(one, digits),
+        "Turning together, whatever the ratios are": _together(one),
+        "Ratio" if is_ratio else "Output speed": _ratio(one, digits),
+    }
+    for heading, lines in parts.items():
+        if found := list(lines):
+            yield Section(heading, found)
+
+
+MATRIX = (
+    "Structural-distribution matrix: torques on the links (rows) for 1 on the first link of each "
+    "device (columns)"
+)
+LOSSES = (
+    "Torques with losses: u eta^x in place of u; x = +1 where power enters a mechanism by its "
+    "first link, seen from the third: M (w_first - w_third) > 0"
+)
+
+
+def engaged(one: Explanation) -> str:
+    """What is engaged, and the freewheels that hold."""
     parts = ["engaged " + ", ".join(one.engaged)] * bool(one.engaged)
     if one.holding:
         parts.append(f"{', '.join(one.holding)} hold{'s' * (len(one.holding) == 1)}")
@@ -57,8 +92,6 @@ def _engaged(one: Explanation) -> str:
 
 def _matrix(one: Explanation, digits: int | None) -> Iterator[str]:
     """The matrix, as many columns side by side as fit."""
-    yield "Structural-distribution matrix: torques on the links (rows) for 1 on the first"
-    yield "link of each device (columns)"
     columns = [Column("", is_number=False), *map(Column, one.columns)]
     rows = [
         [name, *(fixed(value, decimals=digits or 3) for value in row)]
@@ -103,18 +136,18 @@ def _solution(system: System, digits: int | None) -> Iterator[str]:
         yield from wrap(text, WIDTH, initial_indent=INDENT * 2, subsequent_indent=INDENT * 3)
 
 
+def _balances(one: Explanation, digits: int | None) -> Iterator[str]:
+    """The torque equations, where a gear has any."""
+    if one.torques is not None:
+        yield from _system(one.torques, digits, with_symbols=True)
+
+
 def _losses(one: Explanation, digits: int | None) -> Iterator[str]:
     """The signs, and the torque equations with ratios that have losses in them."""
     if one.torques is None or all(map(math.isnan, one.torques.values.values())):
         return
     if not one.signs and not _drags(one):  # springs alone
         return
-    yield from (
-        "",
-        "Torques with losses: u eta^x in place of u; x = +1 where power enters a",
-        "mechanism by its first link, seen from the third: M (w_first - w_third) > 0"
-        + (", M with drag" if _drags(one) else ""),
-    )
     for sign in one.signs:
         yield from _sign(sign, digits)
     if one.lossy is None:
@@ -163,9 +196,6 @@ def _bracketed(value: float, digits: int | None) -> str:
 
 def _together(one: Explanation) -> Iterator[str]:
     """Links that are one body."""
-    if not (one.together or one.one_piece or one.standing):
-        return
-    yield from ("", "Turning together, whatever the ratios are")
     lines = []
     for body in one.together:
         by = f" (by {', '.join(body.elements)})" if body.elements else ""
@@ -181,8 +211,6 @@ def _together(one: Explanation) -> Iterator[str]:
 def _ratio(one: Explanation, digits: int | None) -> Iterator[str]:
     """The formula beside the value, and the values of its symbols."""
     formula, ratio = one.formula, f"{INDENT}i = {one.input}/{one.output} = "
-    heading = "Ratio" if formula is None or formula.left == "i" else "Output speed"
-    yield from ("", heading)
     if formula is None:
         if not math.isnan(one.ratio):
             yield f"{ratio}{short(one.ratio, digits)}"

@@ -31,15 +31,15 @@ def chooser(section: str, gears: Iterable[str]) -> Markup:
     section : str
         What stands before the name of a gear in the addresses of a section.
     """
-    links = (tag("a", gear, href=f"#{_id(section, gear)}", data_choose=gear) for gear in gears)
+    links = (tag("a", gear, href=f"#{address(section, gear)}", data_choose=gear) for gear in gears)
     return tag("nav", "Gear: ", *links, class_="chooser", aria_label="Gear")
 
 
 def of_gear(section: str, gear: str, shown: Sequence[Markup]) -> Markup:
     """What is shown where a gear is chosen."""
-    return tag("div", *shown, id=_id(section, gear), data_gear=gear)
+    return tag("div", *shown, id=address(section, gear), data_gear=gear)
 
 
-def _id(section: str, gear: str) -> str:
+def address(section: str, gear: str) -> str:
     """The name of a gear as the end of an address, which has no blanks."""
     return f"{section}={quote(gear, safe='')}"

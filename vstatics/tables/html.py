@@ -73,11 +73,15 @@ def table(grid: Grid) -> Markup:
     """
     if not grid.rows:
         return tag("p", grid.title)
+    return tag("section", tag("h3", grid.title), scrolled(bare(grid), grid.title), class_="table")
+
+
+def bare(grid: Grid) -> Markup:
+    """A table without its title."""
     heads = (tag("th", one.heading, scope="col", class_=_kind(one)) for one in grid.columns)
     levels = grid.levels or [0] * len(grid.rows)
     body = (_row(grid, row, level) for row, level in zip(grid.cells, levels, strict=True))
-    inner = tag("table", tag("thead", tag("tr", *heads)), tag("tbody", *body))
-    return tag("section", tag("h3", grid.title), scrolled(inner, grid.title), class_="table")
+    return tag("table", tag("thead", tag("tr", *heads)), tag("tbody", *body))
 
 
 def scrolled(inner: Markup, label: str) -> Markup:

@@ -1,0 +1,71 @@
+"""What `explain` tells of each gear, as parts of the page: its ratio first, then why."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from textwrap import dedent
+
+from vstatics.explain import explain_gear
+from vstatics.explain.explanation import Explanation
+from vstatics.explain.grids import matrix
+from vstatics.explain.text import MATRIX, sections
+from vstatics.extras import missing
+from vstatics.report.gathering import Material
+from vstatics.tables.grid import Cell
+from vstatics.tables.html import Markup, bare, scrolled, tag
+from vstatics.tables.numbers import typeset
+
+
+def explained(material: Material) -> list[Sequence[Markup]]:
+    """Of each gear, in their order: its ratio as a formula, matrix, equations and signs.
+
+    What is the same for all gears, that there is no formula, `no_formula` says once.
+    """
+    gears = range(1, len(material.results.case.gears) + 1)
+    return [list(_gear(explain_gear(material.results, gear), material.digits)) for gear in gears]
+
+
+def no_formula() -> str:
+    """Why no gear has a formula of its ratio, else nothing."""
+    return missing("formula", "the formula of the ratio")
+
+
+def _gear(one: Explanation, digits: int | None) -> Iterator[Markup]:
+    if no_formula():
+        one = one._replace(reason="")
+    *others, ratio = sections(one, digits)
+    for section in (ratio, *others):
+        shown = _matrix(one, digits) if section.heading == MATRIX else _lines(section.lines)
+        name, colon, rest = section.heading.partition(":")
+        note = [tag("span", f"{colon}{_typeset(rest)}", class_="note")] * bool(rest)
+        yield tag("div", tag("h4", name, *note), scrolled(shown, name), class_="explained")
+
+
+def _matrix(one: Explanation, digits: int | None) -> Markup:
+    """A link that a device does not have is left blank."""
+    grid = matrix(one).with_digits(digits)
+    return bare(grid._replace(rows=[list(map(_without_zero, row)) for row in grid.cells]))
+
+
+def _without_zero(cell: Cell) -> Cell:
+    return cell._replace(text="") if cell.value == 0 else cell
+
+
+def _lines(lines: Sequence[str]) -> Markup:
+    return tag("pre", _typeset(dedent("\n".join(lines))))
+
+
+_MINUS, _TIMES = (
+    re.compile(r"(?<![^\s(])-(?=[\s\w(.])"),
+    re.compile(r"(?<=[\d)]) x (?=[\d(\u2212])"),
+)
+
+
+def _typeset(text: str) -> str:
+    """Equations with the minus, the times and the eta of print; names keep their hyphens.
+
+    >>> _typeset("w[sun 1-2] - (1 - u) w_in = -0.5; -2 x (-.5) = 1, u eta^x")
+    'w[sun 1-2] − (1 − u) w_in = −0.5; −2 × (−0.5) = 1, u η^x'
+    """
+    return _TIMES.sub(" × ", _MINUS.sub("\u2212", typeset(text))).replace("eta^x", "\u03b7^x")

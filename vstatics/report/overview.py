@@ -1,0 +1,106 @@
+"""What a designer asks first, in one line, and what there is to watch, by weight."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+
+from vstatics.report.gathering import Material
+from vstatics.report.parts import address
+from vstatics.summary.extremes import LOSSY_TORQUES, TORQUES, Largest, overall, quantity
+from vstatics.tables.html import Markup, joined, tag
+from vstatics.tables.numbers import rounded, typeset
+from vstatics.tables.quantity import UNITS
+
+WEIGHTS = {"error": "errors", "warning": "warnings", "note": "notes"}
+"""Severities from the heaviest, and several of them."""
+
+
+def overview(material: Material) -> Iterator[Markup]:
+    """The line of the page's figures, each with the gear that it is of.
+
+    Gears and spread, the worst efficiency, the largest torque of a shift element, the
+    largest part of the power that circulates, and how many alerts of each weight.
+    """
+    facts = [*_gears(material), *_efficiency(material), *_torque(material)]
+    facts += [*_circulation(material), ("alerts", _alerts(material.messages))]
+    yield tag("dl", *(_fact(*one) for one in facts), class_="overview")
+
+
+def alerts(messages: Sequence[str]) -> Iterator[Markup]:
+    """The messages, the heaviest first, in a list for each weight, which the line links to."""
+    for weight, name in WEIGHTS.items():
+        said = [tag("li", typeset(one), class_=weight) for one in _of_weight(messages, weight)]
+        if said:
+            yield tag("ul", *said, class_="messages", id=name)
+
+
+def _fact(name: str, said: str) -> Markup:
+    return tag("div", tag("dt", name), tag("dd", said))
+
+
+def _gears(material: Material) -> Iterator[tuple[str, str]]:
+    made = material.summary.design
+    yield "gears", str(len(made.gears))
+    if len(made.forward) > 1:
+        yield "spread", _number(material, made.spread)
+
+
+def _efficiency(material: Material) -> Iterator[tuple[str, str]]:
+    """The least that a gear has."""
+    known = [one for one in material.summary.design.gears if not math.isnan(one.efficiency)]
+    if known:
+        worst = min(known, key=lambda one: one.efficiency)
+        yield "lowest efficiency", _in_gear(_number(material, worst.efficiency), worst.gear)
+
+
+def _torque(material: Material) -> Iterator[tuple[str, str]]:
+    """Of a shift element, with losses where they are known; in N*m where a load tells it."""
+    largest = material.summary.largest
+    for loaded in (True, False):
+        for key in (LOSSY_TORQUES, TORQUES):
+            shown = quantity(key, loaded=loaded)
+            found = overall(largest.get(shown.key, ()))
+            if found is not None and found.gear:
+                unit = f" {UNITS[shown.unit].en}" if shown.unit else " × input"
+                value = rounded(abs(found.value), shown.decimals, material.digits)
+                yield "largest element torque", _of_element(typeset(value) + unit, found)
+                return
+
+
+def _of_element(said: str, found: Largest) -> Markup:
+    return _in_gear(f"{said}, {found.row}", found.gear)
+
+
+def _circulation(material: Material) -> Iterator[tuple[str, str]]:
+    """The largest part of the power that enters a gear."""
+    sides = ((flow.gear, flow.lossy or flow.ideal) for flow in material.flows)
+    shares = ((gear, side.circulating_share) for gear, side in sides if side is not None)
+    known = [(share, gear) for gear, share in shares if not math.isnan(share)]
+    if known:
+        share, gear = max(known, key=lambda one: one[0])
+        said = f"{typeset(rounded(100 * share, 1, material.digits))} % of the input power"
+        yield "largest circulation", _in_gear(said, gear) if share > 0 else "none"
+
+
+def _alerts(messages: Sequence[str]) -> Markup:
+    """How many of each weight, each a link to them."""
+    links = []
+    for weight, name in WEIGHTS.items():
+        count = len(_of_weight(messages, weight))
+        if count:
+            said = f"{count} {weight if count == 1 else name}"
+            links += [", ", tag("a", said, href=f"#{name}", class_=weight)]
+    return joined(*links[1:]) if links else Markup("none")
+
+
+def _of_weight(messages: Sequence[str], weight: str) -> list[str]:
+    return [one for one in messages if one.startswith(f"{weight}:")]
+
+
+def _in_gear(said: str, gear: str) -> Markup:
+    return joined(said, ", ", tag("a", f"gear {gear}", href=f"#{address('gear', gear)}"))
+
+
+def _number(material: Material, value: float) -> str:
+    return typeset(rounded(value, 3, material.digits))
