@@ -13,10 +13,13 @@ from pathlib import Path
 
 from common import compiled, machine
 
-NAMES = ("variants", "spread", "sizes", "decks", "long_sweeps", "torsion", "simulation", "startup")
+NAMES = (
+    *("variants", "spread", "sizes", "decks", "long_sweeps", "torsion"),
+    *("simulation", "startup", "drawing"),
+)
 LONG = ("boxes",)
 """Those that are run only where they are named."""
-WITHOUT_PEER = ("long_sweeps", "torsion", "simulation", "startup", "boxes")
+WITHOUT_PEER = ("long_sweeps", "torsion", "simulation", "startup", "drawing", "boxes")
 PLACE = "<!-- bench: {} -->\n"
 END = "<!-- end of bench -->"
 
