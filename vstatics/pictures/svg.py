@@ -26,13 +26,22 @@ from matplotlib.figure import Figure
 from matplotlib.patheffects import withStroke
 from matplotlib.text import Text
 
-from vstatics.pictures.style import FAMILIES, Style
+from vstatics.pictures.style import FAMILIES, SIZE, Style
 
 SVG = "http://www.w3.org/2000/svg"
+_GROUP = f"{{{SVG}}}g"
 XLINK = "http://www.w3.org/1999/xlink"
 HALO = 2.0
 """Width of the paper around a text that stands over lines. [pt]"""
+_SIZE = f"{SIZE:g}px"
 _DECIMAL = re.compile(r"-?\d+\.\d+")
+_BESIDE_LETTER = re.compile(r"(?<=[A-Za-z]) (?=[-\d])|(?<=\d) (?=[A-Za-z])")
+_USUAL = {
+    ("font-size", _SIZE),
+    ("stroke-linejoin", "round"),
+    ("stroke-dashoffset", "0"),
+    ("text-anchor", "start"),
+}
 _MEASURES = {"d", "x", "y", "x1", "x2", "y1", "y2", "width", "height", "points", "transform"}
 
 
@@ -80,8 +89,10 @@ def written_as_svg(figure: Figure, title: str, style: Style) -> bytes:
     _unwrap(root)
     root.set("viewBox", _plain(root.get("viewBox", "")))
     root.set("font-family", FAMILIES)
+    root.set("font-size", _SIZE)
     root.set("stroke-linejoin", "round")
     root.set("role", "img")
+    del root.attrib["version"]
     if title:
         root.insert(0, _title(title))
     ET.register_namespace("", SVG)
@@ -145,14 +156,15 @@ def _title(text: str) -> ET.Element:
 def _shorten(element: ET.Element) -> None:
     """Two decimals of a point are enough to see, and attributes shorter than a style."""
     for key in element.attrib.keys() & _MEASURES:
-        text = " ".join(element.attrib[key].split())
-        element.set(key, _DECIMAL.sub(lambda found: f"{float(found[0]):.2f}", text))
+        element.set(key, _BESIDE_LETTER.sub("", _plain(" ".join(element.attrib[key].split()))))
+    if element.get("transform", "").startswith("rotate(-0 "):
+        del element.attrib["transform"]
     declared = element.attrib.pop("style", "")
     for key, _, value in (one.partition(":") for one in declared.split(";") if one.strip()):
         name, given = key.strip(), _plain(value.strip())
         if name == "font":
             _set_font(element, given)
-        elif name != "font-family" and (name, given) != ("stroke-linejoin", "round"):
+        elif name != "font-family" and (name, given) not in _USUAL:
             element.set(name, given)
 
 
@@ -164,20 +176,32 @@ def _set_font(element: ET.Element, font: str) -> None:
     """Size and weight of a font given in one: ``bold 10px 'DejaVu Sans'``."""
     words = font.split("'", maxsplit=1)[0].split()
     for word in words:
-        if word.endswith("px"):
+        if word.endswith("px") and word != _SIZE:
             element.set("font-size", word)
         elif word in ("bold", "600", "700"):
             element.set("font-weight", word)
 
 
 def _unwrap(parent: ET.Element) -> None:
-    """Take away groups that say nothing themselves."""
+    """Take away groups that say nothing themselves; adjacent lines of one look are one path."""
     children: list[ET.Element] = []
     for child in parent:
         _unwrap(child)
-        bare = child.tag == f"{{{SVG}}}g" and not child.attrib
-        children += list(child) if bare and not _has_title(child) else [child]
+        bare = child.tag == _GROUP and not child.attrib and not _has_title(child)
+        for one in list(child) if bare else [child]:
+            if not (children and _joins(children[-1], one)):
+                children.append(one)
     parent[:] = children
+
+
+def _joins(line: ET.Element, other: ET.Element) -> bool:
+    """Add a line to one that looks like it, if it does."""
+    lines = line.tag == other.tag == f"{{{SVG}}}path" and other.get("fill") == "none"
+    looks = [{**one.attrib, "d": ""} for one in (line, other)]
+    if not lines or looks[0] != looks[1] or "opacity" in looks[0]:
+        return False
+    line.set("d", line.attrib["d"] + other.attrib["d"])
+    return True
 
 
 def _has_title(group: ET.Element) -> bool:
