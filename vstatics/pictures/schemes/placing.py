@@ -6,14 +6,15 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
+from vstatics.pictures.schemes.board import Board
 from vstatics.pictures.schemes.channels import (
     ABOVE,
     BELOW,
     Arrangement,
-    Board,
     PlacedRow,
     Track,
     end_track,
+    number_of,
 )
 
 PITCH = 17.0
@@ -113,7 +114,9 @@ def _levels(row: PlacedRow, arrangement: Arrangement) -> dict[Track, int]:
     """The lowest level of each track at which no other is in its way."""
     levels: dict[Track, int] = {}
     for side in (ABOVE, BELOW):
-        tracks = sorted((t for t in row.spans if t[1] == side), key=lambda t: arrangement.ranks[t])
+        tracks = sorted(
+            (t for t in row.spans if t[1] == side), key=lambda t: arrangement.ranks[number_of(*t)]
+        )
         for track in tracks:
             low, high = row.spans[track]
             under = [

@@ -17,7 +17,8 @@ from vstatics.elements.drawing import drawing_of
 from vstatics.elements.group import group_of
 from vstatics.elements.kinds import Planetary
 from vstatics.errors import CaseError, Problem
-from vstatics.pictures.schemes.channels import ABOVE, BELOW, GAP, Board, Item, Tap
+from vstatics.pictures.schemes.board import GAP, Board
+from vstatics.pictures.schemes.channels import ABOVE, BELOW, Item, Tap
 from vstatics.pictures.schemes.glyphs import Glyph
 from vstatics.pictures.schemes.pairs import pair_glyphs
 from vstatics.pictures.schemes.pen import SMALL, width_of, wrapped

@@ -10,7 +10,8 @@ from collections.abc import Sequence
 from matplotlib.figure import Figure
 
 from vstatics.model.transmission import HOUSING
-from vstatics.pictures.schemes.channels import ABOVE, BELOW, Board, Item, Reach, Tap
+from vstatics.pictures.schemes.board import Board
+from vstatics.pictures.schemes.channels import ABOVE, BELOW, Item, Reach, Tap
 from vstatics.pictures.schemes.pen import SMALL, width_of, wrapped
 from vstatics.pictures.schemes.placing import Placement, placed
 from vstatics.pictures.schemes.scheme import Device, Scheme, scheme_of
