@@ -14,6 +14,7 @@ import numpy as np
 import pytest
 
 from tests.commands import CASES, SHIPPED
+from tests.pictures.drawn import titled
 from vstatics import CaseError, Gear, Mechanism, Results, ShiftElement, Transmission, load, solve
 from vstatics.pictures import picture
 from vstatics.pictures.rays import KinematicPlan, plans
@@ -70,29 +71,40 @@ def test_gears_stand_at_the_inverse_of_their_ratios(umdm: Results) -> None:
     assert [1 / mark.output for mark in plan.marks] == pytest.approx(ratios)
 
 
-def drawn_lines(results: Results) -> list[Any]:
-    [axes] = picture(results, "plan", Style()).axes
-    return list(axes.get_lines())
+def told_places(results: Results) -> dict[str, Any]:
+    """The places of what has a title, by it, in points of the picture."""
+    return {title: line.get_xydata() for title, line in titled(picture(results, "plan", Style()))}
 
 
-@pytest.mark.parametrize("u", RATIOS.values(), ids=RATIOS)
-def test_the_picture_draws_these_rays(umdm: Results, u: float) -> None:
-    """Slope and zero of a line of the picture, from the coordinates of its ends."""
-    zero, slope = 1 / u, u / (u - 1)
-    found = []
-    for line in drawn_lines(umdm):
-        (x0, x1), (y0, y1) = (np.ravel(values)[[0, -1]] for values in line.get_data())
-        if x1 > x0:
-            found.append(
-                (x0 - y0 * (x1 - x0) / (y1 - y0) if y1 != y0 else np.nan, (y1 - y0) / (x1 - x0))
-            )
-    assert any(one == pytest.approx((zero, slope), abs=1e-6) for one in found)
+def test_the_picture_draws_these_rays(umdm: Results) -> None:
+    """On its way from gear to gear the ray of a link is on the abscissa at 1/u."""
+    places = told_places(umdm)
+    verticals = {title: at for title, at in places.items() if ": 1/i " in title}
+    across = {
+        float(title.split()[-1].replace("−", "-")): at[0][0] for title, at in verticals.items()
+    }
+    assert sorted(across) == pytest.approx([-9 / 37, 14 / 37, 65 / 111, 756 / 1147, 1], abs=5e-4)
+    held = {title: at[0] for title, at in places.items() if " holds " in title}
+    for link, u in RATIOS.items():
+        [(x, rest)] = [at for title, at in held.items() if title.endswith(f" holds {link}")]
+        [((x0, y0), (x1, y1))] = [
+            at for title, at in places.items() if title.startswith(f"{link}: ")
+        ]
+        assert x0 + (rest - y0) * (x1 - x0) / (y1 - y0) == pytest.approx(x, abs=0.01)
+        near = min(across, key=lambda one: abs(one - 1 / u))
+        assert across[near] == pytest.approx(x)
 
 
-def test_the_picture_has_a_vertical_for_each_gear(umdm: Results) -> None:
-    upright = {line.get_xdata()[0] for line in drawn_lines(umdm) if line.get_linestyle() == "--"}
-    expected = [-9 / 37, 14 / 37, 65 / 111, 756 / 1147, 1]
-    assert sorted(upright) == pytest.approx(expected)
+def test_a_link_has_its_colour_and_the_abscissa_reaches_as_far_as_the_gears() -> None:
+    """Issue 16: one colour over all panels; T3 of the BelAZ, 1/i .168 and .250, was squeezed."""
+    lines = titled(picture(result("belaz7516.yaml"), "plan", Style()))
+    assert {one.get_color() for title, one in lines if title[:4] == "J5: "} == {Style().colour(4)}
+    [ray] = [one.get_xydata() for title, one in lines if title == "J3: −2.030 + 12.12·(1/i)"]
+    gears = [
+        one.get_xydata() for title, one in lines if title.startswith("gear") and "1/i" in title
+    ]
+    inside = [at[0][0] for at in gears if ray[0][0] < at[0][0] < ray[1][0]]
+    assert max(inside) - min(inside) > 0.8 * (ray[1][0] - ray[0][0])
 
 
 @pytest.mark.parametrize("name", [name for name in NAMES if name not in WITHOUT_PLAN])

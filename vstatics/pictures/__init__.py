@@ -7,8 +7,8 @@ A result, a kind of picture and a style go in; the bytes of a file come out.
 >>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)], [Gear([1])])
 >>> render(solve(case), "plan", "svg", Style())[:5]
 b'<?xml'
->>> len(picture(solve(case), "plan", Style()).axes)
-1
+>>> picture(solve(case), "plan", Style()).texts[0].get_text()
+'Generalised kinematic plan'
 
 A kind of picture is a function ``draw(results, style, gears) -> Figure`` in a module of
 its own, which is imported when its picture is asked for: matplotlib is an extra. Kinds that

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import Any, NamedTuple
 
 from matplotlib.figure import Figure
@@ -12,27 +12,40 @@ from vstatics.errors import CaseError, Problem
 from vstatics.model.transmission import HOUSING, Transmission
 from vstatics.numerics.tolerances import SAME
 from vstatics.pictures import labels
-from vstatics.pictures.labels import LEADER, Label, Panel
+from vstatics.pictures.chart import AxisScale, Chart, tick_texts, widest
+from vstatics.pictures.chart_ends import LineEnd, along, beside, height_of, width_of
+from vstatics.pictures.heads import ChartHead, chart_head
+from vstatics.pictures.labels import LEADER, Label, Paper
+from vstatics.pictures.looks import link_looks
 from vstatics.pictures.plan_course import draw_paths, draw_time, high_of, right_of, visited
-from vstatics.pictures.rays import KinematicPlan, plans
-from vstatics.pictures.style import TITLE, Style, number
-from vstatics.pictures.words import title
+from vstatics.pictures.plan_key import (
+    THICK,
+    THIN,
+    dot_look,
+    gear_look,
+    plan_note,
+    plan_signs,
+    unit_look,
+)
+from vstatics.pictures.rays import KinematicPlan, Ray, plans
+from vstatics.pictures.style import Style, number
+from vstatics.pictures.svg import told
+from vstatics.pictures.words import gear_title, title
 from vstatics.simulation.motion import Motion
 from vstatics.statics.results import Results
-from vstatics.statics.status import OUTPUT_STANDS
 
-WIDE, HIGH = 300.0, 230.0
+WIDE, HIGH = 300.0, 220.0
 """Of a plan without its labels. [pt]"""
 LONGEST = 110.0
 """Labels of rays are wrapped to this width. [pt]"""
 MARGIN = 12.0
 """[pt]"""
-BELOW = 66.0
-"""For what stands below a plan. [pt]"""
-RIGHT = 48.0
-"""For the ordinates. [pt]"""
-FAR = 0.25
-"""Where all gears are slower, the abscissa does not reach to 1."""
+BELOW = 26.0
+"""For the name of the abscissa, below the scale. [pt]"""
+RIGHT = 22.0
+"""For the name of the ordinates, beside the scale. [pt]"""
+ALONE = 0.4
+"""Where gears take less of the abscissa from 0 on, it does not reach to 0."""
 SIDE_BY_SIDE = 2
 """At most so many plans in a row: they can be read on a printed page."""
 ON_SHEET, ON_SHEET_WITH_RUN = 6, 4
@@ -84,28 +97,99 @@ def _figure(
     case: Transmission, chosen: Sequence[KinematicPlan], style: Style, motion: Motion | None
 ) -> Figure:
     """Some plans, one beside and below another, with a run if there is one."""
-    runs = dict(enumerate(visited(case, chosen, motion))) if motion is not None else {}
-    chosen = [plan for plan, _ in runs.values()] or chosen
-    layout = _layout(case, chosen, style, motion)
+    runs = visited(case, chosen, motion) if motion is not None else []
+    drawn = [_drawn(case, plan, style, has_run=motion is not None) for plan, _ in runs] or [
+        _drawn(case, plan, style) for plan in chosen
+    ]
+    layout = _layout(case, drawn, style, motion)
     wide, high = layout.size
-    figure = labels.figure(wide, high)
-    how: dict[str, Any] = {"ha": "center", "va": "top", "fontsize": TITLE}
-    figure.text(0.5, 1 - MARGIN / high, layout.title, **how)
-    for place, plan in enumerate(chosen):
+    paper = Paper(labels.figure(wide, high))
+    layout.head.draw(paper, MARGIN, high - MARGIN, style)
+    for place, one in enumerate(drawn):
         row, column = divmod(place, layout.columns)
-        left = column * wide / layout.columns + layout.left
-        bottom = high - layout.title_high - (row + 1) * layout.up + layout.below
-        panel = labels.panel(figure, left, bottom, WIDE, HIGH)
-        _draw_plan(panel, case, plan, style)
-        if motion is not None:
-            _, run = runs[place]
-            draw_paths(panel, plan, run, style)
-            under = labels.panel(
-                figure, left, bottom - layout.below + MARGIN, WIDE, high_of(motion)
+        left = column * layout.across + layout.left
+        bottom = high - layout.head_high - row * layout.up - layout.above - layout.high
+        chart = Chart(paper, (left, bottom), WIDE, layout.high, one.x, one.y)
+        _draw_plan(chart, case, one, style)
+        if place + layout.columns >= len(drawn):
+            text = style.text(
+                "1/i = output speed / input speed", "1/i = скорость выхода / скорость входа"
             )
-            under.axes.set_xlim(panel.axes.get_xlim())
-            draw_time(under, plan, run, motion, style)
-    return figure
+            chart.name("bottom", text, layout.numbers + BELOW - 8)
+        if column == layout.columns - 1 or place == len(drawn) - 1:
+            text = style.text("link speed / input speed", "скорость звена / скорость входа")
+            chart.name("right", text, widest(tick_texts(one.ticks())) + RIGHT - 6)
+        if motion is not None:
+            run = runs[place][1]
+            draw_paths(chart, one.plan, run, style)
+            time_high = high_of(motion)
+            down = bottom - layout.numbers - BELOW - time_high
+            scale = AxisScale(float(motion.time[-1]), float(motion.time[0]))
+            under = Chart(paper, (left, down), WIDE, time_high, one.x, scale)
+            draw_time(under, one.plan, run, motion, style)
+    return paper.figure
+
+
+class _DrawnPlan(NamedTuple):
+    """A plan with what follows from it."""
+
+    plan: KinematicPlan
+    x: AxisScale
+    y: AxisScale
+    names: tuple[tuple[str, ...], ...]
+    """Of the links of each ray, wrapped."""
+    head: str
+    top: _GearRow
+    foot: _GearRow
+
+    def ends(self, height: float, style: Style) -> list[LineEnd]:
+        """The names of rays at the left, in a chart of a height [pt]."""
+        return [
+            LineEnd(
+                self.y.part(ray.at(self.x.low)) * height,
+                names,
+                tuple(link_looks([link], style)[0] for link in ray.links),
+            )
+            for ray, names in zip(self.plan.rays, self.names, strict=True)
+        ]
+
+    def ticks(self) -> list[float]:
+        """Of the ordinates."""
+        return labels.ticks(self.y.low, self.y.high, 6)
+
+
+class _GearRow(NamedTuple):
+    """Texts above or below a plan, each near to its vertical."""
+
+    labels: list[Label]
+    upright: bool
+    height: float
+    """[pt]"""
+
+
+def _drawn(
+    case: Transmission, plan: KinematicPlan, style: Style, *, has_run: bool = False
+) -> _DrawnPlan:
+    x = _abscissa(plan, has_run=has_run)
+    reached = [ray.at(end) for ray in plan.rays for end in (x.low, x.high)] + [0.0, 1.0]
+    room = 0.05 * (max(reached) - min(reached))
+    y = AxisScale(min(reached) - room, max(reached) + room)
+    names = tuple(
+        tuple(labels.wrapped(case.link_name(link), LONGEST) for link in ray.links)
+        for ray in plan.rays
+    )
+    return _DrawnPlan(plan, x, y, names, _heading(plan, style), *_rows(case, plan, x, style))
+
+
+def _abscissa(plan: KinematicPlan, *, has_run: bool) -> AxisScale:
+    """From the first gear to the last; from 0 on where gears take a good part of that."""
+    outputs = [mark.output for mark in plan.marks]
+    low, high = min(outputs), max(outputs)
+    whole = min(low, 0.0), max(high, 0.0)
+    if has_run or high - low <= SAME or high - low >= ALONE * (whole[1] - whole[0]):
+        low, high = whole
+    room = 0.06 * (high - low) or 0.1
+    return AxisScale(low - room, high + room)
 
 
 class _PlanLayout(NamedTuple):
@@ -113,50 +197,59 @@ class _PlanLayout(NamedTuple):
 
     columns: int
     left: float
-    """Of the labels of rays."""
+    """Of the names of rays."""
+    right: float
+    """Of the scale."""
+    above: float
+    """Of the gears."""
+    high: float
+    """Of the axes."""
+    numbers: float
+    """Of those below the axes."""
     up: float
-    """A plan with all its labels."""
-    below: float
-    """What of it stands below the axes."""
-    title: str
-    title_high: float
+    """A plan with all that belongs to it."""
+    head: ChartHead
     size: tuple[float, float]
+
+    @property
+    def across(self) -> float:
+        """A plan with all that belongs to it."""
+        return self.left + WIDE + self.right
+
+    @property
+    def head_high(self) -> float:
+        """What stands over the plans."""
+        return MARGIN + self.head.high
 
 
 def _layout(
-    case: Transmission, chosen: Sequence[KinematicPlan], style: Style, motion: Motion | None
+    case: Transmission, drawn: Sequence[_DrawnPlan], style: Style, motion: Motion | None
 ) -> _PlanLayout:
-    columns = min(math.ceil(math.sqrt(len(chosen))), SIDE_BY_SIDE)
-    names = [name for plan in chosen for name in _ray_names(case, plan)]
-    left = MARGIN + LEADER + max(map(labels.width, names))
-    above = max(_top(case, plan, style).height for plan in chosen) + LEADER + MARGIN / 2
-    heads = [_heading(plan, style) for plan in chosen]
-    if any(heads):
-        above += max(map(labels.height, heads))
-    below, right = BELOW, RIGHT
+    columns = min(math.ceil(math.sqrt(len(drawn))), SIDE_BY_SIDE)
+    ends = [one.ends(HIGH, style) for one in drawn]
+    left = MARGIN + max(map(width_of, ends))
+    high = max(HIGH, *map(height_of, ends))
+    above = max(one.top.height for one in drawn) + LEADER + 4
+    if any(one.head for one in drawn):
+        above += max(labels.height(one.head) for one in drawn) + 2
+    right = widest(text for one in drawn for text in tick_texts(one.ticks())) + 8 + RIGHT
+    numbers = max(one.foot.height for one in drawn) + LEADER
+    below = numbers + BELOW
     if motion is not None:
-        below, right = BELOW + high_of(motion) + 2 * MARGIN, max(RIGHT, right_of(motion, style))
-    up, wide = above + HIGH + below, columns * (left + WIDE + right)
+        below += high_of(motion) + MARGIN
+        right = max(right, right_of(motion, style))
+    up, wide = above + high + below, columns * (left + WIDE + right)
     subject = style.text("generalised kinematic plan", "обобщённый кинематический план")
     if motion is not None:
-        subject += style.text(
-            " with a run (full where it is on the rays)",
-            " и движение (сплошная линия там, где оно на лучах)",
-        )
-    head = labels.wrapped(title(case, subject), wide - 2 * MARGIN, TITLE)
-    title_high = labels.height(head, TITLE) + 2 * MARGIN
-    high = math.ceil(len(chosen) / columns) * up + title_high
-    return _PlanLayout(columns, left, up, below, head, title_high, (wide, high))
-
-
-def _draw_plan(panel: Panel, case: Transmission, plan: KinematicPlan, style: Style) -> None:
-    """A plan with all its labels."""
-    _draw_rays(panel, case, plan, style)
-    _draw_scales(panel, plan, style)
-    top = _top(case, plan, style)
-    panel.along("top", top.labels, upright=top.upright)
-    head = _heading(plan, style)
-    panel.write(WIDE / 2, HIGH + LEADER + top.height + 2, head, ha="center", va="bottom")
+        subject += style.text(" with a run", " и движение")
+    shown = [one.plan for one in drawn]
+    ranges = [(one.x.low, one.x.high) for one in drawn]
+    signs = plan_signs(shown, ranges, style, has_run=motion is not None)
+    head = chart_head(
+        title(case, subject), plan_note(case, shown, style), signs, wide - 2 * MARGIN, style
+    )
+    size = wide, MARGIN + head.high + math.ceil(len(drawn) / columns) * up
+    return _PlanLayout(columns, left, right, above, high, numbers, up, head, size)
 
 
 def _heading(plan: KinematicPlan, style: Style) -> str:
@@ -169,111 +262,99 @@ def _heading(plan: KinematicPlan, style: Style) -> str:
     return labels.wrapped("; ".join(parts), WIDE)
 
 
-def _ray_names(case: Transmission, plan: KinematicPlan) -> list[str]:
-    """The links of each ray in lines."""
-    return [
-        labels.wrapped(" = ".join(case.link_name(link) for link in ray.links), LONGEST)
-        for ray in plan.rays
+def _rows(
+    case: Transmission, plan: KinematicPlan, x: AxisScale, style: Style
+) -> tuple[_GearRow, _GearRow]:
+    """The gears with the elements that make them above a plan, 1/i of each below it."""
+    at = [x.part(mark.output) * WIDE for mark in plan.marks]
+    texts = [
+        (
+            case.gears[mark.gear - 1].name,
+            ", ".join(case.shift_elements[number - 1].name for number in mark.elements),
+        )
+        for mark in plan.marks
     ]
+    across, turned = (
+        [
+            Label(place, between.join(filter(None, text)), style.ink)
+            for place, text in zip(at, texts, strict=True)
+        ]
+        for between in ("\n", ": ")
+    )
+    outputs = sorted({round(mark.output, 9) + 0.0 for mark in plan.marks})
+    scale = [Label(x.part(one) * WIDE, number(one), style.ink) for one in outputs]
+    common = [one for one in (0.0, 1.0) if one not in outputs and x.low < one < x.high]
+    scale += [Label(x.part(one) * WIDE, f"{one:.0f}", style.soft) for one in common]
+    return _near(across, turned), _near(scale, scale)
 
 
-def _gear_text(case: Transmission, plan: KinematicPlan, place: int, between: str) -> str:
-    mark = plan.marks[place]
-    elements = ", ".join(case.shift_elements[number - 1].name for number in mark.elements)
-    name = case.gears[mark.gear - 1].name
-    return f"{name}{between}{elements}" if elements else name
+def _near(across: list[Label], turned: list[Label]) -> _GearRow:
+    """Texts across if each can stand near to its vertical, else upwards."""
+    sizes = [labels.across_size(label.text) for label in across]
+    wanted = [label.at for label in across]
+    places = labels.spread(wanted, sizes, 0.0, WIDE)
+    if all(abs(one - other) <= LEADER for one, other in zip(places, wanted, strict=True)):
+        return _GearRow(across, upright=False, height=max(labels.height(a.text) for a in across))
+    return _GearRow(turned, upright=True, height=max(labels.width(a.text) for a in turned))
 
 
-class _Top(NamedTuple):
-    """The gears with the elements that make them, above a plan."""
-
-    labels: list[Label]
-    upright: bool
-    height: float
-    """[pt]"""
-
-
-def _top(case: Transmission, plan: KinematicPlan, style: Style) -> _Top:
-    """The names of gears, across if each can stand near to its vertical, else upwards."""
-    low, high = _frame(plan)[:2]
-    at = [(mark.output - low) / (high - low) * WIDE for mark in plan.marks]
-    taken = any(abs(mark.output) < SAME for mark in plan.marks)
-    at_origin = "" if taken else style.text(OUTPUT_STANDS.name, OUTPUT_STANDS.russian)
-    neutral = Label(-low / (high - low) * WIDE, at_origin, style.soft)
-
-    def gears(between: str) -> list[Label]:
-        texts = [_gear_text(case, plan, place, between) for place in range(len(at))]
-        return [Label(x, text, style.ink) for x, text in zip(at, texts, strict=True)]
-
-    for across in ([*gears("\n"), neutral], gears("\n")):
-        sizes = [labels.across_size(label.text) for label in across]
-        wanted = [label.at for label in across]
-        places = labels.spread(wanted, sizes, 0.0, WIDE)
-        if all(abs(a - b) <= labels.LEADER for a, b in zip(places[: len(at)], at, strict=True)):
-            return _Top(across, upright=False, height=max(labels.height(a.text) for a in across))
-    turned = [*gears(": "), neutral]
-    return _Top(turned, upright=True, height=max(labels.width(a.text) for a in turned))
+def _draw_plan(chart: Chart, case: Transmission, one: _DrawnPlan, style: Style) -> None:
+    """A plan with all its labels."""
+    chart.frame(style, "left", "right", "bottom", "top")
+    chart.scale("right", one.ticks(), style, grid=True)
+    _draw_rays(chart, case, one.plan, style)
+    _draw_gears(chart, case, one.plan, style)
+    beside(chart, "left", one.ends(chart.height, style), style)
+    along(chart, "top", one.top.labels, style, upright=one.top.upright)
+    along(chart, "bottom", one.foot.labels, style, upright=one.foot.upright)
+    chart.write(0, chart.height + LEADER + one.top.height + 2, one.head, weight="bold", va="bottom")
 
 
-def _frame(plan: KinematicPlan) -> tuple[float, float, float, float]:
-    """The ends of the abscissa, and of all rays between them."""
-    outputs = [0.0, *(mark.output for mark in plan.marks)]
-    if max(map(abs, outputs)) > FAR:
-        outputs.append(1.0)
-    room = 0.06 * (max(outputs) - min(outputs))
-    low, high = min(outputs) - room, max(outputs) + room
-    reached = [ray.at(x) for ray in plan.rays for x in (low, high)] + [0.0, 1.0]
-    room = 0.05 * (max(reached) - min(reached))
-    return low, high, min(reached) - room, max(reached) + room
-
-
-def _draw_rays(panel: Panel, case: Transmission, plan: KinematicPlan, style: Style) -> None:
-    """Rays with their labels at the left, verticals, and what stops or joins links."""
-    axes = panel.axes
-    low, high, lowest, highest = _frame(plan)
-    axes.set_xlim(low, high)
-    axes.set_ylim(lowest, highest)
-    axes.axhline(0, color=style.ink, linewidth=0.8)
-    axes.axvline(0, color=style.ink, linewidth=0.8)
-    at_edge = []
-    for place, (ray, name) in enumerate(zip(plan.rays, _ray_names(case, plan), strict=True)):
+def _draw_rays(chart: Chart, case: Transmission, plan: KinematicPlan, style: Style) -> None:
+    """The line of each link, and those of what stands."""
+    ends = chart.x.low, chart.x.high
+    rest = [((0.0, chart.up(0.0)), (chart.width, chart.up(0.0)))]
+    if ends[0] < 0 < ends[1]:
+        rest.append(((chart.across(0.0), 0.0), (chart.across(0.0), chart.height)))
+    chart.lines(rest, color=style.ink, linewidth=0.8)
+    for ray in plan.rays:
         is_port = plan.input in ray.links or plan.output in ray.links
-        colour, wide = (style.ink, 1.8) if is_port else (style.colour(place), 1.3)
-        dashes = "dashdot" if plan.output in ray.links else "solid"
-        ends = [ray.at(low), ray.at(high)]
-        axes.plot([low, high], ends, linestyle=dashes, color=colour, linewidth=wide)
-        at_edge.append(Label(panel.up(ray.at(low)), name, colour))
+        places = [(chart.across(end), chart.up(ray.at(end))) for end in ends]
+        for look in link_looks(ray.links, style):
+            how: dict[str, Any] = {"linewidth": THICK if is_port else THIN, **look}
+            chart.line(*places, solid_capstyle="butt", gid=told(_ray_told(case, ray)), **how)
+
+
+def _ray_told(case: Transmission, ray: Ray) -> str:
+    names = " = ".join(case.link_name(link) for link in ray.links)
+    sign = "−" if ray.slope < 0 else "+"
+    return f"{names}: {number(ray.start)} {sign} {number(abs(ray.slope))}·(1/i)"
+
+
+def _draw_gears(chart: Chart, case: Transmission, plan: KinematicPlan, style: Style) -> None:
+    """A vertical for each gear, and what stops or joins links there."""
     for mark in plan.marks:
-        axes.axvline(mark.output, color=style.faint, linewidth=0.9, linestyle=(0, (4, 3)))
-        for x, y in _stops(case, plan, mark.elements, mark.output):
-            axes.plot([x], [y], "o", color=style.ink, markersize=4.5, zorder=4)
-    if plan.has_unit_point and high > 1:
-        how: dict[str, Any] = {"markerfacecolor": style.paper, "markeredgecolor": style.ink}
-        axes.plot([1], [1], "o", markersize=8, zorder=3, **how)
-    panel.beside("left", at_edge)
+        x, name = chart.across(mark.output), gear_title(case.gears[mark.gear - 1].name, style)
+        said = told(f"{name}: 1/i {number(mark.output)}", gear=str(mark.gear))
+        chart.line((x, 0.0), (x, chart.height), gid=said, **gear_look(style))
+        for text, y in _stops(case, plan, mark.elements, mark.output, style):
+            chart.line((x, chart.up(y)), gid=told(f"{name}: {text}"), **dot_look(style))
+    if plan.has_unit_point and chart.x.low < 1 < chart.x.high:
+        chart.line((chart.across(1.0), chart.up(1.0)), **unit_look(style))
 
 
 def _stops(
-    case: Transmission, plan: KinematicPlan, elements: Sequence[int], output: float
-) -> list[tuple[float, float]]:
-    """Where the rays of two links that an element joins meet, or one crosses the abscissa."""
+    case: Transmission,
+    plan: KinematicPlan,
+    elements: Sequence[int],
+    output: float,
+    style: Style,
+) -> Iterator[tuple[str, float]]:
+    """What holds a link where its ray crosses the abscissa, or joins two whose rays meet."""
     speeds = {link: ray.at(output) for ray in plan.rays for link in ray.links}
-    joined = (case.shift_elements[number - 1].links for number in elements)
-    return [(output, 0.0 if HOUSING in links else speeds.get(links[0], 0.0)) for links in joined]
-
-
-def _draw_scales(panel: Panel, plan: KinematicPlan, style: Style) -> None:
-    """1/i of the gears at the abscissa, ordinates at the right."""
-    outputs = sorted({round(mark.output, 9) + 0.0 for mark in plan.marks})
-    scale = [Label(panel.across(x), number(x), style.ink) for x in outputs]
-    common = [x for x in (0.0, 1.0) if x not in outputs and x < panel.axes.get_xlim()[1]]
-    scale += [Label(panel.across(x), f"{x:.0f}", style.soft) for x in common]
-    panel.along("bottom", scale, upright=True)
-    axes = panel.axes
-    axes.set_xticks([])
-    axes.yaxis.tick_right()
-    axes.grid(axis="y", linewidth=0.4, alpha=0.6)
-    x = style.text("output speed / input speed, 1/i", "скорость выхода / скорость входа, 1/i")
-    y = style.text("link speed / input speed", "скорость звена / скорость входа")
-    panel.write(WIDE / 2, -BELOW + MARGIN + 2, x, ha="center", va="bottom")
-    panel.write(WIDE + RIGHT - 8, HIGH / 2, y, ha="center", va="center", rotation=90)
+    for element in (case.shift_elements[place - 1] for place in elements):
+        names = [case.link_name(link) for link in element.links if link != HOUSING]
+        does = style.text("holds", "держит"), style.text("joins", "соединяет")
+        is_brake = HOUSING in element.links
+        text = f"{element.name} {does[not is_brake]} {' + '.join(names)}"
+        yield text, 0.0 if is_brake else speeds.get(element.links[0], 0.0)

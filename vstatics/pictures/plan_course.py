@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,7 +11,11 @@ from numpy.typing import NDArray
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Floats
 from vstatics.pictures import labels
-from vstatics.pictures.labels import LEADER, Label, Panel
+from vstatics.pictures.chart import Chart, tick_texts, widest
+from vstatics.pictures.chart_ends import LineEnd, beside
+from vstatics.pictures.labels import LEADER
+from vstatics.pictures.looks import link_look
+from vstatics.pictures.plan_key import BROAD, PATH, gear_look
 from vstatics.pictures.rays import KinematicPlan
 from vstatics.pictures.shift_lines import event_text, told
 from vstatics.pictures.style import Style, number
@@ -77,7 +81,7 @@ def course(case: Transmission, plan: KinematicPlan, motion: Motion) -> PlanCours
 def right_of(motion: Motion, style: Style) -> float:
     """Width that the names of events need [pt]."""
     names = [_name(event, style) for event in told(motion.events, MOST)]
-    return LEADER + max(map(labels.width, names), default=0.0) + labels.LEADER
+    return LEADER + max(map(labels.width, names), default=0.0) + LEADER
 
 
 def high_of(motion: Motion) -> float:
@@ -86,42 +90,38 @@ def high_of(motion: Motion) -> float:
     return max(HIGH, named * (labels.height("x") + labels.GAP))
 
 
-def draw_paths(panel: Panel, plan: KinematicPlan, run: PlanCourse, style: Style) -> None:
+def draw_paths(chart: Chart, plan: KinematicPlan, run: PlanCourse, style: Style) -> None:
     """What the run goes over of each ray, and how it leaves and reaches the plan."""
     for place, ray in enumerate(plan.rays):
         is_port = plan.input in ray.links or plan.output in ray.links
-        colour = style.ink if is_port else style.colour(place)
-        broad: dict[str, Any] = {"linewidth": 5, "alpha": 0.3, "solid_capstyle": "butt"}
+        look = link_look(ray.links[0], style) | BROAD | {"linestyle": "solid"}
         on = run.masked(run.output, on_plan=True)
-        panel.axes.plot(on, run.masked(run.paths[:, place], on_plan=True), color=colour, **broad)
+        chart.plot(on, run.masked(run.paths[:, place], on_plan=True), **look)
         if not is_port:
             off = run.masked(run.output, on_plan=False)
             beside = run.masked(run.paths[:, place], on_plan=False)
-            how: dict[str, Any] = {"linestyle": (0, (1, 1.5)), "linewidth": 0.9}
-            panel.axes.plot(off, beside, color=colour, **how)
+            chart.plot(off, beside, **link_look(ray.links[0], style) | PATH)
 
 
 def draw_time(
-    panel: Panel, plan: KinematicPlan, run: PlanCourse, motion: Motion, style: Style
+    chart: Chart, plan: KinematicPlan, run: PlanCourse, motion: Motion, style: Style
 ) -> None:
     """The abscissa of the run over time, which goes down, below the plan."""
-    axes = panel.axes
-    axes.set_ylim(motion.time[-1], motion.time[0])
-    for mark in plan.marks:
-        axes.axvline(mark.output, color=style.faint, linewidth=0.9, linestyle=(0, (4, 3)))
-    for time in sorted({event.time for event in motion.events}):
-        axes.axhline(time, color=style.faint, linewidth=0.6, zorder=0.5)
-    for on_plan, wide, dashes in ((True, 2.4, "solid"), (False, 0.9, (0, (1, 1.5)))):
+    gears = [chart.across(mark.output) for mark in plan.marks]
+    chart.lines([((x, 0.0), (x, chart.height)) for x in gears], **gear_look(style))
+    times = [chart.up(time) for time in sorted({event.time for event in motion.events})]
+    pieces = [((0.0, y), (chart.width, y)) for y in times]
+    chart.lines(pieces, color=style.faint, linewidth=0.6, zorder=0.5)
+    for on_plan in (True, False):
+        look = {"linewidth": 2.4, "solid_capstyle": "butt"} if on_plan else PATH
         values = run.masked(run.output, on_plan=on_plan)
-        axes.plot(values, run.time, color=style.engaged, linewidth=wide, linestyle=dashes)
-    axes.set_xticks([])
-    axes.yaxis.tick_left()
-    axes.tick_params(axis="y", length=2)
-    axes.set_yticks(labels.ticks(motion.time[0], motion.time[-1], 4))
-    axes.set_ylabel(style.text("time, s", "время, с"), labelpad=2)
-    named = told(motion.events, MOST)
-    at = [Label(panel.up(one.time), _name(one, style), style.ink) for one in named]
-    panel.beside("right", at)
+        chart.plot(values, run.time, color=style.engaged, **look)
+    chart.frame(style, "left", "right", "bottom", "top")
+    ticks = labels.ticks(motion.time[0], motion.time[-1], 4)
+    chart.scale("left", ticks, style)
+    chart.name("left", style.text("time, s", "время, с"), widest(tick_texts(ticks)) + 14)
+    ends = [LineEnd(chart.up(one.time), (_name(one, style),)) for one in told(motion.events, MOST)]
+    beside(chart, "right", ends, style)
 
 
 def _name(event: Event, style: Style) -> str:

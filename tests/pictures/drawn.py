@@ -1,0 +1,26 @@
+"""What figures say: the artists with a title, and all texts."""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+from matplotlib.artist import Artist
+from matplotlib.figure import Figure
+from matplotlib.text import Text
+
+
+def titled(figure: Figure) -> list[tuple[str, Any]]:
+    """The artists of a picture that have a title, with it, in their order."""
+    return [(json.loads(name)["title"], one) for one, name in _named(figure)]
+
+
+def _named(figure: Figure) -> list[tuple[Artist, str]]:
+    found = [(one, one.get_gid()) for one in figure.findobj()]
+    return [(one, name) for one, name in found if name and name.startswith("{")]
+
+
+def texts(figure: Figure) -> list[str]:
+    """All texts of a picture that are shown."""
+    found: list[Any] = figure.findobj(Text)
+    return [one.get_text() for one in found if one.get_visible() and one.get_text()]
