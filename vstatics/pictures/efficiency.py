@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from matplotlib.figure import Figure
@@ -13,28 +13,54 @@ from vstatics.errors import CaseError, Problem
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Floats
 from vstatics.pictures import labels
-from vstatics.pictures.labels import LEADER, Label, Panel
+from vstatics.pictures.chart import AxisScale, Chart
+from vstatics.pictures.chart_ends import along
+from vstatics.pictures.heads import AFTER, SAMPLE, KeySign, chart_head
+from vstatics.pictures.labels import LEADER, Label, Paper
+from vstatics.pictures.looks import loss_look
 from vstatics.pictures.state import state_of
-from vstatics.pictures.style import TITLE, Style, number
-from vstatics.pictures.words import fault, title
+from vstatics.pictures.style import SIZE, Style, number
+from vstatics.pictures.svg import halo, told
+from vstatics.pictures.words import fault, gear_title, title
 from vstatics.statics.results import Results
 from vstatics.statics.status import LOCKED
+from vstatics.tables.numbers import typeset
 from vstatics.tables.values import tables
 
 HIGH = 230.0
 """Of the axes. [pt]"""
-STEP = 40.0
+STEP = 42.0
 """Between gears. [pt]"""
 LEAST = 200.0
 """Width of the axes at least. [pt]"""
-BAR = 0.62
+BAR = 0.66
 """Width of a bar over the step."""
-MARGIN = 14.0
+MARGIN = 12.0
 """[pt]"""
 LEFT, BELOW = 58.0, 24.0
 """For the scale, and for what the gears are called together. [pt]"""
 LONGEST = 120.0
 """Names of mechanisms are wrapped to this width. [pt]"""
+NOTHING = 1e-9
+"""A smaller share is rounding. [-]"""
+
+
+class _Losses(NamedTuple):
+    """What is drawn: some gears, and what takes a share in any of them."""
+
+    gears: list[str]
+    efficiency: Floats
+    """[-]"""
+    names: list[str]
+    shares: Floats
+    """Shape (names, gears). [-]"""
+    missing: dict[int, str]
+    """Why a gear at a place has no efficiency."""
+
+    @property
+    def key(self) -> list[str]:
+        """The names, wrapped."""
+        return [labels.wrapped(name, LONGEST) for name in self.names]
 
 
 def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> Figure:
@@ -53,39 +79,49 @@ def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> Figure:
         which = f"gear {asked}" if gears else "the case"
         raise CaseError([Problem(f"{which} has no efficiency that could be drawn")])
     names, shares = loss_shares(results, style)
-    shares = shares[:, chosen]
-    wrapped = [labels.wrapped(name, LONGEST) for name in names]
+    shares = np.nan_to_num(shares[:, chosen])
+    rows = [row for row in range(len(names)) if np.abs(shares[row]).max() > NOTHING]
+    missing = {
+        place: _why(results, one + 1, style)
+        for place, one in enumerate(chosen)
+        if math.isnan(efficiency[place])
+    }
     shown = [case.gears[place].name for place in chosen]
-    figure, panel = _figure(_title(case, style), shown, wrapped)
-    _frame(panel, efficiency, style)
-    _bars(panel, efficiency, shares, style)
-    for place, one in enumerate(chosen):
-        if math.isnan(efficiency[place]):
-            is_locked = LOCKED in state_of(results, one + 1).faults
-            why = (
-                fault(LOCKED, style) if is_locked else style.text("not determined", "не определён")
-            )
-            how = {"ha": "center", "va": "top", "rotation": 90}
-            panel.write(panel.across(place), panel.up(1.0) - 6, why, **how)
-    at = [Label(panel.across(place), name, style.ink) for place, name in enumerate(shown)]
-    panel.along("bottom", at, upright=_foot(shown)[0])
-    low = -LEADER - _foot(shown)[1] - 4
-    panel.write(panel.width / 2, low, style.text("gear", "передача"), ha="center", va="top")
-    _legend(panel, wrapped, style)
-    return figure
+    losses = _Losses(shown, efficiency, [names[row] for row in rows], shares[rows], missing)
+    chart = _chart(_title(case, style), losses, style)
+    _scales(chart, losses, style)
+    _bars(chart, losses, style)
+    for place, why in missing.items():
+        how: dict[str, Any] = {"ha": "center", "va": "top", "rotation": 90}
+        chart.write(chart.across(place), chart.height - 6, why, **how)
+    _key(chart, losses, style)
+    return chart.paper.figure
 
 
-def _figure(head: str, gears: Sequence[str], wrapped: Sequence[str]) -> tuple[Figure, Panel]:
-    """A figure with room for its title, the names of gears and those of mechanisms."""
-    wide = max(len(gears) * STEP, LEAST)
-    high = max(HIGH, sum(labels.height(name) + 6 for name in wrapped))
-    across = LEFT + wide + 3 * MARGIN + 12 + max(map(labels.width, wrapped), default=0.0)
-    lines = labels.wrapped(head, across - 2 * MARGIN, TITLE)
-    below = LEADER + _foot(gears)[1] + BELOW
-    up = below + high + labels.height(lines, TITLE) + 3 * MARGIN
-    figure = labels.figure(across, up)
-    figure.text(0.5, 1 - MARGIN / up, lines, ha="center", va="top", fontsize=TITLE)
-    return figure, labels.panel(figure, LEFT, below, wide, high)
+def _why(results: Results, gear: int, style: Style) -> str:
+    """Why a gear has no efficiency."""
+    if LOCKED in state_of(results, gear).faults:
+        return fault(LOCKED, style)
+    return style.text("not determined", "не определён")
+
+
+def _chart(name: str, losses: _Losses, style: Style) -> Chart:
+    """A chart with room for its title, the names of gears and those of mechanisms."""
+    wide = max(len(losses.gears) * STEP, LEAST)
+    high = max(HIGH, sum(labels.height(name) + 6 for name in losses.key))
+    beside = max((SAMPLE + AFTER + labels.width(name) for name in losses.key), default=0.0)
+    across = LEFT + wide + 2 * MARGIN + beside
+    lossless = style.text("nothing is lost", "потерь нет")
+    note = "" if losses.names or losses.missing else lossless
+    head = chart_head(name, note, [], across - 2 * MARGIN, style)
+    below = LEADER + _foot(losses.gears)[1] + BELOW
+    up = below + high + head.high + MARGIN + SIZE
+    paper = Paper(labels.figure(across, up))
+    head.draw(paper, MARGIN, up - MARGIN, style)
+    lowest = min(float(np.nanmin(losses.efficiency)), 0.99)
+    x = AxisScale(-0.6, len(losses.gears) - 0.4)
+    y = AxisScale(lowest - 0.12 * (1 - lowest), 1.0)
+    return Chart(paper, (LEFT, below), wide, high, x, y)
 
 
 def _foot(gears: Sequence[str]) -> tuple[bool, float]:
@@ -132,50 +168,47 @@ def _title(case: Transmission, style: Style) -> str:
     return title(case, what)
 
 
-def _frame(panel: Panel, efficiency: Floats, style: Style) -> None:
-    """The scale: from 1 down to a little below the lowest bar, with room for its number."""
-    lowest = min(float(np.nanmin(efficiency)), 0.99)
-    axes = panel.axes
-    axes.set_xlim(-0.6, len(efficiency) - 0.4)
-    axes.set_ylim(lowest - 0.12 * (1 - lowest), 1.0)
-    axes.set_xticks([])
-    axes.grid(axis="y", linewidth=0.4, alpha=0.7)
-    axes.set_axisbelow(True)
-    for side in ("right", "bottom"):
-        axes.spines[side].set_visible(False)
-    text = style.text("efficiency", "КПД")
-    panel.write(MARGIN - LEFT, panel.height / 2, text, rotation=90, ha="center", va="center")
+def _scales(chart: Chart, losses: _Losses, style: Style) -> None:
+    """From 1 down to a little below the lowest bar, with room for its number; the gears."""
+    chart.frame(style, "left", "top")
+    chart.scale("left", labels.ticks(chart.y.low, 1.0, 6), style, grid=True)
+    chart.name("left", style.text("efficiency", "КПД"), LEFT - MARGIN - SIZE / 2)
+    upright, high = _foot(losses.gears)
+    at = [Label(chart.across(place), name, style.ink) for place, name in enumerate(losses.gears)]
+    along(chart, "bottom", at, style, upright=upright)
+    chart.name("bottom", style.text("gear", "передача"), LEADER + high + SIZE)
 
 
-def _bars(panel: Panel, efficiency: Floats, shares: Floats, style: Style) -> None:
+def _bars(chart: Chart, losses: _Losses, style: Style) -> None:
     """The shares of each gear, one below the other, and the efficiency below them."""
-    places = np.arange(len(efficiency))
-    reached = np.ones(len(efficiency))
-    for row, share in enumerate(np.nan_to_num(shares)):
-        how: dict[str, Any] = {
-            "facecolor": style.colour(row),
-            "hatch": style.hatch(row),
-            "edgecolor": style.paper,
-            "linewidth": 0.5,
-        }
-        panel.axes.bar(places, -share, BAR, bottom=reached, **how)
-        reached = reached - share
-    for place, value in enumerate(efficiency):
-        if math.isfinite(value):
-            low = panel.up(float(value))
-            ends = (panel.across(place - BAR / 2), low), (panel.across(place + BAR / 2), low)
-            panel.line(*ends, color=style.ink, linewidth=1.5)
-            panel.write(panel.across(place), low - 4, number(value), ha="center", va="top")
+    wide = BAR * chart.width / (chart.x.high - chart.x.low)
+    for place, (gear, value) in enumerate(zip(losses.gears, losses.efficiency, strict=True)):
+        if not math.isfinite(value):
+            continue
+        left, reached = chart.across(place) - wide / 2, 1.0
+        for row, name in enumerate(losses.names):
+            share = float(losses.shares[row, place])
+            if abs(share) > NOTHING:
+                top, low = chart.up(reached), chart.up(reached - share)
+                percent = typeset(f"{100 * share:.3g} %")
+                said = told(f"{gear_title(gear, style)}, {name}: {percent}")
+                chart.box((left, low), (wide, top - low), gid=said, **loss_look(row, style))
+                if top - low > SIZE + 2 and labels.width(name) < wide - 2:
+                    how: dict[str, Any] = {"ha": "center", "va": "center_baseline"}
+                    chart.write(left + wide / 2, (top + low) / 2, name, **how, **halo(style))
+                reached -= share
+        low = chart.up(float(value))
+        how = {"color": style.ink, "linewidth": 1.5, "solid_capstyle": "butt"}
+        chart.line((left, low), (left + wide, low), **how)
+        chart.write(left + wide / 2, low - 4, number(value), ha="center", va="top")
 
 
-def _legend(panel: Panel, names: list[str], style: Style) -> None:
-    """The colours of mechanisms at the right, from the top."""
-    y = panel.height
-    for row, name in enumerate(names):
-        own = labels.height(name) + 6
-        middle = y - own / 2
-        left = panel.width + MARGIN
-        how = {"facecolor": style.colour(row), "hatch": style.hatch(row)}
-        panel.box((left, middle - 4), (10, 8), edgecolor=style.paper, linewidth=0, **how)
-        panel.write(left + 20, middle, name, va="center", linespacing=labels.LINE)
-        y -= own
+def _key(chart: Chart, losses: _Losses, style: Style) -> None:
+    """The areas of mechanisms at the right, from the top."""
+    left, low = chart.corner
+    y = low + chart.height
+    for row, name in enumerate(losses.key):
+        high = labels.height(name) + 6
+        sign = KeySign(name, loss_look(row, style))
+        sign.draw(chart.paper, left + chart.width + MARGIN / 2, y - high / 2)
+        y -= high
