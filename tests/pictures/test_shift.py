@@ -10,12 +10,13 @@ import numpy as np
 import pytest
 
 from tests.commands import CASES
+from tests.pictures.drawn import titled
 from tests.pictures.test_pictures import overlaps
 from vstatics import CaseError, Results, load, solve
 from vstatics.pictures import picture, render
 from vstatics.pictures.plan_course import course, visited
 from vstatics.pictures.rays import plans
-from vstatics.pictures.shift_lines import panels, states, thinned, told
+from vstatics.pictures.shift_lines import named_events, panels, states, thinned
 from vstatics.pictures.style import Style
 from vstatics.simulation.motion import Energy, Event, Motion, Peak
 
@@ -89,7 +90,7 @@ def test_torques_far_apart_are_drawn_over_their_peaks(results: Results) -> None:
 def test_of_many_events_impacts_and_locks_are_named() -> None:
     events = [Event(0.1 * n, "C", "slips" if n % 2 else "locks") for n in range(8)]
     events[5] = Event(0.5, "C", "impact", 3.0)
-    assert told(events, 5) == [one for one in events if one.event != "slips"]
+    assert named_events(events, 5) == [one for one in events if one.event != "slips"]
 
 
 def test_a_thinned_line_keeps_ends_and_extremes() -> None:
@@ -128,6 +129,17 @@ def test_nothing_can_be_drawn_without_a_run_or_where_nothing_moves(results: Resu
             Style(),
             motion=run()._replace(speeds=0 * run().speeds, torques=0 * run().torques),
         )
+
+
+def test_links_have_their_colours_and_elements_others(results: Results) -> None:
+    """Issue 16: the same colour for the same thing in all kinds."""
+    shown = titled(picture(results, "shift", Style(), motion=run()))
+    lines = {said: one.get_color() for said, one in shown if hasattr(one, "get_color")}
+    assert [lines[name] for name in ("sun", "ring", "carrier")] == list(Style().colours[:3])
+    assert lines["brake"] not in Style().colours
+    assert {"brake slips, 0.000–0.410 s", "brake sticks, 0.410–1.000 s"} <= {
+        one for one, _ in shown
+    }
 
 
 @pytest.mark.slow

@@ -38,22 +38,34 @@ def link_looks(links: Sequence[int], style: Style) -> list[Look]:
     ]
 
 
+def striped_look(style: Style) -> Look:
+    """Of the sign in a key for lines with stripes."""
+    dashes = (0, (STRIPE / 2, STRIPE / 2))
+    return {"color": style.ink, "gapcolor": style.faint, "linestyle": dashes, "linewidth": 2.8}
+
+
 def link_look(link: int, style: Style) -> Look:
     """The line of one link."""
     return {"color": style.colour(link - 1), "linestyle": style.dash(link - 1)}
 
 
 def element_look(place: int, style: Style) -> Look:
-    """The line of a shift element or spring, from 0; never that of a link.
+    """The line of a shift element, from 0; never that of a link.
 
     >>> element_look(0, Style())["color"] == Style().engaged
     True
     """
-    inks = style.engaged, style.ink, style.soft
-    return {
-        "color": inks[place % len(inks)],
-        "linestyle": DASHES[place // len(inks) % len(DASHES)],
-    }
+    return _inked(place, (style.engaged, style.ink, style.soft))
+
+
+def spring_look(place: int, style: Style) -> Look:
+    """The line of what is neither link nor shift element: a spring, a converter, a mode."""
+    return _inked(place, (style.ink, style.soft))
+
+
+def _inked(place: int, inks: Sequence[str]) -> Look:
+    dashes = DASHES[place // len(inks) % len(DASHES)]
+    return {"color": inks[place % len(inks)], "linestyle": dashes}
 
 
 def loss_look(place: int, style: Style) -> Look:

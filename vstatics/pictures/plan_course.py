@@ -17,7 +17,7 @@ from vstatics.pictures.labels import LEADER
 from vstatics.pictures.looks import link_look
 from vstatics.pictures.plan_key import BROAD, PATH, gear_look
 from vstatics.pictures.rays import KinematicPlan
-from vstatics.pictures.shift_lines import event_text, told
+from vstatics.pictures.shift_lines import event_text, named_events
 from vstatics.pictures.style import Style, number
 from vstatics.simulation.motion import Event, Motion
 
@@ -80,7 +80,7 @@ def course(case: Transmission, plan: KinematicPlan, motion: Motion) -> PlanCours
 
 def right_of(motion: Motion, style: Style) -> float:
     """Width that the names of events need [pt]."""
-    names = [_name(event, style) for event in told(motion.events, MOST)]
+    names = [_name(event, style) for event in named_events(motion.events, MOST)]
     return LEADER + max(map(labels.width, names), default=0.0) + LEADER
 
 
@@ -120,7 +120,10 @@ def draw_time(
     ticks = labels.ticks(motion.time[0], motion.time[-1], 4)
     chart.scale("left", ticks, style)
     chart.name("left", style.text("time, s", "время, с"), widest(tick_texts(ticks)) + 14)
-    ends = [LineEnd(chart.up(one.time), (_name(one, style),)) for one in told(motion.events, MOST)]
+    ends = [
+        LineEnd(chart.up(one.time), (_name(one, style),))
+        for one in named_events(motion.events, MOST)
+    ]
     beside(chart, "right", ends, style)
 
 

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from vstatics.model.transmission import Transmission
 from vstatics.pictures.heads import KeySign
-from vstatics.pictures.looks import STRIPE, Look
+from vstatics.pictures.looks import Look, striped_look
 from vstatics.pictures.rays import KinematicPlan
 from vstatics.pictures.style import Style
 
@@ -76,10 +76,8 @@ def plan_signs(
         )
         signs.append(KeySign(text, dot_look(style)))
     if any(len(ray.links) > 1 for plan in shown for ray in plan.rays):
-        dashes: Look = {"linestyle": (0, (STRIPE / 2, STRIPE / 2)), "gapcolor": style.faint}
-        striped = {**ink, "linewidth": 2 * THIN, **dashes}
         text = style.text("striped: links turn together", "полосы: звенья вращаются вместе")
-        signs.append(KeySign(text, striped))
+        signs.append(KeySign(text, striped_look(style)))
     if any(
         plan.has_unit_point and low < 1 < high
         for plan, (low, high) in zip(shown, ranges, strict=True)

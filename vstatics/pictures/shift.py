@@ -11,41 +11,45 @@ from matplotlib.figure import Figure
 
 from vstatics.errors import CaseError, Problem, printable
 from vstatics.pictures import labels
-from vstatics.pictures.labels import LEADER, Label, Panel
+from vstatics.pictures.chart import AxisScale, Chart
+from vstatics.pictures.chart_ends import LineEnd, along, beside, height_of, width_of
+from vstatics.pictures.heads import ChartHead, KeySign, chart_head
+from vstatics.pictures.labels import LEADER, Label, Paper
+from vstatics.pictures.looks import Look, element_look, link_looks, spring_look, striped_look
 from vstatics.pictures.shift_lines import (
     ElementStates,
+    MotionLine,
     MotionPanel,
     event_text,
+    named_events,
     panels,
     states,
     thinned,
-    told,
 )
-from vstatics.pictures.style import TITLE, Style
+from vstatics.pictures.style import Style, number
+from vstatics.pictures.svg import told
 from vstatics.pictures.words import title
 from vstatics.simulation.motion import Event, Motion
 from vstatics.statics.results import Results
 
 WIDE, HIGH = 400.0, 92.0
 """Of a panel without its labels. [pt]"""
-ROW = 12.0
+ROW = 13.0
 """Of the states of an element. [pt]"""
+BAR = 0.6
+"""Height of its bar over that."""
 GAP = 12.0
 """Between panels. [pt]"""
 MARGIN = 12.0
 """[pt]"""
-SCALE = 66.0
+SCALE = 64.0
 """For the scale of a panel, and what it is of. [pt]"""
-NUMBERS = 38.0
-"""For the scale alone. [pt]"""
 BELOW = 34.0
 """For the scale of the time. [pt]"""
 LONGEST = 130.0
 """Names at the right are wrapped to this width. [pt]"""
 LABELS = 24
 """Events that are named."""
-DASHES = ("solid", (0, (5, 2)), (0, (1, 1.5)), (0, (5, 1.5, 1, 1.5)))
-"""What tells lines of one colour apart."""
 
 
 class _RunContent(NamedTuple):
@@ -63,12 +67,11 @@ class _RunLayout(NamedTuple):
 
     left: float
     size: tuple[float, float]
-    head: str
-    notes: str
+    head: ChartHead
     rows_bottom: float
     """Of the states of the elements."""
-    bottoms: tuple[float, ...]
-    """Of the panels."""
+    corners: tuple[tuple[float, float], ...]
+    """Bottom and height of each panel."""
 
 
 def draw(
@@ -89,7 +92,7 @@ def draw(
     shown = panels(results.case, motion)
     if len(motion.time) < 2 or not shown:
         raise CaseError([Problem("a picture of a run shows what moves, and nothing moves in this")])
-    named = told(motion.events, LABELS)
+    named = named_events(motion.events, LABELS)
     events = [Label(event.time, event_text(event, style), style.ink) for event in named]
     content = _RunContent(motion, shown, states(motion), events)
     subject = style.text("run over time", "движение во времени")
@@ -99,61 +102,73 @@ def draw(
 def _figure(content: _RunContent, name: str, style: Style) -> Figure:
     """The states of the elements, then the panels, on one scale of time."""
     motion, layout = content.motion, _layout(content, name, style)
-    wide, high = layout.size
-    figure = labels.figure(wide, high)
-    how: dict[str, Any] = {"ha": "left", "va": "top", "linespacing": labels.LINE}
-    figure.text(MARGIN / wide, 1 - MARGIN / high, layout.head, fontsize=TITLE, **how)
-    notes_high = labels.height(layout.notes) + MARGIN / 2
-    figure.text(MARGIN / wide, notes_high / high, layout.notes, color=style.soft, **how)
-    drawn = [labels.panel(figure, layout.left, bottom, WIDE, HIGH) for bottom in layout.bottoms]
-    for one, panel in zip(content.panels, drawn, strict=True):
-        _draw_lines(panel, motion, one, style)
+    paper = Paper(labels.figure(*layout.size))
+    layout.head.draw(paper, MARGIN, layout.size[1] - MARGIN, style)
+    time = AxisScale(float(motion.time[0]), float(motion.time[-1]))
+    drawn = [
+        Chart(paper, (layout.left, bottom), WIDE, high, time, _range(one))
+        for one, (bottom, high) in zip(content.panels, layout.corners, strict=True)
+    ]
+    for one, chart in zip(content.panels, drawn, strict=True):
+        _draw_lines(chart, motion, one, style)
     if content.rows:
-        high = ROW * len(content.rows)
-        drawn.insert(0, labels.panel(figure, layout.left, layout.rows_bottom, WIDE, high))
+        count = len(content.rows)
+        corner = layout.left, layout.rows_bottom
+        drawn.insert(0, Chart(paper, corner, WIDE, ROW * count, time, AxisScale(count, 0)))
         _draw_states(drawn[0], content.rows, style)
-    for panel in drawn:
-        panel.axes.set_xlim(motion.time[0], motion.time[-1])
-        panel.axes.set_xticks(labels.ticks(motion.time[0], motion.time[-1], 8))
-        panel.axes.tick_params(axis="x", labelbottom=panel is drawn[-1], length=2)
-        _draw_events(panel, motion.events, style)
+    ticks = labels.ticks(time.low, time.high, 8)
+    for chart in drawn:
+        chart.frame(style, "left", "right", "bottom", "top")
+        chart.scale("bottom", ticks, style, None if chart is drawn[-1] else ())
+        _draw_events(chart, motion.events, style)
     at = [label._replace(at=drawn[0].across(label.at)) for label in content.events]
-    drawn[0].along("top", at, upright=True)
-    drawn[-1].axes.set_xlabel(style.text("time, s", "время, с"), labelpad=2)
-    return figure
+    along(drawn[0], "top", at, style, upright=True)
+    drawn[-1].name("bottom", style.text("time, s", "время, с"), BELOW - 12)
+    return paper.figure
 
 
 def _layout(content: _RunContent, name: str, style: Style) -> _RunLayout:
     shown, rows = content.panels, content.rows
-    names = [_wrapped(line.name) for panel in shown for line in panel.lines]
-    right = LEADER + max(map(labels.width, names)) + MARGIN
-    left = MARGIN + max(SCALE, *(labels.width(row.name) + LEADER for row in rows), 0.0)
+    ends = [_line_ends(panel, HIGH, style) for panel in shown]
+    right = max(map(width_of, ends)) + MARGIN
+    left = MARGIN + max(SCALE, width_of(_row_ends(rows, style)))
     wide = left + WIDE + right
-    head = labels.wrapped(name, wide - 2 * MARGIN, TITLE)
-    notes = labels.wrapped(_notes(content, style), wide - 2 * MARGIN)
-    heads = max((labels.width(label.text) for label in content.events), default=0.0) + LEADER
-    down = MARGIN + labels.height(head, TITLE) + heads + GAP
-    down += ROW * len(rows) + (GAP if rows else 0.0)
-    below = BELOW + (labels.height(notes) + MARGIN if notes else MARGIN / 2)
-    high = down + len(shown) * (HIGH + GAP) - GAP + below
-    bottoms = [high - down - HIGH - number * (HIGH + GAP) for number in range(len(shown))]
-    return _RunLayout(left, (wide, high), head, notes, high - down + GAP, tuple(bottoms))
+    head = chart_head(name, _notes(content, style), _signs(content, style), wide - 24, style)
+    events = max((labels.width(label.text) for label in content.events), default=0.0) + LEADER
+    down = MARGIN + head.high + events + GAP / 2
+    down += ROW * len(rows)
+    rows_bottom, corners = down, []
+    down += GAP if rows else 0.0
+    for own in ends:
+        high = max(HIGH, height_of(own))
+        corners.append((down + high, high))
+        down += high + GAP
+    high = down - GAP + BELOW
+    places = tuple((high - bottom, own) for bottom, own in corners)
+    return _RunLayout(left, (wide, high), head, high - rows_bottom, places)
 
 
 def _wrapped(name: str) -> str:
     return labels.wrapped(name, LONGEST)
 
 
+def _signs(content: _RunContent, style: Style) -> list[KeySign]:
+    """The key, of what occurs."""
+    signs = []
+    if any(row.sticks for row in content.rows):
+        signs.append(KeySign(style.text("sticks", "сцеплено"), _state_look(style, sticks=True)))
+    if any(row.slips for row in content.rows):
+        text = style.text("slips under torque", "буксует под моментом")
+        signs.append(KeySign(text, _state_look(style, sticks=False)))
+    if any(len(line.names) > 1 for panel in content.panels for line in panel.lines):
+        text = style.text("striped: links turn together", "полосы: звенья вращаются вместе")
+        signs.append(KeySign(text, striped_look(style)))
+    return signs
+
+
 def _notes(content: _RunContent, style: Style) -> str:
-    """What the picture does not show, and how bars are to be read."""
+    """What the picture does not show."""
     motion, said = content.motion, []
-    if content.rows:
-        said.append(
-            style.text(
-                "full bars: sticks; hatched: slips under torque",
-                "сплошные полосы: сцеплено; штриховые: буксует под моментом",
-            )
-        )
     left_out = sum(panel.left_out for panel in content.panels)
     if left_out:
         said.append(f"{style.text('lines not drawn', 'линий не показано')}: {left_out}")
@@ -166,55 +181,87 @@ def _notes(content: _RunContent, style: Style) -> str:
     return "; ".join(said)
 
 
-def _draw_lines(panel: Panel, motion: Motion, shown: MotionPanel, style: Style) -> None:
+def _looks(line: MotionLine, place: int, style: Style) -> list[Look]:
+    """Of the line of links, or of a shift element or spring."""
+    if line.links:
+        return link_looks(line.links, style)
+    if line.element is None:
+        return [spring_look(place, style)]
+    return [element_look(line.element, style)]
+
+
+def _line_ends(shown: MotionPanel, height: float, style: Style) -> list[LineEnd]:
+    """The names of lines at their last values, in a panel of a height [pt]."""
+    scale = _range(shown)
+    return [
+        LineEnd(
+            scale.part(float(line.values[-1])) * height,
+            tuple(_wrapped(name) for name in line.names),
+            tuple(look for one in line.each for look in _looks(one, place, style)),
+        )
+        for place, line in enumerate(shown.lines)
+    ]
+
+
+def _row_ends(rows: Sequence[ElementStates], style: Style) -> list[LineEnd]:
+    """The names of elements beside their bars, with their lines in the panels."""
+    high = ROW * len(rows)
+    return [
+        LineEnd(high - ROW * (place + 0.5), (row.name,), (element_look(row.element, style),))
+        for place, row in enumerate(rows)
+    ]
+
+
+def _draw_lines(chart: Chart, motion: Motion, shown: MotionPanel, style: Style) -> None:
     """The lines of a panel with their names at the right, at their last values."""
-    axes = panel.axes
-    low, high = _range(shown)
-    axes.set_ylim(low, high)
-    axes.axhline(0, color=style.faint, linewidth=0.6)
-    at_edge = []
+    ticks = labels.ticks(chart.y.low, chart.y.high, 5)
+    chart.scale("left", ticks, style, grid=True)
+    rest = chart.up(0.0)
+    chart.line((0.0, rest), (chart.width, rest), color=style.soft, linewidth=0.6, zorder=0.5)
     for place, line in enumerate(shown.lines):
-        number = place if line.element is None else line.element
         time, values = thinned(motion.time, line.values)
-        dashes = DASHES[number // len(style.colours) % len(DASHES)]
-        how: dict[str, Any] = {"color": style.colour(number), "linewidth": 1.2}
-        axes.plot(time, values, linestyle=dashes, **how)
-        at_edge.append(Label(panel.up(values[-1]), _wrapped(line.name), style.colour(number)))
-    panel.beside("right", at_edge)
-    axes.set_yticks(labels.ticks(low, high, 5))
-    axes.tick_params(axis="y", length=2)
-    axes.grid(axis="y", linewidth=0.4, alpha=0.6)
+        for look in _looks(line, place, style):
+            how: dict[str, Any] = {"linewidth": 1.3, "gid": told(line.name), **look}
+            chart.plot(time, values, **how)
+    beside(chart, "right", _line_ends(shown, chart.height, style), style)
     what = labels.wrapped(style.text(shown.english, shown.russian), HIGH)
-    axes.set_ylabel(what, linespacing=labels.LINE)
-    axes.yaxis.set_label_coords(-NUMBERS / WIDE, 0.5)
+    chart.name("left", what, SCALE - labels.height(what) / 2)
 
 
-def _range(shown: MotionPanel) -> tuple[float, float]:
-    """The ends of a scale that has 0."""
+def _range(shown: MotionPanel) -> AxisScale:
+    """A scale that has 0."""
     low = min(0.0, *(float(np.min(line.values)) for line in shown.lines))
     high = max(0.0, *(float(np.max(line.values)) for line in shown.lines))
     room = 0.06 * (high - low) if math.isfinite(high - low) and high > low else 1.0
-    return low - room, high + room
+    return AxisScale(low - room, high + room)
 
 
-def _draw_states(panel: Panel, rows: Sequence[ElementStates], style: Style) -> None:
+def _state_look(style: Style, *, sticks: bool) -> Look:
+    """Of a bar while an element sticks, or slips under torque."""
+    edge: Look = {"edgecolor": style.engaged, "linewidth": 0.5}
+    inside = {"facecolor": style.engaged} if sticks else {"facecolor": style.paper, "hatch": "////"}
+    return edge | inside
+
+
+def _draw_states(chart: Chart, rows: Sequence[ElementStates], style: Style) -> None:
     """A bar for each element that carries torque."""
-    axes = panel.axes
-    axes.set_ylim(len(rows), 0)
-    axes.set_yticks([])
+    high = BAR * ROW
     for place, row in enumerate(rows):
-        colour = style.colour(row.element)
-        y = panel.up(place + 0.5)
-        panel.write(-6, y, row.name, color=colour, ha="right", va="center")
-        how: dict[str, Any] = {"edgecolor": colour, "linewidth": 0.7}
-        spans = [(start, end - start) for start, end in row.sticks]
-        axes.broken_barh(spans, (place + 0.2, 0.6), facecolor=colour, **how)
-        spans = [(start, end - start) for start, end in row.slips]
-        how["hatch"] = "//////"
-        axes.broken_barh(spans, (place + 0.2, 0.6), facecolor=style.paper, **how)
+        low = chart.up(place + 0.5) - high / 2
+        for spans, sticks in ((row.sticks, True), (row.slips, False)):
+            look = _state_look(style, sticks=sticks)
+            does = style.text("sticks", "сцеплено") if sticks else style.text("slips", "буксует")
+            for start, end in spans:
+                left, right = chart.across(start), chart.across(end)
+                said = told(
+                    f"{row.name} {does}, {number(start)}–{number(end)} {style.text('s', 'с')}"
+                )
+                chart.box((left, low), (right - left, high), gid=said, **look)
+    beside(chart, "left", _row_ends(rows, style), style)
 
 
-def _draw_events(panel: Panel, events: Sequence[Event], style: Style) -> None:
+def _draw_events(chart: Chart, events: Sequence[Event], style: Style) -> None:
     """A vertical at each event."""
-    for time in sorted({event.time for event in events}):
-        panel.axes.axvline(time, color=style.faint, linewidth=0.6, zorder=0.5)
+    times = [chart.across(time) for time in sorted({event.time for event in events})]
+    pieces = [((x, 0.0), (x, chart.height)) for x in times]
+    chart.lines(pieces, color=style.faint, linewidth=0.6, zorder=0.5)

@@ -40,10 +40,23 @@ RUSSIAN = {
 class MotionLine(NamedTuple):
     """A number over the time of a run."""
 
-    name: str
+    names: tuple[str, ...]
+    """Of one thing, or of links that always turn together."""
     values: Floats
+    links: tuple[int, ...] = ()
+    """Their numbers, if they are links."""
     element: int | None = None
-    """Place of the shift element whose colour it has."""
+    """Place of the shift element."""
+
+    @property
+    def name(self) -> str:
+        """All names."""
+        return " = ".join(self.names)
+
+    @property
+    def each(self) -> list[MotionLine]:
+        """The line of each link by itself; else this one."""
+        return [self._replace(links=(link,)) for link in self.links] or [self]
 
 
 class MotionPanel(NamedTuple):
@@ -88,10 +101,10 @@ def event_text(event: Event, style: Style) -> str:
 
 def panels(case: Transmission, motion: Motion) -> list[MotionPanel]:
     """The panels of a run, but those in which nothing happens."""
-    slips = [MotionLine(short(n), motion.slips[:, k], k) for k, n in loaded(motion)]
-    heat = [MotionLine(short(n), motion.heat[:, k] / 1e3, k) for k, n in loaded(motion)]
-    carried = [MotionLine(short(n), motion.torques[:, k], k) for k, n in loaded(motion)]
-    elastic = [MotionLine(short(n), motion.torques[:, k]) for k, n in _elastic(case, motion)]
+    slips = [_of_element(n, motion.slips, k) for k, n in loaded(motion)]
+    heat = [_of_element(n, motion.heat / 1e3, k) for k, n in loaded(motion)]
+    carried = [_of_element(n, motion.torques, k) for k, n in loaded(motion)]
+    elastic = [MotionLine((short(n),), motion.torques[:, k]) for k, n in _elastic(case, motion)]
     springs = {short(spring.name) for spring in case.springs}
     found = [
         _panel("speed, rad/s", "скорость, рад/с", _speeds(case, motion)),
@@ -101,6 +114,10 @@ def panels(case: Transmission, motion: Motion) -> list[MotionPanel]:
         _panel("heat, kJ", "теплота, кДж", heat),
     ]
     return [panel for panel in found if panel.lines]
+
+
+def _of_element(name: str, values: Floats, place: int) -> MotionLine:
+    return MotionLine((short(name),), values[:, place], element=place)
 
 
 def loaded(motion: Motion) -> list[tuple[int, str]]:
@@ -117,7 +134,7 @@ def states(motion: Motion) -> list[ElementStates]:
     return [_states(motion, place, name) for place, name in loaded(motion)[:ROWS]]
 
 
-def told(events: Sequence[Event], most: int) -> list[Event]:
+def named_events(events: Sequence[Event], most: int) -> list[Event]:
     """The events that get a label: all, or of many impacts and ends of slip before others."""
     if len(events) <= most:
         return list(events)
@@ -168,10 +185,13 @@ def _speeds(case: Transmission, motion: Motion) -> list[MotionLine]:
         return min(wanted.get(link + 1, len(wanted)) for link in group), -peak
 
     groups.sort(key=rank)
-    names = [" = ".join(short(motion.links[link]) for link in group) for group in groups]
     return [
-        MotionLine(name, motion.speeds[:, group[0]])
-        for name, group in zip(names, groups, strict=True)
+        MotionLine(
+            tuple(short(motion.links[link]) for link in group),
+            motion.speeds[:, group[0]],
+            links=tuple(link + 1 for link in group),
+        )
+        for group in groups
     ]
 
 
@@ -218,7 +238,7 @@ def _torques(english: str, russian: str, lines: Sequence[MotionLine]) -> MotionP
     if not peaks or max(peaks) < APART * min(peaks):
         return _panel(f"torque of {english}, N*m", f"{russian}, Н*м", lines)
     scaled = [
-        line._replace(name=f"{line.name} ({number(peak)} N*m)", values=line.values / peak)
+        line._replace(names=(f"{line.name} ({number(peak)} N*m)",), values=line.values / peak)
         for line, peak in zip(lines, peaks, strict=True)
     ]
     return _panel(f"torque of {english} over peak", f"{russian} к пикам", scaled)
