@@ -20,7 +20,7 @@ def test_signs_have_a_reason() -> None:
     assert [sign.why for sign in signs] == [
         "idle: no torque; x by the convention `published`",
         "power enters by the first link",
-        "idle: it turns as one piece; x by the convention `published`",
+        "idle: no torque; x by the convention `published`",
     ]
 
 

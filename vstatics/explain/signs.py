@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from vstatics.model.transmission import HOUSING
 from vstatics.numerics.traced import is_nan, plain
+from vstatics.statics.roles import IDLE, ONE_PIECE, mechanism_roles
 from vstatics.statics.speeds import is_tie
 from vstatics.statics.state import GearState
 
@@ -68,8 +68,10 @@ def _why(state: GearState, place: int, motion: float, power: float) -> str:
     if is_nan(sign):
         return "not determined"
     if state.search.idle[place]:
-        still = "the first link stands" if mechanism.third == HOUSING else "it turns as one piece"
-        why = f"idle: {still if motion == 0 else 'no torque'}"
+        why = {IDLE: "idle: no torque", ONE_PIECE: ONE_PIECE}.get(
+            mechanism_roles(state)[place],
+            "it stands" if motion == 0 else "no torque without losses",
+        )
         if sign == 0:
             return why
         # of the convention: +1 without torque, else the sign of the ratio; see docs/method.md

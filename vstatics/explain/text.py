@@ -41,14 +41,14 @@ def _gear(one: Explanation, digits: int | None) -> Iterator[str]:
         yield from ("", *wrap(section.heading, WIDTH), *section.lines)
 
 
-class Section(NamedTuple):
+class Chapter(NamedTuple):
     """A part of an explanation."""
 
     heading: str
     lines: list[str]
 
 
-def sections(one: Explanation, digits: int | None = None) -> Iterator[Section]:
+def sections(one: Explanation, digits: int | None = None) -> Iterator[Chapter]:
     """The parts of an explanation that it has something for: the matrix first, the ratio last.
 
     >>> from vstatics import Gear, Mechanism, Transmission, solve
@@ -69,7 +69,7 @@ def sections(one: Explanation, digits: int | None = None) -> Iterator[Section]:
     }
     for heading, lines in parts.items():
         if found := list(lines):
-            yield Section(heading, found)
+            yield Chapter(heading, found)
 
 
 MATRIX = (

@@ -9,6 +9,7 @@ from vstatics.model.transmission import Gear
 from vstatics.numerics.traced import plain
 from vstatics.statics.bodies import Bodies, joined_by_elements
 from vstatics.statics.results import Results
+from vstatics.statics.roles import IDLE, ONE_PIECE, Role, mechanism_roles
 from vstatics.statics.status import Status
 
 NOT_DETERMINED = Status("missing", "not determined", "не определена", "")
@@ -34,14 +35,19 @@ class PictureState(NamedTuple):
     as shafts, join to it."""
     is_idle: Sequence[bool]
     """By mechanism: whether it transmits no power, as far as the gear exists."""
-    is_loaded: Sequence[bool]
-    """By mechanism: whether it carries torque, or one that is not known."""
+    roles: Sequence[Role]
+    """By mechanism: whether it is idle, or one piece."""
     loaded_springs: Sequence[bool]
     """By spring: the same."""
 
+    @property
+    def is_loaded(self) -> list[bool]:
+        """By mechanism: whether it carries torque, or one that is not known."""
+        return [one != IDLE for one in self.roles]
+
     def is_one_piece(self, mechanism: int) -> bool:
-        """Whether a mechanism carries torque, but no power: it turns as one piece."""
-        return self.is_idle[mechanism] and self.is_loaded[mechanism]
+        """Whether a mechanism carries torque, and nothing in it moves."""
+        return self.roles[mechanism] == ONE_PIECE
 
 
 def state_of(results: Results, number: int) -> PictureState:
@@ -70,6 +76,6 @@ def state_of(results: Results, number: int) -> PictureState:
         [0.0, *map(plain, state.speeds)],
         joined_by_elements(case, gear),
         [one and state.calculable for one in state.search.idle],
-        [torque != 0 for torque in torques[case.among_devices]],
+        mechanism_roles(state),
         [torque != 0 for torque in torques[case.among_devices.stop : -1]],
     )

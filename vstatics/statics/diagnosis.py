@@ -368,13 +368,13 @@ def _loss_messages(results: Results, number: int) -> Iterator[Said]:
 
 
 def _idle_messages(results: Results, number: int, gear: Gear) -> Iterator[Said]:
-    """Idle mechanisms that matter."""
+    """Mechanisms without flow of power that matter."""
     idle = coincidences(results, number, gear)
     if idle:
         what = "torques with losses and efficiency depend"
         if not any(idle.values()):
             what = "torques with losses, but not the efficiency, depend"
         yield _warning(
-            f"{spoken([*idle])}: idle by coincidence; {what} on the direction of power assumed "
-            "there"
+            f"{spoken([*idle])}: no flow of power, by coincidence; {what} on the direction of "
+            "power assumed there"
         )

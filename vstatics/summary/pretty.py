@@ -10,7 +10,8 @@ from rich.text import Text
 
 from vstatics.statics.arrays import OUTPUT
 from vstatics.statics.results import Results
-from vstatics.statics.status import STATUSES, Status
+from vstatics.statics.roles import IDLE, MEANINGS, ONE_PIECE, Role, roles
+from vstatics.statics.status import STATUSES
 from vstatics.summary.design import GearLine, design
 from vstatics.summary.grids import Marks, element_signs
 from vstatics.tables import terminal
@@ -92,13 +93,15 @@ def gears_grid(
     headings = list(map(str, range(1, len(names) + 1))) if numbered else names
     by_key = {table.quantity.key: table for table in tables(results)}
     rpm, torque = "W_rpm" in by_key, "AMLGP_Nm" in by_key
+    occurring = _all_roles(results)
+    resting = f"{ONE_PIECE} ({IDLE})" if ONE_PIECE in occurring else IDLE
     columns = [
         text("gear"),
         *(Column(heading, is_sign=True) for heading in headings),
         *map(Column, ("ratio", "step", "eff.")),
         text("speed, rpm" if rpm else "speed"),
         text("torque, N*m" if torque else "torque"),
-        text("idle"),
+        text(resting),
     ]
     rows = [
         [
@@ -109,7 +112,7 @@ def gears_grid(
             _largest(_torques(by_key, index), 0 if torque else 2, digits)
             if results.calculable[index]
             else Cell(""),
-            _state(results.status(index + 1), by_key, index),
+            _resting(results, index, bracketed=resting != IDLE),
         ]
         for index, line in enumerate(design(results).gears)
     ]
@@ -180,11 +183,20 @@ def _largest(values: Iterable[tuple[str, float]], decimals: int, digits: int | N
     return Cell(f"{exact(value, decimals, digits=digits).text} {name}", value)
 
 
-def _state(status: Status, by_key: dict[str, Table], number: int) -> Cell:
-    """What is idle; or why there are no numbers."""
+def _resting(results: Results, number: int, *, bracketed: bool) -> Cell:
+    """What is one piece, what is idle, the latter in brackets or alone; or why no numbers are."""
+    status = results.status(number + 1)
     if status.name:
         return Cell(status.name, style="red" if status.is_fault else "yellow")
-    return Cell(" ".join(name for name, value in _column(by_key["idle"], number) if value == 1))
+    names = [device.name for device in results.case.own_devices]
+    found = list(zip(names, roles(results, number), strict=True))
+    whole, idle = (" ".join(n for n, role in found if role == one) for one in (ONE_PIECE, IDLE))
+    return Cell(f"{whole} ({idle})".strip() if idle and bracketed else whole or idle)
+
+
+def _all_roles(results: Results) -> set[Role]:
+    gears = range(len(results.case.gears))
+    return {role for gear in gears for role in roles(results, gear)}
 
 
 def _legend(
@@ -204,7 +216,9 @@ def _legend(
     of_first = "; of a mechanism the torque on its first link" * (case.drawing is None)
     by_input = "" if "W_rpm" in by_key else ", by the input's"
     yield f"speed, torque: the largest{by_input}{of_first}"
-    if (by_key["idle"].values == 1).any():
-        yield "idle: carries no torque, or turns as one piece"
+    found = _all_roles(results)
+    said = [f"{role}: {meaning}" for role, meaning in MEANINGS.items() if role in found]
+    if said:
+        yield "; ".join(said)
     states = {results.status(number + 1) for number in range(len(case.gears))}
     yield from (f"{one.name}: {one.meaning}" for one in STATUSES if one in states)

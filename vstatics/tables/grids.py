@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from vstatics.statics.results import Results
-from vstatics.tables.grid import Cell, Column, Grid, exact, sign, text, whole
+from vstatics.statics.roles import Role, roles
+from vstatics.tables.grid import NO, NOTHING, Cell, Column, Grid, exact, sign, text, whole
 from vstatics.tables.quantity import Table
 from vstatics.tables.rows import ROWS
 from vstatics.tables.values import tables
@@ -18,7 +19,22 @@ def of_results(results: Results) -> Iterator[Grid]:
     matrix_last = sorted(in_order, key=lambda one: one.quantity.columns == "devices")
     for one in matrix_last:
         if one.quantity.rows != "one" and one.values.size:
-            yield _of_table(one)
+            grid = _of_table(one)
+            yield _with_roles(grid, results) if one.quantity.name == "idle" else grid
+
+
+def _with_roles(grid: Grid, results: Results) -> Grid:
+    """Marks of what transmits no power, as the word for it."""
+    by_gear = [roles(results, number) for number in range(len(results.case.gears))]
+    rows = [
+        [row[0], *map(_with_role, row[1:], of_row)]
+        for row, of_row in zip(grid.cells, zip(*by_gear, strict=True), strict=True)
+    ]
+    return grid._replace(rows=rows)
+
+
+def _with_role(cell: Cell, role: Role) -> Cell:
+    return cell if cell.text == NOTHING else cell._replace(text=role or NO, says="")
 
 
 def of_messages(results: Results) -> Grid:

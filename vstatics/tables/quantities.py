@@ -79,8 +79,8 @@ RELATIVE = (
         "Ratio of the gears, input speed to output speed",
         "Передаточные отношения на передачах")),
     Quantity("idle", "idle", "IDLING", Phrase(
-        "Mechanisms that idle",
-        "Механизмы без потока мощности")),
+        "Mechanisms without flow of power",
+        "Механизмы без потока мощности"), own_title="Mechanisms that are idle, or one piece"),
     Quantity("losses", "losses", "LOSS", Phrase(
         "Power lost in the mechanisms",
         "Потери мощности в механизмах"),

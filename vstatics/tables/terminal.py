@@ -21,6 +21,8 @@ class _TerminalColumn(NamedTuple):
     texts: list[Text]
     least: int
     """With no word cut, and no number."""
+    whole: int
+    """With no text below the heading folded."""
     natural: int
     """With no line folded."""
     is_number: bool
@@ -69,12 +71,13 @@ def _place(grid: Grid, group: Sequence[int]) -> _TerminalColumn:
         headings = [grid.columns[place].heading for place in group]
         heading = _beside([Cell(one) for one in headings], headings)
         texts = [_beside([row[place] for place in group], headings) for row in grid.cells]
-    natural = max(text.cell_len for text in (heading, *texts))
+    whole = max((text.cell_len for text in texts), default=0)
+    natural = max(heading.cell_len, whole)
     may_fold = not (column.is_sign or column.is_number)
     words = (word for text in (heading, *texts) for word in text.plain.split())
     least = max(map(cell_len, words), default=0) if may_fold else natural
     is_number = column.is_number and not column.is_sign
-    return _TerminalColumn(heading, texts, least, natural, is_number, may_fold)
+    return _TerminalColumn(heading, texts, least, whole, natural, is_number, may_fold)
 
 
 def _table(places: Sequence[_TerminalColumn], width: int) -> RichTable:
@@ -94,14 +97,18 @@ def _table(places: Sequence[_TerminalColumn], width: int) -> RichTable:
 
 
 def _widths(places: Sequence[_TerminalColumn], width: int) -> list[int]:
-    """Of the columns: the least ones, then what room is left goes to the narrowest."""
+    """Of the columns: the least ones, then what room is left goes to those that lack least.
+
+    First so that no text folds, then no heading, which costs one line at most.
+    """
     least = [place.least for place in places]
     widths = [max(min(one, width - _sum(least) + one), 1) for one in least]
-    for _ in range(width - _sum(widths)):
-        narrow = [n for n, place in enumerate(places) if widths[n] < place.natural]
-        if not narrow:
-            break
-        widths[min(narrow, key=lambda n: widths[n])] += 1
+    for wanted in ([one.whole for one in places], [one.natural for one in places]):
+        for _ in range(width - _sum(widths)):
+            narrow = [number for number, most in enumerate(wanted) if widths[number] < most]
+            if not narrow:
+                break
+            widths[min(narrow, key=lambda number: wanted[number] - widths[number])] += 1
     return widths
 
 
