@@ -11,7 +11,7 @@ import pytest
 
 from tests.commands import CASES, vstatics
 from tests.pictures.test_shift import LOCK, run
-from tests.report.test_report import Page, value
+from tests.report.pages import Page, value
 from vstatics import load, solve
 from vstatics.errors import Problem
 from vstatics.report import gather, page, write_report

@@ -8,6 +8,7 @@ from html import unescape
 from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
 from vstatics.flow.power import flows
 from vstatics.report import Material
+from vstatics.report.drawn import Pictures
 from vstatics.report.explained import explained
 from vstatics.report.overview import alerts, overview
 from vstatics.summary import summarize
@@ -30,7 +31,7 @@ def material_of(case: Transmission) -> Material:
     """What the line and the explanations are made of; nothing is drawn."""
     results = solve(case)
     messages = list(map(str, results.messages))
-    return Material(results, {}, summarize(results), flows(results), [], messages, "")
+    return Material(results, {}, summarize(results), flows(results), Pictures(), messages, "")
 
 
 def test_each_figure_has_its_gear() -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from functools import partial
 
 import click
@@ -29,9 +30,9 @@ def report(cases: tuple[str, ...], output: str, digits: int | None, settings: Ca
     A scenario may stand for its case; then the page has its run, too. For what `synth box -f
     json` found the page has all boxes, their families, and diagrams.
 
-    The page has the input, ratios, pictures, the power flow of each gear, transitions,
-    largest values and all tables; a click on a heading sorts those of the results. It loads nothing
-    from elsewhere, can be printed, and carries the result as JSON.
+    The page has an overview with the stick diagram, the gears, power flow, levers and equations
+    of the one that is chosen, the input and all tables, which can be sorted and copied. It loads
+    nothing from elsewhere, can be printed, and carries the result as JSON.
 
     Pictures need matplotlib, the section on vibration of a case with inertias and springs
     scipy: pip install "vstatics[plot,torsion]". Without them the rest is written.
@@ -63,7 +64,7 @@ def _shown(outcome: CalculatedCase, digits: int | None, quiet: bool) -> texts.Ca
     def html(_: str | None) -> str:
         from vstatics.report import gather, page
 
-        material = gather(results, outcome.problems, digits, run_of(outcome))
+        material = gather(results, outcome.problems, digits, run_of(outcome), _stem(outcome.file))
         if material.without and not quiet:
             files.say(f"vstatics report: no pictures: {material.without}")
         if material.vibration and material.vibration.without and not quiet:
@@ -71,3 +72,8 @@ def _shown(outcome: CalculatedCase, digits: int | None, quiet: bool) -> texts.Ca
         return page(material)
 
     return texts.CaseOutput([], {"html": html})
+
+
+def _stem(file: str) -> str:
+    """The name of a file without folders and suffix; nothing for standard input."""
+    return "" if file == files.STDIN_NAME else os.path.splitext(os.path.basename(file))[0]  # noqa: PTH119, PTH122

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 from xml.etree import ElementTree as ET
 
 from vstatics.errors import CaseError
 from vstatics.extras import require
-from vstatics.pictures import PICTURES, sheets
+from vstatics.pictures import PICTURES, of_each_gear, sheets
 from vstatics.pictures.style import Style
 from vstatics.simulation.motion import Motion
 from vstatics.statics.results import Results
@@ -28,6 +28,23 @@ _COLOUR = re.compile("#[0-9a-f]{6}")
 _COLOURED = ("style", "fill", "stroke")
 
 
+NAMES = {
+    "stick": "Stick diagram",
+    "structure": "Structure",
+    "flow": "Power flow",
+    "lever": "Lever diagram",
+    "efficiency": "Efficiency",
+    "plan": "Kinematic plan",
+    "modes": "Natural modes",
+    "campbell": "Campbell diagram",
+    "shift": "Run over time",
+}
+"""What a kind of picture is called."""
+OF_EACH_GEAR = ("stick", "flow", "lever")
+OF_ALL_GEARS = ("structure", "efficiency", "plan")
+PAGE = Style(titled=False)
+
+
 class Drawn(NamedTuple):
     """A picture, or why there is none."""
 
@@ -37,12 +54,18 @@ class Drawn(NamedTuple):
     why: str = ""
 
 
-ELSEWHERE = ("modes", "campbell", "shift")
-"""Pictures of sections of their own."""
+class Pictures(NamedTuple):
+    """Those of a case but for vibration and motion, by their kind."""
+
+    of_gears: Mapping[str, Sequence[Drawn]] = {}
+    """One of each gear."""
+    of_all: Mapping[str, Drawn] = {}
 
 
-def pictures(results: Results) -> list[Drawn]:
-    """All pictures of a case but those of vibration and motion, in the order of `PICTURES`.
+def pictures(results: Results) -> Pictures:
+    """All pictures of a case but those of vibration and motion.
+
+    Where no stick diagram can be drawn, the structure of each gear stands for it.
 
     Raises
     ------
@@ -50,7 +73,25 @@ def pictures(results: Results) -> list[Drawn]:
         If matplotlib is not installed.
     """
     require("plot", "a picture")
-    return [picture_of(results, kind) for kind in PICTURES if kind not in ELSEWHERE]
+    of_gears = {kind: of_each(results, kind) for kind in OF_EACH_GEAR if kind in PICTURES}
+    whole = [kind for kind in OF_ALL_GEARS if kind in PICTURES]
+    if not any(one.sheets for one in of_gears.get("stick", ())) and "structure" in whole:
+        of_gears["stick"] = of_each(results, "structure")
+        whole.remove("structure")
+    return Pictures(of_gears, {kind: picture_of(results, kind) for kind in whole})
+
+
+def of_each(results: Results, kind: str) -> list[Drawn]:
+    """A picture of each gear, or why a gear has none."""
+    gears = results.case.gears
+    try:
+        made = of_each_gear(results, kind, PAGE)
+    except CaseError:  # of one of them, perhaps
+        return [picture_of(results, kind, number) for number in range(1, len(gears) + 1)]
+    return [
+        Drawn(kind, [inline(svg, f"{kind}{number}", f"{NAMES[kind]}, gear {gear.name}")])
+        for number, (svg, gear) in enumerate(zip(made, gears, strict=True), 1)
+    ]
 
 
 def picture_of(
@@ -58,13 +99,15 @@ def picture_of(
 ) -> Drawn:
     """A picture of a case, of one gear by its number from 1, or of a run."""
     try:
-        made = sheets(results, kind, Style(), () if gear is None else (gear,), motion=motion)
+        made = sheets(results, kind, PAGE, () if gear is None else (gear,), motion=motion)
     except CaseError as error:
         return Drawn(kind, [], " ".join(str(error).split()))
-    own = kind if gear is None else f"{kind}-{gear}-"
+    own, label = f"{kind}{gear or ''}", NAMES[kind]
+    if gear is not None:
+        label = f"{label}, gear {results.case.gears[gear - 1].name}"
     if motion is not None:
-        own = f"run-{own}"
-    return Drawn(kind, [inline(svg, f"{own}{n or ''}", kind) for n, svg in enumerate(made)])
+        own, label = f"run-{own}", f"{label}, run"
+    return Drawn(kind, [inline(svg, f"{own}-{n or ''}", label) for n, svg in enumerate(made)])
 
 
 def palette(*, dark: bool) -> str:
@@ -75,9 +118,8 @@ def palette(*, dark: bool) -> str:
 def inline(svg: bytes, prefix: str, label: str) -> Markup:
     """An SVG as it stands within HTML.
 
-    Two pictures of matplotlib have the same ids, and a style for all elements: here ids
-    get a prefix, and the style is left to the page, as are comments and metadata. Colours
-    become the variables of the page.
+    Two pictures of matplotlib have the same ids: here they get a prefix. Colours become the
+    variables of the page. Its parts can be read, too, each by its title.
 
     Examples
     --------
@@ -86,20 +128,26 @@ def inline(svg: bytes, prefix: str, label: str) -> Markup:
     '<g id="plan-a" fill="var(--ink)" /></svg>'
     """
     root = ET.fromstring(svg)  # noqa: S314 - our own, not from anywhere else
-    for parent in list(root.iter()):
-        for child in list(parent):
-            if child.tag.endswith(("}metadata", "}style")):
-                parent.remove(child)
+    if len(root) and root[0].tag.endswith("}title"):  # the page says it beside the picture
+        del root[0]
     for element in root.iter():
         element.tag = _local(element.tag)
         element.attrib = {
             _local(key): _rewritten(_local(key), value, prefix)
             for key, value in element.attrib.items()
         }
-        element.tail = None if element.tail is None or not element.tail.strip() else element.tail
-    kept = {k: v for k, v in root.attrib.items() if k not in ("width", "height", "version")}
+    kept = {
+        k: v
+        for k, v in root.attrib.items()
+        if k not in ("width", "height", "version", "font-family")
+    }
     width = root.attrib.get("width", "100%")
-    root.attrib = {"role": "img", "aria-label": label, **kept, "style": f"--width: {width}"}
+    root.attrib = {
+        **kept,
+        "role": "graphics-document",
+        "aria-label": label,
+        "style": f"--width: {width}",
+    }
     return Markup(ET.tostring(root, encoding="unicode"))
 
 

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 from vstatics.errors import CaseError, Problem
 from vstatics.flow.power import flows
 from vstatics.flow.power_flow import GearFlow
-from vstatics.report.drawn import Drawn, pictures
+from vstatics.report.drawn import Pictures, pictures
 from vstatics.report.motion import RunSection, run_section
 from vstatics.report.vibration import Vibration, vibration
 from vstatics.simulation.motion import Motion
@@ -26,7 +26,7 @@ class Material(NamedTuple):
     """The result as ``vstatics run -f json`` writes it."""
     summary: Summary
     flows: Sequence[GearFlow]
-    pictures: Sequence[Drawn]
+    pictures: Pictures
     messages: Sequence[str]
     """Of the input, then of the results."""
     without: str
@@ -37,6 +37,8 @@ class Material(NamedTuple):
     """After the point; None: those that suit a number."""
     run: RunSection | None = None
     """Of a scenario."""
+    name: str = ""
+    """Of the file, for a case without one."""
 
 
 def gather(
@@ -44,6 +46,7 @@ def gather(
     problems: Iterable[Problem] = (),
     digits: int | None = None,
     motion: Motion | None = None,
+    name: str = "",
 ) -> Material:
     """What the page of a case shows.
 
@@ -58,8 +61,10 @@ def gather(
         After the point, where they are not those that suit a number.
     motion : Motion, optional
         A run of the case.
+    name : str, optional
+        Of the file, for a case without one.
     """
-    without, drawn = "", list[Drawn]()
+    without, drawn = "", Pictures()
     try:
         drawn = pictures(results)
     except CaseError as error:
@@ -76,6 +81,7 @@ def gather(
         vibration(results, has_pictures=not without),
         digits,
         None if motion is None else run_section(results, motion, has_pictures=not without),
+        name,
     )
 
 

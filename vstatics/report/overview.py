@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator, Sequence
 
 from vstatics.report.gathering import Material
-from vstatics.report.parts import address
+from vstatics.report.parts import gear_link
 from vstatics.summary.extremes import LOSSY_TORQUES, TORQUES, Largest, overall, quantity
 from vstatics.tables.html import Markup, joined, tag
 from vstatics.tables.numbers import rounded, typeset
@@ -99,7 +99,7 @@ def _of_weight(messages: Sequence[str], weight: str) -> list[str]:
 
 
 def _in_gear(said: str, gear: str) -> Markup:
-    return joined(said, ", ", tag("a", f"gear {gear}", href=f"#{address('gear', gear)}"))
+    return joined(said, ", ", gear_link(gear, f"gear {gear}"))
 
 
 def _number(material: Material, value: float) -> str:

@@ -9,35 +9,53 @@ from vstatics.report.drawn import Drawn
 from vstatics.tables.html import Markup, scrolled, tag
 
 
-def figure(name: str, picture: Markup) -> Markup:
-    """A picture with its name."""
-    return tag("figure", tag("figcaption", name), scrolled(picture, name))
+def figure(name: str, picture: Markup, *, captioned: bool = True) -> Markup:
+    """A picture with its name.
+
+    Parameters
+    ----------
+    captioned : bool
+        False where headings say the name.
+    """
+    caption = [tag("figcaption", name)] * captioned
+    return tag("figure", *caption, scrolled(picture, name))
 
 
-def figures(drawn: Drawn, name: str) -> Iterator[Markup]:
+def figures(drawn: Drawn, name: str, *, captioned: bool = True) -> Iterator[Markup]:
     """A picture with its name, in as many parts as it has, or why there is none."""
     if drawn.why:
         yield tag("p", f"{name}: not drawn. {drawn.why}")
     for number, sheet in enumerate(drawn.sheets, 1):
         several = f", {number} of {len(drawn.sheets)}" if len(drawn.sheets) > 1 else ""
-        yield figure(f"{name}{several}", sheet)
+        yield figure(f"{name}{several}", sheet, captioned=captioned)
 
 
-def chooser(section: str, gears: Iterable[str]) -> Markup:
-    """Links to choose a gear by; without a script all gears show.
+def chooser(gears: Iterable[str]) -> Markup:
+    """Links to choose a gear by, for all that is shown of one; without a script all gears show."""
+    links = (gear_link(gear) for gear in gears)
+    status = tag("span", role="status", class_="unseen")
+    return tag("nav", "Gear", *links, status, class_="chooser", aria_label="Gear")
+
+
+def gear_link(gear: str, text: str = "") -> Markup:
+    """A link that chooses a gear.
+
+    >>> gear_link("R")
+    '<a href="#gear=R" data-choose="R">R</a>'
+    """
+    return tag("a", text or gear, href=f"#{address('gear', gear)}", data_choose=gear)
+
+
+def of_gear(section: str, gear: str, shown: Sequence[Markup]) -> Markup:
+    """What a section shows of a gear, below its name.
 
     Parameters
     ----------
     section : str
-        What stands before the name of a gear in the addresses of a section.
+        What stands before the name of the gear in the address of this part.
     """
-    links = (tag("a", gear, href=f"#{address(section, gear)}", data_choose=gear) for gear in gears)
-    return tag("nav", "Gear: ", *links, class_="chooser", aria_label="Gear")
-
-
-def of_gear(section: str, gear: str, shown: Sequence[Markup]) -> Markup:
-    """What is shown where a gear is chosen."""
-    return tag("div", *shown, id=address(section, gear), data_gear=gear)
+    head = tag("h3", f"Gear {gear}")
+    return tag("div", head, *shown, id=address(section, gear), data_gear=gear)
 
 
 def address(section: str, gear: str) -> str:

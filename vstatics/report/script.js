@@ -1,29 +1,90 @@
 "use strict";
 (() => {
-  // the gear whose power and modes are shown: #gear=R or #modes=R at the end of the address
-  const gears = [...document.querySelectorAll("[data-gear]")];
+  // The gear that is chosen, for all that is shown of one: #gear=R at the end of the address.
+  // Another section instead of gear, #flow=R, opens the page there.
+  const blocks = [...document.querySelectorAll("[data-gear]")];
   const links = [...document.querySelectorAll("[data-choose]")];
+  const chooser = document.querySelector(".chooser");
+  const names = chooser ? [...chooser.querySelectorAll("a")].map((link) => link.dataset.choose) : [];
+  let chosen;
 
   function asked() {
     const [section, end] = location.hash.slice(1).split(/=(.*)/s);
     if (end === undefined) return undefined;
     let name = end;
     try { name = decodeURIComponent(end); } catch { /* a % that stands for itself */ }
-    return gears.find((one) => one.dataset.gear === name && one.id.startsWith(`${section}=`));
+    return blocks.find((one) => one.dataset.gear === name && one.id.startsWith(`${section}=`));
   }
 
-  function choose(gear) {
-    for (const one of gears) one.hidden = one.dataset.gear !== gear.dataset.gear;
+  function choose(name) {
+    chosen = name;
+    for (const one of blocks) one.hidden = one.dataset.gear !== name;
     for (const link of links) {
-      if (link.dataset.choose === gear.dataset.gear) link.setAttribute("aria-current", "true");
+      const row = link.closest("tr");
+      row?.classList.toggle("chosen", link.dataset.choose === name);
+      if (link.dataset.choose === name) link.setAttribute("aria-current", "true");
       else link.removeAttribute("aria-current");
     }
+    const link = chooser.querySelector("[aria-current]");
+    chooser.scrollLeft = link.offsetLeft - (chooser.clientWidth - link.offsetWidth) / 2;
   }
 
-  if (gears.length) {
-    choose(asked() ?? gears[0]);
-    asked()?.scrollIntoView();
-    addEventListener("hashchange", () => { const gear = asked(); if (gear) choose(gear); });
+  // another gear, while what is being read stays where it is
+  function change(name) {
+    if (name === chosen) return;
+    const sections = [...document.querySelectorAll("main > section")];
+    const top = (one) => one.getBoundingClientRect().top;
+    const read = sections.findLast((one) => top(one) < 0.4 * innerHeight);
+    const before = read && top(read);
+    choose(name);
+    if (read) scrollBy({ top: top(read) - before, behavior: "instant" });
+    history.replaceState(null, "", `#gear=${encodeURIComponent(name)}`);
+    chooser.querySelector("[role=status]").textContent = `Gear ${name}`;
+  }
+
+  if (names.length) {
+    const block = asked();
+    choose(block?.dataset.gear ?? names[0]);
+    if (block && !block.id.startsWith("gear=")) block.scrollIntoView();
+    addEventListener("hashchange", () => {
+      const gear = asked()?.dataset.gear;
+      if (gear !== undefined) choose(gear);
+    });
+  }
+
+  addEventListener("click", (event) => {
+    const link = event.target.closest("a, button, [role=button]");
+    const row = event.target.closest("tbody tr");
+    const choosing = link ?? row?.querySelector("[data-choose]");
+    if (!choosing?.matches("[data-choose]") || event.ctrlKey || event.metaKey || event.shiftKey) return;
+    if (!link && String(getSelection())) return; // somebody copies
+    event.preventDefault();
+    change(choosing.dataset.choose);
+  });
+
+  // left and right: the gear before and after, but where these keys do something else
+  addEventListener("keydown", (event) => {
+    const step = { ArrowLeft: -1, ArrowRight: 1 }[event.key];
+    if (!step || !names.length || event.altKey || event.ctrlKey || event.metaKey || event.shiftKey) return;
+    if (event.target.closest("input, select, textarea, [contenteditable]")) return;
+    const wide = event.target.closest(".scroll");
+    if (wide && wide.scrollWidth > wide.clientWidth && !event.target.matches("[data-choose]")) return;
+    const next = names[names.indexOf(chosen) + step];
+    event.preventDefault();
+    if (next !== undefined) change(next);
+    if (event.target.matches("[data-choose]")) {
+      const within = event.target.closest("table, nav") ?? chooser;
+      within.querySelector("[data-choose][aria-current]")?.focus({ preventScroll: true });
+    }
+  });
+
+  // what fits needs no stop of the Tab key
+  const scrollers = [...document.querySelectorAll(".scroll")];
+  function stops() {
+    for (const one of scrollers) {
+      if (one.scrollWidth > one.clientWidth) one.tabIndex = 0;
+      else one.removeAttribute("tabindex");
+    }
   }
 
   // tables sorted by a column: up, down, then as they were
@@ -57,12 +118,13 @@
 
   function depth(row) { return Number(row.dataset.level ?? 0); }
 
-  for (const table of document.querySelectorAll("table")) {
+  function sortable(table) {
     const body = table.tBodies[0];
     const original = [...body.rows];
-    if (original.length < 2) continue;
-    const heads = [...table.tHead.rows[0].cells];
+    if (original.length < 2) return;
+    const heads = [...[...table.tHead.rows].at(-1).cells];
     heads.forEach((head, column) => {
+      if (!head.textContent) return;
       // a button proper is not printed where the head of a table is repeated
       const button = document.createElement("span");
       button.setAttribute("role", "button");
@@ -78,13 +140,59 @@
       });
       button.addEventListener("click", () => {
         const order = NEXT[head.getAttribute("aria-sort")];
-        for (const other of heads) other.setAttribute("aria-sort", "none");
+        for (const other of heads) if (other.ariaSort) other.setAttribute("aria-sort", "none");
         head.setAttribute("aria-sort", order);
         const sign = order === "descending" ? -1 : 1;
         body.append(...(order === "none" ? original : sorted(original, column, sign)));
       });
     });
   }
+
+  // a table as CSV: all digits, and nothing that a spreadsheet would calculate
+  const NUMBER = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
+
+  function field(cell) {
+    const text = cell.dataset.value ?? cell.textContent.trim();
+    if (cell.matches("td") && text === "-") return "";
+    const guarded = /^'*[=+\-@\t\r]/.test(text) && !NUMBER.test(text) ? `'${text}` : text;
+    return /[",\r\n]/.test(guarded) ? `"${guarded.replaceAll('"', '""')}"` : guarded;
+  }
+
+  function csv(table) {
+    const rows = [[...table.tHead.rows].at(-1), ...table.tBodies[0].rows];
+    return rows.map((row) => `${[...row.cells].map(field).join(",")}\n`).join("");
+  }
+
+  async function copy(text) {
+    try { await navigator.clipboard.writeText(text); } catch { // an older browser, or a file
+      const area = document.createElement("textarea");
+      area.value = text;
+      document.body.append(area);
+      area.select();
+      document.execCommand("copy");
+      area.remove();
+    }
+  }
+
+  function copied(scroller, table) {
+    const button = document.createElement("button");
+    button.className = "copy";
+    button.textContent = "Copy CSV";
+    button.setAttribute("aria-label", `Copy CSV: ${scroller.getAttribute("aria-label")}`);
+    button.addEventListener("click", async () => {
+      await copy(csv(table));
+      button.textContent = "Copied";
+      setTimeout(() => { button.textContent = "Copy CSV"; }, 2000);
+    });
+    scroller.before(button);
+  }
+
+  for (const table of document.querySelectorAll(".scroll > table")) {
+    sortable(table);
+    copied(table.parentElement, table);
+  }
+  stops();
+  addEventListener("resize", stops);
 
   // the result that the page carries, as `vstatics run -f json` writes it
   const save = document.createElement("button");
@@ -98,7 +206,7 @@
     link.click();
     URL.revokeObjectURL(link.href);
   });
-  document.getElementById("conventions").append(save);
+  document.querySelector("main > section:last-child").append(save);
 
   document.documentElement.dataset.ready = "true";
 })();

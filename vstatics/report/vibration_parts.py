@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from vstatics.report.drawn import Drawn
-from vstatics.report.parts import chooser, figures, of_gear
+from vstatics.report.parts import figures, of_gear
 from vstatics.report.vibration import Vibration
 from vstatics.tables.grid import Cell, Column, Grid, Row, exact, text, whole
 from vstatics.tables.html import Markup, table, tag
@@ -29,7 +29,6 @@ def shown_vibration(found: Vibration, digits: int | None) -> Iterator[Markup]:
     yield table(frequencies(found.gears).with_digits(digits))
     if found.campbell:
         yield from figures(found.campbell, "Campbell diagram")
-    yield chooser("modes", [gear.name for gear in found.gears])
     for number, gear in enumerate(found.gears):
         drawn = found.shapes[number] if found.shapes else None
         yield of_gear("modes", gear.name, list(_gear(gear, drawn, digits)))

@@ -66,14 +66,20 @@ def terms(entries: Iterable[tuple[str, str]]) -> Markup:
     return tag("dl", *(joined(tag("dt", term), tag("dd", text)) for term, text in entries))
 
 
-def table(grid: Grid) -> Markup:
+def table(grid: Grid, *, headed: bool = True) -> Markup:
     """A table with its title, which can be scrolled; one without rows is its title.
 
     Numbers keep their digits in ``data-value``.
+
+    Parameters
+    ----------
+    headed : bool
+        False where what stands before it says its title.
     """
     if not grid.rows:
         return tag("p", grid.title)
-    return tag("section", tag("h3", grid.title), scrolled(bare(grid), grid.title), class_="table")
+    heading = [tag("h3", grid.title)] * headed
+    return tag("section", *heading, scrolled(bare(grid), grid.title), class_="table")
 
 
 def bare(grid: Grid) -> Markup:
@@ -86,7 +92,7 @@ def bare(grid: Grid) -> Markup:
 
 def scrolled(inner: Markup, label: str) -> Markup:
     """What may be wider than a screen."""
-    return tag("div", inner, class_="scroll", tabindex=0, role="region", aria_label=label)
+    return tag("div", inner, class_="scroll", tabindex=0, role="group", aria_label=label)
 
 
 def _row(grid: Grid, row: list[Cell], level: int) -> Markup:

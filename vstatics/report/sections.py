@@ -1,0 +1,164 @@
+"""The sections of the page of a case, in their order."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from vstatics.flow.grids import power_grid, remarks
+from vstatics.flow.power_flow import GearFlow
+from vstatics.report.drawn import NAMES
+from vstatics.report.explained import explained, no_formula
+from vstatics.report.gathering import Material
+from vstatics.report.given import given
+from vstatics.report.motion import shown_run
+from vstatics.report.overview import alerts, overview
+from vstatics.report.parts import figures, gear_link, of_gear
+from vstatics.report.vibration_parts import shown_vibration
+from vstatics.summary.grids import Marks, element_signs
+from vstatics.summary.grids import grids as summary_grids
+from vstatics.tables.grid import Cell, Column, Grid
+from vstatics.tables.grids import of_results
+from vstatics.tables.html import Markup, table, tag, terms
+from vstatics.tables.numbers import typeset
+
+Part = tuple[str, Sequence[Markup]]
+"""The name of a section, and what it shows."""
+ALREADY = ("ETA", "ratio")
+"""Columns of the results by gear that the table of gears has."""
+SPREAD = "spread"
+"""The table that the overview says in words."""
+
+
+def sections(material: Material) -> Iterator[Part]:
+    """Each section with its name; those that would be empty are left out."""
+    pictures = material.pictures.of_all
+    gears, *others = (one.with_digits(material.digits) for one in summary_grids(material.summary))
+    every = {
+        "Overview": _overview(material),
+        "Gears": [_gears(material, gears)],
+        NAMES["flow"]: _flows(material),
+        NAMES["lever"]: _of_gears(material, "lever"),
+        "Equations": _equations(material),
+        **{
+            NAMES[kind]: _whole(material, kind)
+            for kind in ("efficiency", "plan")
+            if kind in pictures
+        },
+        "Input": [*_whole(material, "structure"), *_given(material)],
+        "Tables": _tables(material, others),
+        "Vibration": _vibration(material),
+        "Run": _run(material),
+        "Conventions": _conventions(material),
+    }
+    for name, parts in every.items():
+        inner = list(parts)
+        if inner:
+            yield name, inner
+
+
+def _overview(material: Material) -> Iterator[Markup]:
+    """What a designer asks first, the scheme, then what there is to watch."""
+    yield from overview(material)
+    if material.without:
+        yield tag("p", f"There are no pictures: {material.without}")
+    yield from _of_gears(material, "stick")
+    yield from alerts(material.messages)
+
+
+def _gears(material: Material, grid: Grid) -> Markup:
+    """The table of gears, with a dot for each shift element that is engaged or holds.
+
+    The name of a gear chooses it for all that is shown of one.
+    """
+    results = material.results
+    signs = [Column(element.name, is_sign=True) for element in results.case.shift_elements]
+    columns = [grid.columns[0], *signs, *grid.columns[1:]]
+    rows = [
+        [Cell(gear_link(gear.name)), *element_signs(results, index, Marks()), *row[1:]]
+        for index, (gear, row) in enumerate(zip(results.case.gears, grid.rows, strict=True))
+    ]
+    return table(Grid("Ratios, steps, efficiencies", columns, rows), headed=False)
+
+
+def _of_gears(material: Material, kind: str) -> Iterator[Markup]:
+    """A picture of each gear, or why there is none."""
+    drawn = material.pictures.of_gears.get(kind, ())
+    reasons = {one.why for one in drawn}
+    if len(reasons) == 1 and "" not in reasons:  # one for all
+        yield from figures(drawn[0], NAMES[drawn[0].kind])
+        return
+    names = [flow.gear for flow in material.flows]
+    for name, one in zip(names, drawn, strict=bool(drawn)):
+        section = "gear" if kind == "stick" else kind
+        shown = figures(one, f"{NAMES[one.kind]}, gear {name}", captioned=False)
+        yield of_gear(section, name, list(shown))
+
+
+def _whole(material: Material, kind: str) -> Iterator[Markup]:
+    """A picture of all gears."""
+    if kind in material.pictures.of_all:
+        named = kind == "structure"  # within a section; others are one
+        yield from figures(material.pictures.of_all[kind], NAMES[kind], captioned=named)
+
+
+def _flows(material: Material) -> Iterator[Markup]:
+    """Of each gear the picture of its power, and the numbers."""
+    drawn = material.pictures.of_gears.get("flow", ())
+    for number, flow in enumerate(material.flows):
+        shown = list(_power(flow, material.digits))
+        if drawn and flow.ideal is not None:
+            name = f"{NAMES['flow']}, gear {flow.gear}"
+            shown = [*figures(drawn[number], name, captioned=False), *shown]
+        yield of_gear("flow", flow.gear, shown)
+
+
+def _power(flow: GearFlow, digits: int | None) -> Iterator[Markup]:
+    if flow.ideal is None:
+        yield tag("p", f"{flow.note}, so there is no power to show".capitalize())
+        return
+    powers = power_grid(flow)._replace(title=f"Power in gear {flow.gear}")
+    yield table(powers.with_digits(digits), headed=False)
+    yield tag("ul", *(tag("li", typeset(line.strip())) for line in remarks(flow, digits)))
+
+
+def _equations(material: Material) -> Iterator[Markup]:
+    """Of each gear its ratio, why it is so, and the equations behind all its numbers."""
+    without = no_formula()
+    if without:
+        yield tag("p", f"There are no formulas: {without}")
+    for flow, shown in zip(material.flows, explained(material), strict=True):
+        yield of_gear("equations", flow.gear, shown)
+
+
+def _given(material: Material) -> Iterator[Markup]:
+    return given(material.results, material.document["case"], material.digits)
+
+
+def _tables(material: Material, summary: Sequence[Grid]) -> Iterator[Markup]:
+    """What the summary has besides the gears, then all results, each number once."""
+    yield from (table(one) for one in summary if one.key != SPREAD)
+    by_gear, *others = (one.with_digits(material.digits) for one in of_results(material.results))
+    yield table(_without(by_gear, ALREADY))
+    yield from map(table, others)
+
+
+def _without(grid: Grid, headings: Sequence[str]) -> Grid:
+    """A table without some of its columns."""
+    kept = [n for n, column in enumerate(grid.columns) if column.heading not in headings]
+    rows = [[row[n] for n in kept] for row in grid.rows]
+    return grid._replace(columns=[grid.columns[n] for n in kept], rows=rows)
+
+
+def _vibration(material: Material) -> Iterator[Markup]:
+    if material.vibration:
+        yield from shown_vibration(material.vibration, material.digits)
+
+
+def _run(material: Material) -> Iterator[Markup]:
+    if material.run:
+        yield from shown_run(material.run, material.digits)
+
+
+def _conventions(material: Material) -> Iterator[Markup]:
+    said = material.document["conventions"].items()
+    yield terms((name.replace("_", " "), text) for name, text in said)
