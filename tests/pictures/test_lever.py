@@ -6,8 +6,13 @@ import numpy as np
 import pytest
 
 from tests.commands import CASES, SHIPPED
+from tests.pictures.test_pictures import overlaps
 from vstatics import Results, load, solve
-from vstatics.pictures.lever import levers
+from vstatics.pictures import render
+from vstatics.pictures.lever_gear import in_gear
+from vstatics.pictures.lever_order import ordered
+from vstatics.pictures.lever_points import levers, shafts
+from vstatics.pictures.style import Style
 
 NAMES = [path.name for path in SHIPPED]
 
@@ -37,3 +42,95 @@ def test_speeds_are_linear_along_every_lever(name: str) -> None:
         for node in lever.nodes:
             expected = speeds[:, low.link] + slope * (node.position - low.position)
             np.testing.assert_allclose(speeds[:, node.link], expected, atol=1e-9)
+
+
+@pytest.mark.parametrize("name", ["zf-8hp70.yaml", "ravigneaux-aod.yaml", "mzkt7922.dat"])
+@pytest.mark.parametrize("merged", [False, True])
+def test_torques_on_a_lever_are_in_balance_like_forces(name: str, merged: bool) -> None:
+    """Benford and Leising 1981: neither their sum nor their moment moves the lever."""
+    results = result(name)
+    drawn = levers(results.case, merged=merged)
+    for number in range(1, len(results.case.gears) + 1):
+        for lever, torques in zip(drawn, in_gear(results, number, drawn).torques, strict=True):
+            moments = [
+                torque * node.position for torque, node in zip(torques, lever.nodes, strict=True)
+            ]
+            assert sum(torques) == pytest.approx(0, abs=1e-9)
+            assert sum(moments) == pytest.approx(0, abs=1e-9)
+
+
+def test_two_sets_with_two_common_links_are_one_lever() -> None:
+    """Simpson of 3HP 22, ratios -u: sun, carrier 2, output (carrier 1 and ring 2), ring 1.
+
+    From carrier 1 the ring is at 1, the sun at u1. Carrier 2 divides sun to ring 2 as 1 to -u2.
+    """
+    case = result("simpson.yaml").case
+    first, second = (one.ratio for one in case.mechanisms)
+    [lever] = levers(case, merged=True)
+    positions = {case.link_name(node.link): node.position for node in lever.nodes}
+    carrier = first / (1 - second)
+    assert positions == pytest.approx(
+        {"sun": first, "carrier 2": carrier, "output": 0, "ring 1": 1}
+    )
+    assert len(levers(case)) == 2
+
+
+def test_a_link_that_a_locked_set_holds_stands() -> None:
+    """Issue 16: ZF 8HP70, gears 1, 2, R: A and B hold sun and ring of P1, so its carrier stands."""
+    results = result("zf-8hp70.yaml")
+    drawn = levers(results.case)
+    [carrier] = [n for n in range(1, 9) if results.case.link_name(n) == "carrier 1"]
+    held = [
+        results.case.gears[number - 1].name
+        for number in range(1, 10)
+        if in_gear(results, number, drawn).stands(carrier)
+    ]
+    assert held == ["1", "2", "R"]
+
+
+def drawn_text(name: str, *gears: int) -> str:
+    return render(result(name), "lever", "svg", Style(), gears).decode()
+
+
+def test_a_set_that_is_locked_and_carries_the_reaction_is_one_piece() -> None:
+    """Issue 16: Ford 10R80, gear 1: P1 takes 3.696 of the input torque; P2 and P3 take none."""
+    drawn = drawn_text("ford-10r80.yaml", 1)
+    assert "P1, one piece" in drawn
+    assert "<title>P1 carrier: carrier 1, speed 0.000, torque −3.696</title>" in drawn
+    assert "P2, one piece" not in drawn
+    assert "pale: no torque" in drawn
+
+
+def test_brakes_are_grounds_clutches_ties_by_their_names() -> None:
+    """8HP70, gear 1: A, B, C are engaged; two of them are brakes."""
+    results = result("zf-8hp70.yaml")
+    gear = in_gear(results, 1, levers(results.case))
+    assert sorted(gear.grounds.values()) == ["A", "B"]
+    assert [one.name for one in gear.ties if one.name] == ["C"]
+
+
+def test_a_lever_that_shows_the_same_refers_to_the_gear_before() -> None:
+    """BelAZ-7516: T1 makes the odd gears with P1, T2 the even ones (its table of gears)."""
+    drawn = drawn_text("belaz7516.yaml")
+    assert [drawn.count(f"P1, as in gear {gear}<") for gear in (1, 2, 3)] == [3, 3, 0]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("merged", [False, True])
+@pytest.mark.parametrize("name", [name for name in NAMES if name != "moskvich-start.yaml"])
+def test_no_text_of_levers_covers_another(name: str, merged: bool) -> None:
+    style = Style("ru" if merged else "en", merged=merged)
+    assert overlaps(result(name), "lever", style) == []
+
+
+def test_the_input_stands_left_of_the_output_and_joints_are_short() -> None:
+    """8HP70: P1 to P4 as in every drawing of it; its driveline begins with the engine."""
+    case = result("zf-8hp70.yaml").case
+    assert [lever.name for lever in ordered(case, levers(case))] == ["P1", "P2", "P3", "P4"]
+    driveline = result("driveline-8hp70.yaml").case
+    drawn = levers(driveline)
+    first, *_, last = ordered(driveline, [*drawn, *shafts(driveline, drawn)])
+    assert [driveline.link_name(one.nodes[0].link) for one in (first, last)] == [
+        "engine",
+        "vehicle",
+    ]

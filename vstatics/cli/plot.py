@@ -41,6 +41,7 @@ BOXES = "boxes"
     "directory, as SVG."
 )
 @arguments.some_gears
+@click.option("--merge", is_flag=True, help="Levers: two sets with two common links are one.")
 @click.option("--dark", is_flag=True, help="Light on dark, for a screen.")
 @arguments.settings
 @arguments.language("axes and titles")
@@ -49,6 +50,7 @@ def plot(
     kind: str,
     output: str,
     gears: tuple[str, ...],
+    merge: bool,
     dark: bool,
     settings: CaseOptions,
     lang: Language,
@@ -58,7 +60,8 @@ def plot(
     \b
     plan         speeds of all links over the output speed: the generalised
                  kinematic plan
-    lever        speeds of each gear on the levers of the mechanisms
+    lever        the lever analogy: sets as levers, their joints, torques and
+                 speeds, gear by gear
     flow         power of each gear in bands, losses, circulating power
     structure    mechanisms as boxes, links as wires, clutches and brakes
     stick        the stick diagram of a case made of elements
@@ -98,7 +101,9 @@ def plot(
     to = formats.each_by_itself(output, cases, FORMATS, "a picture")
     if kind == BOXES:
         return plot_boxes(cases, to, cast("Format", to.form), Style(lang, dark))
-    picture = partial(_shown, kind=kind, form=to.form, gears=gears, style=Style(lang, dark))
+    picture = partial(
+        _shown, kind=kind, form=to.form, gears=gears, style=Style(lang, dark, merged=merge)
+    )
     form = texts.OutputForm(to.form, to.style)
     own = settings._replace(scenarios=True)
     return carry_out(Job("plot", own, form, picture), cases, to)

@@ -1,89 +1,140 @@
-"""How links are marked on levers: what turns with the input, with the output, what stands."""
+"""Signs of lever diagrams, collected by their look; lengths in points."""
 
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
+from collections.abc import Sequence
+from typing import Any, NamedTuple
+
+from matplotlib.lines import Line2D
+from matplotlib.patches import PathPatch
+from matplotlib.path import Path
 
 from vstatics.model.transmission import HOUSING
-from vstatics.pictures import labels
-from vstatics.pictures.labels import Panel
+from vstatics.pictures.labels import Paper, Point
 from vstatics.pictures.state import PictureState
 from vstatics.pictures.style import Style
 
-LEGEND = 16.0
-"""Height of a row of the legend. [pt]"""
-MARGIN = 14.0
-"""[pt]"""
+HEAD = 5.0
+"""Length of the head of an arrow."""
+MARKERS = {"in": "o", "out": "D", "stands": "s", "port": "^", "": "."}
+"""Kind of point -> its marker."""
 
 
-class LinkMark(NamedTuple):
-    """How a point of a lever is marked."""
+class Inks(NamedTuple):
+    """Lines and areas of one look, collected to be drawn at once."""
 
-    marker: str
-    colour: str
-    meaning: str = ""
+    lines: dict[tuple[Any, ...], list[Sequence[Point]]]
+    """Colour, width, dash -> lines."""
+    points: dict[tuple[str, str], list[Point]]
+    """Marker, colour -> points."""
+    areas: dict[str, list[Sequence[Point]]]
+    """Colour -> polygons."""
+
+    def line(self, *places: Point, colour: str, width: float = 1.0, dash: Any = "solid") -> None:
+        """A line through places."""
+        self.lines.setdefault((colour, width, dash), []).append(places)
+
+    def point(self, place: Point, marker: str, colour: str) -> None:
+        """A mark at a place."""
+        self.points.setdefault((marker, colour), []).append(place)
+
+    def area(self, *corners: Point, colour: str) -> None:
+        """A filled polygon."""
+        self.areas.setdefault(colour, []).append(corners)
+
+    def put(self, paper: Paper) -> None:
+        """Draw all of it, one artist for each look."""
+        for (colour, width, dash), some in self.lines.items():
+            xs = [x for one in some for x in (*(x for x, _ in one), math.nan)]
+            ys = [y for one in some for y in (*(y for _, y in one), math.nan)]
+            paper.add(
+                Line2D(xs, ys, color=colour, linewidth=width, linestyle=dash, solid_capstyle="butt")
+            )
+        for colour, polygons in self.areas.items():
+            codes = [
+                code
+                for one in polygons
+                for code in (Path.MOVETO, *[Path.LINETO] * (len(one) - 1), Path.CLOSEPOLY)
+            ]
+            path = Path([place for one in polygons for place in (*one, one[0])], codes)
+            paper.add(PathPatch(path, facecolor=colour, edgecolor="none", zorder=2))
+        for (marker, colour), places in self.points.items():
+            size = 4 if marker == "." else 5
+            how: dict[str, Any] = {
+                "marker": marker,
+                "color": colour,
+                "markersize": size,
+                "linestyle": "none",
+            }
+            paper.add(Line2D(*zip(*places, strict=True), **how))
 
 
-def _marks(style: Style) -> list[LinkMark]:
-    """The marks of the input, the output and the housing, and of links that turn with them."""
-    first, last = style.colour(0), style.colour(1)
-    return [
-        LinkMark(
-            "o", first, style.text("input, and what is joined to it", "вход и соединённое с ним")
-        ),
-        LinkMark(
-            "D", last, style.text("output, and what is joined to it", "выход и соединённое с ним")
-        ),
-        LinkMark("s", style.ink, style.text("held", "остановлено")),
-        LinkMark("", style.soft, style.text("other links", "прочие звенья")),
-    ]
+def inks() -> Inks:
+    """Nothing drawn yet."""
+    return Inks({}, {}, {})
 
 
-def mark_of(link: int, state: PictureState, style: Style) -> LinkMark:
-    """The mark of a link in a gear.
+def mark_of(link: int, state: PictureState, *, stands: bool) -> str:
+    """What the point of a link is, a key of `MARKERS`: also what is joined to input and output.
 
     >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
     >>> from vstatics.pictures.state import state_of
     >>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)], [Gear([1])])
     >>> state = state_of(solve(case), 1)
-    >>> [mark_of(link, state, Style()).meaning for link in (1, 2)]
-    ['input, and what is joined to it', 'held']
+    >>> mark_of(1, state, stands=False), mark_of(2, state, stands=True)
+    ('in', 'stands')
     """
-    first, last, held, other = _marks(style)
-    body = state.joined[link]
-    if body == HOUSING or state.gear.speeds.get(link) == 0:
-        return held
+    body, gear = state.joined[link], state.gear
+    if stands or body == HOUSING:
+        return "stands"
     if link == state.output:
-        return last  # also where the input is joined to it
+        return "out"  # also where the input is joined to it
     if body == state.joined[state.input]:
-        return first
-    return last if body == state.joined[state.output] else other
+        return "in"
+    if body == state.joined[state.output]:
+        return "out"
+    return "port" if link in gear.speeds or link in gear.torques else ""
 
 
-def legend_height(style: Style, wide: float) -> float:
-    """Height of the legend in a figure of this width [pt]."""
-    return _rows(style, wide) * LEGEND
+def arrow(drawn: Inks, tip: Point, length: float, colour: str) -> None:
+    """An arrow along a line, to the right up to a place or, if it is negative, from there."""
+    (x, y), size = tip, abs(length)
+    head = min(HEAD, max(size, 3.0))
+    start, end, way = (x - size, x, 1) if length > 0 else (x, x - size, -1)
+    drawn.line((start, y), (end - way * head, y), colour=colour, width=2.2)
+    drawn.area((end, y), (end - way * head, y + 3), (end - way * head, y - 3), colour=colour)
 
 
-def _mark_width(style: Style) -> float:
-    return 2 * MARGIN + 24 + max(labels.width(mark.meaning) for mark in _marks(style))
+def ground(drawn: Inks, place: Point, colour: str) -> None:
+    """What holds a point: a bar with hatches, right of a place."""
+    x, y = place
+    drawn.line((x, y - 5), (x, y + 5), colour=colour, width=1.4)
+    for up in (-5, -1.5, 2):
+        drawn.line((x, y + up + 3), (x + 3.5, y + up), colour=colour, width=0.9)
 
 
-def _rows(style: Style, wide: float) -> int:
-    in_a_row = max(1, int((wide - MARGIN) // _mark_width(style)))
-    return math.ceil(len(_marks(style)) / in_a_row)
+def plates(drawn: Inks, place: Point, style: Style) -> None:
+    """A clutch: two plates that face one another."""
+    x, y = place
+    for side in (-1.5, 1.5):
+        drawn.line((x + side, y - 5), (x + side, y + 5), colour=style.engaged, width=1.6)
 
 
-def legend(whole: Panel, style: Style, bottom: float) -> None:
-    """What the marks mean, in rows from a height [pt] upwards."""
-    marks = _marks(style)
-    rows = _rows(style, whole.width)
-    in_a_row = math.ceil(len(marks) / rows)
-    for place, mark in enumerate(marks):
-        row, column = divmod(place, in_a_row)
-        x = MARGIN + column * _mark_width(style)
-        y = bottom + (rows - row - 0.5) * LEGEND
-        how = {"color": mark.colour, "marker": mark.marker, "markevery": [1], "markersize": 6}
-        whole.line((x, y), (x + 14, y), linewidth=2.5, **how)
-        whole.write(x + 24, y, mark.meaning, va="center", color=mark.colour)
+def coil(drawn: Inks, place: Point, style: Style) -> None:
+    """A spring as shaft."""
+    x, y = place
+    zigzag = [(x - 6 + 2 * step, y + (0, 3.5, -3.5)[step and 1 + step % 2]) for step in range(6)]
+    drawn.line(*zigzag, (x + 6, y), colour=style.ink)
+
+
+def box(drawn: Inks, middle: Point, size: Point, colour: str) -> None:
+    """The outline of a rectangle."""
+    (x, y), (wide, high) = middle, (size[0] / 2, size[1] / 2)
+    corners = [
+        (x - wide, y - high),
+        (x + wide, y - high),
+        (x + wide, y + high),
+        (x - wide, y + high),
+    ]
+    drawn.line(*corners, corners[0], colour=colour)
