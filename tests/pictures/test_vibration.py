@@ -6,8 +6,10 @@ import importlib.util
 from pathlib import Path
 
 import pytest
+from matplotlib.colors import to_rgba
 
 from tests.commands import CASES, vstatics
+from tests.pictures import drawn
 from tests.pictures.test_pictures import STYLES, overlaps
 from vstatics import Gear, Load, Mechanism, Results, ShiftElement, Spring, Transmission, load, solve
 from vstatics.errors import CaseError
@@ -17,6 +19,7 @@ from vstatics.pictures.orders import OrderRange, crossings, highest_speed, order
 from vstatics.pictures.style import Style
 from vstatics.pictures.vibration import modes_of
 
+COLOURS = Style().colours
 KINDS = ("modes", "campbell")
 SHIPPED = ("moskvich412.yaml", "driveline-8hp70.yaml")
 
@@ -91,11 +94,7 @@ def test_the_same_case_gives_the_same_bytes(kind: str, form: Format) -> None:
 
 
 def texts(results: Results, kind: str, *gears: int) -> list[str]:
-    return [
-        text.get_text()
-        for axes in picture(results, kind, Style(), gears).axes
-        for text in axes.texts
-    ]
+    return drawn.texts(picture(results, kind, Style(), gears))
 
 
 def test_a_mode_has_its_frequencies_and_shares() -> None:
@@ -103,6 +102,9 @@ def test_a_mode_has_its_frequencies_and_shares() -> None:
     shown = texts(chain(2, stiffness=500.0), "modes")
     assert "mode 1\n15.92 Hz\n100.0 rad/s" in shown
     assert shown.count("50%") == 2
+    figure = picture(chain(2, stiffness=500.0), "modes", Style())
+    bars = {said: one.get_facecolor() for said, one in drawn.titled(figure) if "%" in said}
+    assert [bars[f"m {link}: 50%"] for link in (1, 2)] == [to_rgba(one) for one in COLOURS[:2]]
     assert shown.count("100%") == 1
 
 
@@ -171,7 +173,7 @@ def test_sheets_fit_a_printed_page_and_have_all_modes() -> None:
     for figure in figures:
         wide, high = figure.get_size_inches()
         assert high / wide < 29.7 / 21.0
-    told = [text.get_text() for figure in figures for text in figure.axes[0].texts]
+    told = [text for figure in figures for text in drawn.texts(figure)]
     assert [text.split("\n")[0] for text in told if text.startswith("mode ")] == [
         f"mode {number}" for number in range(1, 16)
     ]
@@ -180,14 +182,15 @@ def test_sheets_fit_a_printed_page_and_have_all_modes() -> None:
 def test_there_are_sheets_for_all_gears() -> None:
     from vstatics.pictures import campbell, modes
 
-    told = [text.get_text() for one in modes.sheets(tied(), Style()) for text in one.axes[0].texts]
+    told = [text for one in modes.sheets(tied(), Style()) for text in drawn.texts(one)]
     assert [text for text in told if text.startswith(("gear ", "tied"))] == [
         "gear low",
         "gear both",
         "tied up",
     ]
     results = solve(load(CASES / "moskvich412.yaml"))
-    assert [len(one.axes) for one in campbell.sheets(results, Style())] == [6, 2]
+    pages = [drawn.texts(one) for one in campbell.sheets(results, Style())]
+    assert [sum(text.startswith("gear ") for text in page) for page in pages] == [6, 2]
 
 
 def test_a_gear_that_is_tied_up_says_so_beside_others() -> None:

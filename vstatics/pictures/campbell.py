@@ -10,7 +10,11 @@ from matplotlib.figure import Figure
 
 from vstatics.model.transmission import Transmission
 from vstatics.pictures import labels
-from vstatics.pictures.labels import LEADER, Label, Panel, height, width, wrapped
+from vstatics.pictures.chart import AxisScale, Chart, widest
+from vstatics.pictures.chart_ends import LineEnd, along, beside, height_of, width_of
+from vstatics.pictures.heads import KeySign, chart_head
+from vstatics.pictures.labels import LEADER, Label, Paper, height, width
+from vstatics.pictures.looks import Look
 from vstatics.pictures.orders import (
     ORDERS,
     PER_MINUTE,
@@ -20,7 +24,8 @@ from vstatics.pictures.orders import (
     order_range,
     root_ticks,
 )
-from vstatics.pictures.style import TITLE, Style, number
+from vstatics.pictures.style import Style, number
+from vstatics.pictures.svg import halo, told
 from vstatics.pictures.vibration import modes_of, why_none
 from vstatics.pictures.words import gear_title, title
 from vstatics.statics.results import Results
@@ -32,11 +37,11 @@ WIDE, HIGH = 270.0, 210.0
 """Of a diagram without its labels, where there are several. [pt]"""
 ALONE = 1.5
 """By so much a diagram is larger that stands alone."""
-MARGIN = 14.0
+MARGIN = 12.0
 """[pt]"""
-LEFT, BELOW = 56.0, 40.0
+LEFT, BELOW = 56.0, 44.0
 """For the scales. [pt]"""
-ABOVE = 58.0
+ABOVE = 46.0
 """For the gear, and orders. [pt]"""
 ON_SHEET = 6
 """So many diagrams fit a printed page."""
@@ -111,150 +116,166 @@ def _figure(
         "natural frequencies, and orders of the input speed",
         "собственные частоты и порядки частоты вращения входа",
     )
-    head = wrapped(title(case, subject), wide - 2 * MARGIN, TITLE)
-    note = wrapped(_note(style), wide - 2 * MARGIN)
-    above = 2 * MARGIN + height(head, TITLE) + height(note)
-    high = above + rows * layout.up
-    figure = labels.figure(wide, high)
-    how: dict[str, Any] = {"ha": "center", "va": "top", "linespacing": labels.LINE}
-    figure.text(0.5, 1 - MARGIN / high, head, fontsize=TITLE, **how)
-    low = 1 - (above - MARGIN / 2) / high
-    figure.text(0.5, low, note, **{**how, "va": "bottom", "color": style.soft})
+    note = style.text("scales by square roots", "шкалы квадратных корней")
+    signs = _signs(diagrams, shown, style)
+    head = chart_head(title(case, subject), note, signs, wide - 2 * MARGIN, style)
+    high = MARGIN + head.high + rows * layout.up
+    paper = Paper(labels.figure(wide, high))
+    head.draw(paper, MARGIN, high - MARGIN, style)
+    whole = AxisScale(0.0, 1.0)
     for place, diagram in enumerate(diagrams):
         row, column = divmod(place, layout.columns)
-        left = column * layout.across + LEFT
-        bottom = (rows - 1 - row) * layout.up + BELOW
-        panel = labels.panel(figure, left, bottom, layout.wide, layout.high)
-        _draw(panel, diagram, shown, style)
-    return figure
+        corner = column * layout.across + LEFT, (rows - 1 - row) * layout.up + BELOW
+        chart = Chart(paper, corner, layout.wide, layout.high, whole, whole)
+        _draw(chart, diagram, shown, style)
+    return paper.figure
 
 
 def _layout(
     diagrams: Sequence[_CampbellDiagram], shown: OrderRange, style: Style
 ) -> _DiagramLayout:
     size = ALONE if len(diagrams) == 1 else 1.0
-    texts = [text for one in diagrams for _, text, _ in _mode_labels(one, shown, style)]
-    count = max(len(_mode_labels(one, shown, style)) for one in diagrams) + len(ORDERS)
-    high = max(size * HIGH, count * (height("") + labels.GAP))
-    right = LEADER + max(map(width, [*texts, _order_name(0.5)])) + MARGIN
+    ends = [_ends(one, shown, style, 1.0) for one in diagrams]
+    high = max(size * HIGH, *map(height_of, ends))
+    right = max(*map(width_of, ends), LEADER + width(_order_name(0.5))) + MARGIN
     wide = size * WIDE
     columns = min(len(diagrams), 2)
     return _DiagramLayout(columns, wide, high, LEFT + wide + right, ABOVE + high + BELOW)
 
 
-def _note(style: Style) -> str:
-    """What the marks mean."""
-    return style.text(
-        "horizontal: natural frequencies, by mode; n×: order n; dots: resonances, with their "
-        "speed in rpm; scales by square roots",
-        "горизонтали: собственные частоты по формам; n×: порядок n; точки: резонансы, с их "
-        "скоростью в об/мин; шкалы квадратных корней",
-    )
+def _mode_look(style: Style) -> Look:
+    """Of a natural frequency: ink, as links alone have colours."""
+    return {"color": style.ink, "linewidth": 1.3, "solid_capstyle": "butt"}
+
+
+def _order_look(style: Style) -> Look:
+    return {"color": style.soft, "linewidth": 0.8}
+
+
+def _dot_look(style: Style) -> Look:
+    edge = {"markerfacecolor": style.paper, "markeredgecolor": style.ink}
+    return {"color": style.ink, "marker": "o", "markersize": 3.8, "zorder": 4, **edge}
+
+
+def _signs(diagrams: Sequence[_CampbellDiagram], shown: OrderRange, style: Style) -> list[KeySign]:
+    """The key, of what occurs."""
+    signs = [
+        KeySign(
+            style.text("natural frequency, by mode", "собственная частота, по формам"),
+            _mode_look(style),
+        ),
+        KeySign(style.text("order n×", "порядок n×"), _order_look(style)),
+    ]
+    if any(list(crossings(shown, _frequencies(one))) for one in diagrams):
+        text = style.text("resonance, at its speed in rpm", "резонанс, при его скорости в об/мин")
+        signs.append(KeySign(text, _dot_look(style)))
+    return signs
+
+
+def _frequencies(diagram: _CampbellDiagram) -> list[float]:
+    return [mode.frequency for mode in diagram.found.modes]
 
 
 def _order_name(order: float) -> str:
     return f"{order:g}×"
 
 
-def _mode_labels(
-    diagram: _CampbellDiagram, shown: OrderRange, style: Style
-) -> list[tuple[float, str, str]]:
-    """Frequency, text and colour of each mode; an arrow at those above the range."""
+def _order_end(order: float, shown: OrderRange) -> tuple[float, float]:
+    """Where the line of an order leaves the diagram, as parts of its width and height."""
+    frequency = order * shown.speed / PER_MINUTE
+    if frequency <= shown.frequency:
+        return 1.0, shown.up(frequency)
+    return shown.across(shown.frequency * PER_MINUTE / order), 1.0
+
+
+def _ends(diagram: _CampbellDiagram, shown: OrderRange, style: Style, high: float) -> list[LineEnd]:
+    """What reaches the right edge: modes, with an arrow at those above the range, and orders."""
     hertz = style.text("Hz", "Гц")
-    return [
-        (
-            min(mode.frequency, shown.frequency),
-            f"{place}: {number(mode.frequency)} {hertz}"
-            + (" ↑" if mode.frequency > shown.frequency else ""),
-            style.colour(place - 1),
-        )
-        for place, mode in enumerate(diagram.found.modes, 1)
-    ]
+    found = []
+    for place, frequency in enumerate(_frequencies(diagram), 1):
+        above = " ↑" if frequency > shown.frequency else ""
+        text = f"{place}: {number(frequency)} {hertz}{above}"
+        found.append(LineEnd(high * shown.up(min(frequency, shown.frequency)), (text,)))
+    if found:
+        for order in ORDERS:
+            x, y = _order_end(order, shown)
+            if x == 1.0:
+                found.append(LineEnd(high * y, (_order_name(order),)))
+    return found
 
 
-def _draw(panel: Panel, diagram: _CampbellDiagram, shown: OrderRange, style: Style) -> None:
+def _draw(chart: Chart, diagram: _CampbellDiagram, shown: OrderRange, style: Style) -> None:
     """A diagram with its labels."""
-    _draw_scales(panel, diagram, shown, style)
-    top = panel.height + LEADER + height("") + 2
-    panel.write(0, top, diagram.head, va="bottom", weight="bold", fontsize=TITLE)
+    _draw_scales(chart, diagram, shown, style)
+    top = chart.height + LEADER + height("") - 2
+    chart.write(0, top, diagram.head, va="bottom", weight="bold")
     if not diagram.found.modes:
-        middle = panel.width / 2, panel.height / 2
-        panel.write(*middle, why_none(diagram.found, style), ha="center", va="center")
+        middle = chart.width / 2, chart.height / 2
+        chart.write(*middle, why_none(diagram.found, style), ha="center", va="center")
         return
-    right = [
-        Label(panel.height * shown.up(at), text, colour)
-        for at, text, colour in _mode_labels(diagram, shown, style)
-    ]
     above = []
     for order in ORDERS:
-        end = order * shown.speed / PER_MINUTE
-        if end <= shown.frequency:
-            x, y = panel.width, panel.height * shown.up(end)
-            right.append(Label(y, _order_name(order), style.soft))
-        else:
-            x = panel.width * shown.across(shown.frequency * PER_MINUTE / order)
-            y = panel.height
-            above.append(Label(x, _order_name(order), style.soft))
-        panel.line((0, 0), (x, y), color=style.soft, linewidth=0.8)
-    frequencies = [mode.frequency for mode in diagram.found.modes]
-    for place, frequency in enumerate(frequencies):
+        x, y = _order_end(order, shown)
+        end = x * chart.width, y * chart.height
+        chart.line((0.0, 0.0), end, gid=told(_order_name(order)), **_order_look(style))
+        if x < 1.0:
+            above.append(Label(end[0], _order_name(order), style.soft))
+    for place, frequency in enumerate(_frequencies(diagram), 1):
         if frequency <= shown.frequency:
-            y = panel.height * shown.up(frequency)
-            panel.line((0, y), (panel.width, y), color=style.colour(place), linewidth=1.3)
-    panel.beside("right", right)
-    panel.along("top", above, upright=False)
-    _draw_crossings(panel, frequencies, shown, style)
+            y = chart.height * shown.up(frequency)
+            mode = style.text(f"mode {place}", f"форма {place}")
+            said = told(f"{diagram.head}, {mode}: {number(frequency)} {style.text('Hz', 'Гц')}")
+            chart.line((0.0, y), (chart.width, y), gid=said, **_mode_look(style))
+    beside(chart, "right", _ends(diagram, shown, style, chart.height), style)
+    along(chart, "top", above, style, upright=False)
+    _draw_crossings(chart, diagram, shown, style)
 
 
-def _draw_scales(panel: Panel, diagram: _CampbellDiagram, shown: OrderRange, style: Style) -> None:
-    axes = panel.axes
-    axes.set(xlim=(0, 1), ylim=(0, 1))
-    axes.grid(linewidth=0.3, alpha=0.6)
-    axes.set_axisbelow(True)
-    speeds = root_ticks(shown.speed, (width(f"{shown.speed:g}") + 8) / panel.width)
-    axes.set_xticks([shown.across(one) for one in speeds], [f"{one:g}" for one in speeds])
-    hertz = root_ticks(shown.frequency, 1.5 * height("") / panel.height)
-    axes.set_yticks([shown.up(one) for one in hertz], [f"{one:g}" for one in hertz])
-    middle, low = panel.width / 2, 4 - BELOW
-    panel.write(middle, low, _speed_text(panel, diagram, style), ha="center", va="bottom")
-    text = style.text("frequency, Hz", "частота, Гц")
-    panel.write(8 - LEFT, panel.height / 2, text, rotation=90, ha="center", va="center")
+def _draw_scales(chart: Chart, diagram: _CampbellDiagram, shown: OrderRange, style: Style) -> None:
+    speeds = root_ticks(shown.speed, (width(f"{shown.speed:g}") + 8) / chart.width)
+    at = [shown.across(one) for one in speeds]
+    chart.scale("bottom", at, style, [f"{one:g}" for one in speeds], grid=True)
+    hertz = root_ticks(shown.frequency, 1.5 * height("") / chart.height)
+    texts = [f"{one:g}" for one in hertz]
+    chart.scale("left", [shown.up(one) for one in hertz], style, texts, grid=True)
+    chart.frame(style, "left", "right", "bottom", "top")
+    chart.name("bottom", _speed_text(chart, diagram, style), 26)
+    chart.name("left", style.text("frequency, Hz", "частота, Гц"), widest(texts) + 16)
 
 
-def _speed_text(panel: Panel, diagram: _CampbellDiagram, style: Style) -> str:
+def _speed_text(chart: Chart, diagram: _CampbellDiagram, style: Style) -> str:
     """What is across; a link with a long name is the input."""
     rpm = style.text("rpm", "об/мин")
     said = style.text(f"speed of {diagram.input}, {rpm}", f"скорость {diagram.input}, {rpm}")
-    if width(said) < panel.width:
+    if width(said) < chart.width:
         return said
     return style.text(f"speed of the input, {rpm}", f"скорость входа, {rpm}")
 
 
 def _draw_crossings(
-    panel: Panel, frequencies: Sequence[float], shown: OrderRange, style: Style
+    chart: Chart, diagram: _CampbellDiagram, shown: OrderRange, style: Style
 ) -> None:
     """Dots, each with its speed where there is room."""
+    found = list(crossings(shown, _frequencies(diagram)))
     dots = [
-        (
-            panel.width * shown.across(one.speed),
-            panel.height * shown.up(one.frequency),
-            f"{one.speed:.0f}",
-        )
-        for one in crossings(shown, frequencies)
+        (chart.width * shown.across(one.speed), chart.height * shown.up(one.frequency))
+        for one in found
     ]
-    taken = [(x - 1.5, y - 1.5, x + 1.5, y + 1.5) for x, y, _ in dots]
-    for x, y, text in dots:
-        look: dict[str, Any] = {"color": style.ink, "marker": "o", "markersize": 3.0, "zorder": 4}
-        panel.line((x, y), **look)
+    taken = [(x - 1.5, y - 1.5, x + 1.5, y + 1.5) for x, y in dots]
+    rpm = style.text("rpm", "об/мин")
+    for (x, y), one in zip(dots, found, strict=True):
+        text = f"{one.speed:.0f}"
+        hertz = f"{number(one.frequency)} {style.text('Hz', 'Гц')}"
+        said = f"{diagram.head}, {_order_name(one.order)}: {text} {rpm}, {hertz}"
+        chart.line((x, y), gid=told(said), **_dot_look(style))
         wide, high = width(text, SMALL), height(text, SMALL)
         for left, low in ((x - wide - 2.5, y + 1.5), (x + 2.5, y - high - 1.5)):
             box = left - 1, low - 1, left + wide + 1, low + high + 1
-            inside = min(box[:2]) > 0 and box[2] < panel.width and box[3] < panel.height
+            inside = min(box[:2]) > 0 and box[2] < chart.width and box[3] < chart.height
             if inside and not any(_meet(box, other) for other in taken):
                 taken.append(box)
-                ground: dict[str, Any] = {"facecolor": style.paper, "linewidth": 0, "zorder": 2.5}
-                panel.box((left, low + 1), (wide, high - 2), alpha=0.8, **ground)
-                panel.write(left, low + high / 2, text, fontsize=SMALL, va="center")
+                how: dict[str, Any] = {"fontsize": SMALL, "va": "center_baseline"}
+                chart.write(left, low + high / 2, text, **how, **halo(style))
                 break
 
 

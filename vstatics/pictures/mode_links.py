@@ -39,6 +39,7 @@ class ModeDevice(NamedTuple):
 class ModeLinks(NamedTuple):
     """The links of a gear that vibrate, from the input on."""
 
+    numbers: tuple[int, ...]
     names: tuple[str, ...]
     heavy: tuple[bool, ...]
     """Which of them have an inertia."""
@@ -94,6 +95,7 @@ def mode_links(results: Results, number: int, modes: GearModes) -> ModeLinks:
         if len(links) > 1 or (links and name in elastic)
     ]
     return ModeLinks(
+        tuple(row),
         tuple(names[link - 1] for link in row),
         tuple(case.inertias.get(link, 0.0) > 0 for link in row),
         tuple(_levelled(devices)),

@@ -6,9 +6,11 @@ import math
 from typing import Any, NamedTuple
 
 from vstatics.pictures import labels
-from vstatics.pictures.labels import LEADER, Label, Panel
+from vstatics.pictures.chart import Chart
+from vstatics.pictures.labels import LEADER, Label
 from vstatics.pictures.mode_links import ModeDevice, ModeLinks
 from vstatics.pictures.style import Style
+from vstatics.pictures.svg import told
 
 PITCH = 26.0
 """From link to link. [pt]"""
@@ -20,8 +22,6 @@ GROUND = 24.0
 """From a link up to the housing. [pt]"""
 LONGEST = 110.0
 """Names are wrapped to this length. [pt]"""
-KINETIC, ELASTIC = 0, 1
-"""Colours of links and springs, and of their energies."""
 SMALL = 6.5
 """Of the numbers of springs. [pt]"""
 ROOMY = 18.0
@@ -31,7 +31,7 @@ ROOMY = 18.0
 class Axis(NamedTuple):
     """Where the links stand."""
 
-    panel: Panel
+    panel: Chart
     left: float
     """[pt]"""
     pitch: float
@@ -79,33 +79,36 @@ def _below(links: ModeLinks) -> float:
 def draw_links(axis: Axis, low: float, links: ModeLinks, style: Style) -> None:
     """The row of links above an ordinate [pt]: names, springs, what is rigid."""
     panel, y = axis.panel, low + _below(links)
-    strip = labels.Panel(panel.axes, panel.width, y + _above(links))
     at = [Label(axis.at(place), name, style.ink) for place, name in _names(links, axis.pitch)]
-    _write_names(strip, panel, at)
+    _write_names(panel, y + _above(links), at)
     count = 0
     for device in links.devices:
         count += device.elastic
         _draw_device(axis, y, device, str(count) if device.elastic else "", style)
     for place, heavy in enumerate(links.heavy):
-        _draw_dot(panel, (axis.at(place), y), heavy=heavy, style=style)
+        colour = style.colour(links.numbers[place] - 1)
+        _draw_dot(panel, (axis.at(place), y), colour, style, heavy=heavy)
 
 
-def _write_names(strip: Panel, panel: Panel, names: list[Label]) -> None:
+def _write_names(panel: Chart, low: float, names: list[Label]) -> None:
     """Upright, each with a line to its link."""
     sizes = [labels.height(one.text) + labels.GAP for one in names]
     places = labels.spread([one.at for one in names], sizes, 0.0, panel.width)
-    for name, place in zip(names, places, strict=True):
-        ends = (name.at, strip.height), (place, strip.height + 0.6 * LEADER)
-        panel.line(*ends, color=name.colour, linewidth=0.5)
+    high = low + 0.6 * LEADER
+    both = list(zip(names, places, strict=True))
+    pieces = [((name.at, low), (place, high)) for name, place in both]
+    panel.lines(pieces, color=names[0].colour if names else "none", linewidth=0.5)
+    for name, place in both:
         how: dict[str, Any] = {"rotation": 90, "ha": "center", "va": "bottom"}
-        panel.write(place, strip.height + 0.75 * LEADER, name.text, color=name.colour, **how)
+        panel.write(place, low + 0.75 * LEADER, name.text, color=name.colour, **how)
 
 
 def _draw_device(axis: Axis, y: float, device: ModeDevice, mark: str, style: Style) -> None:
     """A device: on the line, below it with a line to each of its links, or at the housing."""
     panel = axis.panel
-    colour = style.colour(ELASTIC) if device.elastic else style.faint
+    colour = style.ink if device.elastic else style.faint
     look: dict[str, Any] = {"color": colour, "linewidth": 1.2 if device.elastic else 0.9}
+    look["gid"] = told(device.name)
     half = min(8.0, 0.3 * axis.pitch)
     if device.is_grounded:
         _draw_ground(axis, y, device, mark, look)
@@ -125,7 +128,7 @@ def _draw_device(axis: Axis, y: float, device: ModeDevice, mark: str, style: Sty
     panel.line(*_zigzag(middle, level, half), **look)
     panel.line((middle + half, level), (ends[1], level), **look)
     if axis.pitch >= ROOMY:
-        how: dict[str, Any] = {"ha": "center", "va": "top", "fontsize": SMALL, "color": colour}
+        how: dict[str, Any] = {"ha": "center", "va": "top", "fontsize": SMALL}
         panel.write(middle, level - 5.5, mark, **how)
 
 
@@ -145,10 +148,10 @@ def _draw_ground(axis: Axis, y: float, device: ModeDevice, mark: str, look: Any)
     for step in (-5, -1, 3):
         panel.line((x + step, top), (x + step + 2.5, top + 3), **look)
     if axis.pitch >= ROOMY:
-        panel.write(x + 6, y + 11, mark, va="center", fontsize=SMALL, color=look["color"])
+        panel.write(x + 6, y + 11, mark, va="center", fontsize=SMALL)
 
 
-def draw_legend(panel: Panel, left: float, low: float, style: Style, *, elastic: bool) -> None:
+def draw_legend(panel: Chart, left: float, low: float, style: Style, *, elastic: bool) -> None:
     """What the marks of the row mean, two lines above an ordinate [pt]."""
     line = labels.height("")
     for row, (english, russian) in enumerate(
@@ -158,17 +161,18 @@ def draw_legend(panel: Panel, left: float, low: float, style: Style, *, elastic:
     ):
         y = low + row * line
         if not elastic:
-            _draw_dot(panel, (left + 8, y), heavy=bool(row), style=style)
+            _draw_dot(panel, (left + 8, y), style.ink, style, heavy=bool(row))
         elif row:
-            panel.line(*_zigzag(left + 8, y, 8.0), color=style.colour(ELASTIC), linewidth=1.2)
+            panel.line(*_zigzag(left + 8, y, 8.0), color=style.ink, linewidth=1.2)
         else:
             panel.line((left, y), (left + 16, y), color=style.faint, linewidth=0.9)
         panel.write(left + 22, y, style.text(english, russian), va="center", color=style.soft)
 
 
-def _draw_dot(panel: Panel, at: tuple[float, float], *, heavy: bool, style: Style) -> None:
+def _draw_dot(
+    panel: Chart, at: tuple[float, float], colour: str, style: Style, *, heavy: bool
+) -> None:
     """A link."""
     look: dict[str, Any] = {"marker": "o", "markersize": 5.0 if heavy else 3.2, "zorder": 4}
-    fill = style.colour(KINETIC) if heavy else style.paper
-    edge = style.colour(KINETIC) if heavy else style.ink
-    panel.line(at, markerfacecolor=fill, markeredgecolor=edge, **look)
+    fill = colour if heavy else style.paper
+    panel.line(at, markerfacecolor=fill, markeredgecolor=colour, **look)

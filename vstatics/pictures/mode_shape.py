@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from itertools import pairwise
 from typing import Any, NamedTuple
 
-from vstatics.pictures.labels import Panel, Point
+from vstatics.pictures.chart import Chart
+from vstatics.pictures.labels import Point
 from vstatics.pictures.mode_links import ModeLinks
-from vstatics.pictures.mode_row import ELASTIC, KINETIC, SMALL, Axis
-from vstatics.pictures.style import Style
+from vstatics.pictures.mode_row import SMALL, Axis
+from vstatics.pictures.style import Style, number
+from vstatics.pictures.svg import told
 
 Segment = tuple[Point, Point]
 
@@ -41,15 +42,14 @@ def draw(
     tips = [(axis.at(place), band.at(shape[name])) for place, name in enumerate(links.names)]
     _draw_scale(axis, band, len(tips), style)
     _draw_devices(axis.panel, tips, links, style)
-    colour = style.colour(KINETIC)
-    stems = [((x, band.rest), (x, y)) for x, y in tips]
-    _lines(axis.panel, stems, color=colour, linewidth=1.0, alpha=0.55)
-    for heavy, fill in ((True, colour), (False, style.paper)):
-        dots = [tip for tip, one in zip(tips, links.heavy, strict=True) if one == heavy]
-        look: dict[str, Any] = {"marker": "o", "markersize": 3.6, "zorder": 4}
-        if dots:
-            ink = {"markerfacecolor": fill, "markeredgecolor": colour}
-            axis.panel.line(*dots, linestyle="none", **look, **ink)
+    for name, link, heavy, (x, y) in zip(
+        links.names, links.numbers, links.heavy, tips, strict=True
+    ):
+        colour = style.colour(link - 1)
+        look: dict[str, Any] = {"color": colour, "linewidth": 1.0, "marker": "o", "zorder": 4}
+        fill = {"markerfacecolor": colour if heavy else style.paper, "markersize": 3.6}
+        said = told(f"{name}: {number(shape[name])}")
+        axis.panel.line((x, band.rest), (x, y), markevery=[1], gid=said, **look, **fill)
 
 
 def _draw_scale(axis: Axis, band: AmplitudeBand, count: int, style: Style) -> None:
@@ -63,10 +63,10 @@ def _draw_scale(axis: Axis, band: AmplitudeBand, count: int, style: Style) -> No
         axis.panel.write(start - 3, y, text, color=style.soft, **how)
     low, high = band.at(-1), band.at(1)
     upright = [((x, low), (x, high)) for x in map(axis.at, range(count))]
-    _lines(axis.panel, upright, color=style.faint, linewidth=0.3)
+    axis.panel.lines(upright, color=style.faint, linewidth=0.3)
 
 
-def _draw_devices(panel: Panel, tips: list[Point], links: ModeLinks, style: Style) -> None:
+def _draw_devices(panel: Chart, tips: list[Point], links: ModeLinks, style: Style) -> None:
     """Lines between the links that devices join; dashed where a twist has more than two."""
     rigid: list[Segment] = []
     shafts: list[Segment] = []
@@ -74,15 +74,6 @@ def _draw_devices(panel: Panel, tips: list[Point], links: ModeLinks, style: Styl
     for device in links.devices:
         pairs = [(tips[one], tips[other]) for one, other in pairwise(device.members)]
         (rigid if not device.elastic else shafts if len(pairs) == 1 else others).extend(pairs)
-    colour = style.colour(ELASTIC)
-    _lines(panel, rigid, color=style.soft, linewidth=0.8)
-    _lines(panel, others, color=colour, linewidth=1.6, linestyle=(0, (3, 1.5)))
-    _lines(panel, shafts, color=colour, linewidth=1.6)
-
-
-def _lines(panel: Panel, segments: Iterable[Segment], **look: Any) -> None:
-    """Many lines at once."""
-    gap = (math.nan, math.nan)
-    places = [place for segment in segments for place in (*segment, gap)]
-    if places:
-        panel.line(*places, **look)
+    panel.lines(rigid, color=style.faint, linewidth=1.2)
+    panel.lines(others, color=style.ink, linewidth=1.2, linestyle=(0, (3, 1.5)))
+    panel.lines(shafts, color=style.ink, linewidth=1.2)

@@ -6,8 +6,9 @@ from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 from vstatics.pictures import labels
-from vstatics.pictures.labels import Panel
+from vstatics.pictures.chart import Chart
 from vstatics.pictures.style import Style
+from vstatics.pictures.svg import told
 
 FULL = 64.0
 """Length of a bar of 100 %. [pt]"""
@@ -33,22 +34,26 @@ class Share(NamedTuple):
     name: str
     part: float
     """Of the energy. [-]"""
+    colour: str
 
 
-def largest(shares: Mapping[str, float], marks: Mapping[str, str], style: Style) -> list[Share]:
+def largest(
+    shares: Mapping[str, float], marks: Mapping[str, str], colours: Mapping[str, str], style: Style
+) -> list[Share]:
     """The largest shares of a mode, and what is left.
 
     Parameters
     ----------
     marks : mapping of str to str
         What stands before some of the names.
+    colours : mapping of str to str
+        Of some of the names.
 
     Examples
     --------
-    >>> largest({"engine": 0.7, "disc": 0.004, "wheel": 0.296}, {}, Style())
-    [Share(name='engine', part=0.7), Share(name='wheel', part=0.296)]
-    >>> largest({"engine": 0.99, "wheel": 0.008, "disc": 0.002}, {"engine": "1"}, Style())
-    [Share(name='1 engine', part=0.99), Share(name='others', part=0.01)]
+    >>> shares = {"engine": 0.99, "wheel": 0.008, "disc": 0.002}
+    >>> [one[:2] for one in largest(shares, {"engine": "1"}, {}, Style())]
+    [('1 engine', 0.99), ('others', 0.01)]
     """
     order = sorted(shares, key=lambda name: -shares[name])
     shown = [name for name in order if shares[name] >= LEAST]
@@ -57,10 +62,11 @@ def largest(shares: Mapping[str, float], marks: Mapping[str, str], style: Style)
     found = []
     for name in shown:
         said = f"{marks[name]} {name}" if name in marks else name
-        found.append(Share(labels.wrapped(said, LONGEST), shares[name]))
+        colour = colours.get(name, style.soft)
+        found.append(Share(labels.wrapped(said, LONGEST), shares[name], colour))
     rest = round(sum(shares.values()) - sum(one.part for one in found), 9)
     if rest >= LEAST / 2:
-        found.append(Share(style.text("others", "прочие"), rest))
+        found.append(Share(style.text("others", "прочие"), rest, style.soft))
     return found
 
 
@@ -74,26 +80,16 @@ def width(shares: Sequence[Share]) -> float:
     return max((labels.width(one.name) for one in shares), default=0.0) + GAP + RIGHT
 
 
-def draw(
-    panel: Panel,
-    right: float,
-    top: float,
-    shares: Sequence[Share],
-    look: Mapping[str, str],
-) -> None:
-    """Bars that end before an abscissa, from an ordinate downwards [pt].
-
-    Parameters
-    ----------
-    look : mapping
-        How the bars look, as matplotlib's patches do.
-    """
+def draw(panel: Chart, right: float, top: float, shares: Sequence[Share]) -> None:
+    """Bars that end before an abscissa, from an ordinate downwards [pt]."""
     start, y = right - RIGHT, top
     for one in shares:
         middle = y - labels.height(one.name) / 2
         how = {"va": "center", "linespacing": labels.LINE}
         panel.write(start - GAP, middle, one.name, ha="right", **how)
-        length = FULL * one.part
-        panel.box((start, middle - THICK / 2), (length, THICK), linewidth=0, **look)
-        panel.write(start + length + GAP, middle, f"{100 * one.part:.0f}%", va="center")
+        length, percent = FULL * one.part, f"{100 * one.part:.0f}%"
+        said = told(f"{one.name}: {percent}")
+        look = {"facecolor": one.colour, "linewidth": 0, "gid": said}
+        panel.box((start, middle - THICK / 2), (length, THICK), **look)
+        panel.write(start + length + GAP, middle, percent, va="center")
         y -= labels.height(one.name)

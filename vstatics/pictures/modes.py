@@ -9,11 +9,12 @@ from typing import TYPE_CHECKING, NamedTuple
 from matplotlib.figure import Figure
 
 from vstatics.pictures import labels, mode_row, mode_shape, mode_shares
-from vstatics.pictures.labels import Panel, height, width, wrapped
+from vstatics.pictures.chart import AxisScale, Chart
+from vstatics.pictures.heads import chart_head
+from vstatics.pictures.labels import Paper, height, width, wrapped
 from vstatics.pictures.mode_links import ModeLinks, mode_links
-from vstatics.pictures.mode_row import ELASTIC, KINETIC
 from vstatics.pictures.mode_shares import Share
-from vstatics.pictures.style import TITLE, Style, number
+from vstatics.pictures.style import Style, number
 from vstatics.pictures.vibration import modes_of, why_none
 from vstatics.pictures.words import gear_title, title
 from vstatics.statics.results import Results
@@ -21,7 +22,7 @@ from vstatics.statics.results import Results
 if TYPE_CHECKING:
     from vstatics.torsion.gear_modes import GearModes, Mode
 
-MARGIN = 14.0
+MARGIN = 12.0
 """[pt]"""
 LEAST = 58.0
 """Height of a mode at least. [pt]"""
@@ -29,6 +30,8 @@ MOST = 84.0
 """Height of a shape at most. [pt]"""
 BETWEEN = 14.0
 """Modes, and columns. [pt]"""
+GAP = 4.0
+"""Between the note on a gear and its links. [pt]"""
 SCALE = 16.0
 """For the ends of the scale of amplitudes. [pt]"""
 APART = 30.0
@@ -124,11 +127,25 @@ def _part(results: Results, gear: int, found: GearModes, style: Style) -> _GearM
     ):
         if those:
             note += f"; {style.text(english, russian)}: {', '.join(those)}"
-    rows = [_row(place, mode, found, marks, style) for place, mode in enumerate(found.modes, 1)]
+    colours = {
+        name: style.colour(link - 1) for name, link in zip(links.names, links.numbers, strict=True)
+    }
+    rows = [
+        _row(place, mode, found, (marks, colours), style)
+        for place, mode in enumerate(found.modes, 1)
+    ]
     return _GearModesPart(head, note, links, rows)
 
 
-def _row(place: int, mode: Mode, found: GearModes, marks: dict[str, str], style: Style) -> _ModeRow:
+def _row(
+    place: int,
+    mode: Mode,
+    found: GearModes,
+    marked: tuple[dict[str, str], dict[str, str]],
+    style: Style,
+) -> _ModeRow:
+    """A mode; springs have marks, links their colours."""
+    marks, colours = marked
     lines = [
         style.text(f"mode {place}", f"форма {place}"),
         f"{number(mode.frequency)} {style.text('Hz', 'Гц')}",
@@ -139,8 +156,8 @@ def _row(place: int, mode: Mode, found: GearModes, marks: dict[str, str], style:
     return _ModeRow(
         mode,
         "\n".join(lines),
-        mode_shares.largest(mode.elastic, marks, style),
-        mode_shares.largest(mode.kinetic, {}, style),
+        mode_shares.largest(mode.elastic, marks, {}, style),
+        mode_shares.largest(mode.kinetic, {}, colours, style),
     )
 
 
@@ -167,7 +184,7 @@ def _headings(style: Style) -> tuple[str, str]:
 def _head_high(part: _GearModesPart, columns: _ModeColumns) -> float:
     """Height of what stands above the first mode of a gear [pt]."""
     across = columns.right - 2 * MARGIN
-    texts = height("", TITLE) + height(wrapped(part.note, across))
+    texts = height("") + GAP + height(wrapped(part.note, across))
     return texts + (mode_row.height(part.links, columns.pitch) + BETWEEN if part.links else 0.0)
 
 
@@ -194,28 +211,26 @@ def _figure(results: Results, parts: Sequence[_GearModesPart], style: Style) -> 
     columns = _columns(parts)
     wide = columns.right
     subject = style.text("natural modes", "собственные формы")
-    head = wrapped(title(results.case, subject), wide - 2 * MARGIN, TITLE)
-    high = 3 * MARGIN + height(head, TITLE) + sum(_high(part, columns) for part in parts)
+    head = chart_head(title(results.case, subject), "", [], wide - 2 * MARGIN, style)
+    high = 3 * MARGIN + head.high + sum(_high(part, columns) for part in parts)
     high += APART * (len(parts) - 1)
-    figure = labels.figure(wide, high)
-    panel = labels.panel(figure, 0, 0, wide, high)
-    panel.axes.set(xlim=(0, wide), ylim=(0, high))
-    panel.axes.set_axis_off()
-    panel.write(wide / 2, high - MARGIN, head, ha="center", va="top", fontsize=TITLE)
-    top = high - 2 * MARGIN - height(head, TITLE)
+    paper = Paper(labels.figure(wide, high))
+    head.draw(paper, MARGIN, high - MARGIN, style)
+    panel = Chart(paper, (0.0, 0.0), wide, high, AxisScale(0.0, wide), AxisScale(0.0, high))
+    top = high - 2 * MARGIN - head.high
     for part in parts:
         _draw_gear(panel, top, part, columns, style)
         top -= _high(part, columns) + APART
-    return figure
+    return paper.figure
 
 
 def _draw_gear(
-    panel: Panel, top: float, part: _GearModesPart, columns: _ModeColumns, style: Style
+    panel: Chart, top: float, part: _GearModesPart, columns: _ModeColumns, style: Style
 ) -> None:
     """The row of links, and the modes below it."""
-    panel.write(MARGIN, top, part.head, va="top", fontsize=TITLE, weight="bold")
+    panel.write(MARGIN, top, part.head, va="top", weight="bold")
     note = wrapped(part.note, columns.right - 2 * MARGIN)
-    at = top - height("", TITLE)
+    at = top - height("")
     panel.write(MARGIN, at, note, va="top", color=style.soft, linespacing=labels.LINE)
     if part.links is None:
         return
@@ -232,7 +247,6 @@ def _draw_gear(
         high = min(row.high, MOST)
         band = mode_shape.AmplitudeBand(y - high / 2, high / 2 - 3)
         mode_shape.draw(axis, band, part.links, row.mode.shape, style)
-        bars = (row.elastic, style.colour(ELASTIC)), (row.kinetic, style.colour(KINETIC))
-        for right, (shares, colour) in zip(ends, bars, strict=True):
-            mode_shares.draw(panel, right, y, shares, {"facecolor": colour})
+        for right, shares in zip(ends, (row.elastic, row.kinetic), strict=True):
+            mode_shares.draw(panel, right, y, shares)
         y -= row.high + BETWEEN
