@@ -30,7 +30,7 @@ def grids(explained: Iterable[Explanation]) -> Iterator[Grid]:
 
 def matrix(one: Explanation) -> Grid:
     """The structural-distribution matrix of what can carry torque."""
-    columns = [text("link"), *map(Column, one.columns)]
+    columns = [text("link"), *(Column(name, over="device") for name in one.columns)]
     rows: list[Row] = [
         [name, *map(exact, row)] for name, row in zip(one.rows, one.matrix.tolist(), strict=True)
     ]

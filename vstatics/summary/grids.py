@@ -140,7 +140,8 @@ def _by_gear(
     rows: Iterable[tuple[str, Sequence[float]]],
 ) -> Grid:
     """A row for each name with a number for each gear."""
-    columns = [text(heading), *(Column(gear.name) for gear in summary.results.case.gears)]
+    gears = summary.results.case.gears
+    columns = [text(heading), *(Column(gear.name, over="gear") for gear in gears)]
     filled: list[Row] = [[name, *map(exact, values)] for name, values in rows]
     return Grid(title, columns, filled, key=key)
 

@@ -26,6 +26,8 @@ class Column(NamedTuple):
     is_number: bool = True
     is_sign: bool = False
     """Of one sign in each row: such columns stand close together at a terminal."""
+    over: str = ""
+    """What a page writes over it, and over those beside it of which the same is told."""
 
 
 Datum = float | int | bool | str | None
@@ -93,14 +95,20 @@ class Grid(NamedTuple):
         ]
 
     def with_digits(self, digits: int | None) -> Grid:
-        """The same with so many digits after the point; None: with those that suit a number."""
+        """The same with so many digits after the point; None: with those that suit a number.
+
+        What is blank stays so.
+        """
         if digits is None:
             return self
 
         def again(cell: Cell) -> Cell:
             return exact(cell.value, digits=digits)._replace(style=cell.style)
 
-        rows = [[again(cell) if cell.kind is float else cell for cell in row] for row in self.cells]
+        rows = [
+            [again(cell) if cell.kind is float and cell.text else cell for cell in row]
+            for row in self.cells
+        ]
         return self._replace(rows=rows)
 
 

@@ -4,23 +4,48 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from vstatics.numerics.arrays import Booleans
 from vstatics.statics.results import Results
 from vstatics.statics.roles import Role, roles
+from vstatics.tables.blanks import structural_zeros
 from vstatics.tables.grid import NO, NOTHING, Cell, Column, Grid, exact, sign, text, whole
 from vstatics.tables.quantity import Table
 from vstatics.tables.rows import ROWS
 from vstatics.tables.values import tables
 
 
-def of_results(results: Results) -> Iterator[Grid]:
-    """All tables of the results: lists over gears together, then the others."""
+def of_results(results: Results, *, blanks: bool = False) -> Iterator[Grid]:
+    """All tables of the results: lists over gears together, then the others.
+
+    Parameters
+    ----------
+    blanks : bool
+        Whether zeros that the scheme makes are left out.
+    """
     in_order = tables(results)
     yield _by_gear([one for one in in_order if one.quantity.rows == "one"])
     matrix_last = sorted(in_order, key=lambda one: one.quantity.columns == "devices")
     for one in matrix_last:
         if one.quantity.rows != "one" and one.values.size:
             grid = _of_table(one)
-            yield _with_roles(grid, results) if one.quantity.name == "idle" else grid
+            if one.quantity.name == "idle":
+                grid = _with_roles(grid, results)
+            yield _blanked(grid, structural_zeros(one, results)) if blanks else grid
+
+
+def _blanked(grid: Grid, blank: Booleans) -> Grid:
+    """The same, with some numbers blank for people; their values stay."""
+    rows = [
+        [
+            row[0],
+            *(
+                cell._replace(text="") if no else cell
+                for cell, no in zip(row[1:], of_row, strict=True)
+            ),
+        ]
+        for row, of_row in zip(grid.cells, blank.tolist(), strict=True)
+    ]
+    return grid._replace(rows=rows)
 
 
 def _with_roles(grid: Grid, results: Results) -> Grid:
@@ -57,7 +82,9 @@ def _by_gear(lists: Sequence[Table]) -> Grid:
 
 def _of_table(one: Table) -> Grid:
     kind = one.quantity.rows
-    columns = [text(_HEADS.get(kind, ROWS[kind].one)), *map(Column, one.columns)]
+    over = "gear" if one.quantity.columns == "gears" else "device"
+    columns = [text(_HEADS.get(kind, ROWS[kind].one))]
+    columns += [Column(name, over=over) for name in one.columns]
     rows = [
         [Cell(name), *(_number(one, value) for value in values)]
         for name, values in zip(one.rows, one.values.tolist(), strict=True)

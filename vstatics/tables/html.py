@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from html import escape
+from itertools import groupby
 
 from vstatics.tables.grid import Cell, Column, Grid
 from vstatics.tables.numbers import typeset
@@ -85,9 +86,39 @@ def table(grid: Grid, *, headed: bool = True) -> Markup:
 def bare(grid: Grid) -> Markup:
     """A table without its title."""
     heads = (tag("th", one.heading, scope="col", class_=_kind(one)) for one in grid.columns)
+    rows = [*_over(grid), tag("tr", *heads)]
     levels = grid.levels or [0] * len(grid.rows)
     body = (_row(grid, row, level) for row, level in zip(grid.cells, levels, strict=True))
-    return tag("table", tag("thead", tag("tr", *heads)), tag("tbody", *body))
+    return tag("table", tag("thead", *rows), tag("tbody", *body))
+
+
+def _over(grid: Grid) -> Iterator[Markup]:
+    """What stands over columns, if any has something: the last row has their names."""
+    if any(one.over for one in grid.columns):
+        groups = [(over, len([*one])) for over, one in groupby(grid.columns, lambda one: one.over)]
+        yield tag("tr", *(_head_over(over, count) for over, count in groups), class_="over")
+
+
+def _head_over(over: str, count: int) -> Markup:
+    spans = {"colspan": count} if count > 1 else {}
+    return tag("th", over, scope="colgroup", **spans) if over else tag("td", **spans)
+
+
+NARROW = 60
+"""A table of so many characters may stand beside another."""
+
+
+def tables(grids: Iterable[Grid]) -> Iterator[Markup]:
+    """Tables with their titles; narrow ones that follow each other stand side by side."""
+    for narrow, group in groupby(grids, _is_narrow):
+        shown = map(table, group)
+        yield from [tag("div", *shown, class_="side")] if narrow else shown
+
+
+def _is_narrow(grid: Grid) -> bool:
+    lines = [[one.heading for one in grid.columns], *grid.texts]
+    widths = (max(map(len, texts)) + 2 for texts in zip(*lines, strict=True))
+    return bool(grid.rows) and sum(widths) <= NARROW
 
 
 def scrolled(inner: Markup, label: str) -> Markup:
@@ -109,7 +140,7 @@ def _cell(column: Column, cell: Cell) -> Markup:
 
 
 def _text(cell: Cell) -> str:
-    if cell.says:
+    if cell.says and cell.text:
         return tag("span", cell.text, role="img", aria_label=cell.says)
     return cell.text if cell.value is None else typeset(cell.text)
 
