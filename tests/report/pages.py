@@ -96,6 +96,8 @@ class Page(HTMLParser):
                 rows.append([])
             elif one.tag in ("td", "th"):
                 rows[-1].append(one)
+        if any("colspan" in one.attributes or one.tag == "td" for one in rows[0]):
+            del rows[0]  # what stands over the columns
         heads = [one.text for one in rows[0]]
         return {row[0].text: dict(zip(heads, row, strict=True)) for row in rows[1:]}
 

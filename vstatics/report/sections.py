@@ -18,7 +18,7 @@ from vstatics.summary.grids import Marks, element_signs
 from vstatics.summary.grids import grids as summary_grids
 from vstatics.tables.grid import Cell, Column, Grid
 from vstatics.tables.grids import of_results
-from vstatics.tables.html import Markup, table, tag, terms
+from vstatics.tables.html import Markup, table, tables, tag, terms
 from vstatics.tables.numbers import typeset
 
 Part = tuple[str, Sequence[Markup]]
@@ -74,7 +74,7 @@ def _gears(material: Material, grid: Grid) -> Markup:
     signs = [Column(element.name, is_sign=True) for element in results.case.shift_elements]
     columns = [grid.columns[0], *signs, *grid.columns[1:]]
     rows = [
-        [Cell(gear_link(gear.name)), *element_signs(results, index, Marks()), *row[1:]]
+        [Cell(gear_link(gear.name)), *element_signs(results, index, Marks(open="")), *row[1:]]
         for index, (gear, row) in enumerate(zip(results.case.gears, grid.rows, strict=True))
     ]
     return table(Grid("Ratios, steps, efficiencies", columns, rows), headed=False)
@@ -136,10 +136,10 @@ def _given(material: Material) -> Iterator[Markup]:
 
 def _tables(material: Material, summary: Sequence[Grid]) -> Iterator[Markup]:
     """What the summary has besides the gears, then all results, each number once."""
-    yield from (table(one) for one in summary if one.key != SPREAD)
-    by_gear, *others = (one.with_digits(material.digits) for one in of_results(material.results))
-    yield table(_without(by_gear, ALREADY))
-    yield from map(table, others)
+    results = of_results(material.results, blanks=True)
+    by_gear, *others = (one.with_digits(material.digits) for one in results)
+    told = (one for one in summary if one.key != SPREAD)
+    yield from tables([*told, _without(by_gear, ALREADY), *others])
 
 
 def _without(grid: Grid, headings: Sequence[str]) -> Grid:
