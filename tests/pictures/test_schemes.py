@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable
 from itertools import combinations
 from pathlib import Path
@@ -15,6 +16,7 @@ from vstatics.elements.drawing import drawing_of
 from vstatics.elements.group import group_of
 from vstatics.elements.kinds import KINDS, Simple
 from vstatics.errors import CaseError
+from vstatics.pictures import render
 from vstatics.pictures.schemes import stick, structure
 from vstatics.pictures.schemes.placing import Placement
 from vstatics.pictures.schemes.scheme import Scheme, scheme_of, scheme_state
@@ -71,7 +73,7 @@ def overlaps(figure: Figure) -> list[tuple[str, str]]:
     from matplotlib.backends.backend_agg import FigureCanvasAgg
 
     renderer = FigureCanvasAgg(figure).get_renderer()  # type: ignore[no-untyped-call]
-    texts = [text for text in figure.axes[0].texts if text.get_text()]
+    texts = [text for text in figure.texts if text.get_text()]
     boxes = [(text.get_text(), text.get_window_extent(renderer)) for text in texts]
     whole = figure.bbox
     outside = [
@@ -95,6 +97,12 @@ def pieces_of(placement: Placement, wire: int) -> int:
         (*span, placement.y(track), placement.y(track))
         for track, span in placement.row.spans.items()
         if track[0] == wire
+    ]
+    taps = [tap for tap in placement.row.taps if tap.wire == wire and tap.reach != "none"]
+    lines += [  # the bar of a carrier that leaves to both sides
+        (one.x, one.x, min(one.y, other.y), max(one.y, other.y))
+        for one, other in combinations(taps, 2)
+        if one[0] == other[0] and one.x == other.x
     ]
     parts: list[list[tuple[float, float, float, float]]] = []
     for line in lines:
@@ -150,10 +158,10 @@ def assert_clear(figure: Figure, placement: Placement, scheme: Scheme) -> None:
         (low, high, placement.y(track), placement.y(track))
         for track, (low, high) in placement.row.spans.items()
     ]
-    for text in figure.axes[0].texts:
+    for text in figure.texts:
         if " ".join(text.get_text().split()) in names:
             window = text.get_window_extent(renderer)
-            box = window.transformed(figure.axes[0].transData.inverted())
+            box = window.transformed(text.get_transform().inverted())
             inside = box.x0 + 0.5, box.x1 - 0.5, box.y0 + 0.5, box.y1 - 0.5
             assert not [line for line in lines if touch(inside, line)], text.get_text()
 
@@ -169,7 +177,7 @@ def check(
         assert overlaps(figure) == []
         if gear is None:
             assert_clear(figure, placement, scheme)
-        shown = " ".join(" ".join(text.get_text() for text in figure.axes[0].texts).split())
+        shown = " ".join(" ".join(text.get_text() for text in figure.texts).split())
         for device in scheme.devices:
             assert device.kind == "held" or device.name in shown
         for link in scheme.links:
@@ -215,7 +223,7 @@ def test_the_same_case_looks_the_same() -> None:
 
 
 def test_stick_diagram_needs_elements() -> None:
-    results = vstatics.solve(vstatics.load(SHIPPED / "mzkt7922.dat"))
+    results = vstatics.solve(vstatics.load(SHIPPED / "moskvich412.yaml"))  # pairs alone
     with pytest.raises(CaseError, match="needs elements"):
         stick.draw(results, Style())
 
@@ -264,11 +272,11 @@ def test_third_gear_of_the_eight_speed_marks_its_three_elements(
     # shift table of the ZF 8HP: gear 3 has B, C and E; A and D are open
     results = vstatics.solve(vstatics.load(SHIPPED / "zf-8hp70.yaml"))
     style = Style()
-    colors = {text.get_text(): text.get_color() for text in draw(results, style, [3]).axes[0].texts}
+    colors = {text.get_text(): text.get_color() for text in draw(results, style, [3]).texts}
     assert {name for name, color in colors.items() if color == style.engaged} == {"B", "C", "E"}
-    assert colors["A"] == colors["D"] == style.faint
-    # carrier 3 goes to the open clutch D alone; P2 and P3 are locked by E, as ring 2 = ring 3
-    assert colors["carrier 3"] == colors["P3"] == style.faint
+    assert colors["A"] == colors["D"] == style.soft
+    # carrier 3 goes to the open clutch D alone, so P3 carries nothing
+    assert colors["carrier 3"] == style.soft
     assert colors["P1"] == colors["P4"] == colors["output"] == style.ink
 
 
@@ -307,5 +315,56 @@ def test_gear_that_is_tied_up_says_so() -> None:
         [Gear([1, 2]), Gear([])],
     )
     results = vstatics.solve(case)
-    titles = [structure.draw(results, Style(), [gear]).axes[0].texts[0] for gear in (1, 2)]
-    assert [title.get_text() for title in titles] == ["gear 1, tied up", "gear 2, not determined"]
+    titles = [structure.draw(results, Style(), [gear]).texts[0] for gear in (1, 2)]
+    assert [title.get_text() for title in titles] == [
+        "Structure, gear 1, tied up",
+        "Structure, gear 2, not determined",
+    ]
+
+
+def test_a_set_that_reacts_as_one_piece_is_marked_and_not_pale() -> None:
+    # issue 16: Ford 10R80, gear 1: P1 stands between its brakes and carries 3.696 of the input
+    # torque; P2 and P3 carry none
+    results = vstatics.solve(vstatics.load(SHIPPED / "ford-10r80.yaml"))
+    scheme = scheme_of(results.case)
+    state = scheme_state(scheme, state_of(results, 1))
+    named = {device.name: index for index, device in enumerate(scheme.devices)}
+    assert state.pieces == {named["P1"]}
+    assert {named["P2"], named["P3"]} < state.idle
+    assert not {named["P1"], named["P4"]} & state.idle
+    svg = render(results, "stick", "svg", Style(), [1]).decode()
+    assert "carrier −3.696" in svg
+    assert "turns as one piece" in svg
+
+
+def test_wheels_have_their_names_and_teeth_on_request() -> None:
+    # cases/wheel-hub.yaml
+    results = vstatics.solve(vstatics.load(SHIPPED / "wheel-hub.yaml"))
+    bare, full = (
+        {text.get_text() for text in stick.draw(results, Style(wheels=wheels)).texts}
+        for wheels in (False, True)
+    )
+    assert full - bare == {"sun: 26", "ring: 64"}
+
+
+def test_mechanisms_that_may_be_sets_have_a_stick_diagram_with_a_note() -> None:
+    results = vstatics.solve(vstatics.load(SHIPPED / "mzkt7922.dat"))
+    said = [text.get_text() for text in stick.draw(results, Style()).texts]
+    assert any("as planetary sets" in text for text in said)
+    assert {"D1", "D2", "D3"} < set(said)
+
+
+def ring(count: int) -> Transmission:
+    """A ring of sets: set n shares a link with the next, the last with the first."""
+    sets = [Mechanism(n, n % count + 1, count + n, -2 - n / 50) for n in range(1, count + 1)]
+    brakes = [ShiftElement(count + n) for n in range(1, count + 1)]
+    return Transmission(2 * count, brakes, sets, [Gear(range(1, count))])
+
+
+@pytest.mark.slow
+def test_a_ring_of_forty_sets_is_drawn_soon() -> None:
+    # issue 16: within 20 s
+    scheme = scheme_of(ring(40))
+    start = time.process_time()
+    assert_joins(scheme, structure.place(scheme, Style()))
+    assert time.process_time() - start < 20

@@ -36,7 +36,7 @@ def test_a_shaft_is_a_coupling_and_any_other_a_box_with_its_coefficients() -> No
         ("axle", "spring", {"3": 3, "4": 4, "5": 5}, False),
     ]
     assert [one.is_on_housing for one in scheme.devices[2:]] == [False, True, False]
-    assert scheme.devices[4].labels == {"3": "1", "4": "-4.1", "5": "3.1"}
+    assert scheme.devices[4].labels == {"3": "×1", "4": "×-4.1", "5": "×3.1"}
     assert scheme.ends == ([1], [5])  # no other link ends in the air
 
 
@@ -53,8 +53,8 @@ def test_a_spring_without_torque_is_pale() -> None:
 @pytest.mark.parametrize("gears", [(), (1,), (2,)])
 def test_springs_can_be_read_in_the_structure(gears: tuple[int, ...]) -> None:
     figure = structure.draw(solve(CASE), Style(), gears)
-    texts = [text.get_text() for text in figure.axes[0].texts if text.get_text()]
-    assert {"damper", "mount", "axle", "spring", "−4.1", "3.1", "1"} <= set(texts)
+    texts = [text.get_text() for text in figure.texts if text.get_text()]
+    assert {"damper", "mount", "axle", "spring", "×−4.1", "×3.1", "×1"} <= set(texts)
     assert overlaps(figure) == []
 
 
@@ -64,17 +64,17 @@ def test_springs_stand_beside_drawn_elements() -> None:
     case = transmission(Drawing(3, [pair]), gears=[Gear()], springs=springs[:1])
     assert overlaps(stick.draw(solve(case), Style())) == []
     case = transmission(Drawing(3, [pair]), gears=[Gear()], springs=springs)
-    texts = [text.get_text() for text in stick.draw(solve(case), Style()).axes[0].texts]
-    assert {"half", "mount", "2"} <= set(texts)
+    texts = [text.get_text() for text in stick.draw(solve(case), Style()).texts]
+    assert {"half", "mount", "×2"} <= set(texts)
 
 
 def test_one_mass_on_a_spring_is_drawn() -> None:
     case = Transmission(1, [], [], [], springs=[Spring(between(1), stiffness=3, name="s")])
     figure = structure.draw(solve(case), Style("ru"))
-    assert [text.get_text() for text in figure.axes[0].texts if text.get_text()] == ["1", "s"]
+    assert [text.get_text() for text in figure.texts if text.get_text()] == ["Структура", "1", "s"]
     boxed = case.replace(springs=[Spring({1: 2.0}, stiffness=3, name="s")])
     figure = structure.draw(solve(boxed), Style("ru"))
-    assert "пружина" in [text.get_text() for text in figure.axes[0].texts]
+    assert "пружина" in [text.get_text() for text in figure.texts]
 
 
 def test_a_shaft_and_a_mechanism_have_one_state() -> None:

@@ -41,6 +41,7 @@ BOXES = "boxes"
     "directory, as SVG."
 )
 @arguments.some_gears
+@click.option("--wheels", is_flag=True, help="Stick diagrams: names and teeth of wheels.")
 @click.option("--merge", is_flag=True, help="Levers: two sets with two common links are one.")
 @click.option("--dark", is_flag=True, help="Light on dark, for a screen.")
 @arguments.settings
@@ -50,6 +51,7 @@ def plot(
     kind: str,
     output: str,
     gears: tuple[str, ...],
+    wheels: bool,
     merge: bool,
     dark: bool,
     settings: CaseOptions,
@@ -64,7 +66,7 @@ def plot(
                  speeds, gear by gear
     flow         power of each gear in bands, losses, circulating power
     structure    mechanisms as boxes, links as wires, clutches and brakes
-    stick        the stick diagram of a case made of elements
+    stick        the stick diagram of elements, or of what may be planetary sets
     efficiency   efficiency by gear, with the losses of each mechanism
     modes        natural modes of a gear, the first unless --gear says which:
                  shapes over the links, shares of the energy
@@ -102,7 +104,11 @@ def plot(
     if kind == BOXES:
         return plot_boxes(cases, to, cast("Format", to.form), Style(lang, dark))
     picture = partial(
-        _shown, kind=kind, form=to.form, gears=gears, style=Style(lang, dark, merged=merge)
+        _shown,
+        kind=kind,
+        form=to.form,
+        gears=gears,
+        style=Style(lang, dark, wheels=wheels, merged=merge),
     )
     form = texts.OutputForm(to.form, to.style)
     own = settings._replace(scenarios=True)

@@ -74,6 +74,7 @@ def plot(  # noqa: PLR0913 - all but the first by name
     *,
     gear: int | str | None = None,
     motion: Motion | None = None,
+    wheels: bool = False,
     merge: bool = False,
     dark: bool = False,
     lang: Language = "en",
@@ -91,6 +92,8 @@ def plot(  # noqa: PLR0913 - all but the first by name
         Number from 1, or name, of the only gear that is shown.
     motion : Motion, optional
         A run of the case, for the kinds `shift` and `plan`.
+    wheels : bool, optional
+        Stick diagrams with names and teeth of wheels.
     merge : bool, optional
         Two sets with two common links are one lever.
     dark : bool, optional
@@ -123,4 +126,4 @@ def plot(  # noqa: PLR0913 - all but the first by name
         hint = nearest(kind, PICTURES) or f"; expected one of {', '.join(PICTURES)}"
         raise ValueError(f"there is no picture {kind!r}{hint}")
     gears = () if gear is None else (results.case.gear_number(gear),)
-    return Picture(results, kind, Style(lang, dark, merged=merge), gears, motion)
+    return Picture(results, kind, Style(lang, dark, wheels=wheels, merged=merge), gears, motion)

@@ -9,11 +9,11 @@ from vstatics.model.transmission import HOUSING
 from vstatics.pictures.labels import Point
 from vstatics.pictures.schemes.channels import ABOVE, Reach, Tap
 
-TOOTH, SLEEVE = 2.2, 3.0
+TOOTH, SLEEVE = 0.9, 2.6
 """Widths of the lines of teeth and of the sleeves that join rims. [pt]"""
 FACE = 9.0
 """Half the width of a wheel. [pt]"""
-MESH = 4.0
+MESH = 3.0
 """Between the lines of teeth of two wheels that mesh. [pt]"""
 
 
@@ -31,6 +31,17 @@ class Glyph(NamedTuple):
     width: float
     strokes: Sequence[Stroke]
     taps: Sequence[Tap]
+    texts: Sequence[tuple[Point, str, str]] = ()
+    """Names and teeth of wheels: left end, ``top`` or ``bottom`` there, text."""
+
+    @property
+    def wheels(self) -> tuple[Point, Point]:
+        """Corners of a rectangle about its wheels."""
+        points = [
+            point for stroke in self.strokes if stroke.width == TOOTH for point in stroke.points
+        ]
+        xs, ys = zip(*points, strict=True)
+        return (min(xs), min(ys)), (max(xs), max(ys))
 
     @property
     def half(self) -> float:

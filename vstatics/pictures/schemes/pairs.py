@@ -6,8 +6,19 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import permutations, product
 
 from vstatics.elements.element import Element
+from vstatics.pictures.labels import Point
 from vstatics.pictures.schemes.channels import ABOVE, BELOW
-from vstatics.pictures.schemes.glyphs import FACE, MESH, Glyph, Stroke, member_tap, teeth, wheel
+from vstatics.pictures.schemes.glyphs import (
+    FACE,
+    MESH,
+    TOOTH,
+    Glyph,
+    Stroke,
+    member_tap,
+    teeth,
+    wheel,
+)
+from vstatics.pictures.schemes.sets import NO_NAMES
 
 WIDTH = 50.0
 """Of a pair of wheels with its shafts. [pt]"""
@@ -18,9 +29,25 @@ Wheel = tuple[str, float]
 """A member and the height of its shaft."""
 
 
-def pair_glyphs(element: Element) -> list[Glyph]:
-    """All ways to draw an element that is no set of planets."""
-    return list(DRAWN[element.kind](element))
+def pair_glyphs(element: Element, names: Mapping[str, str] = NO_NAMES) -> list[Glyph]:
+    """All ways to draw an element that is no set of planets.
+
+    Parameters
+    ----------
+    names : mapping of str to str, optional
+        What is written beside wheels; differentials and shafts have none.
+    """
+    return [
+        glyph._replace(texts=[(at, "bottom", names[one]) for one, at in _places(glyph, names)])
+        for glyph in DRAWN[element.kind](element)
+    ]
+
+
+def _places(glyph: Glyph, names: Mapping[str, str]) -> Iterator[tuple[str, Point]]:
+    """Beside the planes of wheels, over their shafts."""
+    for tap in glyph.taps:
+        if tap.label in names:
+            yield tap.label, (glyph.width / 2 + 3, tap.side * tap.depth + 1.5)
 
 
 def _shafts(
@@ -129,11 +156,11 @@ def _bevel_pair(element: Element) -> Iterator[Glyph]:
     strokes = [
         Stroke(((0, -12), (18, -12))),
         Stroke(((18, -26), (18, 2))),
-        Stroke(((14, 6), (22, -2)), 2.2),
-        Stroke(((14, -30), (22, -22)), 2.2),
-        Stroke(((17, 10), (26, 1)), 2.2),
+        Stroke(((14, 6), (22, -2)), TOOTH),
+        Stroke(((14, -30), (22, -22)), TOOTH),
+        Stroke(((17, 10), (26, 1)), TOOTH),
         Stroke(((21.5, 5.5), (42.5, 5.5))),
-        Stroke(((38, 1), (47, 10)), 2.2),
+        Stroke(((38, 1), (47, 10)), TOOTH),
     ]
     first, second = element.link("first"), element.link("second")
     for x, middle, drawn in ((0.0, 32.0, strokes), (WIDTH, 18.0, _mirrored(strokes, WIDTH))):
@@ -149,8 +176,8 @@ def _bevel(element: Element) -> Iterator[Glyph]:
     half = [
         Stroke(((0, shaft), (middle - 21.5, shaft))),
         Stroke(((middle - 21.5, shaft), (middle - 21.5, 6.5))),
-        Stroke(((middle - 17.5, 2.5), (middle - 25.5, 10.5)), 2.2),
-        Stroke(((middle - 14.5, 5.5), (middle - 22.5, 13.5)), 2.2),
+        Stroke(((middle - 17.5, 2.5), (middle - 25.5, 10.5)), TOOTH),
+        Stroke(((middle - 14.5, 5.5), (middle - 22.5, 13.5)), TOOTH),
         Stroke(((middle - 18.5, 9.5), (middle, 9.5))),
         Stroke(((middle, cage), (middle - 36, cage), (middle - 36, shaft + 5))),
         Stroke(((middle, 2), (middle, cage))),

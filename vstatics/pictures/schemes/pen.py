@@ -1,23 +1,26 @@
-"""Lines, symbols and text in points on a figure; the same for all schemes."""
+"""Lines, shapes and text in points on a figure; the same for all schemes."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from functools import cache
 from typing import Any, NamedTuple
 
+from matplotlib.artist import Artist
 from matplotlib.figure import Figure
 from matplotlib.font_manager import FontProperties
-from matplotlib.lines import Line2D
-from matplotlib.patches import Circle, Polygon, Rectangle
+from matplotlib.patches import PathPatch, Polygon
+from matplotlib.path import Path
 from matplotlib.textpath import TextToPath
+from matplotlib.transforms import Affine2D
 
 from vstatics.pictures import labels
-from vstatics.pictures.labels import Point
-from vstatics.pictures.style import FONT, Style
+from vstatics.pictures.labels import POINTS, Point
+from vstatics.pictures.style import FONT, SIZE, Style
+from vstatics.pictures.svg import halo, told
 
-SIZE, SMALL = 9.0, 7.5
-"""Of text. [pt]"""
+SMALL = SIZE - 1
+"""Of text that matters less. [pt]"""
 LINE = 1.3
 """Width of a line. [pt]"""
 WRAP = 14
@@ -82,39 +85,56 @@ class Pen:
         self.figure = within.figure
         self.scale = min(1.0, *(room / size for room, size in zip(within.size, own, strict=True)))
         self.letters = within.letters
-        size = own[0] * self.scale, own[1] * self.scale
         left, bottom = (
-            start + (room - length) / 2
-            for start, room, length in zip(within.corner, within.size, size, strict=True)
+            start + (room - length * self.scale) / 2
+            for start, room, length in zip(within.corner, within.size, own, strict=True)
         )
-        self.axes = labels.panel(self.figure, left, bottom, *size).axes
-        self.axes.set_axis_off()
-        self.axes.set_xlim(low[0], high[0])
-        self.axes.set_ylim(low[1], high[1])
+        place = Affine2D().translate(-low[0], -low[1]).scale(self.scale).translate(left, bottom)
+        self._place = place.scale(1 / POINTS) + self.figure.dpi_scale_trans
 
     def line(self, *points: Point, color: str, width: float = LINE, **more: Any) -> None:
-        """A line through points."""
-        xs, ys = zip(*points, strict=True)
-        options = {"solid_capstyle": "butt", "solid_joinstyle": "miter", "zorder": 3, **more}
-        # what `plot` does besides, as fitting the limits, costs most of the time
-        self.axes.add_artist(Line2D(xs, ys, color=color, linewidth=width * self.scale, **options))
+        """A line through points; for further parameters see `lines`."""
+        self.lines([points], color=color, width=width, **more)
 
-    def dot(self, at: Point, color: str) -> None:
-        """Where wires are joined."""
-        self.axes.add_patch(Circle(at, 2.3, facecolor=color, edgecolor="none", zorder=6))
+    def lines(
+        self,
+        lines: Iterable[Sequence[Point]],
+        *,
+        color: str,
+        width: float = LINE,
+        zorder: float = 3,
+        title: str = "",
+        **more: Any,
+    ) -> None:
+        """Lines through points, as one path."""
+        vertices: list[Point] = []
+        codes: list[int] = []
+        for points in lines:
+            vertices += points
+            codes += [int(Path.MOVETO), *[int(Path.LINETO)] * (len(points) - 1)]
+        if vertices:
+            look = {"facecolor": "none", "edgecolor": color, "linewidth": width * self.scale}
+            look = {"capstyle": "butt", "joinstyle": "round", "zorder": zorder, **look, **more}
+            self._add(PathPatch(Path(vertices, codes), **look), title)
 
-    def shape(self, points: Sequence[Point], *, fill: str, edge: str, width: float = LINE) -> None:
+    def dots(self, places: Iterable[Point], color: str) -> None:
+        """Where wires are joined: lines too short to be seen, with round ends."""
+        short = [((x, y), (x + 0.1, y)) for x, y in places]
+        self.lines(short, color=color, width=4.6, zorder=6, capstyle="round", snap=False)
+
+    def shape(
+        self, points: Sequence[Point], *, fill: str, edge: str, width: float = LINE, title: str = ""
+    ) -> None:
         """A filled polygon."""
-        self.axes.add_patch(
-            Polygon(
-                points,
-                closed=True,
-                facecolor=fill,
-                edgecolor=edge,
-                linewidth=width * self.scale,
-                zorder=4,
-            )
-        )
+        look: dict[str, Any] = {"facecolor": fill, "edgecolor": edge, "joinstyle": "round"}
+        look["linewidth"] = width * self.scale
+        self._add(Polygon(points, closed=True, zorder=4, **look), title)
+
+    def _add(self, artist: Artist, title: str) -> None:
+        artist.set_transform(self._place)
+        if title:
+            artist.set_gid(told(title))
+        self.figure.add_artist(artist)
 
     def text(  # noqa: PLR0913 - a text has these
         self,
@@ -126,9 +146,16 @@ class Pen:
         across: str = "center",
         up: str = "center",
         bold: bool = False,
+        title: str = "",
+        over: bool = False,
     ) -> None:
-        """Text on the paper, over any line."""
-        self.axes.text(
+        """Text over any line; with paper around its letters where it stands `over` lines."""
+        if not text:
+            return
+        more: dict[str, Any] = halo(self.style, title) if over else {}
+        if title and not over:
+            more = {"gid": told(title)}
+        self.figure.text(
             *at,
             text,
             color=color,
@@ -139,14 +166,8 @@ class Pen:
             va=up,
             zorder=8,
             linespacing=1.0,
-            parse_math=False,
-        )
-
-    def blank(self, at: Point, width: float, height: float) -> None:
-        """Paper over whatever was drawn there."""
-        corner = at[0] - width / 2, at[1] - height / 2
-        self.axes.add_patch(
-            Rectangle(corner, width, height, facecolor=self.style.paper, edgecolor="none", zorder=7)
+            transform=self._place,
+            **more,
         )
 
     def arrow(self, tip: Point, way: float, color: str) -> None:
@@ -155,10 +176,23 @@ class Pen:
         points = [(x, y), (x - 9 * way, y + 3.5), (x - 9 * way, y - 3.5)]
         self.shape(points, fill=color, edge=color, width=0.5)
 
-    def ground(self, at: Point, side: int, color: str) -> None:
-        """A piece of the housing at a point: a line with strokes toward a side."""
-        x, y = at
-        self.line((x - 8, y), (x + 8, y), color=color, width=1.6)
-        for number in range(3):
-            middle = x - 8 + 16 / 3 * (number + 0.5)
-            self.line((middle - 2.5, y), (middle + 2.5, y + 5 * side), color=color, width=0.8)
+    def hatched(self, low: Point, high: Point, color: str, zorder: float = 1) -> None:
+        """Slanted lines within a rectangle."""
+        (left, bottom), (right, top) = low, high
+        lines = []
+        step = 5.0
+        start = left - (top - bottom)
+        while start < right:
+            first, last = max(start, left), min(start + top - bottom, right)
+            if last - first > 1:
+                lines.append(((first, bottom + first - start), (last, bottom + last - start)))
+            start += step
+        self.lines(lines, color=color, width=0.5, zorder=zorder)
+
+
+def ground(at: Point, side: int) -> list[tuple[Point, Point]]:
+    """A piece of the housing at a point: a line with strokes toward a side."""
+    x, y = at
+    middles = [x - 9 + 6 * (number + 0.5) for number in range(3)]
+    strokes = [((middle - 3.0, y), (middle + 1.5, y + 5 * side)) for middle in middles]
+    return [((x - 10, y), (x + 10, y)), *strokes]

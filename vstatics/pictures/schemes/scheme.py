@@ -14,6 +14,7 @@ from vstatics.model.parts import ELEMENT_KINDS
 from vstatics.model.springs import Spring, ends
 from vstatics.model.transmission import HOUSING, Gear, Mechanism, ShiftElement, Transmission
 from vstatics.pictures.state import PictureState
+from vstatics.tables.numbers import typeset
 
 
 class Device(NamedTuple):
@@ -69,7 +70,9 @@ class SchemeState:
     engaged: frozenset[int] = frozenset()
     """Devices by their places in `Scheme.devices`."""
     idle: frozenset[int] = frozenset()
-    """Devices that are open, carry no torque or turn as one piece."""
+    """Devices that are open or carry no torque."""
+    pieces: frozenset[int] = frozenset()
+    """Devices that carry torque, but turn as one piece."""
     idle_links: frozenset[int] = frozenset()
     idle_ports: frozenset[SchemePort] = frozenset()
 
@@ -107,7 +110,7 @@ def scheme_of(case: Transmission) -> Scheme:
     >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission
     >>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2)], [Gear([1])])
     >>> [(device.name, device.members) for device in scheme_of(case).devices]
-    [('D1', {'1': 1, '2': 2, '3': 3}), ('T1', {'first': 2, 'second': 0})]
+    [('D1', {'first': 1, 'second': 2, 'third': 3}), ('T1', {'first': 2, 'second': 0})]
     """
     count = case.own_links
     devices = [
@@ -131,6 +134,15 @@ def scheme_of(case: Transmission) -> Scheme:
     return Scheme(case.link_names[:count], devices, kept)
 
 
+def ratio_text(ratio: float) -> str:
+    """An inner ratio as it is written in pictures.
+
+    >>> ratio_text(-2.4610)
+    'u = −2.461'
+    """
+    return typeset(f"u = {ratio:.5g}")
+
+
 def _mechanisms(case: Transmission) -> list[Device]:
     devices: list[Device] = []
     number = 0
@@ -150,9 +162,9 @@ def _mechanisms(case: Transmission) -> list[Device]:
 def _shape_of(mechanism: Mechanism) -> tuple[str, dict[str, int]]:
     """A mechanism without teeth: its kind and its members, by their places."""
     if mechanism.second == mechanism.third == HOUSING:
-        return "held", {"1": mechanism.first}
+        return "held", {"link": mechanism.first}
     links = mechanism.links if mechanism.third else mechanism.links[:2]
-    return "mechanism", {str(place): link for place, link in enumerate(links, 1)}
+    return "mechanism", dict(zip(("first", "second", "third"), links, strict=False))
 
 
 def _shift_elements(elements: Sequence[ShiftElement]) -> list[Device]:
@@ -174,7 +186,7 @@ def _spring(number: int, spring: Spring, case: Transmission) -> Device:
         members = dict(zip(("first", "second"), shaft, strict=True))
         return Device(spring.name, "spring", members, (number,))
     members = {case.link_name(link): link for link in spring.form}
-    labels = {case.link_name(link): f"{part:.5g}" for link, part in spring.form.items()}
+    labels = {case.link_name(link): f"×{part:.5g}" for link, part in spring.form.items()}
     return Device(spring.name, "spring", members, (number,), labels=labels)
 
 
@@ -188,9 +200,10 @@ def _ports(first: int, last: int, gear: Gear) -> list[SchemePort]:
 
 
 def scheme_state(scheme: Scheme, state: PictureState) -> SchemeState:
-    """What is engaged and what is idle in a gear."""
+    """What is engaged in a gear, what carries no torque, what turns as one piece."""
     engaged: set[int] = set()
     idle: set[int] = set()
+    pieces: set[int] = set()
     ports = _ports(state.input, state.output, state.gear)
     ends = [port.link for port in ports]
     for place, device in enumerate(scheme.devices):
@@ -203,11 +216,13 @@ def scheme_state(scheme: Scheme, state: PictureState) -> SchemeState:
         else:
             carries = any(state.is_loaded[number] for number in device.numbers)
             rests = all(state.is_idle[number] for number in device.numbers)
-            # a support never turns: it is idle only where it holds nothing
-            if rests and not (device.kind == "held" and carries):
+            if not carries:
                 idle.add(place)
+            elif rests and device.kind != "held":
+                pieces.add(place)
         ends += list(device.links) if carries else []
     links = {link for link in range(1, len(scheme.links) + 1) if ends.count(link) < 2}
     used = {port.link for port in ports}
     unused = {port for port in scheme.ports if port.link not in used}
-    return SchemeState(frozenset(engaged), frozenset(idle), frozenset(links), frozenset(unused))
+    devices = frozenset(engaged), frozenset(idle), frozenset(pieces)
+    return SchemeState(*devices, frozenset(links), frozenset(unused))

@@ -7,13 +7,16 @@ other lie on levels: those at the sun below, those at the ring above.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from itertools import permutations, product
+from types import MappingProxyType
 
 from vstatics.elements.element import CentralWheel
 from vstatics.elements.group import PlanetGroup
+from vstatics.pictures.labels import Point
 from vstatics.pictures.schemes.channels import ABOVE, BELOW, Tap
 from vstatics.pictures.schemes.glyphs import FACE, MESH, SLEEVE, Glyph, Stroke, member_tap, teeth
+from vstatics.pictures.schemes.pen import SMALL, width_of
 
 RADIUS, SMALL_RADIUS = 14.0, 9.0
 """Of the larger and of the smaller rim of a planet. [pt]"""
@@ -22,6 +25,7 @@ COLUMN = 34.0
 """From plane to plane. [pt]"""
 ARM = 16.0
 """From the outermost plane to the arm of the carrier, less the half of a wheel. [pt]"""
+NO_NAMES: Mapping[str, str] = MappingProxyType({})
 LEFT, RIGHT = 0, 1
 MOST_COLUMNS = 6
 """Up to which all orders of the columns are tried."""
@@ -43,22 +47,32 @@ class WheelColumn:
 
 
 @dataclass(frozen=True)
-class Section:
+class HalfSection:
     """A group of planets in the half above its axis."""
 
     group: PlanetGroup
     levels: Mapping[str, int]
     """Of each planet."""
     columns: Sequence[WheelColumn] = field(default_factory=list)
+    names: Mapping[str, str] = field(default_factory=dict)
+    """What is written beside wheels and rims."""
 
     def x(self, column: int) -> float:
         """Of the plane of a column."""
-        return ARM + FACE + COLUMN * column
+        return ARM + FACE + sum(max(COLUMN, self.beside(n)) for n in range(column))
 
     @property
     def width(self) -> float:
         """Between the ends of the arms."""
-        return 2 * (ARM + FACE) + COLUMN * (len(self.columns) - 1)
+        last = len(self.columns) - 1
+        return self.x(last) + max(ARM + FACE, self.beside(last))
+
+    def beside(self, column: int) -> float:
+        """What the names of a column need, from its plane."""
+        own = self.columns[column]
+        wheels = [wheel.member for wheel in (own.sun, own.ring) if wheel is not None]
+        texts = [self.names[one] for one in (*own.rims.values(), *wheels) if one in self.names]
+        return max((width_of(text, SMALL) + FACE + 6 for text in texts), default=0.0)
 
     def y(self, level: int) -> float:
         """Of an axle."""
@@ -69,6 +83,11 @@ class Section:
         """The columns in which a planet has a rim."""
         own = self.group.planets[planet]
         return [n for n, col in enumerate(self.columns) if set(col.rims.values()) & set(own)]
+
+    def reach(self, rim: str) -> tuple[float, float]:
+        """From its first plane to its last."""
+        own = [n for n, column in enumerate(self.columns) if rim in column.rims.values()]
+        return self.x(own[0]), self.x(own[-1])
 
     def radius(self, rim: str) -> float:
         """Of a rim: the smaller ones of a planet look smaller, where nothing else meshes."""
@@ -86,17 +105,17 @@ class Section:
         return sum(self.columns[n].bars(level) for n in between)
 
 
-def section_of(group: PlanetGroup) -> Section:
+def section_of(group: PlanetGroup) -> HalfSection:
     """The planes of a group in the order in which its axles are least in the way."""
-    section = Section(group, _levels(group))
+    section = HalfSection(group, _levels(group))
     columns = _columns(group, section.levels)
     if len(columns) > MOST_COLUMNS:
-        return Section(group, section.levels, columns)
-    orders = (Section(group, section.levels, order) for order in permutations(columns))
+        return HalfSection(group, section.levels, columns)
+    orders = (HalfSection(group, section.levels, order) for order in permutations(columns))
     return min(orders, key=_disorder)
 
 
-def _disorder(section: Section) -> float:
+def _disorder(section: HalfSection) -> float:
     planets = section.group.planets
     spread = sum(section.planes(p)[-1] - section.planes(p)[0] for p in planets)
     barred = {side: [section.barred(p, side) for p in planets] for side in (LEFT, RIGHT)}
@@ -155,18 +174,24 @@ def _columns(group: PlanetGroup, levels: Mapping[str, int]) -> list[WheelColumn]
     return columns
 
 
-def set_glyphs(group: PlanetGroup) -> list[Glyph]:
-    """All ways to draw a group: as it is and turned about, its carrier to either side."""
-    section = section_of(group)
-    turned = Section(group, section.levels, list(section.columns)[::-1])
+def set_glyphs(group: PlanetGroup, names: Mapping[str, str] = NO_NAMES) -> list[Glyph]:
+    """All ways to draw a group: as it is and turned about, its carrier to either side.
+
+    Parameters
+    ----------
+    names : mapping of str to str, optional
+        What is written beside wheels and rims.
+    """
+    section = replace(section_of(group), names=names)
+    turned = replace(section, columns=list(section.columns)[::-1])
     ways = [section] if len(section.columns) == 1 else [section, turned]
     return [glyph for way in ways for glyph in _glyphs(way)]
 
 
-def _glyphs(section: Section) -> Iterator[Glyph]:
+def _glyphs(section: HalfSection) -> Iterator[Glyph]:
     fixed, wheels = _planet_strokes(section), list(_wheels(section))
     strokes = [*fixed, *(teeth(tap.x, tap.side * tap.depth) for tap in wheels)]
-    planets = section.group.planets
+    planets, texts = section.group.planets, list(_texts(section, wheels))
     for sides in _arm_sides(section):
         arms = dict(zip(planets, sides, strict=True))
         bars, ends = _arms(section, arms)
@@ -179,10 +204,10 @@ def _glyphs(section: Section) -> Iterator[Glyph]:
                 for (x, low, high), ways in zip(ends, chosen, strict=True)
                 for way in ways
             ]
-            yield Glyph(section.width, [*strokes, *bars], [*wheels, *carrier])
+            yield Glyph(section.width, [*strokes, *bars], [*wheels, *carrier], texts)
 
 
-def _arm_sides(section: Section) -> list[tuple[int, ...]]:
+def _arm_sides(section: HalfSection) -> list[tuple[int, ...]]:
     """To which side each planet's axle leaves: all to one if nothing is in the way."""
     planets = list(section.group.planets)
     clear = [
@@ -196,7 +221,7 @@ def _arm_sides(section: Section) -> list[tuple[int, ...]]:
 
 
 def _arms(
-    section: Section, arms: Mapping[str, int]
+    section: HalfSection, arms: Mapping[str, int]
 ) -> tuple[list[Stroke], list[tuple[float, float, float]]]:
     """Axles and the bars that join them; x, lower and upper end of each bar."""
     strokes: list[Stroke] = []
@@ -209,20 +234,20 @@ def _arms(
             strokes.append(Stroke(((x, y), (far, y))))
             heights.append(y)
         if heights:
-            strokes.append(Stroke(((x, min(heights)), (x, max(heights)))))
+            if max(heights) > min(heights):
+                strokes.append(Stroke(((x, min(heights)), (x, max(heights)))))
             ends.append((x, min(heights), max(heights)))
     return strokes, ends
 
 
-def _planet_strokes(section: Section) -> list[Stroke]:
+def _planet_strokes(section: HalfSection) -> list[Stroke]:
     """Rims and their webs; rims of one planet are joined by a sleeve."""
     strokes: list[Stroke] = []
     for planet, rims in section.group.planets.items():
         y = section.y(section.levels[planet])
         planes = section.planes(planet)
         for rim in rims:
-            own = [n for n in planes if rim in section.columns[n].rims.values()]
-            left, right = section.x(own[0]), section.x(own[-1])
+            left, right = section.reach(rim)
             radius = section.radius(rim)
             half = (right - left) / 2 + FACE
             middle = (left + right) / 2
@@ -234,7 +259,7 @@ def _planet_strokes(section: Section) -> list[Stroke]:
     return strokes
 
 
-def _wheels(section: Section) -> Iterator[Tap]:
+def _wheels(section: HalfSection) -> Iterator[Tap]:
     """Where suns and rings meet the planets."""
     for number, column in enumerate(section.columns):
         x = section.x(number)
@@ -246,3 +271,16 @@ def _wheels(section: Section) -> Iterator[Tap]:
             high = max(column.rims)
             y = section.y(high) + section.radius(column.rims[high]) + MESH
             yield member_tap(column.ring.member, column.ring.link, ABOVE, x, y)
+
+
+def _texts(section: HalfSection, wheels: Sequence[Tap]) -> Iterator[tuple[Point, str, str]]:
+    """Names of wheels beside their meshes, of rims beside their planes."""
+    for tap in wheels:
+        if tap.label in section.names:
+            at = tap.x + 3, tap.side * (tap.depth + 2.0)
+            yield at, "bottom" if tap.side == ABOVE else "top", section.names[tap.label]
+    for rim, planet in section.group.planet_of.items():
+        if rim in section.names:
+            left, right = section.reach(rim)
+            at = (left + right) / 2 + 3, section.y(section.levels[planet]) + 2
+            yield at, "bottom", section.names[rim]

@@ -6,10 +6,10 @@ axis, drums above them; brakes reach to the housing at the top.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from matplotlib.figure import Figure
 
@@ -17,18 +17,20 @@ from vstatics.elements.drawing import drawing_of
 from vstatics.elements.group import group_of
 from vstatics.elements.kinds import Planetary
 from vstatics.errors import CaseError, Problem
+from vstatics.model.transmission import Transmission
+from vstatics.pictures.labels import Point
+from vstatics.pictures.schemes.assumed import as_sets, can_be_set
 from vstatics.pictures.schemes.board import GAP, Board
 from vstatics.pictures.schemes.channels import ABOVE, BELOW, Item, Tap
 from vstatics.pictures.schemes.glyphs import Glyph
 from vstatics.pictures.schemes.pairs import pair_glyphs
-from vstatics.pictures.schemes.pen import SMALL, width_of, wrapped
+from vstatics.pictures.schemes.pen import LINE, SMALL, ground, width_of, wrapped
 from vstatics.pictures.schemes.placing import Placement, placed
 from vstatics.pictures.schemes.scheme import Device, Scheme, scheme_of
 from vstatics.pictures.schemes.search import arranged
 from vstatics.pictures.schemes.sets import set_glyphs
 from vstatics.pictures.schemes.sheet import (
     HEIGHT,
-    TERMINAL,
     Sheet,
     brake_width,
     clutch_item,
@@ -36,6 +38,7 @@ from vstatics.pictures.schemes.sheet import (
     sheet_of,
 )
 from vstatics.pictures.schemes.structure import box_item, draw_box, named_on_tracks
+from vstatics.pictures.schemes.titles import teeth_of
 from vstatics.pictures.style import Style
 from vstatics.pictures.words import word
 from vstatics.statics.results import Results
@@ -62,31 +65,62 @@ class StickLayout(NamedTuple):
 
 
 def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> Figure:
-    """The stick diagram of a case that is made of elements.
+    """The stick diagram of a case that is made of elements, or of what may be planetary sets.
 
-    In the picture of a gear what is engaged is marked, what is idle is pale.
+    In the picture of a gear what is engaged is marked, and what turns as one piece; what
+    carries no torque is pale.
 
     Raises
     ------
     CaseError
-        If the case has mechanisms only: what their wheels are is not known.
+        If the case has mechanisms only, and none that may be a set.
     """
-    case = results.case
-    drawing = drawing_of(case)
-    if drawing is None or not drawing.elements:
+    (figure,) = _drawn(results, style, [gears])
+    return figure
+
+
+def of_each_gear(results: Results, style: Style) -> Iterator[Figure]:
+    """The same in each gear, with everything in the same places."""
+    return _drawn(results, style, [(n,) for n in range(1, len(results.case.gears) + 1)])
+
+
+def _drawn(results: Results, style: Style, each: Iterable[Sequence[int]]) -> Iterator[Figure]:
+    scheme, glyphs = _shown(results.case)
+    layout = place(scheme, style, glyphs)
+    note = style.text(
+        "mechanisms as planetary sets: simple ones where u < 0, with meshed planets where u > 0",
+        "механизмы как план. ряды: простые при u < 0, с парными сателлитами при u > 0",
+    )
+    for gears in each:
+        sheet = sheet_of(
+            results,
+            scheme,
+            layout.placement,
+            style,
+            gears,
+            subject=style.text("stick diagram", "кинематическая схема"),
+            notes=[] if glyphs is None else [note],
+            is_coaxial=all(map(_is_coaxial, scheme.devices)),
+        )
+        draw_devices(sheet, partial(draw_mechanism, layout))
+        yield sheet.pen.figure
+
+
+def _shown(case: Transmission) -> tuple[Scheme, Mapping[int, list[Glyph]] | None]:
+    """The scheme as it is drawn; ways to draw mechanisms that are taken for sets."""
+    drawing, scheme = drawing_of(case), scheme_of(case)
+    if drawing is not None and drawing.elements:
+        return scheme, None
+    if not any(map(can_be_set, scheme.devices)):
         message = (
             "a stick diagram needs elements with their kinds (docs/elements.md); "
-            "this case has mechanisms only: take the picture `structure`, or find teeth for it "
+            "this case has mechanisms only, and none with three links that turn: "
+            "take the picture `structure`, or find teeth for it "
             "(vstatics synth teeth CASE --write FILE)"
         )
         raise CaseError([Problem(message)])
-    scheme = scheme_of(case)
-    layout = place(scheme, style)
-    sheet = sheet_of(results, scheme, layout.placement, style, gears)
-    if all(_is_coaxial(device) for device in scheme.devices):
-        axis(sheet)
-    draw_devices(sheet, partial(draw_mechanism, layout))
-    return sheet.pen.figure
+    devices, glyphs = as_sets(scheme.devices, case.mechanisms)
+    return replace(scheme, devices=devices), glyphs
 
 
 def place(
@@ -110,7 +144,7 @@ def place(
     """
     if glyphs is None:
         glyphs = {
-            index: glyphs_of(device)
+            index: glyphs_of(device, style)
             for index, device in enumerate(scheme.devices)
             if device.element is not None and not device.is_on_housing
         }
@@ -131,28 +165,24 @@ def place(
     return StickLayout(placed(board, arrangement, half, names), glyphs)
 
 
-def glyphs_of(device: Device) -> list[Glyph]:
+def glyphs_of(device: Device, style: Style) -> list[Glyph]:
     """All ways in which an element can be drawn."""
     element = device.element
     if element is None:
         return []
+    teeth = {one: f"{count:g}" for one, count in teeth_of(element).items()} if style.wheels else {}
     if isinstance(element.shape, Planetary):
-        return set_glyphs(group_of(element))
-    return pair_glyphs(element)
+        named = {one: f"{word(one, style)}: {count}" for one, count in teeth.items()}
+        return set_glyphs(group_of(element), named)
+    return pair_glyphs(element, teeth)
 
 
 def _is_coaxial(device: Device) -> bool:
     """Whether all its links turn about one axis, as far as is told."""
     element = device.element
-    return element is None or isinstance(element.shape, Planetary) or device.kind == "held"
-
-
-def axis(sheet: Sheet) -> None:
-    """The line about which all turns."""
-    y = sheet.placement.edge(BELOW) + 4
-    ends = (-TERMINAL, y), (sheet.placement.row.width + TERMINAL, y)
-    dashes = (0, (12, 3, 2, 3))
-    sheet.pen.line(*ends, color=sheet.pen.style.faint, width=0.8, linestyle=dashes)
+    if element is None:
+        return device.kind not in ("mechanism", "spring") or "carrier" in device.members
+    return isinstance(element.shape, Planetary) or device.kind == "held"
 
 
 def _names(device: Device, style: Style) -> tuple[str, str]:
@@ -190,19 +220,30 @@ def draw_mechanism(layout: StickLayout, sheet: Sheet, index: int) -> None:
         return
     pen, color, placement = sheet.pen, sheet.color(index), sheet.placement
     device, glyph = sheet.scheme.devices[index], layout.glyph(index)
+    ink, said = sheet.text_color(index), sheet.titles.device(index)
     left = placement.row.lefts[index]
     start = left + placement.row.widths[index] - glyph.width
+    if index in sheet.state.pieces:
+        low, high = glyph.wheels
+        pen.hatched((start + low[0], low[1]), (start + high[0], high[1]), pen.style.soft)
+    looks: dict[tuple[float, bool], list[list[Point]]] = {}
     for stroke in glyph.strokes:
         points = [(start + x, y) for x, y in stroke.points]
-        style = (0, (2.5, 1.5)) if stroke.dashed else "-"
-        pen.line(*points, color=color, width=stroke.width, zorder=4, linestyle=style)
+        looks.setdefault((stroke.width, stroke.dashed), []).append(points)
     for tap in sheet.taps(index):
         if tap.reach == "none":
             end = tap.x, tap.side * (placement.half + 4)
-            pen.line((tap.x, tap.y), end, color=color)
-            pen.ground(end, tap.side, color)
+            looks.setdefault((LINE, False), []).append([(tap.x, tap.y), end])
+            looks[LINE, False] += map(list, ground(end, tap.side))
+    for (width, dashed), lines in looks.items():
+        dashes = (0, (2.5, 1.5)) if dashed else "-"
+        look = {"capstyle": "butt" if dashed else "projecting", "linestyle": dashes}
+        title = said if width == LINE else ""
+        pen.lines(lines, color=color, width=width, zorder=4, title=title, **look)
+    for (x, y), up, text in glyph.texts:
+        pen.text((start + x, y), text, color=ink, size=SMALL, across="left", up=up, over=True)
     name, kind = _names(device, pen.style)
     x, y = start - BESIDE, placement.half - 2
-    pen.text((x, y), name, color=color, across="right", up="top", bold=True)
-    y -= HEIGHT * (name.count("\n") + 1)
-    pen.text((x, y), kind, color=color, size=SMALL, across="right", up="top")
+    written: dict[str, Any] = {"color": ink, "across": "right", "up": "top"}
+    pen.text((x, y), name, bold=True, **written)
+    pen.text((x, y - HEIGHT * (name.count("\n") + 1)), kind, size=SMALL, **written)

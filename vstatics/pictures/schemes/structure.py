@@ -5,16 +5,18 @@ This is the form of figure 5b of the source: it serves every case, drawn or not.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from typing import Any
 
 from matplotlib.figure import Figure
 
 from vstatics.model.transmission import HOUSING
+from vstatics.pictures.labels import Point
 from vstatics.pictures.schemes.board import Board
 from vstatics.pictures.schemes.channels import ABOVE, BELOW, Item, Reach, Tap
-from vstatics.pictures.schemes.pen import SMALL, width_of, wrapped
+from vstatics.pictures.schemes.pen import SMALL, ground, width_of, wrapped
 from vstatics.pictures.schemes.placing import Placement, placed
-from vstatics.pictures.schemes.scheme import Device, Scheme, scheme_of
+from vstatics.pictures.schemes.scheme import Device, Scheme, ratio_text, scheme_of
 from vstatics.pictures.schemes.search import arranged
 from vstatics.pictures.schemes.sheet import (
     HEIGHT,
@@ -27,6 +29,7 @@ from vstatics.pictures.schemes.sheet import (
 from vstatics.pictures.style import Style
 from vstatics.pictures.words import word
 from vstatics.statics.results import Results
+from vstatics.tables.numbers import typeset
 
 HALF = 30.0
 """Half the height of a box. [pt]"""
@@ -37,20 +40,33 @@ LETTERS = 18
 def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> Figure:
     """Mechanisms, links, clutches and brakes, and how they are joined.
 
-    In the picture of a gear what is engaged is marked, what is idle is pale.
+    In the picture of a gear what is engaged is marked, and what turns as one piece; what
+    carries no torque is pale.
 
     Source: figure 5b.
 
     >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
     >>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2)], [Gear([1])])
     >>> figure = draw(solve(case), Style())
-    >>> sorted(text.get_text() for text in figure.axes[0].texts if text.get_text())
-    ['1', '1', '2', '2', '3', '3', 'D1', 'T1', 'i = −2']
+    >>> sorted(text.get_text() for text in figure.texts)
+    ['1', '2', '3', 'D1', 'Structure', 'T1', 'first', 'second', 'third', 'u = −2']
     """
-    scheme = scheme_of(results.case)
-    sheet = sheet_of(results, scheme, place(scheme, style), style, gears)
-    draw_devices(sheet, draw_box)
-    return sheet.pen.figure
+    (figure,) = _drawn(results, style, [gears])
+    return figure
+
+
+def of_each_gear(results: Results, style: Style) -> Iterator[Figure]:
+    """The same in each gear, with everything in the same places."""
+    return _drawn(results, style, [(n,) for n in range(1, len(results.case.gears) + 1)])
+
+
+def _drawn(results: Results, style: Style, each: Iterable[Sequence[int]]) -> Iterator[Figure]:
+    scheme, subject = scheme_of(results.case), style.text("structure", "структура")
+    placement = place(scheme, style)
+    for gears in each:
+        sheet = sheet_of(results, scheme, placement, style, gears, subject=subject)
+        draw_devices(sheet, draw_box)
+        yield sheet.pen.figure
 
 
 def place(scheme: Scheme, style: Style) -> Placement:
@@ -99,36 +115,37 @@ def box_item(index: int, device: Device, sides: tuple[int, ...], style: Style) -
 
 def member_text(device: Device, member: str, style: Style) -> str:
     """What stands in a box beside the wire of a member."""
-    if member in device.labels:
-        return device.labels[member].replace("-", "−")
-    return word(member, style)
+    return typeset(device.labels[member]) if member in device.labels else word(member, style)
 
 
 def _note(device: Device, style: Style) -> str:
     """What stands below the name: the kind of an element, the ratio of a mechanism."""
-    if device.kind != "mechanism":
-        return word(device.kind, style)
-    return f"i = {device.ratio:.5g}".replace("-", "−")
+    return word(device.kind, style) if device.kind != "mechanism" else ratio_text(device.ratio)
 
 
 def draw_box(sheet: Sheet, index: int) -> None:
-    """A mechanism with its name, a note and its members."""
-    device = sheet.scheme.devices[index]
-    pen, color = sheet.pen, sheet.color(index)
+    """A mechanism with its name, a note and its members; hatched if it turns as one piece."""
+    device, said = sheet.scheme.devices[index], sheet.titles.device(index)
+    pen, color, ink = sheet.pen, sheet.color(index), sheet.text_color(index)
     left = sheet.placement.row.lefts[index]
-    right = left + sheet.placement.row.widths[index]
+    right, middle = left + sheet.placement.row.widths[index], 0.0
     corners = [(left, -HALF), (right, -HALF), (right, HALF), (left, HALF)]
-    pen.shape(corners, fill=pen.style.paper, edge=color, width=1.8)
+    is_piece = index in sheet.state.pieces
+    pen.shape(corners, fill=pen.style.paper, edge=color, width=1.8, title=said)
+    if is_piece:
+        pen.hatched(corners[0], corners[2], pen.style.soft, zorder=5)
     names = wrapped(device.name, LETTERS).split("\n")
-    y = HEIGHT * len(names) / 2
+    middle, y = (left + right) / 2, HEIGHT * len(names) / 2
+    look: dict[str, Any] = {"color": ink, "over": is_piece}
     for line in names:
-        pen.text(((left + right) / 2, y), line, color=color, bold=True)
+        pen.text((middle, y), line, bold=True, **look)
         y -= 0.95 * HEIGHT
-    pen.text(((left + right) / 2, y), _note(device, pen.style), color=color, size=SMALL)
+    pen.text((middle, y), _note(device, pen.style), size=SMALL, **look)
+    grounds: list[tuple[Point, Point]] = []
     for tap in sheet.taps(index):
         text = member_text(device, tap.label, pen.style)
-        pen.text((tap.x, tap.side * (HALF - 8)), text, color=color, size=SMALL)
+        pen.text((tap.x, tap.side * (HALF - 8)), text, size=SMALL, **look)
         if tap.reach == "none":
             end = tap.x, tap.side * (HALF + 8)
-            pen.line((tap.x, tap.side * HALF), end, color=color)
-            pen.ground(end, tap.side, color)
+            grounds += [((tap.x, tap.side * HALF), end), *ground(end, tap.side)]
+    pen.lines(grounds, color=color, title=said)

@@ -1,0 +1,150 @@
+"""The usual signs: packs of plates, dogs, freewheels, springs, the housing; and their key."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import NamedTuple
+
+from vstatics.pictures.labels import Point
+from vstatics.pictures.schemes.pen import LINE, Pen, ground, width_of
+from vstatics.pictures.schemes.scheme import SchemeState
+from vstatics.pictures.style import Style
+
+HALF = {"freewheel": 6.0, "dog_clutch": 4.0, "spring": 9.0}
+"""Half the length along the line, where it is not that of plates. [pt]"""
+PACK = 6.5
+"""Half the length of a pack of plates. [pt]"""
+PLATES, BETWEEN = (-7.0, 0.0, 7.0), (-3.5, 3.5)
+"""Where plates of the one side stand across the line, and those between them. [pt]"""
+CLEARANCE = 2.5
+"""From a plate to the drum of the others. [pt]"""
+SAMPLE = 16.0
+"""Width of a sign in the key. [pt]"""
+
+Place = Callable[[float, float], Point]
+"""From places along and across a line to those of the picture."""
+
+
+class Coupled(NamedTuple):
+    """A shift element, a spring or a support on a level or upright line."""
+
+    kind: str
+    start: Point
+    """At its first link."""
+    end: Point
+    color: str
+    is_closed: bool = False
+    housing: int = 0
+    """Toward which side the housing is at its end; 0 where there is none."""
+    title: str = ""
+    is_backward: bool = False
+    """A freewheel whose first link is the housing."""
+
+
+def draw_coupled(pen: Pen, one: Coupled) -> None:
+    """A sign on its line; plates at the housing stand at its wall.
+
+    >>> from vstatics.pictures.style import Style
+    >>> pen = Pen((0, 0), (50, 50), Style())
+    >>> draw_coupled(pen, Coupled("brake", (20, 0), (20, 30), "#000000", housing=1))
+    >>> len(pen.figure.artists)
+    1
+    """
+    (x, y), (x2, y2) = one.start, one.end
+    length = abs(x2 - x) + abs(y2 - y)
+    dx, dy = (x2 - x) / length, (y2 - y) / length
+    half = HALF.get(one.kind, PACK)
+    center = length - half if one.housing and one.kind not in HALF else length / 2
+
+    def at(forward: float, across: float) -> Point:
+        along = center + forward
+        return x + along * dx - across * dy, y + along * dy + across * dx
+
+    rods = [(one.start, at(-half, 0)), (at(half, 0), one.end)]
+    lines: list[tuple[Point, ...]] = [line for line in rods if line[0] != line[1]]
+    if one.housing:
+        lines += ground(one.end, one.housing)
+    draw = {"spring": _spring, "freewheel": _freewheel, "dog_clutch": _dogs, "held": _support}
+    lines += draw.get(one.kind, _plates)(pen, at, half, one)
+    pen.lines(lines, color=one.color, title=one.title, zorder=4.5)
+
+
+def _plates(pen: Pen, at: Place, half: float, one: Coupled) -> list[tuple[Point, ...]]:
+    """Plates of the one side between those of the other; pressed together they are one block."""
+    edge = PLATES[-1] + 1.5
+    if one.is_closed:
+        corners = [at(-half, edge), at(half, edge), at(half, -edge), at(-half, -edge)]
+        pen.shape(corners, fill=one.color, edge=one.color, title=one.title)
+        inner = [(at(CLEARANCE - half, across), at(half, across)) for across in PLATES]
+        pen.lines(inner, color=pen.style.paper, width=0.7, zorder=5)
+        return []
+    return [
+        (at(half, -PLATES[-1]), at(half, PLATES[-1])),
+        *((at(half, across), at(CLEARANCE - half, across)) for across in PLATES),
+        (at(-half, BETWEEN[0]), at(-half, BETWEEN[1])),
+        *((at(-half, across), at(half - CLEARANCE, across)) for across in BETWEEN),
+    ]
+
+
+def _spring(_pen: Pen, at: Place, half: float, _one: Coupled) -> list[tuple[Point, ...]]:
+    turns = [(half * (step / 4 - 1), 6.0 * (1, -1)[step % 2]) for step in range(1, 8)]
+    return [(at(-half, 0), *(at(*turn) for turn in turns), at(half, 0))]
+
+
+def _freewheel(pen: Pen, at: Place, half: float, one: Coupled) -> list[tuple[Point, ...]]:
+    """Its point is where its first link cannot go on."""
+    fill = one.color if one.is_closed else pen.style.paper
+    tip = -half if one.is_backward else half
+    pen.shape([at(-tip, 6), at(-tip, -6), at(tip, 0)], fill=fill, edge=one.color, title=one.title)
+    return [(at(tip, 7), at(tip, -7))]
+
+
+def _dogs(pen: Pen, at: Place, half: float, one: Coupled) -> list[tuple[Point, ...]]:
+    """Teeth of the one between teeth of the other."""
+    if one.is_closed:
+        corners = [at(-half, 9), at(half, 9), at(half, -9), at(-half, -9)]
+        pen.shape(corners, fill=one.color, edge=one.color, title=one.title)
+    lines: list[tuple[Point, ...]] = [(at(side, 9), at(side, -9)) for side in (-half, half)]
+    for side, places in ((-half, (-7.0, 0.0, 7.0)), (half, (-3.5, 3.5))):
+        lines += [(at(side, across), at(-side / 3, across)) for across in places]
+    return lines
+
+
+def _support(_pen: Pen, at: Place, half: float, _one: Coupled) -> list[tuple[Point, ...]]:
+    return [(at(-half, 0), at(half, 0))]
+
+
+def key_of(state: SchemeState, style: Style) -> list[tuple[str, str]]:
+    """Signs that occur in the picture of a gear, and what they say.
+
+    >>> key_of(SchemeState(engaged=frozenset({1})), Style())
+    [('engaged', 'engaged')]
+    """
+    signs = [
+        ("engaged", state.engaged, style.text("engaged", "включён")),
+        ("piece", state.pieces, style.text("turns as one piece", "вращается как одно целое")),
+        ("idle", state.idle, style.text("carries no torque", "без момента")),
+    ]
+    return [(sign, text) for sign, occurs, text in signs if occurs]
+
+
+def key_width(key: Sequence[tuple[str, str]]) -> float:
+    """Of a row of signs [pt]."""
+    return sum(SAMPLE + 4 + width_of(text) + 14 for _, text in key)
+
+
+def draw_key(pen: Pen, at: Point, key: Sequence[tuple[str, str]]) -> None:
+    """A row of signs with what they say, from its left end."""
+    style, (x, y) = pen.style, at
+    for sign, text in key:
+        if sign == "engaged":
+            corners = [(x + 3, y - 4), (x + SAMPLE - 3, y - 4)]
+            corners += [(right, y + 4) for right, _ in corners[::-1]]
+            pen.shape(corners, fill=style.engaged, edge=style.engaged)
+        elif sign == "piece":
+            pen.hatched((x, y - 5), (x + SAMPLE, y + 5), style.soft)
+        else:
+            pen.line((x, y), (x + SAMPLE, y), color=style.faint, width=LINE)
+        x += SAMPLE + 4
+        pen.text((x, y), text, color=style.ink, across="left")
+        x += width_of(text) + 14

@@ -1,0 +1,107 @@
+"""What devices and links of a scheme say when a pointer rests on them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
+
+from vstatics.elements.element import Element
+from vstatics.model.transmission import Transmission
+from vstatics.pictures.schemes.scheme import Device, Scheme, ratio_text
+from vstatics.pictures.state import PictureState
+from vstatics.pictures.style import Style, number
+from vstatics.pictures.words import word
+from vstatics.statics.results import Results
+
+
+class Titles(NamedTuple):
+    """Texts of devices by index, of links by number; none for what is not there."""
+
+    devices: Sequence[str] = ()
+    links: Sequence[str] = ()
+
+    def device(self, index: int) -> str:
+        """Of a device."""
+        return self.devices[index] if self.devices else ""
+
+    def link(self, link: int) -> str:
+        """Of a link."""
+        return self.links[link - 1] if self.links else ""
+
+
+NO_TITLES = Titles()
+
+
+def titles_of(
+    results: Results, scheme: Scheme, style: Style, gear: int | None, state: PictureState | None
+) -> Titles:
+    """Kind, teeth and ratio of devices; in a gear also speeds and torques, over the input's.
+
+    >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
+    >>> from vstatics.pictures.schemes.scheme import scheme_of
+    >>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2)], [Gear([1])])
+    >>> titles_of(solve(case), scheme_of(case), Style(), None, None).devices[0]
+    'D1: mechanism, u = −2; first = 1, second = 2, third = 3'
+    """
+    torques = iter(() if gear is None else _torques(results, gear))
+    devices = []
+    for device in scheme.devices:
+        facts = ", ".join(filter(None, _facts(results.case, device, style)))
+        housing = style.text("housing", "корпус")
+        joins = ", ".join(
+            f"{word(member, style)} = {scheme.name(link) if link else housing}"
+            for member, link in device.members.items()
+        )
+        own = {one: value for one, value in next(torques, {}).items() if value}
+        carried = f"{style.text('torque', 'момент')} " if own else ""
+        carried += ", ".join(
+            f"{word(one, style)} {number(value)}".strip() for one, value in own.items()
+        )
+        devices.append(f"{device.name}: {'; '.join(filter(None, (facts, joins, carried)))}")
+    return Titles(
+        devices, [_link(name, link, style, state) for link, name in enumerate(scheme.links, 1)]
+    )
+
+
+def _link(name: str, link: int, style: Style, state: PictureState | None) -> str:
+    speed = (
+        "" if state is None else f": {style.text('speed', 'скорость')} {number(state.speeds[link])}"
+    )
+    return name + speed
+
+
+def _facts(case: Transmission, device: Device, style: Style) -> Iterator[str]:
+    """Kind, teeth, ratio."""
+    yield word(device.kind, style)
+    if device.element is not None:
+        yield from (
+            f"{word(one, style)} {teeth:g}" for one, teeth in teeth_of(device.element).items()
+        )
+    is_mechanism = not device.is_coupling and device.kind not in ("held", "spring")
+    if is_mechanism and len(device.numbers) == 1:
+        yield ratio_text(case.mechanisms[device.numbers[0]].ratio)
+
+
+def teeth_of(element: Element) -> dict[str, float]:
+    """Teeth of wheels and of rims of planets, by their names.
+
+    >>> teeth_of(Element("P", "planetary", {"sun": 1}, {"sun": 30, "ring": 75}))
+    {'sun': 30, 'ring': 75}
+    """
+    rims = {rim: float(count) for own in element.rims.values() for rim, count in own.items()}
+    return {**element.teeth, **{one.member: one.teeth for one in element.wheels}, **rims}
+
+
+def _torques(results: Results, gear: int) -> Iterator[dict[str, float]]:
+    """Of each device in the order of a scheme, by members: mechanisms, shift elements, springs."""
+    case, values = results.case, results.torques[gear - 1].tolist()
+    count = len(case.shift_elements)
+    rows = iter(values[count:-1])
+    for own in case.own_devices:
+        if case.drawing is None:
+            first, ratio = next(rows), case.mechanisms[own.mechanisms[0]].ratio
+            sharing = first, -ratio * first, (ratio - 1) * first
+            yield {one.name: value for one, value in zip(own.members, sharing, strict=False)}
+        else:
+            yield {one.name: next(rows) for one in own.members}
+    yield from ({"": value} for value in [*values[:count], *rows])
