@@ -11,6 +11,7 @@ from vstatics.errors import CaseError
 from vstatics.extras import require
 from vstatics.pictures import PICTURES, of_each_gear, sheets
 from vstatics.pictures.style import Style
+from vstatics.report.looks import is_look
 from vstatics.simulation.motion import Motion
 from vstatics.statics.results import Results
 from vstatics.tables.html import Markup
@@ -132,18 +133,18 @@ def inline(svg: bytes, prefix: str, label: str) -> Markup:
         del root[0]
     for element in root.iter():
         element.tag = _local(element.tag)
+        kept = sorted(element.attrib.items(), key=lambda one: (is_look(one[0]), one[0]))
         element.attrib = {
-            _local(key): _rewritten(_local(key), value, prefix)
-            for key, value in element.attrib.items()
+            _local(key): _rewritten(_local(key), value, prefix) for key, value in kept
         }
-    kept = {
+    own = {
         k: v
         for k, v in root.attrib.items()
         if k not in ("width", "height", "version", "font-family")
     }
     width = root.attrib.get("width", "100%")
     root.attrib = {
-        **kept,
+        **own,
         "role": "graphics-document",
         "aria-label": label,
         "style": f"--width: {width}",

@@ -10,6 +10,7 @@ from typing import Any
 from vstatics.pictures.style import FAMILIES
 from vstatics.report.drawn import palette
 from vstatics.report.gathering import Material
+from vstatics.report.looks import shared
 from vstatics.report.parts import chooser
 from vstatics.report.sections import Part, sections
 from vstatics.tables.html import Markup, joined, tag
@@ -54,11 +55,12 @@ def framed(
     """
     links = (tag("a", name, href=f"#{_id(name)}") for name, _ in parts)
     contents = tag("nav", *links, class_="contents", aria_label="Contents")
+    main, looks = shared(tag("main", *(_section(name, inner) for name, inner in parts)))
     body = tag(
         "body",
         tag("header", tag("h1", title), *about, contents),
         choice,
-        tag("main", *(_section(name, inner) for name, inner in parts)),
+        main,
         _data(document),
         tag("script", _resource("script.js")),
     )
@@ -68,7 +70,7 @@ def framed(
         tag("meta", name="viewport", content="width=device-width, initial-scale=1"),
         tag("meta", http_equiv="Content-Security-Policy", content=POLICY),
         tag("title", title),
-        tag("style", _styles(title)),
+        tag("style", _styles(title), looks),
     )
     return f"<!DOCTYPE html>\n{tag('html', head, body, lang='en')}\n"
 
