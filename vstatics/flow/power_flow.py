@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 from vstatics.flow.circulation import Edge, Loop, Node
+from vstatics.flow.cycles import edges_on_cycles
 from vstatics.flow.teeth import ToothPower
 from vstatics.statics.status import Status
 from vstatics.tables.ports import PortTable
@@ -110,6 +111,16 @@ class GearFlow(NamedTuple):
     def kilowatts(self) -> float:
         """The power at the input link, NaN where no load tells it [kW]."""
         return self.ports.scales["kW"]
+
+    def divided(self, side: PowerFlow) -> set[tuple[Node, Node]]:
+        """Edges of a side whose power is decided by convention: source and target of each.
+
+        Those at devices that divide it so, but for an edge that is the only way between
+        what it joins: all power of that part has to pass there.
+        """
+        edges = [edge[:2] for edge in side.edges]
+        devices = {node for node in self.by_convention if node.kind != "link"}
+        return edges_on_cycles(edge for edge in edges if not devices.isdisjoint(edge))
 
     @property
     def note(self) -> str:

@@ -1,42 +1,61 @@
-"""Nodes of a picture of power in columns: how wide these are, and how deep each node stands."""
+"""Runs of nodes in columns: how wide these are, and how much room is between them."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
+from itertools import pairwise
 from typing import NamedTuple
 
-from vstatics.flow.circulation import Node
-from vstatics.pictures.flow_graph import Graph
+from vstatics.pictures.flow_graph import Graph, Run
 from vstatics.pictures.flow_texts import FlowTexts
 from vstatics.pictures.labels import height, width
 
 BODY = 12.0
-"""Width of a node. [pt]"""
+"""Width of a device. [pt]"""
 BAR = 3.0
 """Width of a link. [pt]"""
+APART = 6.0
+"""Between the nodes of a run. [pt]"""
+PORT = 11.0
+"""Length of the arrow of a port. [pt]"""
 SPACE = 16.0
 """Between columns of texts, and between nodes of one column. [pt]"""
-CLEAR = 5.0
+CLEAR = 8.0
 """Between a band that turns and whatever it passes. [pt]"""
 ARM = 8.0
 """Length of a loss, besides half its width. [pt]"""
+BEND = 2.4
+"""A curve has no kink if its length squared is so many times its width and rise."""
 
-Key = tuple[int, Node | int]
-"""Layer, and the node or the index of the band that passes."""
+Key = tuple[int, int]
+"""Layer, and the index of the run; of a band that passes the complement of its index."""
+
+
+def signs(run: Run, loss: float = 0.0) -> list[float]:
+    """Width of each node of a run that loses so much of its thickness [pt]."""
+    return [BAR if one.kind == "link" else max(BODY, loss) for one in run]
+
+
+def length(run: Run, loss: float = 0.0) -> float:
+    """Of a run [pt]."""
+    return sum(signs(run, loss)) + APART * max(len(run) - 1, 0)
 
 
 class FlowCell(NamedTuple):
-    """What stands in a column: a node with its texts, or a band that passes."""
+    """What stands in a column: a run with its texts, or a band that passes."""
 
-    node: Node | None
-    band: int
-    """Index of the band that passes; -1 of a node."""
+    number: int
+    """Index of the run; the complement of that of a band that passes."""
+    run: Run = ()
     text: str = ""
     lost: str = ""
     thick: float = 0.0
     """[pt]"""
     loss: float = 0.0
     """Width of what is lost. [pt]"""
+    ends: float = 0.0
+    """Width of an arrow of a port, at either side. [pt]"""
 
     @property
     def above(self) -> float:
@@ -54,16 +73,20 @@ class FlowCell(NamedTuple):
         return (self.below - self.above) / 2
 
     @property
+    def signs(self) -> list[float]:
+        """Width of each node [pt]."""
+        return signs(self.run, self.loss)
+
+    @property
     def body(self) -> float:
-        """Width of the node [pt]."""
-        if self.node is None:
-            return 0.0
-        return BAR if self.node.kind == "link" else max(BODY, self.loss)
+        """Width of the nodes [pt]."""
+        return length(self.run, self.loss)
 
     @property
     def wide(self) -> float:
-        """Width with the texts [pt]."""
-        return max(self.body, *(width(text) if text else 0.0 for text in (self.text, self.lost)))
+        """Width with the texts and ports [pt]."""
+        texts = (width(text) if text else 0.0 for text in (self.text, self.lost))
+        return max(self.body + 2 * self.ends, *texts)
 
 
 class NodeColumns(NamedTuple):
@@ -71,96 +94,119 @@ class NodeColumns(NamedTuple):
 
     cells: list[list[FlowCell]]
     """By layer."""
-    ways: Mapping[int, list[FlowCell]]
-    """Of each band that does not go back: from its source to its target."""
-
-
-def cell(graph: Graph, node: Node, power: float, scale: float, texts: FlowTexts) -> FlowCell:
-    """A node and its texts; losses of a node on the way back are none."""
-    lost = graph.losses.get(node, 0.0) if node in graph.layers else 0.0
-    below = texts.power(lost) if lost else ""
-    return FlowCell(node, -1, texts.node(node, power), below, power * scale, lost * scale)
+    ways: Mapping[int, list[Key]]
+    """Of each band between runs that does not go back: from its source to its target."""
 
 
 def columns(graph: Graph, scale: float, texts: FlowTexts) -> NodeColumns:
-    """Nodes by layer, and a cell wherever a band passes a layer."""
-    nodes = {node: cell(graph, node, graph.through(node), scale, texts) for node in graph.layers}
-    cells: list[list[FlowCell]] = [[] for _ in range(1 + max(graph.layers.values(), default=-1))]
-    for node, layer in graph.layers.items():
-        cells[layer].append(nodes[node])
+    """Runs by layer, and a cell wherever a band passes a layer."""
+    cells: list[list[FlowCell]] = [[] for _ in range(1 + max(graph.layers, default=-1))]
+    for number, (run, layer) in enumerate(zip(graph.runs, graph.layers, strict=True)):
+        cells[layer].append(_cell(graph, number, run, scale, texts))
     ways = {}
     for number, band in enumerate(graph.bands):
-        if not band.back:
-            between = range(graph.layers[band.source] + 1, graph.layers[band.target])
-            passing = FlowCell(None, number, thick=band.power * scale)
-            for layer in between:
-                cells[layer].append(passing)
-            ways[number] = [nodes[band.source], *[passing] * len(between), nodes[band.target]]
+        if not band.back and not graph.is_within(band):
+            source, target = graph.ends(band)
+            between = range(graph.layers[source] + 1, graph.layers[target])
+            for place in between:
+                is_named = number in graph.numbered and place == between[len(between) // 2]
+                text = texts.power(band.power) if is_named else ""
+                cells[place].append(FlowCell(~number, text=text, thick=band.power * scale))
+            first, last = (graph.layers[source], source), (graph.layers[target], target)
+            ways[number] = [first, *((place, ~number) for place in between), last]
     return NodeColumns(cells, ways)
+
+
+def _cell(graph: Graph, number: int, run: Run, scale: float, texts: FlowTexts) -> FlowCell:
+    through = max(graph.through(node) for node in run)
+    ports = [port for node in run for port in graph.ports.get(node, ())]
+    lost = graph.losses.get(run[0], 0.0)
+    return FlowCell(
+        number,
+        run,
+        texts.run(run, through, length(run), ports),
+        texts.power(lost) if lost else "",
+        through * scale,
+        lost * scale,
+        PORT if ports else 0.0,
+    )
+
+
+def on_way_back(run: Run, power: float, scale: float, texts: FlowTexts) -> FlowCell:
+    """Nodes through which nothing but a loop goes, from left to right."""
+    return FlowCell(
+        -1, run[::-1], texts.run(run, power, length(run), back=True), thick=power * scale
+    )
 
 
 class Across(NamedTuple):
     """Places from left to right [pt]."""
 
-    middles: Sequence[float]
-    """Of each column."""
-    texts: Sequence[float]
-    """Of texts on bands, after each column."""
+    columns: Sequence[tuple[float, float]]
+    """Left and right side of each."""
+    gaps: Sequence[tuple[float, float]]
+    """Where bands have curves, behind each column."""
     leaving: Mapping[int, float]
     """Where a band that goes back turns first."""
     arriving: Mapping[int, float]
     """Where it turns last."""
-    width: float
+
+    @property
+    def width(self) -> float:
+        """With what turns at the right."""
+        return max([self.columns[-1][1], *(x + CLEAR for x in self.leaving.values())])
+
+    def middle(self, layer: int) -> float:
+        """Of a column."""
+        return sum(self.columns[layer]) / 2
 
 
 def across(
     graph: Graph,
     cells: NodeColumns,
-    on_bands: Mapping[int, str],
+    courses: Mapping[int, Sequence[float]],
     needed: Mapping[int, float],
     scale: float,
 ) -> Across:
-    """Places of columns, with room for texts on bands and for bands that turn.
+    """Places of columns, with room for the curves of bands and for bands that turn.
+
+    Within a column, and where others turn, bands are level; so no text there stands on one.
 
     Parameters
     ----------
     graph : Graph
     cells : NodeColumns
-    on_bands : mapping
-        Texts on bands.
+    courses : mapping
+        How deep each band is at its source, where it passes a layer, and at its target. [pt]
     needed : mapping
         Room that each band needs on its way back, by which columns grow; bands that turn
         nearer to their columns first. [pt]
     scale : float
     """
-    layers, bands = graph.layers, graph.bands
+    bands = graph.bands
     wide = [max(one.wide for one in column) for column in cells.cells]
-    texts = [SPACE] * len(wide)
-    for number, words in on_bands.items():
-        at = layers[bands[number].source]
-        texts[at] = max(texts[at], width(words) + 2 * CLEAR)
-    for number, room in needed.items():
-        first, last = layers[bands[number].target], layers[bands[number].source]
-        taken = sum(wide[first : last + 1]) + sum(texts[first:last])
+    gaps = [SPACE] * len(wide)
+    for number, course in courses.items():
+        for (layer, _), (deep, other) in zip(cells.ways[number], pairwise(course), strict=False):
+            rise, thick = abs(deep - other), bands[number].power * scale
+            gaps[layer] = max(gaps[layer], rise / 2, math.sqrt(BEND * thick * rise))
+    ends = {n: [graph.layers[run] for run in graph.ends(bands[n])] for n in needed}
+    for number, (last, first) in ends.items():
+        taken = sum(wide[first : last + 1]) + sum(gaps[first:last])
         for place in range(first, last + 1):
-            wide[place] += max(room - taken, 0.0) / (last - first + 1)
-    middles, behind, x = [], [], 0.0
+            wide[place] += max(needed[number] - taken, 0.0) / (last - first + 1)
+    sides, curves, x = [], [], 0.0
     leaving: dict[int, float] = {}
     arriving: dict[int, float] = {}
     for place, own in enumerate(wide):
-        for number in reversed([n for n in needed if layers[bands[n].target] == place]):
+        for number in reversed([n for n, (_, first) in ends.items() if first == place]):
             arriving[number] = x + bands[number].power * scale / 2 + CLEAR
             x = 2 * arriving[number] - x
-        middles.append(x + own / 2)
+        sides.append((x, x + own))
         x += own
-        for number in (n for n in needed if layers[bands[n].source] == place):
+        for number in (n for n, (last, _) in ends.items() if last == place):
             leaving[number] = x + bands[number].power * scale / 2 + CLEAR
             x = 2 * leaving[number] - x
-        behind.append(x + texts[place] / 2)
-        x += texts[place]
-    return Across(middles, behind, leaving, arriving, x - texts[-1])
-
-
-def key(layer: int, one: FlowCell) -> Key:
-    """What tells a cell from all others."""
-    return layer, one.node or one.band
+        curves.append((x, x + gaps[place]))
+        x += gaps[place]
+    return Across(sides, curves, leaving, arriving)

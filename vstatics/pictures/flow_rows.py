@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import combinations, pairwise
 
-from vstatics.pictures.flow_columns import SPACE, FlowCell, Key, NodeColumns, key
+from vstatics.pictures.flow_columns import SPACE, FlowCell, Key, NodeColumns
 from vstatics.pictures.flow_graph import Graph
 from vstatics.pictures.labels import spread
 
@@ -21,16 +21,16 @@ _Near = Mapping[Key, Sequence[tuple[Key, float]]]
 """Neighbours of a cell, with the power that they exchange with it."""
 
 
-def tops(graph: Graph, cells: NodeColumns) -> dict[Key, float]:
+def middles(graph: Graph, cells: NodeColumns) -> dict[Key, float]:
     """How deep each cell stands: few bands cross, neighbours are near to one another.
 
     Returns
     -------
     dict
-        From the top of the picture to the top of the band or node. [pt]
+        From the top of the picture to the middle of the band or node. [pt]
     """
     near = _neighbours(graph, cells)
-    keyed = [{key(layer, one): one for one in own} for layer, own in enumerate(cells.cells)]
+    keyed = [{(layer, one.number): one for one in own} for layer, own in enumerate(cells.cells)]
     columns = _ordered(keyed, near, graph)
     places = {own: 60.0 * row for column in columns for row, own in enumerate(column)}
     for sweep in range(SWEEPS):
@@ -45,9 +45,67 @@ def tops(graph: Graph, cells: NodeColumns) -> dict[Key, float]:
             found = spread(_rising(wanted), sizes)
             for (own, one), place in zip(column.items(), found, strict=True):
                 places[own] = place - one.lower
-    deep = {own: places[own] - one.thick / 2 for column in columns for own, one in column.items()}
-    highest = min(deep[own] - one.above for column in columns for own, one in column.items())
-    return {own: top - highest for own, top in deep.items()}
+    _straighten(columns, places, near)
+    highest = min(
+        places[own] - one.thick / 2 - one.above for column in columns for own, one in column.items()
+    )
+    return {own: middle - highest for own, middle in places.items()}
+
+
+def _straighten(
+    columns: Sequence[Mapping[Key, FlowCell]], places: dict[Key, float], near: tuple[_Near, _Near]
+) -> None:
+    """Put cells in series at one depth, as far as their columns have room for it."""
+    for series in _series(columns, near):
+        level: list[Key] = []
+        low, high = -math.inf, math.inf
+        for own in [*series, None]:
+            least, most = (0.0, 0.0) if own is None else _room(columns[own[0]], own, places)
+            if own is None or max(low, least) > min(high, most):
+                wanted = sum(places[one] for one in level) / (len(level) or 1)
+                places.update(dict.fromkeys(level, min(max(wanted, low), high)))
+                level, low, high = [], -math.inf, math.inf
+            if own is not None:
+                level.append(own)
+                low, high = max(low, least), min(high, most)
+
+
+def _series(
+    columns: Sequence[Mapping[Key, FlowCell]], near: tuple[_Near, _Near]
+) -> Iterator[list[Key]]:
+    """Cells each of which is the only neighbour of the next, from left to right."""
+    before, after = ({own: {one for one, _ in ends} for own, ends in side.items()} for side in near)
+    following = {
+        own: next(iter(ends))
+        for own, ends in after.items()
+        if len(ends) == 1 and len(before[next(iter(ends))]) == 1
+    }
+    for own in (one for column in columns for one in column if one not in following.values()):
+        series = [own]
+        while series[-1] in following:
+            series.append(following[series[-1]])
+        yield series
+
+
+def _room(
+    column: Mapping[Key, FlowCell], own: Key, places: Mapping[Key, float]
+) -> tuple[float, float]:
+    """Between which depths a cell may stand."""
+    order = list(column)
+    rank, cell = order.index(own), column[own]
+    above, below = order[max(rank - 1, 0) : rank], order[rank + 1 : rank + 2]
+    low = [places[one] + _under(column[one]) + SPACE + _over(cell) for one in above]
+    high = [places[one] - _over(column[one]) - SPACE - _under(cell) for one in below]
+    return max(low, default=-math.inf), min(high, default=math.inf)
+
+
+def _over(cell: FlowCell) -> float:
+    """How far a cell reaches above its middle."""
+    return cell.thick / 2 + cell.above
+
+
+def _under(cell: FlowCell) -> float:
+    return cell.thick / 2 + cell.below
 
 
 def _neighbours(graph: Graph, cells: NodeColumns) -> tuple[_Near, _Near]:
@@ -56,8 +114,7 @@ def _neighbours(graph: Graph, cells: NodeColumns) -> tuple[_Near, _Near]:
     after: dict[Key, list[tuple[Key, float]]] = {}
     for number, way in cells.ways.items():
         band = graph.bands[number]
-        keys = [key(layer, one) for layer, one in enumerate(way, graph.layers[band.source])]
-        for one, other in pairwise(keys):
+        for one, other in pairwise(way):
             before.setdefault(other, []).append((one, band.power))
             after.setdefault(one, []).append((other, band.power))
     return before, after
@@ -80,11 +137,11 @@ def _ordered(
     columns: list[dict[Key, FlowCell]], near: tuple[_Near, _Near], graph: Graph
 ) -> list[dict[Key, FlowCell]]:
     """The columns in an order with few crossings; neighbours are exchanged as long as it helps."""
-    looped = {node for band in graph.bands if band.loop is not None for node in band.pairs[0]}
+    looped = {end for band in graph.bands if band.loop is not None for end in graph.ends(band)}
     orders = [list(column) for column in columns]
     lower = [sorted(column, key=lambda own: own[1] in looped) for column in orders]
-    best, least = orders, math.inf
-    for turn, start in enumerate([orders, lower] * ROUNDS):
+    best, least = lower, math.inf
+    for turn, start in enumerate([lower, orders] * ROUNDS):
         found, crossings = _exchanged(start, near[1], graph)
         if crossings < least * BETTER:
             best, least = found, crossings
@@ -135,7 +192,7 @@ def _crossings(columns: Sequence[Sequence[Key]], after: _Near, graph: Graph) -> 
             if (start - first) * (end - last) < 0:
                 total += power * another
         for band in graph.bands:
-            ends = (band.source, band.target) if band.back else ()
+            ends = graph.ends(band) if band.back else ()
             for rank in (ranks[own] for own in column if own[1] in ends):
                 total += band.power * sum(power for start, _, power in bands if start > rank)
     return total

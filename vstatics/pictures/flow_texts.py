@@ -3,22 +3,27 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import NamedTuple
 
 from vstatics.flow.circulation import Node
-from vstatics.flow.grids import CONVENTION
 from vstatics.flow.power_flow import GearFlow, PowerFlow
 from vstatics.flow.shared_planets import words
-from vstatics.pictures.labels import wrapped
+from vstatics.pictures.flow_graph import EndPort, Run
+from vstatics.pictures.labels import width, wrapped
 from vstatics.pictures.style import Style, number
 from vstatics.pictures.words import fault
 
 LONGEST = 84.0
-"""Names are wrapped to this width. [pt]"""
+"""A name is wrapped to this width. [pt]"""
+ROW = 110.0
+"""The names of a run are. [pt]"""
 WIDEST = 300.0
 """What is said of a loop is wrapped to this width. [pt]"""
 LEAST = 0.0005
 """What is less is not 0.000."""
+UNBROKEN = "\u00a0"
+"""A blank at which no line ends."""
 
 
 class FlowTexts(NamedTuple):
@@ -33,11 +38,29 @@ class FlowTexts(NamedTuple):
         text = number(value) if value >= LEAST else "<0.001"
         return text if math.isnan(self.flow.kilowatts) else f"{text}\n{self._kilowatts(value)}"
 
-    def node(self, node: Node, power: float) -> str:
-        """The name of a node, and the power through it."""
-        mark = f" {CONVENTION}" if node in self.flow.by_convention else ""
-        name = wrapped(_name(node, self.style) + mark, LONGEST)
-        return f"{name}\n{'?' if node in self.side.unknown else self.power(power)}"
+    def run(
+        self,
+        run: Run,
+        power: float,
+        wide: float,
+        ports: Sequence[EndPort] = (),
+        *,
+        back: bool = False,
+    ) -> str:
+        """The names of a run of a width, and the power through it; of ports what differs."""
+        names = [_unbroken(_named(node, ports, self.style)) for node in run]
+        between = f"{UNBROKEN}{'<' if back else '>'} "
+        joined = between.join(reversed(names) if back else names)
+        name = wrapped(joined, LONGEST if len(run) == 1 else max(ROW, wide)).replace(UNBROKEN, " ")
+        lines = [name, "?" if self.side.unknown and self._is_unknown(run) else self.power(power)]
+        for port in ports:
+            if not math.isclose(port.power, power, rel_tol=1e-9):
+                way = self.style.text(*(("in", "вход") if port.enters else ("out", "выход")))
+                lines.append(f"{way} {self.power(port.power)}")
+        return "\n".join(lines)
+
+    def _is_unknown(self, run: Run) -> bool:
+        return any(node in self.side.unknown for node in run)
 
     def loop(self, number_of_loop: int) -> str:
         """Power that circulates, and why it may not, by the index of the loop."""
@@ -65,10 +88,22 @@ class FlowTexts(NamedTuple):
         return f"{text} {self.style.text('kW', 'кВт')}"
 
 
-def _name(node: Node, style: Style) -> str:
-    """The name of a node; ports have no names of the case."""
+def port_name(node: Node, style: Style) -> str:
+    """Of the input and the output; other ports have the names of their links."""
     ports = {"input": style.text("input", "вход"), "output": style.text("output", "выход")}
-    return ports.get(node.name, node.name) if node.kind == "port" else node.name
+    return ports.get(node.name, node.name)
+
+
+def _named(node: Node, ports: Sequence[EndPort], style: Style) -> str:
+    """The name of a node, with that of its port if this says more."""
+    own = [port.node for port in ports if port.node.number == node.number and node.kind == "link"]
+    said = [port_name(port, style) for port in own if port.name != node.name]
+    return ": ".join((*said, node.name))
+
+
+def _unbroken(name: str) -> str:
+    """A name that is not wrapped if it fits into a line."""
+    return name.replace(" ", UNBROKEN) if width(name) <= LONGEST else name
 
 
 def heading(flow: GearFlow, wide: float, style: Style) -> str:
@@ -89,14 +124,8 @@ def heading(flow: GearFlow, wide: float, style: Style) -> str:
     if not side.edges:
         lines.append(style.text("no power is determined", "мощности не определены"))
     elif side.unknown:
-        unknown = ", ".join(_name(node, style) for node in side.unknown)
+        unknown = ", ".join(dict.fromkeys(port_name(n, style) for n in side.unknown))
         lines.append(f"{style.text('not determined', 'не определены')}: {unknown}")
-    if flow.by_convention:
-        text = style.text(
-            "by convention, as it turns as one piece", "условно: внутри одного целого"
-        )
-        names = ", ".join(_name(node, style) for node in flow.by_convention)
-        lines.append(f"{CONVENTION} {text}: {names}")
     for loop in side.locked_in:
         text = style.text("within one piece, not drawn", "внутри одного целого, не показано")
         lines.append(f"{text}: {number(loop.power)}, {' > '.join(n.name for n in loop.nodes)}")
