@@ -57,7 +57,7 @@ def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> Figure:
     >>> from vstatics import Gear, Mechanism, Transmission, solve
     >>> mechanisms = [Mechanism(1, 2, 3, -2.0, name="set"), Mechanism(1, 2, 0, -4.0, name="pair")]
     >>> figure = draw(solve(Transmission(3, [], mechanisms, [Gear()])), Style())
-    >>> [text.get_text() for text in figure.texts if "circulates" in text.get_text()][0]
+    >>> [text.get_text() for text in figure.texts if "circulates" in text.get_text()][-1]
     'circulates 1.000: 100.0% of the power in'
     """
     return _figure(results, _chosen(results, style, gears), style)
