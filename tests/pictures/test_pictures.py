@@ -14,7 +14,7 @@ import pytest
 
 from tests.commands import CASES, LOCKED, NEUTRAL, SHIPPED, TIED_UP, vstatics
 from vstatics import Results, load, solve
-from vstatics.pictures import FORMATS, PICTURES, Format, picture, render
+from vstatics.pictures import FORMATS, PICTURES, Format, picture, render, settings_of
 from vstatics.pictures.style import Style
 from vstatics.simulation.motion import Motion
 
@@ -38,15 +38,16 @@ def overlaps(results: Results, kind: str, style: Style, motion: Motion | None = 
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.text import Text
 
-    figure = picture(results, kind, style, motion=motion)
-    canvas: Any = FigureCanvasAgg(figure)
-    figure.draw_without_rendering()
     boxes = []
-    for text in figure.findobj(Text):
-        if isinstance(text, Text) and text.get_visible() and text.get_text().strip():
-            if is_hidden_tick(text):
-                continue
-            boxes.append((text.get_text(), text.get_window_extent(canvas.get_renderer())))
+    with settings_of(style):  # letters are as wide as in files
+        figure = picture(results, kind, style, motion=motion)
+        canvas: Any = FigureCanvasAgg(figure)
+        figure.draw_without_rendering()
+        for text in figure.findobj(Text):
+            if isinstance(text, Text) and text.get_visible() and text.get_text().strip():
+                if is_hidden_tick(text):
+                    continue
+                boxes.append((text.get_text(), text.get_window_extent(canvas.get_renderer())))
     whole = figure.bbox
     wrong = [
         f"{name} leaves the picture"
