@@ -117,7 +117,7 @@ def _quoted(text: str) -> str:
     """A text in a style sheet, which it cannot end.
 
     >>> print(_quoted('a "b" </style>'))
-    "a \\22 b\\22  \\3c /style\\3e "
+    "a \\22 b\\22  \\3c \\2f style\\3e "
     """
     inner = "".join(one if one.isalnum() or one == " " else f"\\{ord(one):x} " for one in text)
     return f'"{inner}"'
