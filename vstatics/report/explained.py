@@ -45,11 +45,8 @@ def _gear(one: Explanation, digits: int | None) -> Iterator[Markup]:
 def _matrix(one: Explanation, digits: int | None) -> Markup:
     """A link that a device does not have is left blank."""
     grid = matrix(one).with_digits(digits)
-    return bare(grid._replace(rows=[list(map(_without_zero, row)) for row in grid.cells]))
-
-
-def _without_zero(cell: Cell) -> Cell:
-    return cell._replace(text="") if cell.value == 0 else cell
+    rows = [[Cell("") if cell.value == 0 else cell for cell in row] for row in grid.cells]
+    return bare(grid._replace(rows=rows))
 
 
 def _lines(lines: Sequence[str]) -> Markup:

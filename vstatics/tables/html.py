@@ -135,7 +135,7 @@ def _row(grid: Grid, row: list[Cell], level: int) -> Markup:
 def _cell(column: Column, cell: Cell) -> Markup:
     value: object = False
     if cell.value is not None:
-        value = "" if math.isnan(cell.value) else repr(float(cell.value))
+        value = "" if math.isnan(cell.value) else repr(float(cell.value)).removesuffix(".0")
     return tag("td", _text(cell), class_="sign" if cell.says else _kind(column), data_value=value)
 
 
@@ -145,5 +145,6 @@ def _text(cell: Cell) -> str:
     return cell.text if cell.value is None else typeset(cell.text)
 
 
-def _kind(column: Column) -> str:
-    return "number" if column.is_number else "words"
+def _kind(column: Column) -> str | bool:
+    """The class of cells; numbers, which most are, have none."""
+    return "words" if not column.is_number else "sign" if column.is_sign else False
