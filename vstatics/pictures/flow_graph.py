@@ -89,7 +89,7 @@ def graph(side: PowerFlow) -> Graph:
     >>> [gear] = flows(solve(Transmission(3, [], mechanisms, [Gear()])))
     >>> drawn = graph(gear.ideal)
     >>> [(layer, *map(str, run)) for run, layer in zip(drawn.runs, drawn.layers)]
-    [(0, '1'), (1, 'set'), (2, '3')]
+    [(0, '1', 'set'), (1, '3')]
     >>> [" > ".join(map(str, (band.source, *band.between))) for band in drawn.bands if band.back]
     ['set > 2 > pair']
     """

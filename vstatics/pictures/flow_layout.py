@@ -65,7 +65,7 @@ def layout(graph: Graph, scale: float, texts: FlowTexts) -> FlowLayout:
     >>> pair = Mechanism(1, 2, 0, -4.0, 0.98, name="pair")
     >>> [gear] = flows(solve(Transmission(2, [], [pair], [Gear()])))
     >>> placing = layout(graph(gear.lossy), 100.0, FlowTexts(gear, gear.lossy, Style()))
-    >>> cells = [box.cell for box in placing.boxes]
+    >>> cells = [box.cell for box in sorted(placing.boxes, key=lambda box: box.left)]
     >>> [(str(cell.run[0]), round(cell.thick), round(cell.loss)) for cell in cells]
     [('1', 100, 0), ('pair', 100, 2), ('2', 98, 0)]
     """
