@@ -8,20 +8,22 @@ from functools import partial
 from typing import Any, NamedTuple
 
 from vstatics.pictures import labels
-from vstatics.pictures.labels import GAP, Panel, Point
+from vstatics.pictures.chart import Chart
+from vstatics.pictures.labels import GAP, Point
 from vstatics.pictures.style import SIZE, Style
+from vstatics.pictures.svg import halo
 from vstatics.synthesis.box_listing import ListedBox
 
-NEAR = 1.5
+NEAR = 2.0
 """Points that are closer are one. [pt]"""
 SPOT, LARGE_SPOT = 4.5, 6.5
 """Of the point of a box, and of one that nothing is better than in all figures. [pt]"""
-DISTANCES = (9.0, 17.0, 27.0, 40.0)
+DISTANCES = (9.0, 13.0, 18.0, 27.0, 40.0, 60.0, 85.0)
 """Of the middle of a number from its point. [pt]"""
 STRANGE = 18.0
 """What it costs that a number is nearer to the point of another one. [pt]"""
 HIDDEN = 1000.0
-"""What it costs that a number covers another one. [pt]"""
+"""What it costs that a number covers another one, or a point. [pt]"""
 WAYS = 16
 """Directions that are tried for a number."""
 
@@ -51,8 +53,14 @@ class _BoxNumber(NamedTuple):
     """Points of other numbers."""
 
 
-def number_spots(panel: Panel, spots: Sequence[BoxPoint], numbers: set[int], style: Style) -> None:
-    """The numbers of boxes with a diagram, so that they cover no other and few points."""
+def number_spots(chart: Chart, spots: Sequence[BoxPoint], numbers: set[int], style: Style) -> bool:
+    """The numbers of boxes with a diagram, so that they cover no other and no point.
+
+    Returns
+    -------
+    bool
+        Whether there are more boxes at any of their places.
+    """
     taken: list[tuple[Point, Point]] = []
     points = [spot.at for spot in spots]
     texts = list(_texts(spots, numbers))
@@ -61,13 +69,24 @@ def number_spots(panel: Panel, spots: Sequence[BoxPoint], numbers: set[int], sty
         near = [point for point in points if math.dist(point, at) < DISTANCES[-1] + 2 * wide]
         rivals = [other for other, _ in texts if other != at]
         own = _BoxNumber(at, (wide, SIZE), near, rivals)
-        place = min(_places(at, wide, panel), key=partial(_cost, own=own, taken=taken))
+        place = min(_places(at, wide, chart), key=partial(_cost, own=own, taken=taken))
         taken.append((place, own.size))
         if math.dist(place, at) > DISTANCES[1] + wide / 2 or _is_strange(place, own):
-            panel.line(at, place, color=style.soft, linewidth=0.5, zorder=7)
+            chart.line(at, _edge(place, own), color=style.soft, linewidth=0.5, zorder=7)
         how: dict[str, Any] = {"ha": "center", "va": "center", "zorder": 8}
-        how["bbox"] = {"facecolor": style.paper, "edgecolor": "none", "alpha": 0.7, "pad": 0.5}
-        panel.write(*place, text, color=style.ink, **how)
+        boxes = style.text("boxes", "схемы")
+        chart.write(place[0], place[1], text, **how | halo(style, f"{boxes} {text}"))
+    return any("+" in text for _, text in texts)
+
+
+def _edge(place: Point, own: _BoxNumber) -> Point:
+    """The place of the edge of a number that is nearest to its point."""
+    halves = (length / 2 + 1 for length in own.size)
+    x, y = (
+        min(max(to, middle - half), middle + half)
+        for to, middle, half in zip(own.at, place, halves, strict=True)
+    )
+    return x, y
 
 
 def _is_strange(place: Point, own: _BoxNumber) -> bool:
@@ -81,31 +100,32 @@ def _texts(spots: Sequence[BoxPoint], numbers: set[int]) -> Iterator[tuple[Point
     together: dict[tuple[int, int], tuple[Point, list[int]]] = {}
     for spot in spots:
         key = round(spot.at[0] / NEAR), round(spot.at[1] / NEAR)
-        own = [box.number for box in spot.boxes if box.number in numbers]
-        together.setdefault(key, (spot.at, []))[1].extend(own)
+        together.setdefault(key, (spot.at, []))[1].extend(box.number for box in spot.boxes)
     for at, found in together.values():
-        if found:
-            yield at, _few(sorted(found))
+        own = sorted(numbers.intersection(found))
+        if own:
+            yield at, _few(own, len(found))
 
 
-def _few(numbers: Sequence[int]) -> str:
-    """Numbers at one place, as many as have room there.
+def _few(numbers: Sequence[int], count: int) -> str:
+    """Numbers at one place, as many as have room there, and how many boxes more are there.
 
-    >>> _few([1, 4]), _few([1, 4, 5, 9, 12])
-    ('1, 4', '1, 4, 5 ...')
+    >>> _few([1, 4], 2), _few([1], 3), _few([1, 4, 5, 9, 12], 7)
+    ('1, 4', '1 +2', '1, 4, 5 +4')
     """
     shown = ", ".join(map(str, numbers[:3]))
-    return f"{shown} ..." if len(numbers) > 3 else shown
+    more = count - len(numbers[:3])
+    return f"{shown} +{more}" if more else shown
 
 
-def _places(at: Point, wide: float, panel: Panel) -> Iterator[Point]:
+def _places(at: Point, wide: float, chart: Chart) -> Iterator[Point]:
     """Where a number may stand, the nearest first."""
     for distance in DISTANCES:
         for step in range(WAYS):
             angle = 2 * math.pi * (step / WAYS + 1 / 8)
             x = at[0] + (distance + wide / 2) * math.cos(angle)
             y = at[1] + distance * math.sin(angle)
-            if wide / 2 < x < panel.width - wide / 2 and SIZE < y < panel.height - SIZE:
+            if wide / 2 < x < chart.width - wide / 2 and SIZE < y < chart.height - SIZE:
                 yield x, y
     yield at[0], at[1] + DISTANCES[0]
 
@@ -122,4 +142,4 @@ def _cost(place: Point, own: _BoxNumber, taken: Sequence[tuple[Point, Point]]) -
         for left, low in own.points
     )
     strange = STRANGE * _is_strange(place, own)
-    return HIDDEN * others + min(12.0 * covered, 24.0) + strange + math.dist(place, own.at)
+    return HIDDEN * (others + covered) + strange + math.dist(place, own.at)

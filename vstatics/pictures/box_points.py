@@ -4,25 +4,26 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from typing import Literal
+from typing import Any
 
-from matplotlib.axes import Axes
-from matplotlib.axis import Axis
-from matplotlib.ticker import FormatStrFormatter, LogLocator, NullLocator
-
+from vstatics.pictures import labels
 from vstatics.pictures.box_numbers import LARGE_SPOT, NEAR, SPOT, BoxPoint, number_spots
-from vstatics.pictures.labels import Panel
+from vstatics.pictures.chart import AxisScale, Chart, tick_texts, widest
+from vstatics.pictures.labels import Paper, Point
 from vstatics.pictures.style import TITLE, Style
+from vstatics.pictures.svg import told
 from vstatics.synthesis.box_listing import BoxListing, ListedBox
 
 MARKERS = "os^Dv"
-"""Of families, each in all colours."""
+"""Of families, by turns, as their colours."""
 ROOM = 0.06
 """Beside the outermost points, as a part of the axis."""
 LEAST_ROOM = 0.05
 """At least, as a part of the largest number."""
 CROWD = 1000
 """From so many points of one look on they are small."""
+FEW = 300
+"""Up to so many points each says what it is."""
 LEFT = 40.0
 """From the words over the axes to these. [pt]"""
 WIDELY = 8.0
@@ -36,57 +37,70 @@ def has_place(box: ListedBox) -> bool:
     return math.isfinite(box.loss) and math.isfinite(box.torque)
 
 
+def box_chart(paper: Paper, corner: Point, size: Point, listing: BoxListing) -> Chart:
+    """A chart for all boxes that have both figures: losses in % over torques."""
+    boxes = [box for box in listing.boxes if has_place(box)]
+    x = box_scale([box.torque for box in boxes])
+    return Chart(paper, corner, *size, x, box_scale([100 * box.loss for box in boxes]))
+
+
 def draw_points(
-    panel: Panel, listing: BoxListing, drawn: Sequence[ListedBox], style: Style
-) -> None:
+    chart: Chart, listing: BoxListing, drawn: Sequence[ListedBox], style: Style
+) -> bool:
     """All boxes that have both figures as points, those with a diagram by their numbers.
 
     Parameters
     ----------
     drawn : sequence of ListedBox
         Those with a diagram; their families have colours, others are grey.
+
+    Returns
+    -------
+    bool
+        Whether there are more boxes where some have their numbers.
     """
-    boxes = [box for box in listing.boxes if has_place(box)]
-    _axes(panel, boxes, style)
+    _scales(chart, style)
     looks = _looks(drawn, style)
-    spots = list(_spots(panel, boxes))
+    spots = list(_spots(chart, [box for box in listing.boxes if has_place(box)]))
     alike: dict[tuple[Look | None, bool], list[BoxPoint]] = {}
     for spot in spots:
         alike.setdefault((looks.get(spot.boxes[0].family), spot.is_pareto), []).append(spot)
     for (look, is_pareto), own in alike.items():
-        _draw_spots(panel, own, look, style, is_pareto=is_pareto)
-    number_spots(panel, spots, {box.number for box in drawn}, style)
+        one_by_one = [[spot] for spot in own] if len(spots) <= FEW else [own]
+        for some in one_by_one:
+            _draw_spots(chart, some, look, style, is_pareto=is_pareto)
+    return number_spots(chart, spots, {box.number for box in drawn}, style)
 
 
-def _axes(panel: Panel, boxes: Sequence[ListedBox], style: Style) -> None:
-    axes = panel.axes
-    _scale(axes, "x", [box.torque for box in boxes])
-    _scale(axes, "y", [100 * box.loss for box in boxes])
-    axes.set_xlabel(
-        style.text(
-            "largest torque of an engaged element / input torque",
-            "наибольший момент включённого элемента / момент на входе",
-        )
+def _scales(chart: Chart, style: Style) -> None:
+    ticks = _ticks(chart.y, 8)
+    chart.scale("left", ticks, style, grid=True)
+    chart.scale("bottom", _ticks(chart.x, 10), style, grid=True)
+    chart.frame(style, "left", "bottom")
+    torque = style.text(
+        "largest torque of an engaged element / input torque",
+        "наибольший момент включённого элемента / момент на входе",
     )
-    axes.set_ylabel(style.text("mean loss, forward gears [%]", "средние потери вперёд [%]"))
-    axes.grid(visible=True, linewidth=0.4)
-    axes.set_axisbelow(True)
-    for side in ("top", "right"):
-        axes.spines[side].set_visible(False)
+    chart.name("bottom", torque, 24)
+    loss = style.text("mean loss, forward gears, %", "средние потери вперёд, %")
+    chart.name("left", loss, min(widest(tick_texts(ticks)) + 14, LEFT - 4))
 
 
-def _scale(axes: Axes, along: Literal["x", "y"], values: Sequence[float]) -> None:
-    """Ends and ticks of an axis, logarithmic where values differ much."""
+def _ticks(scale: AxisScale, most: int) -> list[float]:
+    """Round numbers of a scale: 1, 2, 5, 10 and so on where it is logarithmic."""
+    if not scale.is_log:
+        return labels.ticks(scale.low, scale.high, most)
+    powers = range(math.floor(math.log10(scale.low)), math.ceil(math.log10(scale.high)) + 1)
+    found = [digit * 10.0**power for power in powers for digit in (1, 2, 5)]
+    return [one for one in found if scale.low <= one <= scale.high]
+
+
+def box_scale(values: Sequence[float]) -> AxisScale:
+    """A scale for numbers, logarithmic where they differ much."""
     if values and 0 < WIDELY * min(values) < max(values):
-        ends = [math.exp(end) for end in _ends([math.log(one) for one in values])]
-        locator = LogLocator(subs=(1.0, 2.0, 5.0))
-        axis: Axis = axes.xaxis if along == "x" else axes.yaxis
-        axes.set(**{f"{along}scale": "log", f"{along}lim": ends})
-        axis.set_major_locator(locator)
-        axis.set_major_formatter(FormatStrFormatter("%g"))
-        axis.set_minor_locator(NullLocator())
-    else:
-        axes.set(**{f"{along}lim": _ends(values)})
+        low, high = (math.exp(end) for end in _ends([math.log(one) for one in values]))
+        return AxisScale(low, high, is_log=True)
+    return AxisScale(*_ends(values))
 
 
 def _ends(values: Sequence[float]) -> tuple[float, float]:
@@ -105,44 +119,55 @@ def _ends(values: Sequence[float]) -> tuple[float, float]:
 def _looks(drawn: Sequence[ListedBox], style: Style) -> dict[int, Look]:
     """Colour and marker of each family that has a diagram."""
     families = dict.fromkeys(box.family for box in drawn)
-    colours = len(style.colours)
     return {
-        family: (style.colour(place), MARKERS[place // colours % len(MARKERS)])
+        family: (style.colour(place), MARKERS[place % len(MARKERS)])
         for place, family in enumerate(families)
     }
 
 
-def _spots(panel: Panel, boxes: Sequence[ListedBox]) -> Iterator[BoxPoint]:
+def _spots(chart: Chart, boxes: Sequence[ListedBox]) -> Iterator[BoxPoint]:
     """Boxes by their places; those of a family that coincide are together."""
     found: dict[tuple[int, int, int], BoxPoint] = {}
     for box in boxes:
-        part = panel.axes.transLimits.transform(
-            panel.axes.transScale.transform((box.torque, 100 * box.loss))
-        )
-        at = float(part[0]) * panel.width, float(part[1]) * panel.height
+        at = chart.across(box.torque), chart.up(100 * box.loss)
         key = box.family, round(at[0] / NEAR), round(at[1] / NEAR)
         found.setdefault(key, BoxPoint(at, [])).boxes.append(box)
     yield from found.values()
 
 
 def _draw_spots(
-    panel: Panel, spots: Sequence[BoxPoint], look: Look | None, style: Style, *, is_pareto: bool
+    chart: Chart, spots: Sequence[BoxPoint], look: Look | None, style: Style, *, is_pareto: bool
 ) -> None:
     colour, marker = look or (style.faint, "o")
-    panel.axes.plot(
-        [spot.at[0] / panel.width for spot in spots],
-        [spot.at[1] / panel.height for spot in spots],
-        marker,
-        transform=panel.axes.transAxes,
-        color=colour,
-        markeredgecolor=style.ink if is_pareto else style.paper,
-        markeredgewidth=1.2 if is_pareto else 0.4,
-        markersize=LARGE_SPOT if is_pareto else SPOT if len(spots) < CROWD else SPOT / 2,
-        zorder=3 + is_pareto + 2 * (look is not None),
-    )
+    how: dict[str, Any] = {
+        "color": colour,
+        "linestyle": "none",
+        "marker": marker,
+        "markeredgecolor": style.ink if is_pareto else style.paper,
+        "markeredgewidth": 1.2 if is_pareto else 0.4,
+        "markersize": LARGE_SPOT if is_pareto else SPOT if len(spots) < CROWD else SPOT / 2,
+        "zorder": 3 + is_pareto + 2 * (look is not None),
+    }
+    said = told(_said(spots[0], style)) if len(spots) == 1 else None
+    chart.line(*(spot.at for spot in spots), gid=said, **how)
 
 
-def draw_words(panel: Panel, listing: BoxListing, drawn: Sequence[ListedBox], style: Style) -> None:
+def _said(spot: BoxPoint, style: Style) -> str:
+    """What a point is."""
+    numbers, first = ", ".join(str(box.number) for box in spot.boxes), spot.boxes[0]
+    family = f"{style.text('family', 'семейство')} {first.family}"
+    loss = f"{style.text('loss', 'потери')} {100 * first.loss:.2f} %"
+    return f"{numbers}: {family}, {loss}, {style.text('torque', 'момент')} {first.torque:.2f}"
+
+
+def draw_words(
+    chart: Chart,
+    listing: BoxListing,
+    drawn: Sequence[ListedBox],
+    style: Style,
+    *,
+    has_more: bool,
+) -> None:
     """What stands over the axes, and the families beside them."""
     found, families, searched = len(listing.boxes), len(listing.families), listing.searched
     title = style.text(f"Found boxes: {found}", f"Найденные схемы: {found}")
@@ -155,13 +180,16 @@ def draw_words(panel: Panel, listing: BoxListing, drawn: Sequence[ListedBox], st
     if placeless:
         more = style.text("without loss or torque", "без потерь или момента")
         said = f"{said}; {more}: {placeless}"
-    y = panel.height + 14
-    panel.write(-LEFT, y + 13, title, fontsize=TITLE, weight="bold", va="bottom")
-    panel.write(-LEFT, y, said, color=style.soft, va="bottom")
-    _legend(panel, listing, drawn, style)
+    if has_more:
+        more = style.text("+1: one more at this place", "+1: ещё одна на этом месте")
+        said = f"{said}; {more}"
+    y = chart.height + 14
+    chart.write(-LEFT, y + 13, title, fontsize=TITLE, weight="bold", va="bottom")
+    chart.write(-LEFT, y, said, color=style.soft, va="bottom")
+    _legend(chart, listing, drawn, style)
 
 
-def _legend(panel: Panel, listing: BoxListing, drawn: Sequence[ListedBox], style: Style) -> None:
+def _legend(chart: Chart, listing: BoxListing, drawn: Sequence[ListedBox], style: Style) -> None:
     """The families that have a colour, how many are grey, what has a dark edge."""
     families, looks = listing.families, _looks(drawn, style)
     word = style.text("family", "семейство")
@@ -175,9 +203,9 @@ def _legend(panel: Panel, listing: BoxListing, drawn: Sequence[ListedBox], style
         entries.append((grey, style.paper, style.text(f"{rest} others", f"ещё {rest}")))
     if any(box.pareto for box in listing.boxes):
         entries.append((open_look, style.ink, style.text("Pareto list", "список Парето")))
-    x, step = panel.width + 14, min(13.0, panel.height / len(entries))
+    x, step = chart.width + 14, min(13.0, chart.height / len(entries))
     for row, ((colour, marker), edge, text) in enumerate(entries):
-        y = panel.height - 4 - step * row
+        y = chart.height - 4 - step * row
         how = {"color": colour, "markeredgecolor": edge, "markersize": LARGE_SPOT - 1}
-        panel.line((x, y), marker=marker, linestyle="", **how)
-        panel.write(x + 8, y, text, va="center")
+        chart.line((x, y), marker=marker, linestyle="", **how)
+        chart.write(x + 8, y, text, va="center")

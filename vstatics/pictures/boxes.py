@@ -10,8 +10,8 @@ from vstatics.errors import CaseError, Problem
 from vstatics.extras import require
 from vstatics.model.transmission import Transmission
 from vstatics.pictures import Format, labels, settings_of, written
-from vstatics.pictures.box_points import LEFT, draw_points, draw_words
-from vstatics.pictures.labels import Point
+from vstatics.pictures.box_points import LEFT, box_chart, draw_points, draw_words
+from vstatics.pictures.labels import Paper, Point
 from vstatics.pictures.schemes.bare import BareStick, bare_stick
 from vstatics.pictures.schemes.pen import Window
 from vstatics.pictures.style import SIZE, Style
@@ -103,9 +103,9 @@ def _paper(
     low = MARGIN + below + BELOW
     figure = labels.figure(WIDE, low + high + HEAD + MARGIN)
     wide = WIDE - 2 * MARGIN - LEFT - BESIDE
-    panel = labels.panel(figure, MARGIN + LEFT, low, wide, high)
-    draw_points(panel, listing, drawn, style)
-    draw_words(panel, listing, drawn, style)
+    chart = box_chart(Paper(figure), (MARGIN + LEFT, low), (wide, high), listing)
+    has_more = draw_points(chart, listing, drawn, style)
+    draw_words(chart, listing, drawn, style, has_more=has_more)
     return figure
 
 
