@@ -4,15 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import cache
-from typing import Any, Literal, NamedTuple
+from typing import Any, NamedTuple
 
 from matplotlib.artist import Artist
-from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.font_manager import FontProperties
 from matplotlib.lines import Line2D
-from matplotlib.patches import Rectangle
 from matplotlib.ticker import MaxNLocator
 from matplotlib.transforms import Affine2D, Transform
 
@@ -127,81 +125,6 @@ class Label(NamedTuple):
     colour: str
 
 
-class Panel(NamedTuple):
-    """Axes of a fixed size, in which places can be given in points."""
-
-    axes: Axes
-    width: float
-    """[pt]"""
-    height: float
-    """[pt]"""
-
-    def write(self, x: float, y: float, text: str, **how: Any) -> None:
-        """A text at a place in points from the lower left corner."""
-        self.axes.text(x / self.width, y / self.height, text, transform=self.axes.transAxes, **how)
-
-    def line(self, *places: tuple[float, float], **how: Any) -> None:
-        """A line through places in points from the lower left corner, also outside the axes."""
-        xs, ys = zip(*places, strict=True)
-        self.axes.plot(
-            [x / self.width for x in xs],
-            [y / self.height for y in ys],
-            transform=self.axes.transAxes,
-            clip_on=False,
-            **how,
-        )
-
-    def box(self, corner: tuple[float, float], size: tuple[float, float], **how: Any) -> None:
-        """A rectangle by its lower left corner and its size in points, also outside the axes."""
-        (x, y), (wide, high) = corner, size
-        place = (x / self.width, y / self.height), wide / self.width, high / self.height
-        drawn = Rectangle(*place, transform=self.axes.transAxes, clip_on=False, **how)
-        self.axes.add_patch(drawn)
-
-    def across(self, x: float) -> float:
-        """The place of an abscissa [pt]."""
-        low, high = self.axes.get_xlim()
-        return (x - low) / (high - low) * self.width
-
-    def up(self, y: float) -> float:
-        """The place of an ordinate [pt]."""
-        low, high = self.axes.get_ylim()
-        return (y - low) / (high - low) * self.height
-
-    def beside(self, side: Literal["left", "right"], labels: Sequence[Label]) -> None:
-        """Labels at the left or right edge, each with a line to its place."""
-        sizes = [height(label.text) + GAP for label in labels]
-        places = spread([label.at for label in labels], sizes, 0.0, self.height)
-        edge, way = (0.0, -1.0) if side == "left" else (self.width, 1.0)
-        for label, place in zip(labels, places, strict=True):
-            ends = ((edge, label.at), (edge + 0.8 * LEADER * way, place))
-            self.line(*ends, color=label.colour, linewidth=0.7)
-            aligned = {"ha": "right" if side == "left" else "left", "va": "center"}
-            x = edge + LEADER * way
-            self.write(x, place, label.text, **aligned)
-
-    def along(
-        self, edge: Literal["bottom", "top"], labels: Sequence[Label], *, upright: bool
-    ) -> None:
-        """Labels at the lower or upper edge, each with a line to its place.
-
-        Parameters
-        ----------
-        upright : bool
-            Texts run upwards, and need little room along the edge.
-        """
-        sizes = [height(one.text) + GAP if upright else across_size(one.text) for one in labels]
-        places = spread([label.at for label in labels], sizes, 0.0, self.width)
-        start, way = (0.0, -1.0) if edge == "bottom" else (self.height, 1.0)
-        for label, place in zip(labels, places, strict=True):
-            ends = ((label.at, start), (place, start + 0.5 * LEADER * way))
-            self.line(*ends, color=label.colour, linewidth=0.7)
-            aligned = {"ha": "center", "va": "top" if edge == "bottom" else "bottom"}
-            y = start + 0.65 * LEADER * way
-            turned = {"rotation": 90} if upright else {}
-            self.write(place, y, label.text, **aligned, **turned)
-
-
 class Paper(NamedTuple):
     """A figure without axes, which take most of the time: places in points from its lower left."""
 
@@ -239,10 +162,3 @@ def ticks(low: float, high: float, most: int) -> list[float]:
 def figure(wide: float, high: float) -> Figure:
     """A figure of a size in points."""
     return Figure(figsize=(wide / POINTS, high / POINTS))
-
-
-def panel(figure: Figure, left: float, bottom: float, wide: float, high: float) -> Panel:
-    """Axes at a place of a figure, all in points."""
-    across, up = (POINTS * length for length in figure.get_size_inches())
-    axes = figure.add_axes((left / across, bottom / up, wide / across, high / up))
-    return Panel(axes, wide, high)
