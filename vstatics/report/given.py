@@ -9,8 +9,7 @@ from vstatics.elements.drawing import Drawing, drawing_of
 from vstatics.model.parts import ShiftElement
 from vstatics.model.transmission import HOUSING, Transmission
 from vstatics.report.given_springs import elastic_columns, torsion_grids
-from vstatics.statics.results import Results
-from vstatics.tables.grid import Cell, Column, Grid, exact, text, words
+from vstatics.tables.grid import Cell, Column, Grid, exact, text
 from vstatics.tables.html import Markup, table, terms
 
 _NAMED = (
@@ -22,10 +21,9 @@ _LABELS = {"idle": "sign of idle mechanisms", "coast": "coasting"}
 
 
 def given(
-    results: Results, mapping: Mapping[str, Any], digits: int | None = None
+    case: Transmission, mapping: Mapping[str, Any], digits: int | None = None
 ) -> Iterator[Markup]:
     """The input; `mapping` is the case as plain data: ``case`` of its result in JSON."""
-    case = results.case
     common = {key: value for key, value in mapping.items() if key not in _NAMED}
     common = {"input": case.link_name(case.input), "output": case.link_name(case.output), **common}
     labels = {key: _LABELS.get(key, key.replace("_", " ")) for key in common}
@@ -38,7 +36,9 @@ def given(
     if case.shift_elements:
         yield table(_shift_elements(case).with_digits(digits))
     yield from map(table, torsion_grids(case))
-    yield table(_gears(results, mapping["gears"]))
+    besides = _gears(mapping["gears"])
+    if besides.rows:
+        yield table(besides)
 
 
 def _elements(drawing: Drawing, mapping: Mapping[str, Mapping[str, Any]]) -> Grid:
@@ -120,26 +120,14 @@ def _kind(element: ShiftElement) -> str:
     return (element.kind or by_links).replace("_", " ")
 
 
-def _gears(results: Results, mapping: Mapping[str, Mapping[str, Any]]) -> Grid:
-    """What each gear engages and gives besides; freewheels that hold are results."""
-    case = results.case
-    names = [element.name for element in case.shift_elements]
-    columns = [text("gear"), text("engaged")]
-    columns += [text("freewheels that hold")] * bool(case.freewheels)
-    rows = []
-    for gear, holds in zip(case.gears, results.holds.tolist(), strict=True):
-        row = [gear.name, words([names[number - 1] for number in gear.engaged])]
-        if case.freewheels:
-            row.append(words([names[n - 1] for n in case.freewheels if holds[n - 1]]))
-        rows.append(row)
-    further = [
-        _said({key: value for key, value in mapping[gear.name].items() if key != "engaged"})
-        for gear in case.gears
+def _gears(gears: Mapping[str, Mapping[str, Any]]) -> Grid:
+    """What gears give besides the elements that they engage, which the table of gears has."""
+    rows = [
+        [name, _said({key: one for key, one in gear.items() if key != "engaged"})]
+        for name, gear in gears.items()
     ]
-    if any(further):
-        columns.append(text("given besides"))
-        rows = [[*row, said] for row, said in zip(rows, further, strict=True)]
-    return Grid("Gears and what they engage", columns, rows)
+    columns = [text("gear"), text("given")]
+    return Grid("What gears give besides", columns, [row for row in rows if row[1]])
 
 
 def _said(value: Any) -> str:

@@ -25,6 +25,7 @@ Part = tuple[str, Sequence[Markup]]
 """The name of a section, and what it shows."""
 ALREADY = ("ETA", "ratio")
 """Columns of the results by gear that the table of gears has."""
+MARKS = Marks(holds="○", open="")
 SPREAD = "spread"
 """The table that the overview says in words."""
 
@@ -35,7 +36,7 @@ def sections(material: Material) -> Iterator[Part]:
     gears, *others = (one.with_digits(material.digits) for one in summary_grids(material.summary))
     every = {
         "Overview": _overview(material),
-        "Gears": [_gears(material, gears)],
+        "Gears": _gears(material, gears),
         NAMES["flow"]: _flows(material),
         NAMES["lever"]: _of_gears(material, "lever"),
         "Equations": _equations(material),
@@ -65,7 +66,7 @@ def _overview(material: Material) -> Iterator[Markup]:
     yield from alerts(material.messages)
 
 
-def _gears(material: Material, grid: Grid) -> Markup:
+def _gears(material: Material, grid: Grid) -> Iterator[Markup]:
     """The table of gears, with a dot for each shift element that is engaged or holds.
 
     The name of a gear chooses it for all that is shown of one.
@@ -74,10 +75,14 @@ def _gears(material: Material, grid: Grid) -> Markup:
     signs = [Column(element.name, is_sign=True) for element in results.case.shift_elements]
     columns = [grid.columns[0], *signs, *grid.columns[1:]]
     rows = [
-        [Cell(gear_link(gear.name)), *element_signs(results, index, Marks(open="")), *row[1:]]
+        [Cell(gear_link(gear.name)), *element_signs(results, index, MARKS), *row[1:]]
         for index, (gear, row) in enumerate(zip(results.case.gears, grid.rows, strict=True))
     ]
-    return table(Grid("Ratios, steps, efficiencies", columns, rows), headed=False)
+    yield table(Grid("Ratios, steps, efficiencies", columns, rows), headed=False)
+    if results.case.freewheels:
+        yield tag(
+            "p", f"{MARKS.engaged} engaged, {MARKS.holds} freewheel that holds", class_="note"
+        )
 
 
 def _of_gears(material: Material, kind: str) -> Iterator[Markup]:
@@ -117,8 +122,9 @@ def _power(flow: GearFlow, digits: int | None) -> Iterator[Markup]:
         yield tag("p", f"{flow.note}, so there is no power to show".capitalize())
         return
     powers = power_grid(flow)._replace(title=f"Power in gear {flow.gear}")
-    yield table(powers.with_digits(digits), headed=False)
-    yield tag("ul", *(tag("li", typeset(line.strip())) for line in remarks(flow, digits)))
+    lines = (tag("li", typeset(line.strip())) for line in remarks(flow, digits))
+    numbers = table(powers.with_digits(digits), headed=False)
+    yield tag("div", numbers, tag("ul", *lines), class_="power")
 
 
 def _equations(material: Material) -> Iterator[Markup]:
@@ -131,7 +137,7 @@ def _equations(material: Material) -> Iterator[Markup]:
 
 
 def _given(material: Material) -> Iterator[Markup]:
-    return given(material.results, material.document["case"], material.digits)
+    return given(material.results.case, material.document["case"], material.digits)
 
 
 def _tables(material: Material, summary: Sequence[Grid]) -> Iterator[Markup]:
