@@ -150,7 +150,7 @@ def _draw_block(sheet: LeverSheet, block: LeverBlock, top: float) -> None:
         view = LeverView(sheet, block.gear, place, bottom, block.same.get(place))
         draw_lever(view, below)
     for route in block.routes:
-        draw_route(sheet, route, bottom)
+        draw_route(sheet, block.gear, route, bottom)
 
 
 def _heads(page: LeverPage, gears: Sequence[LeverGear], style: Style) -> list[str]:

@@ -15,6 +15,7 @@ from vstatics.pictures.lever_places import (
     LeverPage,
     LeverRoute,
     LeverRow,
+    link_name,
 )
 from vstatics.pictures.style import SIZE, Style, number
 from vstatics.pictures.svg import halo, told
@@ -78,7 +79,7 @@ def draw_lever(view: LeverView, top: float) -> None:
     """A lever with its points, its name below a height."""
     cell, style = view.cell, view.sheet.style
     if cell.lever.name:
-        where = {"va": "top", "color": view.ink}
+        where = {"va": "top", "color": view.ink, "gid": told(_shape(view))}
         view.sheet.paper.write(cell.left, top - 2, _title(view), **where)
     if len(cell.rows) > 1:
         _draw_line(view)
@@ -98,11 +99,21 @@ def _points(view: LeverView) -> list[tuple[int, LeverRow]]:
 
 def _title(view: LeverView) -> str:
     said, style = [view.cell.lever.name], view.sheet.style
-    if view.gear.one_piece[view.place]:
+    if view.gear.is_one_piece(view.place):
         said.append(style.text("one piece", "как одно целое"))
     if view.same is not None:
         said.append(style.text(f"as in gear {view.same}", f"как на передаче {view.same}"))
     return ", ".join(said)
+
+
+def _shape(view: LeverView) -> str:
+    """Where the points of a lever are."""
+    lever, case, text = view.cell.lever, view.sheet.page.case, view.sheet.style.text
+    places = (
+        f"{link_name(case, node.link, view.sheet.style)} {number(node.position)}"
+        for node in lever.nodes
+    )
+    return f"{lever.name}: {text('lever', 'рычаг')}, {', '.join(places)}"
 
 
 def _look(link: int, style: Style) -> tuple[str, Any]:
@@ -138,7 +149,7 @@ def _draw_point(view: LeverView, node: int, row: LeverRow) -> None:
     end = cell.speeds[1]
     left = (cell.left, y), (cell.at - BESIDE, y), (cell.at, at)
     right = (end, at), (end + BESIDE, y), (cell.right, y)
-    inks.line(*left, *right, colour=colour, width=0.9, dash=dash)
+    inks.line(*left, *right, colour=colour, dash=dash)
     mark = mark_of(link, view.gear.state, stands=view.gear.stands(link))
     inks.point((cell.at, at), MARKERS[mark], view.ink)
     speed, torque = view.speed(node), view.torque(node)
@@ -166,7 +177,7 @@ def _told(view: LeverView, node: int) -> str:
     """What a point says of itself."""
     lever, text = view.cell.lever, view.sheet.style.text
     point = lever.nodes[node]
-    name = view.sheet.page.case.link_name(point.link) if point.link else text("housing", "корпус")
+    name = link_name(view.sheet.page.case, point.link, view.sheet.style)
     said = [f"{lever.name} {point.member}: {name}" if lever.name else name]
     said.append(f"{text('speed', 'скорость')} {number(view.speed(node))}")
     if lever.devices:
@@ -179,21 +190,43 @@ def _draw_ground(view: LeverView, row: LeverRow, name: str) -> None:
     style, x, y = view.sheet.style, view.cell.at + BESIDE + 3, row.at + view.bottom
     ground(view.sheet.inks, (x, y), style.engaged if name else style.ink)
     if name:
-        how = {"va": "bottom", "color": style.engaged, **halo(style)}
+        how = {
+            "va": "bottom",
+            "color": style.engaged,
+            **halo(style, _carried(view.gear, name, style)),
+        }
         view.sheet.paper.write(x + GROUND - 8, y + 1.5, name, **how)
 
 
-def draw_route(sheet: LeverSheet, route: LeverRoute, bottom: float) -> None:
+def _carried(gear: LeverGear, names: str, style: Style) -> str:
+    """What shift elements at one place are loaded with."""
+    said = [
+        f"{name}: {style.text('torque', 'момент')} {number(torque)}"
+        for name, torque in gear.carried.items()
+        if name in names.split(", ")
+    ]
+    return ", ".join(said)
+
+
+def draw_route(sheet: LeverSheet, gear: LeverGear, route: LeverRoute, bottom: float) -> None:
     """The line of a link, a clutch or a spring between levers."""
     style, one = sheet.style, route.tie
     places = [(x, y + bottom) for x, y in route.points]
     if not one.name:
         colour, dash = _look(one.link, style)
-        sheet.inks.line(*places, colour=colour, width=1.2, dash=dash)
+        sheet.inks.line(*places, colour=colour, dash=dash)
         return
     line = style.faint if one.is_spring else style.engaged
     sheet.inks.line(*places, colour=line, width=1.4)
     x, y = route.sign[0], route.sign[1] + bottom
     (coil if one.is_spring else plates)(sheet.inks, (x, y), style)
     colour = style.ink if one.is_spring else style.engaged
-    sheet.paper.write(x, y + 6.5, one.name, ha="center", va="bottom", color=colour, **halo(style))
+    sheet.paper.write(
+        x,
+        y + 6.5,
+        one.name,
+        ha="center",
+        va="bottom",
+        color=colour,
+        **halo(style, _carried(gear, one.name, style)),
+    )

@@ -9,8 +9,9 @@ from typing import NamedTuple
 from vstatics.model.transmission import HOUSING, Transmission
 from vstatics.numerics.traced import plain
 from vstatics.pictures.lever_points import Lever, held_for_good
-from vstatics.pictures.state import PictureState, state_of
+from vstatics.pictures.state import PictureState, shown_of
 from vstatics.statics.results import Results
+from vstatics.statics.roles import IDLE, ONE_PIECE, Role, roles
 
 NOTHING = 1e-12
 """Torques that are sums may leave as much. [-]"""
@@ -36,15 +37,21 @@ class LeverGear(NamedTuple):
     state: PictureState
     torques: Sequence[Sequence[float]]
     """On the nodes of each lever, without losses, over the input torque. [-]"""
-    one_piece: Sequence[bool]
-    """By lever: whether it carries torque and turns as one piece."""
+    roles: Sequence[set[Role]]
+    """By lever: what its devices do."""
     grounds: dict[Spot, str]
     """Points that stand by brakes or in the housing, with the names of the brakes."""
     ties: Sequence[LeverTie]
+    carried: dict[str, float]
+    """Name of an engaged element -> its torque without losses. [-]"""
 
     def is_loaded(self, lever: int) -> bool:
         """Whether a lever carries torque, or one that is not known; a shaft is not asked."""
-        return not self.torques[lever] or any(torque != 0 for torque in self.torques[lever])
+        return self.roles[lever] != {IDLE}
+
+    def is_one_piece(self, lever: int) -> bool:
+        """Whether a lever carries torque, and nothing in it moves."""
+        return ONE_PIECE in self.roles[lever] and "" not in self.roles[lever]
 
     def stands(self, link: int) -> bool:
         """Whether a link stands, by what it is joined to or by a set that is locked."""
@@ -69,27 +76,23 @@ def in_gear(results: Results, number: int, drawn: Sequence[Lever]) -> LeverGear:
     >>> gear.torques, gear.grounds
     ([[1.0, -3.5, 2.5]], {(0, 2): 'T1'})
     """
-    state = state_of(results, number)
-    members = results.gear(number).member_torques(lossy=False)
+    whole = results.gear(number)
+    state, members = shown_of(whole), whole.member_torques(lossy=False)
     by_member = [{name: plain(torque) for name, torque in one.items()} for one in members]
     torques = [[_torque(node.sources, by_member) for node in one.nodes] for one in drawn]
     torques = [found if one.devices else [] for one, found in zip(drawn, torques, strict=True)]
-    case, spots = results.case, spots_of(drawn)
+    case, spots, found = results.case, spots_of(drawn), roles(results, number - 1)
     return LeverGear(
         state,
         torques,
-        [_is_piece(case, state, *both) for both in zip(drawn, torques, strict=True)],
+        [{found[device] for device in one.devices} for one in drawn],
         _grounds(case, state, drawn, spots),
         list(_ties(case, state, drawn, spots)),
+        {
+            case.shift_elements[one - 1].name: plain(whole.torques.on_first_link[one - 1])
+            for one in state.gear.engaged
+        },
     )
-
-
-def _is_piece(
-    case: Transmission, state: PictureState, lever: Lever, torques: Sequence[float]
-) -> bool:
-    mechanisms = [index for one in lever.devices for index in case.own_devices[one].mechanisms]
-    loaded = any(torque != 0 for torque in torques)
-    return loaded and all(state.is_idle[index] for index in mechanisms)
 
 
 def _torque(

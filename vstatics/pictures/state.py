@@ -10,6 +10,7 @@ from vstatics.numerics.traced import plain
 from vstatics.statics.bodies import Bodies, joined_by_elements
 from vstatics.statics.results import Results
 from vstatics.statics.roles import IDLE, ONE_PIECE, Role, mechanism_roles
+from vstatics.statics.state import GearState
 from vstatics.statics.status import Status
 
 NOT_DETERMINED = Status("missing", "not determined", "не определена", "")
@@ -61,7 +62,11 @@ def state_of(results: Results, number: int) -> PictureState:
     >>> state.speeds[:3], state.joined
     ([0.0, 1.0, 0.0], [0, 1, 0, 3])
     """
-    state = results.gear(number)
+    return shown_of(results.gear(number))
+
+
+def shown_of(state: GearState) -> PictureState:
+    """What pictures show of the state of a gear."""
     case, gear = state.case, state.gear
     faults = [one for one in state.statuses if one.is_fault]
     if state.ideal.speeds.missing:
