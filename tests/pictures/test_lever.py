@@ -2,13 +2,23 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from itertools import pairwise
+from typing import Any
+
 import numpy as np
 import pytest
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from matplotlib.path import Path
+from matplotlib.text import Text
 
-from tests.commands import CASES, SHIPPED
+from tests.commands import CASES, SHIPPED, vstatics
 from tests.pictures.test_pictures import overlaps
 from vstatics import Results, load, solve
-from vstatics.pictures import render
+from vstatics.pictures import render, settings_of
+from vstatics.pictures.lever import of_each_gear
 from vstatics.pictures.lever_gear import in_gear
 from vstatics.pictures.lever_order import ordered
 from vstatics.pictures.lever_points import levers, shafts
@@ -121,6 +131,40 @@ def test_a_lever_that_shows_the_same_refers_to_the_gear_before() -> None:
 def test_no_text_of_levers_covers_another(name: str, merged: bool) -> None:
     style = Style("ru" if merged else "en", merged=merged)
     assert overlaps(result(name), "lever", style) == []
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["zf-9hp48.yaml", "driveline-8hp70.yaml", "two-stage.yaml"])
+def test_no_line_runs_through_a_text(name: str) -> None:
+    """But below a text with paper around its letters: names of brakes, clutches, springs."""
+    with settings_of(Style()):
+        for figure in of_each_gear(result(name), Style()):
+            assert list(crossed(figure)) == []
+
+
+def crossed(figure: Figure) -> Iterator[str]:
+    """Texts of a figure that a line runs through, by more than their margins."""
+    canvas: Any = FigureCanvasAgg(figure)
+    renderer = canvas.get_renderer()
+    ends: list[Any] = []
+    for line in figure.findobj(Line2D):
+        if isinstance(line, Line2D) and line.get_linestyle() != "None":
+            places = line.get_transform().transform(line.get_xydata())
+            ends += [one for one in pairwise(places) if np.isfinite(one).all()]
+    for text in figure.findobj(Text):
+        if isinstance(text, Text) and text.get_text() and not text.get_path_effects():
+            box = text.get_window_extent(renderer).padded(-1, -2)
+            if any(Path(np.array(one)).intersects_bbox(box, filled=False) for one in ends):
+                yield text.get_text()
+
+
+@pytest.mark.slow
+def test_two_sets_become_one_lever_by_an_option_of_levers_only() -> None:
+    said = vstatics("plot", CASES / "simpson.yaml", "-k", "lever", "--merge", "-o", "-")
+    assert "P1 + P2" in said.out
+    refused = vstatics("plot", CASES / "simpson.yaml", "-k", "plan", "--merge", "-o", "-")
+    assert refused.status == 2
+    assert "--merge: only levers can be merged" in refused.err
 
 
 def test_the_input_stands_left_of_the_output_and_joints_are_short() -> None:

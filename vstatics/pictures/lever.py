@@ -23,7 +23,6 @@ from vstatics.pictures.lever_places import ARROW, LeverPage, LeverRoute, page_of
 from vstatics.pictures.style import TITLE, Style, number
 from vstatics.pictures.words import fault, gear_title, title
 from vstatics.statics.results import Results
-from vstatics.statics.status import CONFLICT, TIED_UP
 from vstatics.tables.numbers import typeset
 
 HEAD = 20.0
@@ -165,8 +164,8 @@ def _heads(page: LeverPage, gears: Sequence[LeverGear], style: Style) -> list[st
 def _gear_text(page: LeverPage, gear: LeverGear, style: Style) -> str:
     """Ratio and engaged elements of a gear, and speeds that are given."""
     state, case = gear.state, page.case
-    faults = [fault(one, style) for one in state.faults if one in (CONFLICT, TIED_UP)]
-    said = [*(faults or [f"i = {number(state.ratio)}"])[:1]]
+    said = [f"i = {number(state.ratio)}"] if math.isfinite(state.ratio) else []
+    said += [fault(one, style) for one in state.faults[:1]]
     said.append(", ".join(case.shift_elements[one - 1].name for one in state.gear.engaged))
     for link, speed in state.gear.speeds.items():
         said.append(f"{case.link_name(link)} = {typeset(case.speed_text(speed))}")

@@ -44,12 +44,20 @@ class Inks(NamedTuple):
         self.areas.setdefault(colour, []).append(corners)
 
     def put(self, paper: Paper) -> None:
-        """Draw all of it, one artist for each look."""
+        """Draw all of it, one artist for each look, broad lines over thin ones."""
         for (colour, width, dash), some in self.lines.items():
             xs = [x for one in some for x in (*(x for x, _ in one), math.nan)]
             ys = [y for one in some for y in (*(y for _, y in one), math.nan)]
             paper.add(
-                Line2D(xs, ys, color=colour, linewidth=width, linestyle=dash, solid_capstyle="butt")
+                Line2D(
+                    xs,
+                    ys,
+                    color=colour,
+                    linewidth=width,
+                    linestyle=dash,
+                    solid_capstyle="butt",
+                    zorder=2 + width / 10,
+                )
             )
         for colour, polygons in self.areas.items():
             codes = [

@@ -11,6 +11,8 @@ from vstatics.pictures.lever_points import Lever
 
 ROUNDS = 20
 """Of a search; more would change little."""
+MOVES = 60
+"""The more, the farther a lever may go at once."""
 Order = tuple[int, ...]
 Move = Callable[[Order], Order]
 
@@ -36,7 +38,9 @@ def ordered(case: Transmission, drawn: Sequence[Lever]) -> list[Lever]:
         return spans + 0.6 * near + 0.3 * (at[first] > at[last]) + 0.1 * (at[first] - at[last])
 
     start = tuple(range(len(drawn)))
-    moves = [move for pair in combinations(start, 2) for move in _moves(*pair)]
+    reach = MOVES // len(start) + 2  # of many levers only those that are near change places
+    pairs = [(one, other) for one, other in combinations(start, 2) if other - one <= reach]
+    moves = [move for pair in pairs for move in _moves(*pair)]
     return [drawn[place] for place in _best(start, moves, cost)]
 
 

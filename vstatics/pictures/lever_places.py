@@ -250,7 +250,8 @@ def _points(
 
 def _lane(page: LeverPage, between: range, wanted: float, used: list[tuple[int, float]]) -> float:
     """The free height next to a wanted one, past some levers."""
-    taken = [row.span for place in between for row in page.cells[place].rows.values()]
+    spans = [row.span for place in between for row in page.cells[place].rows.values()]
+    taken = [(low - 1, high + 2) for low, high in spans]
     taken += [box for place in between for box in page.cells[place].box]
     taken += [(y - LANE, y + LANE) for place, y in used if place in between]
     places = [wanted, *(y for span in taken for y in span)]
