@@ -126,10 +126,10 @@ def test_a_lever_that_shows_the_same_refers_to_the_gear_before() -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("merged", [False, True])
 @pytest.mark.parametrize("name", [name for name in NAMES if name != "moskvich-start.yaml"])
-def test_no_text_of_levers_covers_another(name: str, merged: bool) -> None:
-    style = Style("ru" if merged else "en", merged=merged)
+def test_no_text_of_levers_covers_another(name: str) -> None:
+    is_other = NAMES.index(name) % 2 == 1
+    style = Style("ru" if is_other else "en", merged=is_other)
     assert overlaps(result(name), "lever", style) == []
 
 
