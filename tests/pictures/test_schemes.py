@@ -366,5 +366,11 @@ def test_a_ring_of_forty_sets_is_drawn_soon() -> None:
     # issue 16: within 20 s
     scheme = scheme_of(ring(40))
     start = time.process_time()
-    assert_joins(scheme, structure.place(scheme, Style()))
+    placement = structure.place(scheme, Style())
     assert time.process_time() - start < 20
+    assert set(placement.row.lefts) == set(range(80))
+
+
+def test_a_case_that_no_picture_could_show_is_refused() -> None:
+    with pytest.raises(CaseError, match=r"up to 200 .* has 202"):
+        scheme_of(ring(101))

@@ -10,11 +10,15 @@ from typing import NamedTuple
 
 from vstatics.elements.drawing import parts_of
 from vstatics.elements.element import Element
+from vstatics.errors import CaseError, Problem
 from vstatics.model.parts import ELEMENT_KINDS
 from vstatics.model.springs import Spring, ends
 from vstatics.model.transmission import HOUSING, Gear, Mechanism, ShiftElement, Transmission
 from vstatics.pictures.state import PictureState
 from vstatics.tables.numbers import typeset
+
+MOST_DEVICES = 200
+"""That are drawn: their arrangement is found in about ten seconds."""
 
 
 class Device(NamedTuple):
@@ -107,6 +111,11 @@ class Scheme:
 def scheme_of(case: Transmission) -> Scheme:
     """The links, devices and ports of a case.
 
+    Raises
+    ------
+    CaseError
+        If there are so many devices that the search for an arrangement would not end soon.
+
     >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission
     >>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2)], [Gear([1])])
     >>> [(device.name, device.members) for device in scheme_of(case).devices]
@@ -118,6 +127,9 @@ def scheme_of(case: Transmission) -> Scheme:
         *_shift_elements(case.shift_elements),
         *(_spring(number, spring, case) for number, spring in enumerate(case.springs)),
     ]
+    if len(devices) > MOST_DEVICES:
+        message = f"a scheme shows up to {MOST_DEVICES} mechanisms and shift elements"
+        raise CaseError([Problem(f"{message}; this case has {len(devices)}")])
     ports = dict.fromkeys(
         port
         for gear in case.gears

@@ -8,6 +8,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from random import Random
+from typing import NamedTuple
 
 from vstatics.pictures.schemes.board import Board
 from vstatics.pictures.schemes.channels import ABOVE, Arrangement
@@ -16,12 +17,24 @@ STEPS, MOST_STEPS = 150, 2500
 """Of an attempt, for each item and wire, and in all."""
 STARTS = 3
 """Attempts at most, until one is without crossings."""
+LARGE, WORK = 120, 480_000
+"""Items and wires for one attempt, which starts less hot; their number times steps, at most."""
 QUICK = 2000
 """Steps where there are many diagrams: a tenth more crossings, in half the time."""
 SWEEPS = 10
 """Through all single changes at the end, at most."""
-HOT, COLD = 300.0, 6.0
-"""Temperatures at the start and at the end, in points of length of wire."""
+HOT, MILD, COLD = 300.0, 30.0, 6.0
+"""Temperatures at the start, of a large board, and at the end, in points of length of wire."""
+
+
+class _Cooling(NamedTuple):
+    """How an attempt is made."""
+
+    steps: int
+    hot: float
+    """At the start."""
+    is_free: bool
+    """Wires choose their side."""
 
 
 def arranged(board: Board, *, is_free: bool, is_quick: bool = False) -> Arrangement:
@@ -29,11 +42,12 @@ def arranged(board: Board, *, is_free: bool, is_quick: bool = False) -> Arrangem
 
     Wires that are free choose their side; else the variants of the items do.
     """
-    most = QUICK if is_quick else MOST_STEPS
-    steps = min(STEPS * (len(board.items) + len(board.wires)), most)
+    size = len(board.items) + len(board.wires)
+    steps = min(STEPS * size, QUICK if is_quick else MOST_STEPS, WORK // size)
+    cooling = _Cooling(steps, HOT if size <= LARGE else MILD, is_free)
     ends = []
-    for seed in range(1 if is_quick else STARTS):
-        found = _annealed(board, _start(board), Random(seed), steps, is_free=is_free)  # noqa: S311
+    for seed in range(1 if is_quick or size > LARGE else STARTS):
+        found = _annealed(board, _start(board), Random(seed), cooling)  # noqa: S311
         ends.append(_settled(board, *found))
         if not board.crossings(ends[-1][0]):
             break
@@ -67,14 +81,15 @@ def _middles(board: Board) -> list[float]:
 
 
 def _annealed(
-    board: Board, arrangement: Arrangement, chance: Random, steps: int, *, is_free: bool
+    board: Board, arrangement: Arrangement, chance: Random, cooling: _Cooling
 ) -> tuple[Arrangement, float]:
     cost = board.cost(arrangement)
     best = arrangement, cost
     varied = [i for i, item in enumerate(board.items) if len(item.variants) > 1]
-    kinds = ["order", "order", "swap", "rank"] + ["side"] * is_free + ["variant"] * 2 * bool(varied)
-    for step in range(steps):
-        heat = HOT * (COLD / HOT) ** (step / steps)
+    kinds = ["order", "order", "swap", "rank"]
+    kinds += ["side"] * cooling.is_free + ["variant"] * 2 * bool(varied)
+    for step in range(cooling.steps):
+        heat = cooling.hot * (COLD / cooling.hot) ** (step / cooling.steps)
         other = _moved(board, arrangement, chance.choice(kinds), varied, chance)
         if other is None:
             continue
