@@ -19,7 +19,8 @@ from vstatics.pictures.lever_cell import LeverSheet, LeverView, draw_lever, draw
 from vstatics.pictures.lever_gear import LeverGear, in_gear
 from vstatics.pictures.lever_key import MARGIN, key_of
 from vstatics.pictures.lever_marks import inks
-from vstatics.pictures.lever_places import ARROW, LeverPage, LeverRoute, page_of, routes
+from vstatics.pictures.lever_places import ARROW, LeverPage, page_of
+from vstatics.pictures.lever_routes import LeverRoute, routes
 from vstatics.pictures.style import TITLE, Style, number
 from vstatics.pictures.words import fault, gear_title, title
 from vstatics.statics.results import Results

@@ -13,10 +13,10 @@ from vstatics.pictures.lever_places import (
     GROUND,
     LeverCell,
     LeverPage,
-    LeverRoute,
     LeverRow,
     link_name,
 )
+from vstatics.pictures.lever_routes import LeverRoute
 from vstatics.pictures.style import SIZE, Style, number
 from vstatics.pictures.svg import halo, told
 
@@ -145,7 +145,8 @@ def _draw_point(view: LeverView, node: int, row: LeverRow) -> None:
     cell, inks, style = view.cell, view.sheet.inks, view.sheet.style
     link, y, at = cell.lever.nodes[node].link, row.y + view.bottom, row.at + view.bottom
     colour, dash = _look(link, style)
-    colour = colour if view.is_loaded else style.faint
+    is_way = view.is_loaded or view.gear.is_way(link, view.place, view.place)
+    colour = colour if is_way else style.faint
     end = cell.speeds[1]
     left = (cell.left, y), (cell.at - BESIDE, y), (cell.at, at)
     right = (end, at), (end + BESIDE, y), (cell.right, y)
@@ -214,6 +215,8 @@ def draw_route(sheet: LeverSheet, gear: LeverGear, route: LeverRoute, bottom: fl
     places = [(x, y + bottom) for x, y in route.points]
     if not one.name:
         colour, dash = _look(one.link, style)
+        is_way = gear.is_way(one.link, one.ends[0][0], one.ends[1][0])
+        colour = colour if is_way else style.faint
         sheet.inks.line(*places, colour=colour, dash=dash)
         return
     line = style.faint if one.is_spring else style.engaged

@@ -44,6 +44,13 @@ class LeverGear(NamedTuple):
     ties: Sequence[LeverTie]
     carried: dict[str, float]
     """Name of an engaged element -> its torque without losses. [-]"""
+    loads: dict[int, set[int]]
+    """Link -> the levers at which something gives it torque or takes it."""
+
+    def is_way(self, link: int, first: int, last: int) -> bool:
+        """Whether torque of a link passes between two levers, or at one."""
+        places = self.loads.get(link, set())
+        return any(place <= first for place in places) and any(place >= last for place in places)
 
     def is_loaded(self, lever: int) -> bool:
         """Whether a lever carries torque, or one that is not known; a shaft is not asked."""
@@ -82,16 +89,24 @@ def in_gear(results: Results, number: int, drawn: Sequence[Lever]) -> LeverGear:
     torques = [[_torque(node.sources, by_member) for node in one.nodes] for one in drawn]
     torques = [found if one.devices else [] for one, found in zip(drawn, torques, strict=True)]
     case, spots, found = results.case, spots_of(drawn), roles(results, number - 1)
+    grounds = _grounds(case, state, drawn, spots)
+    ties = list(_ties(case, state, drawn, spots))
+    acts = [*grounds, *(spot for one in ties if one.name for spot in one.ends)]
+    acts += [(place, n) for place, some in enumerate(torques) for n, one in enumerate(some) if one]
+    loads: dict[int, set[int]] = {}
+    for place, node in acts:
+        loads.setdefault(drawn[place].nodes[node].link, set()).add(place)
     return LeverGear(
         state,
         torques,
         [{found[device] for device in one.devices} for one in drawn],
-        _grounds(case, state, drawn, spots),
-        list(_ties(case, state, drawn, spots)),
+        grounds,
+        ties,
         {
             case.shift_elements[one - 1].name: plain(whole.torques.on_first_link[one - 1])
             for one in state.gear.engaged
         },
+        loads,
     )
 
 

@@ -94,8 +94,7 @@ def key_of(
         "spring": text("spring as shaft", "пружина как вал"),
         "pair": text("pair of wheels, its ratio", "пара колёс, передаточное число"),
         "torque": text(
-            f"torque of {unit} times the input's, without losses",
-            f"момент в {unit} входного, без потерь",
+            f"{unit} × input torque, without losses", f"{unit} × входной момент, без потерь"
         ),
         "speed": text("speed; dotted: that of the input", "скорость; пунктир: входная"),
         "pale": text("pale: no torque", "бледное: без момента"),
