@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Hashable, Iterator, Mapping, Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
 from vstatics.pictures.flow_back import GROWTH, BackRow, back_rows, crowded, placed_rows
-from vstatics.pictures.flow_columns import Across, Key, NodeColumns, across, columns
-from vstatics.pictures.flow_graph import EndPort, Graph
+from vstatics.pictures.flow_columns import Across, NodeColumns, across, columns
+from vstatics.pictures.flow_depths import Depths, depths
+from vstatics.pictures.flow_graph import Graph
 from vstatics.pictures.flow_places import Box, FlowLayout, Line, Note, Stub
-from vstatics.pictures.flow_rows import middles
 from vstatics.pictures.flow_texts import FlowTexts
 from vstatics.pictures.labels import Point, height, width
 
@@ -21,18 +20,6 @@ STRAIGHT = 0.5
 """What rises less is level. [pt]"""
 
 
-class _Depths(NamedTuple):
-    """How deep everything is [pt]."""
-
-    middles: Mapping[Key, float]
-    """Of cells."""
-    starts: Mapping[int, float]
-    """Of each band between runs, at its source."""
-    ends: Mapping[int, float]
-    """At its target."""
-    ports: Mapping[EndPort, float]
-
-
 class _Placed(NamedTuple):
     """Runs and what passes, in their places."""
 
@@ -40,7 +27,7 @@ class _Placed(NamedTuple):
     scale: float
     """Width of a band of power 1. [pt]"""
     cells: NodeColumns
-    deep: _Depths
+    deep: Depths
     courses: Mapping[int, Sequence[float]]
     """How deep each band is at its source, where it passes a layer, and at its target. [pt]"""
     spaced: Across
@@ -60,7 +47,8 @@ def layout(graph: Graph, scale: float, texts: FlowTexts) -> FlowLayout:
     --------
     >>> from vstatics import Gear, Mechanism, Transmission, solve
     >>> from vstatics.flow.power import flows
-    >>> from vstatics.pictures.flow_graph import graph
+    >>> from vstatics.pictures.flow_depths import Depths, depths
+    from vstatics.pictures.flow_graph import graph
     >>> from vstatics.pictures.style import Style
     >>> pair = Mechanism(1, 2, 0, -4.0, 0.98, name="pair")
     >>> [gear] = flows(solve(Transmission(2, [], [pair], [Gear()])))
@@ -90,7 +78,7 @@ def layout(graph: Graph, scale: float, texts: FlowTexts) -> FlowLayout:
 
 def _placed(graph: Graph, scale: float, cells: NodeColumns, rows: Sequence[BackRow]) -> _Placed:
     """Runs in their places; columns grow until all nodes on ways back have room."""
-    deep = _depths(graph, scale, cells, rows)
+    deep = depths(graph, scale, cells, [row.number for row in rows])
     courses = {
         number: [deep.starts[number], *(deep.middles[key] for key in way[1:-1]), deep.ends[number]]
         for number, way in cells.ways.items()
@@ -110,42 +98,6 @@ def _placed(graph: Graph, scale: float, cells: NodeColumns, rows: Sequence[BackR
         layer, one = by_run[number]
         boxes.append(Box(one, spaced.middle(layer), deep.middles[layer, number] - one.thick / 2))
     return _Placed(graph, scale, cells, deep, courses, spaced, boxes)
-
-
-def _depths(graph: Graph, scale: float, cells: NodeColumns, rows: Sequence[BackRow]) -> _Depths:
-    """How deep bands leave their sources and reach their targets.
-
-    At a run bands stand in the order of where they lead, below its ports; what goes back
-    is lowest, that which goes farther above the others.
-    """
-    found = middles(graph, cells)
-    ranks = {row.number: -rank for rank, row in enumerate(rows)}
-    numbers = [n for n, band in enumerate(graph.bands) if not graph.is_within(band)]
-    ports: dict[EndPort, float] = {}
-    sides: tuple[dict[int, float], dict[int, float]] = {}, {}
-    for (layer, run), middle in found.items():
-        if run < 0:
-            continue
-        top = middle - next(one.thick for one in cells.cells[layer] if one.number == run) / 2
-        for end, places in enumerate(sides):
-            below = top
-            for port in graph.ports.get(graph.runs[run][-1 if end == 0 else 0], ()):
-                if port.enters == bool(end):
-                    ports[port] = below + port.power * scale / 2
-                    below += port.power * scale
-            own = [n for n in numbers if graph.ends(graph.bands[n])[end] == run]
-            order = [(_next(cells, found, n, end), ranks.get(n, 0), n) for n in own]
-            for *_, number in sorted(order):
-                thick = graph.bands[number].power * scale
-                places[number] = below + thick / 2
-                below += thick
-    return _Depths(found, *sides, ports)
-
-
-def _next(cells: NodeColumns, deep: Mapping[Key, float], number: int, end: int) -> float:
-    """How deep a band is behind its source, or before its target."""
-    way = cells.ways.get(number)
-    return math.inf if way is None else deep[way[-2 if end else 1]]
 
 
 def _stubs(placed: _Placed) -> Iterator[Stub]:
