@@ -9,7 +9,7 @@ from xml.etree import ElementTree as ET
 
 from vstatics.errors import CaseError
 from vstatics.extras import require
-from vstatics.pictures import PICTURES, of_each_gear, sheets
+from vstatics.pictures import of_each_gear, sheets
 from vstatics.pictures.style import Style
 from vstatics.report.looks import is_look
 from vstatics.simulation.motion import Motion
@@ -42,7 +42,7 @@ NAMES = {
 }
 """What a kind of picture is called."""
 OF_EACH_GEAR = ("stick", "flow", "lever")
-OF_ALL_GEARS = ("structure", "efficiency", "plan")
+OF_ALL_GEARS = ("efficiency", "plan")
 PAGE = Style(titled=False)
 
 
@@ -74,12 +74,10 @@ def pictures(results: Results) -> Pictures:
         If matplotlib is not installed.
     """
     require("plot", "a picture")
-    of_gears = {kind: of_each(results, kind) for kind in OF_EACH_GEAR if kind in PICTURES}
-    whole = [kind for kind in OF_ALL_GEARS if kind in PICTURES]
-    if not any(one.sheets for one in of_gears.get("stick", ())) and "structure" in whole:
+    of_gears = {kind: of_each(results, kind) for kind in OF_EACH_GEAR}
+    if not any(one.sheets for one in of_gears.get("stick", ())):
         of_gears["stick"] = of_each(results, "structure")
-        whole.remove("structure")
-    return Pictures(of_gears, {kind: picture_of(results, kind) for kind in whole})
+    return Pictures(of_gears, {kind: picture_of(results, kind) for kind in OF_ALL_GEARS})
 
 
 def of_each(results: Results, kind: str) -> list[Drawn]:

@@ -45,7 +45,7 @@ def sections(material: Material) -> Iterator[Part]:
             for kind in ("efficiency", "plan")
             if kind in pictures
         },
-        "Input": [*_whole(material, "structure"), *_given(material)],
+        "Input": list(_given(material)),
         "Tables": _tables(material, others),
         "Vibration": _vibration(material),
         "Run": _run(material),
@@ -102,8 +102,7 @@ def _of_gears(material: Material, kind: str) -> Iterator[Markup]:
 def _whole(material: Material, kind: str) -> Iterator[Markup]:
     """A picture of all gears."""
     if kind in material.pictures.of_all:
-        named = kind == "structure"  # within a section; others are one
-        yield from figures(material.pictures.of_all[kind], NAMES[kind], captioned=named)
+        yield from figures(material.pictures.of_all[kind], NAMES[kind], captioned=False)
 
 
 def _flows(material: Material) -> Iterator[Markup]:
