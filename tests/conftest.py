@@ -50,7 +50,9 @@ def frozen() -> None:
 @pytest.fixture
 def without_pictures(monkeypatch: pytest.MonkeyPatch) -> None:
     """Reports have none: they take the most time."""
-    monkeypatch.setattr("vstatics.report.drawn.PICTURES", {})
+    from vstatics.report.drawn import Pictures
+
+    monkeypatch.setattr("vstatics.report.gathering.pictures", lambda _: Pictures())
 
 
 @pytest.fixture
