@@ -75,7 +75,7 @@ def pictures(results: Results) -> Pictures:
     """
     require("plot", "a picture")
     of_gears = {kind: of_each(results, kind) for kind in OF_EACH_GEAR}
-    if not any(one.sheets for one in of_gears.get("stick", ())):
+    if not any(one.sheets for one in of_gears["stick"]):
         of_gears["stick"] = of_each(results, "structure")
     return Pictures(of_gears, {kind: picture_of(results, kind) for kind in OF_ALL_GEARS})
 

@@ -31,7 +31,7 @@ def page(material: Material) -> str:
     case = material.results.case
     title = case.name or material.name or "Transmission"
     parts = list(sections(material))
-    choice = chooser([gear.name for gear in case.gears])
+    choice = chooser([gear.name for gear in case.gears]) if case.gears else NOTHING
     return framed(title, _about(material), parts, material.document, choice)
 
 

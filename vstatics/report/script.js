@@ -13,7 +13,8 @@
     if (end === undefined) return undefined;
     let name = end;
     try { name = decodeURIComponent(end); } catch { /* a % that stands for itself */ }
-    return blocks.find((one) => one.dataset.gear === name && one.id.startsWith(`${section}=`));
+    const own = blocks.filter((one) => one.dataset.gear === name);
+    return own.find((one) => one.id.startsWith(`${section}=`)) ?? own[0];
   }
 
   function choose(name) {

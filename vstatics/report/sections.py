@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 
 from vstatics.flow.grids import power_grid, remarks
 from vstatics.flow.power_flow import GearFlow
-from vstatics.report.drawn import NAMES
+from vstatics.report.drawn import NAMES, Drawn
 from vstatics.report.explained import explained, no_formula
 from vstatics.report.gathering import Material
 from vstatics.report.given import given
@@ -45,7 +45,7 @@ def sections(material: Material) -> Iterator[Part]:
             for kind in ("efficiency", "plan")
             if kind in pictures
         },
-        "Input": list(_given(material)),
+        "Input": _given(material),
         "Tables": _tables(material, others),
         "Vibration": _vibration(material),
         "Run": _run(material),
@@ -88,8 +88,7 @@ def _gears(material: Material, grid: Grid) -> Iterator[Markup]:
 def _of_gears(material: Material, kind: str) -> Iterator[Markup]:
     """A picture of each gear, or why there is none."""
     drawn = material.pictures.of_gears.get(kind, ())
-    reasons = {one.why for one in drawn}
-    if len(reasons) == 1 and "" not in reasons:  # one for all
+    if drawn and not _differ(drawn):
         yield from figures(drawn[0], NAMES[drawn[0].kind])
         return
     names = [flow.gear for flow in material.flows]
@@ -99,21 +98,27 @@ def _of_gears(material: Material, kind: str) -> Iterator[Markup]:
         yield of_gear(section, name, list(shown))
 
 
+def _differ(drawn: Sequence[Drawn]) -> bool:
+    """Whether gears have pictures, or reasons of their own why they have none."""
+    return any(one.sheets for one in drawn) or len({one.why for one in drawn}) > 1
+
+
 def _whole(material: Material, kind: str) -> Iterator[Markup]:
-    """A picture of all gears."""
-    if kind in material.pictures.of_all:
-        yield from figures(material.pictures.of_all[kind], NAMES[kind], captioned=False)
+    """A picture of all gears, which has the name of its section."""
+    yield from figures(material.pictures.of_all[kind], NAMES[kind], captioned=False)
 
 
 def _flows(material: Material) -> Iterator[Markup]:
     """Of each gear the picture of its power, and the numbers."""
     drawn = material.pictures.of_gears.get("flow", ())
+    has_stick = _differ(material.pictures.of_gears.get("stick", ()))
+    section = "flow" if has_stick else "gear"  # where the links to a gear lead
     for number, flow in enumerate(material.flows):
         shown = list(_power(flow, material.digits))
         if drawn and flow.ideal is not None:
             name = f"{NAMES['flow']}, gear {flow.gear}"
             shown = [*figures(drawn[number], name, captioned=False), *shown]
-        yield of_gear("flow", flow.gear, shown)
+        yield of_gear(section, flow.gear, shown)
 
 
 def _power(flow: GearFlow, digits: int | None) -> Iterator[Markup]:
