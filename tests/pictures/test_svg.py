@@ -2,16 +2,23 @@
 
 from __future__ import annotations
 
+import re
 from xml.etree import ElementTree as ET
 
+import pytest
 from matplotlib.figure import Figure
 
-from vstatics.pictures import settings_of
+from tests.commands import CASES
+from vstatics import load, solve
+from vstatics.pictures import PICTURES, render, settings_of
 from vstatics.pictures.style import Style
 from vstatics.pictures.svg import halo, told, written_as_svg
 
 SVG = "{http://www.w3.org/2000/svg}"
 STYLE = Style()
+SET = solve(load(CASES / "ravigneaux-gf4a.yaml"))
+SPRINGS = solve(load(CASES / "moskvich412.yaml"))
+KINDS = [kind for kind in PICTURES if kind != "shift"]
 
 
 def parsed(svg: bytes) -> ET.Element:
@@ -56,3 +63,26 @@ def test_a_halo_stays_for_pictures_of_dots() -> None:
         text = figure.text(0.5, 0.5, "x", **halo(STYLE))
         written_as_svg(figure, "", STYLE)
     assert text.get_path_effects()
+
+
+@pytest.mark.parametrize("dark", [False, True])
+@pytest.mark.parametrize("kind", KINDS)
+def test_small_texts_have_a_colour_of_enough_contrast(kind: str, dark: bool) -> None:
+    style = Style(dark=dark)
+    results = SPRINGS if kind in ("modes", "campbell") else SET
+    gears = (2,) if kind in ("modes", "campbell") else ()
+    root = parsed(render(results, kind, "svg", style, gears))
+    readable = {style.ink, style.soft, style.engaged, style.lost, style.circulating}
+    texts = [*root.iter(f"{SVG}text")]
+    assert texts
+    assert {one.attrib.get("fill", "#000000") for one in texts} <= readable | {style.paper}
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_every_kind_says_what_it_shows_and_typesets_its_numbers(kind: str) -> None:
+    results = SPRINGS if kind in ("modes", "campbell") else SET
+    gears = (2,) if kind in ("modes", "campbell") else ()
+    root = parsed(render(results, kind, "svg", STYLE, gears))
+    assert len(root.findall(f".//{SVG}title")) > 4
+    for text in ("".join(one.itertext()) for one in root.iter(f"{SVG}text")):
+        assert not re.search(r"(?<![\w.)])-\.?\d|(?<![\w.])\.\d", text), text
