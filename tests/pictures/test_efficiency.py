@@ -30,8 +30,9 @@ def test_a_part_of_the_loss_has_its_name_and_says_what_it_takes() -> None:
     ]
     case = Transmission(3, [], pairs, [Gear()], output=3)
     figure = picture(solve(case), "efficiency", Style())
-    assert [said for said, _ in titled(figure) if said] == ["gear 1, D1: 4 %", "gear 1, D2: 24 %"]
+    parts = ["gear 1, D1: 4 %", "gear 1, D2: 24 %"]
+    assert [said for said, _ in titled(figure) if said] == [*parts, "gear 1: efficiency 0.720"]
     assert texts(figure).count("D2") == 2  # in the part and in the key
     assert "0.720" in texts(figure)
-    colours = {one.get_facecolor() for said, one in titled(figure) if said}
+    colours = {one.get_facecolor() for said, one in titled(figure) if said in parts}
     assert len(colours) == 2

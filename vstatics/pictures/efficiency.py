@@ -197,8 +197,9 @@ def _bars(chart: Chart, losses: _Losses, style: Style) -> None:
                     how: dict[str, Any] = {"ha": "center", "va": "center_baseline"}
                     chart.write(left + wide / 2, (top + low) / 2, name, **how, **halo(style))
                 reached -= share
-        low = chart.up(float(value))
-        how = {"color": style.ink, "linewidth": 1.5, "solid_capstyle": "butt"}
+        low, reads = chart.up(float(value)), style.text("efficiency", "КПД")
+        said = told(f"{gear_title(gear, style)}: {reads} {number(value)}")
+        how = {"color": style.ink, "linewidth": 1.5, "solid_capstyle": "butt", "gid": said}
         chart.line((left, low), (left + wide, low), **how)
         chart.write(left + wide / 2, low - 4, number(value), ha="center", va="top")
 

@@ -67,7 +67,7 @@ def plan_signs(
         KeySign(style.text("gear", "передача"), gear_look(style)),
     ]
     if any(low < 0 < high for low, high in ranges):
-        text = style.text("0: stands", "0: неподвижно")
+        text = style.text("speed 0", "скорость 0")
         signs.append(KeySign(text, {**ink, "linewidth": 0.8}))
     if any(mark.elements for plan in shown for mark in plan.marks):
         text = style.text(
