@@ -108,7 +108,7 @@ def test_a_set_that_is_locked_and_carries_the_reaction_is_one_piece() -> None:
     assert "P1, one piece" in drawn
     assert "<title>P1 carrier: carrier 1, speed 0.000, torque −3.696</title>" in drawn
     assert "P2, one piece" not in drawn
-    assert "pale: no torque" in drawn
+    assert "carries no torque" in drawn
 
 
 def test_brakes_are_grounds_clutches_ties_by_their_names() -> None:

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 from vstatics.pictures.labels import Paper, width
 from vstatics.pictures.lever_gear import LeverGear
-from vstatics.pictures.lever_marks import MARKERS, Inks, arrow, box, coil, ground, mark_of, plates
+from vstatics.pictures.lever_marks import Inks, arrow, box, coil, ground, mark_of, plates
 from vstatics.pictures.lever_places import (
     BESIDE,
     GROUND,
@@ -152,7 +152,7 @@ def _draw_point(view: LeverView, node: int, row: LeverRow) -> None:
     right = (end, at), (end + BESIDE, y), (cell.right, y)
     inks.line(*left, *right, colour=colour, dash=dash)
     mark = mark_of(link, view.gear.state, stands=view.gear.stands(link))
-    inks.point((cell.at, at), MARKERS[mark], view.ink)
+    inks.point((cell.at, at), mark, view.ink)
     speed, torque = view.speed(node), view.torque(node)
     if cell.lever.devices and math.isfinite(speed) and speed != 0:
         inks.line((view.across(0.0), at), (view.across(speed), at), colour=colour, width=3.2)

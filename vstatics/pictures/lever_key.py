@@ -10,7 +10,7 @@ from vstatics.model.transmission import HOUSING
 from vstatics.pictures import labels
 from vstatics.pictures.labels import Paper, Point
 from vstatics.pictures.lever_gear import LeverGear
-from vstatics.pictures.lever_marks import MARKERS, Inks, arrow, box, coil, ground, mark_of, plates
+from vstatics.pictures.lever_marks import MARKS, Inks, arrow, box, coil, ground, mark_of, plates
 from vstatics.pictures.lever_points import Lever
 from vstatics.pictures.style import Style, number
 
@@ -60,8 +60,8 @@ class LeverKey(NamedTuple):
     def _sample(self, inks: Inks, kind: str, place: Point) -> None:
         (x, y), style = place, self.style
         middle = x + SAMPLE / 2 - 4
-        if kind in MARKERS:
-            inks.point((middle, y), MARKERS[kind], style.ink)
+        if kind in MARKS:
+            inks.point((middle, y), kind, style.ink)
         elif kind in ("brake", "housing"):
             ground(inks, (middle, y), style.engaged if kind == "brake" else style.ink)
         elif kind in ("clutch", "spring"):
@@ -97,7 +97,7 @@ def key_of(
             f"{unit} × input torque, without losses", f"{unit} × входной момент, без потерь"
         ),
         "speed": text("speed; dotted: that of the input", "скорость; пунктир: входная"),
-        "pale": text("pale: no torque", "бледное: без момента"),
+        "pale": text("carries no torque", "без момента"),
     }
     found = {sign for gear in gears for sign in _signs(drawn, gear)}
     shown = [(kind, meaning) for kind, meaning in meanings.items() if kind in found]

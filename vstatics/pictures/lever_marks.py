@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from itertools import pairwise
 from typing import Any, NamedTuple
 
 from matplotlib.lines import Line2D
@@ -17,8 +18,15 @@ from vstatics.pictures.style import Style
 
 HEAD = 5.0
 """Length of the head of an arrow."""
-MARKERS = {"in": "o", "out": "D", "stands": "s", "port": "^", "": "."}
-"""Kind of point -> its marker."""
+_TURNS = [step * math.pi / 6 for step in range(12)]
+MARKS: dict[str, Sequence[Point]] = {
+    "in": [(2.8 * math.cos(turn), 2.8 * math.sin(turn)) for turn in _TURNS],
+    "out": [(-3.6, 0), (0, 3.6), (3.6, 0), (0, -3.6)],
+    "stands": [(-2.7, -2.7), (-2.7, 2.7), (2.7, 2.7), (2.7, -2.7)],
+    "port": [(-3.2, -2.4), (0, 3.2), (3.2, -2.4)],
+    "": [(-1.7, 0), (0, 1.7), (1.7, 0), (0, -1.7)],
+}
+"""Kind of point -> corners of its mark."""
 
 
 class Inks(NamedTuple):
@@ -26,18 +34,22 @@ class Inks(NamedTuple):
 
     lines: dict[tuple[Any, ...], list[Sequence[Point]]]
     """Colour, width, dash -> lines."""
-    points: dict[tuple[str, str], list[Point]]
-    """Marker, colour -> points."""
     areas: dict[str, list[Sequence[Point]]]
     """Colour -> polygons."""
 
     def line(self, *places: Point, colour: str, width: float = 1.0, dash: Any = "solid") -> None:
-        """A line through places."""
-        self.lines.setdefault((colour, width, dash), []).append(places)
+        """A line through places; those on the way of a level line are left out."""
+        kept = list(places[:1])
+        for (x, y), (_, after) in pairwise(places[1:]):
+            if not kept[-1][1] == y == after:
+                kept.append((x, y))
+        kept.append(places[-1])
+        self.lines.setdefault((colour, width, dash), []).append(kept)
 
-    def point(self, place: Point, marker: str, colour: str) -> None:
-        """A mark at a place."""
-        self.points.setdefault((marker, colour), []).append(place)
+    def point(self, place: Point, kind: str, colour: str) -> None:
+        """A mark at a place; its kind is one of `MARKS`."""
+        x, y = place
+        self.area(*((x + right, y + up) for right, up in MARKS[kind]), colour=colour)
 
     def area(self, *corners: Point, colour: str) -> None:
         """A filled polygon."""
@@ -66,25 +78,16 @@ class Inks(NamedTuple):
                 for code in (Path.MOVETO, *[Path.LINETO] * (len(one) - 1), Path.CLOSEPOLY)
             ]
             path = Path([place for one in polygons for place in (*one, one[0])], codes)
-            paper.add(PathPatch(path, facecolor=colour, edgecolor="none", zorder=2))
-        for (marker, colour), places in self.points.items():
-            size = 4 if marker == "." else 5
-            how: dict[str, Any] = {
-                "marker": marker,
-                "color": colour,
-                "markersize": size,
-                "linestyle": "none",
-            }
-            paper.add(Line2D(*zip(*places, strict=True), **how))
+            paper.add(PathPatch(path, facecolor=colour, edgecolor="none", zorder=2.5))
 
 
 def inks() -> Inks:
     """Nothing drawn yet."""
-    return Inks({}, {}, {})
+    return Inks({}, {})
 
 
 def mark_of(link: int, state: PictureState, *, stands: bool) -> str:
-    """What the point of a link is, a key of `MARKERS`: also what is joined to input and output.
+    """What the point of a link is, a key of `MARKS`: also what is joined to input and output.
 
     >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
     >>> from vstatics.pictures.state import state_of

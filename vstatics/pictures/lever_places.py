@@ -6,11 +6,11 @@ from collections.abc import Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
-from vstatics.model.transmission import HOUSING, Transmission
+from vstatics.model.transmission import HOUSING, Gear, Transmission
 from vstatics.pictures import labels
 from vstatics.pictures.lever_gear import Spot, spots_of
 from vstatics.pictures.lever_order import every, heights, ordered
-from vstatics.pictures.lever_points import Lever, levers, shafts
+from vstatics.pictures.lever_points import Lever, held_for_good, levers, shafts
 from vstatics.pictures.style import SIZE, Style
 from vstatics.pictures.words import word
 
@@ -30,6 +30,8 @@ UNDER = 1.25 * SIZE + 3.0
 """Room for a number under the line of a row."""
 GROUND = 14.0
 """Width of the sign of what stands."""
+BRAKE = 40.0
+"""Room for the name of a brake; a longer one goes on over the speeds."""
 LEAST_GAP = 34.0
 """Between levers."""
 
@@ -119,19 +121,15 @@ def page_of(case: Transmission, style: Style, left: float) -> LeverPage | None:
     drawn = ordered(case, [*drawn, *shafts(case, drawn)])
     shares = heights(case, drawn)
     scale = max(_height(lever, some) for lever, some in zip(drawn, shares, strict=True))
-    brakes = _brakes(case, drawn)
+    held = _held(case, drawn)
     gaps = _gaps(case, drawn)
     cells: list[LeverCell] = []
     for place, lever in enumerate(drawn):
         rows = _rows(case, lever, shares[place], scale, style)
         wide = max(labels.width(row.name) for row in rows.values())
         at = left + max(wide, ARROW + 10 if lever.devices else 0.0) + BESIDE
-        held = max(
-            (GROUND + labels.width(brakes[spot]) for spot in brakes if spot[0] == place),
-            default=0.0,
-        )
-        right = at + BESIDE + held + BESIDE + NUMBER + (SPEEDS if lever.devices else 0.0)
-        cells.append(LeverCell(lever, rows, left, at, held, right, gaps[place]))
+        right = at + BESIDE + held[place] + BESIDE + NUMBER + (SPEEDS if lever.devices else 0.0)
+        cells.append(LeverCell(lever, rows, left, at, held[place], right, gaps[place]))
         left = right + gaps[place]
     return LeverPage(case, cells)
 
@@ -145,14 +143,22 @@ def _gaps(case: Transmission, drawn: Sequence[Lever]) -> list[float]:
     return found
 
 
-def _brakes(case: Transmission, drawn: Sequence[Lever]) -> dict[Spot, str]:
-    """The points that ever stand by brakes, with the longest text beside them."""
+def _held(case: Transmission, drawn: Sequence[Lever]) -> list[float]:
+    """Width of the signs of what stands at each lever, with the names of its brakes."""
     spots = spots_of(drawn)
-    found = {spot: "" for some in spots.values() for spot in some}
-    for element in case.shift_elements:
-        if HOUSING in element.links:
-            for spot in spots.get(max(element.links), ())[:1]:
-                found[spot] = ", ".join(filter(None, (found[spot], element.name)))
+    found = [0.0] * len(drawn)
+    for place, _ in [
+        *spots.get(HOUSING, ()),
+        *(spots[link][0] for link in held_for_good(case) if link in spots),
+    ]:
+        found[place] = GROUND
+    for gear in [*case.gears, Gear(case.freewheels)]:
+        names: dict[Spot, list[str]] = {}
+        for element in (case.shift_elements[number - 1] for number in gear.engaged):
+            for spot in spots.get(max(element.links), ())[:1] if HOUSING in element.links else ():
+                names.setdefault(spot, []).append(element.name)
+        for (place, _), some in names.items():
+            found[place] = max(found[place], GROUND + min(labels.width(", ".join(some)), BRAKE))
     return found
 
 

@@ -41,7 +41,8 @@ def _signs(page: LeverPage, ties: Sequence[LeverTie]) -> dict[LeverTie, Point]:
     for place, cell in enumerate(page.cells):
         here = [one for one in ties if one.ends[0][0] == place]
         ends = [[page.row(spot).y for spot in one.ends] for one in here]
-        share = 0.5 if len(here) == 1 else 0.3  # of several each is nearer to where it begins
+        # where several may cross each is nearer to where it begins
+        share = 0.3 if len({start for start, _ in ends}) > 1 else 0.5
         wanted = [(1 - share) * start + share * end for start, end in ends]
         for one, y in zip(here, labels.spread(wanted, [2.6 * SIZE] * len(here)), strict=True):
             found[one] = cell.right + cell.gap / 2, y
