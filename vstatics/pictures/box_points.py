@@ -176,16 +176,18 @@ def draw_words(
         f"{searched} looked at, {families} {together} with equal ratios",
         f"рассмотрено {searched}, семейств с равными передаточными отношениями: {families}",
     )
+    notes = [said] * style.titled
     placeless = sum(not has_place(box) for box in listing.boxes)
     if placeless:
         more = style.text("without loss or torque", "без потерь или момента")
-        said = f"{said}; {more}: {placeless}"
+        notes.append(f"{more}: {placeless}")
     if has_more:
         more = style.text("+1: one more at this place", "+1: ещё одна на этом месте")
-        said = f"{said}; {more}"
+        notes.append(more)
     y = chart.height + 14
-    chart.write(-LEFT, y + 13, title, fontsize=TITLE, weight="bold", va="bottom")
-    chart.write(-LEFT, y, said, color=style.soft, va="bottom")
+    if style.titled:
+        chart.write(-LEFT, y + 13, title, fontsize=TITLE, weight="bold", va="bottom")
+    chart.write(-LEFT, y, "; ".join(notes), color=style.soft, va="bottom")
     _legend(chart, listing, drawn, style)
 
 

@@ -60,9 +60,10 @@ def render_boxes(listing: BoxListing, form: Format, style: Style) -> bytes:
 
 def render_points(listing: BoxListing, drawn: Sequence[ListedBox]) -> bytes:
     """The points alone as SVG, for a page that has the diagrams of these boxes elsewhere."""
-    with settings_of(Style()):
-        figure = _paper(listing, drawn, 0.0, ALONE, Style())
-    return written(figure, "svg", Style(), "found boxes")
+    style = Style(titled=False)
+    with settings_of(style):
+        figure = _paper(listing, drawn, 0.0, ALONE, style)
+    return written(figure, "svg", style, "found boxes")
 
 
 def draw_boxes(listing: BoxListing, style: Style, drawn: Sequence[ListedBox]) -> Figure:

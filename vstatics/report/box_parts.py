@@ -2,26 +2,40 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 
 from vstatics.report.drawn import inline
+from vstatics.report.overview import line_of
 from vstatics.report.parts import figure
 from vstatics.synthesis.box_listing import BoxListing, ListedBox
-from vstatics.tables.grid import NO, YES, Cell, Column, Grid, Row, exact, sign, text, whole
-from vstatics.tables.html import Markup, table, tag
+from vstatics.tables.grid import Cell, Column, Grid, Row, exact, sign, text, whole
+from vstatics.tables.html import Markup, tables, tag
+from vstatics.tables.numbers import typeset
 
 
-def all_grid(listing: BoxListing, most: int) -> Grid:
-    """Boxes with their figures, in the order of the document, up to so many."""
-    numbers = ("box", "family", "loss [%]", "torque", "planet speed", "slip", "error [%]")
+def box_link(box: ListedBox) -> Markup:
+    """A link to the diagram of a box."""
+    return tag("a", f"box {box.number}", href=f"#box-{box.number}")
+
+
+def all_grid(listing: BoxListing, most: int, drawn: Collection[int]) -> Grid:
+    """Boxes with their figures, in the order of the document, up to so many.
+
+    Parameters
+    ----------
+    drawn : collection of int
+        The numbers of those with a diagram, to which the table links.
+    """
+    numbers = ("family", "loss [%]", "torque", "planet speed", "slip", "error [%]")
     columns = [
+        text("box"),
         *map(Column, (*numbers, "brakes", "clutches")),
         *(Column(one, is_sign=True) for one in ("Pareto", "single", "planar")),
         *map(text, ("code", "elements")),
     ]
     rows: list[Row] = [
         [
-            whole(box.number),
+            box_link(box) if box.number in drawn else f"box {box.number}",
             whole(box.family),
             exact(100 * box.loss),
             exact(box.torque),
@@ -29,7 +43,7 @@ def all_grid(listing: BoxListing, most: int) -> Grid:
             exact(box.slip),
             exact(100 * box.error),
             *map(whole, (box.brakes, box.clutches)),
-            *map(sign, (box.pareto, box.single, box.planar)),
+            *map(_mark, (box.pareto, box.single, box.planar)),
             box.code,
             " ".join(box.elements),
         ]
@@ -71,7 +85,7 @@ def gear_grid(box: ListedBox) -> Grid:
     rows: list[Row] = [
         [
             name,
-            *(_engaged(element in gear.engaged) for element in box.elements),
+            *(_mark(element in gear.engaged) for element in box.elements),
             exact(gear.ratio),
             exact(gear.target),
             exact(100 * (gear.ratio / gear.target - 1) if gear.target else None),
@@ -81,9 +95,9 @@ def gear_grid(box: ListedBox) -> Grid:
     return Grid("Gears", columns, rows)
 
 
-def _engaged(engaged: bool) -> Cell:  # noqa: FBT001 - what the cell says
-    says = "engaged" if engaged else "no"
-    return Cell(YES if engaged else NO, float(engaged), says, kind=bool)
+def _mark(holds: bool) -> Cell:  # noqa: FBT001 - what the cell says
+    """A dot for what is so, else blank."""
+    return sign(holds) if holds else sign(holds)._replace(text="")
 
 
 def ratio_grid(box: ListedBox) -> Grid:
@@ -92,26 +106,26 @@ def ratio_grid(box: ListedBox) -> Grid:
     return Grid("Sets", [text("set"), Column("ratio")], rows)
 
 
-def shown_box(box: ListedBox, svg: bytes | None) -> Iterator[Markup]:
-    """A box: its diagram, its gears, its sets."""
+def shown_box(box: ListedBox, svg: bytes | None, digits: int | None) -> Iterator[Markup]:
+    """A box: its figures, its diagram, its gears and its sets side by side."""
     title = f"Box {box.number}, family {box.family}"
     yield tag("h3", title, id=f"box-{box.number}")
-    yield tag("p", _figures(box))
+    yield line_of(_figures(box, digits))
     if svg is not None:
-        yield figure(f"Stick diagram of box {box.number}", inline(svg, f"b{box.number}", title))
-    yield table(gear_grid(box))
-    yield table(ratio_grid(box))
+        name = f"Stick diagram of box {box.number}"
+        yield figure(name, inline(svg, f"b{box.number}", name), captioned=False)
+    yield from tables(one.with_digits(digits) for one in (gear_grid(box), ratio_grid(box)))
 
 
-def _figures(box: ListedBox) -> str:
-    """The figures of a box as a sentence."""
+def _figures(box: ListedBox, digits: int | None) -> Iterator[tuple[str, str]]:
     named = {
-        "mean loss of the forward gears [%]": exact(100 * box.loss),
-        "largest torque": exact(box.torque),
-        "planet speed": exact(box.planet_speed),
-        "slip": exact(box.slip),
+        "mean loss [%]": 100 * box.loss,
+        "largest torque": box.torque,
+        "planet speed": box.planet_speed,
+        "slip": box.slip,
     }
-    texts = [f"{name} {cell.text}" for name, cell in named.items()]
-    marks = {"Pareto list": box.pareto, "single": box.single, "planar": box.planar}
-    texts += [name for name, holds in marks.items() if holds]
-    return f"{box.code}: {'; '.join(texts)}."
+    for name, value in named.items():
+        yield name, typeset(exact(value, digits=digits).text)
+    marks = {"in the Pareto list": box.pareto, "single": box.single, "planar": box.planar}
+    yield "it is", ", ".join(name for name, holds in marks.items() if holds) or "-"
+    yield "scheme", box.code

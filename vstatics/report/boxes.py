@@ -2,19 +2,22 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping
 from typing import Any
 
 from vstatics.errors import CaseError, Problem
 from vstatics.extras import missing
 from vstatics.pictures.style import Style
-from vstatics.report.box_parts import all_grid, family_grid, shown_box
+from vstatics.report.box_parts import all_grid, box_link, family_grid, shown_box
 from vstatics.report.drawn import inline
+from vstatics.report.overview import line_of
 from vstatics.report.page import framed
 from vstatics.report.parts import figure
 from vstatics.synthesis.box_listing import BoxListing, drawn_boxes
 from vstatics.synthesis.box_reading import listing_of
-from vstatics.tables.html import Markup, table, tag
+from vstatics.tables.html import Markup, joined, table, tag
+from vstatics.tables.numbers import typeset
 
 MOST_SHOWN = 40
 """So many boxes have a diagram on the page."""
@@ -64,9 +67,8 @@ def boxes_page(listing: BoxListing, document: Mapping[str, Any], digits: int | N
     without = missing("plot", "a picture")
     parts = [
         ("Overview", list(_overview(listing, without))),
-        ("Boxes", [table(all_grid(listing, MOST_LISTED).with_digits(digits)), *_rest(listing)]),
-        ("Families", [table(family_grid(listing).with_digits(digits))]),
-        ("Diagrams", list(_diagrams(listing, without))),
+        ("Boxes", list(_tables(listing, digits))),
+        ("Diagrams", list(_diagrams(listing, without, digits))),
     ]
     found = len(listing.boxes)
     title = f"{found} found {'box' if found == 1 else 'boxes'}"
@@ -74,23 +76,40 @@ def boxes_page(listing: BoxListing, document: Mapping[str, Any], digits: int | N
     return framed(title, _about(listing), parts, listed)
 
 
-def _rest(listing: BoxListing) -> Iterator[Markup]:
-    """That not all boxes are there."""
+def _tables(listing: BoxListing, digits: int | None) -> Iterator[Markup]:
+    """All boxes, as far as they are listed, and their families."""
+    drawn = {box.number for box in drawn_boxes(listing, MOST_SHOWN)}
+    yield table(all_grid(listing, MOST_LISTED, drawn).with_digits(digits))
     if len(listing.boxes) > MOST_LISTED:
         yield tag("p", f"These are the first {MOST_LISTED} of {len(listing.boxes)}.")
+    yield table(family_grid(listing).with_digits(digits))
 
 
 def _about(listing: BoxListing) -> Iterator[Markup]:
-    families = len(listing.families)
-    with_equal = f"{families} {'family' if families == 1 else 'families'} with equal ratios"
-    best = sum(box.pareto for box in listing.boxes)
-    said = f"{listing.searched} looked at; {with_equal} in all gears; {best} in the Pareto list."
-    yield tag("p", said, class_="told")
     targets = (f"{name} {gear.target:g}" for name, gear in listing.boxes[0].gears.items())
-    yield tag("p", f"Wanted: {', '.join(targets)}.", class_="told")
+    yield tag("p", typeset(f"Wanted: {', '.join(targets)}."), class_="told")
+
+
+def _line(listing: BoxListing) -> Markup:
+    """How many there are, and the best of them."""
+    facts: list[tuple[str, str]] = [
+        ("looked at", str(listing.searched)),
+        ("families, of equal ratios", str(len(listing.families))),
+        ("in the Pareto list", str(sum(box.pareto for box in listing.boxes))),
+    ]
+    known = [box for box in listing.boxes if math.isfinite(box.loss)]
+    if known:
+        least = min(known, key=lambda box: round(box.loss, 9))  # the first of those that are alike
+        facts.append(("least mean loss", joined(f"{100 * least.loss:.3f} %, ", box_link(least))))
+    known = [box for box in listing.boxes if math.isfinite(box.torque)]
+    if known:
+        least = min(known, key=lambda box: round(box.torque, 9))
+        facts.append(("least torque", joined(f"{least.torque:.3f} × input, ", box_link(least))))
+    return line_of(facts)
 
 
 def _overview(listing: BoxListing, without: str) -> Iterator[Markup]:
+    yield _line(listing)
     if without:
         yield tag("p", f"There are no pictures: {without}")
         return
@@ -102,11 +121,10 @@ def _overview(listing: BoxListing, without: str) -> Iterator[Markup]:
     yield tag("p", "Numbers are those of boxes with a diagram; one colour is one family.")
 
 
-def _diagrams(listing: BoxListing, without: str) -> Iterator[Markup]:
+def _diagrams(listing: BoxListing, without: str, digits: int | None) -> Iterator[Markup]:
     """The boxes that tell most: the Pareto list, the first of each family."""
     shown = drawn_boxes(listing, MOST_SHOWN)
     rest = len(listing.boxes) - len(shown)
-    yield tag("p", *(tag("a", f"{box.number} ", href=f"#box-{box.number}") for box in shown))
     if rest:
         said = "Here are boxes of the Pareto list and the first of each family"
         yield tag("p", f"{said}; {rest} more {'is' if rest == 1 else 'are'} in the table only.")
@@ -117,4 +135,4 @@ def _diagrams(listing: BoxListing, without: str) -> Iterator[Markup]:
             from vstatics.pictures.box_stick import stick_diagram
 
             svg = stick_diagram(case, "")
-        yield from shown_box(box, svg)
+        yield from shown_box(box, svg, digits)

@@ -10,7 +10,7 @@ from vstatics.report.drawn import Drawn, picture_of
 from vstatics.report.parts import figures
 from vstatics.simulation.motion import Motion
 from vstatics.statics.results import Results
-from vstatics.tables.html import Markup, table, tag
+from vstatics.tables.html import Markup, tables, tag
 
 
 class RunSection(NamedTuple):
@@ -48,7 +48,6 @@ def shown_run(section: RunSection, digits: int | None) -> Iterator[Markup]:
         yield tag("ul", *(tag("li", str(one)) for one in motion.messages), class_="messages")
     if section.course:
         yield from figures(section.course, "Run over time")
-    for grid in motion_grids(motion):
-        yield table(grid.with_digits(digits))
+    yield from tables(grid.with_digits(digits) for grid in motion_grids(motion))
     if section.plan:
         yield from figures(section.plan, "Run in the kinematic plan")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 from vstatics.report.gathering import Material
 from vstatics.report.parts import gear_link
@@ -24,7 +24,7 @@ def overview(material: Material) -> Iterator[Markup]:
     """
     facts = [*_gears(material), *_efficiency(material), *_torque(material)]
     facts += [*_circulation(material), ("alerts", _alerts(material.messages))]
-    yield tag("dl", *(_fact(*one) for one in facts), class_="overview")
+    yield line_of(facts)
 
 
 def alerts(messages: Sequence[str]) -> Iterator[Markup]:
@@ -35,8 +35,10 @@ def alerts(messages: Sequence[str]) -> Iterator[Markup]:
             yield tag("ul", *said, class_="messages", id=name)
 
 
-def _fact(name: str, said: str) -> Markup:
-    return tag("div", tag("dt", name), tag("dd", said))
+def line_of(facts: Iterable[tuple[str, str]]) -> Markup:
+    """Figures in a line, each below its name."""
+    shown = (tag("div", tag("dt", name), tag("dd", said)) for name, said in facts)
+    return tag("dl", *shown, class_="overview")
 
 
 def _gears(material: Material) -> Iterator[tuple[str, str]]:

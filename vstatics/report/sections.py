@@ -16,6 +16,7 @@ from vstatics.report.parts import figures, gear_link, of_gear
 from vstatics.report.vibration_parts import shown_vibration
 from vstatics.summary.grids import Marks, element_signs
 from vstatics.summary.grids import grids as summary_grids
+from vstatics.tables.blanks import without_missing
 from vstatics.tables.grid import Cell, Column, Grid
 from vstatics.tables.grids import of_results
 from vstatics.tables.html import Markup, table, tables, tag, terms
@@ -28,6 +29,8 @@ ALREADY = ("ETA", "ratio")
 MARKS = Marks(holds="○", open="")
 SPREAD = "spread"
 """The table that the overview says in words."""
+SHIFTS = ("transitions", "margins", "margins by gear")
+"""Tables that are about what shifts, and what it can carry."""
 
 
 def sections(material: Material) -> Iterator[Part]:
@@ -48,6 +51,7 @@ def sections(material: Material) -> Iterator[Part]:
         "Input": _given(material),
         "Tables": _tables(material, others),
         "Vibration": _vibration(material),
+        "Shifts": _shifts(others),
         "Run": _run(material),
         "Conventions": _conventions(material),
     }
@@ -148,7 +152,7 @@ def _tables(material: Material, summary: Sequence[Grid]) -> Iterator[Markup]:
     """What the summary has besides the gears, then all results, each number once."""
     results = of_results(material.results, blanks=True)
     by_gear, *others = (one.with_digits(material.digits) for one in results)
-    told = (one for one in summary if one.key != SPREAD)
+    told = (one for one in summary if one.key not in (SPREAD, *SHIFTS))
     yield from tables([*told, _without(by_gear, ALREADY), *others])
 
 
@@ -162,6 +166,11 @@ def _without(grid: Grid, headings: Sequence[str]) -> Grid:
 def _vibration(material: Material) -> Iterator[Markup]:
     if material.vibration:
         yield from shown_vibration(material.vibration, material.digits)
+
+
+def _shifts(summary: Sequence[Grid]) -> Iterator[Markup]:
+    """What each shift releases and engages, and the margins; of open elements there are none."""
+    return tables(without_missing(one) for one in summary if one.key in SHIFTS)
 
 
 def _run(material: Material) -> Iterator[Markup]:

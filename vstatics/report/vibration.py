@@ -22,7 +22,8 @@ class Vibration(NamedTuple):
     gears: Sequence[GearModes] = ()
     shapes: Sequence[Drawn] = ()
     """Of each gear; nothing where there are no pictures."""
-    campbell: Drawn | None = None
+    campbell: Sequence[Drawn] = ()
+    """The same."""
     without: str = ""
     """Why all this is left out, else nothing."""
 
@@ -63,5 +64,8 @@ def vibration(results: Results, *, has_pictures: bool) -> Vibration | None:
     found = modes(case)
     if not has_pictures or not any(gear.modes for gear in found):
         return Vibration(found)
-    shapes = [picture_of(results, "modes", number) for number in range(1, len(found) + 1)]
-    return Vibration(found, shapes, picture_of(results, "campbell"))
+    shapes, campbell = (
+        [picture_of(results, kind, number) for number in range(1, len(found) + 1)]
+        for kind in ("modes", "campbell")
+    )
+    return Vibration(found, shapes, campbell)

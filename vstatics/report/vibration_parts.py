@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from vstatics.report.drawn import Drawn
-from vstatics.report.parts import figures, of_gear
+from vstatics.report.drawn import NAMES, Drawn
+from vstatics.report.parts import figures, gear_link, of_gear
 from vstatics.report.vibration import Vibration
 from vstatics.tables.grid import Cell, Column, Grid, Row, exact, text, whole
-from vstatics.tables.html import Markup, table, tag
+from vstatics.tables.html import Markup, table, tables, tag
+from vstatics.tables.numbers import typeset
 
 if TYPE_CHECKING:
     from vstatics.torsion.gear_modes import GearModes
@@ -25,12 +26,11 @@ def shown_vibration(found: Vibration, digits: int | None) -> Iterator[Markup]:
         return
     said = [f"gear {gear.name}: {text}" for gear in found.gears for text in gear.warnings]
     if said:
-        yield tag("ul", *(tag("li", text) for text in said))
-    yield table(frequencies(found.gears).with_digits(digits))
-    if found.campbell:
-        yield from figures(found.campbell, "Campbell diagram")
+        yield tag("ul", *(tag("li", typeset(text)) for text in said), class_="messages")
+    grid = frequencies(found.gears).with_digits(digits)
+    yield table(grid._replace(rows=[[gear_link(row[0].text), *row[1:]] for row in grid.cells]))
     for number, gear in enumerate(found.gears):
-        drawn = found.shapes[number] if found.shapes else None
+        drawn = [one[number] for one in (found.campbell, found.shapes) if one]
         yield of_gear("modes", gear.name, list(_gear(gear, drawn, digits)))
 
 
@@ -45,7 +45,8 @@ def frequencies(gears: Sequence[GearModes]) -> Grid:
     (['gear', 'rigid modes', 'note'], [['1', '1', ''], ['2', '-', 'tied up']])
     """
     most = max(len(gear.modes) for gear in gears)
-    columns = [text("gear"), Column("rigid modes"), *(Column(str(n + 1)) for n in range(most))]
+    modes = [Column(str(number), over="mode") for number in range(1, most + 1)]
+    columns = [text("gear"), Column("rigid modes"), *modes]
     rows: list[Row] = []
     for gear in gears:
         rigid = Cell("-") if gear.error else whole(gear.rigid_modes)
@@ -54,19 +55,23 @@ def frequencies(gears: Sequence[GearModes]) -> Grid:
     if any(gear.error for gear in gears):
         columns.append(text("note"))
         rows = [[*row, gear.error] for row, gear in zip(rows, gears, strict=True)]
-    return Grid("Natural frequencies by mode [Hz]", columns, rows)
+    return Grid("Natural frequencies [Hz]", columns, rows)
 
 
-def _gear(gear: GearModes, drawn: Drawn | None, digits: int | None) -> Iterator[Markup]:
-    """The modes of a gear."""
+def _gear(gear: GearModes, pictures: Sequence[Drawn], digits: int | None) -> Iterator[Markup]:
+    """The modes of a gear, below its name."""
     from vstatics.torsion.grids import modes_grids
 
     if not gear.modes:
-        yield tag("p", f"Gear {gear.name}: {gear.error or 'no natural frequency'}")
+        yield tag("p", gear.error or "no natural frequency")
         return
-    if drawn:
-        yield from figures(drawn, f"Natural modes in gear {gear.name}")
-    for grid in modes_grids([gear]):
-        if grid.key in OF_GEAR:
-            title = f"Gear {gear.name}: {grid.title[0].lower()}{grid.title[1:]}"
-            yield table(grid._replace(title=title).with_digits(digits))
+    for drawn in pictures:
+        yield from figures(drawn, NAMES[drawn.kind])
+    shown = (grid for grid in modes_grids([gear]) if grid.key in OF_GEAR)
+    yield from tables(_without_gear(grid).with_digits(digits) for grid in shown)
+
+
+def _without_gear(grid: Grid) -> Grid:
+    """A table without its first column, which names the gear in all rows."""
+    rows = [row[1:] for row in grid.rows]
+    return grid._replace(columns=grid.columns[1:], rows=rows)

@@ -1,4 +1,4 @@
-"""Zeros of a table that follow from the scheme and tell nothing: a page leaves them blank."""
+"""What a page leaves blank: zeros that follow from the scheme, what does not exist."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ import numpy as np
 
 from vstatics.numerics.arrays import Booleans
 from vstatics.statics.results import Results
+from vstatics.tables.grid import NOTHING, Grid
 from vstatics.tables.quantity import Table
 
 _OF_SCHEME = {"mesh_torques", "lossy_mesh_torques", "power_sign", "idle", "holds"}
@@ -42,3 +43,17 @@ def structural_zeros(table: Table, results: Results) -> Booleans:
     own = {"slip_speeds": results.holds.T, "losses": results.idle.T}
     zero &= own.get(name, np.zeros_like(zero))
     return zero
+
+
+def without_missing(grid: Grid) -> Grid:
+    """A table in which numbers that do not exist are blank, where that is what is usual.
+
+    >>> from vstatics.tables.grid import Column, exact, text
+    >>> without_missing(Grid("t", [text("x"), Column("y")], [["a", exact(None)]])).texts
+    [['a', '']]
+    """
+    rows = [
+        [cell._replace(text="") if cell.text == NOTHING else cell for cell in row]
+        for row in grid.cells
+    ]
+    return grid._replace(rows=rows)

@@ -104,7 +104,7 @@ def _head_over(over: str, count: int) -> Markup:
     return tag("th", over, scope="colgroup", **spans) if over else tag("td", **spans)
 
 
-NARROW = 60
+NARROW = 72
 """A table of so many characters may stand beside another."""
 
 
