@@ -68,7 +68,7 @@ def test_panels_have_what_moves(results: Results) -> None:
     assert shown == {
         "speed, rad/s": ["sun", "carrier", "ring"],
         "slip, rad/s": ["brake"],
-        "torque of elements, N*m": ["brake"],
+        "torque of elements, N·m": ["brake"],
         "heat, kJ": ["brake"],
     }
 
@@ -83,7 +83,7 @@ def test_torques_far_apart_are_drawn_over_their_peaks(results: Results) -> None:
     torques = run().torques.copy()
     torques[:, 1] = 1e5
     torque = panels(results.case, run()._replace(torques=torques))[2]
-    assert [line.name for line in torque.lines] == ["brake (120.0 N*m)", "lock-up (100000 N*m)"]
+    assert [line.name for line in torque.lines] == ["brake (120.0 N·m)", "lock-up (100000 N·m)"]
     assert [abs(line.values).max() for line in torque.lines] == [1.0, 1.0]
 
 

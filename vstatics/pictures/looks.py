@@ -64,8 +64,8 @@ def spring_look(place: int, style: Style) -> Look:
 
 
 def _inked(place: int, inks: Sequence[str]) -> Look:
-    dashes = DASHES[place // len(inks) % len(DASHES)]
-    return {"color": inks[place % len(inks)], "linestyle": dashes}
+    """Both by turns: lines that follow each other differ in dash, too, for who sees no red."""
+    return {"color": inks[place % len(inks)], "linestyle": DASHES[place % len(DASHES)]}
 
 
 def loss_look(place: int, style: Style) -> Look:

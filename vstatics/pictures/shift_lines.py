@@ -233,12 +233,12 @@ def _panel(english: str, russian: str, lines: Sequence[MotionLine]) -> MotionPan
 
 
 def _torques(english: str, russian: str, lines: Sequence[MotionLine]) -> MotionPanel:
-    """Torques in N*m; where one would hide another, each over its peak, which is told."""
+    """Torques in N·m; where one would hide another, each over its peak, which is told."""
     peaks = [float(np.abs(line.values).max()) for line in lines]
     if not peaks or max(peaks) < APART * min(peaks):
-        return _panel(f"torque of {english}, N*m", f"{russian}, Н*м", lines)
+        return _panel(f"torque of {english}, N·m", f"{russian}, Н·м", lines)
     scaled = [
-        line._replace(names=(f"{line.name} ({number(peak)} N*m)",), values=line.values / peak)
+        line._replace(names=(f"{line.name} ({number(peak)} N·m)",), values=line.values / peak)
         for line, peak in zip(lines, peaks, strict=True)
     ]
     return _panel(f"torque of {english} over peak", f"{russian} к пикам", scaled)
