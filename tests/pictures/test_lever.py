@@ -119,6 +119,7 @@ def test_brakes_are_grounds_clutches_ties_by_their_names() -> None:
     assert [one.name for one in gear.ties if one.name] == ["C"]
 
 
+@pytest.mark.slow
 def test_a_lever_that_shows_the_same_refers_to_the_gear_before() -> None:
     """BelAZ-7516: T1 makes the odd gears with P1, T2 the even ones (its table of gears)."""
     drawn = drawn_text("belaz7516.yaml")
@@ -131,6 +132,22 @@ def test_no_text_of_levers_covers_another(name: str) -> None:
     is_other = NAMES.index(name) % 2 == 1
     style = Style("ru" if is_other else "en", merged=is_other)
     assert overlaps(result(name), "lever", style) == []
+
+
+def test_a_wheel_that_is_part_of_the_axle_is_held_by_the_housing() -> None:
+    """The hubs' rings are fixed, one by the housing as its link, one by a support (the case)."""
+    results = result("wheel-hub.yaml")
+    drawn = levers(results.case)
+    held = in_gear(results, 3, drawn).grounds
+    assert [drawn[place].name for place, _ in held] == ["left hub", "right hub"]
+    assert set(held.values()) == {""}
+
+
+def test_the_key_tells_what_occurs_and_nothing_else() -> None:
+    """Tarasik's set: its brake in gear 1, its clutch in gear 2 (the case)."""
+    keys = [drawn_text("tarasik-set.yaml", gear) for gear in (1, 2)]
+    assert ["held by a brake" in key for key in keys] == [True, False]
+    assert [">clutch<" in key for key in keys] == [False, True]
 
 
 @pytest.mark.slow

@@ -179,7 +179,7 @@ def _told(view: LeverView, node: int) -> str:
     lever, text = view.cell.lever, view.sheet.style.text
     point = lever.nodes[node]
     name = link_name(view.sheet.page.case, point.link, view.sheet.style)
-    said = [f"{lever.name} {point.member}: {name}" if lever.name else name]
+    said = [f"{lever.name} {point.member}".strip() + f": {name}" if lever.name else name]
     said.append(f"{text('speed', 'скорость')} {number(view.speed(node))}")
     if lever.devices:
         said.append(f"{text('torque', 'момент')} {number(view.torque(node))}")
