@@ -153,7 +153,8 @@
   const NUMBER = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
 
   function field(cell) {
-    const text = cell.dataset.value ?? cell.textContent.trim();
+    const shown = cell.textContent.trim();
+    const text = /\p{L}{2}/u.test(shown) ? shown : cell.dataset.value ?? shown; // words as they are
     if (cell.matches("td") && text === "-") return "";
     const guarded = /^'*[=+\-@\t\r]/.test(text) && !NUMBER.test(text) ? `'${text}` : text;
     return /[",\r\n]/.test(guarded) ? `"${guarded.replaceAll('"', '""')}"` : guarded;
