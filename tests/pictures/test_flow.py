@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
-from matplotlib.patches import PathPatch
+from matplotlib.patches import Patch, PathPatch
 from matplotlib.path import Path as PlotPath
 from matplotlib.transforms import Bbox
 
@@ -67,8 +67,12 @@ def texts(figure: Figure) -> dict[str, Bbox]:
 
 def bands(figure: Figure) -> Iterator[tuple[str, PlotPath]]:
     """What each band says, and its edge, in pixels."""
-    for band in (one for one in figure.artists if isinstance(one, PathPatch)):
+    drawn = (one for one in figure.artists if isinstance(one, Patch) and one.get_gid())
+    for band in (one for one in drawn if " → " in json.loads(str(one.get_gid()))["title"]):
         middle: Any = band.get_transform().transform_path(band.get_path())
+        if not isinstance(band, PathPatch):  # hatched
+            yield json.loads(str(band.get_gid()))["title"], middle
+            continue
         curves = [curve for curve, code in middle.iter_bezier() if code != middle.MOVETO]
         points = np.concatenate([curve(np.linspace(0, 1, 100)) for curve in curves])
         points = points[np.append(True, np.hypot(*np.diff(points, axis=0).T) > 1e-6)]

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
-from matplotlib.colors import to_rgba
 from matplotlib.figure import Figure
 
 from vstatics.flow.power import flows
@@ -14,12 +13,13 @@ from vstatics.pictures import labels
 from vstatics.pictures.flow_graph import graph
 from vstatics.pictures.flow_layout import layout
 from vstatics.pictures.flow_places import FlowLayout
-from vstatics.pictures.flow_signs import HATCH, PALE, FlowPen
+from vstatics.pictures.flow_signs import FlowPen, hatched_look, loop_colour
 from vstatics.pictures.flow_texts import FlowTexts, heading
 from vstatics.pictures.flow_titles import FlowTitles, titles
-from vstatics.pictures.heads import KeySign, chart_head
+from vstatics.pictures.heads import BOLD, KeySign, chart_head
 from vstatics.pictures.labels import Paper, height
-from vstatics.pictures.style import Style
+from vstatics.pictures.looks import Look
+from vstatics.pictures.style import TITLE, Style
 from vstatics.pictures.words import gear_title, title
 from vstatics.statics.results import Results
 
@@ -31,6 +31,8 @@ MARGIN = 14.0
 """[pt]"""
 LEAST = 330.0
 """Width of the figure, without its margins. [pt]"""
+WIDE = 450.0
+"""A title is not wrapped up to here. [pt]"""
 BETWEEN = 22.0
 """Gears. [pt]"""
 BELOW = 8.0
@@ -106,41 +108,54 @@ def placed(found: Sequence[GearFlow], style: Style) -> list[FlowLayout | None]:
     ]
 
 
+class _GearBlock(NamedTuple):
+    """A gear with its heading, which one alone has in the title."""
+
+    name: str
+    text: str
+    gear: FlowGear | None
+
+    @property
+    def high(self) -> float:
+        """[pt]."""
+        heads = sum(height(one) for one in (self.name, self.text) if one)
+        return heads + (BELOW + self.gear.layout.height if self.gear else 0.0)
+
+    def draw(self, paper: Paper, top: float, style: Style) -> None:
+        """Below a height [pt]."""
+        if self.name:
+            paper.write(MARGIN, top, self.name, va="top", weight="bold", color=style.ink)
+            place = MARGIN, top - height(self.name)
+            paper.write(*place, self.text, va="top", color=style.soft)
+        if self.gear:
+            start = top - self.high + self.gear.layout.height
+            FlowPen(paper, MARGIN, start, self.gear.titles, style).draw(self.gear.layout)
+
+
 def _figure(results: Results, chosen: Sequence[_Chosen], style: Style) -> Figure:
     """One gear, or several with headings."""
     shown = [one for _, one in chosen if one]
     alone = len(chosen) == 1
     subject = style.text("power flow", "поток мощности")
     subject += f", {gear_title(chosen[0][0].gear, style)}" if alone else ""
-    wide = max([LEAST, *(one.layout.width for one in shown)])
-    said = [heading(flow, wide, style) for flow, _ in chosen]
-    note = said[0] if alone else ""
-    head = chart_head(title(results.case, subject), note, _key(shown, style), wide, style)
-    texts = (
-        [("", "")]
-        if alone
-        else [
-            (gear_title(flow.gear, style), text)
-            for (flow, _), text in zip(chosen, said, strict=True)
-        ]
-    )
+    name = title(results.case, subject)
+    of_name = min(labels.width(name, TITLE) * BOLD, WIDE) if style.titled else 0.0
+    wide = max([LEAST, of_name, *(one.layout.width for one in shown)])
     blocks = [
-        (height(name) + height(text) if name else 0.0) + (BELOW + own.layout.height if own else 0.0)
-        for (_, own), (name, text) in zip(chosen, texts, strict=True)
+        _GearBlock(gear_title(flow.gear, style), heading(flow, wide, style), one)
+        for flow, one in chosen
     ]
-    high = head.high + BELOW + sum(blocks) + BETWEEN * (len(blocks) - 1)
+    head = chart_head(name, blocks[0].text if alone else "", _key(shown, style), wide, style)
+    if alone:
+        blocks = [blocks[0]._replace(name="", text="")]
+    high = head.high + BELOW + sum(one.high for one in blocks) + BETWEEN * (len(blocks) - 1)
     figure = labels.figure(wide + 2 * MARGIN, high + 2 * MARGIN)
     paper, top = Paper(figure), high + MARGIN
     head.draw(paper, MARGIN, top, style)
     top -= head.high + BELOW
-    for (_, own), (name, text), block in zip(chosen, texts, blocks, strict=True):
-        if name:
-            paper.write(MARGIN, top, name, va="top", weight="bold", color=style.ink)
-            paper.write(MARGIN, top - height(name), text, va="top", color=style.soft)
-        if own:
-            start = top - block + own.layout.height
-            FlowPen(paper, MARGIN, start, own.titles, style).draw(own.layout)
-        top -= block + BETWEEN
+    for block in blocks:
+        block.draw(paper, top, style)
+        top -= block.high + BETWEEN
     return figure
 
 
@@ -150,29 +165,27 @@ def _key(shown: Sequence[FlowGear], style: Style) -> list[KeySign]:
     loops = [said.is_doubtful(band) for said, band in pairs if band.loop is not None]
     lost = any(box.cell.lost for one in shown for box in one.layout.boxes)
     divided = any(one.flow.by_convention for one in shown)
-    go_round = to_rgba(style.circulating, PALE)
+    plain: Look = {"linewidth": 0}
+    loop = loop_colour(style)
     rows = (
-        (shown, "power", "мощность", style.power, ""),
+        (shown, "power", "мощность", {"facecolor": style.power, **plain}),
         (
             divided,
             "divided by convention, turns as one piece",
             "разделена условно внутри одного целого",
-            style.power,
-            HATCH,
+            hatched_look(style.power, style),
         ),
-        (lost, "lost", "потери", style.lost, ""),
-        (False in loops, "circulates", "циркулирует", go_round, ""),
+        (lost, "lost", "потери", {"facecolor": style.lost, **plain}),
+        (False in loops, "circulates", "циркулирует", {"facecolor": loop, **plain}),
         (
             True in loops,
             "circulates, may not be in the metal",
             "циркулирует, в металле может не быть",
-            go_round,
-            HATCH,
+            hatched_look(loop, style),
         ),
     )
-    how = {"edgecolor": style.paper, "linewidth": 0}
     return [
-        KeySign(style.text(english, russian), {"facecolor": colour, "hatch": hatch, **how})
-        for there, english, russian, colour, hatch in rows
+        KeySign(style.text(english, russian), look)
+        for there, english, russian, look in rows
         if there
     ]

@@ -184,8 +184,8 @@ def _room(
     order = list(column)
     rank, cell = order.index(own), column[own]
     above, below = order[max(rank - 1, 0) : rank], order[rank + 1 : rank + 2]
-    low = [places[one] + _under(column[one]) + SPACE + _over(cell) for one in above]
-    high = [places[one] - _over(column[one]) - SPACE - _under(cell) for one in below]
+    low = [places[one] + _under(column[one]) + SPACE / 2 + _over(cell) for one in above]
+    high = [places[one] - _over(column[one]) - SPACE / 2 - _under(cell) for one in below]
     return max(low, default=-math.inf), min(high, default=math.inf)
 
 

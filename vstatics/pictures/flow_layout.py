@@ -47,8 +47,7 @@ def layout(graph: Graph, scale: float, texts: FlowTexts) -> FlowLayout:
     --------
     >>> from vstatics import Gear, Mechanism, Transmission, solve
     >>> from vstatics.flow.power import flows
-    >>> from vstatics.pictures.flow_depths import Depths, depths
-    from vstatics.pictures.flow_graph import graph
+    >>> from vstatics.pictures.flow_graph import graph
     >>> from vstatics.pictures.style import Style
     >>> pair = Mechanism(1, 2, 0, -4.0, 0.98, name="pair")
     >>> [gear] = flows(solve(Transmission(2, [], [pair], [Gear()])))

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from typing import Any, NamedTuple
 
+from matplotlib.colors import to_hex, to_rgb
 from matplotlib.patches import PathPatch, Polygon
 from matplotlib.path import Path
 
@@ -15,6 +16,7 @@ from vstatics.pictures.flow_columns import ARM, PORT
 from vstatics.pictures.flow_places import Box, FlowLayout, Line, Stub
 from vstatics.pictures.flow_titles import FlowTitles
 from vstatics.pictures.labels import Paper, Point
+from vstatics.pictures.looks import Look
 from vstatics.pictures.style import Style
 from vstatics.pictures.svg import told
 
@@ -24,9 +26,9 @@ ROUND = 6.0
 """Radius of the inner side of a turn. [pt]"""
 PALE = 0.5
 """How much of a band that goes round covers what it crosses."""
-STEPS = 8
-"""Straight pieces of a curve."""
-HATCH = "/////"
+STEPS = 6
+"""Straight pieces of a curve of a thin band."""
+HATCH = "////"
 """Of what a convention divides, and of what may not be in the metal."""
 
 
@@ -65,11 +67,14 @@ class FlowPen(NamedTuple):
         loop = line.band.loop is not None
         colour = self.style.circulating if loop else self.style.power
         wide = max(line.width, VISIBLE)
-        how = {"edgecolor": colour, "facecolor": "none", "alpha": PALE if loop else 1.0}
-        title = told(self.titles.band(line.band))
-        self.paper.add(PathPatch(path, linewidth=wide, capstyle="butt", gid=title, **how))
+        how: dict[str, Any] = {"edgecolor": colour, "facecolor": "none", "joinstyle": "round"}
+        how |= {"capstyle": "butt", "alpha": PALE if loop else 1.0}
+        how["gid"] = told(self.titles.band(line.band))
         if self.titles.is_divided(line.band) or self.titles.is_doubtful(line.band):
-            self._hatch(_outline(path, wide))
+            look = hatched_look(loop_colour(self.style) if loop else colour, self.style)
+            self.paper.add(Polygon(_outline(path, wide), gid=how["gid"], **look))
+        else:
+            self.paper.add(PathPatch(path, linewidth=wide, **how))
         if line.band.back:
             for start, end in (points[1:3], points[3:5]):
                 self._arrow(start, end, min(max(line.width / 4, 2.0), 5.0))
@@ -115,7 +120,8 @@ class FlowPen(NamedTuple):
         signs = list(box.signs())
         for (one, _, left), (other, right, _) in pairwise(signs) if cell.number < 0 else ():
             if not self.titles.divided.isdisjoint([(one, other), (other, one)]):
-                self._hatch(self._corners(left, right, box))
+                look = hatched_look(loop_colour(self.style), self.style)
+                self.paper.add(Polygon(self._corners(left, right, box), **look))
         for node, left, right in signs:
             self._sign(node, self._corners(left, right, box), layout)
         x, y = self._at((box.middle, box.top))
@@ -125,22 +131,14 @@ class FlowPen(NamedTuple):
         places = (left, box.bottom), (left, box.top), (right, box.top), (right, box.bottom)
         return [self._at(place) for place in places]
 
-    def _hatch(self, shape: Sequence[Point]) -> None:
-        self.paper.add(hatched(shape, self.style.paper))
-
     def _sign(self, node: Node, shape: Sequence[Point], layout: FlowLayout) -> None:
         style, graph = self.style, layout.graph
         divided = node in self.titles.texts.flow.by_convention
         face = style.ink if node.kind == "link" and not divided else style.paper
         title = self.titles.node(node, graph.through(node), graph.losses.get(node, 0.0))
         how: dict[str, Any] = {"facecolor": face, "edgecolor": style.ink, "linewidth": 0.9}
-        hatch = HATCH if divided else None
-        self.paper.add(Polygon(shape, zorder=3, hatch=hatch, gid=told(title), **how))
-
-
-def hatched(shape: Sequence[Point], colour: str) -> Polygon:
-    """An area with lines of a colour over what is there."""
-    return Polygon(shape, facecolor="none", edgecolor=colour, linewidth=0, hatch=HATCH)
+        how |= {"joinstyle": "round", "hatch": HATCH if divided else None}
+        self.paper.add(Polygon(shape, zorder=3, gid=told(title), **how))
 
 
 def _curves(points: Sequence[Point]) -> Path:
@@ -179,12 +177,24 @@ def _towards(place: Point, other: Point, way: float) -> Point:
     return place[0] + (other[0] - place[0]) * part, place[1] + (other[1] - place[1]) * part
 
 
-def _flat(path: Path) -> Iterator[Point]:
-    """A path in straight pieces."""
+def loop_colour(style: Style) -> str:
+    """Of power that goes round, on paper: as pale as its bands, which show what they cross."""
+    own, under = to_rgb(style.circulating), to_rgb(style.paper)
+    red, green, blue = (PALE * a + (1 - PALE) * b for a, b in zip(own, under, strict=True))
+    return to_hex((red, green, blue))
+
+
+def hatched_look(colour: str, style: Style) -> Look:
+    """Of an area that is divided by convention, or may not be in the metal."""
+    return {"facecolor": colour, "edgecolor": style.paper, "linewidth": 0, "hatch": HATCH}
+
+
+def _flat(path: Path, pieces: int) -> Iterator[Point]:
+    """A path in straight pieces, so many of a curve."""
     curves: Any = path.iter_bezier()
     for curve, code in curves:
         if code != Path.MOVETO:
-            steps = 1 if code == Path.LINETO else STEPS
+            steps = 1 if code == Path.LINETO else pieces
             for step in range(1, steps + 1):
                 x, y = curve(step / steps)
                 yield float(x), float(y)
@@ -195,12 +205,12 @@ def _flat(path: Path) -> Iterator[Point]:
 
 def _outline(path: Path, wide: float) -> list[Point]:
     """The edge of a band by its middle."""
-    points = list(_flat(path))
+    points = list(_flat(path, round(STEPS + wide / 4)))
     sides: tuple[list[Point], list[Point]] = [], []
     for place, (x, y) in enumerate(points):
         before, after = points[max(place - 1, 0)], points[min(place + 1, len(points) - 1)]
         long = math.dist(before, after) or 1.0
         across, up = (after[0] - before[0]) / long, (after[1] - before[1]) / long
         for way, side in zip((wide / 2, -wide / 2), sides, strict=True):
-            side.append((x - way * up, y + way * across))
+            side.append((round(x - way * up, 1), round(y + way * across, 1)))
     return [*sides[0], *reversed(sides[1])]
