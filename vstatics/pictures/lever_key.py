@@ -66,7 +66,7 @@ class LeverKey(NamedTuple):
             ground(inks, (middle, y), style.engaged if kind == "brake" else style.ink)
         elif kind in ("clutch", "spring"):
             ends = (middle - 8, y), (middle + 8, y)
-            inks.line(*ends, colour=style.engaged if kind == "clutch" else style.faint)
+            inks.line(*ends, colour=style.engaged if kind == "clutch" else style.soft)
             (plates if kind == "clutch" else coil)(inks, (middle, y), style)
         elif kind == "torque":
             arrow(inks, (x + self.arrow, y), self.arrow, style.ink)
