@@ -10,7 +10,7 @@ import pytest
 from matplotlib.figure import Figure
 from matplotlib.text import Text
 
-from tests.pictures.drawn import titled
+from tests.pictures.drawn import texts, titled
 from tests.pictures.test_schemes import assert_apart, assert_clear, assert_joins, overlaps
 from tests.synthesis import hand_boxes
 from tests.synthesis.listed_boxes import many, simpson, zf_6hp
@@ -34,8 +34,7 @@ def drawn(document: dict[str, Any], most: int = 8, style: Style | None = None) -
 
 
 def words(figure: Figure) -> list[str]:
-    texts = [*figure.texts, *(text for axes in figure.axes for text in axes.texts)]
-    return [text.get_text() for text in texts if text.get_text()]
+    return texts(figure)
 
 
 def test_one_box_has_its_point_and_its_diagram() -> None:

@@ -38,16 +38,14 @@ def overlaps(results: Results, kind: str, style: Style, motion: Motion | None = 
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.text import Text
 
-    boxes = []
     with settings_of(style):  # letters are as wide as in files
         figure = picture(results, kind, style, motion=motion)
         canvas: Any = FigureCanvasAgg(figure)
         figure.draw_without_rendering()
-        for text in figure.findobj(Text):
-            if isinstance(text, Text) and text.get_visible() and text.get_text().strip():
-                if is_hidden_tick(text):
-                    continue
-                boxes.append((text.get_text(), text.get_window_extent(canvas.get_renderer())))
+        texts: list[Any] = figure.findobj(Text)
+        shown = [one for one in texts if one.get_visible() and one.get_text().strip()]
+        ink = canvas.get_renderer()
+        boxes = [(text.get_text(), text.get_window_extent(ink)) for text in shown]
     whole = figure.bbox
     wrong = [
         f"{name} leaves the picture"
@@ -60,18 +58,6 @@ def overlaps(results: Results, kind: str, style: Style, motion: Motion | None = 
             wrong.append(f"{name} / {other}")
     assert boxes
     return wrong
-
-
-def is_hidden_tick(text: Any) -> bool:
-    """Whether a text belongs to a tick beyond the ends of its axis, or to axes that are off."""
-    axes = text.axes
-    if axes is None or not axes.axison:
-        return axes is not None and text not in axes.texts
-    own = {*axes.get_yticklabels(), *axes.get_xticklabels()}
-    if text in own:
-        low, high = sorted(axes.get_ylim())
-        return not low - 1e-9 <= text.get_position()[1] <= high + 1e-9
-    return text not in axes.texts
 
 
 def has_picture(kind: str, name: str) -> bool:

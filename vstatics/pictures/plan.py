@@ -17,7 +17,14 @@ from vstatics.pictures.chart_ends import LineEnd, along, beside, height_of, widt
 from vstatics.pictures.heads import ChartHead, chart_head
 from vstatics.pictures.labels import LEADER, Label, Paper
 from vstatics.pictures.looks import link_looks
-from vstatics.pictures.plan_course import draw_paths, draw_time, high_of, right_of, visited
+from vstatics.pictures.plan_course import (
+    PlanCourse,
+    draw_paths,
+    draw_time,
+    high_of,
+    right_of,
+    visited,
+)
 from vstatics.pictures.plan_key import (
     THICK,
     THIN,
@@ -97,10 +104,8 @@ def _figure(
     case: Transmission, chosen: Sequence[KinematicPlan], style: Style, motion: Motion | None
 ) -> Figure:
     """Some plans, one beside and below another, with a run if there is one."""
-    runs = visited(case, chosen, motion) if motion is not None else []
-    drawn = [_drawn(case, plan, style, has_run=motion is not None) for plan, _ in runs] or [
-        _drawn(case, plan, style) for plan in chosen
-    ]
+    runs = [(plan, None) for plan in chosen] if motion is None else visited(case, chosen, motion)
+    drawn = [_drawn(case, plan, run, style) for plan, run in runs]
     layout = _layout(case, drawn, style, motion)
     wide, high = layout.size
     paper = Paper(labels.figure(wide, high))
@@ -119,14 +124,13 @@ def _figure(
         if column == layout.columns - 1 or place == len(drawn) - 1:
             text = style.text("link speed / input speed", "скорость звена / скорость входа")
             chart.name("right", text, widest(tick_texts(one.ticks())) + RIGHT - 6)
-        if motion is not None:
-            run = runs[place][1]
-            draw_paths(chart, one.plan, run, style)
+        if motion is not None and one.run is not None:
+            draw_paths(chart, one.plan, one.run, style)
             time_high = high_of(motion)
             down = bottom - layout.numbers - BELOW - time_high
             scale = AxisScale(float(motion.time[-1]), float(motion.time[0]))
             under = Chart(paper, (left, down), WIDE, time_high, one.x, scale)
-            draw_time(under, one.plan, run, motion, style)
+            draw_time(under, one.plan, one.run, motion, style)
     return paper.figure
 
 
@@ -134,6 +138,7 @@ class _DrawnPlan(NamedTuple):
     """A plan with what follows from it."""
 
     plan: KinematicPlan
+    run: PlanCourse | None
     x: AxisScale
     y: AxisScale
     names: tuple[tuple[str, ...], ...]
@@ -168,9 +173,9 @@ class _GearRow(NamedTuple):
 
 
 def _drawn(
-    case: Transmission, plan: KinematicPlan, style: Style, *, has_run: bool = False
+    case: Transmission, plan: KinematicPlan, run: PlanCourse | None, style: Style
 ) -> _DrawnPlan:
-    x = _abscissa(plan, has_run=has_run)
+    x = _abscissa(plan, has_run=run is not None)
     reached = [ray.at(end) for ray in plan.rays for end in (x.low, x.high)] + [0.0, 1.0]
     room = 0.05 * (max(reached) - min(reached))
     y = AxisScale(min(reached) - room, max(reached) + room)
@@ -178,7 +183,7 @@ def _drawn(
         tuple(labels.wrapped(case.link_name(link), LONGEST) for link in ray.links)
         for ray in plan.rays
     )
-    return _DrawnPlan(plan, x, y, names, _heading(plan, style), *_rows(case, plan, x, style))
+    return _DrawnPlan(plan, run, x, y, names, _heading(plan, style), *_rows(case, plan, x, style))
 
 
 def _abscissa(plan: KinematicPlan, *, has_run: bool) -> AxisScale:
@@ -244,7 +249,8 @@ def _layout(
         subject += style.text(" with a run", " и движение")
     shown = [one.plan for one in drawn]
     ranges = [(one.x.low, one.x.high) for one in drawn]
-    signs = plan_signs(shown, ranges, style, has_run=motion is not None)
+    runs = [one.run.on_plan for one in drawn if one.run is not None]
+    signs = plan_signs(shown, ranges, style, runs)
     head = chart_head(
         title(case, subject), plan_note(case, shown, style), signs, wide - 2 * MARGIN, style
     )

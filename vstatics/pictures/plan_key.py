@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+import numpy as np
+from numpy.typing import NDArray
+
 from vstatics.model.transmission import Transmission
 from vstatics.pictures.heads import KeySign
 from vstatics.pictures.looks import Look, striped_look
@@ -51,8 +54,7 @@ def plan_signs(
     shown: Sequence[KinematicPlan],
     ranges: Sequence[tuple[float, float]],
     style: Style,
-    *,
-    has_run: bool,
+    runs: Sequence[NDArray[np.bool_]] = (),
 ) -> list[KeySign]:
     """The signs that occur in some plans.
 
@@ -60,6 +62,8 @@ def plan_signs(
     ----------
     ranges : sequence of tuple of float
         The ends of the abscissa of each.
+    runs : sequence of ndarray
+        Of each, when a run is on it.
     """
     ink = {"color": style.ink}
     signs = [
@@ -84,7 +88,8 @@ def plan_signs(
     ):
         text = style.text("all turn as one piece", "всё вращается как одно целое")
         signs.append(KeySign(text, unit_look(style)))
-    if has_run:
+    if any(run.any() for run in runs):
         signs.append(KeySign(style.text("run on the plan", "движение на плане"), {**ink, **BROAD}))
+    if not all(run.all() for run in runs):
         signs.append(KeySign(style.text("off the plan", "вне плана"), {**ink, **PATH}))
     return signs
