@@ -65,7 +65,7 @@ def sections(one: Explanation, digits: int | None = None) -> Iterator[Chapter]:
         "Torques: the balance of each link": _balances(one, digits),
         f"{LOSSES}{drags}": _losses(one, digits),
         "Turning together, whatever the ratios are": _together(one),
-        "Ratio" if is_ratio else "Output speed": _ratio(one, digits),
+        RATIO[not is_ratio]: _ratio(one, digits),
     }
     for heading, lines in parts.items():
         if found := list(lines):
@@ -76,6 +76,7 @@ MATRIX = (
     "Structural-distribution matrix: torques on the links (rows) for 1 on the first link of each "
     "device (columns)"
 )
+RATIO = ("Ratio", "Output speed")
 LOSSES = (
     "Torques with losses: u eta^x in place of u; x = +1 where power enters a mechanism by its "
     "first link, seen from the third: M (w_first - w_third) > 0"

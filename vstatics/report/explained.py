@@ -9,7 +9,7 @@ from textwrap import dedent
 from vstatics.explain import explain_gear
 from vstatics.explain.explanation import Explanation
 from vstatics.explain.grids import matrix
-from vstatics.explain.text import MATRIX, sections
+from vstatics.explain.text import MATRIX, RATIO, sections
 from vstatics.extras import missing
 from vstatics.report.gathering import Material
 from vstatics.tables.grid import Cell
@@ -32,14 +32,19 @@ def no_formula() -> str:
 
 
 def _gear(one: Explanation, digits: int | None) -> Iterator[Markup]:
+    """The ratio first, then the rest in its order."""
     if no_formula():
         one = one._replace(reason="")
-    *others, ratio = sections(one, digits)
-    for section in (ratio, *others):
-        shown = _matrix(one, digits) if section.heading == MATRIX else _lines(section.lines)
-        name, colon, rest = section.heading.partition(":")
-        note = [tag("span", f"{colon}{_typeset(rest)}", class_="note")] * bool(rest)
-        yield tag("div", tag("h4", name, *note), scrolled(shown, name), class_="explained")
+    parts = sorted(sections(one, digits), key=lambda part: part.heading not in RATIO)
+    for part in parts:
+        is_matrix = part.heading == MATRIX
+        yield _part(part.heading, _matrix(one, digits) if is_matrix else _lines(part.lines))
+
+
+def _part(heading: str, shown: Markup) -> Markup:
+    name, colon, rest = heading.partition(":")
+    note = [tag("span", f"{colon}{_typeset(rest)}", class_="note")] * bool(rest)
+    return tag("div", tag("h4", name, *note), scrolled(shown, name), class_="explained")
 
 
 def _matrix(one: Explanation, digits: int | None) -> Markup:

@@ -10,7 +10,7 @@ from vstatics.model.parts import ShiftElement
 from vstatics.model.transmission import HOUSING, Transmission
 from vstatics.report.given_springs import elastic_columns, torsion_grids
 from vstatics.tables.grid import Cell, Column, Grid, exact, text
-from vstatics.tables.html import Markup, table, terms
+from vstatics.tables.html import Markup, tables, terms
 
 _NAMED = (
     *("name", "description", "source", "shift_elements", "elements", "mechanisms", "gears"),
@@ -28,17 +28,22 @@ def given(
     common = {"input": case.link_name(case.input), "output": case.link_name(case.output), **common}
     labels = {key: _LABELS.get(key, key.replace("_", " ")) for key in common}
     yield terms((labels[key], _said(one)) for key, one in common.items())
+    yield from tables(_grids(case, mapping, digits))
+
+
+def _grids(case: Transmission, mapping: Mapping[str, Any], digits: int | None) -> Iterator[Grid]:
+    """What the case is made of, and what its gears are given besides."""
     drawing = drawing_of(case)
     if drawing is not None and drawing.elements:
-        yield table(_elements(drawing, mapping["elements"]))
+        yield _elements(drawing, mapping["elements"])
     if case.mechanisms:
-        yield table(_mechanisms(case).with_digits(digits))
+        yield _mechanisms(case).with_digits(digits)
     if case.shift_elements:
-        yield table(_shift_elements(case).with_digits(digits))
-    yield from map(table, torsion_grids(case))
+        yield _shift_elements(case).with_digits(digits)
+    yield from torsion_grids(case)
     besides = _gears(mapping["gears"])
     if besides.rows:
-        yield table(besides)
+        yield besides
 
 
 def _elements(drawing: Drawing, mapping: Mapping[str, Mapping[str, Any]]) -> Grid:
