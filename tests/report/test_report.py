@@ -237,6 +237,8 @@ def test_gears_without_numbers_say_why(tmp_path: Path, text: str, status: int, w
     assert any(words in one.text for one in shown.elements if one.tag in ("p", "li"))
     messages = [one.text for one in shown.all("li") if one.attributes.get("class")]
     assert messages == shown.data["messages"]
+    ids = {one.attributes.get("id") for one in shown.elements}
+    assert {(one.attributes["href"] or "")[1:] for one in shown.all("a")} <= ids  # no picture leads
 
 
 @pytest.mark.slow
