@@ -5,9 +5,13 @@ from __future__ import annotations
 import re
 from html import unescape
 
+import pytest
+
 from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
+from vstatics.explain import formula
 from vstatics.flow.power import flows
 from vstatics.report import Material
+from vstatics.report import explained as report_explained
 from vstatics.report.drawn import Pictures
 from vstatics.report.explained import explained
 from vstatics.report.overview import alerts, overview
@@ -64,3 +68,19 @@ def test_what_is_explained_has_the_minus_of_print_and_names_as_they_are() -> Non
     assert "i = w[sun 1-2]/w_carrier = 1 − u_D1" in said
     assert "w[sun 1-2] − u_D1 w_ring + (u_D1 − 1) w_carrier = 0" in said
     assert not re.search(r"(?<!\d)\.\d|-\d\.", said)
+
+
+def test_a_gear_without_a_ratio_is_explained_too() -> None:
+    """Nothing holds the set: its matrix comes first, and all else that there is."""
+    [neutral] = explained(set_of(gears=[Gear([], name="N")]))
+    assert "<h4>Structural-distribution matrix" in "".join(neutral)
+    assert "solution" in words(*neutral)
+
+
+def test_without_sympy_the_gears_say_nothing_of_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The page says once that there are no formulas."""
+    monkeypatch.setattr(formula, "missing", lambda *_: "the formula needs the package sympy")
+    monkeypatch.setattr(report_explained, "missing", lambda *_: "needs the package sympy")
+    low, _ = explained(set_of())
+    assert "sympy" not in words(*low)
+    assert "i = w_1/w_3 = 3.5" in words(*low)
