@@ -54,7 +54,8 @@ def draw_coupled(pen: Pen, one: Coupled) -> None:
     length = abs(x2 - x) + abs(y2 - y)
     dx, dy = (x2 - x) / length, (y2 - y) / length
     half = HALF.get(one.kind, PACK)
-    center = length - half if one.housing and one.kind not in HALF else length / 2
+    is_at_wall = one.housing and one.kind not in ("freewheel", "spring")
+    center = length - half if is_at_wall else length / 2
 
     def at(forward: float, across: float) -> Point:
         along = center + forward
@@ -104,6 +105,9 @@ def _dogs(pen: Pen, at: Place, half: float, one: Coupled) -> list[tuple[Point, .
     if one.is_closed:
         corners = [at(-half, 9), at(half, 9), at(half, -9), at(-half, -9)]
         pen.shape(corners, fill=one.color, edge=one.color, title=one.title)
+        joint = [at(half / 2 * (1, -1)[step % 2], 3.5 * step - 8.75) for step in range(6)]
+        pen.line(*joint, color=pen.style.paper, width=0.9, zorder=5)
+        return []
     lines: list[tuple[Point, ...]] = [(at(side, 9), at(side, -9)) for side in (-half, half)]
     for side, places in ((-half, (-7.0, 0.0, 7.0)), (half, (-3.5, 3.5))):
         lines += [(at(side, across), at(-side / 3, across)) for across in places]
