@@ -1,0 +1,199 @@
+"""One kinematic plan: rays with their names, gears, scales."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import Any, NamedTuple
+
+from vstatics.model.transmission import HOUSING, Transmission
+from vstatics.numerics.tolerances import SAME
+from vstatics.pictures import labels
+from vstatics.pictures.chart import AxisScale, Chart
+from vstatics.pictures.chart_ends import LineEnd, along, beside
+from vstatics.pictures.labels import LEADER, Label
+from vstatics.pictures.looks import link_looks
+from vstatics.pictures.plan_course import PlanCourse
+from vstatics.pictures.plan_key import THICK, THIN, dot_look, gear_look, unit_look
+from vstatics.pictures.rays import KinematicPlan, Ray
+from vstatics.pictures.style import Style, number
+from vstatics.pictures.svg import told
+from vstatics.pictures.words import gear_title
+
+WIDE, HIGH = 300.0, 220.0
+"""Of a plan without its labels. [pt]"""
+LONGEST = 110.0
+"""Labels of rays are wrapped to this width. [pt]"""
+ALONE = 0.4
+"""Where gears take less of the abscissa from 0 on, it does not reach to 0."""
+
+
+class DrawnPlan(NamedTuple):
+    """A plan with what follows from it."""
+
+    plan: KinematicPlan
+    run: PlanCourse | None
+    x: AxisScale
+    y: AxisScale
+    names: tuple[tuple[str, ...], ...]
+    """Of the links of each ray, wrapped."""
+    head: str
+    top: GearRow
+    foot: GearRow
+
+    def ends(self, height: float, style: Style) -> list[LineEnd]:
+        """The names of rays at the left, in a chart of a height [pt]."""
+        return [
+            LineEnd(
+                self.y.part(ray.at(self.x.low)) * height,
+                names,
+                tuple(link_looks([link], style)[0] for link in ray.links),
+            )
+            for ray, names in zip(self.plan.rays, self.names, strict=True)
+        ]
+
+    def ticks(self) -> list[float]:
+        """Of the ordinates."""
+        return labels.ticks(self.y.low, self.y.high, 6)
+
+
+class GearRow(NamedTuple):
+    """Texts above or below a plan, each near to its vertical."""
+
+    labels: list[Label]
+    upright: bool
+    height: float
+    """[pt]"""
+
+
+def drawn_plan(
+    case: Transmission, plan: KinematicPlan, run: PlanCourse | None, style: Style
+) -> DrawnPlan:
+    """A plan with its scales and texts, with a run if there is one."""
+    x = _abscissa(plan, has_run=run is not None)
+    reached = [ray.at(end) for ray in plan.rays for end in (x.low, x.high)] + [0.0, 1.0]
+    room = 0.05 * (max(reached) - min(reached))
+    y = AxisScale(min(reached) - room, max(reached) + room)
+    names = tuple(
+        tuple(labels.wrapped(case.link_name(link), LONGEST) for link in ray.links)
+        for ray in plan.rays
+    )
+    return DrawnPlan(plan, run, x, y, names, _heading(plan, style), *_rows(case, plan, x, style))
+
+
+def _abscissa(plan: KinematicPlan, *, has_run: bool) -> AxisScale:
+    """From the first gear to the last; from 0 on where gears take a good part of that."""
+    outputs = [mark.output for mark in plan.marks]
+    low, high = min(outputs), max(outputs)
+    whole = min(low, 0.0), max(high, 0.0)
+    if has_run or high - low <= SAME or high - low >= ALONE * (whole[1] - whole[0]):
+        low, high = whole
+    room = 0.06 * (high - low) or 0.1
+    return AxisScale(low - room, high + room)
+
+
+def _heading(plan: KinematicPlan, style: Style) -> str:
+    """What all gears of a plan have in common."""
+    parts = []
+    if plan.engaged:
+        parts.append(f"{style.text('engaged', 'включены')}: {', '.join(plan.engaged)}")
+    if plan.given:
+        parts.append(f"{style.text('given', 'задано')}: {', '.join(plan.given)}")
+    return labels.wrapped("; ".join(parts), WIDE)
+
+
+def _rows(
+    case: Transmission, plan: KinematicPlan, x: AxisScale, style: Style
+) -> tuple[GearRow, GearRow]:
+    """The gears with the elements that make them above a plan, 1/i of each below it."""
+    at = [x.part(mark.output) * WIDE for mark in plan.marks]
+    texts = [
+        (
+            case.gears[mark.gear - 1].name,
+            ", ".join(case.shift_elements[number - 1].name for number in mark.elements),
+        )
+        for mark in plan.marks
+    ]
+    across, turned = (
+        [
+            Label(place, between.join(filter(None, text)), style.ink)
+            for place, text in zip(at, texts, strict=True)
+        ]
+        for between in ("\n", ": ")
+    )
+    outputs = sorted({round(mark.output, 9) + 0.0 for mark in plan.marks})
+    scale = [Label(x.part(one) * WIDE, number(one), style.ink) for one in outputs]
+    common = [one for one in (0.0, 1.0) if one not in outputs and x.low < one < x.high]
+    scale += [Label(x.part(one) * WIDE, f"{one:.0f}", style.soft) for one in common]
+    return _near(across, turned), _near(scale, scale)
+
+
+def _near(across: list[Label], turned: list[Label]) -> GearRow:
+    """Texts across if each can stand near to its vertical, else upwards."""
+    sizes = [labels.across_size(label.text) for label in across]
+    wanted = [label.at for label in across]
+    places = labels.spread(wanted, sizes, 0.0, WIDE)
+    if all(abs(one - other) <= LEADER for one, other in zip(places, wanted, strict=True)):
+        return GearRow(across, upright=False, height=max(labels.height(a.text) for a in across))
+    return GearRow(turned, upright=True, height=max(labels.width(a.text) for a in turned))
+
+
+def draw_plan(chart: Chart, case: Transmission, one: DrawnPlan, style: Style) -> None:
+    """A plan with all its labels."""
+    chart.frame(style, "left", "right", "bottom", "top")
+    chart.scale("right", one.ticks(), style, grid=True)
+    _draw_rays(chart, case, one.plan, style)
+    _draw_gears(chart, case, one.plan, style)
+    beside(chart, "left", one.ends(chart.height, style), style)
+    along(chart, "top", one.top.labels, style, upright=one.top.upright)
+    along(chart, "bottom", one.foot.labels, style, upright=one.foot.upright)
+    chart.write(0, chart.height + LEADER + one.top.height + 2, one.head, weight="bold", va="bottom")
+
+
+def _draw_rays(chart: Chart, case: Transmission, plan: KinematicPlan, style: Style) -> None:
+    """The line of each link, and those of what stands."""
+    ends = chart.x.low, chart.x.high
+    rest = [((0.0, chart.up(0.0)), (chart.width, chart.up(0.0)))]
+    if ends[0] < 0 < ends[1]:
+        rest.append(((chart.across(0.0), 0.0), (chart.across(0.0), chart.height)))
+    chart.lines(rest, color=style.ink, linewidth=0.8)
+    for ray in plan.rays:
+        is_port = plan.input in ray.links or plan.output in ray.links
+        places = [(chart.across(end), chart.up(ray.at(end))) for end in ends]
+        for look in link_looks(ray.links, style):
+            how: dict[str, Any] = {"linewidth": THICK if is_port else THIN, **look}
+            chart.line(*places, solid_capstyle="butt", gid=told(_ray_told(case, ray)), **how)
+
+
+def _ray_told(case: Transmission, ray: Ray) -> str:
+    names = " = ".join(case.link_name(link) for link in ray.links)
+    sign = "−" if ray.slope < 0 else "+"
+    return f"{names}: {number(ray.start)} {sign} {number(abs(ray.slope))}·(1/i)"
+
+
+def _draw_gears(chart: Chart, case: Transmission, plan: KinematicPlan, style: Style) -> None:
+    """A vertical for each gear, and what stops or joins links there."""
+    for mark in plan.marks:
+        x, name = chart.across(mark.output), gear_title(case.gears[mark.gear - 1].name, style)
+        said = told(f"{name}: 1/i {number(mark.output)}", gear=str(mark.gear))
+        chart.line((x, 0.0), (x, chart.height), gid=said, **gear_look(style))
+        for text, y in _stops(case, plan, mark.elements, mark.output, style):
+            chart.line((x, chart.up(y)), gid=told(f"{name}: {text}"), **dot_look(style))
+    if plan.has_unit_point and chart.x.low < 1 < chart.x.high:
+        chart.line((chart.across(1.0), chart.up(1.0)), **unit_look(style))
+
+
+def _stops(
+    case: Transmission,
+    plan: KinematicPlan,
+    elements: Sequence[int],
+    output: float,
+    style: Style,
+) -> Iterator[tuple[str, float]]:
+    """What holds a link where its ray crosses the abscissa, or joins two whose rays meet."""
+    speeds = {link: ray.at(output) for ray in plan.rays for link in ray.links}
+    for element in (case.shift_elements[place - 1] for place in elements):
+        names = [case.link_name(link) for link in element.links if link != HOUSING]
+        does = style.text("holds", "держит"), style.text("joins", "соединяет")
+        is_brake = HOUSING in element.links
+        text = f"{element.name} {does[not is_brake]} {' + '.join(names)}"
+        yield text, 0.0 if is_brake else speeds.get(element.links[0], 0.0)
