@@ -155,12 +155,26 @@ class Board:
             return [own[variant] for own, variant in zip(known, variants, strict=True)]
         reaches = self._reaches(arrangement) if self._has_slots else {}
         places = {index: place for place, index in enumerate(arrangement.order)}
-        return [
-            _shape_of(*taps_of(item, arrangement, index, places[index], reaches))
-            if item.slot or item.is_free
-            else known[index][variants[index]]
-            for index, item in enumerate(self.items)
-        ]
+        shapes = []
+        for index, item in enumerate(self.items):
+            if not item.slot and not item.is_free:
+                shapes.append(known[index][variants[index]])
+                continue
+            around = arrangement, index, places[index], reaches
+            if item.slot:
+                shapes.append(_shape_of(*taps_of(item, *around)))
+                continue
+            taps = item.variants[variants[index]]
+            key = index, variants[index], *(arrangement.sides[tap[0]] for tap in taps)
+            if key not in self._free_shapes:
+                self._free_shapes[key] = _shape_of(*taps_of(item, *around))
+            shapes.append(self._free_shapes[key])
+        return shapes
+
+    @cached_property
+    def _free_shapes(self) -> dict[tuple[int, ...], _ItemShape]:
+        """Items without slots by index, variant and the sides of their wires."""
+        return {}
 
     @cached_property
     def _shapes(self) -> list[list[_ItemShape]]:
