@@ -29,7 +29,7 @@ def test_a_small_number_has_four_significant_digits() -> None:
     assert re.search(r"^1 +-\.01038 ", vstatics("summary", "up.yaml").out, re.MULTILINE)
     assert " -.01038 " in vstatics("run", "up.yaml", "--pretty").out
     assert vstatics("report", "up.yaml", "-o", "up.html").status == 0
-    assert ">-.01038<" in Path("up.html").read_text(encoding="utf-8")
+    assert ">−0.01038<" in Path("up.html").read_text(encoding="utf-8")
 
 
 def test_a_listing_keeps_the_published_format() -> None:
@@ -63,8 +63,8 @@ def test_every_text_has_the_digits_that_are_asked_for(
 def test_the_page_has_the_digits_that_are_asked_for() -> None:
     assert vstatics("report", "up.yaml", "-o", "up.html", "--digits", "6").status == 0
     page = Path("up.html").read_text(encoding="utf-8")
-    assert ">-.010378<" in page
-    assert ">-.01038<" not in page
+    assert ">−0.010378<" in page
+    assert ">−0.01038<" not in page
 
 
 @pytest.mark.parametrize("digits", [1, 3, 9, 15])
