@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from itertools import combinations
+from itertools import combinations, product
 
 import numpy as np
 import pytest
@@ -88,6 +88,14 @@ def test_lines_have_a_contrast_of_3(style: Style) -> None:
 def test_readers_without_red_or_green_tell_seven_lines_apart(style: Style, sight: str) -> None:
     assert len(set(style.colours)) == 7
     assert min(distance(*pair, sight) for pair in combinations(style.colours, 2)) > APART
+
+
+@pytest.mark.parametrize("style", PAPERS)
+@pytest.mark.parametrize("sight", SIGHTS)
+def test_no_link_looks_engaged_or_without_torque(style: Style, sight: str) -> None:
+    others = style.engaged, style.faint, style.ink
+    pairs = product(style.colours, others)
+    assert min(distance(*pair, sight) for pair in pairs) > 0.9 * APART
 
 
 @pytest.mark.parametrize("style", PAPERS)

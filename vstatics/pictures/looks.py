@@ -21,7 +21,7 @@ def link_looks(links: Sequence[int], style: Style) -> list[Look]:
     """The line of links, numbered from 1: one for each, with stripes where they share it.
 
     >>> [look["color"] for look in link_looks([1], Style())]
-    ['#0b59d6']
+    ['#0c4cff']
     >>> [look["linestyle"] for look in link_looks([1, 2], Style())]
     [(0.0, (5.0, 5.0)), (5.0, (5.0, 5.0))]
     """
