@@ -103,7 +103,7 @@ def render(  # noqa: PLR0913 - what is drawn, and how
 ) -> bytes:
     """A picture of a result as a file; parameters and errors as of `picture`."""
     figure = picture(results, kind, style, gears, motion=motion)
-    return written(figure, form, style, _alternative(results, kind))
+    return written(figure, form, style, _alternative(results, kind, gears))
 
 
 def sheets(
@@ -123,7 +123,8 @@ def sheets(
         return [render(results, kind, "svg", style, gears, motion=motion)]
     with settings_of(style):
         figures = module.sheets(results, style, gears, *_run(kind, motion))
-    return [written(figure, "svg", style, _alternative(results, kind)) for figure in figures]
+    title = _alternative(results, kind, gears)
+    return [written(figure, "svg", style, title) for figure in figures]
 
 
 def of_each_gear(results: Results, kind: str, style: Style) -> list[bytes]:
@@ -140,7 +141,10 @@ def of_each_gear(results: Results, kind: str, style: Style) -> list[bytes]:
             figures = list(module.of_each_gear(results, style))
         else:
             figures = [module.draw(results, style, (number,)) for number in numbers]
-    return [written(figure, "svg", style, _alternative(results, kind)) for figure in figures]
+    return [
+        written(figure, "svg", style, _alternative(results, kind, (number,)))
+        for number, figure in zip(numbers, figures, strict=True)
+    ]
 
 
 def _run(kind: str, motion: Motion | None) -> tuple[()] | tuple[Motion | None]:
@@ -166,9 +170,11 @@ def written(figure: Figure, form: Format, style: Style, title: str) -> bytes:
         return file.getvalue()
 
 
-def _alternative(results: Results, kind: str) -> str:
+def _alternative(results: Results, kind: str, gears: Sequence[int]) -> str:
     """What a picture shows, for those who do not see it."""
-    return f"{results.case.name}: {kind}" if results.case.name else kind
+    case = results.case
+    shown = ", gear ".join([kind, *(case.gears[number - 1].name for number in gears)])
+    return f"{case.name}: {shown}" if case.name else shown
 
 
 @contextmanager
