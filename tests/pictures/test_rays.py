@@ -170,3 +170,15 @@ def test_a_freewheel_that_holds_makes_a_gear_like_a_brake() -> None:
     [plan] = plans(solve(case))
     assert [mark.output for mark in plan.marks] == pytest.approx([1 / 3.5, 1])
     assert [mark.elements for mark in plan.marks] == [(1,), (2,)]
+
+
+def test_sets_in_series_have_a_plan_for_each_brake() -> None:
+    """Each brake is needed for the output, so each may be the one that is free; not 2**24 are tried."""
+    count = 24
+    sets = [Mechanism(n, count + 1 + n, n + 1, -2.0) for n in range(1, count + 1)]
+    brakes = [ShiftElement(count + 1 + n) for n in range(1, count + 1)]
+    gear = Gear(range(1, count + 1))
+    train = Transmission(2 * count + 1, brakes, sets, [gear], output=count + 1)
+    found = plans(solve(train))
+    assert len(found) == count
+    assert {len(plan.engaged) for plan in found} == {count - 1}

@@ -12,7 +12,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from itertools import combinations
 from typing import NamedTuple
 
 from vstatics.errors import CaseError, Problem
@@ -23,6 +22,9 @@ from vstatics.pictures.state import PictureState, state_of
 from vstatics.statics.matrix import columns
 from vstatics.statics.results import Results
 from vstatics.statics.speeds import solve_speeds
+
+MOST_STATES = 300
+"""Of a gear that are tried."""
 
 
 class Condition(NamedTuple):
@@ -134,15 +136,40 @@ def _conditions(case: Transmission, gear: Gear) -> set[Condition]:
 
 
 def _states(case: Transmission, gear: PictureState) -> Iterator[tuple[Condition, ...]]:
-    """The largest parts of a gear's conditions under which its output is free."""
-    conditions = sorted(_conditions(case, gear.gear), key=lambda one: (one.link, one.other))
-    found: list[set[Condition]] = []
-    for count in range(len(conditions), -1, -1):
-        for chosen in combinations(conditions, count):
-            free = not any(larger.issuperset(chosen) for larger in found)
-            if free and math.isnan(_speeds(case, gear.input, gear.output, chosen)[gear.output - 1]):
-                found.append(set(chosen))
-                yield chosen
+    """The largest parts of a gear's conditions under which its output is free.
+
+    Of a smallest part that determines the output one condition at least has to go, so only
+    these ways are followed.
+    """
+
+    def is_free(chosen: frozenset[Condition]) -> bool:
+        speeds = _speeds(case, gear.input, gear.output, sorted(chosen, key=_place))
+        return math.isnan(speeds[gear.output - 1])
+
+    found: list[frozenset[Condition]] = []
+    seen: set[frozenset[Condition]] = set()
+    waiting = [frozenset(_conditions(case, gear.gear))]
+    while waiting:
+        chosen = waiting.pop()
+        if chosen in seen or any(larger >= chosen for larger in found):
+            continue
+        seen.add(chosen)
+        if len(seen) > MOST_STATES:
+            message = f"gear {gear.gear.name} has too many plans, {MOST_STATES} are drawn at most"
+            raise CaseError([Problem(f"{message}: its elements do the same in many ways")])
+        if is_free(chosen):
+            found = [one for one in found if not chosen > one] + [chosen]
+            continue
+        needed = chosen
+        for one in sorted(chosen, key=_place):
+            if not is_free(needed - {one}):
+                needed -= {one}
+        waiting += [chosen - {one} for one in sorted(needed, key=_place)]
+    yield from (tuple(sorted(one, key=_place)) for one in found)
+
+
+def _place(condition: Condition) -> tuple[int, int]:
+    return condition.link, condition.other
 
 
 def _speeds(
