@@ -14,6 +14,7 @@ from tests.pictures.drawn import titled
 from tests.pictures.test_pictures import overlaps
 from vstatics import CaseError, Results, load, solve
 from vstatics.pictures import picture, render
+from vstatics.pictures.looks import element_look, spring_look
 from vstatics.pictures.plan_course import course, visited
 from vstatics.pictures.rays import plans
 from vstatics.pictures.shift_lines import named_events, panels, states, thinned
@@ -131,12 +132,32 @@ def test_nothing_can_be_drawn_without_a_run_or_where_nothing_moves(results: Resu
         )
 
 
+def test_elements_are_told_apart_without_colours() -> None:
+    """Issue 16: by dash and sign, for who sees no red."""
+    looks = [look(n, Style()) for look in (element_look, spring_look) for n in range(14)]
+    told = [tuple(map(str, look.values())) for look in looks]
+    assert len(set(told)) == len(told)
+
+
+def test_lines_that_are_not_drawn_are_named(results: Results) -> None:
+    count = 11
+    motion = run()._replace(
+        elements=tuple(f"C{n}" for n in range(count)),
+        torques=np.tile(run().torques[:, :1], count),
+        slips=np.tile(run().slips[:, :1], count),
+        heat=np.tile(run().heat[:, :1], count),
+    )
+    shown = picture(results, "shift", Style(), motion=motion)
+    texts = " ".join(text.get_text().replace("\n", " ") for text in shown.texts)
+    assert "slip, not drawn: C8, C9, C10" in texts
+
+
 def test_links_have_their_colours_and_elements_others(results: Results) -> None:
     """Issue 16: the same colour for the same thing in all kinds."""
     shown = titled(picture(results, "shift", Style(), motion=run()))
     lines = {said: one.get_color() for said, one in shown if hasattr(one, "get_color")}
     assert [lines[name] for name in ("sun", "ring", "carrier")] == list(Style().colours[:3])
-    assert lines["brake"] not in Style().colours
+    assert lines["brake"] == Style().ink  # crimson is what is engaged, grey what has no torque
     assert {"brake slips, 0.000–0.410 s", "brake sticks, 0.410–1.000 s"} <= {
         one for one, _ in shown
     }

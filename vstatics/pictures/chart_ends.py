@@ -67,9 +67,9 @@ def beside(
             own = labels.height(name)
             middles.append(top - own / 2)
             if look is not None:
-                piece = (inner, middles[-1]), (inner + SWATCH * way, middles[-1])
+                piece = [(inner + part * SWATCH * way, middles[-1]) for part in (0.0, 0.5, 1.0)]
                 how: dict[str, Any] = {"linewidth": 1.6, "solid_capstyle": "butt", **look}
-                chart.line(*piece, **how)
+                chart.line(*piece, markevery=[1], **how)
             x = edge + end.aside * way
             chart.write(x, middles[-1], name, linespacing=labels.LINE, **aligned)
             top -= own

@@ -13,6 +13,8 @@ STRIPE = 5.0
 """Length of a stripe over the width of its line."""
 TINTS = (0.5, 0.16, 0.34)
 """How much of the colour of losses is in the parts of a loss; letters on them stay readable."""
+SIGNS = ("o", "s", "^", "D", "v", "X", "p")
+"""On the lines of elements and springs."""
 PARTS = ("", "////", "....", "\\\\\\\\", "xx")
 """Hatches of these: fifteen parts differ."""
 
@@ -50,22 +52,29 @@ def link_look(link: int, style: Style) -> Look:
 
 
 def element_look(place: int, style: Style) -> Look:
-    """The line of a shift element, from 0; never that of a link.
+    """The line of a shift element, from 0: ink, told by its dash and its open sign.
 
-    >>> element_look(0, Style())["color"] == Style().engaged
-    True
+    >>> first, second = element_look(0, Style()), element_look(1, Style())
+    >>> first["color"] == second["color"] == Style().ink, first["marker"], second["marker"]
+    (True, 'o', 's')
     """
-    return _inked(place, (style.engaged, style.ink, style.soft))
+    return _signed(place, style) | {"markerfacecolor": style.paper}
 
 
 def spring_look(place: int, style: Style) -> Look:
-    """The line of what is neither link nor shift element: a spring, a converter, a mode."""
-    return _inked(place, (style.ink, style.soft))
+    """The line of a spring or converter: ink, too, with a full sign."""
+    return _signed(place, style)
 
 
-def _inked(place: int, inks: Sequence[str]) -> Look:
-    """Both by turns: lines that follow each other differ in dash, too, for who sees no red."""
-    return {"color": inks[place % len(inks)], "linestyle": DASHES[place % len(DASHES)]}
+def _signed(place: int, style: Style) -> Look:
+    """Dash and sign alike for nobody of the next thirty-five, whatever colours one sees."""
+    return {
+        "color": style.ink,
+        "linestyle": DASHES[place % len(DASHES)],
+        "marker": SIGNS[place % len(SIGNS)],
+        "markersize": 4.5,
+        "markeredgewidth": 0.9,
+    }
 
 
 def loss_look(place: int, style: Style) -> Look:

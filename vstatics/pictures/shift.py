@@ -10,6 +10,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from vstatics.errors import CaseError, Problem, printable
+from vstatics.numerics.arrays import Floats
 from vstatics.pictures import labels
 from vstatics.pictures.chart import AxisScale, Chart
 from vstatics.pictures.chart_ends import LineEnd, along, beside, height_of, width_of
@@ -50,6 +51,10 @@ LONGEST = 130.0
 """Names at the right are wrapped to this width. [pt]"""
 LABELS = 24
 """Events that are named."""
+SIGNS = 4
+"""On a line of an element or spring."""
+LEFT_OUT = 12
+"""Names of lines that are not drawn, of each panel."""
 
 
 class _RunContent(NamedTuple):
@@ -169,9 +174,13 @@ def _signs(content: _RunContent, style: Style) -> list[KeySign]:
 def _notes(content: _RunContent, style: Style) -> str:
     """What the picture does not show."""
     motion, said = content.motion, []
-    left_out = sum(panel.left_out for panel in content.panels)
-    if left_out:
-        said.append(f"{style.text('lines not drawn', 'линий не показано')}: {left_out}")
+    for panel in content.panels:
+        if panel.left_out:
+            names = ", ".join(panel.left_out[:LEFT_OUT])
+            more = len(panel.left_out) - LEFT_OUT
+            names += style.text(f" and {more} more", f" и ещё {more}") if more > 0 else ""
+            of = style.text(panel.english, panel.russian).split(", ")[0]
+            said.append(f"{of}, {style.text('not drawn', 'не показаны')}: {names}")
     unnamed = len(motion.events) - LABELS
     if unnamed > 0:
         said.append(f"{style.text('events without a name', 'событий без подписи')}: {unnamed}")
@@ -222,10 +231,21 @@ def _draw_lines(chart: Chart, motion: Motion, shown: MotionPanel, style: Style) 
         time, values = thinned(motion.time, line.values)
         for look in _looks(line, place, style):
             how: dict[str, Any] = {"linewidth": 1.3, "gid": told(line.name), **look}
-            chart.plot(time, values, **how)
+            chart.plot(time, values, markevery=_signs_at(time, place, len(shown.lines)), **how)
     beside(chart, "right", _line_ends(shown, chart.height, style), style)
     what = labels.wrapped(style.text(shown.english, shown.russian), HIGH)
     chart.name("left", what, SCALE - labels.height(what) / 2)
+
+
+def _signs_at(time: Floats, place: int, count: int) -> list[int]:
+    """The points of a line that get its sign: no two lines have theirs at the same time.
+
+    >>> _signs_at(np.linspace(0.0, 1.0, 21), 1, 2)
+    [4, 9, 14, 19]
+    """
+    parts = (np.arange(SIGNS) + (place + 0.5) / count) / SIGNS
+    near = np.searchsorted(time, time[0] + parts * (time[-1] - time[0]))
+    return sorted({int(one) for one in near})
 
 
 def _range(shown: MotionPanel) -> AxisScale:

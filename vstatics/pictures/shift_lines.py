@@ -65,8 +65,8 @@ class MotionPanel(NamedTuple):
     english: str
     russian: str
     lines: tuple[MotionLine, ...]
-    left_out: int
-    """So many more could be drawn."""
+    left_out: tuple[str, ...]
+    """Names of the lines beyond the first `MOST`."""
 
 
 class ElementStates(NamedTuple):
@@ -229,7 +229,8 @@ def _kinds(springs: Collection[str], names: Sequence[str]) -> tuple[str, str]:
 
 
 def _panel(english: str, russian: str, lines: Sequence[MotionLine]) -> MotionPanel:
-    return MotionPanel(english, russian, tuple(lines[:MOST]), max(len(lines) - MOST, 0))
+    left_out = tuple(line.name for line in lines[MOST:])
+    return MotionPanel(english, russian, tuple(lines[:MOST]), left_out)
 
 
 def _torques(english: str, russian: str, lines: Sequence[MotionLine]) -> MotionPanel:
