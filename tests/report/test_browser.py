@@ -210,6 +210,26 @@ def test_no_serious_fault_of_accessibility(
     page.context.close()
 
 
+@pytest.mark.parametrize("media", ["screen", "print"])
+def test_what_is_muted_is_no_larger_than_what_it_belongs_to(
+    browser: Any, reports: dict[str, Path], media: str
+) -> None:
+    page = Opened(browser, reports[TEN_SPEED])
+    page.window.emulate_media(media=media)
+    size = "parseFloat(getComputedStyle(one).fontSize)"
+    found = {
+        name: page.window.evaluate(f"Math.{end}(...[...document.querySelectorAll('{name}')].map((one) => {size}))")
+        for name, end in (
+            (".source", "max"), (".told:not(.source)", "min"), (".overview dt", "max"),
+            (".overview dd", "min"), (".explained .note", "max"), (".explained h4", "min"),
+            ("p.note", "max"), ("body", "min"), ("h2", "max"), ("h1", "min"),
+        )
+    }  # fmt: skip
+    sizes = list(found.values())
+    assert all(one <= other for one, other in zip(sizes[::2], sizes[1::2], strict=True)), found
+    page.context.close()
+
+
 @pytest.mark.parametrize("case", [TEN_SPEED, POWER_SPLIT, OLD_DECK])
 def test_print_has_numbers_a_running_title_and_no_page_of_headings_only(
     browser: Any, reports: dict[str, Path], case: str
