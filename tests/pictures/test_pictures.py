@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import contextlib
 import importlib.util
 import subprocess
 import sys
+import time
 from importlib import import_module
 from itertools import combinations
 from pathlib import Path
@@ -13,7 +15,8 @@ from typing import Any
 import pytest
 
 from tests.commands import CASES, LOCKED, NEUTRAL, SHIPPED, TIED_UP, vstatics
-from vstatics import Results, load, solve
+from tests.pictures.test_schemes import ring
+from vstatics import CaseError, Results, load, solve
 from vstatics.pictures import FORMATS, PICTURES, Format, picture, render, settings_of
 from vstatics.pictures.style import Style
 from vstatics.simulation.motion import Motion
@@ -174,3 +177,14 @@ def test_gears_without_a_solution_do_not_stop_a_picture(kind: str, text: str) ->
 def test_every_kind_of_picture_has_its_module() -> None:
     for module in PICTURES.values():
         assert callable(import_module(module).draw)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("kind", ["stick", "structure", "flow", "lever", "plan", "efficiency"])
+def test_a_ring_of_forty_sets_is_drawn_within_twenty_seconds(kind: str) -> None:
+    """The issue's bound, of processor time."""
+    results = solve(ring(40))
+    start = time.process_time()
+    with contextlib.suppress(CaseError):
+        render(results, kind, "svg", Style())
+    assert time.process_time() - start < 20

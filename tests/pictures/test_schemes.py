@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 from collections.abc import Callable
 from itertools import combinations
 from pathlib import Path
@@ -359,16 +358,6 @@ def ring(count: int) -> Transmission:
     sets = [Mechanism(n, n % count + 1, count + n, -2 - n / 50) for n in range(1, count + 1)]
     brakes = [ShiftElement(count + n) for n in range(1, count + 1)]
     return Transmission(2 * count, brakes, sets, [Gear(range(1, count))])
-
-
-@pytest.mark.slow
-def test_a_ring_of_forty_sets_is_drawn_soon() -> None:
-    # issue 16: within 20 s
-    scheme = scheme_of(ring(40))
-    start = time.process_time()
-    placement = structure.place(scheme, Style())
-    assert time.process_time() - start < 20
-    assert set(placement.row.lefts) == set(range(80))
 
 
 def test_a_case_that_no_picture_could_show_is_refused() -> None:

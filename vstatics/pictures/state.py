@@ -9,7 +9,7 @@ from vstatics.model.transmission import Gear
 from vstatics.numerics.traced import plain
 from vstatics.statics.bodies import Bodies, joined_by_elements
 from vstatics.statics.results import Results
-from vstatics.statics.roles import IDLE, ONE_PIECE, Role, mechanism_roles
+from vstatics.statics.roles import IDLE, Role, mechanism_roles
 from vstatics.statics.state import GearState
 from vstatics.statics.status import Status
 
@@ -45,10 +45,6 @@ class PictureState(NamedTuple):
     def is_loaded(self) -> list[bool]:
         """By mechanism: whether it carries torque, or one that is not known."""
         return [one != IDLE for one in self.roles]
-
-    def is_one_piece(self, mechanism: int) -> bool:
-        """Whether a mechanism carries torque, and nothing in it moves."""
-        return self.roles[mechanism] == ONE_PIECE
 
 
 def state_of(results: Results, number: int) -> PictureState:

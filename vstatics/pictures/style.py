@@ -30,7 +30,6 @@ DASHES: tuple[str | tuple[float, tuple[float, ...]], ...] = (
     (0, (4, 1, 1, 1, 1, 1)),
 )
 """Of the first seven lines, of the next seven, ..."""
-HATCHES = ("", "////", "xxxx", "....", "----")
 LARGE = 1e6
 """From here on numbers are written with a power of ten."""
 
@@ -122,14 +121,6 @@ class Style(NamedTuple):
         ('solid', (0, (6, 2)))
         """
         return DASHES[number // len(self.colours) % len(DASHES)]
-
-    def hatch(self, number: int) -> str:
-        """What tells areas of one colour apart.
-
-        >>> Style().hatch(6), Style().hatch(7)
-        ('', '////')
-        """
-        return HATCHES[number // len(self.colours) % len(HATCHES)]
 
     @property
     def settings(self) -> dict[Any, Any]:

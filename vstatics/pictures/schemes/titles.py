@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 from vstatics.elements.element import Element
 from vstatics.model.transmission import Transmission
+from vstatics.numerics.traced import plain
 from vstatics.pictures.schemes.scheme import Device, Scheme, ratio_text
 from vstatics.pictures.state import PictureState
 from vstatics.pictures.style import Style, number
@@ -94,14 +95,9 @@ def teeth_of(element: Element) -> dict[str, float]:
 
 def _torques(results: Results, gear: int) -> Iterator[dict[str, float]]:
     """Of each device in the order of a scheme, by members: mechanisms, shift elements, springs."""
-    case, values = results.case, results.torques[gear - 1].tolist()
-    count = len(case.shift_elements)
-    rows = iter(values[count:-1])
-    for own in case.own_devices:
-        if case.drawing is None:
-            first, ratio = next(rows), case.mechanisms[own.mechanisms[0]].ratio
-            sharing = first, -ratio * first, (ratio - 1) * first
-            yield {one.name: value for one, value in zip(own.members, sharing, strict=False)}
-        else:
-            yield {one.name: next(rows) for one in own.members}
-    yield from ({"": value} for value in [*values[:count], *rows])
+    state = results.gear(gear)
+    for members in state.member_torques(lossy=False):
+        yield {name: plain(torque) for name, torque in members.items()}
+    values, devices = state.torques.on_first_link, results.case.among_devices
+    for torque in (*values[: devices.start], *values[devices.stop : -1]):
+        yield {"": plain(torque)}
