@@ -103,7 +103,7 @@ def render(  # noqa: PLR0913 - what is drawn, and how
 ) -> bytes:
     """A picture of a result as a file; parameters and errors as of `picture`."""
     figure = picture(results, kind, style, gears, motion=motion)
-    return written(figure, form, style, _alternative(results, kind, gears))
+    return written(figure, form, style, _alternative(results, kind, style, gears))
 
 
 def sheets(
@@ -123,7 +123,7 @@ def sheets(
         return [render(results, kind, "svg", style, gears, motion=motion)]
     with settings_of(style):
         figures = module.sheets(results, style, gears, *_run(kind, motion))
-    title = _alternative(results, kind, gears)
+    title = _alternative(results, kind, style, gears)
     return [written(figure, "svg", style, title) for figure in figures]
 
 
@@ -142,7 +142,7 @@ def of_each_gear(results: Results, kind: str, style: Style) -> list[bytes]:
         else:
             figures = [module.draw(results, style, (number,)) for number in numbers]
     return [
-        written(figure, "svg", style, _alternative(results, kind, (number,)))
+        written(figure, "svg", style, _alternative(results, kind, style, (number,)))
         for number, figure in zip(numbers, figures, strict=True)
     ]
 
@@ -170,11 +170,12 @@ def written(figure: Figure, form: Format, style: Style, title: str) -> bytes:
         return file.getvalue()
 
 
-def _alternative(results: Results, kind: str, gears: Sequence[int]) -> str:
+def _alternative(results: Results, kind: str, style: Style, gears: Sequence[int]) -> str:
     """What a picture shows, for those who do not see it."""
-    case = results.case
-    shown = ", gear ".join([kind, *(case.gears[number - 1].name for number in gears)])
-    return f"{case.name}: {shown}" if case.name else shown
+    from vstatics.pictures.words import KINDS, gear_title, title
+
+    names = (gear_title(results.case.gears[number - 1].name, style) for number in gears)
+    return title(results.case, ", ".join([style.text(*KINDS[kind]), *names]))
 
 
 @contextmanager

@@ -6,6 +6,18 @@ from vstatics.model.transmission import Transmission
 from vstatics.pictures.style import Style
 from vstatics.statics.status import Status
 
+KINDS = {
+    "stick": ("Stick diagram", "Кинематическая схема"),
+    "structure": ("Structure", "Структурная схема"),
+    "flow": ("Power flow", "Потоки мощности"),
+    "lever": ("Lever diagram", "Рычажная схема"),
+    "efficiency": ("Efficiency", "КПД"),
+    "plan": ("Kinematic plan", "Кинематический план"),
+    "modes": ("Natural modes", "Собственные формы"),
+    "campbell": ("Campbell diagram", "Диаграмма Кэмпбелла"),
+    "shift": ("Run over time", "Ход во времени"),
+}
+"""What a kind of picture is called, where it stands by itself."""
 ELEMENTS = {
     "sun": "солнце",
     "ring": "эпицикл",

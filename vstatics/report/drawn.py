@@ -11,6 +11,7 @@ from vstatics.errors import CaseError
 from vstatics.extras import require
 from vstatics.pictures import of_each_gear, sheets
 from vstatics.pictures.style import Style
+from vstatics.pictures.words import KINDS
 from vstatics.report.looks import is_look
 from vstatics.simulation.motion import Motion
 from vstatics.statics.results import Results
@@ -29,17 +30,7 @@ _COLOUR = re.compile("#[0-9a-f]{6}")
 _COLOURED = ("style", "fill", "stroke")
 
 
-NAMES = {
-    "stick": "Stick diagram",
-    "structure": "Structure",
-    "flow": "Power flow",
-    "lever": "Lever diagram",
-    "efficiency": "Efficiency",
-    "plan": "Kinematic plan",
-    "modes": "Natural modes",
-    "campbell": "Campbell diagram",
-    "shift": "Run over time",
-}
+NAMES = {kind: english for kind, (english, _) in KINDS.items()}
 """What a kind of picture is called."""
 OF_EACH_GEAR = ("stick", "flow", "lever")
 OF_ALL_GEARS = ("efficiency", "plan")
