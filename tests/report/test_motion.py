@@ -16,6 +16,7 @@ from vstatics import load, solve
 from vstatics.errors import Problem
 from vstatics.report import gather, page, write_report
 from vstatics.report.motion import RunSection, shown_run
+from vstatics.report.naming import Naming
 from vstatics.statics.result_fields import Message
 
 SCENARIO = CASES / "scenarios" / "tarasik-set-lock.yaml"
@@ -55,12 +56,30 @@ def test_a_page_of_a_run_has_both_pictures() -> None:
     assert len(ids) == len(set(ids))
 
 
+@pytest.mark.usefixtures("without_pictures")
+def test_what_a_scenario_says_of_itself_stands_at_the_top() -> None:
+    """And leads to the run."""
+    material = gather(
+        solve(load(CASES / "tarasik-set.yaml")),
+        motion=run(),
+        naming=Naming("Lock <up>", "To 2 & back"),
+    )
+    shown = Page(page(material))
+    assert shown.all("title")[0].text == f"Lock <up>, {material.results.case.name}"
+    [told] = [one for one in shown.all("p") if "To 2 & back" in one.text]
+    assert "header" in told.inside
+    assert [one.text for one in shown.all("a") if one.attributes["href"] == "#run"] == ["Run"] * 2
+
+
 @pytest.mark.slow
 def test_commands_take_a_scenario_for_its_case(tmp_path: Path) -> None:
     said = vstatics("report", SCENARIO, "-o", tmp_path / "run.html")
     assert (said.status, said.all) == (0, "")
     shown = Page((tmp_path / "run.html").read_text(encoding="utf-8"))
     assert [row["event"].text for row in shown.table("Events").values()] == ["locks"]
+    case = load(CASES / "tarasik-set.yaml").name
+    assert [shown.all(name)[0].text for name in ("title", "h1")] == [f"{SCENARIO.stem}, {case}"] * 2
+    assert [one.text for one in shown.all("h2")][:2] == ["Overview", "Run"]
     for kind in ("shift", "plan", "lever"):
         said = vstatics("plot", SCENARIO, "--kind", kind, "-o", tmp_path / f"{kind}.png")
         assert (said.status, said.all) == (0, "")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from functools import partial
+from typing import TYPE_CHECKING
 
 import click
 
@@ -14,6 +15,9 @@ from vstatics.cli.cases import CalculatedCase, CaseOptions
 from vstatics.cli.job import Job
 from vstatics.cli.one_or_many import carry_out
 from vstatics.cli.scenario_run import run_of
+
+if TYPE_CHECKING:
+    from vstatics.report.naming import Naming
 
 
 @click.command()
@@ -64,7 +68,7 @@ def _shown(outcome: CalculatedCase, digits: int | None, quiet: bool) -> texts.Ca
     def html(_: str | None) -> str:
         from vstatics.report import gather, page
 
-        material = gather(results, outcome.problems, digits, run_of(outcome), _stem(outcome.file))
+        material = gather(results, outcome.problems, digits, run_of(outcome), _naming(outcome))
         if material.without and not quiet:
             files.say(f"vstatics report: no pictures: {material.without}")
         if material.vibration and material.vibration.without and not quiet:
@@ -72,6 +76,14 @@ def _shown(outcome: CalculatedCase, digits: int | None, quiet: bool) -> texts.Ca
         return page(material)
 
     return texts.CaseOutput([], {"html": html})
+
+
+def _naming(outcome: CalculatedCase) -> Naming:
+    """The name of the file for what has none itself, and what happens in a scenario."""
+    from vstatics.report.naming import Naming
+
+    file, read = _stem(outcome.file), outcome.scenario
+    return Naming(file) if read is None else Naming(read.name or file, read.description)
 
 
 def _stem(file: str) -> str:

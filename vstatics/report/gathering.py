@@ -10,6 +10,7 @@ from vstatics.flow.power import flows
 from vstatics.flow.power_flow import GearFlow
 from vstatics.report.drawn import Pictures, pictures
 from vstatics.report.motion import RunSection, run_section
+from vstatics.report.naming import UNNAMED, Naming
 from vstatics.report.vibration import Vibration, vibration
 from vstatics.simulation.motion import Motion
 from vstatics.statics.result_fields import Message
@@ -37,8 +38,7 @@ class Material(NamedTuple):
     """After the point; None: those that suit a number."""
     run: RunSection | None = None
     """Of a scenario."""
-    name: str = ""
-    """Of the file, for a case without one."""
+    naming: Naming = UNNAMED
 
 
 def gather(
@@ -46,7 +46,7 @@ def gather(
     problems: Iterable[Problem] = (),
     digits: int | None = None,
     motion: Motion | None = None,
-    name: str = "",
+    naming: Naming = UNNAMED,
 ) -> Material:
     """What the page of a case shows.
 
@@ -61,8 +61,8 @@ def gather(
         After the point, where they are not those that suit a number.
     motion : Motion, optional
         A run of the case.
-    name : str, optional
-        Of the file, for a case without one.
+    naming : Naming, optional
+        What the case does not say of itself: the name of its file, the scenario.
     """
     without, drawn = "", Pictures()
     try:
@@ -81,7 +81,7 @@ def gather(
         vibration(results, has_pictures=not without),
         digits,
         None if motion is None else run_section(results, motion, has_pictures=not without),
-        name,
+        naming,
     )
 
 

@@ -12,7 +12,7 @@ from vstatics.report.drawn import palette
 from vstatics.report.gathering import Material
 from vstatics.report.looks import shared
 from vstatics.report.parts import chooser
-from vstatics.report.sections import Part, sections
+from vstatics.report.sections import RUN, Part, sections
 from vstatics.tables.html import Markup, joined, tag
 
 POLICY = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'"
@@ -29,7 +29,7 @@ def page(material: Material) -> str:
         See `gather`.
     """
     case = material.results.case
-    title = case.name or material.name or "Transmission"
+    title = material.naming.title(case.name, runs=material.run is not None)
     parts = list(sections(material))
     choice = chooser([gear.name for gear in case.gears]) if case.gears else NOTHING
     return framed(title, _about(material), parts, material.document, choice)
@@ -77,6 +77,10 @@ def framed(
 
 def _about(material: Material) -> Iterator[Markup]:
     case = material.results.case
+    if material.run:
+        link = tag("a", RUN, href=f"#{_id(RUN)}")
+        said = f": {material.naming.description}" if material.naming.description else ""
+        yield tag("p", "Scenario, see ", link, said, class_="told")
     if case.description:
         yield tag("p", case.description, class_="told")
     if case.source:

@@ -24,6 +24,8 @@ from vstatics.tables.numbers import typeset
 
 Part = tuple[str, Sequence[Markup]]
 """The name of a section, and what it shows."""
+RUN = "Run"
+"""The section on the run of a scenario."""
 ALREADY = ("ETA", "ratio")
 """Columns of the results by gear that the table of gears has."""
 MARKS = Marks(holds="○", open="")
@@ -39,6 +41,7 @@ def sections(material: Material) -> Iterator[Part]:
     gears, *others = (one.with_digits(material.digits) for one in summary_grids(material.summary))
     every = {
         "Overview": _overview(material),
+        RUN: _run(material),
         "Gears": _gears(material, gears),
         NAMES["flow"]: _flows(material),
         NAMES["lever"]: _of_gears(material, "lever"),
@@ -48,11 +51,10 @@ def sections(material: Material) -> Iterator[Part]:
             for kind in ("efficiency", "plan")
             if kind in pictures
         },
-        "Input": _given(material),
-        "Tables": _tables(material, others),
         "Vibration": _vibration(material),
         "Shifts": _shifts(others),
-        "Run": _run(material),
+        "Input": _given(material),
+        "Tables": _tables(material, others),
         "Conventions": _conventions(material),
     }
     for name, parts in every.items():

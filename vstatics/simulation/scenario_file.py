@@ -41,6 +41,7 @@ class ScenarioFile(NamedTuple):
     scenario: Scenario
     name: str
     """As it says itself; else empty."""
+    description: str
     samples: AnyMapping[str, Distribution]
     """By the paths of numbers."""
     reading: Reading
@@ -107,7 +108,9 @@ class ScenarioDocument(NamedTuple):
         ]
         if found:
             raise ReadError(sorted(found, key=lambda one: one.place[1:3] if one.place else ()))
-        return ScenarioFile(scenario, values.get("name", ""), samples, reading, spots)
+        return ScenarioFile(
+            scenario, values.get("name", ""), values.get("description", ""), samples, reading, spots
+        )
 
 
 def read_scenario(data: bytes, file: str) -> ScenarioDocument:
