@@ -93,6 +93,33 @@ def test_the_address_chooses_a_gear(page: Opened, gear: str) -> None:
     assert page.window.locator("tr.chosen th").all_text_contents() == [gear]
 
 
+@pytest.mark.parametrize("page", ["#gear=99"], indirect=True)
+def test_a_gear_that_is_not_there_is_put_right_in_the_address(page: Opened) -> None:
+    """When the page is opened, and later, where the gear that is chosen stays."""
+    status = page.window.locator("[role=status]")
+    assert page.window.url.endswith(f"#gear={quote(LOW, safe='')}")
+    assert status.text_content() == f"There is no gear 99, this is gear {LOW}"
+    page.window.keyboard.press("ArrowRight")
+    page.window.evaluate("location.hash = '#flow=98%'")
+    page.window.wait_for_function(
+        "document.querySelector('[role=status]').textContent.includes('98%')"
+    )
+    assert page.shown() == {DIRECT}
+    assert page.window.url.endswith(f"#gear={quote(DIRECT, safe=chr(39))}")
+    page.window.evaluate("location.hash = '#tables'")
+    assert page.window.url.endswith("#tables")
+
+
+def test_the_bar_tells_the_keys_where_they_work(browser: Any, page: Opened, file: Path) -> None:
+    assert "\u2190 \u2192" in page.window.locator(".chooser").inner_text()
+    assert "left and right" in (page.window.locator(".chooser").get_attribute("title") or "")
+    page.window.emulate_media(media="print")
+    assert not page.window.locator(".chooser").is_visible()
+    without = Opened(browser, file, java_script_enabled=False)
+    assert "\u2190" not in without.window.locator(".chooser").inner_text()
+    without.context.close()
+
+
 def test_keys_step_through_the_gears(page: Opened) -> None:
     """And stop at the ends."""
     for key, gear in (("Left", LOW), ("Right", DIRECT), ("Right", DIRECT), ("Left", LOW)):
@@ -175,10 +202,29 @@ def test_a_table_is_copied_with_all_digits(page: Opened) -> None:
     head, *rows = csv.reader(io.StringIO(copied))
     assert head == ["torque of", LOW, DIRECT]
     result = json.loads(page.window.locator("#result").text_content() or "")
-    shown = [[float(cell) if cell else None for cell in row] for _, *row in rows]
-    assert shown == result["AMLG"]
+    shown = {name: [float(cell) if cell else None for cell in row] for name, *row in rows}
+    opened = {name: [gear for gear in range(2) if one[gear] is None] for name, one in shown.items()}
+    assert (opened["<C>"], opened["B"]) == ([0], [1])  # what is open is blank
+    values = [one for row in shown.values() for one in row]
+    said = [one for row in result["AMLG"] for one in row]
+    assert values == [
+        None if one is None else other for one, other in zip(values, said, strict=True)
+    ]
     assert "\u2212" not in copied
-    assert any(cell < 0 for row in shown for cell in row if cell is not None)
+    assert any(cell < 0 for cell in values if cell is not None)
+
+
+def test_engaged_without_torque_is_0_in_the_copy_and_open_is_blank(
+    browser: Any, reports: dict[str, Path]
+) -> None:
+    """Ford 10R80, gear 1: A, B, D, E are engaged, D carries nothing; C and F are open."""
+    page = Opened(browser, reports[TEN_SPEED])
+    page.window.locator("[aria-label^='Copy CSV: Torques of shift elements']").first.click()
+    copied = csv.reader(io.StringIO(page.window.evaluate("navigator.clipboard.readText()")))
+    first = {name: gears[0] for name, *gears in copied}
+    assert {name: first[name] for name in "CFD"} == {"C": "", "F": "", "D": "0"}
+    assert float(first["A"]) != 0
+    page.context.close()
 
 
 @pytest.mark.parametrize("case", [TEN_SPEED, POWER_SPLIT, OLD_DECK])

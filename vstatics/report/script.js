@@ -8,11 +8,13 @@
   const names = chooser ? [...chooser.querySelectorAll("a")].map((link) => link.dataset.choose) : [];
   let chosen;
 
-  function asked() {
+  function address() {
     const [section, end] = location.hash.slice(1).split(/=(.*)/s);
-    if (end === undefined) return undefined;
-    let name = end;
-    try { name = decodeURIComponent(end); } catch { /* a % that stands for itself */ }
+    try { return [section, decodeURIComponent(end ?? "")]; } catch { return [section, end]; } // a bare %
+  }
+
+  function asked() {
+    const [section, name] = address();
     const own = blocks.filter((one) => one.dataset.gear === name);
     return own.find((one) => one.id.startsWith(`${section}=`)) ?? own[0];
   }
@@ -39,18 +41,36 @@
     const before = read && top(read);
     choose(name);
     if (read) scrollBy({ top: top(read) - before, behavior: "instant" });
+    tell(name, `Gear ${name}`);
+  }
+
+  function tell(name, said) {
     history.replaceState(null, "", `#gear=${encodeURIComponent(name)}`);
-    chooser.querySelector("[role=status]").textContent = `Gear ${name}`;
+    chooser.querySelector("[role=status]").textContent = said;
+  }
+
+  // as the address says; a gear that is not there leaves the one that is chosen, and the address tells it
+  function follow() {
+    const block = asked();
+    const [section, name] = address();
+    choose(block?.dataset.gear ?? chosen ?? names[0]);
+    if (!block && name && blocks.some((one) => one.id.startsWith(`${section}=`))) {
+      tell(chosen, `There is no gear ${name}, this is gear ${chosen}`);
+    }
+    return block;
   }
 
   if (names.length) {
-    const block = asked();
-    choose(block?.dataset.gear ?? names[0]);
+    const block = follow();
     if (block && !block.id.startsWith("gear=")) block.scrollIntoView();
-    addEventListener("hashchange", () => {
-      const gear = asked()?.dataset.gear;
-      if (gear !== undefined) choose(gear);
-    });
+    addEventListener("hashchange", follow);
+    if (names.length > 1) {
+      const hint = document.createElement("span");
+      hint.className = "note";
+      hint.textContent = "or keys \u2190 \u2192";
+      chooser.title = "The keys left and right step through the gears";
+      chooser.append(hint);
+    }
   }
 
   addEventListener("click", (event) => {
@@ -155,7 +175,7 @@
   function field(cell) {
     const shown = cell.textContent.trim();
     const text = /\p{L}{2}/u.test(shown) ? shown : cell.dataset.value ?? shown; // words as they are
-    if (cell.matches("td") && text === "-") return "";
+    if (cell.matches("td") && (shown === "-" || shown === "")) return ""; // of an open element, too
     const guarded = /^'*[=+\-@\t\r]/.test(text) && !NUMBER.test(text) ? `'${text}` : text;
     return /[",\r\n]/.test(guarded) ? `"${guarded.replaceAll('"', '""')}"` : guarded;
   }
