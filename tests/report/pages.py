@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from tests.commands import vstatics
+from vstatics.tables.numbers import typeset
 
 NASTY = "<script>alert(1)</script>"
 NASTY_CASE = f"""\
@@ -86,7 +87,8 @@ class Page(HTMLParser):
         start = next(
             place
             for place, one in enumerate(self.elements)
-            if one.tag == "div" and (one.attributes.get("aria-label") or "").startswith(title)
+            if one.tag == "div"
+            and (one.attributes.get("aria-label") or "").startswith(typeset(title))
         )
         rows: list[list[Element]] = []
         for one in self.elements[start + 1 :]:
@@ -104,7 +106,7 @@ class Page(HTMLParser):
 
 def number(cell: Element) -> float:
     """As it is shown; NaN for what does not exist."""
-    return math.nan if cell.text == "-" else float(cell.text.replace("\u2212", "-"))
+    return math.nan if cell.text in ("", "\u2013") else float(cell.text.replace("\u2212", "-"))
 
 
 def value(cell: Element) -> float | None:

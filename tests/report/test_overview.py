@@ -16,11 +16,12 @@ from vstatics.report.drawn import Pictures
 from vstatics.report.explained import explained
 from vstatics.report.overview import alerts, overview
 from vstatics.summary import summarize
+from vstatics.tables.html import Markup, joined, printed
 
 
 def words(*parts: str) -> str:
     """What a reader sees."""
-    return unescape(re.sub("<[^>]+>", " ", " ".join(parts)))
+    return unescape(re.sub("<[^>]+>", " ", printed(joined(*map(Markup, parts)))))
 
 
 def set_of(**others: object) -> Material:

@@ -19,6 +19,13 @@ from vstatics.errors import CaseError, Problem
 from vstatics.report import gather, page
 from vstatics.tables.quantities import BY_NAME, QUANTITIES
 
+NUMBERED = """\
+links: ["-3", "8-1", out]
+shift_elements: {C: ["-3", "8-1"], B: ["8-1", housing]}
+mechanisms: {P: {first: "-3", second: "8-1", third: out, ratio: -2.5, efficiency: 0.98}}
+gears: {"1": {engaged: [B]}, "2": {engaged: [C]}}
+"""
+
 
 @pytest.fixture(scope="module")
 def zf() -> Page:
@@ -60,6 +67,22 @@ def test_numbers_by_gear_are_those_of_the_result(zf: Page) -> None:
     assert not {"ETA", "ratio", "efficiency"} & set(table["1"])
     assert [value(row["ratio"]) for row in gears.values()] == zf.data["ratio"]
     assert [value(row["efficiency"]) for row in gears.values()] == zf.data["ETA"]
+
+
+@pytest.mark.usefixtures("without_pictures")
+def test_every_number_is_printed_alike_and_names_stay(tmp_path: Path) -> None:
+    """Issue 16, item 7; links have names that look like numbers. The title of IX has (-1)."""
+    made = Page(report(write(tmp_path, NUMBERED)))
+    table = made.table(BY_NAME["W"].title)
+    assert list(table) == ["-3", "8-1", "out"]
+    assert [one.text for one in made.all("h3") if "(\u22121)" in one.text]
+    texts = {
+        one.text.replace("-3", "").replace("8-1", "")
+        for one in made.elements
+        if one.tag in ("th", "td", "li", "p", "dd", "pre", "h3", "h4") and "main" in one.inside
+    }
+    assert not [one for one in texts if re.search(r"(?<![\w])-[\d.]|\s-\s|(?<![\w.])\.\d|^-$", one)]
+    assert [one for one in texts if "\u22122.5" in one]
 
 
 @pytest.mark.slow

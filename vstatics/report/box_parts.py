@@ -10,7 +10,6 @@ from vstatics.report.parts import figure
 from vstatics.synthesis.box_listing import BoxListing, ListedBox
 from vstatics.tables.grid import Cell, Column, Grid, Row, exact, sign, text, whole
 from vstatics.tables.html import Markup, tables, tag
-from vstatics.tables.numbers import typeset
 
 
 def box_link(box: ListedBox) -> Markup:
@@ -125,7 +124,7 @@ def _figures(box: ListedBox, digits: int | None) -> Iterator[tuple[str, str]]:
         "slip": box.slip,
     }
     for name, value in named.items():
-        yield name, typeset(exact(value, digits=digits).text)
+        yield name, exact(value, digits=digits).text
     marks = {"in the Pareto list": box.pareto, "single": box.single, "planar": box.planar}
     yield "it is", ", ".join(name for name, holds in marks.items() if holds) or "-"
     yield "scheme", box.code

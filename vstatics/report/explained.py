@@ -14,7 +14,6 @@ from vstatics.extras import missing
 from vstatics.report.gathering import Material
 from vstatics.tables.grid import Cell
 from vstatics.tables.html import Markup, bare, scrolled, tag
-from vstatics.tables.numbers import typeset
 
 
 def explained(material: Material) -> list[Sequence[Markup]]:
@@ -58,16 +57,13 @@ def _lines(lines: Sequence[str]) -> Markup:
     return tag("pre", _typeset(dedent("\n".join(lines))))
 
 
-_MINUS, _TIMES = (
-    re.compile(r"(?<![^\s(])-(?=[\s\w(.])"),
-    re.compile(r"(?<=[\d)]) x (?=[\d(\u2212])"),
-)
+_MINUS, _TIMES = re.compile(r"(?<![^\s(])-(?=[a-z(])"), re.compile(r"(?<=[\d)]) x (?=[-\d(])")
 
 
 def _typeset(text: str) -> str:
-    """Equations with the minus, the times and the eta of print; names keep their hyphens.
+    """Equations with the times and the eta of print; the page does so with numbers.
 
-    >>> _typeset("w[sun 1-2] - (1 - u) w_in = -0.5; -2 x (-.5) = 1, u eta^x")
-    'w[sun 1-2] − (1 − u) w_in = −0.5; −2 × (−0.5) = 1, u η^x'
+    >>> _typeset("-w[sun 1-2] - (1 - u) w_in = -0.5; -2 x (-.5) = 1, u eta^x")
+    '−w[sun 1-2] - (1 - u) w_in = -0.5; -2 × (-.5) = 1, u η^x'
     """
-    return _TIMES.sub(" × ", _MINUS.sub("\u2212", typeset(text))).replace("eta^x", "\u03b7^x")
+    return _MINUS.sub("\u2212", _TIMES.sub(" × ", text)).replace("eta^x", "\u03b7^x")

@@ -9,7 +9,7 @@ from vstatics.report.gathering import Material
 from vstatics.report.parts import gear_link
 from vstatics.summary.extremes import LOSSY_TORQUES, TORQUES, Largest, overall, quantity
 from vstatics.tables.html import Markup, joined, tag
-from vstatics.tables.numbers import rounded, typeset
+from vstatics.tables.numbers import rounded
 from vstatics.tables.quantity import UNITS
 
 WEIGHTS = {"error": "errors", "warning": "warnings", "note": "notes"}
@@ -30,7 +30,7 @@ def overview(material: Material) -> Iterator[Markup]:
 def alerts(messages: Sequence[str]) -> Iterator[Markup]:
     """The messages, the heaviest first, in a list for each weight, which the line links to."""
     for weight, name in WEIGHTS.items():
-        said = [tag("li", typeset(one), class_=weight) for one in _of_weight(messages, weight)]
+        said = [tag("li", one, class_=weight) for one in _of_weight(messages, weight)]
         if said:
             yield tag("ul", *said, class_="messages", id=name)
 
@@ -66,7 +66,7 @@ def _torque(material: Material) -> Iterator[tuple[str, str]]:
             if found is not None and found.gear:
                 unit = f" {UNITS[shown.unit].en}" if shown.unit else " × input"
                 value = rounded(abs(found.value), shown.decimals, material.digits)
-                yield "largest element torque", _of_element(typeset(value) + unit, found)
+                yield "largest element torque", _of_element(value + unit, found)
                 return
 
 
@@ -81,7 +81,7 @@ def _circulation(material: Material) -> Iterator[tuple[str, str]]:
     known = [(share, gear) for gear, share in shares if not math.isnan(share)]
     if known:
         share, gear = max(known, key=lambda one: one[0])
-        said = f"{typeset(rounded(100 * share, 1, material.digits))} % of the input power"
+        said = f"{rounded(100 * share, 1, material.digits)} % of the input power"
         yield "largest circulation", _in_gear(said, gear) if share > 0 else "none"
 
 
@@ -105,4 +105,4 @@ def _in_gear(said: str, gear: str) -> Markup:
 
 
 def _number(material: Material, value: float) -> str:
-    return typeset(rounded(value, 3, material.digits))
+    return rounded(value, 3, material.digits)

@@ -13,7 +13,7 @@ from vstatics.report.gathering import Material
 from vstatics.report.looks import shared
 from vstatics.report.parts import chooser
 from vstatics.report.sections import RUN, Part, sections
-from vstatics.tables.html import Markup, joined, tag
+from vstatics.tables.html import Markup, joined, printed, tag
 
 POLICY = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'"
 """A browser loads nothing from anywhere."""
@@ -55,7 +55,8 @@ def framed(
     """
     links = (tag("a", name, href=f"#{_id(name)}") for name, _ in parts)
     contents = tag("nav", *links, class_="contents", aria_label="Contents")
-    main, looks = shared(tag("main", *(_section(name, inner) for name, inner in parts)))
+    shown = tag("main", *(_section(name, inner) for name, inner in parts))
+    main, looks = shared(printed(shown, _names(document.get("case"))))
     body = tag(
         "body",
         tag("header", tag("h1", title), *about, contents),
@@ -89,6 +90,21 @@ def _about(material: Material) -> Iterator[Markup]:
 
 def _section(name: str, inner: Sequence[Markup]) -> Markup:
     return tag("section", tag("h2", name), *inner, id=_id(name))
+
+
+def _names(data: Any) -> Iterator[str]:
+    """All texts of plain data, among which are the names.
+
+    >>> [*_names({"links": ["in", "-3"], "gears": {"R": {"speeds": {"in": 1}}}})]
+    ['links', 'in', '-3', 'gears', 'R', 'speeds', 'in']
+    """
+    if isinstance(data, str):
+        yield data
+    elif isinstance(data, dict | list):
+        for one in data:
+            yield from _names(one)
+            if isinstance(data, dict):
+                yield from _names(data[one])
 
 
 def _id(name: str) -> str:

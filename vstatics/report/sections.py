@@ -20,7 +20,6 @@ from vstatics.tables.blanks import without_missing
 from vstatics.tables.grid import Cell, Column, Grid
 from vstatics.tables.grids import of_results
 from vstatics.tables.html import Markup, table, tables, tag, terms
-from vstatics.tables.numbers import typeset
 
 Part = tuple[str, Sequence[Markup]]
 """The name of a section, and what it shows."""
@@ -132,19 +131,9 @@ def _power(flow: GearFlow, digits: int | None) -> Iterator[Markup]:
         yield tag("p", f"{flow.note}, so there is no power to show".capitalize())
         return
     powers = power_grid(flow)._replace(title=f"Power in gear {flow.gear}")
-    lines = (tag("li", _printed(line.strip())) for line in remarks(flow, digits))
+    lines = (tag("li", line.strip()) for line in remarks(flow, digits))
     numbers = table(powers.with_digits(digits), headed=False)
     yield tag("div", numbers, tag("ul", *lines), class_="power")
-
-
-def _printed(line: str) -> str:
-    """A remark with the signs of print; the balance subtracts.
-
-    >>> _printed("in 1.000 - out .977 - lost .023 = .000")
-    'in 1.000 − out 0.977 − lost 0.023 = 0.000'
-    """
-    shown = typeset(line)
-    return shown.replace(" - ", " \N{MINUS SIGN} ") if shown.startswith("in ") else shown
 
 
 def _equations(material: Material) -> Iterator[Markup]:

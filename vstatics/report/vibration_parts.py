@@ -10,7 +10,6 @@ from vstatics.report.parts import figures, gear_link, of_gear
 from vstatics.report.vibration import Vibration
 from vstatics.tables.grid import Cell, Column, Grid, Row, exact, text, whole
 from vstatics.tables.html import Markup, table, tables, tag
-from vstatics.tables.numbers import typeset
 
 if TYPE_CHECKING:
     from vstatics.torsion.gear_modes import GearModes
@@ -26,7 +25,7 @@ def shown_vibration(found: Vibration, digits: int | None) -> Iterator[Markup]:
         return
     said = [f"gear {gear.name}: {text}" for gear in found.gears for text in gear.warnings]
     if said:
-        yield tag("ul", *(tag("li", typeset(text)) for text in said), class_="messages")
+        yield tag("ul", *(tag("li", text) for text in said), class_="messages")
     grid = frequencies(found.gears).with_digits(digits)
     yield table(grid._replace(rows=[[gear_link(row[0].text), *row[1:]] for row in grid.cells]))
     for number, gear in enumerate(found.gears):

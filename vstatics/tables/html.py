@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterable, Iterator
 from html import escape
 from itertools import groupby
 
-from vstatics.tables.grid import Cell, Column, Grid
+from vstatics.tables.grid import NOTHING, Cell, Column, Grid
 from vstatics.tables.numbers import typeset
 
 
@@ -56,6 +57,47 @@ def joined(*children: str) -> Markup:
     '<b>1</b> &lt; 2'
     """
     return Markup("".join(one if isinstance(one, Markup) else escape(one) for one in children))
+
+
+_SHOWN = re.compile(r"<svg\b.*?</svg>|(?<=>)[^<>]+(?=<)|(?<= aria-label=\")[^\"]+", re.DOTALL)
+_LONE_MINUS = re.compile(r"(?<=\s)-(?=\s)")
+
+
+def printed(shown: Markup, names: Iterable[str] = ()) -> Markup:
+    """What is shown with the signs of print: a true minus, 0 before the point, one dash.
+
+    Pictures have them already.
+
+    Parameters
+    ----------
+    names : iterable of str
+        They stay as they are, also those that look like a number.
+
+    Examples
+    --------
+    >>> printed(joined(tag("td", "-3"), tag("p", "-3, -.5 - w")), ["-3", "8-1"])
+    '<td>-3</td><p>-3, −0.5 − w</p>'
+    >>> printed(tag("td", "-"))
+    '<td>–</td>'
+    """
+    kept = {escape(one) for one in names if _in_print(escape(one)) != escape(one)}
+    words = "|".join(map(re.escape, sorted(kept, key=len, reverse=True)))
+    split = re.compile(rf"((?<![\w.])(?:{words})(?!\w|\.\d))") if kept else None
+
+    def again(found: re.Match[str]) -> str:
+        text = found[0]
+        if text.startswith("<svg") or text in kept:
+            return text
+        if text == NOTHING:
+            return "\N{EN DASH}"
+        parts = split.split(text) if split else [text]
+        return "".join(one if one in kept else _in_print(one) for one in parts)
+
+    return Markup(_SHOWN.sub(again, shown))
+
+
+def _in_print(text: str) -> str:
+    return _LONE_MINUS.sub("\N{MINUS SIGN}", typeset(text))
 
 
 def terms(entries: Iterable[tuple[str, str]]) -> Markup:
