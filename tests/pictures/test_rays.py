@@ -182,3 +182,19 @@ def test_sets_in_series_have_a_plan_for_each_brake() -> None:
     found = plans(solve(train))
     assert len(found) == count
     assert {len(plan.engaged) for plan in found} == {count - 1}
+
+
+def test_links_that_stand_all_over_a_plan_are_named() -> None:
+    """Issue 16; A and B hold both wheels of the first set of the Ford 10R80, so it stands whole."""
+    results = result("ford-10r80.yaml")
+    [first] = [plan for plan in plans(results) if plan.engaged == ("A", "B", "D")]
+    assert [results.case.link_name(link) for link in first.standing] == [
+        "sun 1-2",
+        "ring 1",
+        "carrier 1",
+    ]
+    figure = picture(results, "plan", Style())
+    assert "stand: sun 1-2, ring 1, carrier 1" in {text.get_text() for text in figure.texts}
+    wide, high = figure.get_size_inches()
+    assert high / wide * 190 < 2 * 277  # mm, with margins of an A4 page
+    assert 8 / wide / 72 * 190 / 25.4 * 72 > 5.5  # pt, of texts on paper

@@ -26,16 +26,20 @@ from vstatics.pictures.plan_key import (
     plan_note,
     plan_signs,
 )
-from vstatics.pictures.plan_panel import HIGH, WIDE, DrawnPlan, draw_plan, drawn_plan
+from vstatics.pictures.plan_panel import DrawnPlan, draw_plan, drawn_plan
 from vstatics.pictures.rays import KinematicPlan, plans
 from vstatics.pictures.style import Style
 from vstatics.pictures.words import title
 from vstatics.simulation.motion import Motion
 from vstatics.statics.results import Results
 
+WIDE, HIGH = 300.0, 220.0
+"""Of a plan without its labels. [pt]"""
+MANY, LESS = 8, 0.65
+"""More plans than that are drawn so much smaller: they fit two printed pages."""
 MARGIN = 12.0
 """[pt]"""
-BELOW = 26.0
+BELOW = 18.0
 """For the name of the abscissa, below the scale. [pt]"""
 RIGHT = 22.0
 """For the name of the ordinates, beside the scale. [pt]"""
@@ -91,82 +95,95 @@ def _figure(
 ) -> Figure:
     """Some plans, one beside and below another, with a run if there is one."""
     runs = [(plan, None) for plan in chosen] if motion is None else visited(case, chosen, motion)
-    drawn = [drawn_plan(case, plan, run, style) for plan, run in runs]
-    layout = _layout(case, drawn, style, motion)
+    size = LESS if len(runs) > MANY else 1.0
+    drawn = [drawn_plan(case, plan, run, size * WIDE, style) for plan, run in runs]
+    layout = _layout(case, drawn, size, style, motion)
     wide, high = layout.size
     paper = Paper(labels.figure(wide, high))
     layout.head.draw(paper, MARGIN, high - MARGIN, style)
-    for place, one in enumerate(drawn):
-        row, column = divmod(place, layout.columns)
-        left = column * layout.across + layout.left
-        bottom = high - layout.head_high - row * layout.up - layout.above - layout.high
-        chart = Chart(paper, (left, bottom), WIDE, layout.high, one.x, one.y)
-        draw_plan(chart, case, one, style)
-        if place + layout.columns >= len(drawn):
-            text = style.text(
-                "1/i = output speed / input speed", "1/i = скорость выхода / скорость входа"
-            )
-            chart.name("bottom", text, layout.numbers + BELOW - 8)
-        if column == layout.columns - 1 or place == len(drawn) - 1:
-            text = style.text("link speed / input speed", "скорость звена / скорость входа")
-            chart.name("right", text, widest(tick_texts(one.ticks())) + RIGHT - 6)
-        if motion is not None and one.run is not None:
-            draw_paths(chart, one.plan, one.run, style)
-            time_high = high_of(motion)
-            down = bottom - layout.numbers - BELOW - time_high
-            scale = AxisScale(float(motion.time[-1]), float(motion.time[0]))
-            under = Chart(paper, (left, down), WIDE, time_high, one.x, scale)
-            draw_time(under, one.plan, one.run, motion, style)
+    bottom = high - MARGIN - layout.head.high
+    for row in layout.rows:
+        bottom -= row.above + layout.high
+        for column, one in enumerate(row.drawn):
+            left = column * layout.across + layout.left
+            chart = Chart(paper, (left, bottom), layout.wide, layout.high, one.x, one.y)
+            draw_plan(chart, case, one, row.above, style)
+            _name_scales(chart, one, row.numbers, style)
+            if motion is not None and one.run is not None:
+                draw_paths(chart, one.plan, one.run, style)
+                time_high = high_of(motion)
+                down = bottom - row.numbers - BELOW - time_high
+                scale = AxisScale(float(motion.time[-1]), float(motion.time[0]))
+                under = Chart(paper, (left, down), layout.wide, time_high, one.x, scale)
+                draw_time(under, one.plan, one.run, motion, style)
+        bottom -= row.numbers + layout.below
     return paper.figure
+
+
+def _name_scales(chart: Chart, one: DrawnPlan, numbers: float, style: Style) -> None:
+    """What is across, and what is up."""
+    text = style.text("1/i = output speed / input speed", "1/i = скорость выхода / скорость входа")
+    chart.name("bottom", text, numbers + BELOW - 14)
+    text = style.text("link speed / input speed", "скорость звена / скорость входа")
+    chart.name("right", text, widest(tick_texts(one.ticks())) + RIGHT - 6)
+
+
+class _PlanRow(NamedTuple):
+    """Plans side by side."""
+
+    drawn: Sequence[DrawnPlan]
+
+    @property
+    def above(self) -> float:
+        """Over the axes [pt]."""
+        return max(one.above for one in self.drawn)
+
+    @property
+    def numbers(self) -> float:
+        """Of those below the axes [pt]."""
+        return LEADER + max(one.foot.height for one in self.drawn)
 
 
 class _PlanLayout(NamedTuple):
     """Where the plans of a figure stand; lengths in points."""
 
-    columns: int
+    rows: Sequence[_PlanRow]
     left: float
     """Of the names of rays."""
     right: float
     """Of the scale."""
-    above: float
-    """Of the gears."""
-    high: float
+    wide: float
     """Of the axes."""
-    numbers: float
-    """Of those below the axes."""
-    up: float
-    """A plan with all that belongs to it."""
+    high: float
+    below: float
+    """Below the numbers of a plan."""
     head: ChartHead
     size: tuple[float, float]
 
     @property
     def across(self) -> float:
         """A plan with all that belongs to it."""
-        return self.left + WIDE + self.right
-
-    @property
-    def head_high(self) -> float:
-        """What stands over the plans."""
-        return MARGIN + self.head.high
+        return self.left + self.wide + self.right
 
 
 def _layout(
-    case: Transmission, drawn: Sequence[DrawnPlan], style: Style, motion: Motion | None
+    case: Transmission,
+    drawn: Sequence[DrawnPlan],
+    part: float,
+    style: Style,
+    motion: Motion | None,
 ) -> _PlanLayout:
     columns = min(math.ceil(math.sqrt(len(drawn))), SIDE_BY_SIDE)
+    rows = [_PlanRow(drawn[n : n + columns]) for n in range(0, len(drawn), columns)]
     ends = [one.ends(HIGH, style) for one in drawn]
     left = MARGIN + max(map(width_of, ends))
-    high = max(HIGH, *map(height_of, ends))
-    above = max(one.top.height for one in drawn) + LEADER + 4
-    if any(one.head for one in drawn):
-        above += max(labels.height(one.head) for one in drawn) + 2
+    high = max(part * HIGH, *map(height_of, ends))
     right = widest(text for one in drawn for text in tick_texts(one.ticks())) + 8 + RIGHT
-    numbers = max(one.foot.height for one in drawn) + LEADER
-    below = numbers + BELOW
+    below = BELOW
     if motion is not None:
         below += high_of(motion) + MARGIN
         right = max(right, right_of(motion, style))
-    up, wide = above + high + below, columns * (left + WIDE + right)
+    wide = columns * (left + part * WIDE + right)
     subject = style.text("generalised kinematic plan", "обобщённый кинематический план")
     if motion is not None:
         subject += style.text(" with a run", " и движение")
@@ -177,5 +194,6 @@ def _layout(
     head = chart_head(
         title(case, subject), plan_note(case, shown, style), signs, wide - 2 * MARGIN, style
     )
-    size = wide, MARGIN + head.high + math.ceil(len(drawn) / columns) * up
-    return _PlanLayout(columns, left, right, above, high, numbers, up, head, size)
+    up = sum(row.above + high + row.numbers + below for row in rows)
+    size = wide, MARGIN + head.high + up
+    return _PlanLayout(rows, left, right, part * WIDE, high, below, head, size)

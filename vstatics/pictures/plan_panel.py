@@ -19,10 +19,8 @@ from vstatics.pictures.style import Style, number
 from vstatics.pictures.svg import told
 from vstatics.pictures.words import gear_title
 
-WIDE, HIGH = 300.0, 220.0
-"""Of a plan without its labels. [pt]"""
 LONGEST = 110.0
-"""Labels of rays are wrapped to this width. [pt]"""
+"""Names of rays, and those of gears that run upwards, are wrapped to this width. [pt]"""
 ALONE = 0.4
 """Where gears take less of the abscissa from 0 on, it does not reach to 0."""
 
@@ -37,8 +35,16 @@ class DrawnPlan(NamedTuple):
     names: tuple[tuple[str, ...], ...]
     """Of the links of each ray, wrapped."""
     head: str
+    note: str
+    """Below that."""
     top: GearRow
     foot: GearRow
+
+    @property
+    def above(self) -> float:
+        """What stands over the axes [pt]."""
+        texts = [labels.height(text) + 2 for text in (self.head, self.note) if text]
+        return LEADER + self.top.height + 2 + sum(texts)
 
     def ends(self, height: float, style: Style) -> list[LineEnd]:
         """The names of rays at the left, in a chart of a height [pt]."""
@@ -66,9 +72,9 @@ class GearRow(NamedTuple):
 
 
 def drawn_plan(
-    case: Transmission, plan: KinematicPlan, run: PlanCourse | None, style: Style
+    case: Transmission, plan: KinematicPlan, run: PlanCourse | None, wide: float, style: Style
 ) -> DrawnPlan:
-    """A plan with its scales and texts, with a run if there is one."""
+    """A plan with its scales and texts in a width [pt], with a run if there is one."""
     x = _abscissa(plan, has_run=run is not None)
     reached = [ray.at(end) for ray in plan.rays for end in (x.low, x.high)] + [0.0, 1.0]
     room = 0.05 * (max(reached) - min(reached))
@@ -77,7 +83,8 @@ def drawn_plan(
         tuple(labels.wrapped(case.link_name(link), LONGEST) for link in ray.links)
         for ray in plan.rays
     )
-    return DrawnPlan(plan, run, x, y, names, _heading(plan, style), *_rows(case, plan, x, style))
+    head, note = (labels.wrapped(text, wide) for text in _heads(case, plan, style))
+    return DrawnPlan(plan, run, x, y, names, head, note, *_rows(case, plan, x, wide, style))
 
 
 def _abscissa(plan: KinematicPlan, *, has_run: bool) -> AxisScale:
@@ -91,21 +98,22 @@ def _abscissa(plan: KinematicPlan, *, has_run: bool) -> AxisScale:
     return AxisScale(low - room, high + room)
 
 
-def _heading(plan: KinematicPlan, style: Style) -> str:
-    """What all gears of a plan have in common."""
+def _heads(case: Transmission, plan: KinematicPlan, style: Style) -> tuple[str, str]:
+    """What all gears of a plan have in common: elements and speeds, links that stand."""
     parts = []
     if plan.engaged:
         parts.append(f"{style.text('engaged', 'включены')}: {', '.join(plan.engaged)}")
     if plan.given:
         parts.append(f"{style.text('given', 'задано')}: {', '.join(plan.given)}")
-    return labels.wrapped("; ".join(parts), WIDE)
+    names = ", ".join(map(case.link_name, plan.standing))
+    return "; ".join(parts), f"{style.text('stand', 'стоят')}: {names}" if names else ""
 
 
 def _rows(
-    case: Transmission, plan: KinematicPlan, x: AxisScale, style: Style
+    case: Transmission, plan: KinematicPlan, x: AxisScale, wide: float, style: Style
 ) -> tuple[GearRow, GearRow]:
     """The gears with the elements that make them above a plan, 1/i of each below it."""
-    at = [x.part(mark.output) * WIDE for mark in plan.marks]
+    at = [x.part(mark.output) * wide for mark in plan.marks]
     texts = [
         (
             case.gears[mark.gear - 1].name,
@@ -115,30 +123,30 @@ def _rows(
     ]
     across, turned = (
         [
-            Label(place, between.join(filter(None, text)), style.ink)
+            Label(place, labels.wrapped(between.join(filter(None, text)), longest), style.ink)
             for place, text in zip(at, texts, strict=True)
         ]
-        for between in ("\n", ": ")
+        for between, longest in (("\n", wide), (": ", LONGEST))
     )
     outputs = sorted({round(mark.output, 9) + 0.0 for mark in plan.marks})
-    scale = [Label(x.part(one) * WIDE, number(one), style.ink) for one in outputs]
+    scale = [Label(x.part(one) * wide, number(one), style.ink) for one in outputs]
     common = [one for one in (0.0, 1.0) if one not in outputs and x.low < one < x.high]
-    scale += [Label(x.part(one) * WIDE, f"{one:.0f}", style.soft) for one in common]
-    return _near(across, turned), _near(scale, scale)
+    scale += [Label(x.part(one) * wide, f"{one:.0f}", style.soft) for one in common]
+    return _near(across, turned, wide), _near(scale, scale, wide)
 
 
-def _near(across: list[Label], turned: list[Label]) -> GearRow:
+def _near(across: list[Label], turned: list[Label], wide: float) -> GearRow:
     """Texts across if each can stand near to its vertical, else upwards."""
     sizes = [labels.across_size(label.text) for label in across]
     wanted = [label.at for label in across]
-    places = labels.spread(wanted, sizes, 0.0, WIDE)
+    places = labels.spread(wanted, sizes, 0.0, wide)
     if all(abs(one - other) <= LEADER for one, other in zip(places, wanted, strict=True)):
         return GearRow(across, upright=False, height=max(labels.height(a.text) for a in across))
     return GearRow(turned, upright=True, height=max(labels.width(a.text) for a in turned))
 
 
-def draw_plan(chart: Chart, case: Transmission, one: DrawnPlan, style: Style) -> None:
-    """A plan with all its labels."""
+def draw_plan(chart: Chart, case: Transmission, one: DrawnPlan, above: float, style: Style) -> None:
+    """A plan with all its labels, its heads as high over the axes [pt] as those beside it."""
     chart.frame(style, "left", "right", "bottom", "top")
     chart.scale("right", one.ticks(), style, grid=True)
     _draw_rays(chart, case, one.plan, style)
@@ -146,7 +154,12 @@ def draw_plan(chart: Chart, case: Transmission, one: DrawnPlan, style: Style) ->
     beside(chart, "left", one.ends(chart.height, style), style)
     along(chart, "top", one.top.labels, style, upright=one.top.upright)
     along(chart, "bottom", one.foot.labels, style, upright=one.foot.upright)
-    chart.write(0, chart.height + LEADER + one.top.height + 2, one.head, weight="bold", va="bottom")
+    top, how = chart.height + above, {"va": "top", "linespacing": labels.LINE}
+    if one.head:
+        chart.write(0, top, one.head, weight="bold", **how)
+        top -= labels.height(one.head) + 2
+    if one.note:
+        chart.write(0, top, one.note, color=style.soft, **how)
 
 
 def _draw_rays(chart: Chart, case: Transmission, plan: KinematicPlan, style: Style) -> None:

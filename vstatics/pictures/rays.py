@@ -70,6 +70,8 @@ class KinematicPlan(NamedTuple):
     """Speeds that are given, in words."""
     rays: tuple[Ray, ...]
     marks: tuple[Mark, ...]
+    standing: tuple[int, ...]
+    """Links that stand all over the plan; these have no ray."""
 
     @property
     def has_unit_point(self) -> bool:
@@ -118,9 +120,9 @@ def plans(results: Results) -> list[KinematicPlan]:
             if (first, last) == (gear.input, gear.output)
             and _conditions(case, gear.gear).issuperset(state)
         )
-        rays = _rays(case, first, last, state)
+        rays, standing = _rays(case, first, last, state)
         engaged, given = _names(case, state, marks)
-        drawn.append(KinematicPlan(first, last, engaged, given, tuple(rays), marks))
+        drawn.append(KinematicPlan(first, last, engaged, given, rays, marks, standing))
     if not drawn:
         message = "a kinematic plan shows what is left free by all elements of a gear but one"
         raise CaseError([Problem(f"{message}, and no gear of this case leaves anything free")])
@@ -193,14 +195,20 @@ def _speeds(
     return [plain(speed) for speed in solve_speeds(case, gear, columns(case, ratios)).links]
 
 
-def _rays(case: Transmission, first: int, last: int, state: Sequence[Condition]) -> list[Ray]:
-    """The rays of the case's own links; links that stand have none."""
+def _rays(
+    case: Transmission, first: int, last: int, state: Sequence[Condition]
+) -> tuple[tuple[Ray, ...], tuple[int, ...]]:
+    """The rays of the case's own links; links that stand have none, and are told."""
     own = case.own_links
     ends = [_speeds(case, first, last, state, output) for output in (0.0, 1.0)]
     rays: list[Ray] = []
+    standing = []
     for link, (start, end) in enumerate(zip(*(speeds[:own] for speeds in ends), strict=True), 1):
         slope = end - start
-        if math.isnan(slope) or (abs(start) < SAME and abs(slope) < SAME):
+        if math.isnan(slope):
+            continue
+        if abs(start) < SAME and abs(slope) < SAME:
+            standing.append(link)
             continue
         for place, ray in enumerate(rays):
             if abs(ray.start - start) < SAME and abs(ray.slope - slope) < SAME:
@@ -208,7 +216,7 @@ def _rays(case: Transmission, first: int, last: int, state: Sequence[Condition])
                 break
         else:
             rays.append(Ray((link,), start, slope))
-    return rays
+    return tuple(rays), tuple(standing)
 
 
 def _further(case: Transmission, gear: Gear, state: Sequence[Condition]) -> tuple[int, ...]:
