@@ -65,13 +65,15 @@ def power_grid(flow: GearFlow) -> Grid:
     return Grid(f"Gear {flow.gear}", columns, rows, levels)
 
 
-def remarks(flow: GearFlow, digits: int | None = None) -> Iterator[str]:
+def remarks(flow: GearFlow, digits: int | None = None, *, balanced: bool = True) -> Iterator[str]:
     """What is without power, the balance, what circulates: a line each, loops set in.
 
     Parameters
     ----------
     digits : int, optional
         After the point, where they are not three.
+    balanced : bool
+        Whether the sum of the powers is told, which other parts of a page say.
     """
     if flow.ideal is None:
         return
@@ -87,8 +89,9 @@ def remarks(flow: GearFlow, digits: int | None = None) -> Iterator[str]:
     if flow.note:
         yield f"with losses: {flow.note}"
     shown = flow.lossy or flow.ideal
-    entering, leaving, lost = map(shown_as, (shown.entering, shown.leaving, shown.lost))
-    yield f"in {entering} - out {leaving} - lost {lost} = {shown_as(shown.balance)}"
+    if balanced:
+        entering, leaving, lost = map(shown_as, (shown.entering, shown.leaving, shown.lost))
+        yield f"in {entering} - out {leaving} - lost {lost} = {shown_as(shown.balance)}"
     unknown = [str(node) for node in shown.unknown]
     if unknown:
         yield f"not determined: {', '.join(unknown)}"

@@ -45,7 +45,9 @@ def _gears(material: Material) -> Iterator[tuple[str, str]]:
     made = material.summary.design
     yield "gears", str(len(made.gears))
     if len(made.forward) > 1:
-        yield "spread", _number(material, made.spread)
+        first, last = (gear_link(one) for one in (made.forward[0], made.forward[-1]))
+        spread = _number(material, made.spread)
+        yield "spread", joined(spread, ", gear ", first, " to ", last)
 
 
 def _efficiency(material: Material) -> Iterator[tuple[str, str]]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 
 from vstatics.flow.grids import power_grid, remarks
@@ -16,10 +17,11 @@ from vstatics.report.parts import figures, gear_link, of_gear
 from vstatics.report.vibration_parts import shown_vibration
 from vstatics.summary.grids import Marks, element_signs
 from vstatics.summary.grids import grids as summary_grids
-from vstatics.tables.blanks import without_missing
+from vstatics.tables.blanks import without_missing, without_zeros
 from vstatics.tables.grid import Cell, Column, Grid
 from vstatics.tables.grids import of_results
 from vstatics.tables.html import Markup, table, tables, tag, terms
+from vstatics.tables.numbers import ROUNDING
 
 Part = tuple[str, Sequence[Markup]]
 """The name of a section, and what it shows."""
@@ -27,6 +29,14 @@ RUN = "Run"
 """The section on the run of a scenario."""
 ALREADY = ("ETA", "ratio")
 """Columns of the results by gear that the table of gears has."""
+WELL = {
+    "power balance": (0.0, "power balance 0"),
+    "consistent": (1.0, "directions of power agree with the losses"),
+    "locked": (0.0, "none locked by friction"),
+}
+"""Of columns of the results by gear: the number that says that all is well, and it in words."""
+MATRIX = "AJK"
+"""The table that the equations of each gear have."""
 MARKS = Marks(holds="○", open="")
 SPREAD = "spread"
 """The table that the overview says in words."""
@@ -79,6 +89,7 @@ def _gears(material: Material, grid: Grid) -> Iterator[Markup]:
     results = material.results
     signs = [Column(element.name, is_sign=True) for element in results.case.shift_elements]
     columns = [grid.columns[0], *signs, *grid.columns[1:]]
+    grid = _without_last_step(grid)
     rows = [
         [Cell(gear_link(gear.name)), *element_signs(results, index, MARKS), *row[1:]]
         for index, (gear, row) in enumerate(zip(results.case.gears, grid.rows, strict=True))
@@ -88,6 +99,17 @@ def _gears(material: Material, grid: Grid) -> Iterator[Markup]:
         yield tag(
             "p", f"{MARKS.engaged} engaged, {MARKS.holds} freewheel that holds", class_="note"
         )
+
+
+def _without_last_step(grid: Grid) -> Grid:
+    """A gear without a next one has no step."""
+    step = [column.heading for column in grid.columns].index("step")
+    blank = Cell("", math.nan, kind=float)
+    rows = [
+        [*row[:step], row[step] if row[step - 1].text else blank, *row[step + 1 :]]
+        for row in grid.cells
+    ]
+    return grid._replace(rows=rows)
 
 
 def _of_gears(material: Material, kind: str) -> Iterator[Markup]:
@@ -130,8 +152,8 @@ def _power(flow: GearFlow, digits: int | None) -> Iterator[Markup]:
     if flow.ideal is None:
         yield tag("p", f"{flow.note}, so there is no power to show".capitalize())
         return
-    powers = power_grid(flow)._replace(title=f"Power in gear {flow.gear}")
-    lines = (tag("li", line.strip()) for line in remarks(flow, digits))
+    powers = without_zeros(power_grid(flow))._replace(title=f"Power in gear {flow.gear}")
+    lines = (tag("li", line.strip()) for line in remarks(flow, digits, balanced=False))
     numbers = table(powers.with_digits(digits), headed=False)
     yield tag("div", numbers, tag("ul", *lines), class_="power")
 
@@ -154,7 +176,28 @@ def _tables(material: Material, summary: Sequence[Grid]) -> Iterator[Markup]:
     results = of_results(material.results, blanks=True)
     by_gear, *others = (one.with_digits(material.digits) for one in results)
     told = (one for one in summary if one.key not in (SPREAD, *SHIFTS))
-    yield from tables([*told, _without(by_gear, ALREADY), *others])
+    rest = (one for one in others if one.key != MATRIX or not material.flows)
+    well = _well(by_gear)
+    if well:
+        yield tag("p", f"In all gears: {', '.join(WELL[one][1] for one in well)}.")
+    besides = _without(by_gear, (*ALREADY, *well))
+    with_columns = [besides] * (len(besides.columns) > 1)
+    told = (without_zeros(one) if one.key == "sensitivity" else one for one in told)
+    yield from tables([*told, *with_columns, *rest])
+
+
+def _well(by_gear: Grid) -> list[str]:
+    """The columns that say of all gears that all is well."""
+    found = zip(by_gear.columns, zip(*by_gear.cells, strict=True), strict=True)
+    return [
+        column.heading
+        for column, cells in found
+        if column.heading in WELL and all(_is_well(column.heading, cell.value) for cell in cells)
+    ]
+
+
+def _is_well(heading: str, value: float | None) -> bool:
+    return value is not None and abs(value - WELL[heading][0]) < ROUNDING
 
 
 def _without(grid: Grid, headings: Sequence[str]) -> Grid:

@@ -45,6 +45,20 @@ def structural_zeros(table: Table, results: Results) -> Booleans:
     return zero
 
 
+def without_zeros(grid: Grid) -> Grid:
+    """A table in which what is exactly 0 is blank; the values stay.
+
+    >>> from vstatics.tables.grid import Column, exact, text
+    >>> cells = [exact(0.0), exact(0.5)]
+    >>> without_zeros(Grid("t", [text("x"), Column("y"), Column("z")], [["a", *cells]])).texts
+    [['a', '', '.500']]
+    """
+    rows = [
+        [cell._replace(text="") if cell.value == 0 else cell for cell in row] for row in grid.cells
+    ]
+    return grid._replace(rows=rows)
+
+
 def without_missing(grid: Grid) -> Grid:
     """A table in which numbers that do not exist are blank, where that is what is usual.
 
