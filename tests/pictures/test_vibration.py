@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 from matplotlib.colors import to_rgba
+from matplotlib.lines import Line2D
 
 from tests.commands import CASES, vstatics
 from tests.pictures import drawn
@@ -248,6 +249,22 @@ def test_a_campbell_diagram_shows_frequencies_that_orders_reach_and_names_the_ot
     assert order_range(6000.0, [30.0, 720.0]).frequency == pytest.approx(33.0)
     beyond = texts(chain(2, stiffness=0.05 * (1440 * 3.14159265) ** 2), "campbell")
     assert "1: 720.0 Hz ↑" in beyond
+
+
+@pytest.mark.slow
+def test_no_number_of_a_resonance_lies_on_a_line_or_point() -> None:
+    """Issue 16; where there is no room the dot has its speed in its title only."""
+    figure = picture(solve(load(CASES / "driveline-8hp70.yaml")), "campbell", Style(), [1])
+    titled = [(said, line) for said, line in drawn.titled(figure) if isinstance(line, Line2D)]
+    lines = [line for _, line in titled]
+    numbers = [text for text in figure.texts if float(text.get_fontsize()) < 7]
+    assert 5 < len(numbers) < len([said for said, _ in titled if " rpm, " in said])
+    figure.draw_without_rendering()
+    for text in numbers:
+        box = text.get_window_extent()
+        for line in lines:
+            path = line.get_transform().transform_path(line.get_path())
+            assert not path.intersects_bbox(box, filled=False), (text.get_text(), line.get_gid())
 
 
 def test_the_speeds_go_beyond_the_load_of_any_gear() -> None:

@@ -47,6 +47,8 @@ ON_SHEET = 6
 """So many diagrams fit a printed page."""
 SMALL = 6.5
 """Of speeds at crossings. [pt]"""
+DIGITS = 0.75
+"""Height of digits over their size."""
 
 
 class _CampbellDiagram(NamedTuple):
@@ -255,28 +257,48 @@ def _speed_text(chart: Chart, diagram: _CampbellDiagram, style: Style) -> str:
 def _draw_crossings(
     chart: Chart, diagram: _CampbellDiagram, shown: OrderRange, style: Style
 ) -> None:
-    """Dots, each with its speed where there is room."""
+    """Dots, each with its speed where there is room beside all dots, lines and numbers."""
     found = list(crossings(shown, _frequencies(diagram)))
     dots = [
         (chart.width * shown.across(one.speed), chart.height * shown.up(one.frequency))
         for one in found
     ]
-    taken = [(x - 1.5, y - 1.5, x + 1.5, y + 1.5) for x, y in dots]
+    taken = [(x - 2, y - 2, x + 2, y + 2) for x, y in dots]
+    levels = [
+        chart.height * shown.up(one) for one in _frequencies(diagram) if one <= shown.frequency
+    ]
+    slopes = [
+        y * chart.height / (x * chart.width) for x, y in (_order_end(o, shown) for o in ORDERS)
+    ]
     rpm = style.text("rpm", "об/мин")
     for (x, y), one in zip(dots, found, strict=True):
         text = f"{one.speed:.0f}"
         hertz = f"{number(one.frequency)} {style.text('Hz', 'Гц')}"
         said = f"{diagram.head}, {_order_name(one.order)}: {text} {rpm}, {hertz}"
         chart.line((x, y), gid=told(said), **_dot_look(style))
-        wide, high = width(text, SMALL), height(text, SMALL)
-        for left, low in ((x - wide - 2.5, y + 1.5), (x + 2.5, y - high - 1.5)):
+        wide, high = width(text, SMALL), DIGITS * SMALL
+        for left, low in ((x - wide - 3.5, y + 2.5), (x + 3.5, y - high - 2.5)):
             box = left - 1, low - 1, left + wide + 1, low + high + 1
             inside = min(box[:2]) > 0 and box[2] < chart.width and box[3] < chart.height
-            if inside and not any(_meet(box, other) for other in taken):
+            covers = any(_meet(box, other) for other in taken) or _crossed(box, levels, slopes)
+            if inside and not covers:
                 taken.append(box)
                 how: dict[str, Any] = {"fontsize": SMALL, "va": "center_baseline"}
                 chart.write(left, low + high / 2, text, **how, **halo(style))
                 break
+
+
+def _crossed(box: tuple[float, ...], levels: Sequence[float], slopes: Sequence[float]) -> bool:
+    """Whether a level line, or one of a slope from the origin, goes through a box.
+
+    >>> box = (10.0, 20.0, 30.0, 28.0)
+    >>> _crossed(box, [24.0], []), _crossed(box, [], [1.0]), _crossed(box, [30.0], [0.5, 3.0])
+    (True, True, False)
+    """
+    left, low, right, high = box
+    return any(low < one < high for one in levels) or any(
+        slope * left < high and slope * right > low for slope in slopes
+    )
 
 
 def _meet(one: tuple[float, ...], other: tuple[float, ...]) -> bool:

@@ -164,18 +164,19 @@ class Chart(NamedTuple):
             self.write(self.width / 2, y, text, ha="center", va="center")
 
 
-def tick_texts(values: Sequence[float]) -> list[str]:
-    """The numbers of a scale, all with the decimals that one of them needs.
+def tick_texts(values: Sequence[float], alike: Sequence[float] = ()) -> list[str]:
+    """The numbers of a scale, all with the decimals that one of them, or of others, needs.
 
-    >>> tick_texts([-0.5, 0.0, 0.5, 1.0]), tick_texts([0.0, 2000.0])
-    (['−0.5', '0.0', '0.5', '1.0'], ['0', '2000'])
+    >>> tick_texts([-0.5, 0.0, 0.5, 1.0]), tick_texts([0.0, 2000.0]), tick_texts([1.0], [0.25])
+    (['−0.5', '0.0', '0.5', '1.0'], ['0', '2000'], ['1.00'])
     """
-    largest = max(map(abs, values), default=0.0)
+    every = [*values, *alike]
+    largest = max(map(abs, every), default=0.0)
     if largest >= LARGE or 0 < largest < 10.0**-DECIMALS:
         return [typeset(f"{one:g}") for one in values]
     decimals = 0
     while decimals < DECIMALS and any(
-        abs(round(one, decimals) - one) > 1e-9 * largest for one in values
+        abs(round(one, decimals) - one) > 1e-9 * largest for one in every
     ):
         decimals += 1
     return [typeset(f"{one:z.{decimals}f}") for one in values]

@@ -13,7 +13,7 @@ from vstatics.errors import CaseError, Problem
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Floats
 from vstatics.pictures import labels
-from vstatics.pictures.chart import AxisScale, Chart
+from vstatics.pictures.chart import AxisScale, Chart, tick_texts
 from vstatics.pictures.chart_ends import along
 from vstatics.pictures.heads import AFTER, SAMPLE, KeySign, chart_head
 from vstatics.pictures.labels import LEADER, Label, Paper
@@ -171,7 +171,8 @@ def _title(case: Transmission, style: Style) -> str:
 def _scales(chart: Chart, losses: _Losses, style: Style) -> None:
     """From 1 down to a little below the lowest bar, with room for its number; the gears."""
     chart.frame(style, "left", "top")
-    chart.scale("left", labels.ticks(chart.y.low, 1.0, 6), style, grid=True)
+    ticks = labels.ticks(chart.y.low, 1.0, 6)
+    chart.scale("left", ticks, style, tick_texts(ticks, [0.001]), grid=True)
     chart.name("left", style.text("efficiency", "КПД"), LEFT - MARGIN - SIZE / 2)
     upright, high = _foot(losses.gears)
     at = [Label(chart.across(place), name, style.ink) for place, name in enumerate(losses.gears)]

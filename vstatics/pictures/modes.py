@@ -152,7 +152,7 @@ def _row(
         f"{number(mode.omega)} {style.text('rad/s', 'рад/с')}",
     ]
     if found.damped and math.isfinite(mode.damping_ratio):
-        lines.append(f"{style.text('damping', 'затухание')} {mode.damping_ratio:.2g}")
+        lines.append(f"{style.text('damping', 'затухание')} {mode.damping_ratio:.4f}")
     return _ModeRow(
         mode,
         "\n".join(lines),

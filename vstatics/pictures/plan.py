@@ -108,7 +108,9 @@ def _figure(
             left = column * layout.across + layout.left
             chart = Chart(paper, (left, bottom), layout.wide, layout.high, one.x, one.y)
             draw_plan(chart, case, one, row.above, style)
-            _name_scales(chart, one, row.numbers, style)
+            ticks = one.ticks()
+            chart.scale("right", ticks, style, tick_texts(ticks, layout.ticks), grid=True)
+            _name_scales(chart, layout, row.numbers, style)
             if motion is not None and one.run is not None:
                 draw_paths(chart, one.plan, one.run, style)
                 time_high = high_of(motion)
@@ -120,12 +122,12 @@ def _figure(
     return paper.figure
 
 
-def _name_scales(chart: Chart, one: DrawnPlan, numbers: float, style: Style) -> None:
+def _name_scales(chart: Chart, layout: _PlanLayout, numbers: float, style: Style) -> None:
     """What is across, and what is up."""
     text = style.text("1/i = output speed / input speed", "1/i = скорость выхода / скорость входа")
     chart.name("bottom", text, numbers + BELOW - 14)
     text = style.text("link speed / input speed", "скорость звена / скорость входа")
-    chart.name("right", text, widest(tick_texts(one.ticks())) + RIGHT - 6)
+    chart.name("right", text, layout.scale + RIGHT - 6)
 
 
 class _PlanRow(NamedTuple):
@@ -155,6 +157,10 @@ class _PlanLayout(NamedTuple):
     wide: float
     """Of the axes."""
     high: float
+    ticks: Sequence[float]
+    """Of all ordinates; their numbers have decimals alike."""
+    scale: float
+    """Width of these."""
     below: float
     """Below the numbers of a plan."""
     head: ChartHead
@@ -178,7 +184,9 @@ def _layout(
     ends = [one.ends(HIGH, style) for one in drawn]
     left = MARGIN + max(map(width_of, ends))
     high = max(part * HIGH, *map(height_of, ends))
-    right = widest(text for one in drawn for text in tick_texts(one.ticks())) + 8 + RIGHT
+    ticks = sorted({tick for one in drawn for tick in one.ticks()})
+    scale = widest(tick_texts(ticks))
+    right = scale + 8 + RIGHT
     below = BELOW
     if motion is not None:
         below += high_of(motion) + MARGIN
@@ -196,4 +204,4 @@ def _layout(
     )
     up = sum(row.above + high + row.numbers + below for row in rows)
     size = wide, MARGIN + head.high + up
-    return _PlanLayout(rows, left, right, part * WIDE, high, below, head, size)
+    return _PlanLayout(rows, left, right, part * WIDE, high, ticks, scale, below, head, size)

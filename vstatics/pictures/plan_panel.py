@@ -146,9 +146,8 @@ def _near(across: list[Label], turned: list[Label], wide: float) -> GearRow:
 
 
 def draw_plan(chart: Chart, case: Transmission, one: DrawnPlan, above: float, style: Style) -> None:
-    """A plan with all its labels, its heads as high over the axes [pt] as those beside it."""
+    """A plan with all its labels but those of ordinates; heads as high [pt] as those beside it."""
     chart.frame(style, "left", "right", "bottom", "top")
-    chart.scale("right", one.ticks(), style, grid=True)
     _draw_rays(chart, case, one.plan, style)
     _draw_gears(chart, case, one.plan, style)
     beside(chart, "left", one.ends(chart.height, style), style)
