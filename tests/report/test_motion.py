@@ -15,18 +15,29 @@ from tests.report.pages import Page, value
 from vstatics import load, solve
 from vstatics.errors import Problem
 from vstatics.report import gather, page, write_report
-from vstatics.report.motion import RunSection, shown_run
+from vstatics.report.motion import RunSection, in_figures, shown_run
 from vstatics.report.naming import Naming
 from vstatics.statics.result_fields import Message
+from vstatics.tables.grid import Column, Grid, exact, text
 
 SCENARIO = CASES / "scenarios" / "tarasik-set-lock.yaml"
 
 
 def test_a_run_has_its_events_energy_and_torques() -> None:
     shown = Page("".join(shown_run(RunSection(run()), None)))
-    assert list(shown.table("Events")) == [f"{LOCK:.9f}"]
+    assert list(shown.table("Events")) == [f"{LOCK:.4f}"]
     assert value(shown.table("Energy")["brake"]["energy [J]"]) == 858.815102
     assert value(shown.table("Largest torques")["brake"]["torque [N*m]"]) == -120.0
+
+
+def test_large_energies_are_in_kj_and_what_does_not_exist_stays_so() -> None:
+    """The column of names has a heading; a table without rows is as it was."""
+    rows = [["work", exact(474894.33)], ["brake", exact(None)], ["elastic", exact(0.0)]]
+    made = in_figures(Grid("Energy", [text(""), Column("energy [J]")], rows))
+    assert [column.heading for column in made.columns] == ["part", "energy [kJ]"]
+    assert made.texts == [["work", "474.894"], ["brake", "-"], ["elastic", ".000"]]
+    none = Grid("Events: none", [Column("time [s]")], [])
+    assert in_figures(none) == none
 
 
 def test_why_a_run_stopped_and_what_is_to_be_said_of_it_are_told() -> None:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import math
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from vstatics.errors import printable
@@ -10,7 +11,13 @@ from vstatics.report.drawn import Drawn, picture_of
 from vstatics.report.parts import figures
 from vstatics.simulation.motion import Motion
 from vstatics.statics.results import Results
+from vstatics.tables.grid import Cell, Column, Grid, exact
 from vstatics.tables.html import Markup, tables, tag
+
+TIME, FIGURES = 4, 5
+"""Digits of a time in s after the point; significant ones of the largest in a column."""
+KILO = 1e4
+"""Energies with one as large are told in kJ. [J]"""
 
 
 class RunSection(NamedTuple):
@@ -48,6 +55,52 @@ def shown_run(section: RunSection, digits: int | None) -> Iterator[Markup]:
         yield tag("ul", *(tag("li", str(one)) for one in motion.messages), class_="messages")
     if section.course:
         yield from figures(section.course, "Run over time")
-    yield from tables(grid.with_digits(digits) for grid in motion_grids(motion))
+    yield from tables(in_figures(grid).with_digits(digits) for grid in motion_grids(motion))
     if section.plan:
         yield from figures(section.plan, "Run in the kinematic plan")
+
+
+def in_figures(grid: Grid) -> Grid:
+    """A table of a run with the digits that a reader needs, large energies in kJ.
+
+    Examples
+    --------
+    >>> from vstatics.tables.grid import text
+    >>> columns = [Column("time [s]"), text("element"), Column("energy [J]")]
+    >>> rows = [[exact(0.805359703), "B", exact(474894.33)], [exact(2), "C", exact(-30.7)]]
+    >>> made = in_figures(Grid("t", columns, rows))
+    >>> made.columns[2].heading, made.texts
+    ('energy [kJ]', [['.8054', 'B', '474.894'], ['2.0000', 'C', '-.03070']])
+    """
+    if not grid.rows:
+        return grid
+    made = [
+        _column(*pair) for pair in zip(grid.columns, zip(*grid.cells, strict=True), strict=True)
+    ]
+    if not grid.columns[0].heading:
+        made[0] = (grid.columns[0]._replace(heading="part"), made[0][1])
+    rows = [list(row) for row in zip(*(cells for _, cells in made), strict=True)]
+    return grid._replace(columns=[column for column, _ in made], rows=rows)
+
+
+def _column(column: Column, cells: Sequence[Cell]) -> tuple[Column, Sequence[Cell]]:
+    """A column with its cells; what is shown as 0 stays so."""
+    numbers = [one.value for one in cells if one.kind is float and one.value is not None]
+    largest = max((abs(one) for one in numbers if math.isfinite(one)), default=0.0)
+    if not numbers:
+        return column, cells
+    if "[J" in column.heading and largest >= KILO:
+        heading = column.heading.replace("[J", "[kJ")
+        return column._replace(heading=heading), [_rounded(one, 1e-3, 3) for one in cells]
+    places = FIGURES - 1 - math.floor(math.log10(largest)) if largest else 3
+    decimals = TIME if "[s]" in column.heading else min(max(places, 1), TIME)
+    return column, [_rounded(one, 1.0, decimals) for one in cells]
+
+
+def _rounded(cell: Cell, scale: float, decimals: int) -> Cell:
+    if cell.kind is not float or cell.value is None:
+        return cell
+    is_zero = "0" in cell.text and not cell.text.strip("-.0")
+    return exact(0.0 if is_zero else cell.value * scale, decimals)._replace(
+        value=cell.value * scale
+    )
