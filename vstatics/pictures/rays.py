@@ -36,6 +36,10 @@ class Condition(NamedTuple):
     """Of the link, where the other is the housing. [-]"""
 
 
+_Freedoms = dict[tuple[int, int, frozenset[Condition]], bool]
+"""By input, output and conditions: whether these leave the output free."""
+
+
 class Ray(NamedTuple):
     """Links whose speed is ``start + slope*x`` at the output speed x [-]."""
 
@@ -109,8 +113,9 @@ def plans(results: Results) -> list[KinematicPlan]:
         for number, gear in enumerate(gears, 1)
         if math.isfinite(gear.speeds[gear.output])
     ]
+    free: _Freedoms = {}
     states = dict.fromkeys(
-        (gear.input, gear.output, state) for _, gear in known for state in _states(case, gear)
+        (gear.input, gear.output, state) for _, gear in known for state in _states(case, gear, free)
     )
     drawn = []
     for first, last, state in sorted(states, key=lambda key: (key[:2], len(key[2]), key[2])):
@@ -137,16 +142,21 @@ def _conditions(case: Transmission, gear: Gear) -> set[Condition]:
     return joined | {Condition(link, HOUSING, speed) for link, speed in gear.speeds.items()}
 
 
-def _states(case: Transmission, gear: PictureState) -> Iterator[tuple[Condition, ...]]:
+def _states(
+    case: Transmission, gear: PictureState, free: _Freedoms
+) -> Iterator[tuple[Condition, ...]]:
     """The largest parts of a gear's conditions under which its output is free.
 
     Of a smallest part that determines the output one condition at least has to go, so only
-    these ways are followed.
+    these ways are followed. What was found for other gears is read, and kept, in `free`.
     """
 
     def is_free(chosen: frozenset[Condition]) -> bool:
-        speeds = _speeds(case, gear.input, gear.output, sorted(chosen, key=_place))
-        return math.isnan(speeds[gear.output - 1])
+        key = gear.input, gear.output, chosen
+        if key not in free:
+            speeds = _speeds(case, gear.input, gear.output, sorted(chosen, key=_place))
+            free[key] = math.isnan(speeds[gear.output - 1])
+        return free[key]
 
     found: list[frozenset[Condition]] = []
     seen: set[frozenset[Condition]] = set()
