@@ -18,7 +18,7 @@ from vstatics.report import gather, page, write_report
 from vstatics.report.motion import RunSection, in_figures, shown_run
 from vstatics.report.naming import Naming
 from vstatics.statics.result_fields import Message
-from vstatics.tables.grid import Column, Grid, exact, text
+from vstatics.tables.grid import Column, Grid, Row, exact, text
 
 SCENARIO = CASES / "scenarios" / "tarasik-set-lock.yaml"
 
@@ -32,7 +32,7 @@ def test_a_run_has_its_events_energy_and_torques() -> None:
 
 def test_large_energies_are_in_kj_and_what_does_not_exist_stays_so() -> None:
     """The column of names has a heading; a table without rows is as it was."""
-    rows = [["work", exact(474894.33)], ["brake", exact(None)], ["elastic", exact(0.0)]]
+    rows: list[Row] = [["work", exact(474894.33)], ["brake", exact(None)], ["elastic", exact(0.0)]]
     made = in_figures(Grid("Energy", [text(""), Column("energy [J]")], rows))
     assert [column.heading for column in made.columns] == ["part", "energy [kJ]"]
     assert made.texts == [["work", "474.894"], ["brake", "-"], ["elastic", ".000"]]
