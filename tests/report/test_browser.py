@@ -256,6 +256,26 @@ def test_no_serious_fault_of_accessibility(
     page.context.close()
 
 
+def test_an_equation_that_is_wrapped_goes_on_below_itself(
+    browser: Any, reports: dict[str, Path]
+) -> None:
+    """Not below the names of the links, where it would read as that of another link."""
+    page = Opened(browser, reports[TEN_SPEED], "#gear=2", viewport=PHONE)
+    [left, starts] = page.window.evaluate("""() => {
+      const lines = [...document.querySelectorAll("[id='equations=2'] pre span:not(.whole)")];
+      const boxes = lines.map((line) => {
+        const text = document.createRange();
+        text.selectNodeContents(line);
+        const rows = [...text.getClientRects()].filter((one) => one.width > 0);
+        return rows.map((one) => one.left);
+      });
+      return [boxes[0][0], boxes.flatMap((own) => own.slice(1))];
+    }""")
+    assert starts
+    assert min(starts) > left + 60  # more than a dozen letters
+    page.context.close()
+
+
 @pytest.mark.parametrize("media", ["screen", "print"])
 def test_what_is_muted_is_no_larger_than_what_it_belongs_to(
     browser: Any, reports: dict[str, Path], media: str

@@ -53,8 +53,26 @@ def _matrix(one: Explanation, digits: int | None) -> Markup:
     return bare(grid._replace(rows=rows))
 
 
+_BEFORE = re.compile(r"\S.*?\s{2,}|\s*")
+"""What stands before an equation: a name, or blanks where it has that of the line above."""
+
+
 def _lines(lines: Sequence[str]) -> Markup:
-    return tag("pre", _typeset(dedent("\n".join(lines))))
+    """Lines that go on below their equation, not below its name, where they are too long.
+
+    >>> print(_lines(["in  M = 1", "2 M = 2"]))
+    <pre style="--before: 4ch"><span>in  M = 1
+    </span><span class="whole">2 M = 2
+    </span></pre>
+    """
+    shown = _typeset(dedent("\n".join(lines))).split("\n")
+    before = [found.end() for found in map(_BEFORE.match, shown) if found]
+    widest = max(before)
+    spans = (
+        tag("span", f"{line}\n", class_="whole" if end < widest or not end else False)
+        for line, end in zip(shown, before, strict=True)
+    )
+    return tag("pre", *spans, style=f"--before: {widest}ch")
 
 
 _MINUS, _TIMES = re.compile(r"(?<![^\s(])-(?=[a-z(])"), re.compile(r"(?<=[\d)]) x (?=[-\d(])")
