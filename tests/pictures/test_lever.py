@@ -17,7 +17,7 @@ from matplotlib.text import Text
 from tests.commands import CASES, SHIPPED, vstatics
 from tests.pictures.test_pictures import overlaps
 from vstatics import Results, load, solve
-from vstatics.pictures import render, settings_of
+from vstatics.pictures import picture, render, settings_of
 from vstatics.pictures.lever import of_each_gear
 from vstatics.pictures.lever_gear import in_gear
 from vstatics.pictures.lever_order import ordered
@@ -176,12 +176,29 @@ def crossed(figure: Figure) -> Iterator[str]:
 
 
 @pytest.mark.slow
-def test_two_sets_become_one_lever_by_an_option_of_levers_only() -> None:
+def test_options_of_levers_and_of_stick_diagrams_serve_no_other_kind() -> None:
     said = vstatics("plot", CASES / "simpson.yaml", "-k", "lever", "--merge", "-o", "-")
     assert "P1 + P2" in said.out
     refused = vstatics("plot", CASES / "simpson.yaml", "-k", "plan", "--merge", "-o", "-")
     assert refused.status == 2
     assert "--merge: only levers can be merged" in refused.err
+    refused = vstatics("plot", CASES / "simpson.yaml", "-k", "plan", "--wheels", "-o", "-")
+    assert (refused.status, "--wheels: only stick diagrams name them" in refused.err) == (2, True)
+
+
+@pytest.mark.slow
+def test_long_titles_and_names_of_levers_stay_inside_the_figure() -> None:
+    """Bold letters are wider, Cyrillic ones more so (issue 16)."""
+    case = result("simpson.yaml").case.replace(name="Трёхступенчатая коробка для проверки вёрстки")
+    style = Style("ru", merged=True)
+    with settings_of(style):
+        figure = picture(solve(case), "lever", style, [3])
+        canvas: Any = FigureCanvasAgg(figure)
+        renderer = canvas.get_renderer()
+        ends = [one.get_window_extent(renderer).x1 for one in figure.findobj(Text)]
+        names = [one.get_text().replace("\n", " ") for one in figure.findobj(Text)]
+    assert max(ends) < figure.bbox.x1
+    assert "P1 + P2, как одно целое" in names
 
 
 def test_the_input_stands_left_of_the_output_and_joints_are_short() -> None:

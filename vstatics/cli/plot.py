@@ -98,6 +98,8 @@ def plot(
         raise click.UsageError("--gear: found boxes are shown with all their gears")
     if merge and kind != "lever":
         raise click.UsageError("--merge: only levers can be merged")
+    if wheels and kind != "stick":
+        raise click.UsageError("--wheels: only stick diagrams name them")
     if kind == "shift" and gears:
         raise click.UsageError("--gear: a run goes through all gears of its scenario")
     if output != STDOUT and not suffix_of(output) and len(cases) == 1:

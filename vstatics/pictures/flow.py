@@ -16,7 +16,7 @@ from vstatics.pictures.flow_places import FlowLayout
 from vstatics.pictures.flow_signs import FlowPen, hatched_look, loop_colour
 from vstatics.pictures.flow_texts import FlowTexts, heading
 from vstatics.pictures.flow_titles import FlowTitles, titles
-from vstatics.pictures.heads import BOLD, KeySign, chart_head
+from vstatics.pictures.heads import KeySign, chart_head
 from vstatics.pictures.labels import Paper, height
 from vstatics.pictures.looks import Look
 from vstatics.pictures.style import TITLE, Style
@@ -139,7 +139,7 @@ def _figure(results: Results, chosen: Sequence[_Chosen], style: Style) -> Figure
     subject = style.text("power flow", "поток мощности")
     subject += f", {gear_title(chosen[0][0].gear, style)}" if alone else ""
     name = title(results.case, subject)
-    of_name = min(labels.width(name, TITLE) * BOLD, WIDE) if style.titled else 0.0
+    of_name = min(labels.width(name, TITLE, bold=True), WIDE) if style.titled else 0.0
     wide = max([LEAST, of_name, *(one.layout.width for one in shown)])
     blocks = [
         _GearBlock(gear_title(flow.gear, style), heading(flow, wide, style), one)

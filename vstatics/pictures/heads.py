@@ -18,8 +18,6 @@ AFTER, APART = 5.0, 16.0
 """From a sign to its text, and from this to the next sign. [pt]"""
 BELOW = 5.0
 """Between title, notes and key. [pt]"""
-BOLD = 1.15
-"""Width of bold letters over that of others, at least."""
 ROW = LINE * SIZE + 2.0
 """Of signs. [pt]"""
 
@@ -92,5 +90,5 @@ def chart_head(
         if last + sign.wide > room:
             rows.append([])
         rows[-1].append(sign)
-    head = wrapped(title, room / BOLD, TITLE) if style.titled else ""
+    head = wrapped(title, room, TITLE, bold=True) if style.titled else ""
     return ChartHead(head, wrapped(note, room) if note else "", rows)

@@ -83,9 +83,9 @@ def _renderer() -> Any:
 
 
 @cache
-def width(text: str, size: float = SIZE) -> float:
+def width(text: str, size: float = SIZE, *, bold: bool = False) -> float:
     """Width of a text of one or more lines [pt]."""
-    font = FontProperties(family=FONT, size=size)
+    font = FontProperties(family=FONT, size=size, weight="bold" if bold else "normal")
     measure = _renderer().get_text_width_height_descent
     return float(max(measure(line, font, ismath=False)[0] for line in text.split("\n")))
 
@@ -100,7 +100,7 @@ def across_size(text: str) -> float:
     return width(text) + 2 * GAP
 
 
-def wrapped(text: str, room: float, size: float = SIZE) -> str:
+def wrapped(text: str, room: float, size: float = SIZE, *, bold: bool = False) -> str:
     r"""A text in lines that fit into a width, as far as its words do.
 
     >>> wrapped("carrier and second ring", 60.0)
@@ -109,7 +109,7 @@ def wrapped(text: str, room: float, size: float = SIZE) -> str:
     lines = [""]
     for word in text.split(" "):
         longer = f"{lines[-1]} {word}".strip()
-        if lines[-1] and width(longer, size) > room:
+        if lines[-1] and width(longer, size, bold=bold) > room:
             lines.append(word)
         else:
             lines[-1] = longer

@@ -15,7 +15,7 @@ from matplotlib.figure import Figure
 from vstatics.errors import CaseError, Problem
 from vstatics.pictures import labels
 from vstatics.pictures.labels import Paper
-from vstatics.pictures.lever_cell import LeverSheet, LeverView, draw_lever, draw_route
+from vstatics.pictures.lever_cell import LeverSheet, LeverView, draw_lever, draw_route, lever_names
 from vstatics.pictures.lever_gear import LeverGear, in_gear
 from vstatics.pictures.lever_key import MARGIN, key_of
 from vstatics.pictures.lever_marks import inks
@@ -27,7 +27,7 @@ from vstatics.statics.results import Results
 from vstatics.tables.numbers import typeset
 
 HEAD = 20.0
-"""Height of the names of levers, and of what stands above them. [pt]"""
+"""Height of the names of levers, each in a line, and of what stands above them. [pt]"""
 NARROWEST = 320.0
 """Of a figure, for its title. [pt]"""
 
@@ -71,6 +71,13 @@ class LeverBlock(NamedTuple):
     """What it takes of the height, from the foot of the levers."""
     same: dict[int, str]
     """Levers that are as in a gear before: its name."""
+    names: Sequence[str]
+    """What stands over each lever, in lines."""
+
+    @property
+    def over(self) -> float:
+        """Height of the names of levers, and of what stands above them."""
+        return HEAD + max(map(labels.height, self.names)) - labels.height("")
 
     @property
     def above(self) -> float:
@@ -80,16 +87,16 @@ class LeverBlock(NamedTuple):
     @property
     def size(self) -> float:
         """Its whole height."""
-        return self.above + HEAD + self.high - self.low + MARGIN
+        return self.above + self.over + self.high - self.low + MARGIN
 
 
 def _figure(page: LeverPage, gears: Sequence[LeverGear], style: Style) -> Figure:
-    wide = max(page.width, NARROWEST) + MARGIN
-    blocks = list(_blocks(page, gears, _heads(page, gears, style), wide))
+    wide = _wide(page)
+    blocks = list(_blocks(page, gears, _heads(page, gears, style), style))
     speeds, per_torque = _scales(page, gears)
     key = key_of(page.levers, gears, style, wide, per_torque)
     head = title(page.case, _subject(gears, style)) if style.titled else ""
-    head = labels.wrapped(head, wide - 2 * MARGIN, TITLE)
+    head = labels.wrapped(head, wide - 2 * MARGIN, TITLE, bold=True)
     above = MARGIN + (labels.height(head, TITLE) + MARGIN / 2 if head else 0.0)
     high = above + sum(one.size for one in blocks) + key.height + 1.5 * MARGIN
     figure = labels.figure(wide, high)
@@ -104,6 +111,11 @@ def _figure(page: LeverPage, gears: Sequence[LeverGear], style: Style) -> Figure
     key.put(sheet.paper, sheet.inks)
     sheet.inks.put(sheet.paper)
     return figure
+
+
+def _wide(page: LeverPage) -> float:
+    """Width of a figure [pt]."""
+    return max(page.width, NARROWEST) + MARGIN
 
 
 def _subject(gears: Sequence[LeverGear], style: Style) -> str:
@@ -124,7 +136,7 @@ def _scales(page: LeverPage, gears: Sequence[LeverGear]) -> tuple[tuple[float, f
 
 
 def _blocks(
-    page: LeverPage, gears: Sequence[LeverGear], heads: Sequence[str], wide: float
+    page: LeverPage, gears: Sequence[LeverGear], heads: Sequence[str], style: Style
 ) -> Iterator[LeverBlock]:
     """Each gear with its lines; what a gear before has already is named."""
     seen: dict[object, str] = {}
@@ -137,18 +149,19 @@ def _blocks(
             if lever.devices and shown in seen:
                 same[place] = seen[shown]
             seen.setdefault(shown, gear.state.gear.name)
-        head = labels.wrapped(text, wide - 2 * MARGIN)
-        yield LeverBlock(head, gear, found, min(heights), max(heights), same)
+        head = labels.wrapped(text, _wide(page) - 2 * MARGIN, bold=True)
+        names = lever_names(page, gear, same, style, _wide(page) - MARGIN)
+        yield LeverBlock(head, gear, found, min(heights), max(heights), same, names)
 
 
 def _draw_block(sheet: LeverSheet, block: LeverBlock, top: float) -> None:
     if block.head:
         sheet.paper.write(MARGIN, top, block.head, va="top", fontweight="bold")
     below = top - block.above
-    bottom = below - HEAD - block.high
+    bottom = below - block.over - block.high
     for place in range(len(sheet.page.cells)):
         view = LeverView(sheet, block.gear, place, bottom, block.same.get(place))
-        draw_lever(view, below)
+        draw_lever(view, block.names[place], below)
     for route in block.routes:
         draw_route(sheet, block.gear, route, bottom)
 

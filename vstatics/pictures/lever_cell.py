@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import Any, NamedTuple
 
-from vstatics.pictures.labels import Paper, width
+from vstatics.pictures.labels import Paper, width, wrapped
 from vstatics.pictures.lever_gear import LeverGear
 from vstatics.pictures.lever_marks import Inks, arrow, box, coil, ground, mark_of, plates
 from vstatics.pictures.lever_places import (
@@ -75,12 +75,12 @@ class LeverView(NamedTuple):
         return start + (speed - low) / (high - low) * (end - start)
 
 
-def draw_lever(view: LeverView, top: float) -> None:
+def draw_lever(view: LeverView, name: str, top: float) -> None:
     """A lever with its points, its name below a height."""
     cell, style = view.cell, view.sheet.style
-    if cell.lever.name:
+    if name:
         where = {"va": "top", "color": view.ink, "gid": told(_shape(view))}
-        view.sheet.paper.write(cell.left, top - 2, _title(view), **where)
+        view.sheet.paper.write(cell.left, top - 2, name, **where)
     if len(cell.rows) > 1:
         _draw_line(view)
     for node, row in cell.rows.items():
@@ -97,13 +97,20 @@ def _points(view: LeverView) -> list[tuple[int, LeverRow]]:
     return sorted(view.cell.rows.items(), key=lambda point: point[1].at)
 
 
-def _title(view: LeverView) -> str:
-    said, style = [view.cell.lever.name], view.sheet.style
-    if view.gear.is_one_piece(view.place):
-        said.append(style.text("one piece", "как одно целое"))
-    if view.same is not None:
-        said.append(style.text(f"as in gear {view.same}", f"как на передаче {view.same}"))
-    return ", ".join(said)
+def lever_names(
+    page: LeverPage, gear: LeverGear, same: dict[int, str], style: Style, end: float
+) -> list[str]:
+    """What stands over each lever in a gear, in lines that end before the next lever."""
+    ends = [*(cell.left - BESIDE for cell in page.cells[1:]), end]
+    found: list[str] = []
+    for place, (cell, right) in enumerate(zip(page.cells, ends, strict=True)):
+        said = [cell.lever.name]
+        if gear.is_one_piece(place):
+            said.append(style.text("one piece", "как одно целое"))
+        if place in same:
+            said.append(style.text(f"as in gear {same[place]}", f"как на передаче {same[place]}"))
+        found.append(wrapped(", ".join(said), right - cell.left))
+    return found
 
 
 def _shape(view: LeverView) -> str:
