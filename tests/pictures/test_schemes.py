@@ -5,9 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable
 from itertools import combinations
 from pathlib import Path
+from typing import Any
 
+import numpy as np
 import pytest
+from matplotlib.colors import to_hex
 from matplotlib.figure import Figure
+from matplotlib.patches import PathPatch
 
 import vstatics
 from vstatics import Gear, Mechanism, ShiftElement, Transmission
@@ -15,6 +19,7 @@ from vstatics.elements.drawing import drawing_of
 from vstatics.elements.group import group_of
 from vstatics.elements.kinds import KINDS, Simple
 from vstatics.errors import CaseError
+from vstatics.numerics.traced import plain
 from vstatics.pictures import render
 from vstatics.pictures.schemes import stick, structure
 from vstatics.pictures.schemes.placing import Placement
@@ -334,6 +339,94 @@ def test_a_set_that_reacts_as_one_piece_is_marked_and_not_pale() -> None:
     svg = render(results, "stick", "svg", Style(), [1]).decode()
     assert "carrier −3.696" in svg
     assert "turns as one piece" in svg
+
+
+def colors_at(figure: Figure) -> dict[tuple[float, float], set[Any]]:
+    """Colours of the lines that begin, bend or end at a point."""
+    found: dict[tuple[float, float], set[Any]] = {}
+    for one in figure.findobj(PathPatch):
+        color = to_hex(one.get_edgecolor())
+        for x, y in np.asarray(one.get_path().vertices).tolist():
+            found.setdefault((round(x, 3), round(y, 3)), set()).add(color)
+    return found
+
+
+def torques_of(results: Results, gear: int) -> list[dict[int, list[float]]]:
+    """Of the devices of a scheme, by the links from which they have them."""
+    case, values = results.case, results.torques[gear - 1].tolist()
+    members = results.gear(gear).member_torques(lossy=False)
+    found: list[dict[int, list[float]]] = []
+    for device, own in zip(case.own_devices, members, strict=True):
+        found.append({})
+        for one in device.members:
+            found[-1].setdefault(one.link, []).append(plain(own[one.name]))
+    for shift, torque in zip(case.shift_elements, values, strict=False):
+        found.append({shift.first: [torque], shift.second: [torque]})
+    for spring, torque in zip(
+        case.springs, values[: -len(case.springs) - 2 : -1][::-1], strict=False
+    ):
+        found.append({link: [torque] for link in (0, *spring.form)})
+    return found
+
+
+def check_pins(results: Results, placement: Placement, gear: int, figure: Figure) -> set[str]:
+    """Arms are pale where a device has no torque from a link, and not where it has one."""
+    scheme, colors, style = scheme_of(results.case), colors_at(figure), Style()
+    pale: set[str] = set()
+    for index, by_link in enumerate(torques_of(results, gear)):
+        device = scheme.devices[index]
+        taps = [tap for tap in placement.row.taps if tap.item == index and tap.reach != "none"]
+        outer = [tap for tap in taps if tap.reach != "row"]
+        shown: dict[int, list[set[Any]]] = {}
+        for tap in outer or taps:
+            y = tap.y if tap.reach == "row" else placement.edge(tap.side)
+            shown.setdefault(tap.wire, []).append(colors.get((round(tap.x, 3), round(y, 3)), set()))
+        for wire, own in shown.items():
+            where = gear, device.name, scheme.name(wire)
+            if any(not abs(torque) < 1e-9 for torque in by_link[wire]):
+                assert len(own) > 1 or style.faint not in own[0], where
+                assert not any(own) or any(style.ink in one for one in own), where
+            elif len(own) == 1 and own[0]:  # through the bar of a carrier torque may pass
+                assert style.faint in own[0], where
+                is_bare = not any(any(torques) for torques in by_link.values())
+                assert not (is_bare and style.ink in own[0]), where
+                pale.add(f"{device.name} {scheme.name(wire)}")
+    return pale
+
+
+def test_arms_without_torque_are_pale() -> None:
+    # issue 16, seen by its viewer: Ford 10R80, gear 1; D is engaged, and nothing comes to it
+    results = vstatics.solve(vstatics.load(SHIPPED / "ford-10r80.yaml"))
+    layout = stick.place(scheme_of(results.case), Style())
+    pale = check_pins(results, layout.placement, 1, stick.draw(results, Style(), [1]))
+    assert {"P2 sun 1-2", "P2 input", "P3 carrier 1", "D sun 4", "D intermediate"} <= pale
+    assert not [name for name in pale if name.startswith(("P1", "P4", "A", "B", "E"))]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("path", CASES, ids=lambda path: path.name)
+def test_arms_are_pale_where_no_torque_is_in_all_gears(path: Path) -> None:
+    results = vstatics.solve(vstatics.load(path))
+    scheme, style = scheme_of(results.case), Style()
+    is_drawn = path in DRAWN
+    placement = stick.place(scheme, style).placement if is_drawn else structure.place(scheme, style)
+    figures = (stick if is_drawn else structure).of_each_gear(results, style)
+    for gear, figure in enumerate(figures, 1):
+        check_pins(results, placement, gear, figure)
+
+
+def test_ports_show_which_way_their_power_goes() -> None:
+    # cases/power-split.yaml: MG1 takes 0.543, the right wheel 0.435 of the power (vstatics flow)
+    results = vstatics.solve(vstatics.load(SHIPPED / "power-split.yaml"))
+    scheme = scheme_of(results.case)
+    ways = scheme_state(scheme, state_of(results, 1)).leaving
+    assert {scheme.name(port.link): leaves for port, leaves in ways.items()} == {
+        "engine": False,
+        "MG2": False,
+        "MG1": True,
+        "left wheel": True,
+        "right wheel": True,
+    }
 
 
 def test_wheels_have_their_names_and_teeth_on_request() -> None:

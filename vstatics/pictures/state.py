@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 from vstatics.model.transmission import Gear
+from vstatics.numerics.tolerances import NOISE
 from vstatics.numerics.traced import plain
 from vstatics.statics.bodies import Bodies, joined_by_elements
 from vstatics.statics.results import Results
@@ -39,7 +40,14 @@ class PictureState(NamedTuple):
     roles: Sequence[Role]
     """By mechanism: whether it is idle, or one piece."""
     loaded_springs: Sequence[bool]
-    """By spring: the same."""
+    """By spring: whether it carries torque, or one that is not known."""
+    loaded_elements: Sequence[bool]
+    """By shift element: the same."""
+    loaded_links: Sequence[frozenset[int]]
+    """By mechanism or drawn element: the links that it has torque from."""
+    leaving: Mapping[tuple[int, str], float]
+    """Power that leaves, as far as it is known, by link and role of the port: ``input``,
+    ``output`` or ``given``. [-]"""
 
     @property
     def is_loaded(self) -> list[bool]:
@@ -79,4 +87,37 @@ def shown_of(state: GearState) -> PictureState:
         [one and state.calculable for one in state.search.idle],
         mechanism_roles(state),
         [torque != 0 for torque in torques[case.among_devices.stop : -1]],
+        [
+            number in gear.engaged and not (state.calculable and torque == 0)
+            for number, torque in enumerate(torques[: case.among_devices.start], 1)
+        ],
+        _loaded_links(state),
+        _leaving(state) if state.calculable else {},
     )
+
+
+def _loaded_links(state: GearState) -> list[frozenset[int]]:
+    devices = state.case.own_devices
+    if not state.calculable:
+        return [frozenset(one.link for one in device.members) for device in devices]
+    sides = [state.member_torques(lossy=lossy) for lossy in (False, True)[: 1 + state.consistent]]
+    return [
+        frozenset(
+            one.link
+            for one in device.members
+            if any(not abs(plain(side[one.name])) < NOISE for side in own)
+        )
+        for device, *own in zip(devices, *sides, strict=True)
+    ]
+
+
+def _leaving(state: GearState) -> dict[tuple[int, str], float]:
+    """Without losses; what is given at the output counts with the load."""
+    entry, output = state.case.gear_input(state.gear), state.case.gear_output(state.gear)
+    found: dict[tuple[int, str], float] = {}
+    *others, load = [one for one in state.powers(lossy=False) if one.kind == "port"]
+    for one in others:
+        role = "input" if one.link == entry else "output" if one.link == output else "given"
+        found[one.link, role] = plain(one.power)
+    found[output, "output"] = found.get((output, "output"), 0.0) + plain(load.power)
+    return found

@@ -10,7 +10,7 @@ from vstatics.pictures.labels import Point
 from vstatics.pictures.schemes.assumed import as_sets
 from vstatics.pictures.schemes.pen import Window
 from vstatics.pictures.schemes.scheme import Scheme, scheme_of
-from vstatics.pictures.schemes.sheet import Sheet, Words, draw_devices, extent, wired
+from vstatics.pictures.schemes.sheet import Sheet, draw_devices, extent, wired
 from vstatics.pictures.schemes.stick import StickLayout, draw_mechanism, place
 from vstatics.pictures.style import Style
 from vstatics.summary.contrast import letters
@@ -32,7 +32,7 @@ class BareStick(NamedTuple):
     def drawn(self, title: str = "", within: Window | None = None) -> Sheet:
         """The diagram by itself, or at a place of another figure."""
         placement = self.layout.placement
-        look: dict[str, Any] = {"words": Words(title), "within": within, "is_coaxial": True}
+        look: dict[str, Any] = {"name": title, "within": within, "is_coaxial": True}
         sheet = wired(self.scheme, placement, self.style, **look)
         draw_devices(sheet, partial(draw_mechanism, self.layout))
         return sheet

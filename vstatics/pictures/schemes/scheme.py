@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from types import MappingProxyType
 from typing import NamedTuple
 
@@ -77,8 +77,16 @@ class SchemeState:
     """Devices that are open or carry no torque."""
     pieces: frozenset[int] = frozenset()
     """Devices that carry torque, but turn as one piece."""
+    loaded: Sequence[frozenset[int]] | None = None
+    """Of each device the links that it has torque from; None of no gear."""
     idle_links: frozenset[int] = frozenset()
     idle_ports: frozenset[SchemePort] = frozenset()
+    leaving: Mapping[SchemePort, bool] = field(default_factory=dict)
+    """Whether power leaves by a port, or enters, where that is known."""
+
+    def is_loaded(self, device: int) -> bool:
+        """Whether a device carries torque, or no gear is shown."""
+        return self.loaded is None or bool(self.loaded[device])
 
 
 @dataclass(frozen=True)
@@ -216,25 +224,29 @@ def scheme_state(scheme: Scheme, state: PictureState) -> SchemeState:
     engaged: set[int] = set()
     idle: set[int] = set()
     pieces: set[int] = set()
+    loaded: list[frozenset[int]] = []
     ports = _ports(state.input, state.output, state.gear)
     ends = [port.link for port in ports]
     for place, device in enumerate(scheme.devices):
         if device.is_shift_element:
-            carries = device.numbers[0] + 1 in state.gear.engaged
-            (engaged if carries else idle).add(place)
+            (engaged if device.numbers[0] + 1 in state.gear.engaged else idle).add(place)
+            links = device.links if state.loaded_elements[device.numbers[0]] else set()
         elif device.kind == "spring":
-            carries = state.loaded_springs[device.numbers[0]]
-            idle.update([] if carries else [place])
+            links = device.links if state.loaded_springs[device.numbers[0]] else set()
+            idle.update([] if links else [place])
         else:
-            carries = any(state.is_loaded[number] for number in device.numbers)
+            links = device.links & state.loaded_links[place]
             rests = all(state.is_idle[number] for number in device.numbers)
-            if not carries:
+            if not links:
                 idle.add(place)
             elif rests and device.kind != "held":
                 pieces.add(place)
-        ends += list(device.links) if carries else []
-    links = {link for link in range(1, len(scheme.links) + 1) if ends.count(link) < 2}
+        loaded.append(frozenset(links))
+        ends += links
+    pale = {link for link in range(1, len(scheme.links) + 1) if ends.count(link) < 2}
     used = {port.link for port in ports}
     unused = {port for port in scheme.ports if port.link not in used}
     devices = frozenset(engaged), frozenset(idle), frozenset(pieces)
-    return SchemeState(*devices, frozenset(links), frozenset(unused))
+    powers = {port: state.leaving.get(port, 0.0) for port in ports}
+    ways = {port: power > 0 for port, power in powers.items() if abs(power) > 0}
+    return SchemeState(*devices, loaded, frozenset(pale), frozenset(unused), ways)

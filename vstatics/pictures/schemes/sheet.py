@@ -7,7 +7,8 @@ from typing import Any, NamedTuple
 
 from vstatics.errors import CaseError, Problem
 from vstatics.model.transmission import HOUSING
-from vstatics.pictures.labels import Point
+from vstatics.pictures.heads import BOLD, chart_head
+from vstatics.pictures.labels import Paper, Point
 from vstatics.pictures.schemes.channels import ABOVE, BELOW, Item, PlacedTap, Tap
 from vstatics.pictures.schemes.pen import Pen, Window, width_of, wrapped
 from vstatics.pictures.schemes.placing import Placement
@@ -22,9 +23,7 @@ from vstatics.pictures.schemes.signs import (
     PACK,
     Coupled,
     draw_coupled,
-    draw_key,
     key_of,
-    key_width,
 )
 from vstatics.pictures.schemes.titles import NO_TITLES, Titles, titles_of
 from vstatics.pictures.schemes.wires import wire_lines
@@ -45,23 +44,6 @@ BESIDE = 14.0
 AXIS = 6.0
 """From the last track below to the axis. [pt]"""
 _OF_NO_GEAR = SchemeState()
-
-
-class Words(NamedTuple):
-    """What is written over a picture."""
-
-    title: str = ""
-    notes: Sequence[str] = ()
-
-    @property
-    def height(self) -> float:
-        """Of the place that they need [pt]."""
-        if not self.title and not self.notes:
-            return 0.0
-        return HEIGHT * (1.4 + 1.2 * bool(self.title) + len(self.notes))
-
-
-NO_WORDS = Words()
 
 
 class Sheet(NamedTuple):
@@ -86,10 +68,9 @@ class Sheet(NamedTuple):
         """Of the name of a device."""
         return self.pen.style.soft if index in self.state.idle else self.color(index)
 
-    def wire_color(self, link: int) -> str:
-        """Of a link."""
-        style = self.pen.style
-        return style.faint if link in self.state.idle_links else style.ink
+    def rod_color(self, index: int) -> str:
+        """Of what leads to a shift element, a spring or a support."""
+        return self.color(index) if self.state.is_loaded(index) else self.pen.style.faint
 
     def name_color(self, link: int) -> str:
         """Of the name of a link."""
@@ -109,7 +90,7 @@ def sheet_of(  # noqa: PLR0913 - what is drawn, and how
     gears: Sequence[int],
     *,
     subject: str,
-    notes: Sequence[str] = (),
+    note: str = "",
     is_coaxial: bool = False,
 ) -> Sheet:
     """A figure with room for everything, its title and its wires; a gear by its number from 1.
@@ -126,10 +107,15 @@ def sheet_of(  # noqa: PLR0913 - what is drawn, and how
         shown = state_of(results, gears[0])
         state = scheme_state(scheme, shown)
         texts += [gear_title(shown.gear.name, style), *(fault(one, style) for one in shown.faults)]
-    words = Words(title(results.case, ", ".join(texts)) if style.titled else "", notes)
-    said = titles_of(results, scheme, style, gears[0] if gears else None, shown)
     return wired(
-        scheme, placement, style, words=words, state=state, is_coaxial=is_coaxial, titles=said
+        scheme,
+        placement,
+        style,
+        name=title(results.case, ", ".join(texts)),
+        note=note,
+        state=state,
+        is_coaxial=is_coaxial,
+        titles=titles_of(results, scheme, style, gears[0] if gears else None, shown),
     )
 
 
@@ -138,24 +124,25 @@ def wired(  # noqa: PLR0913 - what is drawn, and how
     placement: Placement,
     style: Style,
     *,
-    words: Words = NO_WORDS,
+    name: str = "",
+    note: str = "",
     state: SchemeState = _OF_NO_GEAR,
     within: Window | None = None,
     is_coaxial: bool = False,
     titles: Titles = NO_TITLES,
 ) -> Sheet:
-    """A sheet with its title, its wires and the names of its ends; by itself or within another."""
-    key = key_of(state, style)
-    low, high = extent(scheme, placement, words, key)
+    """A sheet with its wires and the names of its ends; its head, unless it is within another."""
+    low, (right, top) = extent(scheme, placement)
+    if within is None:
+        least = width_of(name, TITLE) * BOLD if style.titled else 0.0
+        right = max(right, low[0] + 2 * MARGIN + least)
+        head = chart_head(name, note, key_of(state, style), right - low[0] - 2 * MARGIN, style)
+        top += MARGIN * bool(head.high) + head.high
+    pen = Pen(low, (right, top), style, within)
+    if within is None:
+        head.draw(Paper(pen.figure), MARGIN, top - low[1] - MARGIN, style)
     axis = placement.edge(BELOW) - AXIS if is_coaxial else None
-    pen = Pen(low, high, style, within)
     sheet = Sheet(pen, placement, scheme, state, axis, titles)
-    x, y = low[0] + MARGIN, high[1] - 1.4 * HEIGHT
-    pen.text((x, y), words.title, color=style.ink, size=TITLE, across="left", bold=True)
-    for note in words.notes:
-        y -= 1.2 * HEIGHT * bool(words.title)
-        pen.text((x, y), note, color=style.soft, across="left")
-    draw_key(pen, (x, low[1] + HEIGHT), key)
     if axis is not None:
         ends = (-TERMINAL, axis), (placement.row.width + TERMINAL, axis)
         pen.line(*ends, color=style.faint, width=0.8, linestyle=(0, (12, 3, 2, 3)), zorder=2)
@@ -164,38 +151,32 @@ def wired(  # noqa: PLR0913 - what is drawn, and how
     return sheet
 
 
-def extent(
-    scheme: Scheme,
-    placement: Placement,
-    words: Words = NO_WORDS,
-    key: Sequence[tuple[str, str]] = (),
-) -> tuple[Point, Point]:
-    """The lower left and the upper right corner of a picture with room for everything."""
+def extent(scheme: Scheme, placement: Placement) -> tuple[Point, Point]:
+    """The lower left and the upper right corner of a picture with room for all but its head."""
     names = {
         "left": [width_of(scheme.name(wire)) for wire in placement.from_left],
         "right": [width_of(scheme.name(wire)) for wire in placement.to_right],
     }
     left = -TERMINAL - 4 - max(names["left"], default=-TERMINAL) - MARGIN
     right = placement.row.width + TERMINAL + 4 + max(names["right"], default=-TERMINAL) + MARGIN
-    texts = [width_of(words.title, TITLE, bold=True), *map(width_of, words.notes), key_width(key)]
-    right = max(right, left + 2 * MARGIN + max(texts))
     sides = {tap.side for tap in placement.row.taps if tap.reach in {"edge", "pass"}}
     low = placement.edge(BELOW) - (BAND + 14 if BELOW in sides else AXIS + HEIGHT)
     high = placement.edge(ABOVE) + (BAND + 14 if ABOVE in sides else HEIGHT)
-    return (left, low - 2 * HEIGHT * bool(key)), (right, high + words.height)
+    return (left, low), (right, high)
 
 
 def _wires(sheet: Sheet) -> None:
-    """Each link as one path, dots where it branches, its name."""
+    """Each link as one path, or two if torque passes parts of it; dots, its name."""
     pen, placement = sheet.pen, sheet.placement
     widths = {wire: width_of(sheet.scheme.name(wire)) for wire in placement.labels}
-    lines = wire_lines(placement, widths)
+    lines = wire_lines(placement, widths, sheet.scheme, sheet.state)
     for wire, own in lines.items():
         look: dict[str, Any] = {"title": sheet.titles.link(wire), "capstyle": "projecting"}
-        pen.lines(own, color=sheet.wire_color(wire), **look)
-    for color in dict.fromkeys(map(sheet.wire_color, lines)):
-        joints = [at for at, wire in placement.joints() if sheet.wire_color(wire) == color]
-        pen.dots(joints, color)
+        pen.lines(own.pale, color=pen.style.faint, **look)
+        pen.lines(own.loaded, color=pen.style.ink, **look)
+    joints = placement.joints()
+    for color, there in ((pen.style.faint, False), (pen.style.ink, True)):
+        pen.dots([at for at, wire in joints if lines[wire].is_loaded(at) == there], color)
     for wire, at in placement.labels.items():
         pen.text(at, sheet.scheme.name(wire), color=sheet.name_color(wire))
 
@@ -216,9 +197,9 @@ def _ends(sheet: Sheet) -> None:
             own = [port for port in ports if port.link == wire]
             at = x, placement.y(placement.end_of(wire))
             if sheet.axis is not None and own and wire == lowest:
-                sheet.pen.line(at, (x, sheet.axis), color=sheet.wire_color(wire))
+                sheet.pen.line(at, (x, sheet.axis), color=_end_color(sheet, own))
                 at = x, sheet.axis
-            _end(sheet, wire, own, at, way)
+            _end(sheet, own, at, way)
             if wire not in named:
                 name = (at[0] + way * (TERMINAL + 4), at[1]), sheet.scheme.name(wire)
                 across = "left" if way > 0 else "right"
@@ -226,17 +207,24 @@ def _ends(sheet: Sheet) -> None:
             named.add(wire)
 
 
-def _end(sheet: Sheet, wire: int, ports: Sequence[SchemePort], at: Point, way: int) -> None:
-    """The line that leaves the picture, with its arrow."""
+def _end_color(sheet: Sheet, ports: Sequence[SchemePort]) -> str:
+    """Of the line that leaves the picture; without a port no torque passes it in a gear."""
+    style, state = sheet.pen.style, sheet.state
+    is_used = state.loaded is None or any(port not in state.idle_ports for port in ports)
+    return style.ink if is_used else style.faint
+
+
+def _end(sheet: Sheet, ports: Sequence[SchemePort], at: Point, way: int) -> None:
+    """The line that leaves the picture, with its arrow: where power goes, as far as is known."""
     pen, (x, y) = sheet.pen, at
-    is_used = not ports or any(port not in sheet.state.idle_ports for port in ports)
-    color = sheet.wire_color(wire) if is_used else pen.style.faint
-    end = x + way * TERMINAL
+    color, end = _end_color(sheet, ports), x + way * TERMINAL
     pen.line((x, y), (end, y), color=color)
-    if ports:
-        pen.arrow((x - 6 if way < 0 else end, y), 1, color)
-    if ports and all(port.role == "given" for port in ports):
-        pen.arrow((x + 4, y), -1, color)  # power may come or go
+    ways = {sheet.state.leaving[port] for port in ports if port in sheet.state.leaving}
+    if ports and not ways:  # input and output as they are meant, others may take and give
+        is_given = all(port.role == "given" for port in ports)
+        ways = {True, False} if is_given else {way > 0}
+    for leaves in ways:
+        pen.arrow((end if leaves else x + 5 * way, y), way if leaves else -way, color)
 
 
 def brake_width(device: Device) -> float:
@@ -265,7 +253,8 @@ def draw_clutch(sheet: Sheet, index: int) -> None:
     closed, said = index in sheet.state.engaged, sheet.titles.device(index)
     first, second = sorted(sheet.taps(index), key=lambda tap: tap.wire != device.members["first"])
     ends = (first.x, 0.0), (second.x, 0.0)
-    draw_coupled(sheet.pen, Coupled(device.kind, *ends, color, closed, title=said))
+    rod = sheet.rod_color(index)
+    draw_coupled(sheet.pen, Coupled(device.kind, *ends, color, closed, rod, title=said))
     at = (first.x + second.x) / 2, -13
     look: dict[str, Any] = {"color": sheet.text_color(index), "bold": closed}
     sheet.pen.text(at, wrapped(device.name), up="top", **look)
@@ -279,8 +268,8 @@ def draw_brake(sheet: Sheet, index: int) -> None:
     start = sheet.placement.edge(tap.side)
     ends = (tap.x, start), (tap.x, start + tap.side * BAND)
     backward = device.kind == "freewheel" and device.members["first"] == HOUSING
-    coupled = Coupled(device.kind, *ends, color, closed, tap.side, said, is_backward=backward)
-    draw_coupled(sheet.pen, coupled)
+    one = Coupled(device.kind, *ends, color, closed, sheet.rod_color(index), tap.side, said)
+    draw_coupled(sheet.pen, one._replace(is_backward=backward))
     if device.is_coupling:
         at = tap.x + BESIDE, start + tap.side * (BAND - PACK)
         look: dict[str, Any] = {"color": sheet.text_color(index), "bold": closed}

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from typing import NamedTuple
 
+from vstatics.pictures.heads import KeySign
 from vstatics.pictures.labels import Point
-from vstatics.pictures.schemes.pen import LINE, Pen, ground, width_of
+from vstatics.pictures.looks import Look
+from vstatics.pictures.schemes.pen import LINE, Pen, ground
 from vstatics.pictures.schemes.scheme import SchemeState
 from vstatics.pictures.style import Style
 
@@ -18,8 +20,8 @@ PLATES, BETWEEN = (-7.0, 0.0, 7.0), (-3.5, 3.5)
 """Where plates of the one side stand across the line, and those between them. [pt]"""
 CLEARANCE = 2.5
 """From a plate to the drum of the others. [pt]"""
-SAMPLE = 16.0
-"""Width of a sign in the key. [pt]"""
+HATCH = "////"
+"""Of what turns as one piece, in the key."""
 
 Place = Callable[[float, float], Point]
 """From places along and across a line to those of the picture."""
@@ -34,6 +36,8 @@ class Coupled(NamedTuple):
     end: Point
     color: str
     is_closed: bool = False
+    rod: str = ""
+    """The colour of what leads to its sign, if it is another."""
     housing: int = 0
     """Toward which side the housing is at its end; 0 where there is none."""
     title: str = ""
@@ -65,6 +69,9 @@ def draw_coupled(pen: Pen, one: Coupled) -> None:
     lines: list[tuple[Point, ...]] = [line for line in rods if line[0] != line[1]]
     if one.housing:
         lines += ground(one.end, one.housing)
+    if one.rod and one.rod != one.color:
+        pen.lines(lines, color=one.rod, title=one.title, zorder=4.5)
+        lines = []
     draw = {"spring": _spring, "freewheel": _freewheel, "dog_clutch": _dogs, "held": _support}
     lines += draw.get(one.kind, _plates)(pen, at, half, one)
     pen.lines(lines, color=one.color, title=one.title, zorder=4.5)
@@ -118,37 +125,21 @@ def _support(_pen: Pen, at: Place, half: float, _one: Coupled) -> list[tuple[Poi
     return [(at(-half, 0), at(half, 0))]
 
 
-def key_of(state: SchemeState, style: Style) -> list[tuple[str, str]]:
+def key_of(state: SchemeState, style: Style) -> list[KeySign]:
     """Signs that occur in the picture of a gear, and what they say.
 
-    >>> key_of(SchemeState(engaged=frozenset({1})), Style())
-    [('engaged', 'engaged')]
+    >>> [sign.text for sign in key_of(SchemeState(engaged=frozenset({1})), Style())]
+    ['engaged']
     """
-    signs = [
-        ("engaged", state.engaged, style.text("engaged", "включён")),
-        ("piece", state.pieces, style.text("turns as one piece", "вращается как одно целое")),
-        ("idle", state.idle, style.text("carries no torque", "без момента")),
+    piece = {"facecolor": style.paper, "edgecolor": style.soft, "linewidth": 0, "hatch": HATCH}
+    signs: list[tuple[bool, str, str, Look]] = [
+        (bool(state.engaged), "engaged", "включён", {"facecolor": style.engaged, "linewidth": 0}),
+        (bool(state.pieces), "turns as one piece", "вращается как одно целое", piece),
+        (
+            bool(state.idle or state.idle_links),
+            "carries no torque",
+            "без момента",
+            {"color": style.faint, "linewidth": LINE},
+        ),
     ]
-    return [(sign, text) for sign, occurs, text in signs if occurs]
-
-
-def key_width(key: Sequence[tuple[str, str]]) -> float:
-    """Of a row of signs [pt]."""
-    return sum(SAMPLE + 4 + width_of(text) + 14 for _, text in key)
-
-
-def draw_key(pen: Pen, at: Point, key: Sequence[tuple[str, str]]) -> None:
-    """A row of signs with what they say, from its left end."""
-    style, (x, y) = pen.style, at
-    for sign, text in key:
-        if sign == "engaged":
-            corners = [(x + 3, y - 4), (x + SAMPLE - 3, y - 4)]
-            corners += [(right, y + 4) for right, _ in corners[::-1]]
-            pen.shape(corners, fill=style.engaged, edge=style.engaged)
-        elif sign == "piece":
-            pen.hatched((x, y - 5), (x + SAMPLE, y + 5), style.soft)
-        else:
-            pen.line((x, y), (x + SAMPLE, y), color=style.faint, width=LINE)
-        x += SAMPLE + 4
-        pen.text((x, y), text, color=style.ink, across="left")
-        x += width_of(text) + 14
+    return [KeySign(style.text(*texts), look) for occurs, *texts, look in signs if occurs]

@@ -99,7 +99,7 @@ def _drawn(results: Results, style: Style, each: Iterable[Sequence[int]]) -> Ite
             style,
             gears,
             subject=style.text("stick diagram", "кинематическая схема"),
-            notes=[] if glyphs is None else [note],
+            note="" if glyphs is None else note,
             is_coaxial=all(map(_is_coaxial, scheme.devices)),
         )
         draw_devices(sheet, partial(draw_mechanism, layout))
