@@ -140,6 +140,19 @@ def test_keys_with_a_modifier_and_in_a_wide_table_are_left_alone(browser: Any, f
     page.context.close()
 
 
+def test_what_is_wider_than_the_page_fades_until_its_end_is_seen(
+    browser: Any, reports: dict[str, Path]
+) -> None:
+    page = Opened(browser, reports[TEN_SPEED], viewport=PHONE)
+    page.window.keyboard.press("ArrowRight")
+    for name in (".chooser", "#gears .scroll"):
+        wide = page.window.locator(name)
+        assert "more" in (wide.get_attribute("class") or "").split()
+        wide.evaluate("(one) => { one.scrollLeft = one.scrollWidth; }")
+        page.window.wait_for_function(f"!document.querySelector('{name}').matches('.more')")
+    page.context.close()
+
+
 def test_a_row_of_the_table_chooses_its_gear(page: Opened) -> None:
     """By a click anywhere in it, and by Enter on its name."""
     rows = page.window.locator("#gears tbody tr")

@@ -40,6 +40,7 @@
     const read = sections.findLast((one) => top(one) < 0.4 * innerHeight);
     const before = read && top(read);
     choose(name);
+    stops();
     if (read) scrollBy({ top: top(read) - before, behavior: "instant" });
     tell(name, `Gear ${name}`);
   }
@@ -63,7 +64,7 @@
   if (names.length) {
     const block = follow();
     if (block && !block.id.startsWith("gear=")) block.scrollIntoView();
-    addEventListener("hashchange", follow);
+    addEventListener("hashchange", () => { follow(); stops(); });
     if (names.length > 1) {
       const hint = document.createElement("span");
       hint.className = "note";
@@ -106,7 +107,14 @@
       if (one.scrollWidth > one.clientWidth) one.tabIndex = 0;
       else one.removeAttribute("tabindex");
     }
+    for (const one of [...scrollers, ...(chooser ? [chooser] : [])]) fade(one);
   }
+
+  // an end that fades tells that there is more
+  function fade(one) {
+    one.classList.toggle("more", one.scrollLeft + one.clientWidth < one.scrollWidth - 1);
+  }
+  addEventListener("scroll", (event) => { if (event.target.matches?.(".scroll, .chooser")) fade(event.target); }, true);
 
   // tables sorted by a column: up, down, then as they were
   const NEXT = { none: "ascending", ascending: "descending", descending: "none" };
