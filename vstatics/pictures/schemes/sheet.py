@@ -7,8 +7,8 @@ from typing import Any, NamedTuple
 
 from vstatics.errors import CaseError, Problem
 from vstatics.model.transmission import HOUSING
-from vstatics.pictures.heads import BOLD, chart_head
-from vstatics.pictures.labels import Paper, Point
+from vstatics.pictures.heads import chart_head
+from vstatics.pictures.labels import Paper, Point, width
 from vstatics.pictures.schemes.channels import ABOVE, BELOW, Item, PlacedTap, Tap
 from vstatics.pictures.schemes.pen import Pen, Window, width_of, wrapped
 from vstatics.pictures.schemes.placing import Placement
@@ -134,7 +134,7 @@ def wired(  # noqa: PLR0913 - what is drawn, and how
     """A sheet with its wires and the names of its ends; its head, unless it is within another."""
     low, (right, top) = extent(scheme, placement)
     if within is None:
-        least = width_of(name, TITLE) * BOLD if style.titled else 0.0
+        least = width(name, TITLE, bold=True) if style.titled else 0.0
         right = max(right, low[0] + 2 * MARGIN + least)
         head = chart_head(name, note, key_of(state, style), right - low[0] - 2 * MARGIN, style)
         top += MARGIN * bool(head.high) + head.high
