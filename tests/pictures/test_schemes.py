@@ -416,7 +416,7 @@ def test_arms_are_pale_where_no_torque_is_in_all_gears(path: Path) -> None:
 
 
 def test_ports_show_which_way_their_power_goes() -> None:
-    # cases/power-split.yaml: MG1 takes 0.543, the right wheel 0.435 of the power (vstatics flow)
+    # cases/power-split.yaml: MG1 and the right wheel take power (`vstatics flow`)
     results = vstatics.solve(vstatics.load(SHIPPED / "power-split.yaml"))
     scheme = scheme_of(results.case)
     ways = scheme_state(scheme, state_of(results, 1)).leaving

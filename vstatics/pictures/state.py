@@ -8,7 +8,7 @@ from typing import NamedTuple
 from vstatics.model.transmission import Gear
 from vstatics.numerics.tolerances import NOISE
 from vstatics.numerics.traced import plain
-from vstatics.statics.bodies import Bodies, joined_by_elements
+from vstatics.statics.bodies import Bodies, is_one_piece, joined_by_elements
 from vstatics.statics.results import Results
 from vstatics.statics.roles import IDLE, Role, mechanism_roles
 from vstatics.statics.state import GearState
@@ -35,8 +35,8 @@ class PictureState(NamedTuple):
     joined: Bodies
     """By link, the housing first: the least of the links that engaged elements, and springs
     as shafts, join to it."""
-    is_idle: Sequence[bool]
-    """By mechanism: whether it transmits no power, as far as the gear exists."""
+    is_still: Sequence[bool]
+    """By mechanism or drawn element: whether nothing in it moves, as far as the gear exists."""
     roles: Sequence[Role]
     """By mechanism: whether it is idle, or one piece."""
     loaded_springs: Sequence[bool]
@@ -84,7 +84,7 @@ def shown_of(state: GearState) -> PictureState:
         plain(state.ratio),
         [0.0, *map(plain, state.speeds)],
         joined_by_elements(case, gear),
-        [one and state.calculable for one in state.search.idle],
+        _is_still(state),
         mechanism_roles(state),
         [torque != 0 for torque in torques[case.among_devices.stop : -1]],
         [
@@ -94,6 +94,17 @@ def shown_of(state: GearState) -> PictureState:
         _loaded_links(state),
         _leaving(state) if state.calculable else {},
     )
+
+
+def _is_still(state: GearState) -> list[bool]:
+    """As `roles` decides it; a support, which holds one link, is not meant."""
+    idle, speeds = state.search.idle, state.speeds
+    return [
+        state.calculable
+        and all(idle[place] for place in device.mechanisms)
+        and is_one_piece(device, speeds)
+        for device in state.case.own_devices
+    ]
 
 
 def _loaded_links(state: GearState) -> list[frozenset[int]]:

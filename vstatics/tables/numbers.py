@@ -8,7 +8,7 @@ from functools import lru_cache
 from itertools import chain
 from math import isfinite
 
-_MINUS = re.compile(r"(?<![\w.)\]])-(?=\.?\d)")
+_MINUS = re.compile(r"(?<![\w.)\]-])-(?=\.?\d|[A-Za-z]+[_\[])")
 _POINT = re.compile(r"(?<![\w.])\.(?=\d)")
 
 DIGITS = 4
@@ -167,5 +167,7 @@ def typeset(text: str) -> str:
 
     >>> typeset("-.953"), typeset("sun 1-2: -.5, 2.5 (-1e-07)")
     ('−0.953', 'sun 1-2: −0.5, 2.5 (−1e-07)')
+    >>> typeset("-M_C + M_1 = 0; --idle exact")
+    '−M_C + M_1 = 0; --idle exact'
     """
     return _POINT.sub("0.", _MINUS.sub("−", text))

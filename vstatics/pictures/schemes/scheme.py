@@ -236,10 +236,9 @@ def scheme_state(scheme: Scheme, state: PictureState) -> SchemeState:
             idle.update([] if links else [place])
         else:
             links = device.links & state.loaded_links[place]
-            rests = all(state.is_idle[number] for number in device.numbers)
             if not links:
                 idle.add(place)
-            elif rests and device.kind != "held":
+            elif state.is_still[place] and device.kind != "held":
                 pieces.add(place)
         loaded.append(frozenset(links))
         ends += links
