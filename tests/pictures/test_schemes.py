@@ -395,7 +395,7 @@ def check_pins(results: Results, placement: Placement, gear: int, figure: Figure
 
 
 def test_arms_without_torque_are_pale() -> None:
-    # issue 16, seen by its viewer: Ford 10R80, gear 1; D is engaged, and nothing comes to it
+    # issue 16: Ford 10R80, gear 1; D is engaged, and nothing comes to it
     results = vstatics.solve(vstatics.load(SHIPPED / "ford-10r80.yaml"))
     layout = stick.place(scheme_of(results.case), Style())
     pale = check_pins(results, layout.placement, 1, stick.draw(results, Style(), [1]))
