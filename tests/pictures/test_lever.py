@@ -111,6 +111,16 @@ def test_a_set_that_is_locked_and_carries_the_reaction_is_one_piece() -> None:
     assert "carries no torque" in drawn
 
 
+def test_a_clutch_that_is_engaged_without_torque_says_so() -> None:
+    # Ford 10R80: in gear 1 D joins the intermediate shaft, on which nothing acts, to sun 4
+    # (M_D = 0 by the balance of the intermediate shaft); in gear 2 P4 is driven through it
+    whole = result("ford-10r80.yaml")
+    slack = [in_gear(whole, number, levers(whole.case)).is_slack("D") for number in (1, 2)]
+    assert slack == [True, False]
+    said = "engaged, without torque"
+    assert [said in drawn_text("ford-10r80.yaml", number) for number in (1, 2)] == slack
+
+
 def test_brakes_are_grounds_clutches_ties_by_their_names() -> None:
     """8HP70, gear 1: A, B, C are engaged; two of them are brakes."""
     results = result("zf-8hp70.yaml")

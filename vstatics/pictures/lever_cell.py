@@ -226,7 +226,8 @@ def draw_route(sheet: LeverSheet, gear: LeverGear, route: LeverRoute, bottom: fl
         colour = colour if is_way else style.faint
         sheet.inks.line(*places, colour=colour, dash=dash)
         return
-    line = style.soft if one.is_spring else style.engaged
+    is_slack = not one.is_spring and gear.is_slack(one.name)
+    line = style.faint if is_slack else style.soft if one.is_spring else style.engaged
     sheet.inks.line(*places, colour=line, width=1.4)
     x, y = route.sign[0], route.sign[1] + bottom
     (coil if one.is_spring else plates)(sheet.inks, (x, y), style)

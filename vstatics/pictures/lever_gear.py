@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from typing import NamedTuple
@@ -38,7 +39,7 @@ class LeverGear(NamedTuple):
     torques: Sequence[Sequence[float]]
     """On the nodes of each lever, without losses, over the input torque. [-]"""
     roles: Sequence[set[Role]]
-    """By lever: what its devices do."""
+    """By lever: what its devices do; a shaft is idle or has none."""
     grounds: dict[Spot, str]
     """Points that stand by brakes or in the housing, with the names of the brakes."""
     ties: Sequence[LeverTie]
@@ -53,8 +54,13 @@ class LeverGear(NamedTuple):
         return any(place <= first for place in places) and any(place >= last for place in places)
 
     def is_loaded(self, lever: int) -> bool:
-        """Whether a lever carries torque, or one that is not known; a shaft is not asked."""
+        """Whether a lever or shaft carries torque, or one that is not known."""
         return self.roles[lever] != {IDLE}
+
+    def is_slack(self, names: str) -> bool:
+        """Whether all shift elements at one place are engaged without torque."""
+        torques = [self.carried.get(name, math.nan) for name in names.split(", ")]
+        return all(abs(torque) < NOTHING for torque in torques)
 
     def is_one_piece(self, lever: int) -> bool:
         """Whether a lever carries torque, and nothing in it moves."""
@@ -91,23 +97,32 @@ def in_gear(results: Results, number: int, drawn: Sequence[Lever]) -> LeverGear:
     case, spots, found = results.case, spots_of(drawn), roles(results, number - 1)
     grounds = _grounds(case, state, drawn, spots)
     ties = list(_ties(case, state, drawn, spots))
-    acts = [*grounds, *(spot for one in ties if one.name for spot in one.ends)]
-    acts += [(place, n) for place, some in enumerate(torques) for n, one in enumerate(some) if one]
-    loads: dict[int, set[int]] = {}
-    for place, node in acts:
-        loads.setdefault(drawn[place].nodes[node].link, set()).add(place)
-    return LeverGear(
-        state,
-        torques,
-        [{found[device] for device in one.devices} for one in drawn],
-        grounds,
-        ties,
-        {
-            case.shift_elements[one - 1].name: plain(whole.torques.on_first_link[one - 1])
-            for one in state.gear.engaged
-        },
-        loads,
-    )
+    carried = {
+        case.shift_elements[one - 1].name: plain(whole.torques.on_first_link[one - 1])
+        for one in state.gear.engaged
+    }
+    does = [{found[device] for device in one.devices} for one in drawn]
+    gear = LeverGear(state, torques, does, grounds, ties, carried, {})
+    for place, node in _acts(gear, drawn):
+        gear.loads.setdefault(drawn[place].nodes[node].link, set()).add(place)
+    for place, lever in enumerate(drawn):
+        if lever.shaft and not gear.loads.get(lever.nodes[0].link):
+            does[place].add(IDLE)
+    return gear
+
+
+def _acts(gear: LeverGear, drawn: Sequence[Lever]) -> Iterator[Spot]:
+    """Points at which something gives torque to a link, or takes it."""
+    yield from (spot for spot, name in gear.grounds.items() if not gear.is_slack(name))
+    for one in gear.ties:
+        if one.name and (one.is_spring or not gear.is_slack(one.name)):
+            yield from one.ends
+    for place, some in enumerate(gear.torques):
+        yield from ((place, node) for node, torque in enumerate(some) if torque)
+    given = {gear.state.input, gear.state.output, *gear.state.gear.torques}
+    for place, lever in enumerate(drawn):
+        if not given.isdisjoint(lever.shaft):
+            yield place, 0
 
 
 def _torque(

@@ -64,10 +64,11 @@ class LeverKey(NamedTuple):
             inks.point((middle, y), kind, style.ink)
         elif kind in ("brake", "housing"):
             ground(inks, (middle, y), style.engaged if kind == "brake" else style.ink)
-        elif kind in ("clutch", "spring"):
+        elif kind in ("clutch", "slack", "spring"):
             ends = (middle - 8, y), (middle + 8, y)
-            inks.line(*ends, colour=style.engaged if kind == "clutch" else style.soft)
-            (plates if kind == "clutch" else coil)(inks, (middle, y), style)
+            lines = {"clutch": style.engaged, "slack": style.faint, "spring": style.soft}
+            inks.line(*ends, colour=lines[kind])
+            (coil if kind == "spring" else plates)(inks, (middle, y), style)
         elif kind == "torque":
             arrow(inks, (x + self.arrow, y), self.arrow, style.ink)
         elif kind == "pair":
@@ -91,6 +92,7 @@ def key_of(
         "brake": text("held by a brake", "удерживается тормозом"),
         "housing": text("housing", "корпус"),
         "clutch": text("clutch", "муфта"),
+        "slack": text("engaged, without torque", "включена, без момента"),
         "spring": text("spring as shaft", "пружина как вал"),
         "pair": text("pair of wheels, its ratio", "пара колёс, передаточное число"),
         "torque": text(
@@ -122,7 +124,10 @@ def _signs(drawn: Sequence[Lever], gear: LeverGear) -> Iterator[str]:
     for place, lever in enumerate(drawn):
         yield from _of_lever(lever, place, gear)
     yield from ("brake" if name else "housing" for name in gear.grounds.values())
-    yield from ("spring" if one.is_spring else "clutch" for one in gear.ties if one.name)
+    for one in gear.ties:
+        if one.name:
+            clutch = "slack" if gear.is_slack(one.name) else "clutch"
+            yield "spring" if one.is_spring else clutch
 
 
 def _of_lever(lever: Lever, place: int, gear: LeverGear) -> Iterator[str]:
