@@ -1,7 +1,7 @@
 """Whole-process time of `vstatics plot` and `report` against importing matplotlib.
 
 They alternate, so that a machine that slows down slows both. The case is a ten-speed, the
-Ford 10R80; a second table has the size of what is written.
+Ford 10R80; the last column has the size of what is written.
 """
 
 import sys
@@ -47,10 +47,12 @@ def main() -> None:
         actions = {name: partial(spent, command) for name, command in commands(folder).items()}
         medians_spent(actions, 1)  # fills the file cache
         measured = medians_spent(actions, 1 if given.quick else RUNS)
-        sizes = [(one.name, f"{one.stat().st_size / 1000:.0f}") for one in folder.iterdir()]
+        written = [Path(command[-1]) for command in commands(folder).values()]
+        sizes = [f"{one.stat().st_size / 1000:.0f}" if one.exists() else "" for one in written]
     columns = ("process", "time", "by the bare import", "processor time", "by the bare import")
-    print_table("Pictures of a ten-speed", columns, rows_of_spent(measured, decimals=2))
-    print_table("What they write", ("file", "kB"), sorted(sizes))
+    rows = rows_of_spent(measured, decimals=2)
+    sized = [(*row, size) for row, size in zip(rows, sizes, strict=True)]
+    print_table("Pictures of a ten-speed", (*columns, "file, kB"), sized)
 
 
 if __name__ == "__main__":

@@ -214,5 +214,5 @@ def test_a_report_is_made_of_springs_alone(name: str, cases: Path) -> None:
 def test_the_report_has_tables_of_springs_and_inertias(cases: Path) -> None:
     vstatics("report", "-q", cases / "box.yaml", "-o", cases / "box.html")
     page = (cases / "box.html").read_text(encoding="utf-8")
-    for said in (">Springs<", ">Inertias<", "carrier - prop", "stiffness, N*m/rad"):
+    for said in (">Springs<", ">Inertias<", "carrier − prop", "stiffness, N*m/rad"):
         assert said in page
