@@ -7,6 +7,7 @@ from itertools import combinations, product
 import numpy as np
 import pytest
 
+from vstatics.pictures.flow_signs import PALE
 from vstatics.pictures.style import Style
 
 PAPERS = [pytest.param(Style(), id="paper"), pytest.param(Style(dark=True), id="dark")]
@@ -50,8 +51,13 @@ APART = 0.1
 
 def light(colour: str) -> np.ndarray[tuple[int], np.dtype[np.float64]]:
     """Red, green, blue of a colour, linear."""
-    parts = np.array([int(colour[at : at + 2], 16) for at in (1, 3, 5)]) / 255
+    parts = np.array(channels(colour)) / 255
     return np.where(parts <= 0.04045, parts / 12.92, ((parts + 0.055) / 1.055) ** 2.4)
+
+
+def channels(colour: str) -> list[int]:
+    """Red, green, blue of a colour, from 0 to 255."""
+    return [int(colour[at : at + 2], 16) for at in (1, 3, 5)]
 
 
 def contrast(one: str, other: str) -> float:
@@ -103,6 +109,15 @@ def test_no_link_looks_engaged_or_without_torque(style: Style, sight: str) -> No
 def test_what_is_engaged_lost_or_circulates_is_told_apart(style: Style, sight: str) -> None:
     roles = style.engaged, style.lost, style.circulating, style.power, style.ink
     assert min(distance(*pair, sight) for pair in combinations(roles, 2)) > APART
+
+
+@pytest.mark.parametrize("style", PAPERS)
+@pytest.mark.parametrize("sight", SIGHTS)
+def test_power_that_goes_round_is_told_from_what_passes(style: Style, sight: str) -> None:
+    """Its bands let through what they cross, so the paper has a part in their colour."""
+    pairs = zip(channels(style.circulating), channels(style.paper), strict=True)
+    band = "#" + "".join(f"{round(PALE * own + (1 - PALE) * under):02x}" for own, under in pairs)
+    assert distance(band, style.power, sight) > APART
 
 
 def test_the_eighth_line_has_the_first_colour_and_a_dash() -> None:

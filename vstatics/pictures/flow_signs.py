@@ -24,7 +24,7 @@ VISIBLE = 0.6
 """Width of a band of hardly any power. [pt]"""
 ROUND = 6.0
 """Radius of the inner side of a turn. [pt]"""
-PALE = 0.5
+PALE = 0.75
 """How much of a band that goes round covers what it crosses."""
 STEPS = 6
 """Straight pieces of a curve of a thin band."""
