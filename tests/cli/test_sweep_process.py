@@ -106,7 +106,7 @@ def test_an_interrupted_sweep_says_where_it_stopped(
 ) -> None:
     """Ctrl-C goes to the whole group, as a terminal sends it; SIGTERM to the process."""
     running = begin(*SWEEP, "-o", "out.csv", "-j", jobs, cwd=folder)
-    wait_for(lambda: len(finished(folder / "out.csv.parts")) >= 3)
+    wait_for(lambda: len(finished(folder / "out.csv.parts")) >= 1)
     (os.killpg if number == signal.SIGINT else os.kill)(running.pid, number)
     status, said = end(running)
     kept = len(finished(folder / "out.csv.parts"))
