@@ -3,15 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from functools import cache
 from typing import Any, NamedTuple
 
 from matplotlib.artist import Artist
 from matplotlib.figure import Figure
-from matplotlib.font_manager import FontProperties
 from matplotlib.patches import PathPatch, Polygon
 from matplotlib.path import Path
-from matplotlib.textpath import TextToPath
 from matplotlib.transforms import Affine2D
 
 from vstatics.pictures import labels
@@ -25,16 +22,6 @@ LINE = 1.3
 """Width of a line. [pt]"""
 WRAP = 14
 """Longer names are broken at blanks. [letters]"""
-
-
-@cache
-def width_of(text: str, size: float = SIZE, *, bold: bool = False) -> float:
-    """The width of text, of its longest line [pt]."""
-    font = FontProperties(family=FONT, size=size, weight="bold" if bold else "normal")
-    return max(
-        float(TextToPath().get_text_width_height_descent(line, font, ismath=False)[0])
-        for line in text.split("\n")
-    )
 
 
 def wrapped(name: str, letters: int = WRAP) -> str:

@@ -7,10 +7,11 @@ from typing import Any, NamedTuple
 
 from vstatics.errors import CaseError, Problem
 from vstatics.model.transmission import HOUSING
+from vstatics.pictures import labels
 from vstatics.pictures.heads import chart_head
-from vstatics.pictures.labels import Paper, Point, width
+from vstatics.pictures.labels import Paper, Point
 from vstatics.pictures.schemes.channels import ABOVE, BELOW, Item, PlacedTap, Tap
-from vstatics.pictures.schemes.pen import Pen, Window, width_of, wrapped
+from vstatics.pictures.schemes.pen import Pen, Window, wrapped
 from vstatics.pictures.schemes.placing import Placement
 from vstatics.pictures.schemes.scheme import (
     Device,
@@ -134,7 +135,7 @@ def wired(  # noqa: PLR0913 - what is drawn, and how
     """A sheet with its wires and the names of its ends; its head, unless it is within another."""
     low, (right, top) = extent(scheme, placement)
     if within is None:
-        least = width(name, TITLE, bold=True) if style.titled else 0.0
+        least = labels.width(name, TITLE, bold=True) if style.titled else 0.0
         right = max(right, low[0] + 2 * MARGIN + least)
         head = chart_head(name, note, key_of(state, style), right - low[0] - 2 * MARGIN, style)
         top += MARGIN * bool(head.high) + head.high
@@ -154,8 +155,8 @@ def wired(  # noqa: PLR0913 - what is drawn, and how
 def extent(scheme: Scheme, placement: Placement) -> tuple[Point, Point]:
     """The lower left and the upper right corner of a picture with room for all but its head."""
     names = {
-        "left": [width_of(scheme.name(wire)) for wire in placement.from_left],
-        "right": [width_of(scheme.name(wire)) for wire in placement.to_right],
+        "left": [labels.width(scheme.name(wire)) for wire in placement.from_left],
+        "right": [labels.width(scheme.name(wire)) for wire in placement.to_right],
     }
     left = -TERMINAL - 4 - max(names["left"], default=-TERMINAL) - MARGIN
     right = placement.row.width + TERMINAL + 4 + max(names["right"], default=-TERMINAL) + MARGIN
@@ -168,7 +169,7 @@ def extent(scheme: Scheme, placement: Placement) -> tuple[Point, Point]:
 def _wires(sheet: Sheet) -> None:
     """Each link as one path, or two if torque passes parts of it; dots, its name."""
     pen, placement = sheet.pen, sheet.placement
-    widths = {wire: width_of(sheet.scheme.name(wire)) for wire in placement.labels}
+    widths = {wire: labels.width(sheet.scheme.name(wire)) for wire in placement.labels}
     lines = wire_lines(placement, widths, sheet.scheme, sheet.state)
     for wire, own in lines.items():
         look: dict[str, Any] = {"title": sheet.titles.link(wire), "capstyle": "projecting"}
@@ -231,12 +232,12 @@ def brake_width(device: Device) -> float:
     """Of a brake, a support or a spring in the row, with its name."""
     if not device.is_coupling:
         return 24.0
-    return width_of(wrapped(device.name), bold=True) + BESIDE + 18
+    return labels.width(wrapped(device.name), bold=True) + BESIDE + 18
 
 
 def clutch_item(index: int, device: Device, sides: tuple[int, ...]) -> Item:
     """A clutch or a spring, whose wires may come from these sides."""
-    width = max(width_of(wrapped(device.name), bold=True) + 14, 34.0)
+    width = max(labels.width(wrapped(device.name), bold=True) + 14, 34.0)
     one, other = device.members.values()
     variants = [
         [Tap(left, a, 0.0), Tap(right, b, width)]

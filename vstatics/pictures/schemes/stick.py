@@ -18,13 +18,14 @@ from vstatics.elements.group import group_of
 from vstatics.elements.kinds import Planetary
 from vstatics.errors import CaseError, Problem
 from vstatics.model.transmission import Transmission
+from vstatics.pictures import labels
 from vstatics.pictures.labels import Point
 from vstatics.pictures.schemes.assumed import as_sets, can_be_set
 from vstatics.pictures.schemes.board import GAP, Board
 from vstatics.pictures.schemes.channels import ABOVE, BELOW, Item, Tap
 from vstatics.pictures.schemes.glyphs import Glyph
 from vstatics.pictures.schemes.pairs import pair_glyphs
-from vstatics.pictures.schemes.pen import LINE, SMALL, ground, width_of, wrapped
+from vstatics.pictures.schemes.pen import LINE, SMALL, ground, wrapped
 from vstatics.pictures.schemes.placing import Placement, placed
 from vstatics.pictures.schemes.scheme import Device, Scheme, scheme_of
 from vstatics.pictures.schemes.search import arranged
@@ -196,7 +197,7 @@ def _element_item(
     index: int, device: Device, glyphs: list[Glyph], style: Style, rank: int | None
 ) -> Item:
     name, kind = _names(device, style)
-    label = max(width_of(name, bold=True), width_of(kind, SMALL)) + BESIDE
+    label = max(labels.width(name, bold=True), labels.width(kind, SMALL)) + BESIDE
     variants = [[tap._replace(x=tap.x + label) for tap in glyph.taps] for glyph in glyphs]
     return Item(index, [glyph.width + label for glyph in glyphs], variants, rank=rank)
 

@@ -11,10 +11,11 @@ from typing import Any
 from matplotlib.figure import Figure
 
 from vstatics.model.transmission import HOUSING
+from vstatics.pictures import labels
 from vstatics.pictures.labels import Point
 from vstatics.pictures.schemes.board import Board
 from vstatics.pictures.schemes.channels import ABOVE, BELOW, Item, Reach, Tap
-from vstatics.pictures.schemes.pen import SMALL, ground, width_of, wrapped
+from vstatics.pictures.schemes.pen import SMALL, ground, wrapped
 from vstatics.pictures.schemes.placing import Placement, placed
 from vstatics.pictures.schemes.scheme import Device, Scheme, ratio_text, scheme_of
 from vstatics.pictures.schemes.search import arranged
@@ -80,7 +81,7 @@ def named_on_tracks(scheme: Scheme) -> dict[int, float]:
     """Widths of the names of links that reach no end of the picture [pt]."""
     from_left, to_right = scheme.ends
     return {
-        link: width_of(name)
+        link: labels.width(name)
         for link, name in enumerate(scheme.links, 1)
         if link not in from_left and link not in to_right
     }
@@ -98,9 +99,9 @@ def _item(index: int, device: Device, style: Style) -> Item:
 
 def box_item(index: int, device: Device, sides: tuple[int, ...], style: Style) -> Item:
     """A mechanism as a box with its members at the top and at the bottom."""
-    slot = max(width_of(member_text(device, one, style), SMALL) for one in device.members) + 9
-    name = width_of(wrapped(device.name, LETTERS), bold=True)
-    inner = max(name, width_of(word(device.kind, style), SMALL), 60.0) + 10
+    slot = max(labels.width(member_text(device, one, style), SMALL) for one in device.members) + 9
+    name = labels.width(wrapped(device.name, LETTERS), bold=True)
+    inner = max(name, labels.width(word(device.kind, style), SMALL), 60.0) + 10
     variants: list[list[Tap]] = [[]]
     for member, link in device.members.items():
         own = (ABOVE, BELOW) if link == HOUSING else sides
