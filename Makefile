@@ -31,6 +31,13 @@ PLAIN_ROOMS := statics elements published oracle flow explain
 test-oldest: .venv-oldest/stamp ## the fast tests with the oldest versions allowed (Python 3.11)
 	$(OLDEST)/pytest -q -n $(TEST_JOBS) -m "not slow" -p no:cacheprovider $(PLAIN_ROOMS:%=--ignore=tests/%)
 
+# Other processors: other kernels of OpenBLAS, and NumPy without what it has for this processor.
+PROCESSORS := Haswell Zen Nehalem
+NUMPY_EXTENSIONS = $(shell $(BIN)/python -c "from numpy._core._multiarray_umath import __cpu_dispatch__ as own; print(*own)")
+nightly: .venv/dev.stamp ## the fast tests as other processors calculate them
+	$(foreach kind,$(PROCESSORS),OPENBLAS_CORETYPE=$(kind) $(MAKE) test &&) true
+	NPY_DISABLE_CPU_FEATURES="$(NUMPY_EXTENSIONS)" OPENBLAS_CORETYPE=Nehalem $(MAKE) test
+
 coverage: .venv/dev.stamp ## the fast tests, with the lines that they miss
 	$(BIN)/pytest -q -m "not slow" --cov=vstatics --cov-report=term-missing
 
@@ -81,4 +88,4 @@ clean: ## remove what make has made
 	touch $@
 
 .DEFAULT_GOAL := help
-.PHONY: help run test test-slow test-beside test-alone test-oldest coverage lint types golden schema bench boxes dist clean
+.PHONY: help run test test-slow test-beside test-alone test-oldest nightly coverage lint types golden schema bench boxes dist clean

@@ -154,10 +154,13 @@ def number(value: float) -> str:
 
     >>> [number(value) for value in (2.6428571, -251.0, 1e7, -0.00001, float("nan"))]
     ['2.643', '−251.0', '1e+07', '0.000', '–']
+    >>> number(100.0), number(99.99999999999999)
+    ('100.0', '100.0')
     """
     if not math.isfinite(value):
         return "–"
-    if abs(value) >= LARGE:
+    size = abs(float(f"{value:.4g}"))  # so the last bits of 100 do not choose its digits
+    if size >= LARGE:
         return typeset(f"{value:.4g}")
-    decimals = 3 - sum(abs(value) >= bound for bound in (10, 100, 1000))
+    decimals = 3 - sum(size >= bound for bound in (10, 100, 1000))
     return typeset(f"{value:z.{decimals}f}")
