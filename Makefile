@@ -13,8 +13,9 @@ help: ## list the targets
 run: .venv/compiled.stamp ## calculate the published case (another: make run CASE=file)
 	@$(BIN)/vstatics run "$(CASE)"
 
-test: .venv/dev.stamp ## the fast tests, on all cores (a minute and a half)
-	$(BIN)/pytest -q -n $(TEST_JOBS) -m "not slow"
+test: .venv/dev.stamp ## the fast tests (ROOM=torsion: of a room; ABOVE=1: and of what stands on it)
+	@tests="$(if $(ROOM),$$($(BIN)/python -m tests.rooms $(ROOM) $(ABOVE)))" && set -x && \
+	$(BIN)/pytest -q -n $(TEST_JOBS) -m "not slow" $$tests
 
 test-slow: ## the slow tests: test-beside, then test-alone
 	$(MAKE) test-beside

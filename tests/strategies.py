@@ -6,7 +6,7 @@ from typing import Any
 
 from hypothesis import strategies as st
 
-from vstatics.model.damping import Damping
+from vstatics.model.parts import Damping
 from vstatics.model.springs import Spring, between
 from vstatics.model.transmission import (
     HOUSING,

@@ -3,77 +3,21 @@
 from __future__ import annotations
 
 import ast
-import textwrap
 from functools import cache
 from graphlib import TopologicalSorter
 from pathlib import Path
 
-import vstatics
-
-PACKAGE = Path(vstatics.__file__).parent
-ROOMS = (
-    "interrupt",
-    "errors",
-    "extras",
-    "numerics",
-    "model",
-    "statics",
-    "elements",
-    "jobs",
-    "tables",
-    "readers",
-    "torsion",
-    "simulation",
-    "sweep",
-    "writers",
-    "flow",
-    "summary",
-    "explain",
-    "synthesis",
-    "pictures",
-    "report",
-    "cli",
-    "__init__",
-    "__main__",
+from tests.rooms import (
+    PACKAGE,
+    ROOMS,
+    imported,
+    modules,
+    order,
+    places_of_tests,
+    room,
+    standing_on,
+    sub_rooms,
 )
-"""The order of the rooms; docs/architecture.md shows it."""
-
-
-def order() -> str:
-    """The order of the rooms as text."""
-    return textwrap.fill("  ".join(ROOMS[:-2]), 80)
-
-
-@cache
-def modules() -> dict[str, Path]:
-    """The modules of the package by their names with dots."""
-    found = {}
-    for path in sorted(PACKAGE.rglob("*.py")):
-        parts = path.relative_to(PACKAGE.parent).with_suffix("").parts
-        found[".".join(part for part in parts if part != "__init__")] = path
-    return found
-
-
-@cache
-def imported(name: str) -> set[str]:
-    """The modules of the package that a module imports: anywhere in it, for types too."""
-    found: set[str] = set()
-    for node in ast.walk(ast.parse(modules()[name].read_text(encoding="utf-8"))):
-        if isinstance(node, ast.Import):
-            names = [alias.name for alias in node.names]
-        elif isinstance(node, ast.ImportFrom):
-            assert node.level == 0, f"{name} imports by dots alone"
-            names = [f"{node.module}.{alias.name}" for alias in node.names]
-        else:
-            continue
-        for one in names:
-            found.add(one if one in modules() else one.rpartition(".")[0])
-    return found & set(modules())
-
-
-def room(name: str) -> str:
-    """The room that a module belongs to."""
-    return name.split(".")[1] if "." in name else "__init__"
 
 
 def test_architecture_shows_the_rooms_in_their_order() -> None:
@@ -91,6 +35,33 @@ def test_imports_run_one_way() -> None:
         own = room(name)
         upward = {other for other in imported(name) if place[room(other)] > place[own]}
         assert not upward, f"{name} imports {upward}"
+
+
+def test_imports_of_sub_rooms_run_one_way() -> None:
+    """The docstring of a room names its sub-rooms in their order."""
+    for above in ROOMS[:-2]:
+        if (PACKAGE / above).is_dir():
+            place = {one: number for number, one in enumerate(sub_rooms(above))}
+            for name in modules():
+                own = name.split(".")[2:3]
+                if room(name) == above and own and own[0] in place:
+                    others = {
+                        to.split(".")[2]
+                        for to in imported(name)
+                        if to.count(".") > 1 and room(to) == above
+                    }
+                    upward = {to for to in others & place.keys() if place[to] > place[own[0]]}
+                    assert not upward, f"{name} imports {upward}"
+
+
+def test_what_stands_on_a_room_is_tested_with_it() -> None:
+    """Pictures take torsion, and torsion takes statics; nothing takes the command line."""
+    assert (
+        {"simulation", "pictures", "cli"} <= {*standing_on("torsion")} <= {*standing_on("statics")}
+    )
+    assert standing_on("cli") == []
+    assert Path(__file__) in places_of_tests("torsion", above=True)
+    assert PACKAGE / "torsion" in places_of_tests("torsion", above=False)
 
 
 def test_no_modules_import_each_other_in_a_circle() -> None:

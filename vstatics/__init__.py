@@ -27,13 +27,12 @@ from typing import TYPE_CHECKING, Any
 
 from vstatics.errors import CaseError, Place, Problem, ReadError, VstaticsError
 from vstatics.extras import __version__
-from vstatics.model.damping import Damping
-from vstatics.model.parts import Load
+from vstatics.model.parts import Damping, Load
 from vstatics.model.springs import Spring
 from vstatics.model.transmission import Gear, Mechanism, ShiftElement, Transmission
 from vstatics.readers import from_dict, load, loads
 from vstatics.statics.matrix import distribution_matrix
-from vstatics.statics.result_fields import Message
+from vstatics.statics.result_arrays import Message
 from vstatics.statics.results import Results
 from vstatics.statics.solve import solve
 from vstatics.statics.state import GearState
@@ -110,7 +109,7 @@ _LATER = {
 
 _METHODS = (
     (Results, "to_dataframe", "vstatics.tables.dataframe", "to_dataframe"),
-    (Results, "__getitem__", "vstatics.tables.access", "by_name"),
+    (Results, "__getitem__", "vstatics.tables.names", "by_name"),
     (Results, "_repr_html_", "vstatics.summary.html", "html"),
 )
 """Methods that come from rooms of which the room of results must know nothing."""

@@ -10,7 +10,7 @@ import pytest
 
 import vstatics as library
 from tests.commands import vstatics
-from tests.readers.test_named_springs import ISSUE
+from tests.readers.named.test_springs import ISSUE
 from vstatics.readers.results import read_results
 
 BOX = """

@@ -202,7 +202,7 @@ def test_boxes_of_an_earlier_search_go_and_other_files_stay() -> None:
 
 def test_where_there_are_many_the_first_are_drawn(monkeypatch: pytest.MonkeyPatch) -> None:
     """The first of each family, here."""
-    monkeypatch.setattr("vstatics.cli.synth_box_output.MOST_DRAWN", 2)
+    monkeypatch.setattr("vstatics.cli.synth_box_output.MOST_DRAWN_CASES", 2)
     said = vstatics("synth", "box", *ASKED, "-o", "found")
     assert said.err.startswith("found: 2 of 3 boxes have a diagram: those of the Pareto list, ")
     assert [name for name in names(Path("found")) if name.startswith("box-")] == [

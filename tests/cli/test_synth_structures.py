@@ -97,7 +97,7 @@ def test_a_dry_run_tells_how_many_how_large_how_long() -> None:
 
 
 def test_what_has_no_room_is_refused_before_it_begins(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(synth_structures, "QUICK", 1)
+    monkeypatch.setattr(synth_structures, "QUICK_SETS", 1)
     monkeypatch.setattr(disk_room, "free_room", lambda _: 1000)
     said = vstatics("synth", "structures", "--sets", 2, "-o", "two.jsonl")
     assert said.status == 1

@@ -8,7 +8,7 @@ import vstatics as library
 from tests.commands import CASES
 from vstatics.errors import ReadError
 from vstatics.readers import read
-from vstatics.tables.quantity import Table
+from vstatics.tables.quantities import Table
 from vstatics.tables.values import tables
 
 SET = """

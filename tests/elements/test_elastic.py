@@ -16,7 +16,7 @@ from vstatics.elements.element import DrawingFields
 from vstatics.elements.kinds import KINDS
 from vstatics.elements.planet_inertia import planet_inertias
 from vstatics.errors import CaseError
-from vstatics.model.damping import Damping
+from vstatics.model.parts import Damping
 from vstatics.model.transmission import Gear
 from vstatics.readers import read
 from vstatics.writers.named import write_json, write_yaml

@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 
 from vstatics import CaseError, Gear, Mechanism, ShiftElement, Transmission
-from vstatics.model.damping import NO_DAMPING, Damping, damping
+from vstatics.model.parts import NO_DAMPING, Damping, damping
 from vstatics.model.springs import Spring, between, ends
 
 

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from vstatics.numerics.arrays import Booleans, Floats
 from vstatics.numerics.memory import Rows
-from vstatics.numerics.plan import plan_of_one_sign, prepared
+from vstatics.numerics.plans import plan_of_one_sign, prepared
 from vstatics.numerics.traced import Number, absolute
 
 INPUTS = 3

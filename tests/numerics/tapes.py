@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from vstatics.numerics.tape import GUARDS, Rest, Tape
+from vstatics.numerics.tape import GUARDS, Residual, Tape
 from vstatics.numerics.traced import Magnitude, Number, Traced
 
 Bounds = tuple[float, float]
@@ -21,20 +21,20 @@ def traced(*values: float, bounds: Bounds | None = None) -> list[Traced]:
     ]
 
 
-def noted(number: Traced | Rest) -> list[tuple[str, object, object]]:
+def noted(number: Traced | Residual) -> list[tuple[str, object, object]]:
     """The operations on the tape of a number."""
     return [operation[:3] for operation in number.tape.operations]
 
 
-def names(number: Traced | Rest) -> list[str]:
+def names(number: Traced | Residual) -> list[str]:
     return [name for name, _, _ in noted(number)]
 
 
-def guards(number: Traced | Rest) -> list[str]:
+def guards(number: Traced | Residual) -> list[str]:
     return [name for name in names(number) if name in GUARDS]
 
 
-def on_tape(number: Number | Rest) -> Traced:
+def on_tape(number: Number | Residual) -> Traced:
     """A number that is a traced one."""
     assert isinstance(number, Traced)
     return number

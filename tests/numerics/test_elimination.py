@@ -9,8 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from vstatics.numerics.elimination import dependencies, solve
-from vstatics.numerics.entries import RIGHT, Equation
+from vstatics.numerics.elimination import RIGHT, Equation, dependencies, solve
 from vstatics.numerics.traced import plain
 
 

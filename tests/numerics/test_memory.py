@@ -259,7 +259,7 @@ def test_results_in_a_circle_of_references_are_given_back() -> None:
 def test_no_more_than_the_limit_is_kept(
     free: deque[Block], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(memory, "KEPT", 10_000)
+    monkeypatch.setattr(memory, "KEPT_BYTES", 10_000)
     forms = [{"ratio": Form((1, 1, count), np.float64)} for count in (300, 400, 500, 600)]
     lent = [shown(memory.block(form)) for form in forms]
     assert not free

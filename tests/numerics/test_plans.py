@@ -16,8 +16,15 @@ from tests.numerics.programs import Program, programs, rows_for, run, same_bits,
 from vstatics.numerics import plans
 from vstatics.numerics.arrays import Floats
 from vstatics.numerics.memory import Rows
-from vstatics.numerics.plan import SPREAD, prepared
-from vstatics.numerics.plans import FEW, MOST, SAMPLED, TRIALS, Plans
+from vstatics.numerics.plans import (
+    FEW_VARIANTS,
+    MOST_PLANS,
+    SAMPLED,
+    SPREAD,
+    TRIALS,
+    Plans,
+    prepared,
+)
 from vstatics.numerics.traced import Number, absolute, is_traced, plain
 
 Function = Callable[[Sequence[Number]], list[Number]]
@@ -104,8 +111,8 @@ def test_a_plan_of_one_sign_serves_again_when_variants_go_alike() -> None:
 
 def test_few_variants_are_not_worth_a_plan() -> None:
     counted = Counted(branches)
-    check(Plans(counted), branches, [np.linspace(1.5, 3.5, FEW).tolist()])
-    assert (counted.traced, counted.alone) == (0, FEW)
+    check(Plans(counted), branches, [np.linspace(1.5, 3.5, FEW_VARIANTS).tolist()])
+    assert (counted.traced, counted.alone) == (0, FEW_VARIANTS)
 
 
 def test_few_that_come_often_are_worth_a_plan() -> None:
@@ -114,7 +121,7 @@ def test_few_that_come_often_are_worth_a_plan() -> None:
     for number in range(40):
         check(own, branches, [[2.0 + number / 1000]])
     assert len(own.plans) == 1
-    assert counted.alone == FEW + 1
+    assert counted.alone == FEW_VARIANTS + 1
 
 
 def special(numbers: Sequence[Number]) -> list[Number]:
@@ -168,8 +175,8 @@ def test_numbers_that_wander_do_not_need_a_plan_each() -> None:
 
 
 def test_there_is_an_end_to_plans(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(plans, "MOST", 3)
-    assert MOST > 3
+    monkeypatch.setattr(plans, "MOST_PLANS", 3)
+    assert MOST_PLANS > 3
 
     def steps(numbers: Sequence[Number]) -> list[Number]:
         return [numbers[0] * sum(bool(numbers[0] > step) for step in range(12))]

@@ -8,16 +8,14 @@ import numpy as np
 import pytest
 
 from tests.numerics.programs import rows_for
-from vstatics.numerics.choices import chosen, counted, opposite, where
-from vstatics.numerics.elimination import solve
-from vstatics.numerics.entries import RIGHT
-from vstatics.numerics.plan import plan_of_any_sign, prepared
+from vstatics.numerics.elimination import RIGHT, solve
+from vstatics.numerics.plans import plan_of_any_sign, prepared
 from vstatics.numerics.signed import Condition
-from vstatics.numerics.tape import Rest
-from vstatics.numerics.traced import Number, absolute, sign
+from vstatics.numerics.tape import Residual
+from vstatics.numerics.traced import Number, absolute, chosen, counted, opposite, sign, where
 
 VALUES = np.random.default_rng(5).uniform(-3, 3, (3, 400))
-Calculation = Callable[[Sequence[Number]], list[Number | Rest | Condition]]
+Calculation = Callable[[Sequence[Number]], list[Number | Residual | Condition]]
 
 
 def replayed(function: Calculation, values: np.ndarray = VALUES) -> tuple[np.ndarray, np.ndarray]:
@@ -47,7 +45,7 @@ def test_magnitudes_and_signs() -> None:
 
 
 def test_a_choice_is_made_for_each_variant() -> None:
-    def choices(abc: Sequence[Number]) -> list[Number | Rest | Condition]:
+    def choices(abc: Sequence[Number]) -> list[Number | Residual | Condition]:
         a, b, c = abc
         both = (a > b) & (c > 0)
         one = (a > b) | opposite(c > 0)
@@ -57,7 +55,7 @@ def test_a_choice_is_made_for_each_variant() -> None:
 
 
 def test_a_condition_of_python_is_a_guard() -> None:
-    def branch(abc: Sequence[Number]) -> list[Number | Rest | Condition]:
+    def branch(abc: Sequence[Number]) -> list[Number | Residual | Condition]:
         return [abc[0] if abc[0] > abc[1] else abc[2]]
 
     _, passed = replayed(branch)
@@ -67,7 +65,7 @@ def test_a_condition_of_python_is_a_guard() -> None:
 
 
 def test_variants_in_which_as_many_hold_pass() -> None:
-    def count(abc: Sequence[Number]) -> list[Number | Rest | Condition]:
+    def count(abc: Sequence[Number]) -> list[Number | Residual | Condition]:
         return [counted([number > 0 for number in abc])]
 
     found, passed = replayed(count)
@@ -80,7 +78,7 @@ def test_a_sum_that_nearly_cancels_does_not_pass() -> None:
     """X = 1/(a - b) by elimination; where a is nearly b rounding would be large."""
     values = np.array([[2.0, -1.0, 2.0, 2.0], [-1.0, 2.0, 2.0 - 1e-7, 1.0]])
 
-    def pivot(ab: Sequence[Number]) -> list[Number | Rest | Condition]:
+    def pivot(ab: Sequence[Number]) -> list[Number | Residual | Condition]:
         a, b = ab
         equations = [{0: 1.0, 1: a, RIGHT: 1.0}, {0: 1.0, 1: b, RIGHT: 0.0}]
         return [*solve(equations, 2).values]

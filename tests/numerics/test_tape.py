@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from tests.numerics.tapes import noted, on_tape, traced
-from vstatics.numerics.tape import LONGEST, Plain, Tape, Untraceable
+from vstatics.numerics.tape import MOST_OPERATIONS, Plain, Tape, Untraceable
 
 
 def test_the_same_operation_is_noted_once() -> None:
@@ -33,7 +33,7 @@ def test_a_plain_number_is_no_slot() -> None:
 
 def test_a_tape_has_an_end() -> None:
     tape = Tape(1)
-    for place in range(LONGEST):
+    for place in range(MOST_OPERATIONS):
         tape.note("add", 0, Plain(float(place)))
     tape.note("add", 0, Plain(1.0))
     with pytest.raises(Untraceable):

@@ -9,9 +9,8 @@ from collections.abc import Callable
 import pytest
 
 from tests.numerics.tapes import guards, names, noted, on_tape, traced
-from vstatics.numerics.rests import guard_within, rest
-from vstatics.numerics.tape import HUGE, Plain, Rest, Untraceable
-from vstatics.numerics.traced import Number, difference, guard_same, plain
+from vstatics.numerics.tape import HUGE, Plain, Residual, Untraceable
+from vstatics.numerics.traced import Number, difference, guard_same, guard_within, plain, residual
 
 
 def test_signs_cost_no_operation() -> None:
@@ -194,23 +193,23 @@ def test_a_number_by_zero_stands_for_no_other() -> None:
             a / nothing
 
 
-def of_one(number: Number | Rest) -> float:
+def of_one(number: Number | Residual) -> float:
     """A sum that turned out to be a plain number."""
-    assert not isinstance(number, Rest)
+    assert not isinstance(number, Residual)
     return plain(number)
 
 
-def left_over(*numbers: Number) -> Rest:
+def left_over(*numbers: Number) -> Residual:
     """A sum of traced numbers."""
-    made = rest(numbers)
-    assert isinstance(made, Rest)
+    made = residual(numbers)
+    assert isinstance(made, Residual)
     return made
 
 
 def test_a_rest_is_added_up_from_left_to_right() -> None:
     a, b = traced(2.0, 3.0)
-    left = rest([0.0, -a, 0.5, 0.0, b, -1.5])
-    assert isinstance(left, Rest)
+    left = residual([0.0, -a, 0.5, 0.0, b, -1.5])
+    assert isinstance(left, Residual)
     assert left.value == 0.0
     assert noted(a) == [
         ("subtract", Plain(0.0), 0),
@@ -223,11 +222,11 @@ def test_a_rest_is_added_up_from_left_to_right() -> None:
 
 
 def test_a_rest_of_plain_numbers_is_one() -> None:
-    assert rest([]) == 0.0
-    assert rest([0.1, 0.2, -0.3]) == 0.1 + 0.2 - 0.3
+    assert residual([]) == 0.0
+    assert residual([0.1, 0.2, -0.3]) == 0.1 + 0.2 - 0.3
     (a,) = traced(2.0)
-    assert math.isnan(of_one(rest([a, math.nan, a])))
-    assert math.isnan(of_one(rest([math.nan, a])))
+    assert math.isnan(of_one(residual([a, math.nan, a])))
+    assert math.isnan(of_one(residual([math.nan, a])))
 
 
 def test_what_lies_outside_in_the_first_variant_stands_for_no_other() -> None:

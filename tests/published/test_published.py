@@ -18,7 +18,7 @@ import pytest
 
 import vstatics
 from vstatics.numerics.traced import plain
-from vstatics.statics.arrays import ARRAYS, row_names
+from vstatics.statics.result_arrays import ARRAYS, row_names
 from vstatics.statics.results import Results
 
 HERE = Path(__file__).parent

@@ -50,7 +50,7 @@ def test_the_page_carries_the_document() -> None:
 
 @pytest.mark.slow
 def test_of_many_boxes_those_are_drawn_that_tell_most(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(boxes, "MOST_SHOWN", 1)
+    monkeypatch.setattr(boxes, "MOST_SHOWN_BOXES", 1)
     html = page(many(50))
     assert len(rows(html, "boxes")) == 50
     assert len(rows(html, "boxes", 2)) == 17

@@ -17,7 +17,7 @@ from vstatics.errors import Problem
 from vstatics.report import gather, page, write_report
 from vstatics.report.motion import RunSection, in_figures, shown_run
 from vstatics.report.naming import Naming
-from vstatics.statics.result_fields import Message
+from vstatics.statics.result_arrays import Message
 from vstatics.tables.grid import Column, Grid, Row, exact, text
 
 SCENARIO = CASES / "scenarios" / "tarasik-set-lock.yaml"

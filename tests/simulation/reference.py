@@ -17,7 +17,7 @@ import numpy as np
 from scipy.integrate import solve_ivp
 from scipy.linalg import null_space
 
-from vstatics.model.damping import damping
+from vstatics.model.parts import damping
 from vstatics.model.springs import Spring
 from vstatics.model.transmission import Mechanism, ShiftElement, Transmission
 from vstatics.numerics.arrays import Floats

@@ -9,8 +9,7 @@ from tests.statics.differential import SET, status, texts, train
 from vstatics import Gear, solve
 from vstatics.numerics.traced import plain
 from vstatics.statics import matrix
-from vstatics.statics.drag import NO_DRAG
-from vstatics.statics.torques import solve_sums, solve_torques
+from vstatics.statics.torques import NO_DRAG, solve_sums, solve_torques
 
 
 def test_a_direct_clutch_with_a_free_set_is_direct_all_the_same() -> None:

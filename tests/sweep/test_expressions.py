@@ -29,11 +29,11 @@ from tests.sweep.asked import (
     value,
 )
 from vstatics import Gear, Mechanism, Results, Transmission, load, solve
-from vstatics.statics.arrays import ARRAYS
+from vstatics.statics.result_arrays import ARRAYS
 from vstatics.sweep.expressions import read_expression
 from vstatics.sweep.expressions.columns import read_columns
 from vstatics.sweep.selection import read_where
-from vstatics.tables.rows import table_rows, written
+from vstatics.tables.names import table_rows, written
 
 # What selections mean
 

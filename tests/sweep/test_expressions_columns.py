@@ -24,10 +24,10 @@ from tests.sweep.asked import (
 from vstatics import Gear, Mechanism, ReadError, Transmission, load, solve
 from vstatics.numerics.arrays import Floats
 from vstatics.readers.named.nodes import MOST_PROBLEMS
-from vstatics.statics.arrays import ARRAYS
+from vstatics.statics.result_arrays import ARRAYS
 from vstatics.sweep.expressions.columns import read_columns
 from vstatics.sweep.targets import Target, target
-from vstatics.tables.rows import table_rows
+from vstatics.tables.names import table_rows
 
 PUBLISHED = json.loads(
     (Path(__file__).parents[1] / "published" / "mzkt7922.json").read_text(encoding="utf-8")

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from vstatics.tables.compare_sweeps import sweep_differences
-from vstatics.tables.figures import WrittenSweep
+from vstatics.tables.written_results import WrittenSweep
 
 
 def test_a_name_stays_whatever_is_in_it() -> None:

@@ -11,11 +11,10 @@ import pytest
 from tests.commands import CASES, ROOT
 from tests.elements.element_texts import loaded
 from vstatics import ReadError, Transmission, load, solve, sweep
-from vstatics.statics.arrays import ARRAYS
+from vstatics.statics.result_arrays import ARRAYS
 from vstatics.tables.dataframe import to_dataframe
 from vstatics.tables.names import quantity_named, row_named
-from vstatics.tables.quantities import ASKED, BY_NAME, QUANTITIES
-from vstatics.tables.quantity import Quantity
+from vstatics.tables.quantities import ASKED, BY_NAME, QUANTITIES, Quantity
 from vstatics.tables.values import tables
 
 EVERYTHING = """

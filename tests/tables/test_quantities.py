@@ -6,9 +6,8 @@ import re
 
 import pytest
 
-from vstatics.statics.arrays import ARRAYS
-from vstatics.tables.quantities import BY_NAME, PRINTED, QUANTITIES, RELATIVE, WITH_UNITS
-from vstatics.tables.quantity import Quantity
+from vstatics.statics.result_arrays import ARRAYS
+from vstatics.tables.quantities import BY_NAME, PRINTED, QUANTITIES, RELATIVE, WITH_UNITS, Quantity
 
 PUBLISHED = ["AJK", "W", "WSAT", "WFRI", "AMLG", "AMLGP", "ETA", "IX"]
 """The tables of the report of the source, in its order."""

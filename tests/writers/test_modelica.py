@@ -11,8 +11,7 @@ import pytest
 from tests.commands import CASES, MZKT, vstatics
 from tests.writers.modelica_system import IDENTIFIER, parsed, solved
 from vstatics import Gear, Load, Mechanism, ShiftElement, Spring, Transmission, load, loads, solve
-from vstatics.model.damping import Damping
-from vstatics.model.parts import Friction
+from vstatics.model.parts import Damping, Friction
 from vstatics.writers import modelica, modelica_limits
 from vstatics.writers.modelica_names import Identifiers, class_name, identifier, string
 

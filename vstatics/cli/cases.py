@@ -16,7 +16,7 @@ from vstatics.errors import Problem, ReadError, of_file, plural, spoken
 from vstatics.model.checks import hints
 from vstatics.model.transmission import IdleConvention, Transmission
 from vstatics.readers.reading import Reading
-from vstatics.statics.result_fields import Message
+from vstatics.statics.result_arrays import Message
 from vstatics.statics.results import Language, Results
 from vstatics.statics.solve import solve
 

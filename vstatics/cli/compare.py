@@ -16,8 +16,8 @@ from vstatics.readers import sweep_tables
 from vstatics.readers.results import read_results
 from vstatics.tables.compare import ATOL, RTOL, differences
 from vstatics.tables.compare_sweeps import sweep_differences
-from vstatics.tables.figures import WrittenResult
 from vstatics.tables.names import quantity_named
+from vstatics.tables.written_results import WrittenResult
 
 
 class Tolerances(NamedTuple):

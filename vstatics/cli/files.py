@@ -16,7 +16,7 @@ from vstatics.jobs.files import STDOUT, Write, is_stream, opened, replacing, unw
 
 STDIN = "-"
 STDIN_NAME = "<stdin>"
-MOST_SHOWN = 100
+MOST_SHOWN_PROBLEMS = 100
 """So many problems of a case are printed."""
 MOST_SEARCHED = 1000
 """So many files of a folder are looked at for one that may be meant."""
@@ -60,14 +60,14 @@ def _nearest_file(file: str) -> str:
 def show(problems: Iterable[Problem]) -> None:
     """Print problems to stderr, in the wording of a compiler, with the line and a caret."""
     all_of_them = list(problems)
-    for problem in all_of_them[:MOST_SHOWN]:
+    for problem in all_of_them[:MOST_SHOWN_PROBLEMS]:
         say(str(problem))
         place = problem.place
         if place is not None and place.text.strip():
             for line in _around(place):
                 say(f"  {line}")
-    if len(all_of_them) > MOST_SHOWN:
-        say(f"... and {len(all_of_them) - MOST_SHOWN} more")
+    if len(all_of_them) > MOST_SHOWN_PROBLEMS:
+        say(f"... and {len(all_of_them) - MOST_SHOWN_PROBLEMS} more")
 
 
 def say(line: str) -> None:

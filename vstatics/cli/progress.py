@@ -19,7 +19,7 @@ Advance = Callable[[int], None]
 
 PERIOD = 0.1
 """So often the bar is drawn anew [s]."""
-WIDTH = 24
+BAR_COLUMNS = 24
 """Columns of the bar itself: with eight digits of each number the line fits 80."""
 
 
@@ -95,7 +95,7 @@ def _bar(unit: str) -> Progress:
             return Text(f"{speed:.3g}/s" if speed else "")
 
     return parts.Progress(
-        parts.BarColumn(WIDTH),
+        parts.BarColumn(BAR_COLUMNS),
         parts.MofNCompleteColumn(),
         parts.TextColumn(unit),
         Rate(),

@@ -99,7 +99,7 @@ def show(outcome: CalculatedCase, style: TextStyle) -> texts.CaseOutput:
     def listing(_: str | None) -> str:
         from vstatics.writers import listing
 
-        return listing.write(results, style.lang, style.digits or listing.DIGITS)
+        return listing.write(results, style.lang, style.digits or listing.LISTING_DECIMALS)
 
     def csv(file: str | None) -> str:
         from vstatics.writers import result_csv

@@ -14,7 +14,7 @@ from vstatics.statics.solve import solve
 if TYPE_CHECKING:  # it costs start-up time
     from vstatics.synthesis.box_listing import BoxListing, ListedBox
 
-MOST = 6
+MOST_COMPARED_BOXES = 6
 """So many boxes stand side by side where nobody says which."""
 
 
@@ -46,7 +46,7 @@ def _chosen(listing: BoxListing, asked: Sequence[int]) -> list[ListedBox]:
     from vstatics.synthesis.box_listing import drawn_boxes
 
     if not asked:
-        return drawn_boxes(listing, MOST)
+        return drawn_boxes(listing, MOST_COMPARED_BOXES)
     last = len(listing.boxes)
     for number in asked:
         if not 1 <= number <= last:

@@ -16,7 +16,7 @@ from vstatics.sweep.tasks import data_of
 
 SPOTS, ROWS = 16, 16
 """The size of a row is that of so many rows at so many spots of a sweep."""
-LONGEST = 32
+LONGEST_NUMBER = 32
 """No number takes more bytes, with what stands around it but its name."""
 
 
@@ -40,7 +40,7 @@ def check_room(plan: SweepPlan, form: Format, output: str, pieces: FinishedPiece
     except OSError:
         return  # it is told when the output is to be written
     names = ("variant", *plan.names, "status", *plan.headings)
-    if sum(LONGEST + len(name.encode()) for name in names) * plan.variants.count <= free:
+    if sum(LONGEST_NUMBER + len(name.encode()) for name in names) * plan.variants.count <= free:
         return
     size = _row_bytes(plan, form) * plan.variants.count
     if size > free:

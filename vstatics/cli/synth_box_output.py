@@ -33,7 +33,7 @@ from vstatics.writers import plain_json
 
 TABLES = {"text": "boxes.txt", "json": "boxes.json"}
 """The result in a directory, by format."""
-MOST_DRAWN = 1000
+MOST_DRAWN_CASES = 1000
 """So many boxes have a diagram: a thousand take minutes."""
 OWN = re.compile(r"box-\d{4,}\.(yaml|svg)|boxes\.(svg|html)")
 """Names of files that not every search has; those of an earlier one are removed."""
@@ -124,18 +124,18 @@ def write_folder(
     _put(folder, "boxes.csv", found.table(TextStyle(raw=style.raw)))
     for form, name in TABLES.items():  # the document last: where it is all is
         _put(folder, name, found.text(form, style))
-    if len(items) > MOST_DRAWN and not quiet:
+    if len(items) > MOST_DRAWN_CASES and not quiet:
         some = "those of the Pareto list, the first of each family, and the next in order"
-        files.say(f"{folder}: {MOST_DRAWN} of {len(items)} boxes have a diagram: {some}")
+        files.say(f"{folder}: {MOST_DRAWN_CASES} of {len(items)} boxes have a diagram: {some}")
 
 
 def _items(found: FoundBoxes) -> list[BoxFiles]:
     """Each box with its name; not more of them are drawn than anybody can look at."""
     numbers = range(1, len(found.boxes) + 1)
     drawn = set(numbers)
-    if len(drawn) > MOST_DRAWN:
+    if len(drawn) > MOST_DRAWN_CASES:
         listing = listing_of(found.document)
-        drawn = {box.number for box in drawn_boxes(listing, MOST_DRAWN)}
+        drawn = {box.number for box in drawn_boxes(listing, MOST_DRAWN_CASES)}
     names = file_names(len(found.boxes))
     return [
         BoxFiles(name, box.found.case, number in drawn)

@@ -28,7 +28,7 @@ from vstatics.writers.plain_json import plain_data
 
 STREAMED = ("json", "jsonl")
 """Formats that are written as they are found."""
-MOST_ROWS = 200_000
+MOST_PRINTED_ROWS = 200_000
 """Of any other format."""
 FRAME = '{"combinations": [\n ', ",\n ", "\n]}\n"
 """Around the entries of JSON, and between them."""
@@ -42,8 +42,8 @@ def check_room(search: CombinationSearch, to: Destination) -> None:
     UsageError, ReadError
     """
     if to.form not in STREAMED:
-        if search.count > MOST_ROWS:
-            message = f"{to.form} is for {MOST_ROWS} rows at most, not for {search.count}"
+        if search.count > MOST_PRINTED_ROWS:
+            message = f"{to.form} is for {MOST_PRINTED_ROWS} rows at most, not for {search.count}"
             raise click.UsageError(f"{message}: expected -f json or jsonl")
         return
     check_disk_room(_length(search) * search.count, to.output, "--engaged or --elements")

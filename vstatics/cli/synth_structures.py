@@ -23,7 +23,7 @@ from vstatics.writers import plain_json
 FORMATS = ("json", "jsonl")
 LONG = 60
 """What takes longer is told before. [s]"""
-QUICK = 3
+QUICK_SETS = 3
 """So many sets are done before an estimate is."""
 
 
@@ -141,7 +141,7 @@ def _told(asked: StructureSearch, output: str | None, *, listed: bool) -> int:
     ------
     ReadError
     """
-    if asked.sets <= QUICK:
+    if asked.sets <= QUICK_SETS:
         return 0
     found = estimate(asked, listed=listed)
     check_room(found.bytes, output, "--count, --classes, --links, or another disk")

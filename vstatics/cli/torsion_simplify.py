@@ -16,7 +16,7 @@ from vstatics.cli.one_case import file_name, problems_of, show, tell
 from vstatics.cli.telling import Telling
 from vstatics.cli.torsion_case import coasting, located, needs_scipy
 from vstatics.errors import Problem, ReadError, of_file, spoken
-from vstatics.model.damping import damping
+from vstatics.model.parts import damping
 from vstatics.model.transmission import Transmission
 
 RULES = ("partial", "r", "b", "u")

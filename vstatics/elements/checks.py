@@ -14,7 +14,7 @@ from itertools import product
 from vstatics.elements import group_checks
 from vstatics.elements.element import DrawingFields, Element
 from vstatics.elements.group import PlanetGroup, group_of
-from vstatics.elements.group_checks import MOST
+from vstatics.elements.group_checks import LARGEST_WHEEL
 from vstatics.elements.kinds import GROUP, KINDS, Kind, Planetary, Simple
 from vstatics.elements.lower import at_meshes
 from vstatics.errors import Path, Problem, nearest
@@ -202,6 +202,6 @@ def _teeth(
         if name not in known:
             message = f"unknown: expected {', '.join(known)}{nearest(name, known)}"
             yield Problem(message, (*path, size, name))
-        elif not 1 / MOST < count < MOST:
-            message = f"read {count:g}, expected a number above 0 and below {MOST:g}"
+        elif not 1 / LARGEST_WHEEL < count < LARGEST_WHEEL:
+            message = f"read {count:g}, expected a number above 0 and below {LARGEST_WHEEL:g}"
             yield Problem(message, (*path, size, name))

@@ -13,8 +13,7 @@ from vstatics.elements.group import group_of
 from vstatics.elements.kinds import Planetary
 from vstatics.elements.lower import DrawnPart, parts
 from vstatics.errors import Problem
-from vstatics.model.own import Member, OwnDevice, Planet, WheelOfPlanet
-from vstatics.model.parts import HOUSING
+from vstatics.model.parts import HOUSING, Member, OwnDevice, Planet, WheelOfPlanet
 from vstatics.model.transmission import Transmission
 
 

@@ -9,7 +9,7 @@ from vstatics.elements.group import group_of
 from vstatics.elements.kinds import GROUP, Planetary
 from vstatics.elements.lower import part_of
 from vstatics.errors import Path, Problem, nearest, quoted, spoken
-from vstatics.model.spring_checks import not_negative, of_elastic
+from vstatics.model.torsional_checks import not_negative, of_elastic
 
 
 def of_torsion(element: Element, path: Path) -> Iterator[Problem]:

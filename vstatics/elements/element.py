@@ -7,8 +7,7 @@ from dataclasses import dataclass, field
 from typing import Literal, NamedTuple
 
 from vstatics.elements.kinds import KINDS, Kind, Planetary
-from vstatics.model.damping import NO_DAMPING, Damping, damping
-from vstatics.model.parts import HOUSING, Mechanism
+from vstatics.model.parts import HOUSING, NO_DAMPING, Damping, Mechanism, damping
 
 Losses = Literal["meshes", "reduced"]
 """Whether losses are calculated at each mesh, or in as few mechanisms as the speeds need."""

@@ -11,10 +11,10 @@ from vstatics.elements.kinds import GROUP
 from vstatics.errors import Path, Problem, nearest
 from vstatics.model.parts import HOUSING
 
-MOST = 10**6
+LARGEST_WHEEL = 10**6
 """Teeth, or a diameter: far above any wheel; ratios of such numbers stay calculable."""
 
-MOST_PLANETS = 20
+MOST_PLANET_KINDS = 20
 """Kinds of planets on one carrier; real groups have two or three."""
 
 
@@ -54,8 +54,8 @@ def _wheels(element: Element, rims: Collection[str], path: Path) -> Iterator[Pro
 
 
 def _count(teeth: int, path: Path) -> Iterator[Problem]:
-    if teeth >= MOST:
-        yield Problem(f"read {teeth}, expected fewer than {MOST} teeth", path)
+    if teeth >= LARGEST_WHEEL:
+        yield Problem(f"read {teeth}, expected fewer than {LARGEST_WHEEL} teeth", path)
 
 
 def wheel_path(element: Element, wheel: CentralWheel) -> Path:
@@ -67,8 +67,8 @@ def wheel_path(element: Element, wheel: CentralWheel) -> Path:
 def whole(element: Element, path: Path) -> Iterator[Problem]:
     """What only the group as a whole tells."""
     group = group_of(element)
-    if len(group.planets) > MOST_PLANETS:
-        message = f"read {len(group.planets)} planets, expected at most {MOST_PLANETS}"
+    if len(group.planets) > MOST_PLANET_KINDS:
+        message = f"read {len(group.planets)} planets, expected at most {MOST_PLANET_KINDS}"
         yield Problem(message, (*path, "rims"))
         return
     for one, other in group.meshes:

@@ -13,9 +13,7 @@ from typing import Any, get_args
 from vstatics.elements.element import CentralWheel, Element, Losses, PlanetMass
 from vstatics.elements.kinds import GROUP, KINDS, Kind, Simple
 from vstatics.elements.mesh_efficiency import MeshEfficiency
-from vstatics.model.damping import NO_DAMPING
-from vstatics.model.elastic_keys import ELASTIC
-from vstatics.model.parts import HOUSING
+from vstatics.model.parts import HOUSING, NO_DAMPING
 from vstatics.model.shape import (
     COUNT,
     LINK,
@@ -30,6 +28,7 @@ from vstatics.model.shape import (
     Pair,
     Shape,
 )
+from vstatics.model.torsional_keys import ELASTIC
 
 _WHEELS = (("suns", False), ("rings", True))
 _EFFICIENCY = {"exclusiveMinimum": 0, "maximum": 1}

@@ -11,7 +11,7 @@ from vstatics.elements.kinds import Planetary
 from vstatics.elements.lower import DrawnPart, parts
 from vstatics.model.transmission import HOUSING, Gear, Transmission
 from vstatics.numerics import elimination
-from vstatics.numerics.entries import RIGHT, Equation
+from vstatics.numerics.elimination import RIGHT, Equation
 from vstatics.statics import matrix
 
 GOLDEN = 0.6180339887498949

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from vstatics.model.transmission import Transmission
-from vstatics.statics.arrays import OUTPUT
+from vstatics.statics.result_arrays import OUTPUT
 
 SIMPLE = re.compile(r"\w+")
 

@@ -18,9 +18,9 @@ from vstatics.model.transmission import HOUSING
 from vstatics.statics.matrix import column
 from vstatics.statics.status import NEUTRAL
 
-ROUNDED = 1e-13
+ROUNDED_COEFFICIENT = 1e-13
 """Coefficients of springs are typed, or calculated with rounding."""
-LARGEST = 400
+MOST_TERMS = 400
 """A formula of more terms helps nobody, and takes long."""
 
 Body = int
@@ -56,7 +56,7 @@ def shares(
         pivot = min((row for row in rows if body in row), key=lambda row: (len(row), _size(row)))
         rows = [_without(row, body, pivot) for row in rows if row is not pivot]
         rows = [row for row in rows if row]
-        if any(_size(row) > LARGEST for row in rows):
+        if any(_size(row) > MOST_TERMS for row in rows):
             raise NoFormula("the formula would be too long")
     last = next((row for row in rows if output in row), None)
     if last is None:
@@ -85,7 +85,7 @@ def _of_spring(spring: Spring, body: Sequence[Body], fractions: Any) -> Row:
     sums: dict[Body, Fraction] = {}
     for link, part in spring.form.items():
         sums[body[link]] = sums.get(body[link], Fraction(0)) + as_typed(part)
-    least = ROUNDED * max(map(abs, spring.form.values()))
+    least = ROUNDED_COEFFICIENT * max(map(abs, spring.form.values()))
     return {
         one: fractions(total.numerator) / total.denominator
         for one, total in sums.items()
@@ -100,7 +100,11 @@ def as_typed(number: float) -> Fraction:
     (Fraction(1, 3), Fraction(-41, 10), Fraction(-1, 20))
     """
     short = Fraction(number).limit_denominator(1000)
-    return short if math.isclose(short, number, rel_tol=ROUNDED) else Fraction(repr(number))
+    return (
+        short
+        if math.isclose(short, number, rel_tol=ROUNDED_COEFFICIENT)
+        else Fraction(repr(number))
+    )
 
 
 def _without(row: Row, body: Body, pivot: Row) -> Row:

@@ -8,7 +8,7 @@ from functools import partial
 from vstatics.explain.equations import Equation, Term
 from vstatics.tables.numbers import short
 
-WIDTH = 80
+EQUATION_WIDTH = 80
 INDENT = "  "
 
 
@@ -50,7 +50,7 @@ def filled(parts: Iterable[str], front: str) -> Iterator[str]:
     """A sum in lines, broken before a sign."""
     line, started = front, False
     for part in parts:
-        if started and len(line) + 1 + len(part) > WIDTH:
+        if started and len(line) + 1 + len(part) > EQUATION_WIDTH:
             yield line
             line, started = " " * (len(front) + 2), False
         line += f" {part}" if started else part
@@ -62,7 +62,7 @@ def listed(texts: Iterable[str], front: str) -> Iterator[str]:
     """Short texts in lines, two blanks between them."""
     line = front
     for text in texts:
-        if line.strip() and len(line) + len(text) > WIDTH:
+        if line.strip() and len(line) + len(text) > EQUATION_WIDTH:
             yield line.rstrip()
             line = front
         line += f"{text}  "

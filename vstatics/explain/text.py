@@ -12,7 +12,14 @@ from vstatics.explain.equations import System
 from vstatics.explain.explanation import Explanation
 from vstatics.explain.formula import RatioFormula
 from vstatics.explain.signs import PowerSign
-from vstatics.explain.sums import INDENT, WIDTH, filled, in_numbers, in_symbols, listed
+from vstatics.explain.sums import (
+    EQUATION_WIDTH,
+    INDENT,
+    filled,
+    in_numbers,
+    in_symbols,
+    listed,
+)
 from vstatics.tables.grid import Column, Grid
 from vstatics.tables.numbers import fixed, short
 from vstatics.tables.text import lines as table_lines
@@ -34,11 +41,11 @@ def write(explained: Iterable[Explanation], digits: int | None = None) -> str:
 
 def _gear(one: Explanation, digits: int | None) -> Iterator[str]:
     title = f"Gear {one.gear}: {engaged(one)}"
-    yield from (title, "=" * min(len(title), WIDTH))
+    yield from (title, "=" * min(len(title), EQUATION_WIDTH))
     for message in one.messages:
-        yield from wrap(message, WIDTH, subsequent_indent=INDENT)
+        yield from wrap(message, EQUATION_WIDTH, subsequent_indent=INDENT)
     for section in sections(one, digits):
-        yield from ("", *wrap(section.heading, WIDTH), *section.lines)
+        yield from ("", *wrap(section.heading, EQUATION_WIDTH), *section.lines)
 
 
 class Chapter(NamedTuple):
@@ -101,7 +108,7 @@ def _matrix(one: Explanation, digits: int | None) -> Iterator[str]:
     yield from filter(None, table_lines(Grid("", columns, rows), indent=INDENT))
     if one.not_engaged:
         text = "not engaged, so without column and torque: " + ", ".join(one.not_engaged)
-        yield from wrap(text, WIDTH, initial_indent=INDENT, subsequent_indent=INDENT * 2)
+        yield from wrap(text, EQUATION_WIDTH, initial_indent=INDENT, subsequent_indent=INDENT * 2)
 
 
 def _system(system: System, digits: int | None, *, with_symbols: bool) -> Iterator[str]:
@@ -134,7 +141,9 @@ def _solution(system: System, digits: int | None) -> Iterator[str]:
     yield from listed(known, INDENT * 2)
     if unknown:
         text = f"not determined: {', '.join(unknown)}"
-        yield from wrap(text, WIDTH, initial_indent=INDENT * 2, subsequent_indent=INDENT * 3)
+        yield from wrap(
+            text, EQUATION_WIDTH, initial_indent=INDENT * 2, subsequent_indent=INDENT * 3
+        )
 
 
 def _balances(one: Explanation, digits: int | None) -> Iterator[str]:
@@ -179,7 +188,7 @@ def _sign(sign: PowerSign, digits: int | None) -> Iterator[str]:
     product = f"{torque} x {_bracketed(sign.motion, digits)} = {power}: "
     known = not (math.isnan(sign.torque) or math.isnan(sign.motion))
     text = f"{label}{product * known}{sign.why}"
-    yield from wrap(text, WIDTH, initial_indent="", subsequent_indent=INDENT * 3)
+    yield from wrap(text, EQUATION_WIDTH, initial_indent="", subsequent_indent=INDENT * 3)
     if math.isnan(sign.lossy_ratio):
         return
     way = {
@@ -206,7 +215,7 @@ def _together(one: Explanation) -> Iterator[str]:
     if one.standing:
         lines.append(f"stand still as a whole: {', '.join(one.standing)}")
     for line in lines:
-        yield from wrap(line, WIDTH, initial_indent=INDENT, subsequent_indent=INDENT * 2)
+        yield from wrap(line, EQUATION_WIDTH, initial_indent=INDENT, subsequent_indent=INDENT * 2)
 
 
 def _ratio(one: Explanation, digits: int | None) -> Iterator[str]:
@@ -215,7 +224,9 @@ def _ratio(one: Explanation, digits: int | None) -> Iterator[str]:
     if formula is None:
         if not math.isnan(one.ratio):
             yield f"{ratio}{short(one.ratio, digits)}"
-        yield from wrap(one.reason, WIDTH, initial_indent=INDENT, subsequent_indent=INDENT * 2)
+        yield from wrap(
+            one.reason, EQUATION_WIDTH, initial_indent=INDENT, subsequent_indent=INDENT * 2
+        )
         return
     yield from _formula(
         ratio if formula.left == "i" else f"{INDENT}{formula.left} = ", formula.text
@@ -245,6 +256,8 @@ def _agreement(one: Explanation, formula: RatioFormula, digits: int | None) -> s
 def _formula(front: str, text: str) -> Iterator[str]:
     """A formula in lines, broken before a sign if that is enough."""
     lines = list(filled(re.split(r" (?=[+-] )", text), front))
-    if max(map(len, lines)) > WIDTH:
-        lines = wrap(front + text, WIDTH, subsequent_indent=INDENT * 3, break_long_words=False)
+    if max(map(len, lines)) > EQUATION_WIDTH:
+        lines = wrap(
+            front + text, EQUATION_WIDTH, subsequent_indent=INDENT * 3, break_long_words=False
+        )
     yield from lines

@@ -17,7 +17,7 @@ from vstatics.flow.power_flow import GearFlow, MemberPower, PowerFlow
 from vstatics.flow.shared_planets import shared
 from vstatics.flow.teeth import ToothPower, tooth_powers
 from vstatics.model.transmission import HOUSING
-from vstatics.numerics.tolerances import NOISE
+from vstatics.numerics.tolerances import NO_POWER
 from vstatics.numerics.traced import plain
 from vstatics.statics.physical import gear_scales
 from vstatics.statics.results import Results, expect_results
@@ -131,7 +131,7 @@ def _flow(state: GearState, *, lossy: bool) -> PowerFlow:
 def _teeth(state: GearState, *, lossy: bool) -> Iterator[ToothPower]:
     """Tooth powers that are nothing but rounding made 0."""
     found = list(tooth_powers(state, lossy=lossy))
-    noise = NOISE * max((one.power for one in found if not math.isnan(one.power)), default=0.0)
+    noise = NO_POWER * max((one.power for one in found if not math.isnan(one.power)), default=0.0)
     for one in found:
         yield one._replace(power=0.0) if one.power <= noise else one
 
@@ -139,7 +139,7 @@ def _teeth(state: GearState, *, lossy: bool) -> Iterator[ToothPower]:
 def _without_noise(exchanged: Sequence[Exchange]) -> list[Exchange]:
     """Powers that are nothing but rounding made 0."""
     known = (abs(one.power) for one in exchanged if not math.isnan(one.power))
-    noise = NOISE * max(known, default=0.0)
+    noise = NO_POWER * max(known, default=0.0)
     return [one._replace(power=0.0) if abs(one.power) <= noise else one for one in exchanged]
 
 

@@ -13,7 +13,7 @@ from vstatics.elements.drawing import parts_of
 from vstatics.elements.element import Element
 from vstatics.elements.kinds import Simple
 from vstatics.flow.circulation import Node
-from vstatics.model.own import OwnDevice
+from vstatics.model.parts import OwnDevice
 from vstatics.numerics.traced import plain
 from vstatics.statics.efficiency import lossy_ratio
 from vstatics.statics.power import power

@@ -10,10 +10,10 @@ from vstatics.flow.power_flow import GearFlow
 from vstatics.tables.grid import Cell, Column, Grid
 from vstatics.tables.numbers import fixed
 from vstatics.tables.ports import ports_grid
-from vstatics.tables.quantity import UNITS
+from vstatics.tables.quantities import UNITS
 from vstatics.tables.text import lines
 
-WIDTH = 79
+FLOW_TEXT_WIDTH = 79
 NAME, NUMBER, SHARE = 27, 8, 6
 """Widths of the columns; a longer name has a line of its own."""
 HEADINGS = {"with losses": "lossy", "loss, kW": "kW", "share, %": "share"}
@@ -99,5 +99,9 @@ def _field(name: str, cell: Cell, digits: int | None) -> str:
 
 def _wrapped(line: str, indent: int) -> list[str]:
     return textwrap.wrap(
-        line, WIDTH, subsequent_indent=" " * indent, break_long_words=False, break_on_hyphens=False
+        line,
+        FLOW_TEXT_WIDTH,
+        subsequent_indent=" " * indent,
+        break_long_words=False,
+        break_on_hyphens=False,
     )

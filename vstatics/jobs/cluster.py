@@ -14,7 +14,7 @@ from vstatics.errors import CaseError, Problem, ReadError, of_file
 from vstatics.extras import __version__, build
 from vstatics.jobs.alone import Describe, Item, Result, Work, Workers, failure
 
-PATIENCE = 10
+SCHEDULER_SECONDS = 10
 """Seconds to wait for a scheduler, and then for a first worker."""
 RETRIES = 3
 LOST = ("CommClosedError", "CancelledError", "FutureCancelledError")
@@ -47,9 +47,9 @@ class Cluster(Workers):
             warnings.simplefilter("ignore")  # other versions of Python on the workers, say
             try:
                 self._client = distributed.Client(
-                    self.address, timeout=PATIENCE, set_as_default=False
+                    self.address, timeout=SCHEDULER_SECONDS, set_as_default=False
                 )
-                self._client.wait_for_workers(1, timeout=PATIENCE)
+                self._client.wait_for_workers(1, timeout=SCHEDULER_SECONDS)
             except (OSError, TimeoutError, ValueError) as error:
                 self._close()
                 raise self._problem(_reason(error)) from None
@@ -68,7 +68,7 @@ class Cluster(Workers):
     def _close(self) -> None:
         client, self._client = self._client, None
         if client is not None:
-            client.close(timeout=PATIENCE)
+            client.close(timeout=SCHEDULER_SECONDS)
 
     def _problem(self, message: str) -> ReadError:
         return ReadError([of_file(self.address, message)])
@@ -167,7 +167,7 @@ def _silence() -> None:
 async def _answers(client: Any) -> bool:
     """Whether the scheduler answers; that it is gone the client may not know yet."""
     asked = asyncio.ensure_future(client.scheduler.ncores(workers=None))
-    end = time.monotonic() + PATIENCE
+    end = time.monotonic() + SCHEDULER_SECONDS
     while client.status == "running" and not asked.done() and time.monotonic() < end:
         await asyncio.wait([asked], timeout=0.1)
     asked.cancel()
@@ -203,5 +203,5 @@ def _reason(error: Exception) -> str:
     if isinstance(error, ValueError):
         return f"is no address of a scheduler, expected tcp://HOST:PORT ({error})"
     if "worker" in str(error).lower():
-        return f"the scheduler has no workers (waited {PATIENCE} s for one)"
-    return f"no Dask scheduler answers there (waited {PATIENCE} s)"
+        return f"the scheduler has no workers (waited {SCHEDULER_SECONDS} s for one)"
+    return f"no Dask scheduler answers there (waited {SCHEDULER_SECONDS} s)"

@@ -11,7 +11,7 @@ from vstatics.errors import ReadError, of_file
 
 WITHOUT = (errno.ENOLCK, errno.ENOSYS, errno.EOPNOTSUPP)
 """How a file system says that it has no locks."""
-PATIENCE = 10
+LOCK_TENTHS = 10
 """Tenths of a second to wait for it."""
 
 
@@ -40,7 +40,7 @@ def lock(directory: str, name: str, what: str) -> int | None:
     except ImportError:
         return None
     holder = ""
-    for attempt in range(PATIENCE):
+    for attempt in range(LOCK_TENTHS):
         if attempt:
             time.sleep(0.1)  # workers of a killed process leave soon
             _make(directory)

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 QUEUED = 2
 """So many items a process has, so that it need not wait for the next."""
-PATIENCE = 5
+END_SECONDS = 5
 """So long a process may take to end when its line is closed. [s]"""
 
 
@@ -184,7 +184,7 @@ class _Process:
             self.process.terminate()
 
     def join(self) -> None:
-        self.process.join(PATIENCE)
+        self.process.join(END_SECONDS)
         if self.process.is_alive():
             self.process.kill()
             self.process.join()

@@ -12,7 +12,7 @@ from types import FrameType
 ENDING = (signal.SIGINT, signal.SIGTERM)
 AGAIN = (signal.SIGALRM,) if hasattr(signal, "setitimer") else ()
 """Of a timer, where a system has one."""
-SOON = 0.001
+SIGNAL_DELAY = 0.001
 """So long a signal waits that comes while a module is imported. [s]"""
 
 
@@ -69,7 +69,7 @@ def stoppable() -> Iterator[Stop]:
             stop.error = StoppedError(number)
         later = bool(AGAIN) and _is_import(frame)
         if later:
-            signal.setitimer(signal.ITIMER_REAL, SOON)
+            signal.setitimer(signal.ITIMER_REAL, SIGNAL_DELAY)
         else:
             stop.check()
 

@@ -6,8 +6,15 @@ from collections.abc import Iterator, Sequence
 
 from vstatics.errors import Problem, spoken
 from vstatics.model.fields import TransmissionFields
-from vstatics.model.gear_checks import of_gear, of_load
-from vstatics.model.part_checks import called, doubtful, of_element, of_link, of_mechanism
+from vstatics.model.part_checks import (
+    called,
+    doubtful,
+    of_element,
+    of_gear,
+    of_link,
+    of_load,
+    of_mechanism,
+)
 from vstatics.model.parts import (
     HOUSING,
     Mechanism,
@@ -33,11 +40,11 @@ def problems(case: TransmissionFields) -> Iterator[Problem]:
     for number, mechanism in enumerate(case.mechanisms, 1):
         yield from of_mechanism(mechanism, ("mechanisms", number), case.links)
     if _is_torsional(case):
-        from vstatics.model.spring_checks import of_torsion  # costs start-up time
+        from vstatics.model.torsional_checks import of_torsion  # costs start-up time
 
         yield from of_torsion(case)
     if case.dump is not None:
-        from vstatics.model.dump_checks import of_dump  # likewise
+        from vstatics.model.torsional_checks import of_dump  # likewise
 
         yield from of_dump(case)
     yield from of_load(case.load, ())

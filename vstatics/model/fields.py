@@ -8,8 +8,17 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any, Literal, Protocol
 
 from vstatics.errors import Problem, listed, nearest, typed_number
-from vstatics.model.own import Member, OwnDevice, Planet
-from vstatics.model.parts import Direction, Gear, Load, Mechanism, ShiftElement, SpeedOf
+from vstatics.model.parts import (
+    Direction,
+    Gear,
+    Load,
+    Mechanism,
+    Member,
+    OwnDevice,
+    Planet,
+    ShiftElement,
+    SpeedOf,
+)
 from vstatics.model.springs import Spring
 
 if TYPE_CHECKING:  # who has none does without

@@ -6,8 +6,6 @@ others refer to comes first.
 
 from __future__ import annotations
 
-from vstatics.model.dump_keys import DUMP
-from vstatics.model.elastic_keys import ELASTIC, SPRING
 from vstatics.model.friction import FRICTION
 from vstatics.model.parts import (
     DIRECTIONS,
@@ -36,6 +34,7 @@ from vstatics.model.shape import (
     ListOf,
     Numbers,
 )
+from vstatics.model.torsional_keys import DUMP, ELASTIC, SPRING
 
 ELEMENT = ByKey(
     "Shift element",

@@ -1,7 +1,10 @@
-"""The parts of a transmission: shift elements, mechanisms, gears.
+"""The parts of a transmission: links, elements, mechanisms, gears, and its own devices.
 
 Numbers are as printed in the source: links, shift elements, mechanisms and gears
 count from 1, link 0 is the housing. They become indices in `matrix` only.
+
+The solver knows three-link mechanisms, and planets as links. Results are given for what
+the case names: here stands how the one follows from the other.
 """
 
 from __future__ import annotations
@@ -11,7 +14,64 @@ from collections.abc import Mapping, Sequence
 from types import MappingProxyType
 from typing import Any, Literal, NamedTuple, Self, get_args
 
-from vstatics.model.damping import NO_DAMPING, Damping
+
+class Damping(NamedTuple):
+    """What resists the rate of a twist.
+
+    Parameters
+    ----------
+    viscous : float
+        Torque by rate of twist. [N*m*s/rad]
+    loss_factor : float
+        Of the material: at any frequency the damping torque is this part of the elastic one,
+        so that a mode of this device alone has half of it as its damping ratio. [-]
+    """
+
+    viscous: float = 0.0
+    loss_factor: float = 0.0
+
+    def __bool__(self) -> bool:
+        """Whether it resists anything."""
+        return self.viscous != 0 or self.loss_factor != 0
+
+
+NO_DAMPING = Damping()
+
+
+def damping(given: Damping | float) -> Damping:
+    """A damping that may be a number, which is viscous.
+
+    >>> damping(3)
+    Damping(viscous=3.0, loss_factor=0.0)
+    """
+    return Damping(*map(float, given)) if isinstance(given, Damping) else Damping(float(given))
+
+
+def damping_of(
+    viscous: float = 0.0, ratio: float | None = None, loss_factor: float = 0.0
+) -> Damping:
+    """The damping that one of the three gives; a damping ratio is half of a loss factor.
+
+    >>> damping_of(ratio=0.02)
+    Damping(viscous=0.0, loss_factor=0.04)
+    """
+    return Damping(viscous, loss_factor if ratio is None else 2 * ratio)
+
+
+def damping_fault(
+    viscous: float = 0.0, ratio: float | None = None, loss_factor: float = 0.0
+) -> str:
+    """Why these do not tell a damping.
+
+    >>> damping_fault(ratio=0.02, loss_factor=0.1)
+    'read several of `viscous`, `ratio` and `loss_factor`, expected one of them'
+    """
+    if ratio is not None and ratio < 0:
+        return f"read a ratio of {ratio:g}, expected one of 0 or more"
+    if bool(viscous) + (ratio is not None) + bool(loss_factor) < 2:
+        return ""
+    return "read several of `viscous`, `ratio` and `loss_factor`, expected one of them"
+
 
 HOUSING = 0
 KW_OF_RPM_NM = math.pi / 30 / 1000
@@ -351,3 +411,55 @@ def element_name(number: int, element: ShiftElement) -> str:
 def mechanism_name(number: int) -> str:
     """The name of a mechanism that has none: D and its number."""
     return f"D{number}"
+
+
+class Member(NamedTuple):
+    """A member of a device: its link, and what the torque on it adds up from."""
+
+    name: str
+    link: int
+    places: tuple[tuple[int, int], ...]
+    """Index of a mechanism, and which of its links this is: 0 first, 1 second, 2 third."""
+
+
+class WheelOfPlanet(NamedTuple):
+    """A wheel that turns a train of planets."""
+
+    link: int
+    mechanism: int
+    """Index of one that it belongs to: there it is seen whether wheel and carrier are one piece."""
+    ratio: float
+    """Speed of the wheel by that of the train, both against the carrier. [-]"""
+
+
+class Planet(NamedTuple):
+    """A planet, and what its speed against its carrier follows from."""
+
+    name: str
+    mechanism: int = -1
+    """Index of the mechanism whose ratio it follows; -1: of none."""
+    ratio: float = 0.0
+    """That of the mechanism by the teeth; with another, as in a sweep, the wheels do not count."""
+    wheels: tuple[WheelOfPlanet, ...] = ()
+    """None: the mechanism has the planet's ratio."""
+    carrier: int = 0
+    speed: float = 1.0
+    """By that of its train; NaN if its teeth are not known. [-]"""
+
+
+class OwnDevice(NamedTuple):
+    """A mechanism or a drawn element, as the case names it."""
+
+    name: str
+    mechanisms: tuple[int, ...]
+    """Indices of those that it became."""
+    members: tuple[Member, ...]
+    planets: tuple[Planet, ...]
+    meshes: tuple[bool, ...] = ()
+    """Where its mechanisms are meshes with planets as links: whether the teeth of the first
+    wheel of each are known, so that its torque is."""
+
+    @property
+    def meshes_by_index(self) -> list[tuple[int, bool]]:
+        """Index of each mesh among the mechanisms, and whether its torque is known."""
+        return list(zip(self.mechanisms, self.meshes, strict=False))

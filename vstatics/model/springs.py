@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any, NamedTuple
 
-from vstatics.model.damping import NO_DAMPING, Damping
-from vstatics.model.parts import HOUSING
+from vstatics.model.parts import HOUSING, NO_DAMPING, Damping
 
 Twist = tuple[tuple[int, float], ...]
 """Links with their coefficients: the twist is the sum of coefficient times angle."""

@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Any
 
 from vstatics.errors import CaseError, nearest, plural
 from vstatics.model.checks import problems
-from vstatics.model.damping import damping
 from vstatics.model.fields import AnyDrawing, IdleConvention, TransmissionFields
 from vstatics.model.part_checks import of_mechanism
 from vstatics.model.parts import (
@@ -20,6 +19,7 @@ from vstatics.model.parts import (
     OfLoad,
     ShiftElement,
     SpeedOf,
+    damping,
     element_name,
     mechanism_name,
 )

@@ -3,13 +3,14 @@
 Equations go in, what they determine comes out; NaN stands for what they leave open.
 
 >>> from vstatics.numerics.elimination import solve
->>> from vstatics.numerics.entries import RIGHT
+>>> from vstatics.numerics.elimination import RIGHT
 >>> solve([{0: 1.0, 1: -1.0, RIGHT: 1.0}, {2: 2.0, RIGHT: 10.0}], 3, sums=[{0: 1.0, 1: -1.0}])
 Solution(values=[nan, nan, 5.0, 1.0], consistent=True, missing=1, excess=0)
 
-`entries` tells what is zero (`tolerances`), `elimination` solves. The same calculation runs
+`elimination` tells which entries are zero (`tolerances`) and solves. The same calculation runs
 for arrays: numbers note on a `tape` what is done with them, `traced` ones of one sign, `signed`
-ones of any sign with `choices` in place of decisions; `replay` does it again on arrays in
-`memory`; `plan` makes one, `plans` tells which variant takes which. `fronts` has the best
-points by several objectives. Nothing here knows of transmissions.
+ones of any sign, with choices in place of decisions; `replay` does it again on arrays in
+`memory`; `plans` makes plans and tells which variant takes which. `exact` has fractions,
+`motions` what equations leave free, `fronts` the best points by several objectives, `compiled`
+loops by Numba. Nothing here knows of transmissions.
 """

@@ -1,32 +1,51 @@
-"""Sparse Gauss elimination of small linear systems that need not be regular.
+"""Sparse Gauss elimination of small linear systems that need not be regular; their entries.
 
 It knows nothing of transmissions. Rows are sparse; the arithmetic of their entries
-(see `entries`) tells whether an entry is zero, and that decides rank and consistency
+(see `Entry`) tells whether an entry is zero, and that decides rank and consistency
 without any scale chosen from outside. Pivots are chosen by the structure, as far as
 their magnitude allows, so that variants of one structure take the same way.
+
+The size is the sum of the magnitudes that a value was made from. Its rounding error is
+at most a few units in the last place of its size (running error analysis: Wilkinson
+1963). So a difference that is small against its size is zero, unless a millionth of its
+larger term is left: sizes overrate the error of long calculations.
+
+Traced numbers need no size: a guard sees to it that what is zero, or is not, for the
+first variant is so for all.
+
+Whether a difference is zero is decided for the first variant as for floats, and guarded for
+the others by their own sizes. These are calculated only where a guard asks for one.
 """
 
 from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from typing import NamedTuple
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from typing import Any, NamedTuple
 
-from vstatics.numerics.entries import (
-    EXACTLY_ONE,
-    FLOATS,
-    RIGHT,
-    TRACED,
-    Arithmetic,
-    Entry,
-    Equation,
-    Row,
-    row_of,
+from vstatics.numerics.signed import Either, Signed, guard_equal, guarded_sum, size_of, value_of
+from vstatics.numerics.tape import Untraceable
+from vstatics.numerics.tolerances import (
+    PIVOT,
+    SIGNED_LEAST,
+    SIGNED_PIVOT,
+    SIGNED_SAME,
+    TRACED_DIFFERENCE,
+    TRACED_REAL,
+    ZERO,
 )
-from vstatics.numerics.signed import Signed
-from vstatics.numerics.signed_entries import SIGNED
-from vstatics.numerics.traced import Number, is_traced
+from vstatics.numerics.traced import (
+    Number,
+    Traced,
+    absolute,
+    difference,
+    first,
+    guard_same,
+    is_traced,
+    of_any_sign,
+    plain,
+)
 
 
 class Solution(NamedTuple):
@@ -178,13 +197,13 @@ class _Elimination:
             for column, coefficient in terms.items():
                 self._subtract(summed, (-coefficient, 0.0), known[column])
             wanted.append(summed)
-        return [_value(row) for row in wanted]
+        return [_value_of_sum(row) for row in wanted]
 
 
 NOTHING: Entry = (0.0, 0.0)
 
 
-def _value(row: Row) -> Number:
+def _value_of_sum(row: Row) -> Number:
     """The value of what depends on no free unknown."""
     if max(row, default=RIGHT) >= 0:
         return math.nan
@@ -212,3 +231,224 @@ def _choose(active: Sequence[Row], arithmetic: Arithmetic) -> tuple[Row, int]:
         if all(arithmetic.enough(pivot, other) for other in others):
             return row, column
     return candidates[0], max(candidates[0])  # only where an overflow left no number
+
+
+Entry = tuple[Number, Any]
+"""A value and its size, a float; of any sign see `SIGNED`."""
+Row = dict[int, Entry]
+"""Column -> entry of an equation."""
+Coefficient = Number | tuple[Number, ...]
+"""A number, or terms that have it as their sum."""
+Equation = Mapping[int, Coefficient]
+"""Column -> coefficient of the equation ``sum(a_j x_j) = b``; b stands in column `RIGHT`."""
+
+RIGHT = -1
+UNKNOWN = math.nan
+"""The size of what was calculated from traced numbers."""
+EXACTLY_ONE: Entry = (1.0, 0.0)
+"""A factor that adds no rounding."""
+
+
+class Arithmetic(NamedTuple):
+    """What an elimination does with entries."""
+
+    entry: Callable[[Number], Entry]
+    """A given number as an entry."""
+    quotient: Callable[[Entry, Entry], Entry]
+    less: Callable[[Entry, Entry, Entry], Entry]
+    """``less(a, b, c)`` is a - b * c; exactly 0 where that is only rounding."""
+    enough: Callable[[Number, Number], bool]
+    """Whether a number is large enough as pivot beside another one."""
+
+
+def row_of(equation: Equation, arithmetic: Arithmetic) -> Row:
+    """An equation as entries of a system.
+
+    >>> row_of({0: 2.0, 1: (1.5, -1.0)}, FLOATS)
+    {0: (2.0, 2.0), 1: (0.5, 2.5)}
+    """
+    return {
+        column: _sum_of_terms(coefficient, arithmetic)
+        if isinstance(coefficient, tuple)
+        else arithmetic.entry(coefficient)
+        for column, coefficient in equation.items()
+    }
+
+
+def _sum_of_terms(terms: Sequence[Number], arithmetic: Arithmetic) -> Entry:
+    """The sum of terms; it may be zero where they cancel."""
+    total = arithmetic.entry(terms[0])
+    for term in terms[1:]:
+        total = arithmetic.less(total, EXACTLY_ONE, arithmetic.entry(-term))
+    return total
+
+
+FloatEntry = tuple[float, float]
+"""An entry of one variant."""
+
+
+def _float_entry(number: float) -> FloatEntry:
+    return float(number), abs(number)
+
+
+def quotient_of_floats(entry: FloatEntry, pivot: FloatEntry) -> FloatEntry:
+    """An entry by a pivot, of one variant."""
+    value, size = entry
+    divisor, its_size = pivot
+    ratio = value / divisor
+    return ratio, (size + abs(ratio) * its_size) / abs(divisor)
+
+
+def less_of_floats(entry: FloatEntry, factor: FloatEntry, term: FloatEntry) -> FloatEntry:
+    """What `Arithmetic.less` gives for one variant."""
+    value, size = entry
+    a, its_size = factor
+    b, last_size = term
+    product = a * b
+    size += its_size * abs(b) + abs(a) * last_size
+    left = value - product
+    rounding = min(ZERO * size, TRACED_REAL * max(abs(value), abs(product)))
+    return (0.0 if abs(left) <= rounding < math.inf else left), size
+
+
+def large_enough(pivot: Number, other: Number) -> bool:
+    """Whether a number can be the pivot of a row with another one."""
+    return bool(absolute(pivot) >= PIVOT * absolute(other))
+
+
+FLOATS = Arithmetic(_float_entry, quotient_of_floats, less_of_floats, large_enough)  # type: ignore[arg-type]
+"""For equations without a traced number, as `elimination` makes sure."""
+
+
+def _traced_entry(number: Number) -> Entry:
+    return (number, UNKNOWN) if isinstance(number, Traced) else _float_entry(plain(number))
+
+
+def _traced_quotient(entry: Entry, pivot: Entry) -> Entry:
+    if is_traced(entry[0]) or is_traced(pivot[0]):
+        return entry[0] / pivot[0], UNKNOWN
+    return quotient_of_floats(entry, pivot)  # type: ignore[arg-type]
+
+
+def _traced_less(entry: Entry, factor: Entry, term: Entry) -> Entry:
+    untraced = not any(map(is_traced, (entry[0], factor[0], term[0])))
+    if untraced and not math.isnan(entry[1] + factor[1] + term[1]):
+        return less_of_floats(entry, factor, term)  # type: ignore[arg-type]
+    value, product = entry[0], factor[0] * term[0]
+    if not all(is_traced(one) or math.isfinite(plain(one)) for one in (value, product)):
+        raise Untraceable
+    if value == 0 or product == 0 or (value > 0) != (product > 0):
+        return value - product, UNKNOWN
+    larger, smaller = (value, -product) if first(value) >= first(product) else (-product, value)
+    part = 1 - first(smaller) / first(larger)
+    if part <= ZERO:
+        if not untraced:
+            guard_same(absolute(smaller), absolute(larger), ZERO)
+        return 0.0, UNKNOWN
+    if part <= 2 * TRACED_REAL:
+        raise Untraceable
+    least = max(min(TRACED_DIFFERENCE, part / 16), 1.5 * TRACED_REAL)
+    return value - product if untraced else difference(larger, smaller, least), UNKNOWN
+
+
+TRACED = Arithmetic(_traced_entry, _traced_quotient, _traced_less, large_enough)
+
+
+class LaterSize:
+    """The size of an entry: in the first variant, and in all of them when it is asked for."""
+
+    __slots__ = ("_made", "_make", "first")
+
+    def __init__(self, first: float, make: Callable[[], Either]) -> None:
+        self.first = first
+        self._make = make
+        self._made: Either | None = None
+
+    def of_all(self) -> Either:
+        """The size of each variant."""
+        if self._made is None:
+            self._made = self._make()
+        return self._made
+
+
+def _of_first_variant(entry: Entry) -> FloatEntry:
+    """An entry as it is in the first variant."""
+    number, size = entry
+    return value_of(of_any_sign(number)), size.first if isinstance(size, LaterSize) else size
+
+
+def _of_all_variants(entry: Entry) -> tuple[Either, Callable[[], Either]]:
+    """The magnitude of an entry and its size in all variants."""
+    number, size = entry
+    later = size.of_all if isinstance(size, LaterSize) else lambda: size
+    return size_of(of_any_sign(number)), later
+
+
+def _signed_entry(number: Number) -> Entry:
+    own = of_any_sign(number)
+    return number, LaterSize(abs(value_of(own)), lambda: size_of(own))
+
+
+def _signed_quotient(entry: Entry, pivot: Entry) -> Entry:
+    ratio = entry[0] / pivot[0]
+
+    def size() -> Either:
+        (_, own), (divisor, its_size) = _of_all_variants(entry), _of_all_variants(pivot)
+        return _sum_of_sizes(own(), size_of(of_any_sign(ratio)) * its_size()) / divisor
+
+    return ratio, LaterSize(
+        quotient_of_floats(_of_first_variant(entry), _of_first_variant(pivot))[1], size
+    )
+
+
+def _signed_less(entry: Entry, factor: Entry, term: Entry) -> Entry:
+    """The sign of what is left decides nothing."""
+    value, product = entry[0], factor[0] * term[0]
+    left, first_size = less_of_floats(
+        _of_first_variant(entry), _of_first_variant(factor), _of_first_variant(term)
+    )
+
+    def size_of_all() -> Either:
+        (_, own), (a, its_size), (b, last_size) = (
+            _of_all_variants(entry),
+            _of_all_variants(factor),
+            _of_all_variants(term),
+        )
+        return _sum_of_sizes(own(), _sum_of_sizes(its_size() * b, a * last_size()))
+
+    size = LaterSize(first_size, size_of_all)
+    if not (is_traced(value) or is_traced(product)):
+        return left, size
+    if not math.isfinite(left):
+        raise Untraceable
+    if value == 0 or product == 0:
+        return value - product, size
+    one, other = of_any_sign(value), -of_any_sign(product)
+    larger = max(abs(value_of(one)), abs(value_of(other)))
+    if left == 0:
+        if abs(value_of(one) + value_of(other)) > SIGNED_SAME * larger:
+            raise Untraceable
+        guard_equal(one, -other, size.of_all() * ZERO, SIGNED_SAME)
+        return 0.0, size
+    part = abs(left) / larger
+    if part <= 2 * TRACED_REAL:
+        raise Untraceable
+    most = TRACED_REAL if _is_given(one) and _is_given(other) else SIGNED_LEAST
+    return guarded_sum(one, other, max(min(most, part / 16), 1.5 * TRACED_REAL)), size
+
+
+def _is_given(number: Either) -> bool:
+    """Whether a number has no rounding error: a plain one or an input."""
+    return not isinstance(number, Signed) or number.slot < number.tape.inputs
+
+
+def _sum_of_sizes(one: Either, other: Either) -> Either:
+    return other if one == 0 else one if other == 0 else one + other
+
+
+def _signed_enough(pivot: Number, other: Number) -> bool:
+    """For ordinary ratios the structure alone decides, so that all such plans are alike."""
+    return abs(value_of(of_any_sign(pivot))) >= SIGNED_PIVOT * abs(value_of(of_any_sign(other)))
+
+
+SIGNED = Arithmetic(_signed_entry, _signed_quotient, _signed_less, _signed_enough)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from vstatics.numerics.entries import Arithmetic, Entry, large_enough
+from vstatics.numerics.elimination import Arithmetic, Entry, large_enough
 from vstatics.numerics.traced import Number, plain
 
 

@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-KEPT = 2**27
+KEPT_BYTES = 2**27
 """So many bytes are kept at most for results to come."""
 
 
@@ -121,7 +121,9 @@ class _Lent:
 
     def __del__(self) -> None:
         # The collector may call this at any moment, so nothing is locked here.
-        while sum(block.bytes.nbytes for block in tuple(_free)) + self.block.bytes.nbytes > KEPT:
+        while (
+            sum(block.bytes.nbytes for block in tuple(_free)) + self.block.bytes.nbytes > KEPT_BYTES
+        ):
             try:
                 _free.popleft()
             except IndexError:

@@ -12,7 +12,7 @@ import numpy as np
 from vstatics.numerics.arrays import Booleans, Floats
 from vstatics.numerics.memory import Layout, Rows
 from vstatics.numerics.signed import Signed, Truth, upright
-from vstatics.numerics.tape import GUARDS, Operand, Plain, Rest, Tape
+from vstatics.numerics.tape import GUARDS, Operand, Plain, Residual, Tape
 from vstatics.numerics.traced import Number, Traced
 
 CHUNK = 8192
@@ -159,12 +159,12 @@ class Replay(NamedTuple):
         return True
 
 
-def replay(tape: Tape, results: Sequence[Number | Rest | Truth]) -> Replay:
+def replay(tape: Tape, results: Sequence[Number | Residual | Truth]) -> Replay:
     """Arrange the operations of a tape that its guards and some results need."""
     varied: list[int] = []
     copies: dict[int, list[tuple[int, float]]] = {}
     for row, result in enumerate(results):
-        if isinstance(result, Traced | Signed | Rest | Truth):
+        if isinstance(result, Traced | Signed | Residual | Truth):
             slot, sign = _slot(result)
             copies.setdefault(slot, []).append((tape.inputs + len(varied), sign))
             varied.append(row)
@@ -198,9 +198,9 @@ def replay(tape: Tape, results: Sequence[Number | Rest | Truth]) -> Replay:
     )
 
 
-def _slot(result: Traced | Signed | Rest | Truth) -> tuple[int, float]:
+def _slot(result: Traced | Signed | Residual | Truth) -> tuple[int, float]:
     """Where a result stands on its tape, and its sign."""
-    if isinstance(result, Rest):
+    if isinstance(result, Residual):
         return result.slot, 1.0
     if isinstance(result, Truth):
         margin = upright(result.tape, result.margin)

@@ -1,4 +1,4 @@
-"""Arithmetic written down once for variants whose numbers have any sign.
+"""Arithmetic for variants whose numbers have any sign: their bounds, guards of their sums.
 
 A `Signed` number takes the place of a `Traced` one in plans for variants that do not go
 alike. The tape has the number with its sign, so a sum decides nothing. What a sign would
@@ -11,7 +11,6 @@ from __future__ import annotations
 
 import math
 
-from vstatics.numerics.intervals import Interval, bounds_of_product, bounds_of_quotient, is_below
 from vstatics.numerics.tape import HUGE, NEGATIONS, Operand, Plain, Tape, Untraceable, ordered
 
 
@@ -306,3 +305,87 @@ def _equal(one: Signed, other: object) -> bool:
 def size_of(number: Either) -> Either:
     """The magnitude of a number; `abs`, whose type is lost on a union."""
     return abs(number)  # type: ignore[return-value]
+
+
+Interval = tuple[float, float]
+"""The least and the largest number."""
+
+OPEN = -math.inf, math.inf
+SURE_BOUNDS = 1e-9
+"""Bounds settle a comparison only beyond this part of them, their own rounding."""
+
+
+def bounds_of_product(one: Interval, other: Interval) -> Interval:
+    """Bounds of the product of two numbers.
+
+    >>> bounds_of_product((-2.0, 3.0), (1.0, 4.0))
+    (-8.0, 12.0)
+    """
+    return _around([a * b for a in one for b in other])
+
+
+def bounds_of_quotient(one: Interval, other: Interval) -> Interval:
+    """Bounds of the quotient of two numbers; none where the divisor may be 0.
+
+    >>> bounds_of_quotient((-2.0, 3.0), (1.0, 4.0)), bounds_of_quotient((1.0, 2.0), (-1.0, 1.0))
+    ((-2.0, 3.0), (-inf, inf))
+    """
+    if other[0] > 0 or other[1] < 0:
+        return _around([a / b for a in one for b in other])
+    return OPEN
+
+
+def _around(ends: list[float]) -> Interval:
+    return OPEN if any(map(math.isnan, ends)) else (min(ends), max(ends))
+
+
+def is_below(one: Interval, other: Interval) -> bool | None:
+    """Whether a number is less than another one; None where bounds do not tell.
+
+    >>> is_below((-2.0, -1.0), (0.0, 0.0)), is_below((1.0, 3.0), (2.0, 4.0))
+    (True, None)
+    """
+    if _lies_below(one, other):
+        return True
+    return False if _lies_below(other, one) else None
+
+
+def _lies_below(one: Interval, other: Interval) -> bool:
+    """With some room between them, but for an end that is 0 or infinite."""
+    end, start = one[1], other[0]
+    if start == math.inf or end == -math.inf or (0 in (end, start) and end < start):
+        return True
+    return end + SURE_BOUNDS * abs(end) < start - SURE_BOUNDS * abs(start)
+
+
+def guarded_sum(one: Either, other: Either, part: float) -> Either:
+    """The sum of two numbers, of which more than a part of the terms is left in all variants."""
+    total = one + other
+    if not isinstance(total, Signed):
+        return total
+    ends = [max(map(abs, bounds_of(number))) for number in (one, other)]
+    left = max(total.low, -total.high)
+    if not (left > part * max(ends) or size_of(_cheapest(one, other)) * part < size_of(total)):
+        raise Untraceable
+    return total
+
+
+def guard_equal(one: Either, other: Either, rounding: Either, part: float) -> None:
+    """Guard that two numbers, one of them signed, differ by rounding, and by a part at most."""
+    if isinstance(one, Signed) and isinstance(other, Signed) and one.slot == other.slot:
+        return
+    tape = one.tape if isinstance(one, Signed) else other.tape  # type: ignore[union-attr]
+    left = tape.note("subtract", upright(tape, one), upright(tape, other))
+    left = tape.note("absolute", left, left)
+    for most in (rounding, size_of(_cheapest(one, other)) * part):
+        tape.note("less_equal", left, upright(tape, most))
+
+
+def _cheapest(one: Either, other: Either) -> Either:
+    """The number whose magnitude needs fewer steps."""
+    return one if _cost(one) <= _cost(other) else other
+
+
+def _cost(number: Either) -> int:
+    """How many steps its magnitude needs."""
+    return 0 if not isinstance(number, Signed) else 1 if number.settled else 2

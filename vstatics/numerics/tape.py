@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple, Never
 
-LONGEST = 20_000
+MOST_OPERATIONS = 20_000
 """Operations on a tape; a calculation that needs more is not worth its tape."""
 GUARDS = frozenset({"less", "less_equal", "equal", "not_equal"})
 """Operations that compare: the tape is right for the variants for which all of them hold."""
@@ -76,12 +76,12 @@ class Tape:
         if slot is None:
             slot = self._slots[operation] = self.inputs + len(self.operations)
             self.operations.append(operation)
-            if len(self.operations) > LONGEST:
+            if len(self.operations) > MOST_OPERATIONS:
                 raise Untraceable
         return slot
 
 
-class Rest:
+class Residual:
     """What is left of a sum, near 0 and of any sign: a result, with which nothing is done."""
 
     __slots__ = ("slot", "tape", "value")

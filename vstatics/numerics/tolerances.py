@@ -12,9 +12,9 @@ EPSILON = 2.0**-52
 # arithmetic of linear systems
 ZERO = 32 * EPSILON
 """A difference is zero when it is at most this part of its size, ..."""
-REAL = 2.0**-20
+TRACED_REAL = 2.0**-20
 """... and this part of the larger of its terms."""
-LEAST = 1 / 64
+TRACED_DIFFERENCE = 1 / 64
 """Traced: a difference is at least this part of its larger term for all variants, or a
 sixteenth of the part that the first variant has, but more than `REAL`."""
 SIGNED_LEAST = 2.0**-16
@@ -31,18 +31,18 @@ TIE = 1e-9
 """Speeds, or torques on a link, that differ by less than this part are the same."""
 UNCERTAIN = 1e-6
 """Speeds and torques that disagree by this part are told of."""
-NEAR = 1e-4
+NEAR_ONE = 1e-4
 """A ratio that differs from 1 by less makes a train that is nearly singular."""
 CLOSED = 1e-9
 """Powers agree to this part of the input power, or rounding is too large for a plan."""
-NOISE = 1e-12
+NO_POWER = 1e-12
 """Power below this part of the largest one of the gear is rounding; so is a speed or torque
 below this part of the input's, where digits are counted."""
 CYCLE = 1e-9
 """A cycle of power with less than this part of the largest power of the gear is rounding."""
 
 # results side by side
-SAME = 1e-9
+SAME_RATIO = 1e-9
 """Numbers of gears, or rays of a plan, that differ by no more than this part are the same."""
-GAP = 1e-9
+TIP_CLEARANCE = 1e-9
 """Room between wheels, in modules, that is lost in rounding."""

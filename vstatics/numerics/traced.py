@@ -1,4 +1,4 @@
-"""Arithmetic written down once, so that it can be run again on arrays of variants.
+"""Arithmetic written down once, to be run again on arrays; choices and residuals of numbers.
 
 A calculation with `Traced` numbers in place of floats goes as it does with the floats
 of one variant, the first; a `Tape` notes every operation. Where the calculation
@@ -9,26 +9,36 @@ so the results agree to the last bit.
 A traced number is never 0. It is a positive magnitude on the tape with a known sign,
 so signs cost no operation, and it has bounds for its magnitude, which settle most
 comparisons without a guard.
+
+For plain numbers each of these is what Python has for it.
 """
 
 from __future__ import annotations
 
 import math
+from collections.abc import Collection, Sequence
 from typing import Any, NamedTuple, TypeGuard
 
-from vstatics.numerics.signed import Signed, Truth
+from vstatics.numerics.signed import (
+    Condition,
+    Signed,
+    Truth,
+    bounds_of,
+    upright,
+    value_of,
+)
 from vstatics.numerics.tape import (
     HUGE,
     NEGATIONS,
     Operand,
     Plain,
-    Rest,
+    Residual,
     Tape,
     Untraceable,
     ordered,
 )
 
-SURE = 1 + 1e-9
+SURE_MAGNITUDES = 1 + 1e-9
 """Bounds settle a comparison only beyond their own rounding."""
 
 
@@ -105,7 +115,7 @@ Number = float | Traced | Signed
 """A float, or a number that stands for all variants: the operators are the same."""
 
 
-def is_traced(number: Number | Rest | Truth) -> TypeGuard[Traced | Signed]:
+def is_traced(number: Number | Residual | Truth) -> TypeGuard[Traced | Signed]:
     """Whether it stands for all variants."""
     return number.__class__ is Traced or number.__class__ is Signed
 
@@ -115,7 +125,7 @@ def absolute(number: Number) -> Number:
     return abs(number)  # type: ignore[return-value]
 
 
-def plain(number: Number | Rest) -> float:
+def plain(number: Number | Residual) -> float:
     """A number of a single variant, which is not traced.
 
     Raises
@@ -123,7 +133,7 @@ def plain(number: Number | Rest) -> float:
     TypeError
         If it is.
     """
-    if isinstance(number, Traced | Signed | Rest):
+    if isinstance(number, Traced | Signed | Residual):
         raise TypeError("a traced number stands for many variants")
     return number
 
@@ -199,12 +209,12 @@ def difference(larger: Number, smaller: Number, least: float = 0.0) -> Traced:
     """
     tape = _tape(larger, smaller)
     a, b = _magnitude(larger), _magnitude(smaller)
-    left = a.low - b.high * SURE
+    left = a.low - b.high * SURE_MAGNITUDES
     if not left > least * a.high:  # also where there is no upper bound
         _compare(tape, "less", absolute(smaller), absolute(larger) * (1 - least))
-        left = max(least * a.low / SURE, 0.0)
+        left = max(least * a.low / SURE_MAGNITUDES, 0.0)
     slot = tape.note("subtract", a.operand, b.operand)
-    made = Magnitude(slot, a.value - b.value, left, a.high - b.low / SURE)
+    made = Magnitude(slot, a.value - b.value, left, a.high - b.low / SURE_MAGNITUDES)
     return Traced(tape, _sign(larger), made)
 
 
@@ -232,9 +242,9 @@ def _compare(tape: Tape, name: str, one: Number, other: Number) -> bool:
     a, b = _magnitude(one), _magnitude(other)
     if _sign(one) < 0:
         a, b = b, a
-    if a.high * SURE < b.low:
+    if a.high * SURE_MAGNITUDES < b.low:
         return True
-    if a.low > b.high * SURE:
+    if a.low > b.high * SURE_MAGNITUDES:
         return False
     if a.value < b.value or (a.value == b.value and name == "less_equal"):
         tape.note(name, a.operand, b.operand)
@@ -255,13 +265,13 @@ def _equal(tape: Tape, one: Number, other: Any) -> bool:
     a, b = _magnitude(one), _magnitude(other)
     if a.operand == b.operand:
         return True
-    if a.high * SURE < b.low or b.high * SURE < a.low:
+    if a.high * SURE_MAGNITUDES < b.low or b.high * SURE_MAGNITUDES < a.low:
         return False
     tape.note("equal" if a.value == b.value else "not_equal", a.operand, b.operand)
     return a.value == b.value
 
 
-def told(number: Number) -> tuple[Operand, int, float]:
+def operand_of(number: Number) -> tuple[Operand, int, float]:
     """What of a number stands on the tape, its sign there, its value in the first variant."""
     if isinstance(number, Signed):
         return number.slot, -1 if number.negated else 1, number.value
@@ -299,3 +309,99 @@ def of_any_sign(number: Number) -> float | Signed:
     if isinstance(number, Traced):
         raise Untraceable
     return number
+
+
+def chosen(condition: Condition, yes: Number, no: Number) -> Number:
+    """One number where something holds, another one where it does not.
+
+    >>> chosen(2.0 > 1.0, 0.5, 0.25)
+    0.5
+    """
+    if not isinstance(condition, Truth):
+        return yes if condition else no
+    yes, no = of_any_sign(yes), of_any_sign(no)
+    if yes is no or not (isinstance(yes, Signed) or isinstance(no, Signed) or yes != no):
+        return yes
+    tape = condition.tape
+    ways = [upright(tape, condition.margin), upright(tape, yes), upright(tape, no)]
+    value = value_of(yes if condition.margin.value > 0 else no)
+    (low, high), (other_low, other_high) = bounds_of(yes), bounds_of(no)
+    slot = tape.note("choose", *ways)
+    return Signed(tape, slot, value, min(low, other_low), max(high, other_high))
+
+
+def where(condition: Condition, number: Number) -> Number | Residual:
+    """A number where something holds, else NaN: a result, with which nothing is done.
+
+    >>> where(False, 2.5)
+    nan
+    """
+    if not isinstance(condition, Truth):
+        return number if condition else math.nan
+    tape = condition.tape
+    ways = upright(tape, condition.margin), upright(tape, of_any_sign(number)), Plain(math.nan)
+    return Residual(tape, tape.note("choose", *ways), math.nan)
+
+
+def opposite(condition: Condition) -> Condition:
+    """Whether it does not hold."""
+    return ~condition if isinstance(condition, Truth) else not condition
+
+
+def counted(conditions: Collection[Condition]) -> int:
+    """How many hold; variants in which it is another number do not pass the guard.
+
+    >>> counted([True, False, True])
+    2
+    """
+    total: Number = 0.0
+    for condition in conditions:
+        total = total + chosen(condition, 2.0, 1.0)
+    count = value_of(of_any_sign(total))
+    if total != count:
+        raise Untraceable
+    return int(count) - len(conditions)
+
+
+def residual(terms: Sequence[Number]) -> Number | Residual:
+    """The sum of terms that should cancel, from left to right.
+
+    >>> residual([1.0, 0.5, -1.5])
+    0.0
+    """
+    plain, value = 0.0, 0.0
+    total: Operand | None = None
+    tape: Tape | None = None
+    for term in terms:
+        operand, sign, own = operand_of(term)
+        value += own
+        if is_traced(term):
+            tape = term.tape
+        if tape is None or math.isnan(value):
+            plain = value
+        elif total is None and plain == 0 and sign > 0:
+            total = operand
+        elif operand != Plain(0.0):
+            before = Plain(plain) if total is None else total
+            total = tape.note("add" if sign > 0 else "subtract", before, operand)
+    if tape is None or not isinstance(total, int) or math.isnan(value):
+        return plain
+    return Residual(tape, total, value)
+
+
+def guard_within(number: Traced | Signed | Residual, low: float, high: float) -> None:
+    """Guard that a number lies between bounds.
+
+    Raises
+    ------
+    Untraceable
+        If it does not in the first variant.
+    """
+    if isinstance(number, Traced | Signed):
+        held = bool(low <= number <= high)
+    else:
+        held = low <= number.value <= high
+        number.tape.note("less_equal", Plain(low), number.slot)
+        number.tape.note("less_equal", number.slot, Plain(high))
+    if not held:
+        raise Untraceable

@@ -9,12 +9,12 @@ from typing import Any, NamedTuple
 
 from vstatics.pictures import labels
 from vstatics.pictures.chart import Chart
-from vstatics.pictures.labels import GAP, Point
+from vstatics.pictures.labels import LABEL_GAP, Point
 from vstatics.pictures.style import SIZE, Style
 from vstatics.pictures.svg import halo
 from vstatics.synthesis.box_listing import ListedBox
 
-NEAR = 2.0
+SAME_POINT = 2.0
 """Points that are closer are one. [pt]"""
 SPOT, LARGE_SPOT = 4.5, 6.5
 """Of the point of a box, and of one that nothing is better than in all figures. [pt]"""
@@ -99,7 +99,7 @@ def _texts(spots: Sequence[BoxPoint], numbers: set[int]) -> Iterator[tuple[Point
     """What is written beside each place: the numbers of its diagrams, of all families there."""
     together: dict[tuple[int, int], tuple[Point, list[int]]] = {}
     for spot in spots:
-        key = round(spot.at[0] / NEAR), round(spot.at[1] / NEAR)
+        key = round(spot.at[0] / SAME_POINT), round(spot.at[1] / SAME_POINT)
         together.setdefault(key, (spot.at, []))[1].extend(box.number for box in spot.boxes)
     for at, found in together.values():
         own = sorted(numbers.intersection(found))
@@ -134,7 +134,7 @@ def _cost(place: Point, own: _BoxNumber, taken: Sequence[tuple[Point, Point]]) -
     """How much a number covers, and how far it stands from its point."""
     (x, y), (wide, high) = place, own.size
     others = sum(
-        abs(x - left) < (wide + other) / 2 + GAP and abs(y - low) < (high + up) / 2 + 1
+        abs(x - left) < (wide + other) / 2 + LABEL_GAP and abs(y - low) < (high + up) / 2 + 1
         for (left, low), (other, up) in taken
     )
     covered = sum(

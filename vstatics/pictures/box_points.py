@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from typing import Any
 
 from vstatics.pictures import labels
-from vstatics.pictures.box_numbers import LARGE_SPOT, NEAR, SPOT, BoxPoint, number_spots
+from vstatics.pictures.box_numbers import LARGE_SPOT, SAME_POINT, SPOT, BoxPoint, number_spots
 from vstatics.pictures.chart import AxisScale, Chart, tick_texts, widest
 from vstatics.pictures.labels import Paper, Point
 from vstatics.pictures.style import TITLE, Style
@@ -16,13 +16,13 @@ from vstatics.synthesis.box_listing import BoxListing, ListedBox
 
 MARKERS = "os^Dv"
 """Of families, by turns, as their colours."""
-ROOM = 0.06
+AXIS_ROOM = 0.06
 """Beside the outermost points, as a part of the axis."""
 LEAST_ROOM = 0.05
 """At least, as a part of the largest number."""
 CROWD = 1000
 """From so many points of one look on they are small."""
-FEW = 300
+FEW_POINTS = 300
 """Up to so many points each says what it is."""
 LEFT = 40.0
 """From the words over the axes to these. [pt]"""
@@ -66,7 +66,7 @@ def draw_points(
     for spot in spots:
         alike.setdefault((looks.get(spot.boxes[0].family), spot.is_pareto), []).append(spot)
     for (look, is_pareto), own in alike.items():
-        one_by_one = [[spot] for spot in own] if len(spots) <= FEW else [own]
+        one_by_one = [[spot] for spot in own] if len(spots) <= FEW_POINTS else [own]
         for some in one_by_one:
             _draw_spots(chart, some, look, style, is_pareto=is_pareto)
     return number_spots(chart, spots, {box.number for box in drawn}, style)
@@ -112,7 +112,7 @@ def _ends(values: Sequence[float]) -> tuple[float, float]:
     if not values:
         return 0.0, 1.0
     low, high = min(values), max(values)
-    room = max(ROOM * (high - low), LEAST_ROOM * max(abs(low), abs(high))) or LEAST_ROOM
+    room = max(AXIS_ROOM * (high - low), LEAST_ROOM * max(abs(low), abs(high))) or LEAST_ROOM
     return low - room, high + room
 
 
@@ -130,7 +130,7 @@ def _spots(chart: Chart, boxes: Sequence[ListedBox]) -> Iterator[BoxPoint]:
     found: dict[tuple[int, int, int], BoxPoint] = {}
     for box in boxes:
         at = chart.across(box.torque), chart.up(100 * box.loss)
-        key = box.family, round(at[0] / NEAR), round(at[1] / NEAR)
+        key = box.family, round(at[0] / SAME_POINT), round(at[1] / SAME_POINT)
         found.setdefault(key, BoxPoint(at, [])).boxes.append(box)
     yield from found.values()
 

@@ -18,27 +18,27 @@ from vstatics.pictures.style import SIZE, Style
 from vstatics.summary.contrast import letters
 from vstatics.synthesis.box_listing import BoxListing, ListedBox, drawn_boxes
 
-WIDE = 595.0
+A4_WIDTH = 595.0
 """Of the page: A4. [pt]"""
-MARGIN = 26.0
+BOXES_MARGIN = 26.0
 HIGH, ALONE = 210.0, 340.0
 """Of the axes, over diagrams or alone. [pt]"""
-BELOW = 34.0
+BOXES_SCALE_HEIGHT = 34.0
 """For the scale. [pt]"""
-BESIDE = 118.0
+FAMILIES_WIDTH = 118.0
 """For the families. [pt]"""
-HEAD = 40.0
+BOXES_HEAD_HEIGHT = 40.0
 """For what stands over the axes. [pt]"""
 LINE, SMALL = 11.0, 6.5
 """From line to line; the letters below the name of a diagram. [pt]"""
-MOST_DRAWN = 8
+MOST_DRAWN_DIAGRAMS = 8
 """So many diagrams have room on a page."""
 COLUMNS = 2
-BETWEEN = 18.0
+DIAGRAM_GAP = 18.0
 """Between diagrams. [pt]"""
-LARGEST = 0.62
+LARGEST_DIAGRAM_SCALE = 0.62
 """Scale of a diagram, at most."""
-LETTERS = 1.5
+DIAGRAM_LETTERS = 1.5
 """Size of letters in a diagram over what they would have."""
 
 
@@ -54,7 +54,7 @@ def render_boxes(listing: BoxListing, form: Format, style: Style) -> bytes:
     """
     require("plot", "a picture")
     with settings_of(style):
-        figure = draw_boxes(listing, style, drawn_boxes(listing, MOST_DRAWN))
+        figure = draw_boxes(listing, style, drawn_boxes(listing, MOST_DRAWN_DIAGRAMS))
     return written(figure, form, style, "found boxes")
 
 
@@ -76,24 +76,24 @@ def draw_boxes(listing: BoxListing, style: Style, drawn: Sequence[ListedBox]) ->
     """
     if not drawn:
         raise CaseError([Problem("no box was found, so there is nothing to draw")])
-    room = (WIDE - 2 * MARGIN - (COLUMNS - 1) * BETWEEN) / COLUMNS
+    room = (A4_WIDTH - 2 * BOXES_MARGIN - (COLUMNS - 1) * DIAGRAM_GAP) / COLUMNS
     cases = [box.transmission() for box in drawn]
     sticks = [bare_stick(case, style, is_small=True) for case in cases]
-    scale = min(LARGEST, *(room / stick.size[0] for stick in sticks))
+    scale = min(LARGEST_DIAGRAM_SCALE, *(room / stick.size[0] for stick in sticks))
     captions = [_caption(*both, room, style) for both in zip(drawn, cases, strict=True)]
     rows = _rows(sticks, captions, scale)
-    figure = _paper(listing, drawn, sum(rows) + BETWEEN * len(rows), HIGH, style)
-    top = sum(rows) + BETWEEN * (len(rows) - 1) + MARGIN
+    figure = _paper(listing, drawn, sum(rows) + DIAGRAM_GAP * len(rows), HIGH, style)
+    top = sum(rows) + DIAGRAM_GAP * (len(rows) - 1) + BOXES_MARGIN
     for number, high in enumerate(rows):
         for column in range(COLUMNS):
             place = number * COLUMNS + column
             if place < len(drawn):
-                at = MARGIN + column * (room + BETWEEN), top
+                at = BOXES_MARGIN + column * (room + DIAGRAM_GAP), top
                 below = _write(figure, at, captions[place], style)
                 size = sticks[place].size[0] * scale, sticks[place].size[1] * scale
                 corner = at[0] + (room - size[0]) / 2, below - size[1]
-                sticks[place].drawn(within=Window(figure, corner, size, LETTERS))
-        top -= high + BETWEEN
+                sticks[place].drawn(within=Window(figure, corner, size, DIAGRAM_LETTERS))
+        top -= high + DIAGRAM_GAP
     return figure
 
 
@@ -101,10 +101,10 @@ def _paper(
     listing: BoxListing, drawn: Sequence[ListedBox], below: float, high: float, style: Style
 ) -> Figure:
     """The points in axes so high, on a page with so much room below them [pt]."""
-    low = MARGIN + below + BELOW
-    figure = labels.figure(WIDE, low + high + HEAD + MARGIN)
-    wide = WIDE - 2 * MARGIN - LEFT - BESIDE
-    chart = box_chart(Paper(figure), (MARGIN + LEFT, low), (wide, high), listing)
+    low = BOXES_MARGIN + below + BOXES_SCALE_HEIGHT
+    figure = labels.figure(A4_WIDTH, low + high + BOXES_HEAD_HEIGHT + BOXES_MARGIN)
+    wide = A4_WIDTH - 2 * BOXES_MARGIN - LEFT - FAMILIES_WIDTH
+    chart = box_chart(Paper(figure), (BOXES_MARGIN + LEFT, low), (wide, high), listing)
     has_more = draw_points(chart, listing, drawn, style)
     draw_words(chart, listing, drawn, style, has_more=has_more)
     return figure
@@ -150,7 +150,7 @@ def _figures(box: ListedBox, style: Style) -> str:
 
 def _write(figure: Figure, at: Point, lines: Caption, style: Style) -> float:
     """Write a caption; where it ends [pt]."""
-    wide, high = (labels.POINTS * length for length in figure.get_size_inches())
+    wide, high = (labels.POINTS_PER_INCH * length for length in figure.get_size_inches())
     (x, y), (title, *others) = at, lines
     figure.text(x / wide, y / high, title, fontsize=SIZE, weight="bold", ha="left", va="top")
     for line in others:

@@ -35,9 +35,9 @@ if TYPE_CHECKING:
 
 WIDE, HIGH = 270.0, 210.0
 """Of a diagram without its labels, where there are several. [pt]"""
-ALONE = 1.5
+LONE_DIAGRAM_SCALE = 1.5
 """By so much a diagram is larger that stands alone."""
-MARGIN = 12.0
+CAMPBELL_MARGIN = 12.0
 """[pt]"""
 LEFT, BELOW = 56.0, 44.0
 """For the scales. [pt]"""
@@ -45,9 +45,9 @@ ABOVE = 46.0
 """For the gear, and orders. [pt]"""
 ON_SHEET = 6
 """So many diagrams fit a printed page."""
-SMALL = 6.5
+CROSSING_SIZE = 6.5
 """Of speeds at crossings. [pt]"""
-DIGITS = 0.75
+DIGIT_HEIGHT = 0.75
 """Height of digits over their size."""
 
 
@@ -113,17 +113,17 @@ def _figure(
     """Diagrams beside and below one another."""
     layout = _layout(diagrams, shown, style)
     rows = math.ceil(len(diagrams) / layout.columns)
-    wide = layout.columns * layout.across + MARGIN
+    wide = layout.columns * layout.across + CAMPBELL_MARGIN
     subject = style.text(
         "natural frequencies, and orders of the input speed",
         "собственные частоты и порядки частоты вращения входа",
     )
     note = style.text("scales by square roots", "шкалы квадратных корней")
     signs = _signs(diagrams, shown, style)
-    head = chart_head(title(case, subject), note, signs, wide - 2 * MARGIN, style)
-    high = MARGIN + head.high + rows * layout.up
+    head = chart_head(title(case, subject), note, signs, wide - 2 * CAMPBELL_MARGIN, style)
+    high = CAMPBELL_MARGIN + head.high + rows * layout.up
     paper = Paper(labels.figure(wide, high))
-    head.draw(paper, MARGIN, high - MARGIN, style)
+    head.draw(paper, CAMPBELL_MARGIN, high - CAMPBELL_MARGIN, style)
     whole = AxisScale(0.0, 1.0)
     for place, diagram in enumerate(diagrams):
         row, column = divmod(place, layout.columns)
@@ -136,10 +136,10 @@ def _figure(
 def _layout(
     diagrams: Sequence[_CampbellDiagram], shown: OrderRange, style: Style
 ) -> _DiagramLayout:
-    size = ALONE if len(diagrams) == 1 else 1.0
+    size = LONE_DIAGRAM_SCALE if len(diagrams) == 1 else 1.0
     ends = [_ends(one, shown, style, 1.0) for one in diagrams]
     high = max(size * HIGH, *map(height_of, ends))
-    right = max(*map(width_of, ends), LEADER + width(_order_name(0.5))) + MARGIN
+    right = max(*map(width_of, ends), LEADER + width(_order_name(0.5))) + CAMPBELL_MARGIN
     wide = size * WIDE
     columns = min(len(diagrams), 2)
     return _DiagramLayout(columns, wide, high, LEFT + wide + right, ABOVE + high + BELOW)
@@ -276,14 +276,14 @@ def _draw_crossings(
         hertz = f"{number(one.frequency)} {style.text('Hz', 'Гц')}"
         said = f"{diagram.head}, {_order_name(one.order)}: {text} {rpm}, {hertz}"
         chart.line((x, y), gid=told(said), **_dot_look(style))
-        wide, high = width(text, SMALL), DIGITS * SMALL
+        wide, high = width(text, CROSSING_SIZE), DIGIT_HEIGHT * CROSSING_SIZE
         for left, low in ((x - wide - 3.5, y + 2.5), (x + 3.5, y - high - 2.5)):
             box = left - 1, low - 1, left + wide + 1, low + high + 1
             inside = min(box[:2]) > 0 and box[2] < chart.width and box[3] < chart.height
             covers = any(_meet(box, other) for other in taken) or _crossed(box, levels, slopes)
             if inside and not covers:
                 taken.append(box)
-                how: dict[str, Any] = {"fontsize": SMALL, "va": "center_baseline"}
+                how: dict[str, Any] = {"fontsize": CROSSING_SIZE, "va": "center_baseline"}
                 chart.write(left, low + high / 2, text, **how, **halo(style))
                 break
 

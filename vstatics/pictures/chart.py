@@ -12,8 +12,8 @@ from matplotlib.patches import Rectangle
 from matplotlib.transforms import Affine2D, Bbox, TransformedBbox
 
 from vstatics.numerics.arrays import Floats
-from vstatics.pictures.labels import LINE, POINTS, Paper, Point, width
-from vstatics.pictures.style import LARGE, Style
+from vstatics.pictures.labels import LINE_HEIGHT, POINTS_PER_INCH, Paper, Point, width
+from vstatics.pictures.style import LARGE_NUMBER, Style
 from vstatics.tables.numbers import typeset
 
 TICK = 3.0
@@ -93,7 +93,7 @@ class Chart(NamedTuple):
         self.paper.add(line)
         places = zip((left, low), self.corner, (self.width, self.height), strict=True)
         if any(np.any((at < start) | (at > start + length)) for at, start, length in places):
-            points = Affine2D().scale(1 / POINTS) + self.paper.figure.dpi_scale_trans
+            points = Affine2D().scale(1 / POINTS_PER_INCH) + self.paper.figure.dpi_scale_trans
             own = Bbox.from_bounds(*self.corner, self.width, self.height)
             line.set_clip_box(TransformedBbox(own, points))
 
@@ -158,7 +158,7 @@ class Chart(NamedTuple):
         if side in ("left", "right"):
             x = -off if side == "left" else self.width + off
             how: dict[str, Any] = {"rotation": 90, "ha": "center", "va": "center"}
-            self.write(x, self.height / 2, text, linespacing=LINE, **how)
+            self.write(x, self.height / 2, text, linespacing=LINE_HEIGHT, **how)
         else:
             y = -off if side == "bottom" else self.height + off
             self.write(self.width / 2, y, text, ha="center", va="center")
@@ -172,7 +172,7 @@ def tick_texts(values: Sequence[float], alike: Sequence[float] = ()) -> list[str
     """
     every = [*values, *alike]
     largest = max(map(abs, every), default=0.0)
-    if largest >= LARGE or 0 < largest < 10.0**-DECIMALS:
+    if largest >= LARGE_NUMBER or 0 < largest < 10.0**-DECIMALS:
         return [typeset(f"{one:g}") for one in values]
     decimals = 0
     while decimals < DECIMALS and any(

@@ -8,7 +8,7 @@ from typing import Any, Literal, NamedTuple
 
 from vstatics.pictures import labels
 from vstatics.pictures.chart import Chart
-from vstatics.pictures.labels import GAP, LEADER, Label, spread
+from vstatics.pictures.labels import LABEL_GAP, LEADER, Label, spread
 from vstatics.pictures.looks import Look
 from vstatics.pictures.style import Style
 
@@ -31,7 +31,7 @@ class LineEnd(NamedTuple):
     @property
     def high(self) -> float:
         """Of its names [pt]."""
-        return sum(map(labels.height, self.names)) + GAP
+        return sum(map(labels.height, self.names)) + LABEL_GAP
 
     @property
     def aside(self) -> float:
@@ -61,7 +61,7 @@ def beside(
     leaders, brackets = [], []
     for end, place in zip(ends, places, strict=True):
         leaders.append(((edge, end.at), (inner, place)))
-        top = place + (end.high - GAP) / 2
+        top = place + (end.high - LABEL_GAP) / 2
         middles = []
         for name, look in zip_longest(end.names, end.looks):
             own = labels.height(name)
@@ -71,7 +71,7 @@ def beside(
                 how: dict[str, Any] = {"linewidth": 1.6, "solid_capstyle": "butt", **look}
                 chart.line(*piece, markevery=[1], **how)
             x = edge + end.aside * way
-            chart.write(x, middles[-1], name, linespacing=labels.LINE, **aligned)
+            chart.write(x, middles[-1], name, linespacing=labels.LINE_HEIGHT, **aligned)
             top -= own
         if len(middles) > 1:
             brackets.append(((inner, middles[0]), (inner, middles[-1])))
@@ -94,7 +94,8 @@ def along(
         Texts run upwards, and need little room along the edge.
     """
     sizes = [
-        labels.height(one.text) + GAP if upright else labels.across_size(one.text) for one in texts
+        labels.height(one.text) + LABEL_GAP if upright else labels.across_size(one.text)
+        for one in texts
     ]
     places = spread([one.at for one in texts], sizes, 0.0, chart.width)
     start, way = (0.0, -1.0) if edge == "bottom" else (chart.height, 1.0)
@@ -108,4 +109,4 @@ def along(
     how |= {"rotation": 90} if upright else {}
     for one, place in zip(texts, places, strict=True):
         y = start + 0.65 * LEADER * way
-        chart.write(place, y, one.text, color=one.colour, linespacing=labels.LINE, **how)
+        chart.write(place, y, one.text, color=one.colour, linespacing=labels.LINE_HEIGHT, **how)

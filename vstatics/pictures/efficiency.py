@@ -15,7 +15,7 @@ from vstatics.numerics.arrays import Floats
 from vstatics.pictures import labels
 from vstatics.pictures.chart import AxisScale, Chart, tick_texts
 from vstatics.pictures.chart_ends import along
-from vstatics.pictures.heads import AFTER, SAMPLE, KeySign, chart_head
+from vstatics.pictures.heads import AFTER, SIGN_WIDTH, KeySign, chart_head
 from vstatics.pictures.labels import LEADER, Label, Paper
 from vstatics.pictures.looks import loss_look
 from vstatics.pictures.state import state_of
@@ -27,21 +27,21 @@ from vstatics.statics.status import LOCKED
 from vstatics.tables.numbers import typeset
 from vstatics.tables.values import tables
 
-HIGH = 230.0
+AXES_HEIGHT = 230.0
 """Of the axes. [pt]"""
 STEP = 42.0
 """Between gears. [pt]"""
-LEAST = 200.0
+LEAST_AXIS_WIDTH = 200.0
 """Width of the axes at least. [pt]"""
-BAR = 0.66
+BAR_WIDTH = 0.66
 """Width of a bar over the step."""
-MARGIN = 12.0
+EFFICIENCY_MARGIN = 12.0
 """[pt]"""
 LEFT, BELOW = 58.0, 24.0
 """For the scale, and for what the gears are called together. [pt]"""
-LONGEST = 120.0
+MECHANISM_NAME_WIDTH = 120.0
 """Names of mechanisms are wrapped to this width. [pt]"""
-NOTHING = 1e-9
+NO_SHARE = 1e-9
 """A smaller share is rounding. [-]"""
 
 
@@ -60,7 +60,7 @@ class _Losses(NamedTuple):
     @property
     def key(self) -> list[str]:
         """The names, wrapped."""
-        return [labels.wrapped(name, LONGEST) for name in self.names]
+        return [labels.wrapped(name, MECHANISM_NAME_WIDTH) for name in self.names]
 
 
 def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> Figure:
@@ -80,7 +80,7 @@ def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> Figure:
         raise CaseError([Problem(f"{which} has no efficiency that could be drawn")])
     names, shares = loss_shares(results, style)
     shares = np.nan_to_num(shares[:, chosen])
-    rows = [row for row in range(len(names)) if np.abs(shares[row]).max() > NOTHING]
+    rows = [row for row in range(len(names)) if np.abs(shares[row]).max() > NO_SHARE]
     missing = {
         place: _why(results, one + 1, style)
         for place, one in enumerate(chosen)
@@ -107,17 +107,17 @@ def _why(results: Results, gear: int, style: Style) -> str:
 
 def _chart(name: str, losses: _Losses, style: Style) -> Chart:
     """A chart with room for its title, the names of gears and those of mechanisms."""
-    wide = max(len(losses.gears) * STEP, LEAST)
-    high = max(HIGH, sum(labels.height(name) + 6 for name in losses.key))
-    beside = max((SAMPLE + AFTER + labels.width(name) for name in losses.key), default=0.0)
-    across = LEFT + wide + 2 * MARGIN + beside
+    wide = max(len(losses.gears) * STEP, LEAST_AXIS_WIDTH)
+    high = max(AXES_HEIGHT, sum(labels.height(name) + 6 for name in losses.key))
+    beside = max((SIGN_WIDTH + AFTER + labels.width(name) for name in losses.key), default=0.0)
+    across = LEFT + wide + 2 * EFFICIENCY_MARGIN + beside
     lossless = style.text("nothing is lost", "потерь нет")
     note = "" if losses.names or losses.missing else lossless
-    head = chart_head(name, note, [], across - 2 * MARGIN, style)
+    head = chart_head(name, note, [], across - 2 * EFFICIENCY_MARGIN, style)
     below = LEADER + _foot(losses.gears)[1] + BELOW
-    up = below + high + head.high + MARGIN + SIZE
+    up = below + high + head.high + EFFICIENCY_MARGIN + SIZE
     paper = Paper(labels.figure(across, up))
-    head.draw(paper, MARGIN, up - MARGIN, style)
+    head.draw(paper, EFFICIENCY_MARGIN, up - EFFICIENCY_MARGIN, style)
     lowest = min(float(np.nanmin(losses.efficiency)), 0.99)
     x = AxisScale(-0.6, len(losses.gears) - 0.4)
     y = AxisScale(lowest - 0.12 * (1 - lowest), 1.0)
@@ -126,8 +126,8 @@ def _chart(name: str, losses: _Losses, style: Style) -> Chart:
 
 def _foot(gears: Sequence[str]) -> tuple[bool, float]:
     """Whether the names of gears run upwards, as they do not fit else, and their height [pt]."""
-    step = max(STEP, LEAST / len(gears))
-    if any(labels.width(name) + 2 * labels.GAP > step for name in gears):
+    step = max(STEP, LEAST_AXIS_WIDTH / len(gears))
+    if any(labels.width(name) + 2 * labels.LABEL_GAP > step for name in gears):
         return True, max(map(labels.width, gears))
     return False, max(map(labels.height, gears))
 
@@ -173,7 +173,7 @@ def _scales(chart: Chart, losses: _Losses, style: Style) -> None:
     chart.frame(style, "left", "top")
     ticks = labels.ticks(chart.y.low, 1.0, 6)
     chart.scale("left", ticks, style, tick_texts(ticks, [0.001]), grid=True)
-    chart.name("left", style.text("efficiency", "КПД"), LEFT - MARGIN - SIZE / 2)
+    chart.name("left", style.text("efficiency", "КПД"), LEFT - EFFICIENCY_MARGIN - SIZE / 2)
     upright, high = _foot(losses.gears)
     at = [Label(chart.across(place), name, style.ink) for place, name in enumerate(losses.gears)]
     along(chart, "bottom", at, style, upright=upright)
@@ -182,14 +182,14 @@ def _scales(chart: Chart, losses: _Losses, style: Style) -> None:
 
 def _bars(chart: Chart, losses: _Losses, style: Style) -> None:
     """The shares of each gear, one below the other, and the efficiency below them."""
-    wide = BAR * chart.width / (chart.x.high - chart.x.low)
+    wide = BAR_WIDTH * chart.width / (chart.x.high - chart.x.low)
     for place, (gear, value) in enumerate(zip(losses.gears, losses.efficiency, strict=True)):
         if not math.isfinite(value):
             continue
         left, reached = chart.across(place) - wide / 2, 1.0
         for row, name in enumerate(losses.names):
             share = float(losses.shares[row, place])
-            if abs(share) > NOTHING:
+            if abs(share) > NO_SHARE:
                 top, low = chart.up(reached), chart.up(reached - share)
                 percent = typeset(f"{100 * share:.3g} %")
                 said = told(f"{gear_title(gear, style)}, {name}: {percent}")
@@ -212,5 +212,5 @@ def _key(chart: Chart, losses: _Losses, style: Style) -> None:
     for row, name in enumerate(losses.key):
         high = labels.height(name) + 6
         sign = KeySign(name, loss_look(row, style))
-        sign.draw(chart.paper, left + chart.width + MARGIN / 2, y - high / 2)
+        sign.draw(chart.paper, left + chart.width + EFFICIENCY_MARGIN / 2, y - high / 2)
         y -= high

@@ -23,19 +23,19 @@ from vstatics.pictures.style import TITLE, Style
 from vstatics.pictures.words import gear_title, title
 from vstatics.statics.results import Results
 
-WIDEST = 30.0
+BAND_WIDTH = 30.0
 """Of a band of power 1. [pt]"""
 THICKEST = 90.0
 """Of any node. [pt]"""
-MARGIN = 14.0
+FLOW_MARGIN = 14.0
 """[pt]"""
-LEAST = 330.0
+LEAST_FLOW_WIDTH = 330.0
 """Width of the figure, without its margins. [pt]"""
-WIDE = 450.0
+TITLE_WIDTH = 450.0
 """A title is not wrapped up to here. [pt]"""
-BETWEEN = 22.0
+FLOW_GEAR_GAP = 22.0
 """Gears. [pt]"""
-BELOW = 8.0
+BELOW_TEXT = 8.0
 """Between a text of the whole figure and what follows. [pt]"""
 
 
@@ -99,7 +99,7 @@ def placed(found: Sequence[GearFlow], style: Style) -> list[FlowLayout | None]:
     powers = [
         drawn.through(node) for drawn in graphs if drawn for run in drawn.runs for node in run
     ]
-    scale = min(WIDEST, THICKEST / max(powers, default=1.0))
+    scale = min(BAND_WIDTH, THICKEST / max(powers, default=1.0))
     return [
         layout(drawn, scale, FlowTexts(flow, side, style))
         if side and drawn and drawn.runs
@@ -119,17 +119,17 @@ class _GearBlock(NamedTuple):
     def high(self) -> float:
         """[pt]."""
         heads = sum(height(one) for one in (self.name, self.text) if one)
-        return heads + (BELOW + self.gear.layout.height if self.gear else 0.0)
+        return heads + (BELOW_TEXT + self.gear.layout.height if self.gear else 0.0)
 
     def draw(self, paper: Paper, top: float, style: Style) -> None:
         """Below a height [pt]."""
         if self.name:
-            paper.write(MARGIN, top, self.name, va="top", weight="bold", color=style.ink)
-            place = MARGIN, top - height(self.name)
+            paper.write(FLOW_MARGIN, top, self.name, va="top", weight="bold", color=style.ink)
+            place = FLOW_MARGIN, top - height(self.name)
             paper.write(*place, self.text, va="top", color=style.soft)
         if self.gear:
             start = top - self.high + self.gear.layout.height
-            FlowPen(paper, MARGIN, start, self.gear.titles, style).draw(self.gear.layout)
+            FlowPen(paper, FLOW_MARGIN, start, self.gear.titles, style).draw(self.gear.layout)
 
 
 def _figure(results: Results, chosen: Sequence[_Chosen], style: Style) -> Figure:
@@ -139,8 +139,8 @@ def _figure(results: Results, chosen: Sequence[_Chosen], style: Style) -> Figure
     subject = style.text("power flow", "поток мощности")
     subject += f", {gear_title(chosen[0][0].gear, style)}" if alone else ""
     name = title(results.case, subject)
-    of_name = min(labels.width(name, TITLE, bold=True), WIDE) if style.titled else 0.0
-    wide = max([LEAST, of_name, *(one.layout.width for one in shown)])
+    of_name = min(labels.width(name, TITLE, bold=True), TITLE_WIDTH) if style.titled else 0.0
+    wide = max([LEAST_FLOW_WIDTH, of_name, *(one.layout.width for one in shown)])
     blocks = [
         _GearBlock(gear_title(flow.gear, style), heading(flow, wide, style), one)
         for flow, one in chosen
@@ -148,14 +148,16 @@ def _figure(results: Results, chosen: Sequence[_Chosen], style: Style) -> Figure
     head = chart_head(name, blocks[0].text if alone else "", _key(shown, style), wide, style)
     if alone:
         blocks = [blocks[0]._replace(name="", text="")]
-    high = head.high + BELOW + sum(one.high for one in blocks) + BETWEEN * (len(blocks) - 1)
-    figure = labels.figure(wide + 2 * MARGIN, high + 2 * MARGIN)
-    paper, top = Paper(figure), high + MARGIN
-    head.draw(paper, MARGIN, top, style)
-    top -= head.high + BELOW
+    high = (
+        head.high + BELOW_TEXT + sum(one.high for one in blocks) + FLOW_GEAR_GAP * (len(blocks) - 1)
+    )
+    figure = labels.figure(wide + 2 * FLOW_MARGIN, high + 2 * FLOW_MARGIN)
+    paper, top = Paper(figure), high + FLOW_MARGIN
+    head.draw(paper, FLOW_MARGIN, top, style)
+    top -= head.high + BELOW_TEXT
     for block in blocks:
         block.draw(paper, top, style)
-        top -= block.high + BETWEEN
+        top -= block.high + FLOW_GEAR_GAP
     return figure
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
-from vstatics.pictures.flow_columns import CLEAR, SPACE, Across, FlowCell, on_way_back
+from vstatics.pictures.flow_columns import BAND_CLEARANCE, SPACE, Across, FlowCell, on_way_back
 from vstatics.pictures.flow_graph import Band, Graph
 from vstatics.pictures.flow_places import Box, Line, Note
 from vstatics.pictures.flow_texts import FlowTexts
@@ -58,7 +58,7 @@ def back_rows(graph: Graph, scale: float, texts: FlowTexts) -> list[BackRow]:
 def free(rows: Sequence[BackRow], place: int, spaced: Across) -> Iterator[tuple[float, float]]:
     """Where nothing that goes farther down crosses a row, from left to right [pt]."""
     taken = sorted(
-        (x - row.width / 2 - CLEAR, x + row.width / 2 + CLEAR)
+        (x - row.width / 2 - BAND_CLEARANCE, x + row.width / 2 + BAND_CLEARANCE)
         for row in rows[place + 1 :]
         for x in (spaced.leaving[row.number], spaced.arriving[row.number])
     )
@@ -83,7 +83,7 @@ def _middle_of_cell(rows: Sequence[BackRow], place: int, spaced: Across) -> floa
     if row.cell is None:
         return None
     left, right = spaced.arriving[row.number], spaced.leaving[row.number]
-    low, high = (x + way * (row.width / 2 + CLEAR) for x, way in ((left, 1), (right, -1)))
+    low, high = (x + way * (row.width / 2 + BAND_CLEARANCE) for x, way in ((left, 1), (right, -1)))
     within = ((max(low, one), min(high, other)) for one, other in free(rows, place, spaced))
     return nearest((left + right) / 2, row.cell.wide, within)
 

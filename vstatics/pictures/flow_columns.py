@@ -13,17 +13,17 @@ from vstatics.pictures.labels import height, width
 
 BODY = 12.0
 """Width of a device. [pt]"""
-BAR = 3.0
+LINK_WIDTH = 3.0
 """Width of a link. [pt]"""
-APART = 6.0
+NODE_GAP = 6.0
 """Between the nodes of a run. [pt]"""
 PORT = 11.0
 """Length of the arrow of a port. [pt]"""
 SPACE = 16.0
 """Between columns of texts, and between nodes of one column. [pt]"""
-CLEAR = 8.0
+BAND_CLEARANCE = 8.0
 """Between a band that turns and whatever it passes. [pt]"""
-ARM = 8.0
+LOSS_LENGTH = 8.0
 """Length of a loss, besides half its width. [pt]"""
 BEND = 2.4
 """A curve has no kink if its length squared is so many times its width and rise."""
@@ -34,12 +34,12 @@ Key = tuple[int, int]
 
 def signs(run: Run, loss: float = 0.0) -> list[float]:
     """Width of each node of a run that loses so much of its thickness [pt]."""
-    return [BAR if one.kind == "link" else max(BODY, loss) for one in run]
+    return [LINK_WIDTH if one.kind == "link" else max(BODY, loss) for one in run]
 
 
 def length(run: Run, loss: float = 0.0) -> float:
     """Of a run [pt]."""
-    return sum(signs(run, loss)) + APART * max(len(run) - 1, 0)
+    return sum(signs(run, loss)) + NODE_GAP * max(len(run) - 1, 0)
 
 
 class FlowCell(NamedTuple):
@@ -65,7 +65,7 @@ class FlowCell(NamedTuple):
     @property
     def below(self) -> float:
         """Height of what hangs below [pt]."""
-        return ARM + self.loss / 2 + height(self.lost) + 1 if self.lost else 0.0
+        return LOSS_LENGTH + self.loss / 2 + height(self.lost) + 1 if self.lost else 0.0
 
     @property
     def lower(self) -> float:
@@ -154,7 +154,7 @@ class Across(NamedTuple):
     @property
     def width(self) -> float:
         """With what turns at the right."""
-        return max([self.columns[-1][1], *(x + CLEAR for x in self.leaving.values())])
+        return max([self.columns[-1][1], *(x + BAND_CLEARANCE for x in self.leaving.values())])
 
     def middle(self, layer: int) -> float:
         """Of a column."""
@@ -200,12 +200,12 @@ def across(
     arriving: dict[int, float] = {}
     for place, own in enumerate(wide):
         for number in reversed([n for n, (_, first) in ends.items() if first == place]):
-            arriving[number] = x + bands[number].power * scale / 2 + CLEAR
+            arriving[number] = x + bands[number].power * scale / 2 + BAND_CLEARANCE
             x = 2 * arriving[number] - x
         sides.append((x, x + own))
         x += own
         for number in (n for n, (last, _) in ends.items() if last == place):
-            leaving[number] = x + bands[number].power * scale / 2 + CLEAR
+            leaving[number] = x + bands[number].power * scale / 2 + BAND_CLEARANCE
             x = 2 * leaving[number] - x
         curves.append((x, x + gaps[place]))
         x += gaps[place]

@@ -12,7 +12,7 @@ from vstatics.pictures.flow_graph import EndPort, Graph
 from vstatics.pictures.flow_order import ordered
 from vstatics.pictures.labels import spread
 
-SWEEPS = 12
+RUN_SWEEPS = 12
 """Times that runs are moved towards their neighbours."""
 
 _Columns = Sequence[Mapping[Key, FlowCell]]
@@ -46,8 +46,8 @@ def depths(graph: Graph, scale: float, cells: NodeColumns, back: Sequence[int]) 
     stacks = _stacked(graph, scale, cells, columns, back)
     shifts = _shifts(graph, cells, stacks)
     places = {own: 60.0 * row for column in columns for row, own in enumerate(column)}
-    for sweep in range(SWEEPS):
-        sides = shifts if sweep >= SWEEPS / 2 else shifts[sweep % 2 : sweep % 2 + 1]
+    for sweep in range(RUN_SWEEPS):
+        sides = shifts if sweep >= RUN_SWEEPS / 2 else shifts[sweep % 2 : sweep % 2 + 1]
         for column in columns if sweep % 2 == 0 else reversed(columns):
             wanted = [
                 _mean([pair for side in sides for pair in side.get(own, ())], places, own)

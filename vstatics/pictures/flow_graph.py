@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from vstatics.flow.circulation import Edge, Loop, Node
 from vstatics.flow.power_flow import PowerFlow
-from vstatics.numerics.tolerances import NOISE
+from vstatics.numerics.tolerances import NO_POWER
 
 Run = tuple[Node, ...]
 """Nodes in series, through which the same power goes: no loss, no branch between them."""
@@ -179,7 +179,7 @@ def _runs(
     for band in bands:
         after.setdefault(band.source, set()).add(band.target)
         before.setdefault(band.target, set()).add(band.source)
-    least = NOISE * max((band.power for band in bands), default=0.0)
+    least = NO_POWER * max((band.power for band in bands), default=0.0)
     behind: dict[Node, Node] = {}
     for band in (one for one in bands if not one.back):
         one, other = band.source, band.target
@@ -242,7 +242,7 @@ def _layers(drawn: Graph) -> tuple[int, ...]:
 
 def _losses(side: PowerFlow) -> dict[Node, float]:
     """Losses above rounding; the drag of a link leaves at the link itself."""
-    least = NOISE * max((edge.power for edge in side.edges), default=0.0)
+    least = NO_POWER * max((edge.power for edge in side.edges), default=0.0)
     by_node = side.losses.items()
     losses = {node: loss for node, loss in by_node if loss > least and node.kind != "drag"}
     for edge in side.forward:

@@ -9,7 +9,7 @@ from itertools import combinations, pairwise
 from vstatics.pictures.flow_columns import Key, NodeColumns
 from vstatics.pictures.flow_graph import Graph
 
-ROUNDS = 4
+COLUMN_ROUNDS = 4
 """Times that all columns are put in order."""
 BETTER = 1 - 1e-9
 """An order must be so much better than another."""
@@ -26,7 +26,7 @@ def ordered(graph: Graph, cells: NodeColumns) -> list[list[Key]]:
     orders = [list(column) for column in columns]
     lower = [sorted(column, key=lambda own: own[1] in looped) for column in orders]
     best, least = lower, math.inf
-    for turn, start in enumerate([lower, orders] * ROUNDS):
+    for turn, start in enumerate([lower, orders] * COLUMN_ROUNDS):
         found, crossings = _exchanged(start, near[1], graph)
         if crossings < least * BETTER:
             best, least = found, crossings

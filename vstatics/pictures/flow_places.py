@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from vstatics.flow.circulation import Node
-from vstatics.pictures.flow_columns import APART, FlowCell
+from vstatics.pictures.flow_columns import NODE_GAP, FlowCell
 from vstatics.pictures.flow_graph import Band, EndPort, Graph
 from vstatics.pictures.labels import Point, height
 
@@ -40,7 +40,7 @@ class Box(NamedTuple):
         x = self.left
         for node, wide in zip(self.cell.run, self.cell.signs, strict=True):
             yield node, x, x + wide
-            x += wide + APART
+            x += wide + NODE_GAP
 
 
 class Line(NamedTuple):

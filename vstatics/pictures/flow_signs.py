@@ -12,7 +12,7 @@ from matplotlib.patches import PathPatch, Polygon
 from matplotlib.path import Path
 
 from vstatics.flow.circulation import Node
-from vstatics.pictures.flow_columns import ARM, PORT
+from vstatics.pictures.flow_columns import LOSS_LENGTH, PORT
 from vstatics.pictures.flow_places import Box, FlowLayout, Line, Stub
 from vstatics.pictures.flow_titles import FlowTitles
 from vstatics.pictures.labels import Paper, Point
@@ -26,7 +26,7 @@ ROUND = 6.0
 """Radius of the inner side of a turn. [pt]"""
 PALE = 0.75
 """How much of a band that goes round covers what it crosses."""
-STEPS = 6
+CURVE_PIECES = 6
 """Straight pieces of a curve of a thin band."""
 HATCH = "////"
 """Of what a convention divides, and of what may not be in the metal."""
@@ -104,7 +104,7 @@ class FlowPen(NamedTuple):
         if not box.cell.lost:
             return
         middle, low = self._at((box.middle, box.bottom))
-        tip = low - ARM - box.cell.loss / 2
+        tip = low - LOSS_LENGTH - box.cell.loss / 2
         half = max(box.cell.loss, VISIBLE) / 2
         head = half + 2.5
         shaft = [(middle + half, low), (middle + half, tip + head)]
@@ -205,7 +205,7 @@ def _flat(path: Path, pieces: int) -> Iterator[Point]:
 
 def _outline(path: Path, wide: float) -> list[Point]:
     """The edge of a band by its middle."""
-    points = list(_flat(path, round(STEPS + wide / 4)))
+    points = list(_flat(path, round(CURVE_PIECES + wide / 4)))
     sides: tuple[list[Point], list[Point]] = [], []
     for place, (x, y) in enumerate(points):
         before, after = points[max(place - 1, 0)], points[min(place + 1, len(points) - 1)]

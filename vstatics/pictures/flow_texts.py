@@ -14,13 +14,13 @@ from vstatics.pictures.labels import width, wrapped
 from vstatics.pictures.style import Style, number
 from vstatics.pictures.words import fault
 
-LONGEST = 84.0
+NODE_NAME_WIDTH = 84.0
 """A name is wrapped to this width. [pt]"""
-ROW = 110.0
+RUN_NAME_WIDTH = 110.0
 """The names of a run are. [pt]"""
-WIDEST = 300.0
+LOOP_TEXT_WIDTH = 300.0
 """What is said of a loop is wrapped to this width. [pt]"""
-LEAST = 0.0005
+LEAST_SHOWN_POWER = 0.0005
 """What is less is not 0.000."""
 UNBROKEN = "\u00a0"
 """A blank at which no line ends."""
@@ -35,7 +35,7 @@ class FlowTexts(NamedTuple):
 
     def power(self, value: float) -> str:
         """Of a loss, and of a band."""
-        text = number(value) if value >= LEAST else "<0.001"
+        text = number(value) if value >= LEAST_SHOWN_POWER else "<0.001"
         return text if math.isnan(self.flow.kilowatts) else f"{text}\n{self._kilowatts(value)}"
 
     def run(
@@ -51,7 +51,9 @@ class FlowTexts(NamedTuple):
         names = [_unbroken(_named(node, ports, self.style)) for node in run]
         between = f"{UNBROKEN}{'<' if back else '>'} "
         joined = between.join(reversed(names) if back else names)
-        name = wrapped(joined, LONGEST if len(run) == 1 else max(ROW, wide)).replace(UNBROKEN, " ")
+        name = wrapped(
+            joined, NODE_NAME_WIDTH if len(run) == 1 else max(RUN_NAME_WIDTH, wide)
+        ).replace(UNBROKEN, " ")
         lines = [name, "?" if self.side.unknown and self._is_unknown(run) else self.power(power)]
         for port in ports:
             if not math.isclose(port.power, power, rel_tol=1e-9):
@@ -79,7 +81,7 @@ class FlowTexts(NamedTuple):
             return ""
         said = [f"у {one.first} и {one.second} общие {' и '.join(one.links)}" for one in found]
         russian = f"в металле может не быть: {', '.join(said)}"
-        return f"\n{wrapped(self.style.text(words(found), russian), WIDEST)}"
+        return f"\n{wrapped(self.style.text(words(found), russian), LOOP_TEXT_WIDTH)}"
 
     def _kilowatts(self, power: float) -> str:
         """A power to three digits."""
@@ -103,7 +105,7 @@ def _named(node: Node, ports: Sequence[EndPort], style: Style) -> str:
 
 def _unbroken(name: str) -> str:
     """A name that is not wrapped if it fits into a line."""
-    return name.replace(" ", UNBROKEN) if width(name) <= LONGEST else name
+    return name.replace(" ", UNBROKEN) if width(name) <= NODE_NAME_WIDTH else name
 
 
 def heading(flow: GearFlow, wide: float, style: Style) -> str:

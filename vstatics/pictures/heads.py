@@ -8,17 +8,17 @@ from typing import Any, NamedTuple
 from matplotlib.lines import Line2D
 from matplotlib.patches import Rectangle
 
-from vstatics.pictures.labels import LINE, Paper, height, width, wrapped
+from vstatics.pictures.labels import LINE_HEIGHT, Paper, height, width, wrapped
 from vstatics.pictures.looks import Look
 from vstatics.pictures.style import SIZE, TITLE, Style
 
-SAMPLE = 20.0
+SIGN_WIDTH = 20.0
 """Width of a sign. [pt]"""
 AFTER, APART = 5.0, 16.0
 """From a sign to its text, and from this to the next sign. [pt]"""
-BELOW = 5.0
+BELOW_HEAD = 5.0
 """Between title, notes and key. [pt]"""
-ROW = LINE * SIZE + 2.0
+ROW = LINE_HEIGHT * SIZE + 2.0
 """Of signs. [pt]"""
 
 
@@ -32,18 +32,18 @@ class KeySign(NamedTuple):
     @property
     def wide(self) -> float:
         """With its text [pt]."""
-        return SAMPLE + AFTER + width(self.text)
+        return SIGN_WIDTH + AFTER + width(self.text)
 
     def draw(self, paper: Paper, x: float, y: float) -> None:
         """At its left end and the middle of its height [pt]."""
         if "facecolor" in self.look:
-            paper.add(Rectangle((x, y - 4.0), SAMPLE, 8.0, **self.look))
+            paper.add(Rectangle((x, y - 4.0), SIGN_WIDTH, 8.0, **self.look))
         elif "marker" in self.look:
-            paper.line((x + SAMPLE / 2, y), **self.look)
+            paper.line((x + SIGN_WIDTH / 2, y), **self.look)
         else:
             how: Look = {"solid_capstyle": "butt", **self.look}
-            paper.add(Line2D([x, x + SAMPLE], [y, y], **how))
-        paper.write(x + SAMPLE + AFTER, y, self.text, va="center")
+            paper.add(Line2D([x, x + SIGN_WIDTH], [y, y], **how))
+        paper.write(x + SIGN_WIDTH + AFTER, y, self.text, va="center")
 
 
 class ChartHead(NamedTuple):
@@ -61,17 +61,17 @@ class ChartHead(NamedTuple):
         )
         if self.rows:
             parts.append(ROW * len(self.rows))
-        return sum(parts) + BELOW * len(parts)
+        return sum(parts) + BELOW_HEAD * len(parts)
 
     def draw(self, paper: Paper, left: float, top: float, style: Style) -> None:
         """From its upper left corner [pt]."""
-        how: dict[str, Any] = {"va": "top", "linespacing": LINE}
+        how: dict[str, Any] = {"va": "top", "linespacing": LINE_HEIGHT}
         if self.title:
             paper.write(left, top, self.title, weight="bold", fontsize=TITLE, **how)
-            top -= height(self.title, TITLE) + BELOW
+            top -= height(self.title, TITLE) + BELOW_HEAD
         if self.note:
             paper.write(left, top, self.note, color=style.soft, **how)
-            top -= height(self.note) + BELOW
+            top -= height(self.note) + BELOW_HEAD
         for row in self.rows:
             x = left
             for sign in row:

@@ -16,15 +16,15 @@ from matplotlib.transforms import Affine2D, Transform
 
 from vstatics.pictures.style import FONT, SIZE
 
-POINTS = 72.0
+POINTS_PER_INCH = 72.0
 """In an inch."""
-GAP = 3.0
+LABEL_GAP = 3.0
 """Between labels. [pt]"""
 LEADER = 16.0
 """Length of the line from an edge to its label. [pt]"""
 Point = tuple[float, float]
 """A place of a picture. [pt]"""
-LINE = 1.25
+LINE_HEIGHT = 1.25
 """Height of a line of text over its size, with what stands between lines."""
 
 
@@ -78,7 +78,7 @@ def spread(
 
 @cache
 def _renderer() -> Any:
-    canvas: Any = FigureCanvasAgg(Figure(dpi=POINTS))
+    canvas: Any = FigureCanvasAgg(Figure(dpi=POINTS_PER_INCH))
     return canvas.get_renderer()
 
 
@@ -92,12 +92,12 @@ def width(text: str, size: float = SIZE, *, bold: bool = False) -> float:
 
 def height(text: str, size: float = SIZE) -> float:
     """Height of a text with its lines [pt]."""
-    return LINE * size * (1 + text.count("\n"))
+    return LINE_HEIGHT * size * (1 + text.count("\n"))
 
 
 def across_size(text: str) -> float:
     """The part of an edge that a text beside others needs [pt]."""
-    return width(text) + 2 * GAP
+    return width(text) + 2 * LABEL_GAP
 
 
 def wrapped(text: str, room: float, size: float = SIZE, *, bold: bool = False) -> str:
@@ -132,7 +132,7 @@ class Paper(NamedTuple):
 
     @property
     def _points(self) -> Transform:
-        return Affine2D().scale(1 / POINTS) + self.figure.dpi_scale_trans
+        return Affine2D().scale(1 / POINTS_PER_INCH) + self.figure.dpi_scale_trans
 
     def write(self, x: float, y: float, text: str, **how: Any) -> None:
         """A text at a place."""
@@ -161,4 +161,4 @@ def ticks(low: float, high: float, most: int) -> list[float]:
 
 def figure(wide: float, high: float) -> Figure:
     """A figure of a size in points."""
-    return Figure(figsize=(wide / POINTS, high / POINTS))
+    return Figure(figsize=(wide / POINTS_PER_INCH, high / POINTS_PER_INCH))

@@ -17,7 +17,7 @@ from vstatics.pictures import labels
 from vstatics.pictures.labels import Paper
 from vstatics.pictures.lever_cell import LeverSheet, LeverView, draw_lever, draw_route, lever_names
 from vstatics.pictures.lever_gear import LeverGear, in_gear
-from vstatics.pictures.lever_key import MARGIN, key_of
+from vstatics.pictures.lever_key import LEVER_MARGIN, key_of
 from vstatics.pictures.lever_marks import inks
 from vstatics.pictures.lever_places import ARROW, LeverPage, page_of
 from vstatics.pictures.lever_routes import LeverRoute, routes
@@ -26,9 +26,9 @@ from vstatics.pictures.words import fault, gear_title, title
 from vstatics.statics.results import Results
 from vstatics.tables.numbers import typeset
 
-HEAD = 20.0
+LEVER_NAME_HEIGHT = 20.0
 """Height of the names of levers, each in a line, and of what stands above them. [pt]"""
-NARROWEST = 320.0
+NARROWEST_FIGURE = 320.0
 """Of a figure, for its title. [pt]"""
 
 
@@ -53,7 +53,7 @@ def of_each_gear(results: Results, style: Style) -> Iterator[Figure]:
 
 
 def _page(results: Results, style: Style) -> LeverPage:
-    page = page_of(results.case, style, MARGIN)
+    page = page_of(results.case, style, LEVER_MARGIN)
     if page is None:
         raise CaseError([Problem("the case has no mechanism to draw as a lever")])
     return page
@@ -77,7 +77,7 @@ class LeverBlock(NamedTuple):
     @property
     def over(self) -> float:
         """Height of the names of levers, and of what stands above them."""
-        return HEAD + max(map(labels.height, self.names)) - labels.height("")
+        return LEVER_NAME_HEIGHT + max(map(labels.height, self.names)) - labels.height("")
 
     @property
     def above(self) -> float:
@@ -87,7 +87,7 @@ class LeverBlock(NamedTuple):
     @property
     def size(self) -> float:
         """Its whole height."""
-        return self.above + self.over + self.high - self.low + MARGIN
+        return self.above + self.over + self.high - self.low + LEVER_MARGIN
 
 
 def _figure(page: LeverPage, gears: Sequence[LeverGear], style: Style) -> Figure:
@@ -96,14 +96,14 @@ def _figure(page: LeverPage, gears: Sequence[LeverGear], style: Style) -> Figure
     speeds, per_torque = _scales(page, gears)
     key = key_of(page.levers, gears, style, wide, per_torque)
     head = title(page.case, _subject(gears, style)) if style.titled else ""
-    head = labels.wrapped(head, wide - 2 * MARGIN, TITLE, bold=True)
-    above = MARGIN + (labels.height(head, TITLE) + MARGIN / 2 if head else 0.0)
-    high = above + sum(one.size for one in blocks) + key.height + 1.5 * MARGIN
+    head = labels.wrapped(head, wide - 2 * LEVER_MARGIN, TITLE, bold=True)
+    above = LEVER_MARGIN + (labels.height(head, TITLE) + LEVER_MARGIN / 2 if head else 0.0)
+    high = above + sum(one.size for one in blocks) + key.height + 1.5 * LEVER_MARGIN
     figure = labels.figure(wide, high)
     sheet = LeverSheet(Paper(figure), inks(), style, page, speeds, per_torque)
     if head:
         how = {"va": "top", "fontsize": TITLE, "fontweight": "bold"}
-        sheet.paper.write(MARGIN, high - MARGIN, head, **how)
+        sheet.paper.write(LEVER_MARGIN, high - LEVER_MARGIN, head, **how)
     top = high - above
     for block in blocks:
         _draw_block(sheet, block, top)
@@ -115,7 +115,7 @@ def _figure(page: LeverPage, gears: Sequence[LeverGear], style: Style) -> Figure
 
 def _wide(page: LeverPage) -> float:
     """Width of a figure [pt]."""
-    return max(page.width, NARROWEST) + MARGIN
+    return max(page.width, NARROWEST_FIGURE) + LEVER_MARGIN
 
 
 def _subject(gears: Sequence[LeverGear], style: Style) -> str:
@@ -149,14 +149,14 @@ def _blocks(
             if lever.devices and shown in seen:
                 same[place] = seen[shown]
             seen.setdefault(shown, gear.state.gear.name)
-        head = labels.wrapped(text, _wide(page) - 2 * MARGIN, bold=True)
-        names = lever_names(page, gear, same, style, _wide(page) - MARGIN)
+        head = labels.wrapped(text, _wide(page) - 2 * LEVER_MARGIN, bold=True)
+        names = lever_names(page, gear, same, style, _wide(page) - LEVER_MARGIN)
         yield LeverBlock(head, gear, found, min(heights), max(heights), same, names)
 
 
 def _draw_block(sheet: LeverSheet, block: LeverBlock, top: float) -> None:
     if block.head:
-        sheet.paper.write(MARGIN, top, block.head, va="top", fontweight="bold")
+        sheet.paper.write(LEVER_MARGIN, top, block.head, va="top", fontweight="bold")
     below = top - block.above
     bottom = below - block.over - block.high
     for place in range(len(sheet.page.cells)):

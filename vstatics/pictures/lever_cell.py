@@ -9,8 +9,8 @@ from vstatics.pictures.labels import Paper, width, wrapped
 from vstatics.pictures.lever_gear import LeverGear
 from vstatics.pictures.lever_marks import Inks, arrow, box, coil, ground, mark_of, plates
 from vstatics.pictures.lever_places import (
-    BESIDE,
-    GROUND,
+    BESIDE_LEVER,
+    GROUND_WIDTH,
     LeverCell,
     LeverPage,
     LeverRow,
@@ -101,7 +101,7 @@ def lever_names(
     page: LeverPage, gear: LeverGear, same: dict[int, str], style: Style, end: float
 ) -> list[str]:
     """What stands over each lever in a gear, in lines that end before the next lever."""
-    ends = [*(cell.left - BESIDE for cell in page.cells[1:]), end]
+    ends = [*(cell.left - BESIDE_LEVER for cell in page.cells[1:]), end]
     found: list[str] = []
     for place, (cell, right) in enumerate(zip(page.cells, ends, strict=True)):
         said = [cell.lever.name]
@@ -155,8 +155,8 @@ def _draw_point(view: LeverView, node: int, row: LeverRow) -> None:
     is_way = view.is_loaded or view.gear.is_way(link, view.place, view.place)
     colour = colour if is_way else style.faint
     end = cell.speeds[1]
-    left = (cell.left, y), (cell.at - BESIDE, y), (cell.at, at)
-    right = (end, at), (end + BESIDE, y), (cell.right, y)
+    left = (cell.left, y), (cell.at - BESIDE_LEVER, y), (cell.at, at)
+    right = (end, at), (end + BESIDE_LEVER, y), (cell.right, y)
     inks.line(*left, *right, colour=colour, dash=dash)
     mark = mark_of(link, view.gear.state, stands=view.gear.stands(link))
     inks.point((cell.at, at), mark, view.ink)
@@ -164,7 +164,7 @@ def _draw_point(view: LeverView, node: int, row: LeverRow) -> None:
     if cell.lever.devices and math.isfinite(speed) and speed != 0:
         inks.line((view.across(0.0), at), (view.across(speed), at), colour=colour, width=3.2)
     if view.same is None and math.isfinite(torque) and torque != 0:
-        arrow(inks, (cell.at - BESIDE, y), torque * view.sheet.per_torque, style.ink)
+        arrow(inks, (cell.at - BESIDE_LEVER, y), torque * view.sheet.per_torque, style.ink)
 
 
 def _write(view: LeverView, node: int, row: LeverRow) -> None:
@@ -176,7 +176,7 @@ def _write(view: LeverView, node: int, row: LeverRow) -> None:
     if view.same is not None:
         return
     if torque != 0:
-        paper.write(cell.at - BESIDE, y - 4.5, number(torque), ha="right", va="top")
+        paper.write(cell.at - BESIDE_LEVER, y - 4.5, number(torque), ha="right", va="top")
     text = "0" if speed == 0 else number(speed)
     paper.write(cell.right, y + 1.5, text, ha="right", va="bottom", color=view.ink)
 
@@ -195,7 +195,7 @@ def _told(view: LeverView, node: int) -> str:
 
 def _draw_ground(view: LeverView, row: LeverRow, name: str) -> None:
     """What holds a point, with the names of its brakes."""
-    style, x, y = view.sheet.style, view.cell.at + BESIDE + 3, row.at + view.bottom
+    style, x, y = view.sheet.style, view.cell.at + BESIDE_LEVER + 3, row.at + view.bottom
     ground(view.sheet.inks, (x, y), style.engaged if name else style.ink)
     if name:
         how = {
@@ -203,7 +203,7 @@ def _draw_ground(view: LeverView, row: LeverRow, name: str) -> None:
             "color": style.engaged,
             **halo(style, _carried(view.gear, name, style)),
         }
-        view.sheet.paper.write(x + GROUND - 8, y + 1.5, name, **how)
+        view.sheet.paper.write(x + GROUND_WIDTH - 8, y + 1.5, name, **how)
 
 
 def _carried(gear: LeverGear, names: str, style: Style) -> str:

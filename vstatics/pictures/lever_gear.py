@@ -14,7 +14,7 @@ from vstatics.pictures.state import PictureState, shown_of
 from vstatics.statics.results import Results
 from vstatics.statics.roles import IDLE, ONE_PIECE, Role, roles
 
-NOTHING = 1e-12
+NO_LEVER_TORQUE = 1e-12
 """Torques that are sums may leave as much. [-]"""
 Spot = tuple[int, int]
 """A point of a picture: the number of its lever, and of its node."""
@@ -60,7 +60,7 @@ class LeverGear(NamedTuple):
     def is_slack(self, names: str) -> bool:
         """Whether all shift elements at one place are engaged without torque."""
         torques = [self.carried.get(name, math.nan) for name in names.split(", ")]
-        return all(abs(torque) < NOTHING for torque in torques)
+        return all(abs(torque) < NO_LEVER_TORQUE for torque in torques)
 
     def is_one_piece(self, lever: int) -> bool:
         """Whether a lever carries torque, and nothing in it moves."""
@@ -68,7 +68,7 @@ class LeverGear(NamedTuple):
 
     def stands(self, link: int) -> bool:
         """Whether a link stands, by what it is joined to or by a set that is locked."""
-        return self.state.joined[link] == HOUSING or abs(self.state.speeds[link]) < NOTHING
+        return self.state.joined[link] == HOUSING or abs(self.state.speeds[link]) < NO_LEVER_TORQUE
 
     def shown(self, lever: int, nodes: Lever) -> object:
         """All that the picture of a lever shows of a gear."""
@@ -129,7 +129,7 @@ def _torque(
     sources: Sequence[tuple[int, str, float]], members: Sequence[dict[str, float]]
 ) -> float:
     total = sum(factor * members[device][member] for device, member, factor in sources)
-    return 0.0 if abs(total) < NOTHING else total
+    return 0.0 if abs(total) < NO_LEVER_TORQUE else total
 
 
 def spots_of(drawn: Sequence[Lever]) -> dict[int, list[Spot]]:

@@ -14,10 +14,10 @@ from vstatics.pictures.lever_marks import MARKS, Inks, arrow, box, coil, ground,
 from vstatics.pictures.lever_points import Lever
 from vstatics.pictures.style import Style, number
 
-ROW = 15.0
+KEY_ROW_HEIGHT = 15.0
 """Height of a row of the key."""
-MARGIN = 14.0
-SAMPLE = 24.0
+LEVER_MARGIN = 14.0
+KEY_SIGN_WIDTH = 24.0
 """Width of what stands before a text."""
 
 
@@ -34,32 +34,32 @@ class LeverKey(NamedTuple):
 
     def _places(self) -> Iterator[Point]:
         """Where each entry begins, from the left of the first row downwards."""
-        x, row = MARGIN, 0
+        x, row = LEVER_MARGIN, 0
         for kind, text in self.entries:
-            size = self._room(kind) + labels.width(text) + MARGIN
-            if x > MARGIN and x + size > self.wide:
-                x, row = MARGIN, row + 1
-            yield x, -row * ROW
+            size = self._room(kind) + labels.width(text) + LEVER_MARGIN
+            if x > LEVER_MARGIN and x + size > self.wide:
+                x, row = LEVER_MARGIN, row + 1
+            yield x, -row * KEY_ROW_HEIGHT
             x += size
 
     def _room(self, kind: str) -> float:
-        return max(SAMPLE, self.arrow + 6) if kind == "torque" else SAMPLE
+        return max(KEY_SIGN_WIDTH, self.arrow + 6) if kind == "torque" else KEY_SIGN_WIDTH
 
     @property
     def height(self) -> float:
         """Of all rows."""
-        return ROW - min(y for _, y in self._places())
+        return KEY_ROW_HEIGHT - min(y for _, y in self._places())
 
     def put(self, paper: Paper, inks: Inks) -> None:
         """Draw it from the foot of the figure upwards."""
-        top = MARGIN + self.height - ROW / 2
+        top = LEVER_MARGIN + self.height - KEY_ROW_HEIGHT / 2
         for (kind, text), (x, down) in zip(self.entries, self._places(), strict=True):
             self._sample(inks, kind, (x, top + down))
             paper.write(x + self._room(kind), top + down, text, va="center")
 
     def _sample(self, inks: Inks, kind: str, place: Point) -> None:
         (x, y), style = place, self.style
-        middle = x + SAMPLE / 2 - 4
+        middle = x + KEY_SIGN_WIDTH / 2 - 4
         if kind in MARKS:
             inks.point((middle, y), kind, style.ink)
         elif kind in ("brake", "housing"):
@@ -75,7 +75,7 @@ class LeverKey(NamedTuple):
             box(inks, (middle, y), (10, 8), style.ink)
         else:
             colour, width = (style.soft, 3.0) if kind == "speed" else (style.faint, 2.0)
-            inks.line((x, y), (x + SAMPLE - 6, y), colour=colour, width=width)
+            inks.line((x, y), (x + KEY_SIGN_WIDTH - 6, y), colour=colour, width=width)
 
 
 def key_of(

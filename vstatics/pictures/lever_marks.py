@@ -16,7 +16,7 @@ from vstatics.pictures.labels import Paper, Point
 from vstatics.pictures.state import PictureState
 from vstatics.pictures.style import Style
 
-HEAD = 5.0
+ARROW_HEAD = 5.0
 """Length of the head of an arrow."""
 _TURNS = [step * math.pi / 6 for step in range(12)]
 MARKS: dict[str, Sequence[Point]] = {
@@ -111,7 +111,7 @@ def mark_of(link: int, state: PictureState, *, stands: bool) -> str:
 def arrow(drawn: Inks, tip: Point, length: float, colour: str) -> None:
     """An arrow along a line, to the right up to a place or, if it is negative, from there."""
     (x, y), size = tip, abs(length)
-    head = min(HEAD, max(size, 3.0))
+    head = min(ARROW_HEAD, max(size, 3.0))
     start, end, way = (x - size, x, 1) if length > 0 else (x, x - size, -1)
     drawn.line((start, y), (end - way * head, y), colour=colour, width=2.2)
     drawn.area((end, y), (end - way * head, y + 3), (end - way * head, y - 3), colour=colour)

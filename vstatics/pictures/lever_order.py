@@ -9,7 +9,7 @@ from vstatics.model.transmission import HOUSING, Transmission
 from vstatics.pictures.lever_gear import LeverTie, joins, shaft_ties, spots_of, tie
 from vstatics.pictures.lever_points import Lever
 
-ROUNDS = 20
+LEVER_SEARCH_ROUNDS = 20
 """Of a search; more would change little."""
 MOVES = 60
 """The more, the farther a lever may go at once."""
@@ -64,7 +64,7 @@ def _moves(one: int, other: int) -> list[Move]:
 def _best(start: Order, moves: Sequence[Move], cost: Callable[[Order], float]) -> Order:
     """What single moves reach, the best of them each time."""
     reached, least = start, cost(start)
-    for _ in range(ROUNDS):
+    for _ in range(LEVER_SEARCH_ROUNDS):
         costs = {tried: cost(tried) for tried in {move(reached): None for move in moves}}
         best = min(costs, key=costs.__getitem__, default=reached)
         if not costs or costs[best] >= least - 1e-9:

@@ -20,15 +20,15 @@ SPEEDS = 48.0
 """Width of the speeds of a lever."""
 NUMBER = 30.0
 """Width of a number."""
-BESIDE = 7.0
+BESIDE_LEVER = 7.0
 """Between a lever and the rows of its points."""
 LEAST, MOST = 74.0, 125.0
 """Height of levers."""
-LONGEST = 84.0
+POINT_NAME_WIDTH = 84.0
 """Names are wrapped to this width."""
 UNDER = 1.25 * SIZE + 3.0
 """Room for a number under the line of a row."""
-GROUND = 14.0
+GROUND_WIDTH = 14.0
 """Width of the sign of what stands."""
 BRAKE = 40.0
 """Room for the name of a brake; a longer one goes on over the speeds."""
@@ -71,7 +71,7 @@ class LeverCell(NamedTuple):
     @property
     def speeds(self) -> tuple[float, float]:
         """Ends of the speeds; of a shaft there is nothing between them."""
-        end = self.right - NUMBER - BESIDE
+        end = self.right - NUMBER - BESIDE_LEVER
         return (end - SPEEDS, end) if self.lever.devices else (end, end)
 
     @property
@@ -127,8 +127,15 @@ def page_of(case: Transmission, style: Style, left: float) -> LeverPage | None:
     for place, lever in enumerate(drawn):
         rows = _rows(case, lever, shares[place], scale, style)
         wide = max(labels.width(row.name) for row in rows.values())
-        at = left + max(wide, ARROW + 10 if lever.devices else 0.0) + BESIDE
-        right = at + BESIDE + held[place] + BESIDE + NUMBER + (SPEEDS if lever.devices else 0.0)
+        at = left + max(wide, ARROW + 10 if lever.devices else 0.0) + BESIDE_LEVER
+        right = (
+            at
+            + BESIDE_LEVER
+            + held[place]
+            + BESIDE_LEVER
+            + NUMBER
+            + (SPEEDS if lever.devices else 0.0)
+        )
         cells.append(LeverCell(lever, rows, left, at, held[place], right, gaps[place]))
         left = right + gaps[place]
     return LeverPage(case, cells)
@@ -151,14 +158,16 @@ def _held(case: Transmission, drawn: Sequence[Lever]) -> list[float]:
         *spots.get(HOUSING, ()),
         *(spots[link][0] for link in held_for_good(case) if link in spots),
     ]:
-        found[place] = GROUND
+        found[place] = GROUND_WIDTH
     for gear in [*case.gears, Gear(case.freewheels)]:
         names: dict[Spot, list[str]] = {}
         for element in (case.shift_elements[number - 1] for number in gear.engaged):
             for spot in spots.get(max(element.links), ())[:1] if HOUSING in element.links else ():
                 names.setdefault(spot, []).append(element.name)
         for (place, _), some in names.items():
-            found[place] = max(found[place], GROUND + min(labels.width(", ".join(some)), BRAKE))
+            found[place] = max(
+                found[place], GROUND_WIDTH + min(labels.width(", ".join(some)), BRAKE)
+            )
     return found
 
 
@@ -192,7 +201,7 @@ def node_text(case: Transmission, lever: Lever, number: int, style: Style) -> st
     is_told = node.member.replace("_", " ").lower() in name.lower()
     if node.member and lever.ratio is None and not is_told:
         name = f"{word(node.member, style)}: {name}"
-    return labels.wrapped(name, LONGEST)
+    return labels.wrapped(name, POINT_NAME_WIDTH)
 
 
 def link_name(case: Transmission, link: int, style: Style) -> str:

@@ -12,17 +12,17 @@ from vstatics.pictures.mode_links import ModeDevice, ModeLinks
 from vstatics.pictures.style import Style
 from vstatics.pictures.svg import told
 
-PITCH = 26.0
+LINK_PITCH = 26.0
 """From link to link. [pt]"""
 LEAST, MOST = 130.0, 1600.0
 """Width of all links. [pt]"""
 LEVEL = 19.0
 """From level to level of devices. [pt]"""
-GROUND = 24.0
+GROUND_HEIGHT = 24.0
 """From a link up to the housing. [pt]"""
-LONGEST = 110.0
+LINK_NAME_LENGTH = 110.0
 """Names are wrapped to this length. [pt]"""
-SMALL = 6.5
+SPRING_NUMBER_SIZE = 6.5
 """Of the numbers of springs. [pt]"""
 ROOMY = 18.0
 """With less from link to link there are no numbers of springs. [pt]"""
@@ -44,7 +44,7 @@ class Axis(NamedTuple):
 
 def breadth(count: int) -> float:
     """Width of so many links [pt]."""
-    return min(max(count * PITCH, LEAST), max(MOST, 2.0 * count))
+    return min(max(count * LINK_PITCH, LEAST), max(MOST, 2.0 * count))
 
 
 def springs(links: ModeLinks) -> list[str]:
@@ -54,8 +54,8 @@ def springs(links: ModeLinks) -> list[str]:
 
 def _names(links: ModeLinks, pitch: float) -> list[tuple[int, str]]:
     """Places and names; of many links only some, so that they have room."""
-    names = [labels.wrapped(name, LONGEST) for name in links.names]
-    highest = max(map(labels.height, names), default=0.0) + labels.GAP
+    names = [labels.wrapped(name, LINK_NAME_LENGTH) for name in links.names]
+    highest = max(map(labels.height, names), default=0.0) + labels.LABEL_GAP
     every = math.ceil(highest / pitch) if len(names) * pitch >= MOST else 1
     return [(place, name) for place, name in enumerate(names) if place % every == 0]
 
@@ -63,12 +63,12 @@ def _names(links: ModeLinks, pitch: float) -> list[tuple[int, str]]:
 def height(links: ModeLinks, pitch: float) -> float:
     """Of the row with the names above it and the devices below it [pt]."""
     up = max((labels.width(name) for _, name in _names(links, pitch)), default=0.0)
-    up += LEADER + labels.GAP
+    up += LEADER + labels.LABEL_GAP
     return up + _above(links) + _below(links)
 
 
 def _above(links: ModeLinks) -> float:
-    return GROUND if any(one.is_grounded for one in links.devices) else 8.0
+    return GROUND_HEIGHT if any(one.is_grounded for one in links.devices) else 8.0
 
 
 def _below(links: ModeLinks) -> float:
@@ -92,7 +92,7 @@ def draw_links(axis: Axis, low: float, links: ModeLinks, style: Style) -> None:
 
 def _write_names(panel: Chart, low: float, names: list[Label]) -> None:
     """Upright, each with a line to its link."""
-    sizes = [labels.height(one.text) + labels.GAP for one in names]
+    sizes = [labels.height(one.text) + labels.LABEL_GAP for one in names]
     places = labels.spread([one.at for one in names], sizes, 0.0, panel.width)
     high = low + 0.6 * LEADER
     both = list(zip(names, places, strict=True))
@@ -128,7 +128,7 @@ def _draw_device(axis: Axis, y: float, device: ModeDevice, mark: str, style: Sty
     panel.line(*_zigzag(middle, level, half), **look)
     panel.line((middle + half, level), (ends[1], level), **look)
     if axis.pitch >= ROOMY:
-        how: dict[str, Any] = {"ha": "center", "va": "top", "fontsize": SMALL}
+        how: dict[str, Any] = {"ha": "center", "va": "top", "fontsize": SPRING_NUMBER_SIZE}
         panel.write(middle, level - 5.5, mark, **how)
 
 
@@ -140,7 +140,7 @@ def _zigzag(x: float, y: float, half: float) -> list[tuple[float, float]]:
 
 def _draw_ground(axis: Axis, y: float, device: ModeDevice, mark: str, look: Any) -> None:
     """A spring from a link up to the housing."""
-    panel, link, top = axis.panel, axis.at(device.members[0]), y + GROUND - 6
+    panel, link, top = axis.panel, axis.at(device.members[0]), y + GROUND_HEIGHT - 6
     x = link + 0.6 * axis.pitch * device.level
     turns = [(x + turn - y, y + 11 + along - x) for along, turn in _zigzag(x, y, 7.0)]
     panel.line((link, y), *turns, (x, top), **look)
@@ -148,7 +148,7 @@ def _draw_ground(axis: Axis, y: float, device: ModeDevice, mark: str, look: Any)
     for step in (-5, -1, 3):
         panel.line((x + step, top), (x + step + 2.5, top + 3), **look)
     if axis.pitch >= ROOMY:
-        panel.write(x + 6, y + 11, mark, va="center", fontsize=SMALL)
+        panel.write(x + 6, y + 11, mark, va="center", fontsize=SPRING_NUMBER_SIZE)
 
 
 def draw_legend(panel: Chart, left: float, low: float, style: Style, *, elastic: bool) -> None:

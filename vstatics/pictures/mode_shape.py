@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 from vstatics.pictures.chart import Chart
 from vstatics.pictures.labels import Point
 from vstatics.pictures.mode_links import ModeLinks
-from vstatics.pictures.mode_row import SMALL, Axis
+from vstatics.pictures.mode_row import SPRING_NUMBER_SIZE, Axis
 from vstatics.pictures.style import Style, number
 from vstatics.pictures.svg import told
 
@@ -59,7 +59,7 @@ def _draw_scale(axis: Axis, band: AmplitudeBand, count: int, style: Style) -> No
         y = band.at(amplitude)
         wide = 0.4 if amplitude else 0.8
         axis.panel.line((start, y), (end, y), color=style.faint, linewidth=wide)
-        how: dict[str, Any] = {"ha": "right", "va": "center", "fontsize": SMALL}
+        how: dict[str, Any] = {"ha": "right", "va": "center", "fontsize": SPRING_NUMBER_SIZE}
         axis.panel.write(start - 3, y, text, color=style.soft, **how)
     low, high = band.at(-1), band.at(1)
     upright = [((x, low), (x, high)) for x in map(axis.at, range(count))]

@@ -10,21 +10,21 @@ from vstatics.pictures.chart import Chart
 from vstatics.pictures.style import Style
 from vstatics.pictures.svg import told
 
-FULL = 64.0
+FULL_BAR = 64.0
 """Length of a bar of 100 %. [pt]"""
 THICK = 6.0
 """[pt]"""
 PERCENT = 30.0
 """For the number behind a bar. [pt]"""
-GAP = 6.0
+BAR_GAP = 6.0
 """From a name to its bar, from a bar to its number. [pt]"""
-RIGHT = FULL + GAP + PERCENT
+RIGHT = FULL_BAR + BAR_GAP + PERCENT
 """From the start of a bar to its right. [pt]"""
-LONGEST = 110.0
+SHARE_NAME_WIDTH = 110.0
 """Names are wrapped to this width. [pt]"""
-MOST = 5
+MOST_BARS = 5
 """So many bars at most, and one for the rest."""
-LEAST = 0.01
+LEAST_SHARE = 0.01
 """Smaller shares are among the rest."""
 
 
@@ -56,16 +56,16 @@ def largest(
     [('1 engine', 0.99), ('others', 0.01)]
     """
     order = sorted(shares, key=lambda name: -shares[name])
-    shown = [name for name in order if shares[name] >= LEAST]
-    if len(shown) > MOST + 1:
-        shown = shown[:MOST]
+    shown = [name for name in order if shares[name] >= LEAST_SHARE]
+    if len(shown) > MOST_BARS + 1:
+        shown = shown[:MOST_BARS]
     found = []
     for name in shown:
         said = f"{marks[name]} {name}" if name in marks else name
         colour = colours.get(name, style.soft)
-        found.append(Share(labels.wrapped(said, LONGEST), shares[name], colour))
+        found.append(Share(labels.wrapped(said, SHARE_NAME_WIDTH), shares[name], colour))
     rest = round(sum(shares.values()) - sum(one.part for one in found), 9)
-    if rest >= LEAST / 2:
+    if rest >= LEAST_SHARE / 2:
         found.append(Share(style.text("others", "прочие"), rest, style.soft))
     return found
 
@@ -77,7 +77,7 @@ def height(shares: Sequence[Share]) -> float:
 
 def width(shares: Sequence[Share]) -> float:
     """Of the bars with their names and numbers [pt]."""
-    return max((labels.width(one.name) for one in shares), default=0.0) + GAP + RIGHT
+    return max((labels.width(one.name) for one in shares), default=0.0) + BAR_GAP + RIGHT
 
 
 def draw(panel: Chart, right: float, top: float, shares: Sequence[Share]) -> None:
@@ -85,11 +85,11 @@ def draw(panel: Chart, right: float, top: float, shares: Sequence[Share]) -> Non
     start, y = right - RIGHT, top
     for one in shares:
         middle = y - labels.height(one.name) / 2
-        how = {"va": "center", "linespacing": labels.LINE}
-        panel.write(start - GAP, middle, one.name, ha="right", **how)
-        length, percent = FULL * one.part, f"{100 * one.part:.0f}%"
+        how = {"va": "center", "linespacing": labels.LINE_HEIGHT}
+        panel.write(start - BAR_GAP, middle, one.name, ha="right", **how)
+        length, percent = FULL_BAR * one.part, f"{100 * one.part:.0f}%"
         said = told(f"{one.name}: {percent}")
         look = {"facecolor": one.colour, "linewidth": 0, "gid": said}
         panel.box((start, middle - THICK / 2), (length, THICK), **look)
-        panel.write(start + length + GAP, middle, percent, va="center")
+        panel.write(start + length + BAR_GAP, middle, percent, va="center")
         y -= labels.height(one.name)

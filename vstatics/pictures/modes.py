@@ -22,19 +22,19 @@ from vstatics.statics.results import Results
 if TYPE_CHECKING:
     from vstatics.torsion.gear_modes import GearModes, Mode
 
-MARGIN = 12.0
+MODES_MARGIN = 12.0
 """[pt]"""
-LEAST = 58.0
+LEAST_MODE_HEIGHT = 58.0
 """Height of a mode at least. [pt]"""
-MOST = 84.0
+SHAPE_HEIGHT = 84.0
 """Height of a shape at most. [pt]"""
-BETWEEN = 14.0
+MODE_GAP = 14.0
 """Modes, and columns. [pt]"""
-GAP = 4.0
+NOTE_GAP = 4.0
 """Between the note on a gear and its links. [pt]"""
-SCALE = 16.0
+AMPLITUDE_SCALE_WIDTH = 16.0
 """For the ends of the scale of amplitudes. [pt]"""
-APART = 30.0
+GEAR_GAP = 30.0
 """Between gears. [pt]"""
 TALLEST = 1.38
 """Height over width of what fits a printed page."""
@@ -52,7 +52,7 @@ class _ModeRow(NamedTuple):
     def high(self) -> float:
         """[pt]."""
         return max(
-            LEAST,
+            LEAST_MODE_HEIGHT,
             mode_shares.height(self.elastic),
             mode_shares.height(self.kinetic),
             height(self.said),
@@ -81,12 +81,12 @@ class _ModeColumns(NamedTuple):
     @property
     def left(self) -> float:
         """Where the shapes begin."""
-        return MARGIN + self.said + BETWEEN + SCALE
+        return MODES_MARGIN + self.said + MODE_GAP + AMPLITUDE_SCALE_WIDTH
 
     @property
     def right(self) -> float:
         """Where the last bars end: the width of a figure."""
-        return self.left + self.shapes + self.elastic + self.kinetic + 2 * BETWEEN + MARGIN
+        return self.left + self.shapes + self.elastic + self.kinetic + 2 * MODE_GAP + MODES_MARGIN
 
 
 def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> Figure:
@@ -183,23 +183,23 @@ def _headings(style: Style) -> tuple[str, str]:
 
 def _head_high(part: _GearModesPart, columns: _ModeColumns) -> float:
     """Height of what stands above the first mode of a gear [pt]."""
-    across = columns.right - 2 * MARGIN
-    texts = height("") + GAP + height(wrapped(part.note, across))
-    return texts + (mode_row.height(part.links, columns.pitch) + BETWEEN if part.links else 0.0)
+    across = columns.right - 2 * MODES_MARGIN
+    texts = height("") + NOTE_GAP + height(wrapped(part.note, across))
+    return texts + (mode_row.height(part.links, columns.pitch) + MODE_GAP if part.links else 0.0)
 
 
 def _high(part: _GearModesPart, columns: _ModeColumns) -> float:
-    rows = sum(row.high + BETWEEN for row in part.rows)
+    rows = sum(row.high + MODE_GAP for row in part.rows)
     return _head_high(part, columns) + rows
 
 
 def _on_pages(part: _GearModesPart) -> Iterator[_GearModesPart]:
     """The modes of a gear in parts of which each fits a printed page."""
     columns = _columns([part])
-    room = TALLEST * columns.right - _head_high(part, columns) - 5 * MARGIN
+    room = TALLEST * columns.right - _head_high(part, columns) - 5 * MODES_MARGIN
     page: list[_ModeRow] = []
     for row in part.rows:
-        if page and sum(one.high + BETWEEN for one in [*page, row]) > room:
+        if page and sum(one.high + MODE_GAP for one in [*page, row]) > room:
             yield part._replace(rows=page)
             page = []
         page.append(row)
@@ -211,16 +211,16 @@ def _figure(results: Results, parts: Sequence[_GearModesPart], style: Style) -> 
     columns = _columns(parts)
     wide = columns.right
     subject = style.text("natural modes", "собственные формы")
-    head = chart_head(title(results.case, subject), "", [], wide - 2 * MARGIN, style)
-    high = 3 * MARGIN + head.high + sum(_high(part, columns) for part in parts)
-    high += APART * (len(parts) - 1)
+    head = chart_head(title(results.case, subject), "", [], wide - 2 * MODES_MARGIN, style)
+    high = 3 * MODES_MARGIN + head.high + sum(_high(part, columns) for part in parts)
+    high += GEAR_GAP * (len(parts) - 1)
     paper = Paper(labels.figure(wide, high))
-    head.draw(paper, MARGIN, high - MARGIN, style)
+    head.draw(paper, MODES_MARGIN, high - MODES_MARGIN, style)
     panel = Chart(paper, (0.0, 0.0), wide, high, AxisScale(0.0, wide), AxisScale(0.0, high))
-    top = high - 2 * MARGIN - head.high
+    top = high - 2 * MODES_MARGIN - head.high
     for part in parts:
         _draw_gear(panel, top, part, columns, style)
-        top -= _high(part, columns) + APART
+        top -= _high(part, columns) + GEAR_GAP
     return paper.figure
 
 
@@ -228,25 +228,25 @@ def _draw_gear(
     panel: Chart, top: float, part: _GearModesPart, columns: _ModeColumns, style: Style
 ) -> None:
     """The row of links, and the modes below it."""
-    panel.write(MARGIN, top, part.head, va="top", weight="bold")
-    note = wrapped(part.note, columns.right - 2 * MARGIN)
+    panel.write(MODES_MARGIN, top, part.head, va="top", weight="bold")
+    note = wrapped(part.note, columns.right - 2 * MODES_MARGIN)
     at = top - height("")
-    panel.write(MARGIN, at, note, va="top", color=style.soft, linespacing=labels.LINE)
+    panel.write(MODES_MARGIN, at, note, va="top", color=style.soft, linespacing=labels.LINE_HEIGHT)
     if part.links is None:
         return
     y = top - _head_high(part, columns)
     axis = mode_row.Axis(panel, columns.left, columns.pitch)
-    mode_row.draw_links(axis, y + BETWEEN, part.links, style)
-    ends = columns.right - MARGIN - columns.kinetic - BETWEEN, columns.right - MARGIN
+    mode_row.draw_links(axis, y + MODE_GAP, part.links, style)
+    ends = columns.right - MODES_MARGIN - columns.kinetic - MODE_GAP, columns.right - MODES_MARGIN
     for right, text, marks in zip(ends, _headings(style), (True, False), strict=True):
         start = right - mode_shares.RIGHT
-        panel.write(start, y + BETWEEN, text, va="bottom", color=style.soft)
-        mode_row.draw_legend(panel, start, y + BETWEEN + 2 * height(""), style, elastic=marks)
+        panel.write(start, y + MODE_GAP, text, va="bottom", color=style.soft)
+        mode_row.draw_legend(panel, start, y + MODE_GAP + 2 * height(""), style, elastic=marks)
     for row in part.rows:
-        panel.write(MARGIN, y, row.said, va="top", linespacing=labels.LINE)
-        high = min(row.high, MOST)
+        panel.write(MODES_MARGIN, y, row.said, va="top", linespacing=labels.LINE_HEIGHT)
+        high = min(row.high, SHAPE_HEIGHT)
         band = mode_shape.AmplitudeBand(y - high / 2, high / 2 - 3)
         mode_shape.draw(axis, band, part.links, row.mode.shape, style)
         for right, shares in zip(ends, (row.elastic, row.kinetic), strict=True):
             mode_shares.draw(panel, right, y, shares)
-        y -= row.high + BETWEEN
+        y -= row.high + MODE_GAP

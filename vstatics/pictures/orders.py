@@ -15,7 +15,7 @@ FASTEST = 6000.0
 """Where no load tells the speed of the input. [rpm]"""
 OVER = 1.25
 """So far above the speed of the load."""
-ROOM = 1.1
+FREQUENCY_ROOM = 1.1
 """Of the highest frequency that is shown."""
 PER_MINUTE = 60.0
 
@@ -76,7 +76,7 @@ def order_range(speed: float, frequencies: Sequence[float]) -> OrderRange:
     """
     top = ORDERS[-1] * speed / PER_MINUTE
     reached = [frequency for frequency in frequencies if frequency <= top]
-    return OrderRange(speed, ROOM * max(reached) if reached else top)
+    return OrderRange(speed, FREQUENCY_ROOM * max(reached) if reached else top)
 
 
 def crossings(shown: OrderRange, frequencies: Iterable[float]) -> Iterator[Crossing]:

@@ -37,11 +37,11 @@ WIDE, HIGH = 300.0, 220.0
 """Of a plan without its labels. [pt]"""
 MANY, LESS = 8, 0.65
 """More plans than that are drawn so much smaller: they fit two printed pages."""
-MARGIN = 12.0
+PLAN_MARGIN = 12.0
 """[pt]"""
-BELOW = 18.0
+ABSCISSA_NAME_HEIGHT = 18.0
 """For the name of the abscissa, below the scale. [pt]"""
-RIGHT = 22.0
+ORDINATE_NAME_WIDTH = 22.0
 """For the name of the ordinates, beside the scale. [pt]"""
 SIDE_BY_SIDE = 2
 """At most so many plans in a row: they can be read on a printed page."""
@@ -100,8 +100,8 @@ def _figure(
     layout = _layout(case, drawn, size, style, motion)
     wide, high = layout.size
     paper = Paper(labels.figure(wide, high))
-    layout.head.draw(paper, MARGIN, high - MARGIN, style)
-    bottom = high - MARGIN - layout.head.high
+    layout.head.draw(paper, PLAN_MARGIN, high - PLAN_MARGIN, style)
+    bottom = high - PLAN_MARGIN - layout.head.high
     for row in layout.rows:
         bottom -= row.above + layout.high
         for column, one in enumerate(row.drawn):
@@ -114,7 +114,7 @@ def _figure(
             if motion is not None and one.run is not None:
                 draw_paths(chart, one.plan, one.run, style)
                 time_high = high_of(motion)
-                down = bottom - row.numbers - BELOW - time_high
+                down = bottom - row.numbers - ABSCISSA_NAME_HEIGHT - time_high
                 scale = AxisScale(float(motion.time[-1]), float(motion.time[0]))
                 under = Chart(paper, (left, down), layout.wide, time_high, one.x, scale)
                 draw_time(under, one.plan, one.run, motion, style)
@@ -125,9 +125,9 @@ def _figure(
 def _name_scales(chart: Chart, layout: _PlanLayout, numbers: float, style: Style) -> None:
     """What is across, and what is up."""
     text = style.text("1/i = output speed / input speed", "1/i = скорость выхода / скорость входа")
-    chart.name("bottom", text, numbers + BELOW - 14)
+    chart.name("bottom", text, numbers + ABSCISSA_NAME_HEIGHT - 14)
     text = style.text("link speed / input speed", "скорость звена / скорость входа")
-    chart.name("right", text, layout.scale + RIGHT - 6)
+    chart.name("right", text, layout.scale + ORDINATE_NAME_WIDTH - 6)
 
 
 class _PlanRow(NamedTuple):
@@ -182,14 +182,14 @@ def _layout(
     columns = min(math.ceil(math.sqrt(len(drawn))), SIDE_BY_SIDE)
     rows = [_PlanRow(drawn[n : n + columns]) for n in range(0, len(drawn), columns)]
     ends = [one.ends(HIGH, style) for one in drawn]
-    left = MARGIN + max(map(width_of, ends))
+    left = PLAN_MARGIN + max(map(width_of, ends))
     high = max(part * HIGH, *map(height_of, ends))
     ticks = sorted({tick for one in drawn for tick in one.ticks()})
     scale = widest(tick_texts(ticks))
-    right = scale + 8 + RIGHT
-    below = BELOW
+    right = scale + 8 + ORDINATE_NAME_WIDTH
+    below = ABSCISSA_NAME_HEIGHT
     if motion is not None:
-        below += high_of(motion) + MARGIN
+        below += high_of(motion) + PLAN_MARGIN
         right = max(right, right_of(motion, style))
     wide = columns * (left + part * WIDE + right)
     subject = style.text("generalised kinematic plan", "обобщённый кинематический план")
@@ -200,8 +200,8 @@ def _layout(
     runs = [one.run.on_plan for one in drawn if one.run is not None]
     signs = plan_signs(shown, ranges, style, runs)
     head = chart_head(
-        title(case, subject), plan_note(case, shown, style), signs, wide - 2 * MARGIN, style
+        title(case, subject), plan_note(case, shown, style), signs, wide - 2 * PLAN_MARGIN, style
     )
     up = sum(row.above + high + row.numbers + below for row in rows)
-    size = wide, MARGIN + head.high + up
+    size = wide, PLAN_MARGIN + head.high + up
     return _PlanLayout(rows, left, right, part * WIDE, high, ticks, scale, below, head, size)

@@ -21,13 +21,13 @@ from vstatics.pictures.shift_lines import event_text, named_events
 from vstatics.pictures.style import Style, number
 from vstatics.simulation.motion import Event, Motion
 
-HIGH = 60.0
+COURSE_HEIGHT = 60.0
 """Of the time below a plan, without its events. [pt]"""
-MOST = 14
+MOST_PLAN_EVENTS = 14
 """Events that are named."""
-POINTS = 4000
+MOST_COURSE_POINTS = 4000
 """That are drawn."""
-NEAR = 5e-3
+ON_PLAN = 5e-3
 """A run is on a plan where all speeds are those of its rays, to this part of the largest: shafts
 that are elastic are never there to the last digit."""
 
@@ -60,13 +60,13 @@ class PlanCourse(NamedTuple):
 
 def course(case: Transmission, plan: KinematicPlan, motion: Motion) -> PlanCourse:
     """A run in the coordinates of a plan."""
-    kept = np.unique(np.linspace(0, len(motion.time) - 1, POINTS).astype(int))
+    kept = np.unique(np.linspace(0, len(motion.time) - 1, MOST_COURSE_POINTS).astype(int))
     columns = {name: place for place, name in enumerate(motion.links)}
     own = range(1, case.own_links + 1)
     speeds = {link: motion.speeds[kept, columns[case.link_name(link)]] for link in own}
     turns, out = speeds[plan.input], speeds[plan.output]
     largest = np.abs(motion.speeds).max()
-    moving = np.abs(turns) > NEAR * largest
+    moving = np.abs(turns) > ON_PLAN * largest
     by = np.where(moving, turns, np.nan)
     expected = dict.fromkeys(own, np.zeros_like(turns))
     for ray in plan.rays:
@@ -74,20 +74,20 @@ def course(case: Transmission, plan: KinematicPlan, motion: Motion) -> PlanCours
     off = np.max([np.abs(speeds[link] - expected[link]) for link in own], axis=0)
     paths = [speeds[ray.links[0]] / by for ray in plan.rays]
     return PlanCourse(
-        motion.time[kept], out / by, np.stack(paths, axis=1), moving & (off <= NEAR * largest)
+        motion.time[kept], out / by, np.stack(paths, axis=1), moving & (off <= ON_PLAN * largest)
     )
 
 
 def right_of(motion: Motion, style: Style) -> float:
     """Width that the names of events need [pt]."""
-    names = [_name(event, style) for event in named_events(motion.events, MOST)]
+    names = [_name(event, style) for event in named_events(motion.events, MOST_PLAN_EVENTS)]
     return LEADER + max(map(labels.width, names), default=0.0) + LEADER
 
 
 def high_of(motion: Motion) -> float:
     """Height of the time below a plan [pt]."""
-    named = min(len(motion.events), MOST)
-    return max(HIGH, named * (labels.height("x") + labels.GAP))
+    named = min(len(motion.events), MOST_PLAN_EVENTS)
+    return max(COURSE_HEIGHT, named * (labels.height("x") + labels.LABEL_GAP))
 
 
 def draw_paths(chart: Chart, plan: KinematicPlan, run: PlanCourse, style: Style) -> None:
@@ -122,7 +122,7 @@ def draw_time(
     chart.name("left", style.text("time, s", "время, с"), widest(tick_texts(ticks)) + 14)
     ends = [
         LineEnd(chart.up(one.time), (_name(one, style),))
-        for one in named_events(motion.events, MOST)
+        for one in named_events(motion.events, MOST_PLAN_EVENTS)
     ]
     beside(chart, "right", ends, style)
 

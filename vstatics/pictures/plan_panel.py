@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from typing import Any, NamedTuple
 
 from vstatics.model.transmission import HOUSING, Transmission
-from vstatics.numerics.tolerances import SAME
+from vstatics.numerics.tolerances import SAME_RATIO
 from vstatics.pictures import labels
 from vstatics.pictures.chart import AxisScale, Chart
 from vstatics.pictures.chart_ends import LineEnd, along, beside
@@ -19,9 +19,9 @@ from vstatics.pictures.style import Style, number
 from vstatics.pictures.svg import told
 from vstatics.pictures.words import gear_title
 
-LONGEST = 110.0
+RAY_NAME_WIDTH = 110.0
 """Names of rays, and those of gears that run upwards, are wrapped to this width. [pt]"""
-ALONE = 0.4
+NARROW_ABSCISSA = 0.4
 """Where gears take less of the abscissa from 0 on, it does not reach to 0."""
 
 
@@ -80,7 +80,7 @@ def drawn_plan(
     room = 0.05 * (max(reached) - min(reached))
     y = AxisScale(min(reached) - room, max(reached) + room)
     names = tuple(
-        tuple(labels.wrapped(case.link_name(link), LONGEST) for link in ray.links)
+        tuple(labels.wrapped(case.link_name(link), RAY_NAME_WIDTH) for link in ray.links)
         for ray in plan.rays
     )
     head, note = (labels.wrapped(text, wide) for text in _heads(case, plan, style))
@@ -92,7 +92,7 @@ def _abscissa(plan: KinematicPlan, *, has_run: bool) -> AxisScale:
     outputs = [mark.output for mark in plan.marks]
     low, high = min(outputs), max(outputs)
     whole = min(low, 0.0), max(high, 0.0)
-    if has_run or high - low <= SAME or high - low >= ALONE * (whole[1] - whole[0]):
+    if has_run or high - low <= SAME_RATIO or high - low >= NARROW_ABSCISSA * (whole[1] - whole[0]):
         low, high = whole
     room = 0.06 * (high - low) or 0.1
     return AxisScale(low - room, high + room)
@@ -126,7 +126,7 @@ def _rows(
             Label(place, labels.wrapped(between.join(filter(None, text)), longest), style.ink)
             for place, text in zip(at, texts, strict=True)
         ]
-        for between, longest in (("\n", wide), (": ", LONGEST))
+        for between, longest in (("\n", wide), (": ", RAY_NAME_WIDTH))
     )
     outputs = sorted({round(mark.output, 9) + 0.0 for mark in plan.marks})
     scale = [Label(x.part(one) * wide, number(one), style.ink) for one in outputs]
@@ -153,7 +153,7 @@ def draw_plan(chart: Chart, case: Transmission, one: DrawnPlan, above: float, st
     beside(chart, "left", one.ends(chart.height, style), style)
     along(chart, "top", one.top.labels, style, upright=one.top.upright)
     along(chart, "bottom", one.foot.labels, style, upright=one.foot.upright)
-    top, how = chart.height + above, {"va": "top", "linespacing": labels.LINE}
+    top, how = chart.height + above, {"va": "top", "linespacing": labels.LINE_HEIGHT}
     if one.head:
         chart.write(0, top, one.head, weight="bold", **how)
         top -= labels.height(one.head) + 2

@@ -16,7 +16,7 @@ from typing import NamedTuple
 
 from vstatics.errors import CaseError, Problem
 from vstatics.model.transmission import HOUSING, Gear, SpeedOf, Transmission
-from vstatics.numerics.tolerances import SAME
+from vstatics.numerics.tolerances import SAME_RATIO
 from vstatics.numerics.traced import plain
 from vstatics.pictures.state import PictureState, state_of
 from vstatics.statics.matrix import columns
@@ -80,7 +80,7 @@ class KinematicPlan(NamedTuple):
     @property
     def has_unit_point(self) -> bool:
         """Whether all rays meet at (1, 1): the train may turn as one piece."""
-        return all(abs(ray.at(1.0) - 1.0) < SAME for ray in self.rays)
+        return all(abs(ray.at(1.0) - 1.0) < SAME_RATIO for ray in self.rays)
 
 
 def plans(results: Results) -> list[KinematicPlan]:
@@ -217,11 +217,11 @@ def _rays(
         slope = end - start
         if math.isnan(slope):
             continue
-        if abs(start) < SAME and abs(slope) < SAME:
+        if abs(start) < SAME_RATIO and abs(slope) < SAME_RATIO:
             standing.append(link)
             continue
         for place, ray in enumerate(rays):
-            if abs(ray.start - start) < SAME and abs(ray.slope - slope) < SAME:
+            if abs(ray.start - start) < SAME_RATIO and abs(ray.slope - slope) < SAME_RATIO:
                 rays[place] = ray._replace(links=(*ray.links, link))
                 break
         else:

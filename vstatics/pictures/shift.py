@@ -35,19 +35,19 @@ from vstatics.statics.results import Results
 
 WIDE, HIGH = 400.0, 92.0
 """Of a panel without its labels. [pt]"""
-ROW = 13.0
+STATE_ROW_HEIGHT = 13.0
 """Of the states of an element. [pt]"""
-BAR = 0.6
+STATE_BAR_HEIGHT = 0.6
 """Height of its bar over that."""
-GAP = 12.0
+PANEL_GAP = 12.0
 """Between panels. [pt]"""
-MARGIN = 12.0
+RUN_MARGIN = 12.0
 """[pt]"""
-SCALE = 64.0
+PANEL_SCALE_WIDTH = 64.0
 """For the scale of a panel, and what it is of. [pt]"""
-BELOW = 34.0
+TIME_SCALE_HEIGHT = 34.0
 """For the scale of the time. [pt]"""
-LONGEST = 130.0
+LINE_NAME_WIDTH = 130.0
 """Names at the right are wrapped to this width. [pt]"""
 LABELS = 24
 """Events that are named."""
@@ -108,7 +108,7 @@ def _figure(content: _RunContent, name: str, style: Style) -> Figure:
     """The states of the elements, then the panels, on one scale of time."""
     motion, layout = content.motion, _layout(content, name, style)
     paper = Paper(labels.figure(*layout.size))
-    layout.head.draw(paper, MARGIN, layout.size[1] - MARGIN, style)
+    layout.head.draw(paper, RUN_MARGIN, layout.size[1] - RUN_MARGIN, style)
     time = AxisScale(float(motion.time[0]), float(motion.time[-1]))
     drawn = [
         Chart(paper, (layout.left, bottom), WIDE, high, time, _range(one))
@@ -119,7 +119,9 @@ def _figure(content: _RunContent, name: str, style: Style) -> Figure:
     if content.rows:
         count = len(content.rows)
         corner = layout.left, layout.rows_bottom
-        drawn.insert(0, Chart(paper, corner, WIDE, ROW * count, time, AxisScale(count, 0)))
+        drawn.insert(
+            0, Chart(paper, corner, WIDE, STATE_ROW_HEIGHT * count, time, AxisScale(count, 0))
+        )
         _draw_states(drawn[0], content.rows, style)
     ticks = labels.ticks(time.low, time.high, 8)
     for chart in drawn:
@@ -128,33 +130,33 @@ def _figure(content: _RunContent, name: str, style: Style) -> Figure:
         _draw_events(chart, motion.events, style)
     at = [label._replace(at=drawn[0].across(label.at)) for label in content.events]
     along(drawn[0], "top", at, style, upright=True)
-    drawn[-1].name("bottom", style.text("time, s", "время, с"), BELOW - 12)
+    drawn[-1].name("bottom", style.text("time, s", "время, с"), TIME_SCALE_HEIGHT - 12)
     return paper.figure
 
 
 def _layout(content: _RunContent, name: str, style: Style) -> _RunLayout:
     shown, rows = content.panels, content.rows
     ends = [_line_ends(panel, HIGH, style) for panel in shown]
-    right = max(map(width_of, ends)) + MARGIN
-    left = MARGIN + max(SCALE, width_of(_row_ends(rows, style)))
+    right = max(map(width_of, ends)) + RUN_MARGIN
+    left = RUN_MARGIN + max(PANEL_SCALE_WIDTH, width_of(_row_ends(rows, style)))
     wide = left + WIDE + right
     head = chart_head(name, _notes(content, style), _signs(content, style), wide - 24, style)
     events = max((labels.width(label.text) for label in content.events), default=0.0) + LEADER
-    down = MARGIN + head.high + events + GAP / 2
-    down += ROW * len(rows)
+    down = RUN_MARGIN + head.high + events + PANEL_GAP / 2
+    down += STATE_ROW_HEIGHT * len(rows)
     rows_bottom, corners = down, []
-    down += GAP if rows else 0.0
+    down += PANEL_GAP if rows else 0.0
     for own in ends:
         high = max(HIGH, height_of(own))
         corners.append((down + high, high))
-        down += high + GAP
-    high = down - GAP + BELOW
+        down += high + PANEL_GAP
+    high = down - PANEL_GAP + TIME_SCALE_HEIGHT
     places = tuple((high - bottom, own) for bottom, own in corners)
     return _RunLayout(left, (wide, high), head, high - rows_bottom, places)
 
 
 def _wrapped(name: str) -> str:
-    return labels.wrapped(name, LONGEST)
+    return labels.wrapped(name, LINE_NAME_WIDTH)
 
 
 def _signs(content: _RunContent, style: Style) -> list[KeySign]:
@@ -214,9 +216,13 @@ def _line_ends(shown: MotionPanel, height: float, style: Style) -> list[LineEnd]
 
 def _row_ends(rows: Sequence[ElementStates], style: Style) -> list[LineEnd]:
     """The names of elements beside their bars, with their lines in the panels."""
-    high = ROW * len(rows)
+    high = STATE_ROW_HEIGHT * len(rows)
     return [
-        LineEnd(high - ROW * (place + 0.5), (row.name,), (element_look(row.element, style),))
+        LineEnd(
+            high - STATE_ROW_HEIGHT * (place + 0.5),
+            (row.name,),
+            (element_look(row.element, style),),
+        )
         for place, row in enumerate(rows)
     ]
 
@@ -234,7 +240,7 @@ def _draw_lines(chart: Chart, motion: Motion, shown: MotionPanel, style: Style) 
             chart.plot(time, values, markevery=_signs_at(time, place, len(shown.lines)), **how)
     beside(chart, "right", _line_ends(shown, chart.height, style), style)
     what = labels.wrapped(style.text(shown.english, shown.russian), HIGH)
-    chart.name("left", what, SCALE - labels.height(what) / 2)
+    chart.name("left", what, PANEL_SCALE_WIDTH - labels.height(what) / 2)
 
 
 def _signs_at(time: Floats, place: int, count: int) -> list[int]:
@@ -265,7 +271,7 @@ def _state_look(style: Style, *, sticks: bool) -> Look:
 
 def _draw_states(chart: Chart, rows: Sequence[ElementStates], style: Style) -> None:
     """A bar for each element that carries torque."""
-    high = BAR * ROW
+    high = STATE_BAR_HEIGHT * STATE_ROW_HEIGHT
     for place, row in enumerate(rows):
         low = chart.up(place + 0.5) - high / 2
         for spans, sticks in ((row.sticks, True), (row.slips, False)):

@@ -14,17 +14,17 @@ from vstatics.numerics.arrays import Floats
 from vstatics.pictures.style import Style, number
 from vstatics.simulation.motion import Event, Motion
 
-MOST = 8
+MOST_LINES = 8
 """Lines of a panel."""
-ROWS = 14
+MOST_STATE_ROWS = 14
 """Elements whose states are shown."""
-SAME = 1e-6
+SAME_SPEED = 1e-6
 """Speeds are the same, and a torque is none, to this part of the largest."""
-APART = 20.0
+LARGE_PEAK_RATIO = 20.0
 """Torques whose peaks are so far apart are drawn over their peaks."""
 DENSE = 1500
 """Of so many parts of the time the ends and extremes are drawn."""
-LONGEST = 40
+NAME_LETTERS = 40
 """Letters of a name."""
 
 
@@ -87,7 +87,7 @@ def short(name: str) -> str:
     ('C1', 'aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa…')
     """
     safe = printable(name)
-    return safe if len(safe) <= LONGEST else f"{safe[: LONGEST - 1]}…"
+    return safe if len(safe) <= NAME_LETTERS else f"{safe[: NAME_LETTERS - 1]}…"
 
 
 def event_text(event: Event, style: Style) -> str:
@@ -131,7 +131,7 @@ def states(motion: Motion) -> list[ElementStates]:
 
     An element that carries none is open; so is one that is at rest without torque.
     """
-    return [_states(motion, place, name) for place, name in loaded(motion)[:ROWS]]
+    return [_states(motion, place, name) for place, name in loaded(motion)[:MOST_STATE_ROWS]]
 
 
 def named_events(events: Sequence[Event], most: int) -> list[Event]:
@@ -166,7 +166,7 @@ def thinned(time: Floats, values: Floats) -> tuple[Floats, Floats]:
 def _speeds(case: Transmission, motion: Motion) -> list[MotionLine]:
     """Links that move: input and output, those of elements with events, the fastest others."""
     largest = np.abs(motion.speeds).max(initial=0.0)
-    near = SAME * largest
+    near = SAME_SPEED * largest
     groups: list[list[int]] = []
     for link in range(len(motion.links)):
         speeds = motion.speeds[:, link]
@@ -229,14 +229,14 @@ def _kinds(springs: Collection[str], names: Sequence[str]) -> tuple[str, str]:
 
 
 def _panel(english: str, russian: str, lines: Sequence[MotionLine]) -> MotionPanel:
-    left_out = tuple(line.name for line in lines[MOST:])
-    return MotionPanel(english, russian, tuple(lines[:MOST]), left_out)
+    left_out = tuple(line.name for line in lines[MOST_LINES:])
+    return MotionPanel(english, russian, tuple(lines[:MOST_LINES]), left_out)
 
 
 def _torques(english: str, russian: str, lines: Sequence[MotionLine]) -> MotionPanel:
     """Torques in N·m; where one would hide another, each over its peak, which is told."""
     peaks = [float(np.abs(line.values).max()) for line in lines]
-    if not peaks or max(peaks) < APART * min(peaks):
+    if not peaks or max(peaks) < LARGE_PEAK_RATIO * min(peaks):
         return _panel(f"torque of {english}, N·m", f"{russian}, Н·м", lines)
     scaled = [
         line._replace(names=(f"{line.name} ({number(peak)} N·m)",), values=line.values / peak)
@@ -248,8 +248,8 @@ def _torques(english: str, russian: str, lines: Sequence[MotionLine]) -> MotionP
 def _states(motion: Motion, place: int, name: str) -> ElementStates:
     """Between two instants an element slips if it does at either of them."""
     torques, slips = np.abs(motion.torques[:, place]), np.abs(motion.slips[:, place])
-    carries = torques[:-1] + torques[1:] > SAME * torques.max()
-    near = SAME * max(np.abs(motion.speeds).max(initial=0.0), slips.max())
+    carries = torques[:-1] + torques[1:] > SAME_SPEED * torques.max()
+    near = SAME_SPEED * max(np.abs(motion.speeds).max(initial=0.0), slips.max())
     moves = np.maximum(slips[:-1], slips[1:]) > near
     slipping = tuple(_spans(motion.time, carries & moves))
     return ElementStates(short(name), place, slipping, tuple(_spans(motion.time, carries & ~moves)))

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 from vstatics.model.transmission import Gear
-from vstatics.numerics.tolerances import NOISE
+from vstatics.numerics.tolerances import NO_POWER
 from vstatics.numerics.traced import plain
 from vstatics.statics.bodies import Bodies, is_one_piece, joined_by_elements
 from vstatics.statics.results import Results
@@ -116,7 +116,7 @@ def _loaded_links(state: GearState) -> list[frozenset[int]]:
         frozenset(
             one.link
             for one in device.members
-            if any(not abs(plain(side[one.name])) < NOISE for side in own)
+            if any(not abs(plain(side[one.name])) < NO_POWER for side in own)
         )
         for device, *own in zip(devices, *sides, strict=True)
     ]

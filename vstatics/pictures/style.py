@@ -30,7 +30,7 @@ DASHES: tuple[str | tuple[float, tuple[float, ...]], ...] = (
     (0, (4, 1, 1, 1, 1, 1)),
 )
 """Of the first seven lines, of the next seven, ..."""
-LARGE = 1e6
+LARGE_NUMBER = 1e6
 """From here on numbers are written with a power of ten."""
 
 
@@ -160,7 +160,7 @@ def number(value: float) -> str:
     if not math.isfinite(value):
         return "–"
     size = abs(float(f"{value:.4g}"))  # so the last bits of 100 do not choose its digits
-    if size >= LARGE:
+    if size >= LARGE_NUMBER:
         return typeset(f"{value:.4g}")
     decimals = 3 - sum(size >= bound for bound in (10, 100, 1000))
     return typeset(f"{value:z.{decimals}f}")

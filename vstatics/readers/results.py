@@ -1,20 +1,24 @@
-"""Written results, a listing or JSON, back to tables of numbers, for comparison."""
+"""Written results, a listing, JSON or CSV, back to tables of numbers, for comparison."""
 
 from __future__ import annotations
 
+import csv
+import io
 import json
 import math
+import os
 from collections.abc import Mapping, Sequence
 from typing import Any
 
 from vstatics.errors import Problem, ReadError
 from vstatics.model.transmission import Transmission
-from vstatics.readers import Format, read, result_csv
+from vstatics.readers import Format, read
 from vstatics.readers.deck.text import decode, head
 from vstatics.readers.reading import Source
-from vstatics.tables.figures import Figure, Figures, WrittenResult
-from vstatics.tables.quantities import PRINTED, QUANTITIES
-from vstatics.tables.rows import BEFORE_NAME
+from vstatics.tables.csv import unguarded
+from vstatics.tables.names import BEFORE_NAME
+from vstatics.tables.quantities import BY_NAME, PRINTED, QUANTITIES
+from vstatics.tables.written_results import Figure, Figures, WrittenResult
 
 
 def read_results(data: bytes, file: str) -> list[WrittenResult]:
@@ -28,8 +32,8 @@ def read_results(data: bytes, file: str) -> list[WrittenResult]:
     text = decode(data, file)
     if text.lstrip()[:1] in ("{", "["):
         return _read_json(text, file)
-    if result_csv.is_result(text):
-        return result_csv.read(text, file)
+    if is_result(text):
+        return read_csv(text, file)
     return _read_listing(text, file)
 
 
@@ -181,3 +185,65 @@ def _figures(words: Sequence[str]) -> list[Figure] | None:
             return None
         figures.append(Figure(value, slack))
     return figures
+
+
+COLUMNS = ["table", "row", "gear", "value"]
+_Cells = dict[str, dict[str, dict[str, Figure]]]
+"""Of a result: table, row, and gear or device."""
+
+
+def is_result(text: str) -> bool:
+    """Whether a text begins as such a file does."""
+    first = text.partition("\n")[0].strip().split(",")
+    return first in (COLUMNS, ["case", *COLUMNS])
+
+
+def read_csv(text: str, file: str) -> list[WrittenResult]:
+    """The results of a file in their order.
+
+    Raises
+    ------
+    ReadError
+        If a line has no number, or belongs to no table.
+    """
+    lines = csv.reader(io.StringIO(text))
+    has_case = next(lines)[0] == "case"
+    results: dict[str, _Cells] = {}
+    for row in lines:
+        cells = [unguarded(cell) for cell in row]
+        case = cells.pop(0) if has_case and cells else ""
+        if not cells or cells[0] == "conventions":
+            continue
+        if len(cells) != len(COLUMNS) or cells[0] not in BY_NAME:
+            raise _fail_in_csv(
+                "no row of a result in CSV: expected table,row,gear,value", file, lines
+            )
+        table, name, gear, value = cells
+        if BY_NAME[table].columns == "devices":
+            name, _, gear = name.rpartition(":")
+        try:
+            figure = Figure(float(value) if value else math.nan)
+        except ValueError:
+            raise _fail_in_csv(f"read {value!r}, expected a number", file, lines) from None
+        results.setdefault(case, {}).setdefault(table, {}).setdefault(name, {})[gear] = figure
+    if not results:
+        raise ReadError([Problem("no result in it", place=Source(file, "").place(0))])
+    return [_result(case, cells) for case, cells in results.items()]
+
+
+def _fail_in_csv(message: str, file: str, lines: object) -> ReadError:
+    number = getattr(lines, "line_num", 0)
+    return ReadError([Problem(message, place=Source(file, "").place(number))])
+
+
+def _result(file: str, tables: _Cells) -> WrittenResult:
+    figures, rows = {}, {}
+    gears: Sequence[str] = ()
+    for key, table in tables.items():
+        figures[key] = [list(row.values()) for row in table.values()]
+        if BY_NAME[key].rows != "one":
+            rows[key] = list(table)
+        if BY_NAME[key].columns != "devices":
+            gears = max(gears, list(next(iter(table.values()))), key=len)
+    name = os.path.basename(file)  # noqa: PTH119
+    return WrittenResult(figures, None, printed=False, rows=rows, file=name, gears=gears)

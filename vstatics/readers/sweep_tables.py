@@ -12,7 +12,7 @@ from typing import Any
 from vstatics.errors import Problem, ReadError, of_file
 from vstatics.extras import missing
 from vstatics.tables.csv import unguarded
-from vstatics.tables.figures import WrittenSweep
+from vstatics.tables.written_results import WrittenSweep
 
 NUMBER, STATUS = "variant", "status"
 

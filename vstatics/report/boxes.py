@@ -19,7 +19,7 @@ from vstatics.synthesis.box_reading import listing_of
 from vstatics.tables.html import Markup, joined, table, tag
 from vstatics.tables.numbers import typeset
 
-MOST_SHOWN = 40
+MOST_SHOWN_BOXES = 40
 """So many boxes have a diagram on the page."""
 MOST_LISTED = 1000
 """So many boxes stand in its table."""
@@ -78,7 +78,7 @@ def boxes_page(listing: BoxListing, document: Mapping[str, Any], digits: int | N
 
 def _tables(listing: BoxListing, digits: int | None) -> Iterator[Markup]:
     """All boxes, as far as they are listed, and their families."""
-    drawn = {box.number for box in drawn_boxes(listing, MOST_SHOWN)}
+    drawn = {box.number for box in drawn_boxes(listing, MOST_SHOWN_BOXES)}
     yield table(all_grid(listing, MOST_LISTED, drawn).with_digits(digits))
     if len(listing.boxes) > MOST_LISTED:
         yield tag("p", f"These are the first {MOST_LISTED} of {len(listing.boxes)}.")
@@ -115,7 +115,7 @@ def _overview(listing: BoxListing, without: str) -> Iterator[Markup]:
         return
     from vstatics.pictures.boxes import render_points
 
-    svg = render_points(listing, drawn_boxes(listing, MOST_SHOWN))
+    svg = render_points(listing, drawn_boxes(listing, MOST_SHOWN_BOXES))
     name = "Mean loss over the largest torque"
     yield figure(name, inline(svg, "boxes", name))
     yield tag("p", "Numbers are those of boxes with a diagram; one colour is one family.")
@@ -123,7 +123,7 @@ def _overview(listing: BoxListing, without: str) -> Iterator[Markup]:
 
 def _diagrams(listing: BoxListing, without: str, digits: int | None) -> Iterator[Markup]:
     """The boxes that tell most: the Pareto list, the first of each family."""
-    shown = drawn_boxes(listing, MOST_SHOWN)
+    shown = drawn_boxes(listing, MOST_SHOWN_BOXES)
     rest = len(listing.boxes) - len(shown)
     if rest:
         said = "Here are boxes of the Pareto list and the first of each family"

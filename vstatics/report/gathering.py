@@ -13,7 +13,7 @@ from vstatics.report.motion import RunSection, run_section
 from vstatics.report.naming import UNNAMED, Naming
 from vstatics.report.vibration import Vibration, vibration
 from vstatics.simulation.motion import Motion
-from vstatics.statics.result_fields import Message
+from vstatics.statics.result_arrays import Message
 from vstatics.statics.results import Results
 from vstatics.summary import Summary, summarize
 from vstatics.writers import result_json

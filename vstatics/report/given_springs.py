@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from vstatics.model.damping import damping
-from vstatics.model.parts import Mechanism, ShiftElement
+from vstatics.model.parts import Mechanism, ShiftElement, damping
 from vstatics.model.springs import Spring, ends
 from vstatics.model.transmission import Transmission
 from vstatics.tables.grid import NOTHING, Cell, Column, Grid, text

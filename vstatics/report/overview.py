@@ -10,7 +10,7 @@ from vstatics.report.parts import gear_link
 from vstatics.summary.extremes import LOSSY_TORQUES, TORQUES, Largest, overall, quantity
 from vstatics.tables.html import Markup, joined, tag
 from vstatics.tables.numbers import rounded
-from vstatics.tables.quantity import UNITS
+from vstatics.tables.quantities import UNITS
 
 WEIGHTS = {"error": "errors", "warning": "warnings", "note": "notes"}
 """Severities from the heaviest, and several of them."""

@@ -17,11 +17,10 @@ from vstatics.report.parts import figures, gear_link, of_gear
 from vstatics.report.vibration_parts import shown_vibration
 from vstatics.summary.grids import Marks, element_signs
 from vstatics.summary.grids import grids as summary_grids
-from vstatics.tables.blanks import without_missing, without_zeros
 from vstatics.tables.grid import Cell, Column, Grid
-from vstatics.tables.grids import of_results
+from vstatics.tables.grids import of_results, without_missing, without_zeros
 from vstatics.tables.html import Markup, table, tables, tag, terms
-from vstatics.tables.numbers import ROUNDING
+from vstatics.tables.numbers import ROUNDED_NUMBER
 
 Part = tuple[str, Sequence[Markup]]
 """The name of a section, and what it shows."""
@@ -197,7 +196,7 @@ def _well(by_gear: Grid) -> list[str]:
 
 
 def _is_well(heading: str, value: float | None) -> bool:
-    return value is not None and abs(value - WELL[heading][0]) < ROUNDING
+    return value is not None and abs(value - WELL[heading][0]) < ROUNDED_NUMBER
 
 
 def _without(grid: Grid, headings: Sequence[str]) -> Grid:

@@ -9,7 +9,7 @@ import numpy as np
 
 from vstatics.simulation.converters import converter_piece
 from vstatics.simulation.curves import capacity_at, programme_at
-from vstatics.simulation.instants import SMALL, Instant
+from vstatics.simulation.instants import STANDING, Instant
 from vstatics.simulation.laws import Points
 from vstatics.simulation.margins import LargeSizes
 from vstatics.simulation.ports import PortLayout, States
@@ -36,13 +36,13 @@ class ModeChoices:
         )
         rows = np.array([one.row for one in system.contacts]).reshape(-1, len(system.names))
         touched = np.abs(rows @ loose.light) if loose.light.size else np.zeros((len(rows), 1))
-        self.touched = touched.max(axis=1, initial=0.0) > SMALL
+        self.touched = touched.max(axis=1, initial=0.0) > STANDING
         """Contacts whose slip can jump, since something without inertia moves along."""
         motions = np.hstack([loose.free, loose.light])
-        self.idle = [not (np.abs(mesh.slip @ motions) > SMALL).any() for mesh in system.meshes]
+        self.idle = [not (np.abs(mesh.slip @ motions) > STANDING).any() for mesh in system.meshes]
         """Mechanisms whose links always turn as one: nothing is lost there, as in statics."""
         self.carried = [
-            bool((np.abs(mesh.slip @ loose.light) > SMALL).any()) for mesh in system.meshes
+            bool((np.abs(mesh.slip @ loose.light) > STANDING).any()) for mesh in system.meshes
         ]
         """Mechanisms whose speeds can jump in the same way."""
         self.within = 1e-7 * system.scenario.duration
@@ -94,7 +94,7 @@ class ModeChoices:
         if math.isinf(capacity) and not contact.one_way:
             return "rigid"
         sign = "+" if slip > 0 else "-"
-        if abs(slip) > SMALL * scales.speed and not (met or self.touched[index]):
+        if abs(slip) > STANDING * scales.speed and not (met or self.touched[index]):
             return sign
         if contact.one_way:
             states = ("stick", "+") if math.isinf(capacity) else ("stick", "+", "-")
@@ -127,7 +127,7 @@ class ModeChoices:
         speed = float(mesh.slip @ at.speeds)
         last = before.meshes[index] if before else ""
         torque = last[1] if last not in ("", "stick") else "+"
-        if abs(speed) > SMALL * scales.speed and not self.carried[index]:
+        if abs(speed) > STANDING * scales.speed and not self.carried[index]:
             return ("+" if speed > 0 else "-") + torque
         signs = ("-", "+") if speed < 0 else ("+", "-")
         choices.append(("mesh", index, ("stick", *(sign + torque for sign in signs))))
@@ -141,7 +141,7 @@ class ModeChoices:
         if limit == 0 == programme_at(spring.limit, at.time + self.within):
             return "open"
         torque = spring.stiffness * float(at.twists[index])
-        near = limit - SMALL * scales.torque
+        near = limit - STANDING * scales.torque
         if spring.viscous:
             choices.append(("spring", index, ("stick", "+", "-")))
         elif abs(torque) >= near:
@@ -163,7 +163,7 @@ class ModeChoices:
             last = before.pieces[index]
             low = -math.inf if last == 0 else law.x[last - 1]
             high = math.inf if last == len(law.x) else law.x[last]
-            small = SMALL * max(1.0, abs(value))
+            small = STANDING * max(1.0, abs(value))
             if low - small <= value <= high + small:
                 return last
         return piece
@@ -173,12 +173,12 @@ class ModeChoices:
         converter = self.system.converters[index]
         pump, turbine = (float(at.speeds[link - 1]) for link in converter[1:3])
         last = None if before is None else before.pieces[self.layout.outside + index]
-        if pump == 0 or max(abs(pump), abs(turbine)) <= SMALL:
+        if pump == 0 or max(abs(pump), abs(turbine)) <= STANDING:
             # no ratio; what follows tells, piece by piece
             return len(converter.points) if last is None else last
         ratio = turbine / pump
         if last is not None:
             ratios = [-math.inf, *(point[0] for point in converter.points), math.inf]
-            if ratios[last] - SMALL <= ratio <= ratios[last + 1] + SMALL:
+            if ratios[last] - STANDING <= ratio <= ratios[last + 1] + STANDING:
                 return last
         return converter_piece(converter, ratio)

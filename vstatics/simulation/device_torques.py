@@ -9,7 +9,7 @@ import numpy as np
 from vstatics.numerics.arrays import Floats
 from vstatics.simulation.equations import Equations
 from vstatics.simulation.margins import Margins
-from vstatics.statics.result_fields import Message
+from vstatics.statics.result_arrays import Message
 
 
 def device_torques(equations: Equations, margins: Margins, times: Floats, states: Floats) -> Floats:

@@ -7,8 +7,7 @@ import math
 import numpy as np
 
 from vstatics.errors import CaseError, Problem
-from vstatics.model.damping import damping
-from vstatics.model.parts import ShiftElement
+from vstatics.model.parts import ShiftElement, damping
 from vstatics.model.transmission import Gear, Transmission
 from vstatics.simulation.drags import DragTorque, drags
 from vstatics.simulation.laws import Resistance, Road, TorqueLaw, constant

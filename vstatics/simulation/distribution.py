@@ -55,14 +55,16 @@ class Distribution(NamedTuple):
             from scipy.special import ndtri
 
             mean, deviation = self.normal or self.lognormal or (0.0, 0.0)
-            numbers = mean + deviation * ndtri(np.clip(parts, _LEAST, 1 - _LEAST))
+            numbers = mean + deviation * ndtri(
+                np.clip(parts, _LEAST_PROBABILITY, 1 - _LEAST_PROBABILITY)
+            )
             numbers = np.exp(numbers) if self.normal is None else numbers
         least = -np.inf if self.min is None else self.min
         clipped: Floats = np.clip(numbers, least, np.inf if self.max is None else self.max)
         return clipped
 
 
-_LEAST = 2.0**-53
+_LEAST_PROBABILITY = 2.0**-53
 """A normal distribution has no number for a part of 0."""
 
 

@@ -18,7 +18,7 @@ from vstatics.simulation.ports import PortLayout, Ports, States
 from vstatics.simulation.structure import MotionStructure, null
 from vstatics.simulation.system import MotionSystem
 
-_STEPS = 100
+_MOST_CONVERTER_STEPS = 100
 _NEWTON = 30
 """So many steps at most."""
 
@@ -60,7 +60,7 @@ class Equations:
         self.limited: Booleans = slips & (self.viscous == 0)
         self.angle_rows = np.array([structure.free[link] for link in layout.angles])
         self.light = structure.light.shape[1]
-        self.longest = system.scenario.duration / _STEPS
+        self.longest = system.scenario.duration / _MOST_CONVERTER_STEPS
         """Of a step where a torque is a formula of time, which may have a pulse. [s]"""
         self.within = 1e-7 * max(system.scenario.duration, 1e-9)
         if self.light:

@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 from vstatics.readers.expressions.grammar import Applied, Tree
 from vstatics.readers.expressions.operands import Constant, TableName
 
-MOST = 1000
+MOST_BREAKS = 1000
 """Of a formula with more of them none are told: a run that stops at each would take for ever."""
 
 _BENDS = frozenset(("abs", "sign"))
@@ -47,7 +47,7 @@ def breaks(tree: Tree, constants: Mapping[str, float]) -> tuple[float, ...]:
     found: set[float] = set()
     _straight(tree, constants, found, {})
     times = sorted(time for time in found if math.isfinite(time))
-    return tuple(times) if len(times) <= MOST else ()
+    return tuple(times) if len(times) <= MOST_BREAKS else ()
 
 
 def _straight(

@@ -10,7 +10,7 @@ from vstatics.numerics.arrays import Floats
 from vstatics.simulation.equations import Equations
 from vstatics.simulation.margins import LargeSizes
 
-SMALL = 1e-9
+STANDING = 1e-9
 """A speed or torque that is 0 but for rounding, by the largest of its kind."""
 
 
@@ -45,7 +45,7 @@ def consistent(
     rates, _ = equations.rates(time, state)
     torques = equations.torques(time, state, rates)
     rest = equations.by_slope.T @ (equations.structure.balances @ torques)
-    if np.abs(rest).max() <= SMALL * scales.torque:
+    if np.abs(rest).max() <= STANDING * scales.torque:
         return state, None
     motion = equations.along @ -np.linalg.solve(equations.stiff, rest)
     turned = equations.structure.light_rates @ motion

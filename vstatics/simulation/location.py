@@ -16,7 +16,7 @@ from vstatics.simulation.margins import LargeSizes, Margins, Watch
 from vstatics.simulation.pieces import TimeStep
 from vstatics.simulation.system import Contact
 
-_NOISE = 1e-10
+_NO_MARGIN = 1e-10
 """A margin is below 0 by more than this part of what is large."""
 
 _NODES = 0.5 - 0.5 * np.cos(np.pi * np.arange(9) / 8)
@@ -66,7 +66,7 @@ class Finder:
     ) -> None:
         self.equations, self.margins = equations, margins
         self.sample = sample
-        self.noise = _NOISE * margins.units(scales)
+        self.noise = _NO_MARGIN * margins.units(scales)
         self.by_formula = [
             contact
             for contact in equations.system.contacts

@@ -21,7 +21,7 @@ turn, or it may begin to move; a spring may reach its limit, or grip again; poin
 have a corner; a capacity may lie above that of the case, or below 0."""
 
 
-_ROUNDING = 1e-10
+_PASSED_LIMIT = 1e-10
 """A limit is passed by more than this part of the largest torque."""
 
 
@@ -234,7 +234,7 @@ class Margins:
 
     def _together(self, slack: Floats, held: Floats) -> float:
         smallest = float(slack.min())
-        if smallest >= -_ROUNDING * float(np.abs(held).max(initial=0.0)):
+        if smallest >= -_PASSED_LIMIT * float(np.abs(held).max(initial=0.0)):
             return max(smallest, 0.0)
         return widest(slack, self._directions(held))
 
@@ -257,7 +257,7 @@ class Margins:
             return held
         slack = self._slack(times, held)
         made = held.copy()
-        rounding = _ROUNDING * np.abs(held).max(axis=0, initial=0.0)
+        rounding = _PASSED_LIMIT * np.abs(held).max(axis=0, initial=0.0)
         for column in np.flatnonzero(slack.min(axis=0) < -rounding):
             change = least(slack[:, column], self._directions(held[:, column]))
             if change is not None:

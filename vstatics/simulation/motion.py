@@ -7,7 +7,7 @@ from typing import Literal, NamedTuple
 
 from vstatics.errors import Problem
 from vstatics.numerics.arrays import Floats
-from vstatics.statics.result_fields import Message
+from vstatics.statics.result_arrays import Message
 
 EventKind = Literal["locks", "slips", "reverses", "impact"]
 

@@ -10,7 +10,7 @@ import numpy as np
 from vstatics.numerics.arrays import Floats
 from vstatics.simulation.motion import Motion
 from vstatics.tables import csv
-from vstatics.tables.rows import written
+from vstatics.tables.names import written
 
 
 def columns(motion: Motion) -> dict[str, Floats]:

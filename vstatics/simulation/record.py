@@ -23,7 +23,7 @@ from vstatics.simulation.pieces import TimeStep
 from vstatics.simulation.ports import PortLayout
 from vstatics.simulation.rows import between
 from vstatics.simulation.system import MotionSystem
-from vstatics.statics.result_fields import Message
+from vstatics.statics.result_arrays import Message
 
 
 class Kept(NamedTuple):

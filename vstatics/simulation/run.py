@@ -26,7 +26,7 @@ from vstatics.simulation.system import MotionSystem
 Method = Literal["events", "tarasik"]
 BALANCE = 1e-8
 """A run closes that leaves no more than this part of the largest energy."""
-_NOTHING = 1e-12
+_NO_ENERGY = 1e-12
 """An energy that is none. [J]"""
 
 
@@ -118,7 +118,7 @@ def _closed(motion: Motion) -> Motion:
     """The motion, marked where its energy does not close."""
     energy = motion.energy
     largest = _largest(energy)
-    if abs(energy.balance) <= max(BALANCE * largest, _NOTHING):
+    if abs(energy.balance) <= max(BALANCE * largest, _NO_ENERGY):
         return motion
     message = (
         f"the energy does not close: {energy.balance:.3g} J are left of {largest:.3g} J; a smaller "

@@ -29,7 +29,7 @@ from vstatics.simulation.laws import Road, TorqueLaw
 from vstatics.simulation.programme import largest_control
 from vstatics.simulation.scenario import Capacity, Control, Converter, Scenario, Start
 
-_TRIED = 1001
+_TRIED_TIMES = 1001
 
 
 def check_scenario(scenario: Scenario) -> None:
@@ -143,7 +143,7 @@ def _tried(
     law = control.law
     if not isinstance(law, Formula) or not 0 < duration < math.inf or law.variables - {"t"}:
         return
-    times = np.linspace(0.0, duration, _TRIED)
+    times = np.linspace(0.0, duration, _TRIED_TIMES)
     values = law.along(times) * control.scale
     most = math.inf if largest is None else largest * (1 + 1e-9)
     wrong = np.flatnonzero(

@@ -16,7 +16,7 @@ from vstatics.errors import CaseError
 from vstatics.numerics.arrays import Booleans, Floats
 from vstatics.simulation.choices import ModeChoices
 from vstatics.simulation.equations import Equations
-from vstatics.simulation.instants import SMALL, Instant, Jump, consistent, state_of
+from vstatics.simulation.instants import STANDING, Instant, Jump, consistent, state_of
 from vstatics.simulation.margins import LargeSizes, Margins, Watch
 from vstatics.simulation.ports import PortLayout, States
 from vstatics.simulation.search import KIND_OF, Choice, ModeSearch
@@ -104,7 +104,7 @@ class ModeSelection:
             return True
         slip = self.system.meshes[watch.of].slip
         moves = np.concatenate([slip @ motions.free, slip @ motions.light])
-        return bool((np.abs(moves) > SMALL).any())
+        return bool((np.abs(moves) > STANDING).any())
 
     def _released(self, states: States, at: Instant, choices: Sequence[Choice]) -> States | None:
         """The states with all meshes moving that would, if none of them held by its friction."""
@@ -130,7 +130,7 @@ class ModeSelection:
         turning = structure.free @ (structure.accelerations @ torques)
         carried = structure.torques @ torques
         slips = np.array([self.system.meshes[index].slip @ turning for index in held])
-        least = SMALL * float(np.abs(turning).max(initial=0.0))
+        least = STANDING * float(np.abs(turning).max(initial=0.0))
         for index, slip in zip(held, slips.tolist(), strict=True):
             flow = "+" if carried[index] >= 0 else "-"
             meshes[index] = ("+" if slip > 0 else "-") + flow if abs(slip) > least else "stick"
@@ -166,7 +166,7 @@ class ModeSelection:
         """What can't stick, since something heavy would have to change its speed at once."""
         heavy = self.system.heavy
         speeds = heavy @ (structure.free @ state[: structure.free.shape[1]])
-        if np.abs(speeds - heavy @ at.speeds).max() <= 100 * SMALL * scales.speed:
+        if np.abs(speeds - heavy @ at.speeds).max() <= 100 * STANDING * scales.speed:
             return []
         slips = {
             index: float(contact.row @ at.speeds)
@@ -176,7 +176,7 @@ class ModeSelection:
         return [
             Watch("hold", index, 1 if slip > 0 else -1)
             for index, slip in slips.items()
-            if abs(slip) > SMALL * scales.speed
+            if abs(slip) > STANDING * scales.speed
         ]
 
     def _failing(
@@ -186,10 +186,10 @@ class ModeSelection:
         now = margins.at(time, state)
         now = np.where(np.isposinf(now), _AMPLE, now)
         units = margins.units(scales)
-        below = ~(now >= -SMALL * units)
+        below = ~(now >= -STANDING * units)
         if below.any():
             return _failed(margins, time, state, below)
-        near = now <= SMALL * units
+        near = now <= STANDING * units
         if not near.any():
             return []
         ahead = state + self.within * margins.equations.derivative(time, state)

@@ -17,7 +17,7 @@ from vstatics.simulation.programme import Programme
 from vstatics.simulation.selection import ModeSelection
 from vstatics.simulation.structure import null
 from vstatics.simulation.system import Contact, MotionSystem
-from vstatics.statics.result_fields import Message
+from vstatics.statics.result_arrays import Message
 
 _AT_REST = 1e-9
 """Of a slip by the largest speed."""

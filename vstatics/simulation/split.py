@@ -9,7 +9,7 @@ import numpy as np
 
 from vstatics.numerics.arrays import Floats
 
-_MOST_CORNERS = 3000
+_MOST_TORQUE_CORNERS = 3000
 
 
 def widest(slack: Floats, directions: Floats) -> float:
@@ -53,7 +53,7 @@ def _corners(slack: Floats, directions: Floats) -> Floats | None:
     The widest split is one of them.
     """
     limits, count = directions.shape
-    if math.comb(limits, count + 1) > _MOST_CORNERS:
+    if math.comb(limits, count + 1) > _MOST_TORQUE_CORNERS:
         return None
     chosen = np.array(list(combinations(range(limits), count + 1)), dtype=int)
     if not len(chosen):

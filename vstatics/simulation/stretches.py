@@ -24,20 +24,20 @@ from vstatics.simulation.pieces import TimeStep
 
 _RADIANS = 3.0
 """Of the fastest motion, in a part of a stretch."""
-_PARTS = 256
+_MOST_HALVINGS = 256
 """Most parts of a stretch, a power of 2."""
 _GONE = 40.0
 """A motion has died away after so many of its time constants."""
-_MOST_PARTS = 300_000
+_MOST_STRETCH_PARTS = 300_000
 _SHORTEST = 2.0**-14
 """By which a part may be shortened, where torques bend."""
 _FIT = 1e-12
 """How near polynomials come to torques, by the largest torque."""
-_FEW = 4
+_FIRST_PARTS = 4
 """Parts of a stretch to begin with, where torques bend."""
 _SMOOTH = 4
 """So many stretches go well before a longer one is tried."""
-_ROUNDS = 12
+_RELAXATION_ROUNDS = 12
 """Of relaxation."""
 _ORDERS = DEGREE + 1
 
@@ -131,8 +131,8 @@ class Closed:
         NoFit
         """
         time = begin = self.equations.time
-        left, shorter, smooth = _MOST_PARTS, 1.0, 0
-        most = _PARTS if self.equations.ports.is_affine else _FEW
+        left, shorter, smooth = _MOST_STRETCH_PARTS, 1.0, 0
+        most = _MOST_HALVINGS if self.equations.ports.is_affine else _FIRST_PARTS
         while time < end:
             while True:
                 length, count = self._parts(time - begin, end - time, most, shorter)
@@ -155,7 +155,7 @@ class Closed:
             smooth += 1
             if smooth % _SMOOTH == 0:
                 shorter, most = min(1.0, 2 * shorter), most if shorter < 1 else 2 * most
-                most = min(most, _PARTS)
+                most = min(most, _MOST_HALVINGS)
 
     def _parts(self, gone: float, left: float, most: int, shorter: float) -> tuple[float, int]:
         """Length and number of the parts of the next stretch."""
@@ -207,7 +207,7 @@ class Closed:
         given = np.zeros((len(self.bending), _ORDERS))
         given[:, 0] = self.latest
         before = np.zeros((len(self.bending), len(times)))
-        for number in range(_ROUNDS):
+        for number in range(_RELAXATION_ROUNDS):
             stretch = self._followed(parts, state, given, to_powers)
             at = self._states(stretch)
             now = self._bent(times, at.reshape(len(at), -1), given, to_values)

@@ -22,11 +22,11 @@ MeshStates = tuple[str, ...]
 """Of each rigid mechanism: `""` lossless; `stick`; else the signs of the speed of its first link
 against the third and of the torque on its first link, as `+-`."""
 
-_INDEPENDENT = 1e-9
+_INDEPENDENT_MOTION = 1e-9
 """A direction counts that is above this part of the largest."""
-_ROUNDED = 1e-12
+_ROUNDED_MOTION = 1e-12
 """Parts of a motion below this are rounding."""
-_LAST = 1e2
+_LAST_PREFERENCE = 1e2
 _FIRST = 1e-2
 """Weights in the norm of redundant torques: drags and meshes take a part last."""
 
@@ -102,7 +102,7 @@ def _weight(system: MotionSystem, multiplier: Multiplier) -> float:
     if multiplier.kind == "mesh":
         return _FIRST
     if multiplier.kind == "friction" or system.contacts[multiplier.of].is_drag:
-        return _LAST
+        return _LAST_PREFERENCE
     return 1.0
 
 
@@ -151,7 +151,7 @@ def null(matrix: Floats) -> Floats:
     norms = np.linalg.norm(matrix, axis=1, keepdims=True)
     scaled = matrix / np.where(norms > 0, norms, 1.0)
     _, sizes, right = np.linalg.svd(scaled)
-    rank = int((sizes > _INDEPENDENT * max(sizes[0], 1e-300)).sum()) if len(sizes) else 0
+    rank = int((sizes > _INDEPENDENT_MOTION * max(sizes[0], 1e-300)).sum()) if len(sizes) else 0
     basis: Floats = right[rank:].T
     return basis
 
@@ -162,9 +162,11 @@ def _motions(heavy: Floats, columns: Floats) -> tuple[Floats, Floats]:
     if not free.shape[1]:
         return free, free
     _, sizes, right = np.linalg.svd(heavy @ free)
-    rank = int((sizes > _INDEPENDENT * sizes[0]).sum()) if sizes[0] > _INDEPENDENT else 0
+    rank = (
+        int((sizes > _INDEPENDENT_MOTION * sizes[0]).sum()) if sizes[0] > _INDEPENDENT_MOTION else 0
+    )
     light = free @ right[rank:].T
-    light[np.abs(light) < _ROUNDED] = 0.0  # or a law of a heavy link would seem to sense it
+    light[np.abs(light) < _ROUNDED_MOTION] = 0.0  # or a law of a heavy link would seem to sense it
     return free @ right[:rank].T, light
 
 
@@ -179,7 +181,7 @@ def _circulating(rows: Floats, columns: Floats) -> Floats:
     if not spare.shape[1]:
         return spare
     _, sizes, right = np.linalg.svd(columns @ spare)
-    rank = int((sizes > _INDEPENDENT * np.abs(columns).max()).sum())
+    rank = int((sizes > _INDEPENDENT_MOTION * np.abs(columns).max()).sum())
     circulating: Floats = spare @ right[:rank].T
     return circulating
 
@@ -194,7 +196,7 @@ def _multipliers(columns: Floats, weights: Floats, residual: Floats) -> tuple[Fl
     if not count:
         return np.zeros((0, residual.shape[1])), np.zeros((0, 0))
     rank = _rank(columns)
-    bearing: Booleans = weights < _LAST
+    bearing: Booleans = weights < _LAST_PREFERENCE
     places = np.arange(count)
     if not bearing.all():
         found = _rank(columns[:, bearing])
@@ -203,7 +205,7 @@ def _multipliers(columns: Floats, weights: Floats, residual: Floats) -> tuple[Fl
             found += int(bearing[index])
     scaled = columns[:, bearing] / weights[bearing]
     left, sizes, right = np.linalg.svd(scaled, full_matrices=False)
-    used = sizes > _INDEPENDENT * 1e-3 * sizes[0]
+    used = sizes > _INDEPENDENT_MOTION * 1e-3 * sizes[0]
     made = np.zeros((count, residual.shape[1]))
     least = (right[used].T / sizes[used]) @ left[:, used].T @ residual
     made[bearing] = least / weights[bearing, None]
@@ -216,7 +218,7 @@ def _multipliers(columns: Floats, weights: Floats, residual: Floats) -> tuple[Fl
 
 def _rank(columns: Floats) -> int:
     sizes = np.linalg.svd(columns, compute_uv=False)
-    return int((sizes > _INDEPENDENT * sizes[0]).sum()) if len(sizes) else 0
+    return int((sizes > _INDEPENDENT_MOTION * sizes[0]).sum()) if len(sizes) else 0
 
 
 class Structures:

@@ -10,7 +10,7 @@ from vstatics.errors import Problem
 from vstatics.numerics.arrays import Floats
 from vstatics.simulation.motion import Energy, Event, Motion, Peak
 from vstatics.simulation.system import MotionSystem
-from vstatics.statics.result_fields import Message
+from vstatics.statics.result_arrays import Message
 
 
 class TarasikRecord:

@@ -10,8 +10,9 @@ gear as an object.
 >>> results.ratio, results.gear(2).torques.on_first_link
 (array([1. , 3.5]), [0.0, -2.5, 1.0, 3.5])
 
-The modules follow docs/method.md: `matrix`, `speeds`, `drag`, `torques`, `ideal` (a gear
-without losses), `efficiency`, `losses`, `signs` and `sign_search`, `freewheels`, `state`
-(all of it as one object, with `power`, `bodies` and `status`), `gear` and `variants`
-(arrays of it), `results`, `solve`. `diagnosis`, `idling` and `digits` say what is to be noticed.
+The modules follow docs/method.md: `matrix`, `speeds`, `torques` (with drag), `ideal` (a gear
+without losses), `efficiency`, `losses`, `signs` (first without losses, then searched for),
+`freewheels`, `state` (all of it as one object and as numbers, with `power`, `bodies` and
+`status`), `variants` (arrays of it), `result_arrays`, `results`, `solve`. `diagnosis`, `idling`
+and `digits` say what is to be noticed.
 """

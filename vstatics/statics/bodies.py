@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 
-from vstatics.model.own import OwnDevice
+from vstatics.model.parts import OwnDevice
 from vstatics.model.springs import Spring, ends
 from vstatics.model.transmission import HOUSING, Gear, Mechanism, Transmission
 from vstatics.numerics.tolerances import TIE, UNCERTAIN

@@ -1,4 +1,4 @@
-"""What to say about a gear: why a value does not exist, and what to do.
+"""What to say about a gear that is not regular: why a value does not exist, and what to do.
 
 `freedom` and `given_conditions` count the conditions for the speeds, `messages` speaks
 of what `Results` show. All look at one case, not at arrays of variants.
@@ -16,14 +16,14 @@ from vstatics.model.checks import doubts
 from vstatics.model.transmission import Gear, SpeedOf, Transmission
 from vstatics.numerics import elimination
 from vstatics.numerics.arrays import Booleans
+from vstatics.numerics.tolerances import UNCERTAIN
 from vstatics.numerics.traced import Number, is_nan, plain
-from vstatics.statics import digits, drag, freewheels, matrix
+from vstatics.statics import digits, freewheels, matrix, torques
 from vstatics.statics.idling import coincidences
-from vstatics.statics.result_fields import Message
+from vstatics.statics.result_arrays import Message
 from vstatics.statics.results import Results
 from vstatics.statics.speeds import solve_speeds
 from vstatics.statics.status import CONFLICT, LOCKED, NEUTRAL, TIED_UP
-from vstatics.statics.usual import is_uncertain, usual_gears
 
 Said = tuple[Severity, str]
 NOTHING_HOLDS = "nothing holds the torque of the input"
@@ -62,19 +62,21 @@ def messages(results: Results) -> Iterator[Message]:
     case = results.case
     for problem in doubts(case):
         yield Message(problem.severity, _named(case, path_text(problem.path), problem.message))
-    if case.inertias and (untold := drag.without_load(case)):
+    if case.inertias and (untold := torques.without_load(case)):
         text = f"the drag of {spoken(untold)} has a unit, but the case no load: it is left out"
         yield Message("warning", text)
     wheels, has_drag = case.freewheels, case.has_drag
     is_near = digits.is_near_singular(case)
-    for number, (given, is_usual) in enumerate(zip(case.gears, usual_gears(results), strict=True)):
+    for number, (given, is_usual) in enumerate(
+        zip(case.gears, regular_gears(results), strict=True)
+    ):
         held = [element for element in wheels if results.holds[number, element - 1]]
         gear = freewheels.with_engaged(given, held)
         lost = tuple(_digit_messages(results, number)) if is_near else ()
         said = (
             *(_conflict(case, gear) if results.conflict[number] else ()),
             *(_further_outputs(results, number, gear) if case.outputs else ()),
-            *(lost if is_usual else _unusual(results, number, gear, lost)),
+            *(lost if is_usual else _of_irregular_gear(results, number, gear, lost)),
             *_idle_messages(results, number, gear),
             *(_shared(case, given, held) if held else ()),
             *(_drag_messages(results, number, gear) if has_drag else ()),
@@ -83,7 +85,9 @@ def messages(results: Results) -> Iterator[Message]:
             yield Message(severity, text, gear.name)
 
 
-def _unusual(results: Results, number: int, gear: Gear, lost: Sequence[Said]) -> Iterator[Said]:
+def _of_irregular_gear(
+    results: Results, number: int, gear: Gear, lost: Sequence[Said]
+) -> Iterator[Said]:
     """What does not exist or does not agree; `lost` are the messages on lost digits."""
     yield from _speed_messages(results, number, gear)
     yield from lost
@@ -108,7 +112,7 @@ def _shared(case: Transmission, gear: Gear, held: Sequence[int]) -> Iterator[Sai
 def _drag_messages(results: Results, number: int, gear: Gear) -> Iterator[Said]:
     """What would drag, but with an unknown speed."""
     speeds, slips = results.speeds[number].tolist(), results.slip_speeds[number].tolist()
-    unknown = drag.unknown_drag(results.case, gear, speeds, slips)
+    unknown = torques.unknown_drag(results.case, gear, speeds, slips)
     if unknown and results.calculable[number]:
         yield _warning(
             f"the drag of {spoken(unknown)} is left out, as statics does not determine a speed "
@@ -378,3 +382,48 @@ def _idle_messages(results: Results, number: int, gear: Gear) -> Iterator[Said]:
             f"{spoken([*idle])}: no flow of power, by coincidence; {what} on the direction of "
             "power assumed there"
         )
+
+
+REGULAR = {
+    "tied_up": False,
+    "conflict": False,
+    "missing": 0,
+    "excess": 0,
+    "balanced": True,
+    "consistent": True,
+    "locked": False,
+    "undecided": False,
+    "choices": 1,
+}
+"""What the arrays say of such a gear."""
+
+
+def regular_gears(results: Results) -> Iterator[bool]:
+    """By gear of one case: whether speeds and torques exist, agree, and are the only ones.
+
+    >>> from vstatics import Mechanism, ShiftElement, Transmission, solve
+    >>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)],
+    ...                     [Gear([1]), Gear([], name="N")])
+    >>> list(regular_gears(solve(case)))
+    [True, False]
+    """
+    case, usual = results.case, tuple(REGULAR.values())
+    marks = zip(*(getattr(results, name).tolist() for name in REGULAR), strict=True)
+    turned, speeds = results.turned.tolist(), results.speeds.tolist()
+    torques, of_meshes = results.torques.tolist(), results.mesh_torques.tolist()
+    for number, (gear, own) in enumerate(zip(case.gears, marks, strict=True)):
+        speed, torque = speeds[number][case.gear_output(gear) - 1], torques[number][-1]
+        yield (
+            own == usual
+            and True not in turned[number]
+            and not math.isnan(sum(torques[number]) + sum(of_meshes[number]))
+            and speed != 0
+            and not is_uncertain(gear, speed, torque)
+        )
+
+
+def is_uncertain(gear: Gear, output_speed: float, output_torque: float) -> bool:
+    """Whether speeds and torques, which check one another by ``Mx * w_output = 1``, do not."""
+    if gear.speeds or gear.torques:
+        return False
+    return abs(output_torque * output_speed - 1) > UNCERTAIN

@@ -14,14 +14,14 @@ from typing import NamedTuple
 
 from vstatics.model.transmission import Transmission
 from vstatics.numerics import elimination
-from vstatics.numerics.entries import Equation
-from vstatics.numerics.tolerances import NEAR, NOISE, UNCERTAIN
+from vstatics.numerics.elimination import Equation
+from vstatics.numerics.tolerances import NEAR_ONE, NO_POWER, UNCERTAIN
 from vstatics.numerics.traced import Number, plain
 from vstatics.statics.matrix import Column, columns, loaded_devices, speed_rows, torque_rows
 from vstatics.statics.state import GearState
 from vstatics.statics.torques import Torques
 
-MOST = 64
+MOST_EXACT_UNKNOWNS = 64
 """Unknowns of a system that is solved exactly; fractions grow with each of them."""
 
 
@@ -44,8 +44,8 @@ def is_near_singular(case: Transmission) -> bool:
     ...  for ratio in (-2.0, 1.0, 1.00000001)]
     [False, False, True]
     """
-    near = any(0 < abs(one.ratio - 1) < NEAR for one in case.mechanisms)
-    return near and len(case.devices) + case.links <= MOST
+    near = any(0 < abs(one.ratio - 1) < NEAR_ONE for one in case.mechanisms)
+    return near and len(case.devices) + case.links <= MOST_EXACT_UNKNOWNS
 
 
 def lost_digits(state: GearState) -> LostDigits | None:
@@ -114,4 +114,4 @@ def _parts(found: Sequence[Number], exact: Sequence[float]) -> list[float]:
 def _part(one: float, other: float) -> float:
     if math.isnan(one) or math.isnan(other):
         return float(math.isnan(one) != math.isnan(other))
-    return abs(one - other) / max(abs(one), abs(other), NOISE)
+    return abs(one - other) / max(abs(one), abs(other), NO_POWER)

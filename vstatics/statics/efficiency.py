@@ -13,8 +13,7 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from vstatics.model.transmission import Transmission
-from vstatics.numerics.choices import chosen
-from vstatics.numerics.traced import Number, is_nan
+from vstatics.numerics.traced import Number, chosen, is_nan
 
 Signs = tuple[Number, ...]
 """By mechanism: the exponent x of its efficiency, +1, -1 or 0; NaN where it is open."""

@@ -16,13 +16,12 @@ from itertools import combinations
 from vstatics.model.transmission import Gear, Transmission
 from vstatics.numerics.traced import Number, absolute, is_nan, sign
 from vstatics.statics import matrix
-from vstatics.statics.drag import NO_DRAG
 from vstatics.statics.ideal import IdealGear, ideal_gear, is_nothing
-from vstatics.statics.sign_search import find_signs
+from vstatics.statics.matrix import Variant, variant_of
+from vstatics.statics.signs import find_signs
 from vstatics.statics.speeds import Speeds, is_tie, solve_speeds
 from vstatics.statics.state import GearState
-from vstatics.statics.torques import Torques
-from vstatics.statics.variant import Variant, variant_of
+from vstatics.statics.torques import NO_DRAG, Torques
 
 
 def find_state(

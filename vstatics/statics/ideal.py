@@ -9,11 +9,9 @@ from vstatics.model.transmission import HOUSING, Gear, Transmission
 from vstatics.numerics.tolerances import TIE
 from vstatics.numerics.traced import Number, absolute
 from vstatics.statics import matrix
-from vstatics.statics.drag import NO_DRAG, Drag, drag_torques
-from vstatics.statics.matrix import Column
+from vstatics.statics.matrix import Column, Variant
 from vstatics.statics.speeds import Speeds
-from vstatics.statics.torques import Torques, solve_torques
-from vstatics.statics.variant import Variant
+from vstatics.statics.torques import NO_DRAG, Drag, Torques, drag_torques, solve_torques
 
 OUTSIDE = -1
 """Stands for an external torque, where a device has its index."""

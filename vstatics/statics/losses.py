@@ -10,11 +10,9 @@ import math
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
-from vstatics.numerics.choices import chosen
-from vstatics.numerics.rests import rest
 from vstatics.numerics.signed import Condition
-from vstatics.numerics.tape import Rest
-from vstatics.numerics.traced import Number, absolute, is_nan, sign
+from vstatics.numerics.tape import Residual
+from vstatics.numerics.traced import Number, absolute, chosen, is_nan, residual, sign
 from vstatics.statics.efficiency import Signs, is_possible, lossy_ratio, lossy_ratios
 from vstatics.statics.ideal import IdealGear, mechanism_torques
 from vstatics.statics.matrix import Column, columns
@@ -35,7 +33,7 @@ class LossyTorques(NamedTuple):
     """[-]"""
     drag_losses: Number
     """Power that drag takes in all. [-]"""
-    balance: Number | Rest
+    balance: Number | Residual
     """External power less all losses. [-]"""
     admissible: Condition
     """The signs agree with the directions of power."""
@@ -83,7 +81,7 @@ def check_signs(
         losses=losses,
         efficiency=efficiency,
         drag_losses=sum(ideal.drag.losses, 0.0),
-        balance=rest([*entering, *(-loss for loss in (*losses, *ideal.drag.losses))]),
+        balance=residual([*entering, *(-loss for loss in (*losses, *ideal.drag.losses))]),
         admissible=agrees & passes,
     )
 

@@ -1,4 +1,4 @@
-"""Structural-distribution matrix, and the linear systems of a gear made from it.
+"""Structural-distribution matrix of a case or a variant, and the linear systems made from it.
 
 Source: Algin, Schematization and calculation of mobile machine presented as
 multibody system (tables 1 and 3, figures 3 and 4).
@@ -14,17 +14,19 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
+
+from vstatics.model.transmission import HOUSING, Gear, SpeedOf, Transmission
+from vstatics.numerics.arrays import Floats
+from vstatics.numerics.elimination import RIGHT, Coefficient, Equation
+from vstatics.numerics.traced import Number
+from vstatics.statics.efficiency import Efficiency, efficiencies_by_direction
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
-from vstatics.model.transmission import HOUSING, Gear, SpeedOf, Transmission
-from vstatics.numerics.arrays import Floats
-from vstatics.numerics.entries import RIGHT, Coefficient, Equation
-from vstatics.numerics.traced import Number
 
 Column = Mapping[int, Coefficient]
 """Link number -> torque on that link when the torque on the first link is 1."""
@@ -228,3 +230,31 @@ def external_torques(case: Transmission, gear: Gear) -> dict[int, float]:
     for link, torque in gear.torques.items():
         torques[link] = torques.get(link, 0.0) + torque
     return torques
+
+
+class Variant(NamedTuple):
+    """A transmission with numbers of its mechanisms: floats, or traced for many variants."""
+
+    case: Transmission
+    ratios: Sequence[Number]
+    """Internal ratio u of each mechanism. [-]"""
+    efficiencies: Sequence[Efficiency]
+    columns: Sequence[Column]
+    """Of the structural-distribution matrix, without losses."""
+
+    @property
+    def direction(self) -> int:
+        """+1, or -1 when coasting: all flows turn."""
+        return -1 if self.case.coast else 1
+
+
+def variant_of(
+    case: Transmission,
+    ratios: Sequence[Number] | None = None,
+    efficiencies: Sequence[Number] | None = None,
+) -> Variant:
+    """A variant; what is not given is the case's own."""
+    if ratios is None:
+        ratios = [mechanism.ratio for mechanism in case.mechanisms]
+    both = efficiencies_by_direction(case, efficiencies)
+    return Variant(case, ratios, both, columns(case, ratios))

@@ -13,7 +13,7 @@ from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Floats
 from vstatics.statics.matrix import held_links
 from vstatics.statics.power import port_torques
-from vstatics.statics.result_fields import ResultFields
+from vstatics.statics.result_arrays import ResultFields
 
 _NEEDED = {
     "rpm": ("speed", "speed: 2000 rpm"),

@@ -6,7 +6,7 @@ import math
 from collections.abc import Sequence
 from typing import Literal, NamedTuple
 
-from vstatics.numerics.tolerances import NOISE
+from vstatics.numerics.tolerances import NO_POWER
 from vstatics.numerics.traced import plain
 from vstatics.statics.power import port_torques, power
 from vstatics.statics.state import GearState
@@ -77,6 +77,6 @@ def ports(state: GearState) -> GearPorts:
 
 def _way(entering: float) -> Way:
     """By the power that enters, relative to that at the input link."""
-    if math.isnan(entering) or abs(entering) <= NOISE:
+    if math.isnan(entering) or abs(entering) <= NO_POWER:
         return ""
     return "in" if entering > 0 else "out"

@@ -7,9 +7,8 @@ from typing import Literal, NamedTuple
 
 from vstatics.model.transmission import HOUSING, Gear, Transmission
 from vstatics.numerics.traced import Number
-from vstatics.statics.drag import Drag
 from vstatics.statics.matrix import external_torques, held_links
-from vstatics.statics.torques import Torques
+from vstatics.statics.torques import Drag, Torques
 
 DeviceKind = Literal["element", "mechanism", "spring", "port", "drag"]
 """`element`: a shift element; `mechanism`: also a drawn element; `drag`: of a link."""

@@ -1,4 +1,4 @@
-"""Signs of the power flow without losses: the closed form, and conventions for idle mechanisms.
+"""Signs of the power flow: those without losses, then such as agree with their own torques.
 
 ``x = sign(M (w_f - w_h))``: equation (5) of docs/method.md.
 """
@@ -6,13 +6,296 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from functools import reduce
+from itertools import product
+from operator import or_
 from typing import NamedTuple
 
-from vstatics.numerics.traced import Number, sign
-from vstatics.statics.efficiency import Signs
+from vstatics.numerics.signed import Condition
+from vstatics.numerics.tape import Residual, Untraceable
+from vstatics.numerics.tolerances import TIE
+from vstatics.numerics.traced import (
+    Number,
+    absolute,
+    chosen,
+    counted,
+    is_nan,
+    is_traced,
+    opposite,
+    plain,
+    sign,
+)
+from vstatics.statics.efficiency import Signs, is_possible
 from vstatics.statics.ideal import IdealGear, mechanism_torques
+from vstatics.statics.losses import LossyTorques, no_solution, torques_for_signs
 from vstatics.statics.power import power
+from vstatics.statics.torques import Torques
+
+SEARCHED = 12
+"""Up to so many mechanisms all sets of signs are tried."""
+SIGN_ROUNDS = 200
+"""So often the signs follow the flow, where there are too many sets to try them all."""
+
+
+class SignSearch(NamedTuple):
+    """What the search for admissible signs ended with; names as in `Results`."""
+
+    lossy: LossyTorques
+    idle: list[bool]
+    """By mechanism, like `turned`."""
+    locked: bool
+    undecided: bool
+    turned: list[Condition]
+    choices: int
+
+
+class Admissible(NamedTuple):
+    """Admissible signs of the largest efficiency."""
+
+    lossy: LossyTorques | None = None
+    """None: there are none, and friction locks the gear; or the search was cut short."""
+    choices: int = 0
+    """How many sets of signs are admissible."""
+    cut_short: bool = False
+
+
+def find_signs(ideal: IdealGear, *, moving: bool) -> SignSearch:
+    """Find the signs that agree with the flow they lead to.
+
+    The signs without losses are tried first, then all sets of signs.
+
+    Parameters
+    ----------
+    moving : bool
+        Whether speeds, and torques without losses, exist.
+    """
+    start = ideal_signs(ideal, moving=moving)
+    found = Admissible(no_solution(ideal, start.signs))
+    if moving and _open(ideal, start):
+        found = Admissible(_common(ideal, start))
+    elif moving:
+        first = _follow_unloaded(ideal, start)
+        found = (
+            Admissible(first._replace(admissible=True), 1)
+            if first.admissible
+            else _search(ideal, start)
+        )
+    lossy = found.lossy or no_solution(ideal, start.signs)
+    idle = start.idle
+    # of an idle one the sign is a convention; one object stands for what no search has changed
+    turned = [
+        lossy.admissible is True
+        and not is_idle
+        and x is not before
+        and efficiency.lossy
+        and x * before < 0
+        for is_idle, x, before, efficiency in zip(
+            idle, lossy.signs, start.signs, ideal.variant.efficiencies, strict=True
+        )
+    ]
+    locked = found.lossy is None and not found.cut_short
+    return SignSearch(lossy, idle, locked, found.cut_short, turned, found.choices)
+
+
+def _open(ideal: IdealGear, start: IdealSigns) -> list[int]:
+    """Mechanisms with losses whose direction of power statics leaves open."""
+    return [
+        place
+        for place, x in enumerate(start.signs)
+        if is_nan(x) and ideal.variant.efficiencies[place].lossy
+    ]
+
+
+def _follow_unloaded(ideal: IdealGear, start: IdealSigns) -> LossyTorques:
+    """The signs without losses; unloaded mechanisms take the sign of their flow with losses."""
+    signs = start.signs
+    lossy = torques_for_signs(ideal, signs)
+    for _ in signs:
+        followed = _turned(signs, lossy.directions, start.unloaded)
+        if followed == signs:
+            break
+        signs = followed
+        lossy = torques_for_signs(ideal, signs)
+    return lossy
+
+
+def _turned(signs: Signs, directions: Signs, allowed: Sequence[bool]) -> Signs:
+    """The signs with those of the flow where that is allowed and there is any."""
+    return tuple(
+        direction if may and abs(direction) == 1 else x
+        for x, direction, may in zip(signs, directions, allowed, strict=True)
+    )
+
+
+def _search(ideal: IdealGear, start: IdealSigns) -> Admissible:
+    """Try all sets of signs of the mechanisms that move, or follow the flow if there are many."""
+    moving = [
+        not still and efficiency.lossy
+        for still, efficiency in zip(start.still, ideal.variant.efficiencies, strict=True)
+    ]
+    free = [place for place, moves in enumerate(moving) if moves]
+    if len(free) > SEARCHED:
+        free = [place for place in free if not start.unloaded[place]]
+    if len(free) > SEARCHED:
+        return _follow(ideal, start, moving)
+    tried = list(_every_set(ideal, start, free))
+    nothing: Condition = False
+    if reduce(or_, (one.admissible for one in tried), nothing):
+        return _best(ideal, tried, start)
+    if not free and any(x for x, still in zip(start.signs, start.still, strict=True) if still):
+        # nothing moves that could lock: the convention for idle mechanisms does not suit
+        signs = tuple(
+            0.0 if still else x for x, still in zip(start.signs, start.still, strict=True)
+        )
+        return _search(ideal, start._replace(signs=signs))
+    return Admissible()
+
+
+def _best(ideal: IdealGear, tried: Sequence[LossyTorques], start: IdealSigns) -> Admissible:
+    """The admissible signs of the largest efficiency; those that turn nothing are as they were."""
+    possible = [one for one in tried if one.admissible is not False]
+    flows: dict[tuple[float, ...], Condition] = {}
+    for one in possible:
+        flow = tuple(map(_flow, one.signs, one.directions))
+        flows[flow] = flows.get(flow, False) | one.admissible
+    choices = counted(flows.values())
+    best = reduce(_better, possible)
+    if best.admissible is not True:  # one set of signs or another, by variant
+        best = torques_for_signs(ideal, best.signs)
+        if not best.admissible:
+            raise Untraceable
+    signs = tuple(
+        before if unloaded and turns == 0 else x
+        for x, before, unloaded, turns in zip(
+            best.signs, start.signs, start.unloaded, best.directions, strict=True
+        )
+    )
+    return Admissible(best._replace(signs=signs, admissible=True), choices)
+
+
+def _flow(x: Number, turns: Number) -> float:
+    """What tells a flow from others: its sign, 0 where nothing flows, or what all of them have."""
+    return (1.0 if is_traced(x) else plain(x)) * (1.0 if is_traced(turns) else plain(turns) ** 2)
+
+
+def _better(one: LossyTorques, other: LossyTorques) -> LossyTorques:
+    """The one with the larger efficiency, in each variant in which both are admissible."""
+    if one.admissible is True and other.admissible is True:
+        better = other.efficiency > one.efficiency or not one.efficiency < math.inf
+        return other if better else one
+    larger = opposite(one.admissible) | (other.efficiency > one.efficiency)
+    better_one = other.admissible & larger
+    return one._replace(
+        signs=tuple(chosen(better_one, y, x) for x, y in zip(one.signs, other.signs, strict=True)),
+        efficiency=chosen(better_one, other.efficiency, one.efficiency),
+        admissible=one.admissible | other.admissible,
+    )
+
+
+def _every_set(ideal: IdealGear, start: IdealSigns, free: Sequence[int]) -> Iterator[LossyTorques]:
+    """The torques for all possible sets of signs of the `free` mechanisms."""
+    for own in product((1.0, -1.0), repeat=len(free)):
+        signs: list[Number] = list(start.signs)
+        for place, x in zip(free, own, strict=True):
+            signs[place] = x
+        if is_possible(ideal.variant.efficiencies, tuple(signs)):
+            yield torques_for_signs(ideal, tuple(signs))
+
+
+def _common(ideal: IdealGear, start: IdealSigns) -> LossyTorques:
+    """What all sets of signs lead to, where statics leaves the flow through mechanisms open.
+
+    So a redundant part of a train does not hide what is determined in the rest of it.
+    """
+    none = no_solution(ideal, start.signs)
+    open_ = _open(ideal, start)
+    if len(open_) > SEARCHED:
+        return none
+    tried = list(_every_set(ideal, start, open_))
+    if not tried or any(one.efficiency <= 0 for one in tried):
+        return none
+    torques = [one.torques for one in tried]
+    return LossyTorques(
+        signs=tuple(map(_same_sign, zip(*(one.signs for one in tried), strict=True))),
+        torques=Torques(
+            list(map(_same, zip(*(one.on_first_link for one in torques), strict=True))),
+            {link: _same([one.holding[link] for one in torques]) for link in none.torques.holding},
+            consistent=True,
+        ),
+        directions=tuple(map(_same_sign, zip(*(one.directions for one in tried), strict=True))),
+        losses=list(map(_same, zip(*(one.losses for one in tried), strict=True))),
+        efficiency=_same([one.efficiency for one in tried]),
+        drag_losses=tried[0].drag_losses,
+        balance=_same([one.balance for one in tried]),
+        admissible=False,
+    )
+
+
+def _same(values: Sequence[Number | Residual]) -> Number:
+    """The number that all of some are, to rounding; else NaN."""
+    numbers = [value for value in values if not isinstance(value, Residual)]
+    if len(numbers) < len(values):
+        raise Untraceable
+    first = numbers[0]
+    size = absolute(first)
+    most = size if size > 1 else 1.0  # the input is 1
+    agree = all(absolute(number - first) <= TIE * most for number in numbers)
+    return first if agree else math.nan
+
+
+def _same_sign(values: Sequence[Number]) -> float:
+    """The sign that all of some are; else NaN."""
+    own = [_decided(value) for value in values]
+    return own[0] if len(set(own)) == 1 else math.nan
+
+
+def _decided(x: Number) -> float:
+    """A sign, that of the first variant for all."""
+    if is_traced(x):
+        return 1.0 if x > 0 else -1.0
+    return plain(x)
+
+
+def _follow(ideal: IdealGear, start: IdealSigns, moving: Sequence[bool]) -> Admissible:
+    """Let the signs follow the flow until they agree.
+
+    Where that runs in a circle only the sign that loses most is turned.
+    """
+    signs = _possible(ideal, start.signs)
+    seen: set[Signs] = set()
+    for _ in range(SIGN_ROUNDS):
+        lossy = torques_for_signs(ideal, signs)
+        if lossy.admissible:
+            return Admissible(lossy, 1)
+        turned = _possible(ideal, _turned(signs, lossy.directions, moving))
+        if turned == signs:
+            break
+        if turned in seen:
+            turned = _worst_turned(ideal, signs, turned, lossy)
+        if turned in seen:
+            break
+        seen.add(turned)
+        signs = turned
+    return Admissible(cut_short=True)
+
+
+def _possible(ideal: IdealGear, signs: Signs) -> Signs:
+    """The signs, but that no self-locking mechanism is driven back."""
+    return tuple(
+        1.0 if efficiency.back == 0 and x < 0 else _decided(x)
+        for x, efficiency in zip(signs, ideal.variant.efficiencies, strict=True)
+    )
+
+
+def _worst_turned(ideal: IdealGear, signs: Signs, turned: Signs, lossy: LossyTorques) -> Signs:
+    """Of the signs that should turn, only the one whose mechanism gains most."""
+    gains = [
+        -loss * ideal.variant.direction if x != y else -math.inf
+        for x, y, loss in zip(signs, turned, lossy.losses, strict=True)
+    ]
+    worst = max(range(len(gains)), key=gains.__getitem__)
+    return tuple(-x if place == worst else x for place, x in enumerate(signs))
 
 
 class IdealSigns(NamedTuple):

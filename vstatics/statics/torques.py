@@ -1,17 +1,144 @@
-"""Torques of a gear: the equilibrium of its links, with ratios given for it."""
+"""Torques of a gear: the equilibrium of its links, drag of links and open elements.
+
+It opposes motion, so it takes power. A link is braked against its rotation; an open
+element brakes its links against each other, with equal and opposite torques. Torques
+are in units of the input torque, which is below 0 when coasting; so there drag has the
+other sign, and what it takes is below 0, like all losses.
+"""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from types import MappingProxyType
 from typing import NamedTuple
 
-from vstatics.model.transmission import Gear, Transmission
+from vstatics.model.parts import OfLoad
+from vstatics.model.transmission import HOUSING, Gear, Transmission
 from vstatics.numerics import elimination
-from vstatics.numerics.traced import Number
+from vstatics.numerics.traced import Number, absolute, is_nan, sign
 from vstatics.statics import matrix
-from vstatics.statics.drag import NO_DRAG, Drag
 from vstatics.statics.matrix import Column
+from vstatics.statics.speeds import is_tie
+
+NOTHING: Mapping[int, Number] = MappingProxyType({})
+
+
+class Drag(NamedTuple):
+    """The drag of a gear, known from its speeds."""
+
+    links: Mapping[int, Number] = NOTHING
+    """Link -> external torque of its own drag. [-]"""
+    elements: Mapping[int, Number] = NOTHING
+    """Index of an open element -> torque on its first link. [-]"""
+    external: Mapping[int, Number] = NOTHING
+    """Link -> external torque of all drag, that of open elements too. [-]"""
+    losses: Sequence[Number] = ()
+    """Power that each of them takes. [-]"""
+
+
+NO_DRAG = Drag()
+
+
+def drag_torques(
+    case: Transmission, gear: Gear, speeds: Sequence[Number], slips: Sequence[Number]
+) -> Drag:
+    """The drag of a gear at its speeds; none where a speed is 0 or not determined.
+
+    Parameters
+    ----------
+    gear : Gear
+        With the freewheels that hold among the engaged elements.
+    speeds, slips : sequence of Number
+        By link, by shift element. [-]
+
+    Examples
+    --------
+    >>> from vstatics.model.transmission import Mechanism
+    >>> case = Transmission(2, [], [Mechanism(1, 2, 0, -4.0)], [Gear(drag={2: 0.1})])
+    >>> drag_torques(case, case.gears[0], [1.0, -0.25], [])[2:]
+    ({2: 0.1}, [0.025])
+    """
+    torques = _open(case, gear)
+    if not gear.drag and not torques:
+        return NO_DRAG
+    direction = -1 if case.coast else 1
+    links: dict[int, Number] = {}
+    elements: dict[int, Number] = {}
+    external: dict[int, Number] = {}
+    losses: list[Number] = []
+    for link, torque in gear.drag.items():
+        speed = speeds[link - 1]
+        against = torque * direction * _direction(speed)
+        if against:
+            links[link] = -against
+            external[link] = -against
+            losses.append(absolute(speed) * (torque * direction))
+    by_link = [0.0, *map(absolute, speeds)]
+    for number, torque in torques.items():
+        element, slip = case.shift_elements[number - 1], slips[number - 1]
+        against = torque * direction * _direction(slip)
+        if against and not is_tie(absolute(slip), by_link[element.first], by_link[element.second]):
+            elements[number - 1] = against
+            for link, pull in ((element.first, -against), (element.second, against)):
+                if link != HOUSING:
+                    external[link] = external.get(link, 0.0) + pull
+            losses.append(absolute(slip) * (torque * direction))
+    return Drag(links, elements, external, losses)
+
+
+def _open(case: Transmission, gear: Gear) -> dict[int, float]:
+    """Number -> drag of each open element that has any."""
+    torques = {
+        number: gear.open_drag.get(number, element.drag)
+        for number, element in enumerate(case.shift_elements, 1)
+        if number not in gear.engaged
+    }
+    return {number: torque for number, torque in torques.items() if torque}
+
+
+def unknown_drag(
+    case: Transmission, gear: Gear, speeds: Sequence[Number], slips: Sequence[Number]
+) -> list[str]:
+    """Names of links and open elements with drag whose speed is not determined; of one case."""
+    links = [case.link_name(link) for link, d in gear.drag.items() if d and not _is(speeds, link)]
+    elements = [n for n in _open(case, gear) if not _is(slips, n)]
+    return [*links, *(case.shift_elements[number - 1].name for number in elements)]
+
+
+def _is(values: Sequence[Number], number: int) -> bool:
+    """Whether a value exists."""
+    return values[number - 1] == values[number - 1]
+
+
+def _direction(speed: Number) -> Number:
+    """+1 forward, -1 backward; 0 where it stands, or where that is not determined."""
+    return 0.0 if is_nan(speed) else sign(speed)
+
+
+def without_load(case: Transmission) -> list[str]:
+    """Names of what has a drag with a unit that no torque of a load relates to the input's.
+
+    Examples
+    --------
+    >>> from vstatics.model.parts import OfLoad
+    >>> from vstatics.model.transmission import Mechanism
+    >>> gear = Gear(drag={2: OfLoad(3.0, math.inf)})
+    >>> without_load(Transmission(2, [], [Mechanism(1, 2, 0, -4.0)], [gear], link_names=["a", "b"]))
+    ['b']
+    """
+    names = {}
+    for gear in case.gears:
+        for link, torque in gear.drag.items():
+            names[case.link_name(link)] = torque
+        for number, torque in gear.open_drag.items():
+            names[case.shift_elements[number - 1].name] = torque
+    return [
+        name
+        for name, torque in names.items()
+        if isinstance(torque, OfLoad) and math.isinf(torque.whole) and torque.given
+    ]
+
 
 Shares = Mapping[int, Number]
 """Index of a device -> its share in a sum."""

@@ -16,14 +16,13 @@ from vstatics.model.transmission import Gear, Mechanism, ShiftElement, Transmiss
 from vstatics.numerics import memory
 from vstatics.numerics.arrays import Floats
 from vstatics.numerics.memory import Form
-from vstatics.numerics.plan import Function, Inputs, prepared
-from vstatics.numerics.plans import Plans
+from vstatics.numerics.plans import Function, Inputs, Plans, prepared
 from vstatics.numerics.signed import Condition
-from vstatics.numerics.tape import Rest
+from vstatics.numerics.tape import Residual
 from vstatics.numerics.traced import Number
-from vstatics.statics.arrays import ARRAYS, row_counts
 from vstatics.statics.freewheels import find_state
-from vstatics.statics.gear import flat, guard_power, values_of
+from vstatics.statics.result_arrays import ARRAYS, row_counts
+from vstatics.statics.state import flat, guard_power, values_of
 
 REMEMBERED = 256
 """Gears whose plans are kept for calls to come."""
@@ -191,7 +190,7 @@ def _function(
     """The calculation of a gear from the numbers that vary."""
     count = len(case.mechanisms)
 
-    def calculate(numbers: Sequence[Number]) -> list[Number | Rest | Condition]:
+    def calculate(numbers: Sequence[Number]) -> list[Number | Residual | Condition]:
         varied = iter(numbers)
         given = [next(varied) if number is None else number for number in fixed]
         state = find_state(case, gear, given[:count], given[count:])

@@ -15,7 +15,7 @@ from vstatics.statics.results import Results
 from vstatics.statics.solve import solve
 from vstatics.summary.design import is_same
 
-MOST = 10_000
+MOST_UNUSED_SETS = 10_000
 """So many combinations are tried unless more are asked for: some seconds."""
 
 Key = TypeVar("Key")
@@ -45,7 +45,7 @@ def needed(case: Transmission) -> int:
     return max(freedom(case) - 1, 0)
 
 
-def combinations(results: Results, at_most: int = MOST) -> list[Combination]:
+def combinations(results: Results, at_most: int = MOST_UNUSED_SETS) -> list[Combination]:
     """All other combinations of shift elements that give one case a gear, largest ratio first.
 
     Tried are all sets of as many elements as the speeds need, with the input and the

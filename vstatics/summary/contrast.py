@@ -22,7 +22,7 @@ from vstatics.summary.extremes import (
 from vstatics.summary.grids import ACCELERATION, INERTIA, other_combinations
 from vstatics.summary.inertia import GearInertia
 from vstatics.tables.grid import Cell, Column, Grid, Row, exact, text, whole
-from vstatics.tables.quantity import headed
+from vstatics.tables.quantities import headed
 
 LARGEST = {
     PLANETS: "largest planet speed",

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
-from vstatics.numerics.tolerances import SAME
+from vstatics.numerics.tolerances import SAME_RATIO
 from vstatics.statics.results import Results
 
 
@@ -74,7 +74,7 @@ def is_same(one: float, other: float) -> bool:
     >>> is_same(1.0, 1 + 1e-15), is_same(1.0, 1.001), is_same(math.nan, math.nan)
     (True, False, False)
     """
-    return math.isclose(one, other, rel_tol=SAME)
+    return math.isclose(one, other, rel_tol=SAME_RATIO)
 
 
 def ranges(results: Results) -> list[list[int]]:

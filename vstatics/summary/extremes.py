@@ -9,10 +9,9 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.numerics.arrays import Booleans, Floats
-from vstatics.numerics.tolerances import SAME
+from vstatics.numerics.tolerances import SAME_RATIO
 from vstatics.statics.results import Results
-from vstatics.tables.quantities import BY_NAME
-from vstatics.tables.quantity import Quantity, Table, in_unit
+from vstatics.tables.quantities import BY_NAME, Quantity, Table, in_unit
 from vstatics.tables.values import tables
 
 PLANETS, SLIPS, TORQUES, LOSSY_TORQUES = "WSAT", "WFRI", "AMLG", "AMLGP"
@@ -84,7 +83,7 @@ def _largest(name: str, row: Floats, gears: Sequence[str]) -> Largest:
     if np.isnan(sizes).all():
         return Largest(name, math.nan, "")
     top = np.nanmax(sizes)
-    first = int(np.argmax(sizes >= top * (1 - SAME)))  # a comparison with NaN is false
+    first = int(np.argmax(sizes >= top * (1 - SAME_RATIO)))  # a comparison with NaN is false
     return Largest(name, float(row[first]), gears[first] if top > 0 else "")
 
 
@@ -119,7 +118,7 @@ def margins(results: Results) -> list[Margin]:
     count = len(case.shift_elements)
     both = np.abs(results.torques[:, :count]), np.abs(results.lossy_torques[:, :count])
     torques = np.fmax(*both) * _loads(results)[:, np.newaxis]
-    carrying = results.holds & (np.fmax(*both) > SAME)  # relative to the input torque
+    carrying = results.holds & (np.fmax(*both) > SAME_RATIO)  # relative to the input torque
     return [
         _margin(results, element.name, element.capacity, torques[:, number], carrying[:, number])
         for number, element in enumerate(case.shift_elements)
@@ -136,7 +135,7 @@ def _margin(
     if not known:
         return Margin(name, capacity, margins, math.nan, "")
     least = min(margins[number] for number in known)
-    first = next(number for number in known if margins[number] <= least * (1 + SAME))
+    first = next(number for number in known if margins[number] <= least * (1 + SAME_RATIO))
     return Margin(name, capacity, margins, margins[first], results.case.gears[first].name)
 
 

@@ -11,7 +11,7 @@ from vstatics.summary import Summary
 from vstatics.summary.extremes import LOSSY_TORQUES, PLANETS, SLIPS, TORQUES, Largest, quantity
 from vstatics.tables.grid import NO, YES, Cell, Column, Grid, Row, exact, text, words
 from vstatics.tables.ports import port_tables, ports_grid
-from vstatics.tables.quantity import UNITS, Quantity, headed
+from vstatics.tables.quantities import UNITS, Quantity, headed
 
 INERTIA, ACCELERATION = "inertia, kg*m^2", "acceleration, rad/s^2"
 WITH_LOAD = " with load"

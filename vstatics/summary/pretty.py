@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator
 from rich.console import Group
 from rich.text import Text
 
-from vstatics.statics.arrays import OUTPUT
+from vstatics.statics.result_arrays import OUTPUT
 from vstatics.statics.results import Results
 from vstatics.statics.roles import IDLE, MEANINGS, ONE_PIECE, Role, roles
 from vstatics.statics.status import STATUSES
@@ -17,13 +17,13 @@ from vstatics.summary.grids import Marks, element_signs
 from vstatics.tables import terminal
 from vstatics.tables.grid import Cell, Column, Grid, exact, text
 from vstatics.tables.ports import port_tables, ports_grid
-from vstatics.tables.quantity import Table
+from vstatics.tables.quantities import Table
 from vstatics.tables.values import tables
 
 POOR, BAD = 0.95, 0.9
 """An efficiency below is yellow, or red."""
 
-WIDE = 12
+NAMES_IN_HEADS = 12
 """So many characters of names of shift elements head columns; more are numbered."""
 
 DOTS = Marks(holds="◆")
@@ -67,7 +67,7 @@ def view(
     title = [Text(case.name, style="bold")] * bool(case.name)
     gears = gears_grid(results, marks, digits)
     names = [element.name for element in case.shift_elements]
-    numbered = sum(map(len, names)) > WIDE and terminal.natural_width(gears) > width
+    numbered = sum(map(len, names)) > NAMES_IN_HEADS and terminal.natural_width(gears) > width
     if numbered:
         gears = gears_grid(results, marks, digits, numbered=True)
     lines = _legend(results, by_key, marks, names=numbered, steps=_has_steps(gears))

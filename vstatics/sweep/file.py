@@ -7,7 +7,7 @@ from typing import Any
 
 from vstatics.errors import Place, ReadError, quoted, spoken
 from vstatics.readers.named import scalars
-from vstatics.readers.named.arithmetic import LONGEST
+from vstatics.readers.named.arithmetic import LONGEST_ARITHMETIC
 from vstatics.readers.named.nodes import (
     Found,
     Listing,
@@ -103,8 +103,8 @@ class _Reader:
         text = node.text.replace("_", "") if isinstance(node, Scalar) else ""
         if not (text.isascii() and text.isdigit()):
             raise _WrongError(f"a whole number from {option.least} on")
-        if len(text) > LONGEST:
-            raise _WrongError(f"a whole number of at most {LONGEST} digits")
+        if len(text) > LONGEST_ARITHMETIC:
+            raise _WrongError(f"a whole number of at most {LONGEST_ARITHMETIC} digits")
         if int(text) < option.least:
             raise _WrongError(f"a whole number from {option.least} on")
         return int(text)

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 OMEGA = "omega"
 """The name of the table. [rad/s]"""
-FEW = 64
+FEW_EQUAL_RATIOS = 64
 """Where fewer variants than these have the same ratios they are solved with those of others."""
 
 Asked = Mapping[int, Sequence[int]]
@@ -79,7 +79,7 @@ def frequencies(
     omegas = np.full((len(values), len(case.gears), count), np.nan)
     tied_up, conflict = np.zeros((2, len(values)), np.bool_)
     kinds = _structures(case, targets, values)
-    many = kinds.max(initial=0) * FEW > len(values) and not case.freewheels
+    many = kinds.max(initial=0) * FEW_EQUAL_RATIOS > len(values) and not case.freewheels
     for gear, modes in asked.items():
         left = np.arange(len(values))
         if many:

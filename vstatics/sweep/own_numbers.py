@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from vstatics.model.damping import Damping, damping
-from vstatics.model.parts import Mechanism, ShiftElement
+from vstatics.model.parts import Damping, Mechanism, ShiftElement, damping
 from vstatics.model.springs import Spring
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Booleans, Floats

@@ -15,7 +15,7 @@ FORMAT, VERSION = "vstatics-samples", 1
 PARTS = (0.05, 0.5, 0.95)
 """Of all variants that lie below a quantile."""
 
-_ROUNDING = 1e-14
+_ROUNDED_DEVIATION = 1e-14
 """A deviation below so much of the numbers is that of their last digits."""
 
 
@@ -51,7 +51,7 @@ def statistics(numbers: Floats) -> Statistics:
         nothing = float("nan")
         return Statistics(0, nothing, nothing, nothing, (nothing,) * len(PARTS), nothing)
     deviation = float(np.std(known, ddof=1)) if len(known) > 1 else float("nan")
-    if deviation <= _ROUNDING * np.abs(known).max(initial=0.0):
+    if deviation <= _ROUNDED_DEVIATION * np.abs(known).max(initial=0.0):
         deviation = 0.0
     quantiles = tuple(np.quantile(known, PARTS).tolist())
     least, largest = float(known.min()), float(known.max())

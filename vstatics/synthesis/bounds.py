@@ -10,9 +10,9 @@ from vstatics.errors import CaseError, Problem, listed, nearest, quoted, spoken,
 from vstatics.explain.bodies import OwnLinks
 from vstatics.model.transmission import HOUSING
 
-WIDEST = 14.0
+LARGEST_SET_RATIO = 14.0
 """The ratio of a planetary set with three planets is below 13.93, as they must not touch."""
-NARROW = 1e-3
+PART_FOR_ZERO_BOUND = 1e-3
 """A bound of 0, which no ratio has, stands for this part of the other bound."""
 SMALLEST, LARGEST = 1e-9, 1e9
 """No bound is smaller or larger: products of ratios are to be numbers."""
@@ -92,7 +92,7 @@ def usual(own: OwnLinks, index: int) -> tuple[float, float]:
     size = abs(mechanism.ratio)
     if own.is_fixed(index):
         return mechanism.ratio, mechanism.ratio
-    widest = max(WIDEST, 2 * size, 2 / size)
+    widest = max(LARGEST_SET_RATIO, 2 * size, 2 / size)
     least, most = 1 / widest, widest
     if mechanism.third != HOUSING and size != 1:
         least, most = (1.0, widest) if size > 1 else (1 / widest, 1.0)
@@ -141,5 +141,5 @@ def _wrong(low: float, high: float) -> Iterator[str]:
 
 def _without_zero(low: float, high: float) -> tuple[float, float]:
     if low == 0:
-        return NARROW * high, high
-    return (low, NARROW * low) if high == 0 else (low, high)
+        return PART_FOR_ZERO_BOUND * high, high
+    return (low, PART_FOR_ZERO_BOUND * low) if high == 0 else (low, high)

@@ -13,7 +13,7 @@ from vstatics.synthesis.box_combinations import Combinations
 from vstatics.synthesis.box_fit import Asked, FitRoom, fit_room
 from vstatics.synthesis.box_ranges import has_one_sign
 
-NARROW = 1.05
+NARROW_CELL = 1.05
 """A cell is not halved further along a ratio whose bounds are so near. [-]"""
 
 
@@ -54,7 +54,7 @@ def cell_room(table: Combinations, asked: Asked, sets: int) -> CellRoom:
     """Room for the ratios of a set of elements."""
     ratios, size = len(table.places), len(table.starts) - 1
     targets = len(asked.targets)
-    halvings = math.log2(math.log(asked.high / asked.low) / math.log(NARROW))
+    halvings = math.log2(math.log(asked.high / asked.low) / math.log(NARROW_CELL))
     deep = 2 + sets * math.ceil(max(halvings, 0))
     return CellRoom(
         parts=np.zeros((deep, ratios, 2, 2**sets)),
@@ -97,7 +97,7 @@ def longest(room: CellRoom, top: int) -> int:
     best = 0.0
     found = -1
     for number in range(room.low.shape[1]):
-        if room.high[top, number] > NARROW * room.low[top, number]:
+        if room.high[top, number] > NARROW_CELL * room.low[top, number]:
             total = 0.0
             for ratio in room.chosen:
                 total += _change(room.parts[top, ratio], number)

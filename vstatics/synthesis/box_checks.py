@@ -8,9 +8,9 @@ from collections.abc import Iterator
 from vstatics.errors import CaseError, Problem, plural
 from vstatics.synthesis.box import BoxSearch
 
-LARGEST = 1000.0
+LARGEST_RATIO = 1000.0
 """Of ratios of gears, of their reciprocals, and of ring teeth/sun teeth. [-]"""
-MOST_SETS = 5
+MOST_BOX_SETS = 5
 """With more there are more schemes than can be looked at."""
 MOST_LINKS = 10
 """Moving links: their brakes and clutches are bits of a number."""
@@ -71,15 +71,15 @@ def elements_there(search: BoxSearch) -> tuple[int, int]:
 def _of_numbers(search: BoxSearch) -> Iterator[Problem]:
     """Problems of one number each."""
     sets = f"{search.sets} {plural('set', search.sets)}"
-    if not 1 <= search.sets <= MOST_SETS:
-        yield _problem("sets", f"read {search.sets}, expected 1 to {MOST_SETS}")
+    if not 1 <= search.sets <= MOST_BOX_SETS:
+        yield _problem("sets", f"read {search.sets}, expected 1 to {MOST_BOX_SETS}")
         return
     for name, given in (("meshed", search.meshed), ("fixed", search.fixed)):
         if not 0 <= given <= search.sets:
             yield _problem(name, f"read {given}, expected 0 to {search.sets}, as there are {sets}")
     low, high = search.bounds
-    if not 1 < low < high <= LARGEST:
-        expected = f"two numbers above 1, the larger one behind, up to {LARGEST:g}"
+    if not 1 < low < high <= LARGEST_RATIO:
+        expected = f"two numbers above 1, the larger one behind, up to {LARGEST_RATIO:g}"
         yield _problem("bounds", f"read {low:g}:{high:g}, expected {expected}")
     if not 0 < search.tolerance <= COARSEST:
         message = f"read {search.tolerance:g}, expected a number above 0, up to {COARSEST:g}"
@@ -94,8 +94,8 @@ def _of_ratios(targets: tuple[float, ...]) -> Iterator[Problem]:
         yield _problem("ratios", f"read {len(targets)}, expected {MOST_TARGETS} at most")
         return
     for target in targets:
-        if not 1 / LARGEST <= abs(target) <= LARGEST:
-            sizes = f"{1 / LARGEST:g} to {LARGEST:g} in size, below 0 backward"
+        if not 1 / LARGEST_RATIO <= abs(target) <= LARGEST_RATIO:
+            sizes = f"{1 / LARGEST_RATIO:g} to {LARGEST_RATIO:g} in size, below 0 backward"
             yield _problem("ratios", f"read {target:g}, expected a ratio of {sizes}")
     for target in sorted({one for one in targets if targets.count(one) > 1}):
         yield _problem("ratios", f"read {target:g} twice, expected gears that differ")

@@ -9,9 +9,9 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from vstatics.numerics.arrays import Booleans, Floats, Integers
-from vstatics.numerics.tolerances import SAME
+from vstatics.numerics.tolerances import SAME_RATIO
 from vstatics.synthesis.box import BoxSearch
-from vstatics.synthesis.box_figures import DIGITS, BoxFigures, MeasuredBox
+from vstatics.synthesis.box_figures import FIGURE_DECIMALS, BoxFigures, MeasuredBox
 from vstatics.synthesis.box_filter import BoxFilter
 from vstatics.synthesis.box_least import identity
 
@@ -71,7 +71,7 @@ def ranked(
     if not chosen:
         return ()
     sizes = np.array([box.figures[:NUMBERS] for box in chosen], np.float64)
-    within = sizes[:, 0] <= search.tolerance * (1 + SAME)
+    within = sizes[:, 0] <= search.tolerance * (1 + SAME_RATIO)
     sizes[within, 0] = 0.0
     places = dict(zip(BoxFigures._fields, map(_places, sizes.T), strict=False))
     keys = (places[name].tolist() for name in ORDER)
@@ -102,7 +102,11 @@ def _each_once(boxes: Iterable[MeasuredBox]) -> Iterable[MeasuredBox]:
 
 def _worth(box: MeasuredBox) -> tuple[Any, ...]:
     """By which one of several fits is taken; the ratios settle it, whoever came first."""
-    return round(box.figures.error, DIGITS), round(box.figures.loss, DIGITS), box.box.ratios
+    return (
+        round(box.figures.error, FIGURE_DECIMALS),
+        round(box.figures.loss, FIGURE_DECIMALS),
+        box.box.ratios,
+    )
 
 
 def _name(box: MeasuredBox) -> tuple[Any, ...]:

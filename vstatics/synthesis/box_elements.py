@@ -17,7 +17,7 @@ from vstatics.synthesis.box_combinations import Combinations, number_of
 from vstatics.synthesis.box_matching import matched
 from vstatics.synthesis.box_minors import GearSpeeds
 
-SAME = 1e-9
+SAME_BOX_RATIO = 1e-9
 """Ratios that differ by less, at a point within, are one: no chance makes them so. [-]"""
 
 
@@ -188,7 +188,9 @@ def _one_more(
         else:
             ratio = port.ratios[which]
             same = 0
-            while same < count and abs(room.ratios[after, same] - ratio) > SAME * abs(ratio):
+            while same < count and abs(room.ratios[after, same] - ratio) > SAME_BOX_RATIO * abs(
+                ratio
+            ):
                 same += 1
             if same < count:
                 gone += 1

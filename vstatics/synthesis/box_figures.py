@@ -10,7 +10,7 @@ from typing import Any, NamedTuple, cast
 from vstatics.model.parts import Gear
 from vstatics.model.transmission import Transmission
 from vstatics.statics.freewheels import find_state
-from vstatics.statics.gear import values_of
+from vstatics.statics.state import values_of
 from vstatics.synthesis.box import BoxSearch, FoundBox
 from vstatics.synthesis.box_case import box_case
 from vstatics.synthesis.box_gears import Engaged, chosen_sets, equal_sets, is_single
@@ -19,7 +19,7 @@ from vstatics.synthesis.box_names import box_element_name, element_links, in_ord
 from vstatics.synthesis.box_planar import box_is_planar
 from vstatics.synthesis.scheme_case import set_name
 
-DIGITS = 9
+FIGURE_DECIMALS = 9
 """Figures that agree in so many decimals are equal."""
 
 
@@ -198,7 +198,7 @@ def _chosen(box: FoundBox, targets: Sequence[float], solved: _Solved) -> list[_C
 
     def cost(engaged: Engaged) -> tuple[float, float]:
         found = solved(engaged)
-        return round(found.loss, DIGITS), round(found.torque, DIGITS)
+        return round(found.loss, FIGURE_DECIMALS), round(found.torque, FIGURE_DECIMALS)
 
     sets = chosen_sets(ranges, len(box.elements), cost)
     return [_ChosenGear(index, one, solved(one)) for index, one in zip(order, sets, strict=True)]

@@ -16,16 +16,16 @@ import numpy as np
 from vstatics.numerics.arrays import Floats, Integers
 from vstatics.numerics.compiled import compiled, put
 
-STEPS = 60
+MOST_BOX_STEPS = 60
 LEAST_STEP = 1e-12
 """Of a logarithm: a shorter step changes nothing. [-]"""
 LEAST_GAIN = 1e-14
 """Part of the sum of squares: a step that gains less was the last one. [-]"""
-NOTHING = 1e-20
+LEAST_SUM_OF_SQUARES = 1e-20
 """A sum of squares that can't be less. [-]"""
 GIVEN_UP = 1e8
 """No step is tried with more damping. [-]"""
-TINY = 1e-12
+DIAGONAL = 1e-12
 """Added to the diagonal, for ratios that no gear depends on. [-]"""
 
 
@@ -112,7 +112,7 @@ def fitted(parts: Floats, chosen: Integers, asked: Asked, room: FitRoom) -> floa
         return best
     _slopes(parts, chosen, room)
     damping = 1e-3
-    for _ in range(STEPS):
+    for _ in range(MOST_BOX_STEPS):
         _step(room, least, most, damping)
         step = 0.0
         for number in range(sets):
@@ -128,7 +128,7 @@ def fitted(parts: Floats, chosen: Integers, asked: Asked, room: FitRoom) -> floa
             if damping > GIVEN_UP:
                 return best
             continue
-        is_last = best - value <= LEAST_GAIN * best or value < NOTHING
+        is_last = best - value <= LEAST_GAIN * best or value < LEAST_SUM_OF_SQUARES
         best = value
         put(room.tried, room.logs)
         put(room.trial, room.errors)
@@ -233,4 +233,4 @@ def _find_system(room: FitRoom, least: float, most: float, damping: float) -> No
                 total += room.jacobian[target, row] * room.jacobian[target, column]
             system[row, column] = total * moves[row] * moves[column]
         system[row, row] *= 1 + damping
-        system[row, row] += TINY if moves[row] else 1.0
+        system[row, row] += DIAGONAL if moves[row] else 1.0

@@ -9,7 +9,7 @@ from vstatics.numerics.arrays import Floats, Integers
 from vstatics.numerics.compiled import compiled, put
 from vstatics.synthesis.box_cells import CellRoom
 from vstatics.synthesis.box_combinations import Combinations, number_of
-from vstatics.synthesis.box_elements import SAME, PortGears, SetRoom, element_sets
+from vstatics.synthesis.box_elements import SAME_BOX_RATIO, PortGears, SetRoom, element_sets
 from vstatics.synthesis.box_fit import Asked
 from vstatics.synthesis.box_minors import GearSpeeds
 from vstatics.synthesis.box_ranges import divide, has_one_sign, reached
@@ -106,7 +106,7 @@ def _different(
         if port.reach[which]:
             ratio = port.ratios[which]
             same = 0
-            while same < count and abs(ratios[same] - ratio) > SAME * abs(ratio):
+            while same < count and abs(ratios[same] - ratio) > SAME_BOX_RATIO * abs(ratio):
                 same += 1
             room.cells.ratio_of[subset] = same
             if same == count:

@@ -21,13 +21,13 @@ from vstatics.synthesis.box_ranges import lines
 from vstatics.synthesis.box_schemes import BoxScheme, box_schemes
 from vstatics.synthesis.box_speeds import SpeedBases, speed_bases
 
-AT_ONCE = 500
+PORTS_AT_ONCE = 500
 """A piece has about so many choices of ports."""
-ROOM = 4096
+FIRST_ELEMENT_SETS = 4096
 """So many sets of elements there is room for at first."""
-ROUNDING = 1e-9
+SAME_BOX_SPEED = 1e-9
 """The same speeds differ by less; of the gears of one scheme no two agree so well by chance. [-]"""
-MARGIN = 1e-9
+TARGET_MARGIN = 1e-9
 """Targets are looked for that much further than the tolerance. [-]"""
 
 
@@ -91,7 +91,7 @@ def _pieces(search: BoxSearch) -> list[list[BoxScheme]]:
     for one in box_schemes(search):
         if room <= 0:
             pieces.append([])
-            room = AT_ONCE
+            room = PORTS_AT_ONCE
         pieces[-1].append(one)
         room -= len(one.ports)
     return pieces
@@ -118,7 +118,7 @@ class _PortSearch:
         self.searched += math.comb(len(there), search.elements)
         bits, speeds = sum(1 << number for number in there), len(self.gears.speeds)
         port = PortGears(*ports, bits, np.zeros(speeds, np.int64), np.zeros(speeds))
-        most = ROOM
+        most = FIRST_ELEMENT_SETS
         while True:
             room = _room(search, most, get_ident())
             found, count, given_up = boxes_of_ports(table, self.gears, port, _asked(search), room)
@@ -157,8 +157,8 @@ def _gears(bases: SpeedBases, table: Combinations) -> GearSpeeds:
     within = np.zeros((len(table.members), links, 1))
     gear_speeds(bases.speeds[-1:], bases.factors[-1:], table.ends, table.members, within)
     sizes = np.abs(within).max(axis=1)
-    sizes[sizes < ROUNDING] = np.inf
-    keys = np.round(np.abs(within[:, :, 0] / sizes @ _KEYS[:links]) / ROUNDING)
+    sizes[sizes < SAME_BOX_SPEED] = np.inf
+    keys = np.round(np.abs(within[:, :, 0] / sizes @ _KEYS[:links]) / SAME_BOX_SPEED)
     alike = keys[:, 0] + 1j * keys[:, 1]
     _, which, way = np.unique(alike, return_index=True, return_inverse=True)
     found = np.zeros((len(which), links, points))
@@ -172,7 +172,7 @@ def _still(speeds: Floats, table: Combinations) -> Integers:
     """Elements that do not slip at some speeds, as bits, shape (speeds,)."""
     with_housing = np.column_stack([speeds, np.zeros(len(speeds))])  # HELD is the last column
     slips = with_housing[:, table.ends[:, 0]] - with_housing[:, table.ends[:, 1]]
-    return np.asarray((np.abs(slips) < ROUNDING) @ (1 << np.arange(len(table.ends))))
+    return np.asarray((np.abs(slips) < SAME_BOX_SPEED) @ (1 << np.arange(len(table.ends))))
 
 
 _KEYS = np.sqrt(np.arange(2, 66)).reshape(-1, 2) % 1 - 0.3
@@ -183,7 +183,7 @@ _KEYS = np.sqrt(np.arange(2, 66)).reshape(-1, 2) % 1 - 0.3
 def _asked(search: BoxSearch) -> Asked:
     """What is asked, as arrays."""
     targets = np.array(search.targets, dtype=float)
-    factor = math.exp(search.tolerance + MARGIN)
+    factor = math.exp(search.tolerance + TARGET_MARGIN)
     ends = np.sort([targets / factor, targets * factor], axis=0)
     return Asked(targets, ends[0], ends[1], search.tolerance, *search.bounds)
 

@@ -12,7 +12,7 @@ import numpy as np
 from vstatics.numerics.arrays import Floats
 from vstatics.numerics.compiled import compiled
 
-INDEPENDENT = 1e-10
+INDEPENDENT_RATIO = 1e-10
 """A quotient does not depend on a ratio if it is as equal at both its ends. [-]"""
 
 
@@ -132,7 +132,7 @@ def _independent(above: Floats, below: Floats, within: Floats) -> int:
                 first_above += weight * above[corner]
                 first_below += weight * below[corner]
         one, other = first_above * last_below, last_above * first_below
-        if abs(one - other) <= INDEPENDENT * (abs(one) + abs(other)):
+        if abs(one - other) <= INDEPENDENT_RATIO * (abs(one) + abs(other)):
             found |= 1 << number
     return found
 

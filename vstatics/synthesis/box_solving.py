@@ -15,7 +15,7 @@ from vstatics.numerics.arrays import Floats
 from vstatics.numerics.compiled import compiled, put
 from vstatics.synthesis.box_cells import CellRoom, halve, longest, spread_of
 from vstatics.synthesis.box_combinations import Combinations
-from vstatics.synthesis.box_fit import NOTHING, Asked, fitted
+from vstatics.synthesis.box_fit import LEAST_SUM_OF_SQUARES, Asked, fitted
 from vstatics.synthesis.box_matching import matched
 from vstatics.synthesis.box_ranges import reached
 from vstatics.synthesis.box_use import all_used
@@ -61,7 +61,7 @@ def solved(table: Combinations, parts: Floats, asked: Asked, room: CellRoom) -> 
         if _is_due(room, top, number):
             fits += 1
             is_met = _fits(table, parts, asked, room, top)
-            if room.best[1] < (math.inf if fits > MORE_FITS else NOTHING):
+            if room.best[1] < (math.inf if fits > MORE_FITS else LEAST_SUM_OF_SQUARES):
                 break
             if is_met or room.stages[top] == len(SPREADS):
                 continue

@@ -22,7 +22,7 @@ MOST_FOUND = 1_000_000
 """So many boxes are kept, for the sake of memory."""
 MOST_MEASURED = 50_000
 """So many have their figures made."""
-AT_ONCE = 20
+BOXES_AT_ONCE = 20
 """So many boxes a worker measures at once."""
 SEARCHED, GIVEN_UP = "searched", "given up"
 """What is counted in a piece."""
@@ -54,7 +54,7 @@ def measure(work: BoxWork, boxes: Sequence[FoundBox]) -> list[MeasuredBox]:
 def portions(boxes: Iterable[FoundBox]) -> Iterator[tuple[FoundBox, ...]]:
     """Boxes as workers get them."""
     coming = iter(boxes)
-    while portion := tuple(islice(coming, AT_ONCE)):
+    while portion := tuple(islice(coming, BOXES_AT_ONCE)):
         yield portion
 
 

@@ -22,11 +22,11 @@ from vstatics.synthesis.engaged_kinds import EngagedKind, EngagedKinds, Indices,
 from vstatics.synthesis.engaged_sets import EngagedSets
 from vstatics.synthesis.speed_forms import FreeSpeeds, SpeedForms
 
-MOST = 1_000_000
+MOST_COMBINATIONS = 1_000_000
 """So many combinations are tried unless more are asked for: about ten seconds."""
-ROOM = 500_000
+ROW_NUMBERS_AT_ONCE = 500_000
 """So many numbers have the rows of the combinations that are calculated together."""
-LARGEST = 20_000_000
+MOST_ROW_NUMBERS = 20_000_000
 """So many numbers may have the rows of all elements."""
 DRAWS = 3
 """So many times the ratios of all mechanisms are drawn, to tell direct drives."""
@@ -96,7 +96,7 @@ class CombinationSearch:
         """Those to choose from."""
         return chosen_elements(self.case, self._asked)
 
-    def check(self, at_most: int | None = MOST) -> None:
+    def check(self, at_most: int | None = MOST_COMBINATIONS) -> None:
         """Refuse more combinations than these, if any, or larger ones than memory has room for.
 
         Raises
@@ -110,8 +110,8 @@ class CombinationSearch:
             )
             raise CaseError([Problem(message, ("shift_elements",))])
         room = (self.choice + 3) * (self.case.links + 1)
-        if room > LARGEST or self._work() > WORK * (at_most or math.inf):
-            lacking = "the memory" if room > LARGEST else "an hour"
+        if room > MOST_ROW_NUMBERS or self._work() > WORK * (at_most or math.inf):
+            lacking = "the memory" if room > MOST_ROW_NUMBERS else "an hour"
             message = (
                 f"{self.choice} shift elements between {self.case.links} links are too many for "
                 f"{lacking}; expected some of them, or fewer to engage"
@@ -153,7 +153,7 @@ class CombinationSearch:
         return total
 
     def _room(self, size: int) -> int:
-        return max(ROOM // ((size + 3) * max(self._forms.free, 1)), 1)
+        return max(ROW_NUMBERS_AT_ONCE // ((size + 3) * max(self._forms.free, 1)), 1)
 
     @cached_property
     def _forms(self) -> SpeedForms:

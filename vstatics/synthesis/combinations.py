@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from vstatics.model.transmission import Transmission
-from vstatics.synthesis.combination_search import MOST, CombinationSearch
+from vstatics.synthesis.combination_search import MOST_COMBINATIONS, CombinationSearch
 from vstatics.synthesis.engaged_sets import EngagedSet
 
 
@@ -13,7 +13,7 @@ def combinations(
     case: Transmission,
     engaged: int | Sequence[int] = (),
     elements: str | Sequence[str] = (),
-    at_most: int = MOST,
+    at_most: int = MOST_COMBINATIONS,
 ) -> list[EngagedSet]:
     """All combinations of shift elements of a case, with their kinds and ratios.
 

@@ -11,8 +11,7 @@ from collections.abc import Iterable
 from typing import NamedTuple
 
 from vstatics.model.transmission import HOUSING, Transmission
-from vstatics.numerics.elimination import solve
-from vstatics.numerics.entries import RIGHT, Equation
+from vstatics.numerics.elimination import RIGHT, Equation, solve
 from vstatics.numerics.traced import plain
 from vstatics.statics.matrix import ON_ELEMENT, columns
 from vstatics.synthesis.engaged_kinds import EngagedKind

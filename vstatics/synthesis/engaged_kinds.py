@@ -14,8 +14,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vstatics.numerics.arrays import Booleans, Floats
-from vstatics.numerics.tolerances import REAL, ZERO
-from vstatics.synthesis.speed_forms import KEPT, SpeedForms
+from vstatics.numerics.tolerances import TRACED_REAL, ZERO
+from vstatics.synthesis.speed_forms import KEPT_PART, SpeedForms
 
 Indices = NDArray[np.intp]
 
@@ -150,8 +150,8 @@ class _SizedRows:
         values, sizes = self.values[others], self.sizes[others]
         products = factors * mine
         sizes += of_factors * abs(mine) + abs(factors) * its_size
-        larger = REAL * np.maximum(abs(values), abs(products))
-        known = (sizes * (KEPT * REAL) <= larger) & (sizes < np.inf)
+        larger = TRACED_REAL * np.maximum(abs(values), abs(products))
+        known = (sizes * (KEPT_PART * TRACED_REAL) <= larger) & (sizes < np.inf)
         lost = ~known & (larger != 0)
         self.doubtful |= lost.any(axis=(0, 1))
         values -= products

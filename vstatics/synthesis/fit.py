@@ -13,7 +13,7 @@ from vstatics.explain.bodies import on_own_links
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Floats
 from vstatics.statics.solve import solve
-from vstatics.synthesis.bounds import WIDEST
+from vstatics.synthesis.bounds import LARGEST_SET_RATIO
 from vstatics.synthesis.fit_problem import Advance, FitProblem, doubts, fit_problem, untold
 from vstatics.synthesis.fit_search import found_ratios
 from vstatics.synthesis.ratio_arrays import ratio_arrays
@@ -155,7 +155,7 @@ def _kept(problem: FitProblem) -> Iterator[str]:
     own = problem.own
     for index, mechanism in enumerate(own.case.mechanisms):
         if own.is_fixed(index) and mechanism.ratio == -1 and problem.bounds.is_fixed(index):
-            hint = f"--bounds {mechanism.name}=-{WIDEST:g}:-1 lets it vary"
+            hint = f"--bounds {mechanism.name}=-{LARGEST_SET_RATIO:g}:-1 lets it vary"
             yield f"{mechanism.name} keeps -1, as a symmetrical differential has it; {hint}"
 
 

@@ -13,7 +13,7 @@ from vstatics.synthesis.fit_grids import number
 from vstatics.synthesis.fit_problem import FitProblem
 from vstatics.synthesis.fit_space import FitPoints, FitSpace, fit_space
 from vstatics.synthesis.fit_starts import start_count
-from vstatics.synthesis.least_squares import STEPS
+from vstatics.synthesis.least_squares import MOST_FIT_STEPS
 from vstatics.tables.grid import Column, Grid, Row, text
 from vstatics.writers.plain_json import plain_data
 
@@ -43,11 +43,11 @@ def longest(problem: FitProblem) -> float:
         return 0.0
     starts = _starts(space)
     began = time.perf_counter()
-    space.minima(starts, weight=1.0, steps=FEW)
-    return (time.perf_counter() - began) * STEPS / FEW
+    space.minima(starts, weight=1.0, steps=TIMED_STEPS)
+    return (time.perf_counter() - began) * MOST_FIT_STEPS / TIMED_STEPS
 
 
-FEW = 2
+TIMED_STEPS = 2
 """Steps by which the time is estimated."""
 
 

@@ -8,9 +8,9 @@ from vstatics.synthesis.fit import Fit, deviation
 from vstatics.synthesis.fit_problem import FitProblem
 from vstatics.tables.grid import Cell, Column, Grid, Row, exact, text, whole
 
-ROUNDED = 9
+DEVIATION_DECIMALS = 9
 """Digits of a deviation; what is below them is rounding."""
-TINY = 1e-4
+TINY_RATIO = 1e-4
 """A smaller ratio is told with a power of ten."""
 
 
@@ -38,7 +38,7 @@ def number(value: float | None) -> Cell:
     >>> number(-4.7).text, number(0.00125).text, number(1e-300).text, number(None).text
     ('-4.7000', '.001250', '1e-300', '-')
     """
-    if value is None or not 0 < abs(value) < TINY:
+    if value is None or not 0 < abs(value) < TINY_RATIO:
         return exact(value, 4)
     return Cell(f"{value:.4g}", value, kind=float)
 
@@ -53,7 +53,7 @@ def _gears(found: Fit) -> Grid:
             row += [exact(None), ""]
         else:
             met = "not met" if gear.name in found.unmet else "met"
-            row += [exact(100 * round(deviation(ratio, target), ROUNDED)), met]
+            row += [exact(100 * round(deviation(ratio, target), DEVIATION_DECIMALS)), met]
         rows.append(row)
     columns = [text("gear"), *map(Column, ("wanted", "ratio", "off [%]")), text("note")]
     return Grid("Gears", columns, rows)

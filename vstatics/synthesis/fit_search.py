@@ -15,11 +15,11 @@ from vstatics.synthesis.least_squares import Minima
 ANCHORED = (0.1, 0.01)
 """Weights of the case's own ratios, one after the other, where the wanted ones leave a choice;
 at last they are let go."""
-MET = 1e-20
+MET_RATIOS = 1e-20
 """Sums of squares below this are all the same: nothing is left but rounding."""
 SAME_SOLUTION = 1e-5
 """Solutions whose ratios differ by less than this part are one."""
-ROUNDED = 1e-14
+AT_BOUND = 1e-14
 """A ratio that differs from a bound by less than this part stands at it."""
 DEPENDENT = 1e-9
 """Directions in which the ratios change by less than this part, of the most, are free."""
@@ -57,7 +57,7 @@ def found_ratios(problem: FitProblem, advance: Advance = untold) -> FoundRatios:
 def _at_bounds(problem: FitProblem, ratios: Floats) -> Floats:
     """Ratios that are those of bounds but for rounding, as they are given."""
     for bound in map(np.array, problem.bounds):
-        ratios = np.where(np.abs(ratios - bound) <= ROUNDED * np.abs(bound), bound, ratios)
+        ratios = np.where(np.abs(ratios - bound) <= AT_BOUND * np.abs(bound), bound, ratios)
     return ratios
 
 
@@ -80,7 +80,7 @@ def _distinct(space: FitSpace, signs: Floats, minima: Minima) -> list[int]:
     settled = minima.settled & np.isfinite(minima.squares)
     if not settled.any():
         settled = np.isfinite(minima.squares)
-    squares = np.where(minima.squares < MET, 0.0, minima.squares)
+    squares = np.where(minima.squares < MET_RATIOS, 0.0, minima.squares)
     turned = (signs != own.signs).sum(axis=1)
     away = np.square(minima.unknowns - own.sizes).sum(axis=1)
     order = np.lexsort((away, turned, squares))

@@ -12,10 +12,10 @@ import numpy as np
 
 from vstatics.numerics.arrays import Booleans, Floats, Integers
 from vstatics.synthesis.fit_problem import Advance, FitProblem, untold
-from vstatics.synthesis.least_squares import STEPS, Minima, minimize
+from vstatics.synthesis.least_squares import MOST_FIT_STEPS, Minima, minimize
 from vstatics.synthesis.ratio_arrays import RatioArrays, ratio_arrays
 
-NARROWEST = 1e-3
+NARROWEST_RATIO = 1e-3
 """Where bounds have 0 between them, a ratio is no smaller than this part of the larger one."""
 
 
@@ -63,7 +63,7 @@ class FitSpace(NamedTuple):
         low, high = (np.array(one)[self.varied] for one in self.problem.bounds)
         least = np.where(signs > 0, np.maximum(low, 0), np.maximum(-high, 0))
         most = np.where(signs > 0, high, -low)
-        return np.log(np.where(least > 0, least, NARROWEST * most)), np.log(most)
+        return np.log(np.where(least > 0, least, NARROWEST_RATIO * most)), np.log(most)
 
     def quotients(self, points: FitPoints) -> Floats:
         """The ratios of gears by those that are wanted, (points, gears) [-]."""
@@ -81,7 +81,7 @@ class FitSpace(NamedTuple):
         slopes = self.arrays.sensitivities(full)[:, :, self.varied]
         return values, slopes * self.roots[:, np.newaxis]
 
-    def minima(self, starts: FitPoints, weight: float = 0.0, steps: int = STEPS) -> Minima:
+    def minima(self, starts: FitPoints, weight: float = 0.0, steps: int = MOST_FIT_STEPS) -> Minima:
         """The minima to which starts lead, with a weight of the case's own ratios."""
         own = self.own.sizes
 

@@ -9,7 +9,7 @@ from vstatics.numerics.arrays import Booleans, Floats
 from vstatics.synthesis.fit_space import FitPoints, FitSpace
 
 MOST_STARTS, LEAST_STARTS = 128, 8
-ROOM = 12_800
+START_NUMBERS = 12_800
 """So large are the matrices of all starts together: with many ratios there are fewer starts."""
 SAMPLES, ROUNDS = 2048, 4
 """Points that are tried at a time, and how many times."""
@@ -18,7 +18,7 @@ SAMPLES, ROUNDS = 2048, 4
 def start_count(space: FitSpace) -> int:
     """How many starts a search has: 128, but for more than ten ratios fewer."""
     count = len(space.varied)
-    return max(LEAST_STARTS, min(MOST_STARTS, ROOM // max(count**2, 1)))
+    return max(LEAST_STARTS, min(MOST_STARTS, START_NUMBERS // max(count**2, 1)))
 
 
 def fit_starts(space: FitSpace) -> FitPoints:

@@ -9,20 +9,20 @@ import numpy as np
 
 from vstatics.numerics.arrays import Booleans, Floats, Integers
 
-STEPS = 300
+MOST_FIT_STEPS = 300
 """So many steps a start may take."""
 NONE = 1e-30
 """Squares whose sum is below this are rounding."""
 STILL = 1e-13
 """A step is nothing below this, and no step helps where the damping is the inverse of it."""
-ROUNDED = 1e-14
+EQUAL_SUM_OF_SQUARES = 1e-14
 """By this part a sum of squares may grow: so near to its minimum it says nothing more, but
 steps still lead there."""
-LAST = 10
+LAST_STEPS = 10
 """So many such steps are taken."""
-LEAST = 1e-13
+LEAST_DAMPING = 1e-13
 """So much damping there is at least, by which the equations of a step are never singular."""
-FARTHEST = 1.0
+LONGEST_STEP = 1.0
 """No unknown changes by more in a step: their logarithms are asked for."""
 
 Residuals = Callable[[Floats, Integers], tuple[Floats, Floats]]
@@ -42,7 +42,7 @@ class Minima(NamedTuple):
 
 
 def minimize(
-    residuals: Residuals, starts: Floats, low: Floats, high: Floats, steps: int = STEPS
+    residuals: Residuals, starts: Floats, low: Floats, high: Floats, steps: int = MOST_FIT_STEPS
 ) -> Minima:
     """Go from each start to a minimum of the sum of squares.
 
@@ -96,18 +96,23 @@ def _minimized(
         diagonal = damping[going, np.newaxis] * scale[:, np.newaxis] + ~free
         normal[:, range(count), range(count)] += diagonal
         step = np.linalg.solve(normal, downhill[:, :, np.newaxis])[:, :, 0]
-        there = np.clip(here + np.clip(step, -FARTHEST, FARTHEST), least, most)
+        there = np.clip(here + np.clip(step, -LONGEST_STEP, LONGEST_STEP), least, most)
         found = residuals(there, going)
         reached = _squares(found[0])
-        better = reached <= squares[going] * (1 + ROUNDED)
-        flat[going] += better & (reached >= squares[going] * (1 - ROUNDED))
+        better = reached <= squares[going] * (1 + EQUAL_SUM_OF_SQUARES)
+        flat[going] += better & (reached >= squares[going] * (1 - EQUAL_SUM_OF_SQUARES))
         unknowns[going[better]] = there[better]
         squares[going[better]] = reached[better]
         values[going[better]], slopes[going[better]] = (one[better] for one in found)
         damping[going] *= np.where(better, 0.1, 8.0)
-        np.maximum(damping, LEAST, out=damping)
+        np.maximum(damping, LEAST_DAMPING, out=damping)
         stays = np.abs(there - here).max(axis=1) <= STILL
-        done = (squares[going] < NONE) | stays | (damping[going] > 1 / STILL) | (flat[going] > LAST)
+        done = (
+            (squares[going] < NONE)
+            | stays
+            | (damping[going] > 1 / STILL)
+            | (flat[going] > LAST_STEPS)
+        )
         settled[going[done]] = True
         going = going[~done]
     return Minima(unknowns, squares, settled)

@@ -14,7 +14,7 @@ from vstatics.synthesis.multilinear import Polynomial, bits
 
 MOST_CORNERS = 2**16
 """So many corners of bounds are looked at: those of 16 ratios."""
-ROOM = 4_000_000
+PRODUCTS_AT_ONCE = 4_000_000
 """So many products are calculated together."""
 
 
@@ -53,7 +53,7 @@ class RatioArrays(NamedTuple):
         ndarray, shape (variants, gears)
             Not finite where the output stands. [-]
         """
-        pieces = -(-len(of_mechanisms) * len(self.powers) // ROOM)
+        pieces = -(-len(of_mechanisms) * len(self.powers) // PRODUCTS_AT_ONCE)
         with np.errstate(all="ignore"):
             found = [
                 (products @ self.above) / (products @ self.below)

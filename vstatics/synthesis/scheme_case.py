@@ -12,7 +12,7 @@ from vstatics.synthesis.combination_search import CombinationSearch
 from vstatics.synthesis.scheme import SetScheme, link_name
 from vstatics.synthesis.scheme_arrays import LEAST_MOBILITY
 
-FEW = 60
+FEW_COMBINATIONS = 60
 """If clutches to all links gave more combinations the input has none but that to the output."""
 MOST_OF_SCHEME = 100
 """So many gears has a case, those that are found first."""
@@ -29,8 +29,8 @@ def scheme_case(
 
     Every link has a brake, but input and output; a clutch joins these two. Where more than one
     element is engaged, clutches join the input to all other links too, unless that makes more
-    than `FEW` combinations. Gears are the combinations with a ratio that no other has, by
-    descending ratio; direct drive is one of them.
+    than `FEW_COMBINATIONS` combinations. Gears are the combinations with a ratio that no other
+    has, by descending ratio; direct drive is one of them.
 
     Parameters
     ----------
@@ -112,7 +112,7 @@ def _elements(scheme: SetScheme, input_link: int, output_link: int) -> list[Shif
     engaged = scheme.mobility - 1
     if engaged > 1:
         more = [_clutch(input_link, link) for link in others]
-        if math.comb(len(elements) + 1 + len(more), engaged) <= FEW:
+        if math.comb(len(elements) + 1 + len(more), engaged) <= FEW_COMBINATIONS:
             clutches += more
     return elements + clutches
 

@@ -14,14 +14,14 @@ import numpy as np
 
 from vstatics.model.transmission import HOUSING, Transmission
 from vstatics.numerics.arrays import Floats
-from vstatics.numerics.entries import EXACTLY_ONE, FLOATS, Entry, Equation, Row, row_of
+from vstatics.numerics.elimination import EXACTLY_ONE, FLOATS, Entry, Equation, Row, row_of
 from vstatics.numerics.traced import absolute, plain
 from vstatics.statics.matrix import columns
 
 Pair = tuple[int, int]
 """Two links, whose difference of speeds is asked for; the housing is 0."""
 NOTHING: Entry = (0.0, 0.0)
-KEPT = 2.0**-12
+KEPT_PART = 2.0**-12
 """A number that is less than this part of its size has lost too many digits."""
 
 
@@ -114,7 +114,7 @@ class FreeSpeeds:
         """``entry - factor * term``, with an eye on digits that are lost."""
         less = FLOATS.less(entry, factor, term)
         larger = max(absolute(entry[0]), absolute(factor[0] * term[0]))
-        self.doubtful |= bool(less[1] * KEPT > larger)
+        self.doubtful |= bool(less[1] * KEPT_PART > larger)
         return less
 
     def forms(self, pairs: Sequence[Pair]) -> SpeedForms:

@@ -31,11 +31,11 @@ from vstatics.synthesis.structures import (
     weights,
 )
 
-TRIED = 600_000
+GROWN_SCHEMES = 600_000
 """About so many schemes grow for each number of sets, fewer where each has more renamings."""
-FEW = 4
+FEW_SETS = 4
 """Fewer grow where there are more sets, as all of them are more."""
-SOON = 6
+COUNTED_SETS = 6
 """So many sets are counted as soon as estimated."""
 WRITTEN = 2000
 """Lines of so many schemes show how long a line is."""
@@ -112,7 +112,7 @@ def _of_classes(search: StructureSearch, sample: _DrawnSchemes) -> Estimate:
 
 
 def _are_soon_counted(search: StructureSearch) -> bool:
-    return search.unsound or search.sets <= SOON
+    return search.unsound or search.sets <= COUNTED_SETS
 
 
 def _by_links(
@@ -166,7 +166,7 @@ def _drawn(
     There are as many of each number of links, at equal steps of what they stand for.
     """
     orders = 1 if search.classes == "none" else len(scheme_arrays.orders(search.classes))
-    tried = TRIED // orders // max(search.sets - FEW, 1)
+    tried = GROWN_SCHEMES // orders // max(search.sets - FEW_SETS, 1)
     most = rows_at_once(search, batch.codes, tried)
     if len(batch.codes) <= most:
         return np.arange(len(batch.codes)), sizes

@@ -23,7 +23,7 @@ Classes = Literal["none", "sets", "members", "order"]
 """Schemes that count as one: none do; equal up to renaming of sets; also with sun and ring
 exchanged; with the members of a set in any order."""
 MOST_SETS = 10
-AT_ONCE = 50_000
+SCHEMES_AT_ONCE = 50_000
 """So many schemes grow at once, for the sake of memory."""
 
 
@@ -121,7 +121,7 @@ def _grown(search: StructureSearch, batch: SchemeBatch) -> Iterator[SchemeBatch]
         yield from _grown(search, next_batch(search, batch.codes[start : start + step]))
 
 
-def rows_at_once(search: StructureSearch, codes: Codes, most: int = AT_ONCE) -> int:
+def rows_at_once(search: StructureSearch, codes: Codes, most: int = SCHEMES_AT_ONCE) -> int:
     """From so many schemes about `most` may grow."""
     links = int(codes.max(initial=0)) + 1
     choices = len(scheme_arrays.next_sets(links, apart=search.classes == "none"))

@@ -19,7 +19,7 @@ from vstatics.synthesis.teeth_problem import TeethProblem, teeth_problem
 from vstatics.synthesis.teeth_reach import reach, reach_doubts, refuse_signs
 from vstatics.synthesis.teeth_rows import LOOKED, TeethRows
 from vstatics.synthesis.teeth_search import EXACT, BestTeeth, best_teeth
-from vstatics.synthesis.teeth_solutions import KEPT, TeethSolution, teeth_solutions
+from vstatics.synthesis.teeth_solutions import MOST_TEETH_SOLUTIONS, TeethSolution, teeth_solutions
 from vstatics.synthesis.teeth_table import TeethTable, teeth_table
 from vstatics.synthesis.teeth_targets import TeethError
 from vstatics.synthesis.teeth_windows import (
@@ -28,7 +28,7 @@ from vstatics.synthesis.teeth_windows import (
     narrowed,
 )
 
-AT_ONCE = 8_000_000
+MOST_LISTED_CANDIDATES = 8_000_000
 """An element with more candidates has only those listed whose ratios are of use."""
 
 
@@ -100,7 +100,7 @@ def find_teeth(
     ends = reach(rows, tables)
     refuse_signs(problem, *ends)
     if len(full) == len(tables):
-        best = best_teeth(full, problem.targets, KEPT, advance=advance)
+        best = best_teeth(full, problem.targets, MOST_TEETH_SOLUTIONS, advance=advance)
     else:
         full, best = _by_limits(problem, rows, tables, ends, advance)
     solutions = [*teeth_solutions(problem, full, best)]
@@ -119,7 +119,7 @@ def _whole_table(rows: TeethRows) -> TeethTable | None:
         If there are none, with the condition that excludes most.
     """
     told: Counter[str] = Counter()
-    found = teeth_table(rows.layout, rows.found({}, told, AT_ONCE), _counts(rows))
+    found = teeth_table(rows.layout, rows.found({}, told, MOST_LISTED_CANDIDATES), _counts(rows))
     if not found.is_whole:
         return None
     if not found.total:
@@ -175,10 +175,10 @@ def _by_limits(
         is_whole = all(table.is_whole for table in listed)
         if all(table.total for table in listed):
             within = most if is_whole else math.inf
-            found = best_teeth(listed, targets, KEPT, most=within, advance=advance)
+            found = best_teeth(listed, targets, MOST_TEETH_SOLUTIONS, most=within, advance=advance)
             if len(found.errors) and (is_whole or best is None):
                 best = listed, found._replace(bound=min(found.bound, most if is_whole else proven))
-            if _different(listed, found) >= KEPT:
+            if _different(listed, found) >= MOST_TEETH_SOLUTIONS:
                 break
         if not is_whole:
             break

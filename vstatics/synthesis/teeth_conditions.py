@@ -21,7 +21,7 @@ from vstatics.elements.teeth.conditions import (
     seated,
 )
 from vstatics.numerics.arrays import Booleans, Floats, Integers
-from vstatics.numerics.tolerances import GAP
+from vstatics.numerics.tolerances import TIP_CLEARANCE
 from vstatics.synthesis.teeth_layout import TeethLayout
 from vstatics.synthesis.teeth_limits import AxisEquation, TeethLimits
 
@@ -153,7 +153,7 @@ def _wheel_within(layout: TeethLayout, number: int, largest: float, *, is_rim: b
         across = rows.teeth(number) + more
         if is_rim:
             across = across + rows.span(number)
-        found: Booleans = across * rows.module(layout.component[number]) <= largest + GAP
+        found: Booleans = across * rows.module(layout.component[number]) <= largest + TIP_CLEARANCE
         return found
 
     return test
@@ -168,7 +168,7 @@ def _alone(rows: TeethCandidates) -> Booleans:
 def _neighbours(rim: int, clearance: float) -> Test:
     def test(rows: TeethCandidates) -> Booleans:
         room = neighbours_room(rows.span(rim), rows.teeth(rim), np.sin(np.pi / rows.counts))
-        return (room - clearance >= GAP) | _alone(rows)
+        return (room - clearance >= TIP_CLEARANCE) | _alone(rows)
 
     return test
 
@@ -179,7 +179,7 @@ def _passing(layout: TeethLayout, rim: int, wheel: int, clearance: float) -> Tes
     def test(rows: TeethCandidates) -> Booleans:
         teeth = rows.teeth(rim), rows.teeth(wheel)
         room = passing_room(rows.span(rim), *teeth, internal=internal)
-        return (room > GAP) & (room >= 2 * clearance - GAP)
+        return (room > TIP_CLEARANCE) & (room >= 2 * clearance - TIP_CLEARANCE)
 
     return test
 
@@ -193,7 +193,9 @@ def _crossing(pair: tuple[int, int], clearance: float) -> Test:
         first, second, apart = rows.sides(pair)
         turn = 2 * math.pi / rows.counts
         room = crossing_distance(first, second, apart, turn) - apart - TIPS
-        return ((room - clearance >= GAP) & (lean(first, second, apart) < turn)) | _alone(rows)
+        return ((room - clearance >= TIP_CLEARANCE) & (lean(first, second, apart) < turn)) | _alone(
+            rows
+        )
 
     return test
 

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
-from vstatics.elements.group_checks import MOST
+from vstatics.elements.group_checks import LARGEST_WHEEL
 from vstatics.elements.teeth.conditions import SHIFT
 from vstatics.errors import CaseError, Problem, listed, nearest, quoted
 from vstatics.explain.bodies import OwnLinks, on_own_links
@@ -188,7 +188,7 @@ def _wrong_limits(limits: TeethLimits, layouts: Sequence[TeethLayout]) -> Iterat
         if name not in pairs:
             hint = nearest(name, pairs) + (f"; pairs are {listed(pairs, 12)}" if pairs else "")
             yield Problem(f"no external gear pair {quoted(name)}{hint}", ("centre", name))
-        elif not 0 < distance < MOST:
+        elif not 0 < distance < LARGEST_WHEEL:
             yield Problem(f"{name}: read {distance:g}, expected modules above 0", ("centre", name))
     yield from _wrong_sizes(limits)
 
@@ -202,9 +202,9 @@ def _wrong_ranges(limits: TeethLimits, layouts: Sequence[TeethLayout]) -> Iterat
         if name not in names:
             hint = f"{nearest(name, names)}; wheels are {listed(wheels, 12)}"
             yield Problem(f"no wheel {quoted(name)}{hint}", ("range", name))
-        elif not 1 <= low <= high < MOST:
+        elif not 1 <= low <= high < LARGEST_WHEEL:
             message = f"{name}: read {low}:{high}, expected two numbers of teeth"
-            yield Problem(f"{message}, the least first, below {MOST}", ("range", name))
+            yield Problem(f"{message}, the least first, below {LARGEST_WHEEL}", ("range", name))
 
 
 def _wrong_sizes(limits: TeethLimits) -> Iterator[Problem]:

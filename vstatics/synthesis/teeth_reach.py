@@ -14,7 +14,7 @@ from vstatics.synthesis.teeth_rows import TeethRows
 from vstatics.synthesis.teeth_table import TeethTable
 from vstatics.synthesis.teeth_windows import ends_by_ranges
 
-MET = 1e-9
+MET_ERROR = 1e-9
 """An error of no more is rounding."""
 
 
@@ -61,7 +61,7 @@ def reach_doubts(problem: TeethProblem, low: Floats, high: Floats) -> Iterator[s
     for target in problem.targets:
         ends = target.ends(low[np.newaxis], high[np.newaxis])
         least = float(target.least(low[np.newaxis], high[np.newaxis])[0])
-        if ends is not None and least > MET:
+        if ends is not None and least > MET_ERROR:
             name = f"gear {target.name}" if target.name in gears else target.name
             yield f"{name} can't have {target.wanted:g}: {reach_text(*ends)}"
 

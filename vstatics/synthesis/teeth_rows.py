@@ -27,14 +27,14 @@ from vstatics.synthesis.teeth_layout import TeethLayout
 from vstatics.synthesis.teeth_limits import AxisEquation, TeethLimits, axis_equations
 from vstatics.synthesis.teeth_order import growth_order
 
-ROOM = 300_000
+CANDIDATES_AT_ONCE = 300_000
 """So many candidates are looked at together."""
-CLOSE = 1e-6
+ROUNDED_TEETH = 1e-6
 """What rounding may take from a number of teeth."""
 
-LARGEST = 50.0
+LARGEST_LOGARITHM = 50.0
 """Of logarithms: no number of teeth is near it."""
-MOST = 100_000_000
+MOST_CANDIDATES = 100_000_000
 """So many candidates are looked at, which takes half a minute."""
 LOOKED = "left"
 """What counts the candidates that may still be looked at, among those that are told."""
@@ -92,7 +92,7 @@ class TeethRows:
         return np.array(list(found.values()), np.int64)
 
     def found(
-        self, windows: Windows, told: Counter[str] | None = None, effort: int = MOST
+        self, windows: Windows, told: Counter[str] | None = None, effort: int = MOST_CANDIDATES
     ) -> Iterator[Integers]:
         """All teeth, in pieces.
 
@@ -144,7 +144,7 @@ class TeethRows:
         start = 0
         while start < len(rows):
             done = ends[start - 1] if start else 0
-            end = max(int(np.searchsorted(ends, done + ROOM, "right")), start + 1)
+            end = max(int(np.searchsorted(ends, done + CANDIDATES_AT_ONCE, "right")), start + 1)
             grown = self._with(column, rows[start:end], low[start:end], widths[start:end])
             start = end
             for condition in conditions:
@@ -181,8 +181,8 @@ class TeethRows:
         told["undercut"] += len(rows) * int(self.least[column] - self.ranges[column, 0])
         for label, bounds in self._bounds(column, known, rows, windows):
             before = np.maximum(high - low + 1, 0).sum()
-            low = np.maximum(low, np.ceil(bounds[0] - CLOSE)).astype(np.int64)
-            high = np.minimum(high, np.floor(bounds[1] + CLOSE)).astype(np.int64)
+            low = np.maximum(low, np.ceil(bounds[0] - ROUNDED_TEETH)).astype(np.int64)
+            high = np.minimum(high, np.floor(bounds[1] + ROUNDED_TEETH)).astype(np.int64)
             told[label] += int(before - np.maximum(high - low + 1, 0).sum())
         return low, high
 
@@ -221,7 +221,9 @@ class TeethRows:
             low, high = low - max(ends), high - min(ends)
         power = powers[column]
         low, high = (low / power, high / power) if power > 0 else (high / power, low / power)
-        return np.exp(np.minimum(low, LARGEST)), np.exp(np.minimum(high, LARGEST))
+        return np.exp(np.minimum(low, LARGEST_LOGARITHM)), np.exp(
+            np.minimum(high, LARGEST_LOGARITHM)
+        )
 
     def ends(self, wheel: int) -> tuple[int, int]:
         """Fewest and most teeth of a wheel that may be."""

@@ -20,11 +20,11 @@ from vstatics.synthesis.teeth_targets import TeethTarget, largest_errors, least_
 
 TOGETHER, AT_FIRST = 1 << 14, 1 << 8
 """So many regions are halved together; fewer as long as nothing is found."""
-FEW = 32
+FEW_CHOICES = 32
 """Regions of so many choices are tried out."""
-TRIED = 200_000
+CHOICES_AT_ONCE = 200_000
 """So many choices are tried together."""
-MOST = 30_000_000
+MOST_REGIONS = 30_000_000
 """After so many regions the search ends with what it has proven."""
 EXACT = 1e-12
 """An error of no more is rounding: there is nothing better."""
@@ -69,7 +69,7 @@ def best_teeth(
         [(search.least(start), start)] if all(len(one.ratios) for one in tables) else []
     )
     done = 0
-    while waiting and search.most > EXACT and done < MOST:
+    while waiting and search.most > EXACT and done < MOST_REGIONS:
         least, regions = waiting.pop()
         hopeful = least < search.most
         least, regions = least[hopeful], regions[hopeful]
@@ -128,7 +128,7 @@ class _Halving:
             for side in (0, 1)
         )
         sizes = ends - starts
-        few = sizes.astype(np.float64).prod(axis=1) <= FEW
+        few = sizes.astype(np.float64).prod(axis=1) <= FEW_CHOICES
         self._try(starts[few], sizes[few])
         regions, starts, sizes = regions[~few], starts[~few], sizes[~few]
         if self.is_full:
@@ -200,7 +200,7 @@ class _Halving:
         start = 0
         while start < len(counts):
             done = ends[start - 1] if start else 0
-            end = max(int(np.searchsorted(ends, done + TRIED, "right")), start + 1)
+            end = max(int(np.searchsorted(ends, done + CHOICES_AT_ONCE, "right")), start + 1)
             some = counts[start:end]
             of_region = np.repeat(np.arange(start, end), some)
             number = np.arange(some.sum()) - np.repeat(np.cumsum(some) - some, some)

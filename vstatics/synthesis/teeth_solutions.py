@@ -15,9 +15,9 @@ from vstatics.synthesis.teeth_rows import TeethRows
 from vstatics.synthesis.teeth_search import BestTeeth
 from vstatics.synthesis.teeth_table import TeethTable, of_rows
 
-KEPT = 20
+MOST_TEETH_SOLUTIONS = 20
 """So many solutions are given."""
-DIGITS = 14
+ERROR_DECIMALS = 14
 """Decimals of an error; what is below them is rounding."""
 
 
@@ -45,13 +45,13 @@ def teeth_solutions(
     chosen: list[tuple[float, int, tuple[Integers, ...]]] = []
     for error, places in zip(best.errors.tolist(), best.places.tolist(), strict=True):
         alike = [_smallest(table, place) for table, place in zip(tables, places, strict=True)]
-        for rows in itertools.islice(_by_size(alike), KEPT):
+        for rows in itertools.islice(_by_size(alike), MOST_TEETH_SOLUTIONS):
             total = sum(
                 int(_teeth(table, row).sum()) for table, row in zip(tables, rows, strict=True)
             )
-            chosen.append((round(error, DIGITS), total, rows))
+            chosen.append((round(error, ERROR_DECIMALS), total, rows))
     chosen.sort(key=_in_order)
-    for _, _, rows in chosen[:KEPT]:
+    for _, _, rows in chosen[:MOST_TEETH_SOLUTIONS]:
         yield _solution(problem, tables, rows)
 
 
@@ -67,7 +67,7 @@ def _smallest(table: TeethTable, place: int) -> list[Integers]:
     """The rows of a place with the fewest teeth."""
     rows = table.rows[table.starts[place] : table.starts[place + 1]]
     order = np.argsort(rows[:, : len(table.layout.wheels)].sum(axis=1), kind="stable")
-    return list(rows[order[:KEPT]])
+    return list(rows[order[:MOST_TEETH_SOLUTIONS]])
 
 
 def _by_size(alike: Sequence[Sequence[Integers]]) -> Iterator[tuple[Integers, ...]]:
@@ -116,6 +116,6 @@ def _solution(
     of_gears = solve(case, ratios=ratios).ratio.tolist()
     gears = dict(zip((gear.name for gear in case.gears), of_gears, strict=True))
     errors = [float(target.errors(np.array([points]))[0]) for target in problem.targets]
-    error = round(max(errors), DIGITS)
+    error = round(max(errors), ERROR_DECIMALS)
     named = dict(zip((one.name for one in case.mechanisms), ratios.tolist(), strict=True))
     return TeethSolution(teeth, planets, gears, error, modules, named)

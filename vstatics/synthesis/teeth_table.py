@@ -11,7 +11,7 @@ from vstatics.numerics.arrays import Floats, Integers
 from vstatics.synthesis.teeth_layout import TeethLayout
 from vstatics.synthesis.teeth_rows import TooManyError
 
-MOST_ROWS = 1_000_000
+MOST_TEETH_ROWS = 1_000_000
 """So many rows of teeth of an element are kept in memory."""
 
 
@@ -65,7 +65,7 @@ def teeth_table(
         for piece in pieces:
             kept.append(piece)
             total += len(piece)
-            if total > MOST_ROWS:
+            if total > MOST_TEETH_ROWS:
                 is_whole = False
                 break
     except TooManyError:

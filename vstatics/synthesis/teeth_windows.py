@@ -15,11 +15,11 @@ from vstatics.numerics.arrays import Floats
 from vstatics.synthesis.teeth_rows import TeethRows
 from vstatics.synthesis.teeth_targets import TeethTarget, least_errors
 
-PARTS = 4096
+MOST_WINDOWS = 4096
 """The ranges of ratios are halved until so many parts of them are left."""
-NARROW = 1e-4
+NARROW_WINDOW = 1e-4
 """Parts of which no ratio lies farther apart, in logarithms, are narrow enough."""
-WIDEST = 20.0
+LARGEST_ERROR_LIMIT = 20.0
 """Larger limits of errors are none."""
 HALVINGS = 30
 
@@ -55,9 +55,9 @@ def narrowed(
     >>> narrowed([target], np.array([-8.0]), np.array([-4.0]), 0.5)
     """
     low, high = low[np.newaxis], high[np.newaxis]
-    while len(low) <= PARTS:
+    while len(low) <= MOST_WINDOWS:
         widths = np.abs(np.log(high / low))
-        if widths.max() <= NARROW:
+        if widths.max() <= NARROW_WINDOW:
             break
         widest = (np.arange(len(low)), widths.argmax(axis=1))
         middle = np.sign(low[widest]) * np.sqrt(low[widest] * high[widest])
@@ -73,7 +73,7 @@ def narrowed(
 
 def least_possible(targets: Sequence[TeethTarget], low: Floats, high: Floats) -> float:
     """An error that no ratios within bounds are below [-]."""
-    least, most = 0.0, WIDEST
+    least, most = 0.0, LARGEST_ERROR_LIMIT
     if narrowed(targets, low, high, most) is None:
         return most
     for _ in range(HALVINGS):
@@ -92,7 +92,7 @@ def growing_limits(least: float) -> Iterator[float]:
     [0.50001, 0.50004, 0.50016]
     """
     more = 1e-5
-    while least + more < WIDEST:
+    while least + more < LARGEST_ERROR_LIMIT:
         yield least + more
         more *= 4
     yield math.inf

@@ -8,8 +8,8 @@
 >>> speeds.quantity.title, list(speeds.rows), speeds.columns, speeds.values.tolist()
 ('Speeds of the links', ['1', '2'], ['1'], [[1.0], [-0.4]])
 
-What is declared of a quantity stands in `quantities`; `values` fills its table, `rows` names
-the rows, `names` finds both by what a person types. `grid` holds tables of texts, that `text`,
-`markdown` and `latex` lay out. `figures` are results as they were written, which `compare`
-tells apart.
+What is declared of a quantity stands in `quantities`; `values` fills its table, `names` writes
+its rows and finds both by what a person types. `grid` holds tables of texts, that `text`,
+`markdown` and `latex` lay out. `written_results` are results as they were written, which
+`compare` tells apart.
 """

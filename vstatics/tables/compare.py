@@ -7,10 +7,9 @@ from collections.abc import Container, Generator, Iterator, Sequence
 from typing import NamedTuple
 
 from vstatics.model.transmission import Transmission
-from vstatics.statics.arrays import row_names
-from vstatics.tables.figures import Figure, Figures, WrittenResult
-from vstatics.tables.quantities import BY_NAME, QUANTITIES
-from vstatics.tables.quantity import Quantity
+from vstatics.statics.result_arrays import row_names
+from vstatics.tables.quantities import BY_NAME, QUANTITIES, Quantity
+from vstatics.tables.written_results import Figure, Figures, WrittenResult
 
 ATOL, RTOL = 1e-12, 1e-9
 """What two numbers may differ by, and by which part, where nothing else is asked for."""

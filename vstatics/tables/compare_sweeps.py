@@ -6,10 +6,10 @@ from collections.abc import Container, Iterator, Sequence
 
 from vstatics.errors import plural
 from vstatics.tables.compare import ATOL, RTOL, is_same, shown
-from vstatics.tables.figures import Figure, WrittenSweep
 from vstatics.tables.quantities import BY_NAME
+from vstatics.tables.written_results import Figure, WrittenSweep
 
-MOST = 20
+MOST_TOLD_NUMBERS = 20
 """So many numbers of a column are told."""
 
 
@@ -66,14 +66,16 @@ def _table(column: str) -> str:
 
 
 def _first(told: Sequence[str], column: str) -> Iterator[str]:
-    yield from told[:MOST]
-    if len(told) > MOST:
-        yield f"{column}: {len(told) - MOST} more variants differ"
+    yield from told[:MOST_TOLD_NUMBERS]
+    if len(told) > MOST_TOLD_NUMBERS:
+        yield f"{column}: {len(told) - MOST_TOLD_NUMBERS} more variants differ"
 
 
 def _lacking(kind: str, names: Sequence[str], what: str) -> Iterator[str]:
     """One line for all of a kind."""
     if names:
-        shown = ", ".join(names[:MOST]) + f" and {len(names) - MOST} more" * (len(names) > MOST)
+        shown = ", ".join(
+            names[:MOST_TOLD_NUMBERS]
+        ) + f" and {len(names) - MOST_TOLD_NUMBERS} more" * (len(names) > MOST_TOLD_NUMBERS)
         side = "not there, expected" if what == "expected" else "there, but not expected"
         yield f"{plural(kind, len(names))} {shown}: {side}"

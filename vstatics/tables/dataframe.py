@@ -6,10 +6,10 @@ import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
-from vstatics.statics.arrays import ARRAYS
+from vstatics.statics.result_arrays import ARRAYS
 from vstatics.statics.results import Results
+from vstatics.tables.names import table_rows
 from vstatics.tables.quantities import BY_NAME
-from vstatics.tables.rows import table_rows
 from vstatics.tables.values import with_units
 
 if TYPE_CHECKING:

@@ -14,7 +14,7 @@ from vstatics.tables.numbers import rounded
 
 NOTHING = "-"
 """Stands for a number that does not exist, and for a list of nothing."""
-LARGE = 1e7
+LARGE_CELL = 1e7
 """From here on numbers that keep their digits are written with a power of ten."""
 YES, NO = "●", "·"
 
@@ -135,7 +135,7 @@ def exact(value: float | None, decimals: int = 3, *, digits: int | None = None) 
     known = math.nan if value is None else value
     if not math.isfinite(known):
         return Cell(NOTHING, math.nan, kind=float)
-    if abs(known) >= LARGE:
+    if abs(known) >= LARGE_CELL:
         text = f"{known:.6g}" if digits is None else f"{known:.{digits}e}"
     else:
         text = rounded(known, decimals, digits)

@@ -146,7 +146,7 @@ def _head_over(over: str, count: int) -> Markup:
     return tag("th", over, scope="colgroup", **spans) if over else tag("td", **spans)
 
 
-NARROW = 72
+NARROW_TABLE = 72
 """A table of so many characters may stand beside another."""
 
 
@@ -160,7 +160,7 @@ def tables(grids: Iterable[Grid]) -> Iterator[Markup]:
 def _is_narrow(grid: Grid) -> bool:
     lines = [[one.heading for one in grid.columns], *grid.texts]
     widths = (max(map(len, texts)) + 2 for texts in zip(*lines, strict=True))
-    return bool(grid.rows) and sum(widths) <= NARROW
+    return bool(grid.rows) and sum(widths) <= NARROW_TABLE
 
 
 def scrolled(inner: Markup, label: str) -> Markup:

@@ -1,15 +1,17 @@
-"""Names that a person types: of a quantity, and of a row of its table."""
+"""Names of quantities and of rows: as they are written, and as a person types them."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+import re
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any, NamedTuple
 
 from vstatics.errors import Place, Problem, ReadError, listed, nearest, quoted, typed_number
 from vstatics.model.transmission import Transmission
-from vstatics.statics.arrays import Rows, row_names
-from vstatics.tables.quantities import BY_NAME
-from vstatics.tables.quantity import Quantity
-from vstatics.tables.rows import ROWS
+from vstatics.statics.matrix import distribution_matrix
+from vstatics.statics.result_arrays import Rows, row_names
+from vstatics.statics.results import Results
+from vstatics.tables.quantities import BY_NAME, Quantity
 
 
 def quantity_named(name: str, place: Place | None = None) -> Quantity:
@@ -138,3 +140,143 @@ def no_row(name: str, kind: Rows, names: Sequence[str], hint: str = "") -> str:
     """What to say of a name that no row has; a better hint than the nearest name may be given."""
     known = f"there is no {ROWS[kind].one} {quoted(name)}, expected one of {listed(names)}"
     return known + (hint or nearest(name, names))
+
+
+NAME = re.compile(r"[^\W\d]\w*")
+"""A plain word."""
+DOTTED = re.compile(rf"{NAME.pattern}(?:\.\w+)*")
+"""What is written without quotes between brackets, such as `P1.ring`, as are digits."""
+BEFORE_NAME = "|"
+"""Stands before the name of a row in a listing."""
+
+
+class RowWords(NamedTuple):
+    """How rows of a kind are called."""
+
+    one: str
+    all: str
+    size: str
+    """Their number, as the deck calls it."""
+
+
+ROWS: Mapping[Rows, RowWords] = {
+    "links": RowWords("link", "links", "KJG"),
+    "planets": RowWords("planet", "mechanisms", "KG"),
+    "elements": RowWords("shift element", "shift elements", "KL"),
+    "devices": RowWords("mechanism", "mechanisms", "KG"),
+    "mechanisms": RowWords("mechanism", "mechanisms", "KG"),
+    "torques": RowWords("device", "shift elements, then mechanisms, then the output", "KLG1"),
+    "meshes": RowWords("mesh", "meshes", "KM"),
+    "one": RowWords("gear", "gears", "NP"),
+}
+"""By what the rows of a table stand for."""
+
+_DIGITS = re.compile(r"[0-9]+")
+
+
+def table_rows(name: str, case: Transmission) -> Sequence[str]:
+    """The names of a table's rows; none if it has one value per gear.
+
+    Examples
+    --------
+    >>> from vstatics.model.transmission import Gear, Mechanism, Transmission
+    >>> case = Transmission(3, [], [Mechanism(1, 2, 3, -2.5)], [Gear()])
+    >>> list(table_rows("torques", case)), list(table_rows("ratio", case))
+    (['D1', 'Mx'], [])
+    """
+    return row_names(case, BY_NAME[name].rows)
+
+
+def written(index: int, names: Sequence[str]) -> str:
+    """A row or a gear as it can be written between brackets; no other is written so.
+
+    >>> [written(index, ["C1", "4-5", "C1"]) for index in range(3)]
+    ['#1', '"4-5"', '#3']
+    """
+    name = names[index]
+    if names.count(name) > 1 or ('"' in name and "'" in name):
+        return f"#{index + 1}"
+    if is_bare(name):
+        return name
+    mark = "'" if '"' in name else '"'
+    return f"{mark}{name}{mark}"
+
+
+def is_bare(name: str) -> bool:
+    """Whether a name may stand between brackets without quotes.
+
+    >>> is_bare("вал"), is_bare("P1.ring"), is_bare("2"), is_bare("1R"), is_bare("4-5")
+    (True, True, True, False, False)
+    """
+    return bool(DOTTED.fullmatch(name) or _DIGITS.fullmatch(name))
+
+
+ALL = slice(None)
+"""As in ``results["speeds", :, "low"]``."""
+
+
+def by_name(results: Results, key: Any) -> Any:
+    """What ``results[key]`` is: by names, else what a tuple has there.
+
+    Parameters
+    ----------
+    key : str or tuple
+        The name of a table, or its alias; then a row, where the table has rows; then a gear
+        by its name or number: ``"ratio"``, ``("ratio", "low")``, ``("speeds", "ring")``,
+        ``("speeds", "ring", "low")``; ``:`` stands for all rows or gears.
+
+    Returns
+    -------
+    ndarray or float
+        Leading axes are variants, then gears and rows, as far as no name chooses one.
+
+    Raises
+    ------
+    ValueError
+        If there is no such table, row or gear, with the nearest.
+
+    Examples
+    --------
+    >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
+    >>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)], [Gear([1])],
+    ...                     link_names=["sun", "ring", "carrier"])
+    >>> results = solve(case)
+    >>> by_name(results, "W").tolist(), by_name(results, ("W", "ring")).tolist()
+    ([[1.0, 0.0, 0.2857142857142857]], [0.0])
+    >>> by_name(results, ("ratio", 1)), by_name(results, ("speeds", "carrier", "1"))
+    (3.5, 0.2857142857142857)
+    """
+    name, *chosen = key if isinstance(key, tuple) else (key,)
+    if not isinstance(name, str):
+        return tuple.__getitem__(results, key)
+    try:
+        return _chosen(results, name, chosen)
+    except ReadError as error:  # nothing was read from a file
+        raise ValueError(str(error)) from None
+
+
+def _chosen(results: Results, name: str, chosen: list[Any]) -> Any:
+    """A table, of which a row and a gear may be chosen."""
+    quantity = quantity_named(name)
+    if quantity.columns == "devices":
+        array, wanted = distribution_matrix(results.case), "its name: it is of no gear"
+    elif quantity.rows == "one":
+        array, wanted = results.existing(quantity.name), "(table, gear)"
+    else:
+        array, wanted = results.existing(quantity.name), "(table, row, gear)"
+        row = chosen.pop(0) if chosen else ALL
+        if row in (ALL, ":"):
+            gear = chosen.pop(0) if chosen else ALL
+            array = array if gear in (ALL, ":") else array[..., _gear(results, gear), :]
+        else:
+            array = array[..., row_named(str(row), quantity.rows, results.case)]
+    if chosen and quantity.columns == "gears":
+        gear = chosen.pop(0)
+        array = array if gear in (ALL, ":") else array[..., _gear(results, gear)]
+    if chosen:
+        raise ValueError(f"read {chosen[0]!r} too many, expected no more than {wanted}")
+    return array if getattr(array, "ndim", 0) else array.item()
+
+
+def _gear(results: Results, gear: Any) -> int:
+    return results.case.gear_number(gear) - 1

@@ -11,11 +11,11 @@ from math import isfinite
 _MINUS = re.compile(r"(?<![\w.)\]-])-(?=\.?\d|[A-Za-z]+[_\[])")
 _POINT = re.compile(r"(?<![\w.])\.(?=\d)")
 
-DIGITS = 4
+EXPONENT_DIGITS = 4
 """Digits of the E format, where they are enough."""
 SMALL, SIGNIFICANT = 0.1, 4
 """Below the first a number that people read has so many significant digits, ..."""
-ROUNDING = 1e-12
+ROUNDED_NUMBER = 1e-12
 """... unless it is nothing but rounding."""
 
 
@@ -105,7 +105,7 @@ def places(value: float, decimals: int = 3, digits: int | None = None) -> int:
     """
     if digits is not None:
         return digits
-    if not decimals or not ROUNDING < abs(value) < SMALL:
+    if not decimals or not ROUNDED_NUMBER < abs(value) < SMALL:
         return decimals
     return SIGNIFICANT - 1 - int(f"{value:.{SIGNIFICANT - 1}e}".partition("e")[2])
 
@@ -128,8 +128,8 @@ def exponent(value: float) -> str:
     ('-.8000E+00', '.2461E+01', '.3333333333333333E+00', '.1000E+301')
     """
     if not isfinite(value):
-        return "*" * (DIGITS + 6)
-    for digits in range(DIGITS, 18):
+        return "*" * (EXPONENT_DIGITS + 6)
+    for digits in range(EXPONENT_DIGITS, 18):
         text = f"{value:.{digits - 1}e}"
         if float(text) == value:
             break

@@ -11,7 +11,7 @@ from vstatics.statics.ports import GearPorts, Port, ports
 from vstatics.statics.results import Results
 from vstatics.statics.state import GearState
 from vstatics.tables.grid import Cell, Column, Grid, exact, text
-from vstatics.tables.quantity import UNITS, headed
+from vstatics.tables.quantities import UNITS, headed
 
 MEASURES = (("speed", "rpm"), ("torque", "Nm"), ("power", "kW"))
 """What is told of a port, and its unit with a load."""

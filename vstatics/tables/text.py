@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from vstatics.tables.grid import Column, Grid
 
-WIDTH = 80
+TABLE_WIDTH = 80
 """A table that is wider goes on below, if its columns are numbers, or numbers and words in turn."""
 GAP = "  "
 INDENT = "  "
@@ -55,7 +55,7 @@ def lines(
         row[0] = INDENT * (level - 1) + row[0]
     widths = widths or [max(map(len, column)) for column in zip(*rows, strict=True)]
     first = 0 if any(rows[0]) else 1
-    for number, chosen in enumerate(_pieces(grid, widths, WIDTH - len(indent), len(gap))):
+    for number, chosen in enumerate(_pieces(grid, widths, TABLE_WIDTH - len(indent), len(gap))):
         if number:
             yield ""
         for row in rows[first:]:

@@ -1,4 +1,7 @@
-"""Results as the tables that every output format shows, in the order of the source."""
+"""Results as the tables that every output format shows, in the order of the source.
+
+Headings of tables in which springs have rows or columns.
+"""
 
 from __future__ import annotations
 
@@ -6,12 +9,11 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from vstatics.statics.arrays import all_row_names
 from vstatics.statics.matrix import distribution_matrix
 from vstatics.statics.physical import known_units
+from vstatics.statics.result_arrays import all_row_names
 from vstatics.statics.results import Results
-from vstatics.tables.quantities import RELATIVE, WITH_UNITS
-from vstatics.tables.quantity import Quantity, Table
+from vstatics.tables.quantities import RELATIVE, WITH_UNITS, Phrase, Quantity, Table
 
 
 def tables(results: Results) -> list[Table]:
@@ -32,8 +34,6 @@ def tables(results: Results) -> list[Table]:
     filled = []
     shown = [*_existing(RELATIVE, results), *with_units(results)]
     if case.springs:
-        from vstatics.tables.spring_words import among_springs  # costs start-up time
-
         shown = [*map(among_springs, shown)]
     for quantity in shown:
         if quantity.columns == "devices":
@@ -55,3 +55,39 @@ def with_units(results: Results) -> list[Quantity]:
 
 def _existing(quantities: Sequence[Quantity], results: Results) -> list[Quantity]:
     return [one for one in quantities if one.exists is None or one.exists(results)]
+
+
+WORDS = {
+    "KLG = KL + KG": "KLG = KL + KG + KSPR",
+    "mechanisms and output": "mechanisms, springs and output",
+    "механизмов и выходного": "механизмов, пружин и выходного",
+    "the elements and of the output": "the elements, of springs and of the output",
+    "звеньев элементов и выходного": "звеньев элементов, пружин и выходного",
+    "mechanisms and the output": "mechanisms, springs and the output",
+}
+"""Words of headings, and what stands there where a case has springs."""
+
+
+def among_springs(quantity: Quantity) -> Quantity:
+    """A quantity of a case with springs, which its headings name.
+
+    >>> from vstatics.tables.quantities import BY_NAME
+    >>> among_springs(BY_NAME["torques"]).title
+    'Torques of shift elements, mechanisms, springs and the output (Mx), without losses'
+    """
+    members = quantity.members
+    return quantity._replace(
+        heading=_phrase(quantity.heading),
+        own_title=_worded(quantity.own_title),
+        members=None if members is None else (_phrase(members[0]), _phrase(members[1])),
+    )
+
+
+def _phrase(phrase: Phrase) -> Phrase:
+    return Phrase(_worded(phrase.en), _worded(phrase.ru))
+
+
+def _worded(heading: str) -> str:
+    for words, others in WORDS.items():
+        heading = heading.replace(words, others)
+    return heading

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 MOST_ROWS, MOST_COLUMNS = 1_048_576, 16_384
 """Of a sheet."""
-LONGEST = 31
+LONGEST_SHEET_NAME = 31
 """Name of a sheet."""
 CONTENTS = "tables"
 _FORBIDDEN = re.compile(r"[\[\]:*?/\\\x00-\x1f]")
@@ -142,11 +142,11 @@ def sheet_name(name: str, taken: set[str]) -> str:
     """
     plain = name.replace("[", "(").replace("]", ")")
     plain = _CONTROL.sub(" ", _FORBIDDEN.sub(" ", plain)).strip("' ") or "table"
-    chosen, number = plain[:LONGEST].strip("' "), 1
+    chosen, number = plain[:LONGEST_SHEET_NAME].strip("' "), 1
     while chosen.casefold() in taken:
         number += 1
         end = f" {number}"
-        chosen = f"{plain[: LONGEST - len(end)]}{end}"
+        chosen = f"{plain[: LONGEST_SHEET_NAME - len(end)]}{end}"
     taken.add(chosen.casefold())
     return chosen
 

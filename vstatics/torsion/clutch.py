@@ -20,7 +20,7 @@ from collections.abc import Iterator, Mapping
 from typing import Literal, NamedTuple
 
 from vstatics.errors import CaseError, Problem
-from vstatics.statics.result_fields import Message
+from vstatics.statics.result_arrays import Message
 from vstatics.torsion.dump_given import Dump, dump_problems
 from vstatics.torsion.engagement import Engagement, engagement, rate_problems
 

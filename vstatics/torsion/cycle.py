@@ -13,9 +13,9 @@ from numpy.typing import NDArray
 from vstatics.numerics.arrays import Floats
 
 Complex = NDArray[np.complex128]
-LONGEST = 720
+MOST_REVOLUTIONS = 720
 """Revolutions of a cycle; orders that have no such cycle in common meet in every phase."""
-POINTS = 32
+POINTS_PER_PERIOD = 32
 """By period of the highest order, from where the largest value is found by Newton's rule."""
 MOST_POINTS = 1_000_000
 """Orders that need more, far apart from each other, meet in every phase, too."""
@@ -53,9 +53,9 @@ def summed(orders: Sequence[float], amplitudes: Sequence[Complex]) -> Sum:
     with np.errstate(over="ignore"):
         rms = np.sqrt((sizes**2).sum(axis=0) / 2)
     cycle = _cycle(orders)
-    if cycle is None or POINTS * max(orders) * cycle > MOST_POINTS:
+    if cycle is None or POINTS_PER_PERIOD * max(orders) * cycle > MOST_POINTS:
         return Sum(sizes.sum(axis=0), rms)
-    count = math.ceil(POINTS * max(orders) * cycle)
+    count = math.ceil(POINTS_PER_PERIOD * max(orders) * cycle)
     angles = 2 * math.pi * cycle * np.arange(count) / count
     turning = 1j * np.asarray(orders)
     largest = np.array([_largest(turning, column, angles) for column in stacked.T])
@@ -64,7 +64,7 @@ def summed(orders: Sequence[float], amplitudes: Sequence[Complex]) -> Sum:
 
 def _cycle(orders: Sequence[float]) -> float | None:
     """Revolutions until all orders are as before; None if it takes too long."""
-    parts = [Fraction(order).limit_denominator(LONGEST) for order in orders]
+    parts = [Fraction(order).limit_denominator(MOST_REVOLUTIONS) for order in orders]
     if any(
         abs(float(part) - order) > 1e-12 * order for part, order in zip(parts, orders, strict=True)
     ):
@@ -72,7 +72,7 @@ def _cycle(orders: Sequence[float]) -> float | None:
     least = math.lcm(*(part.denominator for part in parts))
     common = math.gcd(*(int(part * least) for part in parts))
     revolutions = Fraction(least, common)
-    return float(revolutions) if revolutions <= LONGEST else None
+    return float(revolutions) if revolutions <= MOST_REVOLUTIONS else None
 
 
 def _largest(turning: Complex, amplitudes: Complex, angles: Floats) -> float:

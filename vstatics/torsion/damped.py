@@ -8,14 +8,14 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy import linalg
 
-from vstatics.model.damping import damping
+from vstatics.model.parts import damping
 from vstatics.numerics.arrays import Floats
 from vstatics.torsion.coordinates import Coordinates, rows
 from vstatics.torsion.natural import NaturalModes, weighted_twists
 from vstatics.torsion.system import TorsionalSystem
 
 Complex = NDArray[np.complex128]
-REAL = 1e-12
+REAL_EIGENVALUE = 1e-12
 """An imaginary part below this part of the modulus is rounding of a real eigenvalue."""
 
 
@@ -100,7 +100,7 @@ def _eigenvalues(
     state = _state(stiffness, resistance, count)
     values, vectors = linalg.eig(state)
     values = np.minimum(values.real, 0.0) + 1j * values.imag  # nothing here feeds a vibration
-    values = np.where(np.abs(values.imag) <= REAL * np.abs(values), values.real, values)
+    values = np.where(np.abs(values.imag) <= REAL_EIGENVALUE * np.abs(values), values.real, values)
     kept = np.flatnonzero(values.imag >= 0)
     values, vectors = values[kept], vectors[:, kept]
     order = _order(values)
@@ -138,7 +138,7 @@ def _damped_massless(split: Coordinates, damped: Floats, stiff: Floats) -> Float
         return np.zeros((len(split.massless), 0))
     rates = damped @ split.massless
     _, sizes, directions = linalg.svd(rates, full_matrices=True)
-    rank = int(np.sum(sizes > REAL * sizes.max(initial=0.0)))
+    rank = int(np.sum(sizes > REAL_EIGENVALUE * sizes.max(initial=0.0)))
     moved = split.massless @ directions[:rank].T
     quiet = split.massless @ directions[rank:].T
     if not (quiet.shape[1] and moved.shape[1]):

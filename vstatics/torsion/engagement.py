@@ -17,7 +17,7 @@ from vstatics.errors import CaseError, Problem
 
 GROWN = 3.0
 """Rate by time from which on the clutch is taken to have its torque. [-]"""
-SAME = 1e-15
+SAME_ANGLE = 1e-15
 """Angles as near as that are the same. [rad]"""
 
 
@@ -78,6 +78,6 @@ def _factor(k: float) -> float:
     first = GROWN / k - math.asin(math.exp(-GROWN) / size)
     turns = math.ceil((first - ahead - math.pi) / math.tau)
     middle, behind, before = ahead + math.pi + turns * math.tau, 0.0, -1.0
-    while abs(behind - before) > SAME:  # each step is at least ten times nearer
+    while abs(behind - before) > SAME_ANGLE:  # each step is at least ten times nearer
         before, behind = behind, math.asin(math.exp(-k * (middle + behind)) / size)
     return 1 + math.cos(ahead + behind)

@@ -14,7 +14,7 @@ import numpy as np
 
 from vstatics.numerics.arrays import Booleans, Floats, Integers
 
-LEAST = 1e-6
+LOST_PIVOT = 1e-6
 """A pivot below this part of that of the first variant may be one that is zero."""
 RESIDUE = 1e-11
 """A sum below this part of the largest coefficient times the largest unknown is zero."""
@@ -70,7 +70,7 @@ def followed_motions(equations: Floats, free: int) -> FollowedMotions:
             sizes = np.abs(block).max(axis=2)
             sizes = np.maximum(sizes, sizes[0])  # a row that is nearly nothing counts as that
             shares = np.abs(np.linalg.det(block)) / sizes.prod(axis=1)
-            safe = shares > LEAST * shares[0]
+            safe = shares > LOST_PIVOT * shares[0]
         block[~safe] = block[0]
         motions[:, others] = -np.linalg.solve(block, equations[:, rows[:, None], open_ones])
     largest = np.abs(equations).max(axis=2, keepdims=True, initial=0.0)

@@ -9,10 +9,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from vstatics.model.damping import damping
+from vstatics.model.parts import damping
 from vstatics.model.transmission import Gear, Transmission
 from vstatics.numerics.arrays import Booleans, Floats
-from vstatics.numerics.tolerances import NOISE
+from vstatics.numerics.tolerances import NO_POWER
 from vstatics.torsion.coordinates import Coordinates, coordinates, form_values, rows
 from vstatics.torsion.naming import own_torques
 from vstatics.torsion.natural import NaturalModes, natural_modes
@@ -159,7 +159,7 @@ def _are_undamped(system: TorsionalSystem, natural: NaturalModes) -> Booleans:
         energy = form_values(device.twist, natural.shapes) ** 2
         stored += (device.stiffness or 0.0) * energy
         resisted += (device.stiffness or 0.0) * energy * bool(device.damping)
-    return resisted <= NOISE * stored
+    return resisted <= NO_POWER * stored
 
 
 def _resonances(omegas: Floats, harmonics: Sequence[Harmonic], speeds: Floats) -> list[Resonance]:
@@ -170,7 +170,7 @@ def _resonances(omegas: Floats, harmonics: Sequence[Harmonic], speeds: Floats) -
         for one in harmonics
         for mode, omega in enumerate(omegas, 1)
     ]
-    return [one for one in met if low * (1 - NOISE) <= one.speed <= high * (1 + NOISE)]
+    return [one for one in met if low * (1 - NO_POWER) <= one.speed <= high * (1 + NO_POWER)]
 
 
 def _amplitudes(
@@ -180,7 +180,7 @@ def _amplitudes(
 
     There is none where an undamped mode is hit, or all turn as one at a speed of 0.
     """
-    hit = np.any(np.abs(excited[:, None] - undamped) <= NOISE * undamped, axis=1)
+    hit = np.any(np.abs(excited[:, None] - undamped) <= NO_POWER * undamped, axis=1)
     hit |= (excited == 0) & (split.rigid.shape[1] > 0)
     asked = np.flatnonzero(~hit)
     matrices = _matrices(system, split.free)

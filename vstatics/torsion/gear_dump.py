@@ -12,7 +12,7 @@ from typing import NamedTuple
 from vstatics.errors import CaseError, Problem, spoken
 from vstatics.model.clutch_dump import NEEDED, ClutchDump
 from vstatics.model.transmission import Gear, Transmission
-from vstatics.statics.result_fields import Message
+from vstatics.statics.result_arrays import Message
 from vstatics.torsion.clutch import DumpTorque, dump
 from vstatics.torsion.dump_given import Dump
 from vstatics.torsion.path_compliance import path_compliance

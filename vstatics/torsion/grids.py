@@ -9,7 +9,7 @@ from vstatics.tables.grid import Cell, Column, Grid, Row, exact, text, whole
 from vstatics.tables.numbers import fixed
 from vstatics.torsion.gear_modes import GearModes, Mode
 
-SMALL = 0.0005
+LEAST_SHOWN_PART = 0.0005
 """Parts of 1 that are below are not told apart from 0, but with all digits in JSON and CSV."""
 
 
@@ -114,4 +114,4 @@ def _by_mode(
 def _part(value: float) -> Cell:
     """A part of 1: what is small beside it is .000."""
     cell = exact(value)
-    return cell._replace(text=fixed(value)) if abs(value) < SMALL else cell
+    return cell._replace(text=fixed(value)) if abs(value) < LEAST_SHOWN_PART else cell

@@ -11,7 +11,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from vstatics.errors import CaseError, Problem, listed, nearest, quoted, spoken
-from vstatics.model.damping import damping as damping_of
+from vstatics.model.parts import damping as damping_of
 from vstatics.model.transmission import Transmission
 from vstatics.torsion import decrements as formulas
 from vstatics.torsion.decrements import ByDevice

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from vstatics.numerics.arrays import Booleans, Floats
 from vstatics.numerics.motions import Form
-from vstatics.numerics.tolerances import NOISE
+from vstatics.numerics.tolerances import NO_POWER
 from vstatics.torsion.coordinates import Coordinates
 from vstatics.torsion.system import TorsionalSystem
 
@@ -27,7 +27,7 @@ def count_nodes(system: TorsionalSystem, split: Coordinates, shapes: Floats) -> 
         The largest amplitude of each is about 1.
     """
     nodes = np.zeros(shapes.shape[1], np.intp)
-    stands = np.abs(shapes) <= NOISE
+    stands = np.abs(shapes) <= NO_POWER
     moving = np.where(stands, 0.0, shapes)
     turning = np.any(split.rigid != 0, axis=1)
     for device in system.elastic:

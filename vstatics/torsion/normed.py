@@ -16,7 +16,7 @@ from vstatics.numerics.motions import values_of
 from vstatics.torsion.coordinates import Coordinates
 from vstatics.torsion.system import TorsionalSystem
 
-SMALL = 1e-4
+LOST_SQUARE = 1e-4
 """A square below this part of the largest one has lost digits that its root has not."""
 
 
@@ -123,7 +123,7 @@ def natural_frequencies(twists: NormedTwists, stiffnesses: Floats, first: int = 
     rows = rows[..., massless:, massless:] if massless else rows
     squares = np.linalg.eigvalsh(rows.swapaxes(-1, -2) @ rows)
     omegas: Floats = np.sqrt(np.maximum(squares, 0.0))
-    lossy = ~(squares[:, first] > SMALL * squares[:, -1])
+    lossy = ~(squares[:, first] > LOST_SQUARE * squares[:, -1])
     if lossy.any():
         omegas[lossy] = np.linalg.svd(rows[lossy], compute_uv=False)[:, ::-1]
     return omegas

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 from vstatics.numerics.arrays import Booleans, Floats, Integers
 from vstatics.numerics.motions import values_of
 from vstatics.torsion.coordinates import Coordinates, coordinates
-from vstatics.torsion.followed import LEAST, RESIDUE, followed_motions
+from vstatics.torsion.followed import LOST_PIVOT, RESIDUE, followed_motions
 from vstatics.torsion.normed import Split, natural_frequencies, of_split
 from vstatics.torsion.system import TorsionalSystem
 from vstatics.torsion.variants import NUMBERS, Varied
@@ -134,5 +134,5 @@ def _resisted(massless: Floats) -> Booleans:
         return np.ones(len(massless), np.bool_)
     sizes = np.linalg.svd(massless, compute_uv=False)
     shares = sizes[:, -1] / sizes[:, 0]
-    resisted: Booleans = shares > LEAST * shares[0]
+    resisted: Booleans = shares > LOST_PIVOT * shares[0]
     return resisted

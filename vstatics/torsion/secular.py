@@ -19,13 +19,13 @@ import numpy as np
 
 from vstatics.numerics.arrays import Floats
 
-MOST = 60
+MOST_ITERATIONS = 60
 """Iterations; each gains more digits than the last, or halves the interval."""
-CLOSE = 1e-13
+LAST_STEP = 1e-13
 """A step below this part of the root is the last: the next would be its square."""
-SAME = 1e-14
+SAME_SQUARE = 1e-14
 """Squares that differ by less than this part of them are one."""
-LEAST = 1e-32
+LOST_WEIGHT = 1e-32
 """Part of the sum of weights: less is rounding of the twists."""
 
 
@@ -73,10 +73,10 @@ def squares_with_device(poles: Poles, compliances: Floats, mode: int) -> Floats:
     pole, total = float(poles.squares[mode]), float(poles.weights.sum())
     if total == 0:
         return np.full(len(compliances), pole)
-    weights = np.maximum(poles.weights, LEAST * total)
+    weights = np.maximum(poles.weights, LOST_WEIGHT * total)
     below = pole - poles.squares[: mode + 1], weights[: mode + 1]
     above = poles.squares[mode + 1 :] - pole, weights[mode + 1 :]
-    if len(above[0]) and above[0][0] <= SAME * pole:
+    if len(above[0]) and above[0][0] <= SAME_SQUARE * pole:
         return np.full(len(compliances), pole)
     with np.errstate(all="ignore"):
         if len(above[0]):
@@ -98,10 +98,10 @@ def _beyond(below: _Terms, compliances: Floats, pole: float) -> Floats:
     step is towards it and none too long.
     """
     x: Floats = below[1].sum() / compliances
-    for _ in range(MOST):
+    for _ in range(MOST_ITERATIONS):
         value, slope = _sums(below, x)
         found = slope * x**2 / (compliances - value + slope * x)
-        done = np.abs(found - x) <= CLOSE * (pole + x)
+        done = np.abs(found - x) <= LAST_STEP * (pole + x)
         x = found
         if np.all(done):
             break
@@ -122,7 +122,7 @@ def _between(below: _Terms, above: _Terms, compliances: Floats, pole: float) -> 
     x = _of_two_poles(rest - compliances, below[1][-1], above[1][0], gap)
     low, high = np.full_like(x, gap * 1e-200), np.full_like(x, gap)
     x = np.clip(x, gap * 1e-200, gap * (1 - 1e-16))
-    for _ in range(MOST):
+    for _ in range(MOST_ITERATIONS):
         value, slope = _sums(below, x)
         against, its_slope = _sums(above, -x)
         left = gap - x
@@ -130,7 +130,7 @@ def _between(below: _Terms, above: _Terms, compliances: Floats, pole: float) -> 
         low, high = np.where(too_low, x, low), np.where(too_low, high, x)
         level = (value - slope * x) - (against - its_slope * left) - compliances
         found = _of_two_poles(level, slope * x**2, its_slope * left**2, gap)
-        done = np.abs(found - x) <= CLOSE * (pole + x)
+        done = np.abs(found - x) <= LAST_STEP * (pole + x)
         if np.all(done):
             break
         inside = (found > low) & (found < high)

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from vstatics.errors import spoken
 from vstatics.model.transmission import Gear, Transmission
-from vstatics.numerics.elimination import dependencies
-from vstatics.numerics.entries import RIGHT
+from vstatics.numerics.elimination import RIGHT, dependencies
 from vstatics.statics.freewheels import find_state
 from vstatics.statics.status import CONFLICT, TIED_UP
 from vstatics.torsion.system import TorsionalSystem, torsional_system

@@ -12,7 +12,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from vstatics.model.damping import NO_DAMPING, Damping, damping
+from vstatics.model.parts import NO_DAMPING, Damping, damping
 from vstatics.model.transmission import Gear, Transmission
 from vstatics.numerics.motions import Form
 from vstatics.statics.matrix import Column, columns, value

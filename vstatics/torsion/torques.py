@@ -9,7 +9,7 @@ import numpy as np
 
 from vstatics.numerics.arrays import Booleans, Floats
 from vstatics.numerics.elimination import dependencies
-from vstatics.numerics.tolerances import NOISE
+from vstatics.numerics.tolerances import NO_POWER
 from vstatics.torsion.coordinates import Values, form_values, rows
 from vstatics.torsion.system import TorsionalSystem
 
@@ -77,7 +77,7 @@ def torques(
     sizes = [np.nan_to_num(np.abs(torque)) for torque in found.values()]
     largest = np.max(sizes, axis=0) if sizes else 0.0
     return {
-        name: np.where(np.abs(torque) <= NOISE * largest, 0.0, torque)
+        name: np.where(np.abs(torque) <= NO_POWER * largest, 0.0, torque)
         for name, torque in found.items()
     }
 

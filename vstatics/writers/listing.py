@@ -11,9 +11,9 @@ from collections.abc import Iterator
 
 from vstatics.model.transmission import Transmission
 from vstatics.statics.results import Language, Results
+from vstatics.tables.names import BEFORE_NAME, ROWS
 from vstatics.tables.numbers import fixed_rows
-from vstatics.tables.quantity import Phrase, Quantity, Table
-from vstatics.tables.rows import BEFORE_NAME, ROWS
+from vstatics.tables.quantities import Phrase, Quantity, Table
 from vstatics.tables.values import tables
 from vstatics.writers import deck
 
@@ -30,12 +30,12 @@ COASTING = Phrase(
     "Coasting: the power enters at the output; in this scaling losses are below 0.",
     "Торможение двигателем: мощность входит с выхода, потери при этом меньше 0.",
 )
-DIGITS = 3
+LISTING_DECIMALS = 3
 """After the point, as published."""
 MESSAGES = Phrase("Messages:", "Сообщения:")
 
 
-def write(results: Results, lang: Language = "en", digits: int = DIGITS) -> str:
+def write(results: Results, lang: Language = "en", digits: int = LISTING_DECIMALS) -> str:
     """The report of one case; numbers in Fortran style.
 
     Parameters

@@ -8,8 +8,7 @@ from typing import NamedTuple
 
 from vstatics.elements.drawing import drawing_of
 from vstatics.elements.planet_inertia import PlanetInertia, planet_inertias
-from vstatics.model.damping import damping
-from vstatics.model.parts import HOUSING, Mechanism, OfLoad, ShiftElement
+from vstatics.model.parts import HOUSING, Mechanism, OfLoad, ShiftElement, damping
 from vstatics.model.springs import Spring, ends
 from vstatics.model.transmission import Transmission
 from vstatics.writers.modelica_models import LIBRARY, THREE_LINK, own_model, own_names
@@ -18,7 +17,7 @@ from vstatics.writers.modelica_names import Identifiers, class_name, string
 MODEL = "Gearbox"
 """The model within the package."""
 HOUSE = "housing"
-BAR = 1e5
+FULL_PRESSURE = 1e5
 """Pa, at which the normal force of a friction pack is `fn_max`."""
 
 
@@ -197,8 +196,9 @@ def _control(case: Transmission, one: ShiftElement) -> _Control:
     return _Control(
         "Pa",
         "Pressure",
-        BAR,
-        f"fn_max = {area * BAR!r}, cgeo = {radius * surfaces!r}, mu_pos = [{table}]{peak}",
+        FULL_PRESSURE,
+        f"fn_max = {area * FULL_PRESSURE!r}, cgeo = {radius * surfaces!r}, "
+        f"mu_pos = [{table}]{peak}",
     )
 
 

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from vstatics.elements.drawing import drawing_of
 from vstatics.errors import listed
-from vstatics.model.damping import damping
+from vstatics.model.parts import damping
 from vstatics.model.springs import Spring
 from vstatics.model.transmission import Mechanism, Transmission
 

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from vstatics.tables.quantities import QUANTITIES
-from vstatics.tables.quantity import Quantity
-from vstatics.tables.rows import ROWS
+from vstatics.tables.names import ROWS
+from vstatics.tables.quantities import QUANTITIES, Quantity
 from vstatics.writers.documents import documents, head
 from vstatics.writers.record_schema import NUMBER, TEXT, Schema, list_of, record
 from vstatics.writers.result_json import CONVENTIONS, FORMAT, VERSION

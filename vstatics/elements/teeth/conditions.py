@@ -16,7 +16,7 @@ UNCUT, UNCUT_SHIFTED = 17, 14
 """Fewest teeth of a wheel without undercut, and of one with a shifted profile."""
 INSIDE = 8
 """Teeth that a ring must have more than the wheel in it."""
-CLEAR = 4
+TEETH_BETWEEN_TIPS = 4
 """Of two tips on either side: teeth by which wheels differ whose tips just touch."""
 TIPS = 2
 """Of two tips on either side, in modules."""
@@ -98,7 +98,7 @@ def passing_room(span: Amount, teeth: Amount, passed: Amount, *, internal: bool)
     >>> passing_room(40, 20, 66, internal=True), passing_room(40, 20, 16, internal=False)
     (2, 0)
     """
-    return (passed - span if internal else span - passed) - teeth - CLEAR
+    return (passed - span if internal else span - passed) - teeth - TEETH_BETWEEN_TIPS
 
 
 def common_step(rows: Any, planets: int) -> Any:

@@ -21,7 +21,7 @@ from vstatics.elements.teeth.layout import Key, Teeth, ratio_pairs
 TEETH_PER_RATIO = 100
 """A percent of ratio is as far away as a tooth."""
 
-FARTHEST = 0.3
+FARTHEST_RATIO = 0.3
 """What a ratio may change by, as a logarithm, and still be near."""
 
 REACH = {1: 14, 2: 14, 3: 6, 4: 4, 5: 3, 6: 3}
@@ -30,7 +30,7 @@ REACH = {1: 14, 2: 14, 3: 6, 4: 4, 5: 3, 6: 3}
 FAR_MOVES = 14
 """With more moves one step is all: the places grow with the square of the moves otherwise."""
 
-FEW = 5
+FEW_WHEELS = 5
 """Up to so many numbers of teeth a suggestion names them all, beyond only those that change."""
 
 
@@ -88,7 +88,7 @@ def _distance(space: Space, logs: Mapping[Key, float], teeth: Teeth) -> float:
     apart = {key: math.log(teeth[key]) - logs[key] for key in changed}
     for powers in space.ratios:
         change = abs(sum(power * apart.get(key, 0.0) for key, power in powers.items()))
-        total += TEETH_PER_RATIO * change if change <= FARTHEST else math.inf
+        total += TEETH_PER_RATIO * change if change <= FARTHEST_RATIO else math.inf
     return total
 
 
@@ -158,7 +158,9 @@ def _axis_steps(spans: Mapping[str, int]) -> dict[str, int]:
     if not spans or max(spans.values()) - min(spans.values()) <= SHIFT:
         return dict.fromkeys(spans, 1)
     unit = math.gcd(*spans.values())
-    return {rim: span // unit for rim, span in spans.items() if max(spans.values()) <= FEW * unit}
+    return {
+        rim: span // unit for rim, span in spans.items() if max(spans.values()) <= FEW_WHEELS * unit
+    }
 
 
 def _around(group: PlanetGroup, rim: str) -> list[tuple[int, CentralWheel]]:

@@ -19,7 +19,7 @@ from vstatics.elements.teeth.conditions import (
 )
 from vstatics.elements.teeth.layout import AxisLayout, Doubt
 from vstatics.elements.teeth.subjects import OfPlanets, Subject
-from vstatics.numerics.tolerances import GAP
+from vstatics.numerics.tolerances import TIP_CLEARANCE
 
 PASSING = {
     "double_planet": (("inner", "ring"), ("outer", "sun")),
@@ -164,7 +164,7 @@ def _touching(layout: AxisLayout, count: int) -> Iterator[Doubt]:
             if teeth is not None and (axis := layout.axis(rim))
         ]
         least = min(gaps, default=None)
-        if least and least[0] < GAP:
+        if least and least[0] < TIP_CLEARANCE:
             _, rim, (span, wheel) = least
             message = (
                 f"tips of neighbouring planets touch: ({layout.label(wheel)} "
@@ -185,7 +185,7 @@ def _crossing(layout: AxisLayout, one: str, other: str, count: int) -> Iterator[
         return
     first, second, apart = (float(side) / 2 for side in sides)
     distance = crossing_distance(first, second, apart, 2 * math.pi / count)
-    if distance - apart - TIPS < GAP:
+    if distance - apart - TIPS < TIP_CLEARANCE:
         message = (
             f"{layout.label(one)} and {layout.label(other)} of neighbouring planets touch with "
             f"their tips: axes are {distance:.4g} modules apart, expected more than {apart + 2:g}"

@@ -19,7 +19,7 @@ from vstatics.elements.group import group_of
 from vstatics.elements.kinds import Simple
 from vstatics.elements.teeth.layout import AxisLayout, Key, Teeth, ratio_pairs, with_teeth
 from vstatics.elements.teeth.meshing import Mesh, Toothed
-from vstatics.elements.teeth.nearby import FEW, Space, space_of
+from vstatics.elements.teeth.nearby import FEW_WHEELS, Space, space_of
 
 
 @dataclass(frozen=True)
@@ -181,7 +181,7 @@ def suggested(subject: Subject, found: Iterator[Teeth], what: str) -> str:
     texts = []
     for teeth in islice(found, 2):
         given = subject.space.given
-        keys = [key for key in given if len(given) <= FEW or teeth[key] != given[key]]
+        keys = [key for key in given if len(given) <= FEW_WHEELS or teeth[key] != given[key]]
         names = ", ".join(f"{subject.label(key)} {teeth[key]}" for key in keys)
         ratios = [f"{float(ratio):.5g}" for ratio in subject.ratios(teeth)]
         word = "ratios" if len(ratios) > 1 else "ratio"

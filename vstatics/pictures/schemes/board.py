@@ -21,7 +21,7 @@ from vstatics.pictures.schemes.channels import (
     taps_of,
 )
 
-GAP = 16.0
+ITEM_GAP = 16.0
 """Between items, where nothing else is told. [pt]"""
 CROSSING, TRACK = 300.0, 40.0
 """What a crossing costs, and one track more, in points of length of wire."""
@@ -71,7 +71,7 @@ class Board:
     wires: Sequence[int]
     from_left: Sequence[int] = ()
     to_right: Sequence[int] = ()
-    gap: float = GAP
+    gap: float = ITEM_GAP
 
     def row(self, arrangement: Arrangement, extra: Mapping[int, float] | None = None) -> PlacedRow:
         """The places of items and taps; `extra` widens the gap before an item."""

@@ -20,7 +20,7 @@ from vstatics.pictures.schemes.glyphs import (
 )
 from vstatics.pictures.schemes.sets import NO_NAMES
 
-WIDTH = 50.0
+PAIR_WIDTH = 50.0
 """Of a pair of wheels with its shafts. [pt]"""
 LARGE, SMALL, MIDDLE = 17.0, 11.0, 14.0
 """Radii of the wheel with more teeth, with fewer, and of any other. [pt]"""
@@ -54,9 +54,9 @@ def _shafts(
     element: Element, strokes: Sequence[Stroke], wheels: Sequence[Wheel]
 ) -> Iterator[Glyph]:
     """Two wheels in a plane; their shafts leave to either side, then up or down."""
-    middle = WIDTH / 2
+    middle = PAIR_WIDTH / 2
     (low, low_y), (high, high_y) = sorted(wheels, key=lambda wheel: wheel[1])
-    for low_x, high_x in product((0.0, WIDTH), repeat=2):
+    for low_x, high_x in product((0.0, PAIR_WIDTH), repeat=2):
         for low_side, high_side in product((ABOVE, BELOW), repeat=2):
             if low_x == high_x and (low_side, high_side) != (BELOW, ABOVE):
                 continue  # one would run along the other
@@ -68,7 +68,7 @@ def _shafts(
                 member_tap(low, element.link(low), low_side, low_x, low_y),
                 member_tap(high, element.link(high), high_side, high_x, high_y),
             ]
-            yield Glyph(WIDTH, [*strokes, *shafts], taps)
+            yield Glyph(PAIR_WIDTH, [*strokes, *shafts], taps)
 
 
 def _radii(element: Element) -> dict[str, float]:
@@ -89,8 +89,8 @@ def _stacked(
         height = 2 * radii[low] + 2 * radii[high] + between
         low_y, high_y = radii[low] - height / 2, height / 2 - radii[high]
         strokes = [
-            *wheel(WIDTH / 2, low_y, radii[low]),
-            *wheel(WIDTH / 2, high_y, radii[high]),
+            *wheel(PAIR_WIDTH / 2, low_y, radii[low]),
+            *wheel(PAIR_WIDTH / 2, high_y, radii[high]),
             *extra(2 * radii[low] - height / 2),
         ]
         yield from _shafts(element, strokes, [(low, low_y), (high, high_y)])
@@ -105,8 +105,8 @@ def _idler(element: Element) -> Iterator[Glyph]:
 
     def idler(y: float) -> list[Stroke]:
         middle = y + MESH + radius
-        pin = Stroke(((WIDTH / 2 - 5, middle), (WIDTH / 2 + 5, middle)))
-        return [*wheel(WIDTH / 2, middle, radius), pin]
+        pin = Stroke(((PAIR_WIDTH / 2 - 5, middle), (PAIR_WIDTH / 2 + 5, middle)))
+        return [*wheel(PAIR_WIDTH / 2, middle, radius), pin]
 
     return _stacked(element, 2 * MESH + 2 * radius, idler)
 
@@ -116,7 +116,7 @@ def _flexible(element: Element) -> Iterator[Glyph]:
     gap = 14.0
 
     def strands(y: float) -> list[Stroke]:
-        xs = (WIDTH / 2 - FACE + 2, WIDTH / 2 + FACE - 2)
+        xs = (PAIR_WIDTH / 2 - FACE + 2, PAIR_WIDTH / 2 + FACE - 2)
         return [Stroke(((x, y), (x, y + gap)), dashed=True) for x in xs]
 
     return _stacked(element, gap, strands)
@@ -126,19 +126,19 @@ def _internal(element: Element) -> Iterator[Glyph]:
     """The smaller wheel inside the larger one, which is drawn as a ring."""
     radii = _radii(element)
     inner, outer = sorted(("first", "second"), key=radii.__getitem__)
-    x, y, radius = WIDTH / 2, -4.0, SMALL
+    x, y, radius = PAIR_WIDTH / 2, -4.0, SMALL
     top = y + radius + MESH
     fixed = [*wheel(x, y, radius), teeth(x, top)]
     ring = member_tap(outer, element.link(outer), ABOVE, x, top)
-    for at, side in product((0.0, WIDTH), (ABOVE, BELOW)):
+    for at, side in product((0.0, PAIR_WIDTH), (ABOVE, BELOW)):
         shaft = Stroke(((at, y), (x, y)))
         tap = member_tap(inner, element.link(inner), side, at, y)
-        yield Glyph(WIDTH, [*fixed, shaft], [tap, ring])
+        yield Glyph(PAIR_WIDTH, [*fixed, shaft], [tap, ring])
 
 
 def _worm(element: Element) -> Iterator[Glyph]:
     """A worm below its wheel."""
-    x, y, radius = WIDTH / 2, -14.0, 8.0
+    x, y, radius = PAIR_WIDTH / 2, -14.0, 8.0
     box = Stroke(((x - 12, y - radius), (x + 12, y - radius), (x + 12, y + radius)))
     rest = Stroke(((x + 12, y + radius), (x - 12, y + radius), (x - 12, y - radius)))
     threads = [Stroke(((x + d - 4, y - radius), (x + d + 4, y + radius))) for d in (-8, 0, 8)]
@@ -163,10 +163,13 @@ def _bevel_pair(element: Element) -> Iterator[Glyph]:
         Stroke(((38, 1), (47, 10)), TOOTH),
     ]
     first, second = element.link("first"), element.link("second")
-    for x, middle, drawn in ((0.0, 32.0, strokes), (WIDTH, 18.0, _mirrored(strokes, WIDTH))):
+    for x, middle, drawn in (
+        (0.0, 32.0, strokes),
+        (PAIR_WIDTH, 18.0, _mirrored(strokes, PAIR_WIDTH)),
+    ):
         for side in (ABOVE, BELOW):
             across = member_tap("second", second, ABOVE, middle, 5.5)
-            yield Glyph(WIDTH, drawn, [member_tap("first", first, side, x, -12.0), across])
+            yield Glyph(PAIR_WIDTH, drawn, [member_tap("first", first, side, x, -12.0), across])
 
 
 def _bevel(element: Element) -> Iterator[Glyph]:
@@ -189,9 +192,9 @@ def _bevel(element: Element) -> Iterator[Glyph]:
 
 def _shaft(element: Element) -> Iterator[Glyph]:
     """A shaft in a bearing."""
-    strokes = [Stroke(((0, 0), (WIDTH, 0)))]
-    strokes += [teeth(WIDTH / 2, y, 7.0) for y in (-4.0, 4.0)]
-    return _in_line(element, Glyph(WIDTH, strokes, []), ("first", "second"), 0.0)
+    strokes = [Stroke(((0, 0), (PAIR_WIDTH, 0)))]
+    strokes += [teeth(PAIR_WIDTH / 2, y, 7.0) for y in (-4.0, 4.0)]
+    return _in_line(element, Glyph(PAIR_WIDTH, strokes, []), ("first", "second"), 0.0)
 
 
 def _in_line(element: Element, bare: Glyph, members: tuple[str, str], y: float) -> Iterator[Glyph]:

@@ -12,13 +12,13 @@ from matplotlib.path import Path
 from matplotlib.transforms import Affine2D
 
 from vstatics.pictures import labels
-from vstatics.pictures.labels import POINTS, Point
+from vstatics.pictures.labels import POINTS_PER_INCH, Point
 from vstatics.pictures.style import FONT, SIZE, Style
 from vstatics.pictures.svg import halo, told
 
 SMALL = SIZE - 1
 """Of text that matters less. [pt]"""
-LINE = 1.3
+LINE_WIDTH = 1.3
 """Width of a line. [pt]"""
 WRAP = 14
 """Longer names are broken at blanks. [letters]"""
@@ -77,9 +77,9 @@ class Pen:
             for start, room, length in zip(within.corner, within.size, own, strict=True)
         )
         place = Affine2D().translate(-low[0], -low[1]).scale(self.scale).translate(left, bottom)
-        self._place = place.scale(1 / POINTS) + self.figure.dpi_scale_trans
+        self._place = place.scale(1 / POINTS_PER_INCH) + self.figure.dpi_scale_trans
 
-    def line(self, *points: Point, color: str, width: float = LINE, **more: Any) -> None:
+    def line(self, *points: Point, color: str, width: float = LINE_WIDTH, **more: Any) -> None:
         """A line through points; for further parameters see `lines`."""
         self.lines([points], color=color, width=width, **more)
 
@@ -88,7 +88,7 @@ class Pen:
         lines: Iterable[Sequence[Point]],
         *,
         color: str,
-        width: float = LINE,
+        width: float = LINE_WIDTH,
         zorder: float = 3,
         title: str = "",
         **more: Any,
@@ -110,7 +110,13 @@ class Pen:
         self.lines(short, color=color, width=4.6, zorder=6, capstyle="round", snap=False)
 
     def shape(
-        self, points: Sequence[Point], *, fill: str, edge: str, width: float = LINE, title: str = ""
+        self,
+        points: Sequence[Point],
+        *,
+        fill: str,
+        edge: str,
+        width: float = LINE_WIDTH,
+        title: str = "",
     ) -> None:
         """A filled polygon."""
         look: dict[str, Any] = {"facecolor": fill, "edgecolor": edge, "joinstyle": "round"}

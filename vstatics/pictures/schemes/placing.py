@@ -17,11 +17,11 @@ from vstatics.pictures.schemes.channels import (
     number_of,
 )
 
-PITCH = 17.0
+TRACK_PITCH = 17.0
 """From track to track. [pt]"""
-CLEAR = 22.0
+TRACK_CLEARANCE = 22.0
 """From the row to the first track, and from the last one to the edge. [pt]"""
-APART = 14.0
+TRACK_END_GAP = 14.0
 """Between the ends of two tracks on one level. [pt]"""
 PAD = 6.0
 """Beside the name of a wire. [pt]"""
@@ -47,12 +47,12 @@ class Placement:
 
     def y(self, track: Track) -> float:
         """Of a track."""
-        return track[1] * (self.half + CLEAR + PITCH * (self.levels[track] - 1))
+        return track[1] * (self.half + TRACK_CLEARANCE + TRACK_PITCH * (self.levels[track] - 1))
 
     def edge(self, side: int) -> float:
         """Outer edge of a channel."""
         levels = [level for track, level in self.levels.items() if track[1] == side]
-        return side * (self.half + CLEAR + PITCH * (max(levels, default=0)))
+        return side * (self.half + TRACK_CLEARANCE + TRACK_PITCH * (max(levels, default=0)))
 
     def crossings(self) -> list[tuple[float, float, int, int]]:
         """Places where a tap crosses a track: x, y, the wire of the tap, that of the track."""
@@ -123,8 +123,8 @@ def _levels(row: PlacedRow, arrangement: Arrangement) -> dict[Track, int]:
                 level
                 for other, level in levels.items()
                 if other[1] == side
-                and row.spans[other][0] < high + APART
-                and row.spans[other][1] > low - APART
+                and row.spans[other][0] < high + TRACK_END_GAP
+                and row.spans[other][1] > low - TRACK_END_GAP
             ]
             levels[track] = max(under, default=0) + 1
     return levels

@@ -19,9 +19,9 @@ STARTS = 3
 """Attempts at most, until one is without crossings."""
 LARGE, WORK = 120, 480_000
 """Items and wires for one attempt, which starts less hot; their number times steps, at most."""
-QUICK = 2000
+QUICK_STEPS = 2000
 """Steps where there are many diagrams: a tenth more crossings, in half the time."""
-SWEEPS = 10
+CHANGE_SWEEPS = 10
 """Through all single changes at the end, at most."""
 HOT, MILD, COLD = 300.0, 30.0, 6.0
 """Temperatures at the start, of a large board, and at the end, in points of length of wire."""
@@ -43,7 +43,7 @@ def arranged(board: Board, *, is_free: bool, is_quick: bool = False) -> Arrangem
     Wires that are free choose their side; else the variants of the items do.
     """
     size = len(board.items) + len(board.wires)
-    steps = min(STEPS * size, QUICK if is_quick else MOST_STEPS, WORK // size)
+    steps = min(STEPS * size, QUICK_STEPS if is_quick else MOST_STEPS, WORK // size)
     cooling = _Cooling(steps, HOT if size <= LARGE else MILD, is_free)
     ends = []
     for seed in range(1 if is_quick or size > LARGE else STARTS):
@@ -103,7 +103,7 @@ def _annealed(
 
 def _settled(board: Board, arrangement: Arrangement, cost: float) -> tuple[Arrangement, float]:
     """The arrangement after each change of one variant or of two neighbours that helps."""
-    for _ in range(SWEEPS):
+    for _ in range(CHANGE_SWEEPS):
         before = cost
         for index, item in enumerate(board.items):
             for variant in range(len(item.variants)):

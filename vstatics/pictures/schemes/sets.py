@@ -24,7 +24,7 @@ RADIUS, SMALL_RADIUS = 14.0, 9.0
 LEVEL = 2 * RADIUS + MESH
 COLUMN = 34.0
 """From plane to plane. [pt]"""
-ARM = 16.0
+CARRIER_ARM = 16.0
 """From the outermost plane to the arm of the carrier, less the half of a wheel. [pt]"""
 NO_NAMES: Mapping[str, str] = MappingProxyType({})
 LEFT, RIGHT = 0, 1
@@ -60,13 +60,13 @@ class HalfSection:
 
     def x(self, column: int) -> float:
         """Of the plane of a column."""
-        return ARM + FACE + sum(max(COLUMN, self.beside(n)) for n in range(column))
+        return CARRIER_ARM + FACE + sum(max(COLUMN, self.beside(n)) for n in range(column))
 
     @property
     def width(self) -> float:
         """Between the ends of the arms."""
         last = len(self.columns) - 1
-        return self.x(last) + max(ARM + FACE, self.beside(last))
+        return self.x(last) + max(CARRIER_ARM + FACE, self.beside(last))
 
     def beside(self, column: int) -> float:
         """What the names of a column need, from its plane."""

@@ -37,10 +37,10 @@ TERMINAL = 30.0
 """Length of an arrow at an end of the picture. [pt]"""
 HEIGHT = 1.3 * SIZE
 """Of a line of text. [pt]"""
-MARGIN = 14.0
+SCHEME_MARGIN = 14.0
 BAND = 26.0
 """From the last track to the housing: there is room for a brake. [pt]"""
-BESIDE = 14.0
+BRAKE_NAME_GAP = 14.0
 """From a brake to its name. [pt]"""
 AXIS = 6.0
 """From the last track below to the axis. [pt]"""
@@ -136,12 +136,14 @@ def wired(  # noqa: PLR0913 - what is drawn, and how
     low, (right, top) = extent(scheme, placement)
     if within is None:
         least = labels.width(name, TITLE, bold=True) if style.titled else 0.0
-        right = max(right, low[0] + 2 * MARGIN + least)
-        head = chart_head(name, note, key_of(state, style), right - low[0] - 2 * MARGIN, style)
-        top += MARGIN * bool(head.high) + head.high
+        right = max(right, low[0] + 2 * SCHEME_MARGIN + least)
+        head = chart_head(
+            name, note, key_of(state, style), right - low[0] - 2 * SCHEME_MARGIN, style
+        )
+        top += SCHEME_MARGIN * bool(head.high) + head.high
     pen = Pen(low, (right, top), style, within)
     if within is None:
-        head.draw(Paper(pen.figure), MARGIN, top - low[1] - MARGIN, style)
+        head.draw(Paper(pen.figure), SCHEME_MARGIN, top - low[1] - SCHEME_MARGIN, style)
     axis = placement.edge(BELOW) - AXIS if is_coaxial else None
     sheet = Sheet(pen, placement, scheme, state, axis, titles)
     if axis is not None:
@@ -158,8 +160,10 @@ def extent(scheme: Scheme, placement: Placement) -> tuple[Point, Point]:
         "left": [labels.width(scheme.name(wire)) for wire in placement.from_left],
         "right": [labels.width(scheme.name(wire)) for wire in placement.to_right],
     }
-    left = -TERMINAL - 4 - max(names["left"], default=-TERMINAL) - MARGIN
-    right = placement.row.width + TERMINAL + 4 + max(names["right"], default=-TERMINAL) + MARGIN
+    left = -TERMINAL - 4 - max(names["left"], default=-TERMINAL) - SCHEME_MARGIN
+    right = (
+        placement.row.width + TERMINAL + 4 + max(names["right"], default=-TERMINAL) + SCHEME_MARGIN
+    )
     sides = {tap.side for tap in placement.row.taps if tap.reach in {"edge", "pass"}}
     low = placement.edge(BELOW) - (BAND + 14 if BELOW in sides else AXIS + HEIGHT)
     high = placement.edge(ABOVE) + (BAND + 14 if ABOVE in sides else HEIGHT)
@@ -232,7 +236,7 @@ def brake_width(device: Device) -> float:
     """Of a brake, a support or a spring in the row, with its name."""
     if not device.is_coupling:
         return 24.0
-    return labels.width(wrapped(device.name), bold=True) + BESIDE + 18
+    return labels.width(wrapped(device.name), bold=True) + BRAKE_NAME_GAP + 18
 
 
 def clutch_item(index: int, device: Device, sides: tuple[int, ...]) -> Item:
@@ -272,7 +276,7 @@ def draw_brake(sheet: Sheet, index: int) -> None:
     one = Coupled(device.kind, *ends, color, closed, sheet.rod_color(index), tap.side, said)
     draw_coupled(sheet.pen, one._replace(is_backward=backward))
     if device.is_coupling:
-        at = tap.x + BESIDE, start + tap.side * (BAND - PACK)
+        at = tap.x + BRAKE_NAME_GAP, start + tap.side * (BAND - PACK)
         look: dict[str, Any] = {"color": sheet.text_color(index), "bold": closed}
         sheet.pen.text(at, wrapped(device.name), across="left", **look)
 

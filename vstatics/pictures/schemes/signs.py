@@ -8,7 +8,7 @@ from typing import NamedTuple
 from vstatics.pictures.heads import KeySign
 from vstatics.pictures.labels import Point
 from vstatics.pictures.looks import Look
-from vstatics.pictures.schemes.pen import LINE, Pen, ground
+from vstatics.pictures.schemes.pen import LINE_WIDTH, Pen, ground
 from vstatics.pictures.schemes.scheme import SchemeState
 from vstatics.pictures.style import Style
 
@@ -18,7 +18,7 @@ PACK = 6.5
 """Half the length of a pack of plates. [pt]"""
 PLATES, BETWEEN = (-7.0, 0.0, 7.0), (-3.5, 3.5)
 """Where plates of the one side stand across the line, and those between them. [pt]"""
-CLEARANCE = 2.5
+PLATE_CLEARANCE = 2.5
 """From a plate to the drum of the others. [pt]"""
 HATCH = "////"
 """Of what turns as one piece, in the key."""
@@ -83,14 +83,14 @@ def _plates(pen: Pen, at: Place, half: float, one: Coupled) -> list[tuple[Point,
     if one.is_closed:
         corners = [at(-half, edge), at(half, edge), at(half, -edge), at(-half, -edge)]
         pen.shape(corners, fill=one.color, edge=one.color, title=one.title)
-        inner = [(at(CLEARANCE - half, across), at(half, across)) for across in PLATES]
+        inner = [(at(PLATE_CLEARANCE - half, across), at(half, across)) for across in PLATES]
         pen.lines(inner, color=pen.style.paper, width=0.7, zorder=5)
         return []
     return [
         (at(half, -PLATES[-1]), at(half, PLATES[-1])),
-        *((at(half, across), at(CLEARANCE - half, across)) for across in PLATES),
+        *((at(half, across), at(PLATE_CLEARANCE - half, across)) for across in PLATES),
         (at(-half, BETWEEN[0]), at(-half, BETWEEN[1])),
-        *((at(-half, across), at(half - CLEARANCE, across)) for across in BETWEEN),
+        *((at(-half, across), at(half - PLATE_CLEARANCE, across)) for across in BETWEEN),
     ]
 
 
@@ -139,7 +139,7 @@ def key_of(state: SchemeState, style: Style) -> list[KeySign]:
             bool(state.idle or state.idle_links),
             "carries no torque",
             "без момента",
-            {"color": style.faint, "linewidth": LINE},
+            {"color": style.faint, "linewidth": LINE_WIDTH},
         ),
     ]
     return [KeySign(style.text(*texts), look) for occurs, *texts, look in signs if occurs]

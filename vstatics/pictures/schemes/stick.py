@@ -21,11 +21,11 @@ from vstatics.model.transmission import Transmission
 from vstatics.pictures import labels
 from vstatics.pictures.labels import Point
 from vstatics.pictures.schemes.assumed import as_sets, can_be_set
-from vstatics.pictures.schemes.board import GAP, Board
+from vstatics.pictures.schemes.board import ITEM_GAP, Board
 from vstatics.pictures.schemes.channels import ABOVE, BELOW, Item, Tap
 from vstatics.pictures.schemes.glyphs import Glyph
 from vstatics.pictures.schemes.pairs import pair_glyphs
-from vstatics.pictures.schemes.pen import LINE, SMALL, ground, wrapped
+from vstatics.pictures.schemes.pen import LINE_WIDTH, SMALL, ground, wrapped
 from vstatics.pictures.schemes.placing import Placement, placed
 from vstatics.pictures.schemes.scheme import Device, Scheme, scheme_of
 from vstatics.pictures.schemes.search import arranged
@@ -48,9 +48,9 @@ LEAST_HALF = 36.0
 """Half the height of the row, at least. [pt]"""
 BRIDGE = 6.0
 """Width of a wall that joins a shaft to a drum. [pt]"""
-BESIDE = 7.0
+ELEMENT_NAME_GAP = 7.0
 """From the name of an element to its drawing. [pt]"""
-CLOSE = 9.0
+ROW_GAP = 9.0
 """Between what stands in the row of a small diagram. [pt]"""
 
 
@@ -159,7 +159,7 @@ def place(
     for wire in wires:
         wall = [Tap(wire, ABOVE, BRIDGE / 2), Tap(wire, BELOW, BRIDGE / 2)]
         items.append(Item(len(items), [BRIDGE], [wall], bridge=wire))
-    board = Board(items, wires, *scheme.ends, CLOSE if is_small else GAP)
+    board = Board(items, wires, *scheme.ends, ROW_GAP if is_small else ITEM_GAP)
     arrangement = arranged(board, is_free=False, is_quick=is_quick)
     half = max([LEAST_HALF, *(glyph.half + 8 for ways in glyphs.values() for glyph in ways)])
     names = {} if is_small else named_on_tracks(scheme)
@@ -197,7 +197,7 @@ def _element_item(
     index: int, device: Device, glyphs: list[Glyph], style: Style, rank: int | None
 ) -> Item:
     name, kind = _names(device, style)
-    label = max(labels.width(name, bold=True), labels.width(kind, SMALL)) + BESIDE
+    label = max(labels.width(name, bold=True), labels.width(kind, SMALL)) + ELEMENT_NAME_GAP
     variants = [[tap._replace(x=tap.x + label) for tap in glyph.taps] for glyph in glyphs]
     return Item(index, [glyph.width + label for glyph in glyphs], variants, rank=rank)
 
@@ -234,17 +234,17 @@ def draw_mechanism(layout: StickLayout, sheet: Sheet, index: int) -> None:
     for tap in sheet.taps(index):
         if tap.reach == "none":
             end = tap.x, tap.side * (placement.half + 4)
-            looks.setdefault((LINE, False), []).append([(tap.x, tap.y), end])
-            looks[LINE, False] += map(list, ground(end, tap.side))
+            looks.setdefault((LINE_WIDTH, False), []).append([(tap.x, tap.y), end])
+            looks[LINE_WIDTH, False] += map(list, ground(end, tap.side))
     for (width, dashed), lines in looks.items():
         dashes = (0, (2.5, 1.5)) if dashed else "-"
         look = {"capstyle": "butt" if dashed else "projecting", "linestyle": dashes}
-        title = said if width == LINE else ""
+        title = said if width == LINE_WIDTH else ""
         pen.lines(lines, color=color, width=width, zorder=4, title=title, **look)
     for (x, y), up, text in glyph.texts:
         pen.text((start + x, y), text, color=ink, size=SMALL, across="left", up=up, over=True)
     name, kind = _names(device, pen.style)
-    x, y = start - BESIDE, placement.half - 2
+    x, y = start - ELEMENT_NAME_GAP, placement.half - 2
     written: dict[str, Any] = {"color": ink, "across": "right", "up": "top"}
     pen.text((x, y), name, bold=True, **written)
     pen.text((x, y - HEIGHT * (name.count("\n") + 1)), kind, size=SMALL, **written)

@@ -32,9 +32,9 @@ from vstatics.pictures.words import word
 from vstatics.statics.results import Results
 from vstatics.tables.numbers import typeset
 
-HALF = 30.0
+HALF_BOX = 30.0
 """Half the height of a box. [pt]"""
-LETTERS = 18
+BOX_NAME_LETTERS = 18
 """The names of boxes are broken at. [letters]"""
 
 
@@ -74,7 +74,7 @@ def place(scheme: Scheme, style: Style) -> Placement:
     """Where everything stands in the picture; the same for all gears of a case."""
     items = [_item(index, device, style) for index, device in enumerate(scheme.devices)]
     board = Board(items, range(1, len(scheme.links) + 1), *scheme.ends)
-    return placed(board, arranged(board, is_free=True), HALF, named_on_tracks(scheme))
+    return placed(board, arranged(board, is_free=True), HALF_BOX, named_on_tracks(scheme))
 
 
 def named_on_tracks(scheme: Scheme) -> dict[int, float]:
@@ -100,14 +100,14 @@ def _item(index: int, device: Device, style: Style) -> Item:
 def box_item(index: int, device: Device, sides: tuple[int, ...], style: Style) -> Item:
     """A mechanism as a box with its members at the top and at the bottom."""
     slot = max(labels.width(member_text(device, one, style), SMALL) for one in device.members) + 9
-    name = labels.width(wrapped(device.name, LETTERS), bold=True)
+    name = labels.width(wrapped(device.name, BOX_NAME_LETTERS), bold=True)
     inner = max(name, labels.width(word(device.kind, style), SMALL), 60.0) + 10
     variants: list[list[Tap]] = [[]]
     for member, link in device.members.items():
         own = (ABOVE, BELOW) if link == HOUSING else sides
         reach: Reach = "none" if link == HOUSING else "row"
         variants = [
-            [*variant, Tap(link, side, 0.0, reach, member, HALF)]
+            [*variant, Tap(link, side, 0.0, reach, member, HALF_BOX)]
             for variant in variants
             for side in own
         ]
@@ -130,12 +130,12 @@ def draw_box(sheet: Sheet, index: int) -> None:
     pen, color, ink = sheet.pen, sheet.color(index), sheet.text_color(index)
     left = sheet.placement.row.lefts[index]
     right, middle = left + sheet.placement.row.widths[index], 0.0
-    corners = [(left, -HALF), (right, -HALF), (right, HALF), (left, HALF)]
+    corners = [(left, -HALF_BOX), (right, -HALF_BOX), (right, HALF_BOX), (left, HALF_BOX)]
     is_piece = index in sheet.state.pieces
     pen.shape(corners, fill=pen.style.paper, edge=color, width=1.8, title=said)
     if is_piece:
         pen.hatched(corners[0], corners[2], pen.style.soft, zorder=5)
-    names = wrapped(device.name, LETTERS).split("\n")
+    names = wrapped(device.name, BOX_NAME_LETTERS).split("\n")
     middle, y = (left + right) / 2, HEIGHT * len(names) / 2
     look: dict[str, Any] = {"color": ink, "over": is_piece}
     for line in names:
@@ -145,8 +145,8 @@ def draw_box(sheet: Sheet, index: int) -> None:
     grounds: list[tuple[Point, Point]] = []
     for tap in sheet.taps(index):
         text = member_text(device, tap.label, pen.style)
-        pen.text((tap.x, tap.side * (HALF - 8)), text, size=SMALL, **look)
+        pen.text((tap.x, tap.side * (HALF_BOX - 8)), text, size=SMALL, **look)
         if tap.reach == "none":
-            end = tap.x, tap.side * (HALF + 8)
-            grounds += [((tap.x, tap.side * HALF), end), *ground(end, tap.side)]
+            end = tap.x, tap.side * (HALF_BOX + 8)
+            grounds += [((tap.x, tap.side * HALF_BOX), end), *ground(end, tap.side)]
     pen.lines(grounds, color=color, title=said)

@@ -12,7 +12,7 @@ from vstatics.pictures.schemes.scheme import Scheme, SchemeState
 
 CUT = 4.0
 """Half the gap of a wire where another crosses it. [pt]"""
-BESIDE = 3.0
+WIRE_NAME_GAP = 3.0
 """From a name to the line on which it stands. [pt]"""
 
 Stretch = tuple[Point, Point]
@@ -50,7 +50,7 @@ def wire_lines(
     for x, y, _, wire in placement.crossings():
         cuts.setdefault((wire, y), []).append((x - CUT, x + CUT))
     for wire, (x, y) in placement.labels.items():
-        half = widths[wire] / 2 + BESIDE
+        half = widths[wire] / 2 + WIRE_NAME_GAP
         cuts.setdefault((wire, y), []).append((x - half, x + half))
     lines = _upright(placement)
     for track, (left, right) in placement.row.spans.items():

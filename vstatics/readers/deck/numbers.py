@@ -17,7 +17,7 @@ REPEATED = r"([0-9]{1,18})\*(.+)"
 INTEGER = re.compile(r"[+-]?[0-9]+")
 REAL = re.compile(r"([+-]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+))(?:[EDQ]([+-]?[0-9]+)|([+-][0-9]+))?")
 DECIMAL_COMMA = r"(?<![.0-9])[0-9]*,[0-9]+(?![.0-9])"
-LONGEST = 1000
+LONGEST_DECK_NUMBER = 1000
 """Characters of a number; none that means anything is longer."""
 
 
@@ -71,7 +71,7 @@ def real(text: str) -> float:
     >>> real("-.8"), real(".26Е+01"), real("2.6D0"), real(".1+3")
     (-0.8, 2.6, 2.6, 100.0)
     """
-    match = REAL.fullmatch(latin(text)) if len(text) <= LONGEST else None
+    match = REAL.fullmatch(latin(text)) if len(text) <= LONGEST_DECK_NUMBER else None
     if match is None:
         raise NotANumberError("expected a number such as -.8 or .26E+01")
     number = float(f"{match[1]}E{match[2] or match[3] or 0}")

@@ -1,4 +1,4 @@
-"""The text of a deck: where its fields stand.
+"""The text of a deck: its encoding, and where its fields stand.
 
 A field counts only at the start of a line, before ``(`` or ``=``; blanks inside its
 name and Cyrillic look-alikes do not matter. Everything else is prose.
@@ -7,11 +7,11 @@ name and Cyrillic look-alikes do not matter. Everything else is prose.
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 from functools import lru_cache
 from typing import Any, NamedTuple
 
-from vstatics.errors import Problem, ReadError
-from vstatics.readers.deck.encodings import texts
+from vstatics.errors import Place, Problem, ReadError
 from vstatics.readers.reading import Source
 from vstatics.tables.quantities import PRINTED
 
@@ -127,7 +127,7 @@ def scan(source: Source) -> Scan:
     """Find the fields and the names of a deck."""
     found = Scan(source, len(source.lines))
     for number, line in enumerate(source.lines, 1):
-        kind, what = _meaning(line) if len(line) <= KEPT else _read_line(line)
+        kind, what = _meaning(line) if len(line) <= KEPT_CHARACTERS else _read_line(line)
         if kind == "result":
             found.last = number - 1
             _only_report(found, number)
@@ -172,7 +172,7 @@ def _read_line(line: str) -> tuple[str, Any]:
     return ("word", word) if word.isascii() and 0 < len(word) < 8 else ("", None)
 
 
-KEPT = 200
+KEPT_CHARACTERS = 200
 """What texts of so many characters mean is kept, which many decks share."""
 _meaning = lru_cache(maxsize=2000)(_read_line)
 
@@ -280,3 +280,42 @@ def _name_line(line: str) -> tuple[str, str, str] | None:
     if match is None or not (match[2] or match[1] == "T"):
         return None
     return match[1], match[2], name.strip()
+
+
+def texts(data: bytes, file: str) -> Iterator[tuple[str, list[Problem]]]:
+    """The text of a file in each encoding that is possible, the likeliest first.
+
+    Raises
+    ------
+    ReadError
+        If the file holds no text.
+    """
+    if data.startswith((b"\xff\xfe", b"\xfe\xff")):
+        raise _unreadable(file, "the file is UTF-16 text, expected UTF-8: save it as UTF-8")
+    if b"\0" in data:
+        message = "the file is binary, expected a deck as text: save it as text in UTF-8"
+        raise _unreadable(file, message)
+    data = data.rstrip(b"\x1a")  # the end of a text for DOS
+    try:
+        yield data.decode("utf-8-sig"), []
+    except UnicodeDecodeError as error:
+        for encoding in ("cp1251", "cp866", "koi8-r"):
+            try:
+                yield data.decode(encoding), []
+            except UnicodeDecodeError:  # CP1251 lacks one byte
+                continue
+        yield _damaged(data, error.start, file)
+
+
+def _unreadable(file: str, message: str) -> ReadError:
+    return ReadError([Problem(message, place=Place(file, 1, 1))])
+
+
+def _damaged(data: bytes, start: int, file: str) -> tuple[str, list[Problem]]:
+    """The text as UTF-8 with a fault, so that a cut file does not read as gibberish."""
+    before = Source(file, data[:start].decode("utf-8-sig")).lines
+    text = data.decode("utf-8-sig", errors="replace")
+    message = f"byte 0x{data[start]:02X} is no UTF-8 here: the file is damaged or cut"
+    return text, [
+        Problem(message, place=Source(file, text).place(len(before), len(before[-1]) + 1))
+    ]

@@ -24,7 +24,7 @@ from vstatics.readers.deck.numbers import (
     token_lines,
     value_lines,
 )
-from vstatics.readers.deck.text import KEPT, Field, Scan
+from vstatics.readers.deck.text import KEPT_CHARACTERS, Field, Scan
 
 Spot = tuple[int, int]
 """Line and column, from 1."""
@@ -150,7 +150,7 @@ def _plain(
             if first:
                 break
             continue
-        row = (_kept_numbers if len(text) <= KEPT else plain_numbers)(text, parse)
+        row = (_kept_numbers if len(text) <= KEPT_CHARACTERS else plain_numbers)(text, parse)
         if row is None:
             return None
         if row:

@@ -7,6 +7,8 @@ From the operator that binds least to the one that binds most::
 An operand is a number, a name (see `operands`), `(x)` or `function(x, ...)`. The parser climbs
 by precedence: an operand, then all operators behind it that bind at least as much as asked,
 each with what binds more to its right.
+
+What to say of a sign or a word that does not belong where it stands.
 """
 
 from __future__ import annotations
@@ -17,7 +19,6 @@ from typing import Any, NamedTuple, TypeAlias
 
 from vstatics.errors import nearest, quoted
 from vstatics.readers.expressions.excerpt import Excerpt
-from vstatics.readers.expressions.mistakes import PYTHON, no_operand, no_operator
 from vstatics.readers.expressions.operands import (
     Constant,
     DottedName,
@@ -26,14 +27,14 @@ from vstatics.readers.expressions.operands import (
     read_number,
     read_subscripts,
 )
-from vstatics.tables.rows import NAME
+from vstatics.tables.names import NAME
 
 MOST_CHARACTERS = 2000
 MOST_BRACKETS = 50
 """So many may be open at once."""
 MOST_DEPTH = 100
 """So many operations may stand one inside another, since trees are walked by recursion."""
-MOST_PARTS = 10_000
+MOST_TREE_PARTS = 10_000
 """So many parts a tree may have; what stands in a chain of comparisons counts twice."""
 
 _LOGIC = ("or", "and")
@@ -177,7 +178,7 @@ class _Parser:
         depth = 1 + max([1, *(one.depth for one in nodes)])
         self.check_depth(depth, at)
         parts = 1 + len(operands) - len(nodes) + sum(one.parts for one in nodes)
-        if parts > MOST_PARTS:
+        if parts > MOST_TREE_PARTS:
             raise self.source.error("too many comparisons, one inside another", at)
         return Applied(name, tuple(operands), at, depth, parts)
 
@@ -272,3 +273,63 @@ class _Parser:
         )
         self.take(name, end)
         return TableName(name, subscripts, at)
+
+
+ELSEWHERE = {
+    "&&": "and",
+    "&": "and",
+    "||": "or",
+    "|": "or",
+    "!": "not",
+    "^": "**",
+    "//": "/",
+    "=": "==",
+    "<>": "!=",
+    "≤": "<=",
+    "≥": ">=",
+    "≠": "!=",
+    "−": "-",
+    "–": "-",
+    "×": "*",
+    "·": "*",
+    "÷": "/",
+}
+"""Signs of other languages, and how they are written here."""
+PYTHON = ("lambda", "for", "in", "if", "else", "is", "await", "async", "yield", "from", "import")
+"""Words that ask for more than this language has."""
+
+
+def no_operator(source: Excerpt, at: int, read: str, before: str) -> str:
+    """What to say of something that was read behind an operand.
+
+    >>> no_operator(Excerpt("1 & 2", "--where"), 2, "&", "1")
+    'read `&`, expected `and`'
+    """
+    if read == ",":
+        return "read `,`, expected an operator, or an end"
+    if read == ")":
+        return "read `)`, but no bracket is open"
+    if source.has("[", at):
+        return "read `[`, but rows and gears belong to a table, such as speeds[:,1]"
+    if read in ELSEWHERE and read != "!":
+        return f"read `{read}`, expected `{ELSEWHERE[read]}`"
+    if read in PYTHON:
+        return f"read `{read}`, which this language does not have"
+    shown = quoted(read or source.text[at])
+    expected = "expected an operator such as `+`, `<` or `and`, or an end"
+    return f"read {shown} behind {quoted(before)}, {expected}"
+
+
+def no_operand(source: Excerpt, at: int, read: str, before: str, operands: str) -> str:
+    """What to say of something that was read where one of the operands is expected.
+
+    >>> no_operand(Excerpt("1 + * 2", "--where"), 4, "*", "+", "a number")
+    'read `*` behind `+`, expected a number'
+    """
+    if ELSEWHERE.get(read) in ("-", "not"):
+        return f"read `{read}`, expected `{ELSEWHERE[read]}`"
+    if source.has("[", at):
+        return "read `[`, expected a table before it, such as speeds[:,1]"
+    behind = f" behind {quoted(before)}" if before else ""
+    shown = f"read {quoted(read or source.text[at])}" if at < source.end else "the text ends"
+    return f"{shown if source.part.strip() else 'read nothing'}{behind}, expected {operands}"

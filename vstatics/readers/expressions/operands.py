@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 from vstatics.errors import quoted
 from vstatics.readers.expressions.excerpt import Excerpt
-from vstatics.tables.rows import DOTTED, NAME
+from vstatics.tables.names import DOTTED, NAME
 
 _NUMBER = re.compile(r"(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")
 _ANY_NAME = re.compile(rf"\"[^\"]*\"|'[^']*'|#[0-9]+(?!\w)|{NAME.pattern}")

@@ -9,9 +9,9 @@ import math
 import re
 from typing import NamedTuple
 
-LONGEST = 1000
+LONGEST_ARITHMETIC = 1000
 """Characters of a text with a number."""
-MOST_BRACKETS = 20
+MOST_ARITHMETIC_BRACKETS = 20
 """So many may be open at once."""
 
 _FIGURE = r"([0-9]+(\.[0-9]*)?|\.[0-9]+)([eE][+-]?[0-9]+)?"
@@ -51,8 +51,8 @@ def calculated(text: str) -> LeadingNumber:
     >>> calculated("3000 1/min").behind, calculated("1.05*FL").behind
     ('1/min', '*FL')
     """
-    if len(text) > LONGEST:
-        raise ValueError(f"expected a number of at most {LONGEST} characters")
+    if len(text) > LONGEST_ARITHMETIC:
+        raise ValueError(f"expected a number of at most {LONGEST_ARITHMETIC} characters")
     if _PLAIN.match(text):
         return LeadingNumber(_finite(float(text)), "")
     reading = _Calculation(text.strip(" "))
@@ -104,8 +104,8 @@ class _Calculation:
         return -value if sign and sign[1] == "-" else value
 
     def bracketed(self, brackets: int) -> float:
-        if brackets > MOST_BRACKETS:
-            raise ValueError(f"expected at most {MOST_BRACKETS} open brackets")
+        if brackets > MOST_ARITHMETIC_BRACKETS:
+            raise ValueError(f"expected at most {MOST_ARITHMETIC_BRACKETS} open brackets")
         value = self.joined(0, brackets)
         if not self.took(_CLOSED):
             raise ValueError(f"{expected(self.text)}, and `)` behind it")

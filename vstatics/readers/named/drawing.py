@@ -11,7 +11,7 @@ from vstatics.elements.keys import DRAWN, element_of, with_elements
 from vstatics.errors import Path, Problem
 from vstatics.model.shape import ByKey
 from vstatics.readers.named import nodes
-from vstatics.readers.named.arguments import arguments, untold
+from vstatics.readers.named.arguments import arguments, read_with_stand_ins
 from vstatics.readers.named.joined_links import gathered_links, is_listed, loose_links
 from vstatics.readers.named.nodes import Spot, Spots, is_null
 from vstatics.readers.named.walk import Walk
@@ -64,7 +64,7 @@ def read_drawing(root: nodes.Mapping, walk: Walk, case: ByKey) -> Reading:
             faults = [*hints(drawing), *teeth.doubts(drawing)]
             faults += [] if listed else loose_links(root, values, names, parts["gears"], spots)
         found += map(spots.locate, faults)
-    return finish(parts, found, untold(spots.unreadable), locate)
+    return finish(parts, found, read_with_stand_ins(spots.unreadable), locate)
 
 
 def _planets_called_like_links(drawing: Drawing, names: Sequence[str]) -> Iterator[Problem]:

@@ -16,7 +16,7 @@ from vstatics.readers.named.nodes import Listing, Mapping, Node, Scalar, is_null
 Keys: TypeAlias = tuple[str, ...]
 """The parts of a path, without quotes."""
 
-MOST_PARTS = 16
+MOST_PATH_PARTS = 16
 """So many parts has a path at most, as documents nest."""
 MOST_KNOWN = 12
 """So many names are listed where one is not known."""
@@ -71,8 +71,8 @@ def split(text: str) -> list[PathPart]:
         at = found.end()
         if at == end:
             return parts
-        if text[at] != "." or len(parts) == MOST_PARTS:
-            expected = f"at most {MOST_PARTS} parts" if text[at] == "." else "a point"
+        if text[at] != "." or len(parts) == MOST_PATH_PARTS:
+            expected = f"at most {MOST_PATH_PARTS} parts" if text[at] == "." else "a point"
             raise NoValueError(f"read {quoted(text[at:end])}, expected {expected}", at)
         at += 1
 

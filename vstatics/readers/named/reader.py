@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 from vstatics.errors import Problem, ReadError
 from vstatics.model.keys import CASE, with_masses
 from vstatics.model.shape import ByKey
-from vstatics.readers.named.arguments import arguments, untold
+from vstatics.readers.named.arguments import arguments, read_with_stand_ins
 from vstatics.readers.named.nodes import (
     Found,
     Mapping,
@@ -122,7 +122,10 @@ def read_case_tree(root: Node, found: Found) -> Reading:
         return _with_masses(root, walk, shape)
     values = walk.read(Spot((), "", root), shape)
     return finish(
-        arguments(values, walk), found.problems, untold(walk.spots.unreadable), walk.spots.locate
+        arguments(values, walk),
+        found.problems,
+        read_with_stand_ins(walk.spots.unreadable),
+        walk.spots.locate,
     )
 
 
@@ -150,7 +153,7 @@ def _with_masses(root: Mapping, walk: Walk, shape: ByKey) -> Reading:
         loose += loose_links(root, values, gathered, parts["gears"], walk.spots)
         walk.spots.unreadable += [] if gathered else [("links",), ("input",), ("output",)]
     problems = [*walk.spots.found.problems, *loose]
-    return finish(parts, problems, untold(walk.spots.unreadable), walk.spots.locate)
+    return finish(parts, problems, read_with_stand_ins(walk.spots.unreadable), walk.spots.locate)
 
 
 def _mapping(root: Node, found: Found, expected: str) -> Mapping:

@@ -16,7 +16,7 @@ NO_LINK = -1
 """Stands in for a link that is not known; no other link is equal to it."""
 
 NO_ELEMENT = 0
-_FEW = 8
+_FEW_LINKS = 8
 _MOST_FACTORS = 100
 _HOUSING = ("0", "housing")
 
@@ -133,7 +133,7 @@ class References:
 
     def _known(self, text: str, names: Collection[str]) -> str:
         """The nearest of the names, or all of them if they are few."""
-        few = ": " + ", ".join(map(shown, names)) if len(names) <= _FEW else ""
+        few = ": " + ", ".join(map(shown, names)) if len(names) <= _FEW_LINKS else ""
         return self._found.hint(text, names) or few
 
 

@@ -6,7 +6,6 @@ from collections.abc import Iterable
 from typing import Any, get_args
 
 from vstatics.elements.keys import with_elements
-from vstatics.model.elastic_keys import DAMPING
 from vstatics.model.keys import CASE, with_masses
 from vstatics.model.shape import (
     ByForm,
@@ -29,9 +28,10 @@ from vstatics.model.shape import (
     Shape,
     Shares,
 )
-from vstatics.readers.named.measured import QUANTITY
+from vstatics.model.torsional_keys import DAMPING
 from vstatics.readers.named.scalars import LINK_NUMBER, NUMBER
 from vstatics.readers.named.si_units import UNIT_OF, WITH_UNIT
+from vstatics.readers.named.units import QUANTITY
 
 Words = dict[str, Any]
 

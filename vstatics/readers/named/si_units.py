@@ -10,7 +10,7 @@ from typing import NamedTuple, Self
 from vstatics.errors import spoken
 from vstatics.model.shape import Measure
 from vstatics.readers.named.arithmetic import ARITHMETIC, calculated
-from vstatics.readers.named.units import LONGEST, factors
+from vstatics.readers.named.units import LONGEST_UNIT, factors
 
 WITH_UNIT = rf"^{ARITHMETIC}[*·]? *[1A-Za-zА-я°/(][-A-Za-zА-я°0-9*·⋅×./^() ²³⁴⁻¹]{{0,39}}$"
 """A number with its unit, as a pattern for ECMAScript."""
@@ -77,7 +77,7 @@ _BASES: dict[str, tuple[_Dimension, float]] = {
     "power": ((1, 2, -3, 0), 1000),
 }
 """By what `units` knows: its dimension, and its unit there in SI."""
-_GRAVITY = 9.80665
+_STANDARD_GRAVITY = 9.80665
 _GRAMS = {
     "g": _Base(_MASS, 1, 1000),
     "г": _Base(_MASS, 1, 1000),
@@ -207,7 +207,7 @@ def _unit(text: str, *, of_words: bool) -> tuple[_Dimension, float, float]:
 
 def _powers(text: str) -> Iterator[tuple[str, int]]:
     """Words of a unit with their exponents; what stands in brackets behind `/` divides."""
-    if len(text) > LONGEST:
+    if len(text) > LONGEST_UNIT:
         raise ValueError
     at, signs, sign = 0, [1], 1
     while at < len(text):
@@ -239,7 +239,7 @@ def _bases(word: str, *, of_words: bool) -> list[_Base]:
     """What a word is made of, the last first, to which an exponent belongs: m and N for `Nm`."""
     if of_words and word.casefold() in _POUNDS:
         [(_, above, below)] = factors(word)
-        return [_Base(_MASS, above / _GRAVITY, below)]
+        return [_Base(_MASS, above / _STANDARD_GRAVITY, below)]
     if of_words and word in _MILLISECONDS:
         return [_Base(_TIME, 1, 1000)]
     if word in _PASCALS:

@@ -33,8 +33,9 @@ from vstatics.model.shape import (
     Shape,
     Shares,
 )
-from vstatics.readers.named import forms, rows, scalars
-from vstatics.readers.named.entries import NO_MERGE, entries, is_merge, known_entries
+from vstatics.readers.named import compounds, scalars
+from vstatics.readers.named.compounds import NO_MERGE, entries, is_merge, known_entries
+from vstatics.readers.named.leaves import LEAVES, stand_in, values_before
 from vstatics.readers.named.nodes import (
     Listing,
     Mapping,
@@ -47,7 +48,6 @@ from vstatics.readers.named.nodes import (
     what,
 )
 from vstatics.readers.named.references import NO_ELEMENT, NO_LINK, References
-from vstatics.readers.named.stand_ins import LEAVES, stand_in, values_before
 
 _ENDS = ("first", "second")
 _SHORT: dict[type[Shape], type[Node]] = {ListOf: Listing, Leaf: Scalar}
@@ -71,11 +71,11 @@ class Walk:
             Leaf: self._leaf,
             ListOf: self._list_of,
             Pair: self._pair,
-            RowOf: partial(rows.read_row, self),
-            ByPoints: partial(rows.read_points, self),
-            Parsed: partial(forms.read_parsed, self),
-            ByForm: partial(forms.read_form, self),
-            OneOrMany: partial(forms.read_one_or_many, self),
+            RowOf: partial(compounds.read_row, self),
+            ByPoints: partial(compounds.read_points, self),
+            Parsed: partial(compounds.read_parsed, self),
+            ByForm: partial(compounds.read_form, self),
+            OneOrMany: partial(compounds.read_one_or_many, self),
             ByKind: self._by_kind,
         }
 

@@ -19,7 +19,7 @@ from vstatics.sweep.expressions.evaluation import FUNCTIONS, LAST
 from vstatics.sweep.expressions.selections import NameFinder, Selection, Tables, VariedNumber
 from vstatics.sweep.subjects import Subject
 from vstatics.sweep.targets import Varied
-from vstatics.tables.rows import written
+from vstatics.tables.names import written
 
 OPTION = "--out"
 

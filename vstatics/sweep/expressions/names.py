@@ -10,16 +10,15 @@ from vstatics.model.transmission import Transmission
 from vstatics.readers.expressions.excerpt import Excerpt
 from vstatics.readers.expressions.grammar import Applied, Language
 from vstatics.readers.expressions.operands import Constant, DottedName, Subscript, TableName
-from vstatics.statics.arrays import Rows
 from vstatics.statics.physical import known_units, lacking_load
+from vstatics.statics.result_arrays import Rows
 from vstatics.sweep.expressions.evaluation import FUNCTIONS
 from vstatics.sweep.expressions.selections import Selection, VariedNumber
 from vstatics.sweep.frequencies import OMEGA, mode_names
 from vstatics.sweep.own_numbers import own_number
 from vstatics.sweep.targets import Target, Varied, target
-from vstatics.tables.names import nearest_quantity, no_row, rows_called, several
+from vstatics.tables.names import ROWS, nearest_quantity, no_row, rows_called, several, table_rows
 from vstatics.tables.quantities import BY_NAME
-from vstatics.tables.rows import ROWS, table_rows
 
 LANGUAGE = Language(
     FUNCTIONS,

@@ -26,10 +26,10 @@ _CENTRAL_SIZES = struct.Struct("<2H3Q")
 _END_64 = struct.Struct("<4sQ2H2L4Q")
 _END_64_PLACE = struct.Struct("<4sLQL")
 _END = struct.Struct("<4s4H2LH")
-_VERSION = 45  # ZIP64
+_ZIP_VERSION = 45  # ZIP64
 _UTF_8 = 0x800
 _DAY_ONE = 0, 0x21  # midnight, 1 January 1980: the archive tells no time
-_FULL = 0xFFFFFFFF
+_ZIP64 = 0xFFFFFFFF
 _POLYNOMIAL = 0xEDB88320  # of CRC-32
 Matrix = tuple[int, ...]
 """32 columns over the field of two numbers, as bits."""
@@ -107,10 +107,10 @@ def _heads(name: str, crc: int, size: int, place: int) -> tuple[bytes, bytes]:
     """The two heads of a member: before its data, and in the directory at the end."""
     text = name.encode()
     sizes = _LOCAL_SIZES.pack(1, 16, size, size)
-    common = _VERSION, _UTF_8, 0, *_DAY_ONE, crc, _FULL, _FULL, len(text)
+    common = _ZIP_VERSION, _UTF_8, 0, *_DAY_ONE, crc, _ZIP64, _ZIP64, len(text)
     local = _LOCAL.pack(b"PK\3\4", *common, len(sizes)) + text + sizes
     sizes = _CENTRAL_SIZES.pack(1, 24, size, size, place)
-    entry = _CENTRAL.pack(b"PK\1\2", _VERSION, *common, len(sizes), 0, 0, 0, 0, _FULL)
+    entry = _CENTRAL.pack(b"PK\1\2", _ZIP_VERSION, *common, len(sizes), 0, 0, 0, 0, _ZIP64)
     return local, entry + text + sizes
 
 
@@ -119,10 +119,10 @@ def _end(entries: Sequence[bytes], place: int) -> bytes:
     central = b"".join(entries)
     count = len(entries)
     end_64 = _END_64.pack(
-        b"PK\6\6", 44, _VERSION, _VERSION, 0, 0, count, count, len(central), place
+        b"PK\6\6", 44, _ZIP_VERSION, _ZIP_VERSION, 0, 0, count, count, len(central), place
     )
     where = _END_64_PLACE.pack(b"PK\6\7", 0, place + len(central), 1)
-    return central + end_64 + where + _END.pack(b"PK\5\6", 0, 0, *[0xFFFF] * 2, _FULL, _FULL, 0)
+    return central + end_64 + where + _END.pack(b"PK\5\6", 0, 0, *[0xFFFF] * 2, _ZIP64, _ZIP64, 0)
 
 
 def combined_crc(first: int, second: int, length: int) -> int:

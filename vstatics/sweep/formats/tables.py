@@ -10,7 +10,7 @@ from vstatics.sweep.formats import Format
 from vstatics.tables import latex, markdown, xlsx
 from vstatics.tables.grid import Cell, Column, Grid, Row, exact, text, whole
 
-DIGITS = 12
+CELL_DIGITS = 12
 """Significant ones, as in CSV."""
 
 
@@ -50,4 +50,4 @@ def _rows(chunks: Iterable[Chunk]) -> Iterator[Row]:
 def _cell(value: float) -> Cell:
     """A number in as many digits as CSV has."""
     cell = exact(value)
-    return cell._replace(text=f"{value:.{DIGITS}g}") if math.isfinite(value) else cell
+    return cell._replace(text=f"{value:.{CELL_DIGITS}g}") if math.isfinite(value) else cell

@@ -16,7 +16,7 @@ from vstatics.sweep.chunk import STATUS, Chunk
 from vstatics.sweep.formats import Format
 from vstatics.tables import csv
 
-ROWS = 512
+ROWS_AT_ONCE = 512
 """Rows to format at once: few, so that many columns are the same throughout in a grid."""
 NUMBER = "%.12g"
 
@@ -54,8 +54,8 @@ def rows(form: Format, chunk: Chunk) -> bytes:
     """
     row = _Row(form, chunk.names, chunk.headings)
     parts = []
-    for start in range(0, len(chunk.variants), ROWS):
-        part = slice(start, start + ROWS)
+    for start in range(0, len(chunk.variants), ROWS_AT_ONCE):
+        part = slice(start, start + ROWS_AT_ONCE)
         parts.append(_formatted(row, _numbers(chunk, part), chunk.status[part].tolist()))
     return "".join(parts).encode()
 

@@ -1,0 +1,147 @@
+"""What springs, dampings, inertias and a clutch that is dumped must fulfil; problems with paths."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+
+from vstatics.errors import Path, Problem
+from vstatics.model.clutch_dump import NEEDED
+from vstatics.model.fields import TransmissionFields
+from vstatics.model.part_checks import called, of_link
+from vstatics.model.parts import HOUSING, Damping, element_name, mechanism_name
+from vstatics.model.springs import Spring, ends, spring_name
+
+
+def of_torsion(case: TransmissionFields) -> Iterator[Problem]:
+    """The inertias and springs of a case, what is elastic of its devices, and their names."""
+    yield from _of_inertias(case)
+    for number, spring in enumerate(case.springs, 1):
+        yield from _of_spring(case, spring, ("springs", number))
+    for number, element in enumerate(case.shift_elements, 1):
+        yield from of_elastic(element.stiffness, element.damping, ("shift_elements", number))
+    for number, mechanism in enumerate(case.mechanisms, 1):
+        yield from of_elastic(mechanism.stiffness, mechanism.damping, ("mechanisms", number))
+    yield from _of_names(case)
+
+
+def _of_inertias(case: TransmissionFields) -> Iterator[Problem]:
+    for link, inertia in case.inertias.items():
+        path = ("inertias", link)
+        yield from of_link(link, path, case.own_links, lowest=1)
+        yield from not_negative(inertia, "an inertia", path)
+
+
+def _of_spring(case: TransmissionFields, spring: Spring, path: Path) -> Iterator[Problem]:
+    twist = dict(spring.twist)
+    if len(twist) < len(spring.twist):
+        link = next(iter(twist))
+        message = f"joins link {called(case, link)} to itself, expected two different links"
+        yield Problem(message, (*path, "second"))
+        return
+    shaft = ends(twist)
+    for link, part in twist.items():
+        place = ("second" if link == shaft[1] else "first",) if shaft else ("twist", link)
+        yield from of_link(link, (*path, *place), case.own_links)
+        if not math.isfinite(part) or (part == 0 and link != HOUSING):
+            message = f"read {part:g}, expected a finite coefficient other than 0"
+            yield Problem(message, (*path, *place))
+    if not any(link != HOUSING for link in twist):
+        message = "the twist is empty, expected at least one link with its coefficient"
+        yield Problem(message, (*path, "twist"))
+    given = (spring.stiffness, spring.compliance)
+    if given.count(None) == 2:
+        yield Problem("there is no `stiffness` and no `compliance`, expected one of them", path)
+    elif None not in given:
+        yield Problem("read both `stiffness` and `compliance`, expected one of them", path)
+    if spring.compliance is not None:
+        yield from above_0(spring.compliance, "a compliance", (*path, "compliance"))
+    yield from of_elastic(spring.stiffness, spring.damping, path, always=True)
+    if spring.limit is not None:
+        yield from above_0(spring.limit, "a torque", (*path, "limit"))
+
+
+def of_elastic(
+    stiffness: float | None, damping: Damping | float, path: Path, *, always: bool = False
+) -> Iterator[Problem]:
+    """The stiffness and damping of a device; what is rigid (unless `always` elastic) has none."""
+    if stiffness is not None:
+        yield from above_0(stiffness, "a stiffness", (*path, "stiffness"))
+    viscous, loss_factor = damping if isinstance(damping, Damping) else (damping, 0.0)
+    here = (*path, "damping")
+    yield from not_negative(viscous, "a damping", (*here, "viscous"))
+    yield from not_negative(loss_factor, "a loss factor", (*here, "loss_factor"))
+    if (viscous or loss_factor) and stiffness is None and not always:
+        yield Problem("there is a damping without `stiffness`: what is rigid can't be damped", here)
+
+
+def above_0(number: float, what: str, path: Path) -> Iterator[Problem]:
+    """A finite number above 0."""
+    if not 0 < number < math.inf:
+        yield Problem(f"read {number:g}, expected {what} above 0", path)
+    elif 1 / number == math.inf:
+        yield Problem(f"read {number:g}, expected {what} that is not so small", path)
+
+
+def not_negative(number: float, what: str, path: Path) -> Iterator[Problem]:
+    """A finite number of 0 or more."""
+    if not 0 <= number < math.inf:
+        yield Problem(f"read {number:g}, expected {what} of 0 or more", path)
+
+
+def _of_names(case: TransmissionFields) -> Iterator[Problem]:
+    """Torques and energies are told by names, so everything that has one is called otherwise."""
+    taken: dict[str, str] = {}
+    for number, element in enumerate(case.shift_elements, 1):
+        taken[element.name or element_name(number, element)] = "a shift element"
+    rows: dict[str, str] = {}
+    for what, name, path, members in _devices(case):
+        if name in taken:
+            message = f"`{name}` is the name of {taken[name]} too, expected another"
+            yield Problem(message, path)
+        taken.setdefault(name, what)
+        rows |= {f"{name}.{member}": f"a member of {name}" for member in members}
+    names = [spring.name or spring_name(number) for number, spring in enumerate(case.springs, 1)]
+    for number, name in enumerate(names, 1):
+        if other := taken.get(name) or rows.get(name):
+            message = f"`{name}` is the name of {other} too, expected another"
+            yield Problem(message, ("springs", number))
+
+
+def _devices(case: TransmissionFields) -> Iterator[tuple[str, str, Path, Sequence[str]]]:
+    """Mechanisms and drawn elements: what each is, its name, its path, names of its members."""
+    if case.drawing is None:
+        for number, mechanism in enumerate(case.mechanisms, 1):
+            name = mechanism.name or mechanism_name(number)
+            yield "a mechanism", name, ("mechanisms", number), ()
+        return
+    given = len(case.drawing.devices) - len(case.drawing.mechanisms)
+    for number, device in enumerate(case.drawing.devices):
+        what = "an element" if number < given else "a mechanism"
+        members = [member.name for member in device.members]
+        members += [planet.name.removeprefix(f"{device.name}.") for planet in device.planets]
+        yield what, device.name, ("mechanisms", device.mechanisms[0] + 1), members
+
+
+def of_dump(case: TransmissionFields) -> Iterator[Problem]:
+    """Links that there are, each once, and numbers above 0."""
+    dump = case.dump
+    if dump is None:
+        return
+    seen: dict[int, str] = {}
+    for name, links in dump.masses.items():
+        if not links and name in NEEDED:
+            yield Problem("there is no link, expected one at least", ("dump", name))
+        for number, link in enumerate(links, 1):
+            path: Path = ("dump", name, number)
+            yield from of_link(link, path, case.own_links, lowest=1)
+            if link in seen:
+                message = f"link {called(case, link)} is in {seen[link]} already"
+                yield Problem(f"{message}, expected each link once", path)
+            seen.setdefault(link, name)
+    if dump.to is not None:
+        yield from of_link(dump.to, ("dump", "to"), case.own_links, lowest=1)
+    for name in ("M_C0", "omega1", "M_phi", "E"):
+        value = getattr(dump, name)
+        if value is not None and not (value > 0 and (value < math.inf or name == "M_phi")):
+            yield Problem(f"read {value:g}, expected a number above 0", ("dump", name))

@@ -1,0 +1,169 @@
+"""The keys of springs, of devices that are rigid but for vibration, of a clutch that is dumped."""
+
+from __future__ import annotations
+
+from vstatics.model.clutch_dump import MASSES, NEEDED, dump_of
+from vstatics.model.parts import damping_fault, damping_of
+from vstatics.model.shape import (
+    LINK,
+    NUMBER,
+    ByKey,
+    Either,
+    Ends,
+    KeyShape,
+    Leaf,
+    Limits,
+    ListOf,
+    Numbers,
+)
+from vstatics.model.springs import spring_fault, spring_of
+
+DAMPING = Either(
+    Leaf("damping"),
+    "viscous",
+    ByKey(
+        "Damping",
+        "Viscous damping, or that of a material, which is a part of the elastic torque.",
+        (
+            KeyShape(
+                "viscous",
+                Leaf("damping"),
+                "Torque by rate of twist, in N*m*s/rad.",
+                default=0,
+                limits={"minimum": 0},
+            ),
+            KeyShape(
+                "ratio",
+                NUMBER,
+                "Damping ratio of a mode in which nothing else is twisted, half the loss factor.",
+                limits={"minimum": 0},
+                examples=(0.02,),
+            ),
+            KeyShape(
+                "loss_factor",
+                NUMBER,
+                "Damping torque as a part of the elastic one, at any frequency.",
+                default=0,
+                limits={"minimum": 0},
+            ),
+        ),
+        damping_of,
+        damping_fault,
+    ),
+    written=True,
+)
+"""Of what is elastic."""
+_ABOVE_0: Limits = {"exclusiveMinimum": 0}
+_DAMPING = KeyShape("damping", DAMPING, "Damping beside its stiffness, in N*m*s/rad.")
+
+ELASTIC = (
+    KeyShape(
+        "stiffness",
+        Leaf("stiffness"),
+        "For vibration: torque on its first link by the twist of its own row, in N*m/rad; rigid "
+        "when not given.",
+        limits=_ABOVE_0,
+        examples=(9e4,),
+    ),
+    _DAMPING,
+)
+"""Of devices that are rigid but for vibration."""
+
+SPRING = ByKey(
+    "Spring",
+    "An elastic device: torque by twist.",
+    (
+        KeyShape(
+            "links",
+            Ends(least=1),
+            "Of a shaft: its twist is the angle of the first link less that of the second; one "
+            "link alone is joined to the housing.",
+            examples=(["engine", "disc"],),
+        ),
+        KeyShape(
+            "twist",
+            Numbers("link", NUMBER),
+            "In place of links: any sum of angles, by coefficients.",
+            examples=({"pinion": 1, "wheel": -1, "casing": -1},),
+        ),
+        KeyShape("stiffness", Leaf("stiffness"), "In N*m/rad.", limits=_ABOVE_0),
+        KeyShape(
+            "compliance",
+            Leaf("compliance"),
+            "In place of the stiffness, in rad/(N*m).",
+            limits=_ABOVE_0,
+            examples=(84e-5,),
+        ),
+        _DAMPING,
+        KeyShape(
+            "limit",
+            Leaf("si_torque"),
+            "In a scenario its torque stays within it, in N*m; the rest is slip, as of a tyre.",
+            limits=_ABOVE_0,
+            examples=("3000 N*m",),
+        ),
+    ),
+    spring_of,
+    spring_fault,
+)
+
+
+_OF = {
+    "J1": "the engine and the driving parts of the clutch",
+    "J2": "the driven disc",
+    "J3": "the transmission",
+    "J4": "the wheels",
+    "J5": "the vehicle",
+}
+
+DUMP = ByKey(
+    "Clutch dump",
+    "What makes up the masses of a clutch that is dumped, for `vstatics torsion dump`.",
+    (
+        *(
+            KeyShape(
+                name,
+                ListOf(LINK, "links"),
+                f"Links of {_OF[name]}; their inertias are reduced and added.",
+                required=name in NEEDED,
+                limits={"minItems": 1} if name in NEEDED else {},
+            )
+            for name in MASSES
+        ),
+        KeyShape(
+            "M_C0",
+            Leaf("si_torque"),
+            "Torque at which the clutch breaks away, on the first link of J2, in N*m.",
+            required=True,
+            limits=_ABOVE_0,
+        ),
+        KeyShape(
+            "M_phi",
+            Leaf("si_torque", infinite=True),
+            "Torque at which the tyres lose their grip, that of all wheels on the first link of "
+            "J4, in N*m; when not given they don't.",
+            limits=_ABOVE_0,
+        ),
+        KeyShape(
+            "omega1",
+            Leaf("si_speed"),
+            "Speed before of the first link of J1, in rad/s.",
+            required=True,
+            limits=_ABOVE_0,
+        ),
+        KeyShape(
+            "E",
+            Leaf("compliance"),
+            "Compliance from J2 to J5 on the link `to`, in rad/(N*m); that of the elastic devices "
+            "when not given.",
+            limits=_ABOVE_0,
+        ),
+        KeyShape(
+            "to",
+            LINK,
+            "Link to which all is reduced and on which the torques are told; the first of J2 when "
+            "not given.",
+        ),
+    ),
+    dump_of,
+)

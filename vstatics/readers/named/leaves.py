@@ -1,0 +1,110 @@
+"""How single values are read, and what stands in for those that cannot be, to read on."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import partial
+from typing import Any, NamedTuple
+
+from vstatics.model.shape import (
+    ByForm,
+    ByKey,
+    ByPoints,
+    Either,
+    Ends,
+    Leaf,
+    LeafKind,
+    Links,
+    ListOf,
+    Measure,
+    OneOrMany,
+    Pair,
+    Parsed,
+    RowOf,
+    Shape,
+)
+from vstatics.readers.named import scalars, units
+from vstatics.readers.named.references import NO_ELEMENT, NO_LINK
+
+_MANY_LINKS = 10**9  # takes every link number in; the model refuses it, and this is not told
+_NO_LINKS = (NO_LINK, NO_LINK)
+
+
+class LeafReading(NamedTuple):
+    """How a single value is read."""
+
+    expected: str
+    stand_in: Any
+    parse: Callable[[str], Any] = str
+    """Text -> value, where the text alone tells it."""
+
+
+def _in_si(text: str, measure: Measure) -> float:
+    from vstatics.readers.named.si_units import measured as in_si  # cases without masses do without
+
+    return in_si(text, measure)
+
+
+LEAVES: dict[LeafKind, LeafReading] = {
+    "text": LeafReading("text", ""),
+    "number": LeafReading("a number", 1.0, scalars.number),
+    "count": LeafReading("a whole number", 1, scalars.count),
+    "share": LeafReading("a share of 0 or more", 0.0, scalars.share),
+    "speed": LeafReading("a speed with its unit", 1.0, partial(units.quantity, kind="speed")),
+    "torque": LeafReading("a torque with its unit", 1.0, partial(units.quantity, kind="torque")),
+    "power": LeafReading("a power with its unit", 1.0, partial(units.quantity, kind="power")),
+    "relative_speed": LeafReading("a speed", 0.0, partial(units.relative, kind="speed")),
+    "relative_torque": LeafReading("a torque", 0.0, partial(units.relative, kind="torque")),
+    "inertia": LeafReading("an inertia", 1.0, partial(_in_si, measure="inertia")),
+    "stiffness": LeafReading("a stiffness", 1.0, partial(_in_si, measure="stiffness")),
+    "compliance": LeafReading("a compliance", 1.0, partial(_in_si, measure="compliance")),
+    "damping": LeafReading("a damping", 0.0, partial(_in_si, measure="damping")),
+    "mass": LeafReading("a mass", 1.0, partial(_in_si, measure="mass")),
+    "length": LeafReading("a length", 1.0, partial(_in_si, measure="length")),
+    "si_torque": LeafReading("a torque", 1.0, partial(_in_si, measure="si_torque")),
+    "si_speed": LeafReading("a speed", 1.0, partial(_in_si, measure="si_speed")),
+    "area": LeafReading("an area", 1.0, partial(_in_si, measure="area")),
+    "pressure": LeafReading("a pressure", 0.0, partial(_in_si, measure="pressure")),
+    "time": LeafReading("a time", 0.0, partial(_in_si, measure="time")),
+    "angle": LeafReading("an angle", 0.0, partial(_in_si, measure="angle")),
+    "velocity": LeafReading("a velocity", 0.0, partial(_in_si, measure="velocity")),
+    "pump_factor": LeafReading("a pump factor", 1.0, partial(_in_si, measure="pump_factor")),
+    "link": LeafReading("a link", NO_LINK),
+    "element": LeafReading("the name of a shift element", NO_ELEMENT),
+    "flag": LeafReading("`true` or `false`", stand_in=False),
+    "choice": LeafReading("text", None),
+}
+
+
+def stand_in(shape: Shape) -> Any:  # noqa: PLR0911, C901 - a table
+    """What stands in for a value that cannot be read."""
+    match shape:
+        case Leaf():
+            return shape.choices[0] if shape.choices else LEAVES[shape.kind].stand_in
+        case ByKey():
+            return shape.make(**values_before(shape))
+        case Either():
+            return shape.record.make(**{shape.key: stand_in(shape.short)})
+        case Ends():
+            return _NO_LINKS
+        case Links():
+            return _MANY_LINKS
+        case ListOf() | OneOrMany():
+            return ()
+        case Pair():
+            return ("", "")
+        case RowOf():
+            return tuple(map(stand_in, shape.items))
+        case ByPoints():
+            return (stand_in(shape.row),)
+        case Parsed():
+            return shape.stand_in
+        case ByForm():
+            return stand_in(shape.scalar)
+    return {}
+
+
+def values_before(shape: ByKey) -> dict[str, Any]:
+    """The values of a record as far as they are known before it is read."""
+    defaults = {key.name: key.default for key in shape.keys if key.default is not None}
+    return {key.name: stand_in(key.shape) for key in shape.keys if key.required} | defaults

@@ -1,0 +1,216 @@
+"""The arrays of `Results`: which there are, what their last axis stands for, their type."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Literal, NamedTuple
+
+import numpy as np
+
+from vstatics.errors import Severity
+from vstatics.model.transmission import Transmission
+from vstatics.numerics.arrays import Booleans, Floats, Integers
+
+
+class Message(NamedTuple):
+    """What was noticed in a gear; a gear with an error makes the case fail."""
+
+    severity: Severity
+    text: str
+    gear: str = ""
+
+    def __str__(self) -> str:
+        """The message in one line, with the gear it speaks of."""
+        gear = f"gear {self.gear}: " if self.gear else ""
+        return f"{self.severity}: {gear}{self.text}"
+
+
+class ResultFields(NamedTuple):
+    """The fields of `Results`.
+
+    The order of axes is the same everywhere: variants first (none for one case), then
+    gears, then what `row_names` of `vstatics.statics.result_arrays` names. Devices are mechanisms
+    and drawn elements as the case itself names them; a case that is drawn has other
+    mechanisms too, those that the solver made of its elements. NaN stands for what does
+    not exist. Speeds are relative to the input
+    speed, torques to the input torque, powers to the input power; signs as in
+    `vstatics.statics.matrix`.
+    """
+
+    case: Transmission
+    """What was calculated, with the conventions that were used."""
+
+    speeds: Floats
+    """(..., gears, links). [-]"""
+    planet_speeds: Floats
+    """(..., gears, planets), against the third link (carrier). [-]"""
+    slip_speeds: Floats
+    """(..., gears, shift elements), first link against second. [-]"""
+    ratio: Floats
+    """(..., gears), ``w_input/w_output``. [-]"""
+
+    torques: Floats
+    """(..., gears, shift elements + mechanisms + springs + 1), on the first link of each; the
+    last is the output torque, given to the load; of a spring it is its own torque. In place of
+    a drawn element stand its members: what their links give to them. Without losses. [-]"""
+    holding_torques: Floats
+    """(..., gears, links), the external torque that holds a given speed. [-]"""
+
+    lossy_torques: Floats
+    """As `torques`, with losses. [-]"""
+    lossy_holding_torques: Floats
+    """As `holding_torques`, with losses. [-]"""
+    efficiency: Floats
+    """(..., gears). [-]"""
+    power_sign: Floats
+    """(..., gears, mechanisms): +1 the first link drives, -1 it is driven, 0 idle. [-]"""
+    idle: Booleans
+    """(..., gears, devices): carries no torque, or turns as one piece."""
+    losses: Floats
+    """(..., gears, devices), power lost; below 0 when coasting, as the flow turns. [-]"""
+    power_balance: Floats
+    """(..., gears), external power less all losses, with losses: 0 to rounding. [-]"""
+    drag_losses: Floats
+    """(..., gears), power that drag takes in all; below 0 when coasting. [-]"""
+
+    consistent: Booleans
+    """(..., gears): the lossy torques stand, with signs that agree with their flow."""
+    locked: Booleans
+    """(..., gears): locked by friction."""
+    undecided: Booleans
+    """(..., gears): the search for signs was cut short, so `locked` is unknown."""
+    turned: Booleans
+    """(..., gears, mechanisms): losses turn the flow round."""
+    choices: Integers
+    """(..., gears): how many sets of signs agree with their flow."""
+
+    tied_up: Booleans
+    """(..., gears): the conditions for the speeds contradict each other."""
+    missing: Integers
+    """(..., gears): conditions that the speeds lack."""
+    excess: Integers
+    """(..., gears): conditions for the speeds that others imply or contradict."""
+    balanced: Booleans
+    """(..., gears): torques without losses exist."""
+
+    holds: Booleans
+    """(..., gears, shift elements): is engaged, or a freewheel that holds."""
+    conflict: Booleans
+    """(..., gears): a freewheel can neither hold nor overrun."""
+
+    mesh_torques: Floats
+    """(..., gears, meshes), on the first wheel of each mesh of drawn elements. [-]"""
+    lossy_mesh_torques: Floats
+    """As `mesh_torques`, with losses. [-]"""
+    mesh_losses: Floats
+    """(..., gears, meshes), power lost. [-]"""
+
+    messages: Sequence[Message] = ()
+    """What was noticed; for one case only, not for arrays of variants."""
+
+    @property
+    def output_torque(self) -> Floats:
+        """Of shape (..., gears), given to the load, without losses [-]."""
+        return self.torques[..., -1]
+
+    @property
+    def lossy_output_torque(self) -> Floats:
+        """Of shape (..., gears), with losses [-]."""
+        return self.lossy_torques[..., -1]
+
+
+Rows = Literal["links", "planets", "elements", "devices", "mechanisms", "torques", "meshes", "one"]
+"""What the rows of an array or a table stand for.
+
+`elements` are shift elements; `devices` mechanisms and drawn elements as the case names
+them; `mechanisms` those that the solver knows; `torques` shift elements, mechanisms or
+members of drawn elements, springs, and the output; `meshes` those of a case that is drawn, with
+planets as links; `one`: a value of the gear itself.
+"""
+
+
+class GearArray(NamedTuple):
+    """An array of `Results`."""
+
+    rows: Rows
+    dtype: type = np.float64
+
+
+ARRAYS: Mapping[str, GearArray] = {
+    "speeds": GearArray("links"),
+    "planet_speeds": GearArray("planets"),
+    "slip_speeds": GearArray("elements"),
+    "ratio": GearArray("one"),
+    "torques": GearArray("torques"),
+    "holding_torques": GearArray("links"),
+    "lossy_torques": GearArray("torques"),
+    "lossy_holding_torques": GearArray("links"),
+    "efficiency": GearArray("one"),
+    "power_sign": GearArray("mechanisms"),
+    "idle": GearArray("devices", np.bool_),
+    "losses": GearArray("devices"),
+    "power_balance": GearArray("one"),
+    "drag_losses": GearArray("one"),
+    "consistent": GearArray("one", np.bool_),
+    "locked": GearArray("one", np.bool_),
+    "undecided": GearArray("one", np.bool_),
+    "turned": GearArray("mechanisms", np.bool_),
+    "choices": GearArray("one", np.int16),
+    "tied_up": GearArray("one", np.bool_),
+    "missing": GearArray("one", np.int16),
+    "excess": GearArray("one", np.int16),
+    "balanced": GearArray("one", np.bool_),
+    "holds": GearArray("elements", np.bool_),
+    "conflict": GearArray("one", np.bool_),
+    "mesh_torques": GearArray("meshes"),
+    "lossy_mesh_torques": GearArray("meshes"),
+    "mesh_losses": GearArray("meshes"),
+}
+"""By name, in the order of the fields of `Results`."""
+
+OUTPUT = "Mx"
+"""The name of the row of the output torque."""
+
+
+def row_names(case: Transmission, rows: Rows) -> list[str]:
+    """The names of the rows of an array; none for a value of the gear itself.
+
+    >>> from vstatics.model.transmission import Gear, Mechanism
+    >>> case = Transmission(3, [], [Mechanism(1, 2, 3, -2.5)], [Gear()])
+    >>> row_names(case, "torques"), row_names(case, "one")
+    (['D1', 'Mx'], [])
+    """
+    return all_row_names(case)[rows]
+
+
+def all_row_names(case: Transmission) -> dict[Rows, list[str]]:
+    """The names of the rows of each kind."""
+    elements = [element.name for element in case.shift_elements]
+    mechanisms = [mechanism.name for mechanism in case.mechanisms]
+    devices = planets = members = mechanisms
+    meshes: list[str] = []
+    if case.drawing is not None:
+        own = case.own_devices
+        devices = [device.name for device in own]
+        planets = [planet.name for device in own for planet in device.planets]
+        members = [f"{one.name}.{member.name}" for one in own for member in one.members]
+        meshes = [mechanisms[index] for one in own for index, _ in one.meshes_by_index]
+    return {
+        "links": list(case.link_names[: case.own_links]),
+        "planets": planets,
+        "elements": elements,
+        "devices": devices,
+        "mechanisms": mechanisms,
+        "torques": [*elements, *members, *(spring.name for spring in case.springs), OUTPUT],
+        "meshes": meshes,
+        "one": [],
+    }
+
+
+def row_counts(case: Transmission) -> dict[str, int | None]:
+    """How many values a gear has in each array of `Results`; None for one of the gear itself."""
+    names = all_row_names(case)
+    return {
+        name: None if array.rows == "one" else len(names[array.rows])
+        for name, array in ARRAYS.items()
+    }
