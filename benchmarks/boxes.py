@@ -16,10 +16,10 @@ from typing import Any
 from common import VSTATICS, options, print_table, spent
 
 from vstatics.jobs.workers import cores
-from vstatics.synthesis.box import HELD, FoundBox
-from vstatics.synthesis.box_least import least_box
-from vstatics.synthesis.box_names import box_element_name
-from vstatics.synthesis.scheme import SetScheme
+from vstatics.synthesis.boxes.box import HELD, FoundBox
+from vstatics.synthesis.boxes.case import box_element_name
+from vstatics.synthesis.boxes.least_form import least_box
+from vstatics.synthesis.structures.scheme import SetScheme
 
 SMALL = (
     *("--sets=2", "--elements=4", "--engaged=2", "--own-input"),

@@ -22,7 +22,7 @@ from scipy import linalg
 
 from vstatics import Transmission, loads
 from vstatics.cli import main as command
-from vstatics.torsion.gear_modes import modes
+from vstatics.torsion.vibration.gear_modes import modes
 
 VARIANTS = 100_000
 CHAIN, LOWEST = 2_000, 20

@@ -50,9 +50,9 @@ def frozen() -> None:
 @pytest.fixture
 def without_pictures(monkeypatch: pytest.MonkeyPatch) -> None:
     """Reports have none: they take the most time."""
-    from vstatics.report.drawn import Pictures
+    from vstatics.report.page_pictures import Pictures
 
-    monkeypatch.setattr("vstatics.report.gathering.pictures", lambda _: Pictures())
+    monkeypatch.setattr("vstatics.report.material.pictures", lambda _: Pictures())
 
 
 @pytest.fixture

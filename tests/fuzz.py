@@ -27,18 +27,18 @@ from vstatics import VstaticsError, load, solve
 from vstatics.readers import read
 from vstatics.readers.reading import Reading
 from vstatics.readers.results import read_results
-from vstatics.simulation.formula import Formula
-from vstatics.simulation.scenario_file import read_scenario
+from vstatics.simulation.scenario.file import read_scenario
+from vstatics.simulation.scenario.formula import Formula
 from vstatics.summary.duty_file import read_duty
 from vstatics.sweep import build
-from vstatics.sweep.expressions import read_expression
-from vstatics.sweep.expressions.columns import read_columns
 from vstatics.sweep.file import read_sweep_file
+from vstatics.sweep.kept.columns import read_columns
+from vstatics.sweep.kept.expressions import read_expression
 from vstatics.sweep.options import SweepOptions
-from vstatics.sweep.scenario import Document, VariedScenario
-from vstatics.sweep.table import read_table
-from vstatics.sweep.targets import target
-from vstatics.sweep.variation import read_variation
+from vstatics.sweep.variants.subject import Document, VariedScenario
+from vstatics.sweep.variants.table import read_table
+from vstatics.sweep.variants.targets import target
+from vstatics.sweep.variants.variation import read_variation
 from vstatics.writers import listing, named, result_json
 
 SECONDS = 1.0

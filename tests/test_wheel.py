@@ -16,7 +16,7 @@ from typing import NamedTuple
 
 import pytest
 
-from vstatics.cli.template import TEMPLATES
+from vstatics.cli.new import TEMPLATES
 from vstatics.extras import EXTRAS, __version__
 from vstatics.pictures import PICTURES
 

@@ -44,12 +44,12 @@ if TYPE_CHECKING:
     from vstatics.explain.explanation import explain_gear
     from vstatics.flow.power import flows
     from vstatics.model.clutch_dump import ClutchDump
-    from vstatics.pictures.drawn import plot
+    from vstatics.pictures.plotting import plot
     from vstatics.report import write_report
-    from vstatics.simulation.motion import Motion
+    from vstatics.simulation.record.motion import Motion
     from vstatics.simulation.run import simulate
-    from vstatics.simulation.scenario import Scenario
-    from vstatics.simulation.scenario_file import load_scenario
+    from vstatics.simulation.scenario.file import load_scenario
+    from vstatics.simulation.scenario.parts import Scenario
     from vstatics.summary import summarize
 
 __all__ = [
@@ -93,13 +93,13 @@ _LATER = {
     "ClutchDump": "vstatics.model.clutch_dump",
     "Drawing": "vstatics.elements.drawing",
     "Element": "vstatics.elements.element",
-    "Motion": "vstatics.simulation.motion",
+    "Motion": "vstatics.simulation.record.motion",
     "PlanetMass": "vstatics.elements.element",
-    "Scenario": "vstatics.simulation.scenario",
+    "Scenario": "vstatics.simulation.scenario.parts",
     "explain_gear": "vstatics.explain.explanation",
     "flows": "vstatics.flow.power",
-    "load_scenario": "vstatics.simulation.scenario_file",
-    "plot": "vstatics.pictures.drawn",
+    "load_scenario": "vstatics.simulation.scenario.file",
+    "plot": "vstatics.pictures.plotting",
     "simulate": "vstatics.simulation.run",
     "summarize": "vstatics.summary",
     "write_report": "vstatics.report",
@@ -110,7 +110,7 @@ _LATER = {
 _METHODS = (
     (Results, "to_dataframe", "vstatics.tables.dataframe", "to_dataframe"),
     (Results, "__getitem__", "vstatics.tables.names", "by_name"),
-    (Results, "_repr_html_", "vstatics.summary.html", "html"),
+    (Results, "_repr_html_", "vstatics.summary.pretty", "html"),
 )
 """Methods that come from rooms of which the room of results must know nothing."""
 

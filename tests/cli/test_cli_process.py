@@ -24,7 +24,7 @@ from tests.commands import (
 )
 from vstatics import __version__
 from vstatics.cli import COMMANDS
-from vstatics.cli.torsion import COMMANDS as TORSION
+from vstatics.cli.torsion.group import COMMANDS as TORSION
 from vstatics.extras import build
 
 pytestmark = pytest.mark.slow  # each starts the program anew

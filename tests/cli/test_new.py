@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from tests.commands import vstatics
-from vstatics.cli.template import TEMPLATES, template
+from vstatics.cli.new import TEMPLATES, template
 
 
 @pytest.mark.parametrize("name", [*TEMPLATES])

@@ -12,7 +12,7 @@ import pytest
 import vstatics as library
 from tests.commands import CASES, vstatics
 from tests.elements.element_texts import AOD, SET, changed, loaded, problems
-from vstatics.cli.template import TEMPLATES, template
+from vstatics.cli.new import TEMPLATES, template
 from vstatics.elements import Drawing, Element, transmission
 from vstatics.elements.drawing import drawing_of
 from vstatics.elements.kinds import KINDS

@@ -15,7 +15,7 @@ from hypothesis.extra import numpy as arrays
 from vstatics.numerics import fronts
 from vstatics.numerics.arrays import Floats, Integers
 from vstatics.numerics.fronts import merged, non_dominated
-from vstatics.sweep.selection import limited
+from vstatics.sweep.kept.selection import limited
 
 RANDOM = settings(max_examples=75)
 

@@ -16,8 +16,8 @@ from tests.oracle.combinations import Train, every, found
 from tests.oracle.fits import Wish, fits
 from tests.trains import seeded
 from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
-from vstatics.synthesis.combinations import combinations
-from vstatics.synthesis.fit import fit
+from vstatics.synthesis.gears.search import combinations
+from vstatics.synthesis.ratios.fitting import fit
 
 pytestmark = pytest.mark.slow
 SPECIAL = [

@@ -15,11 +15,11 @@ from typing import Any
 import pytest
 
 from tests.commands import CASES, LOCKED, NEUTRAL, SHIPPED, TIED_UP, vstatics
-from tests.pictures.test_schemes import ring
+from tests.pictures.schemes.test_schemes import ring
 from vstatics import CaseError, Results, load, solve
 from vstatics.pictures import FORMATS, PICTURES, Format, picture, render, settings_of
-from vstatics.pictures.style import Style
-from vstatics.simulation.motion import Motion
+from vstatics.pictures.sheet.style import Style
+from vstatics.simulation.record.motion import Motion
 
 NAMES = [path.name for path in SHIPPED]
 QUICK = ("mzkt7922.dat", "power-split.yaml")
@@ -104,7 +104,7 @@ def test_a_picture_does_not_ask_for_a_screen() -> None:
     code = (
         "import sys; from vstatics import load, solve\n"
         "from vstatics.pictures import picture\n"
-        "from vstatics.pictures.style import Style\n"
+        "from vstatics.pictures.sheet.style import Style\n"
         "assert 'matplotlib' not in sys.modules\n"
         f"picture(solve(load({str(CASES / 'umdm.yaml')!r})), 'plan', Style())\n"
         "assert 'matplotlib.pyplot' not in sys.modules"

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import pytest
 
-from tests.pictures.test_schemes import overlaps
+from tests.pictures.schemes.test_schemes import overlaps
 from vstatics import Gear, Mechanism, ShiftElement, Spring, Transmission, solve
 from vstatics.elements import Drawing, Element, transmission
 from vstatics.model.springs import between
 from vstatics.pictures.schemes import stick, structure
 from vstatics.pictures.schemes.scheme import scheme_of, scheme_state
-from vstatics.pictures.state import state_of
-from vstatics.pictures.style import Style
+from vstatics.pictures.sheet.gear_state import state_of
+from vstatics.pictures.sheet.style import Style
 
 SPRINGS = [
     Spring(between(1, 2), stiffness=1, name="damper"),

@@ -19,9 +19,9 @@ from tests.torsion.table_3_8 import TABLE_3_8, Line
 from vstatics.model.springs import Spring, Twist, between
 from vstatics.model.transmission import Gear, ShiftElement, Transmission
 from vstatics.simulation import simulate
-from vstatics.simulation.formula import Formula
-from vstatics.simulation.motion import Motion
-from vstatics.simulation.scenario import Capacity, Scenario, Start
+from vstatics.simulation.record.motion import Motion
+from vstatics.simulation.scenario.formula import Formula
+from vstatics.simulation.scenario.parts import Capacity, Scenario, Start
 
 PUBLISHED = Path(__file__).with_name("tsitovich-table-3-9.json")
 TABLE_3_9: dict[str, Any] = json.loads(PUBLISHED.read_text(encoding="utf-8"))

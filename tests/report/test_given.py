@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from vstatics import loads
-from vstatics.report.given import _shift_elements
-from vstatics.report.given_springs import torsion_grids
+from vstatics.report.given import _shift_elements, torsion_grids
 
 SLIPPING = """
 inertias: {a: 1, b: 2, c: 3}

@@ -1,6 +1,6 @@
 """The section of the report on a run: its tables and pictures, and why it stopped.
 
-The run is that of `tests.pictures.test_shift`, in closed form.
+The run is that of `tests.pictures.run.test_shift`, in closed form.
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from tests.commands import CASES, vstatics
-from tests.pictures.test_shift import LOCK, run
+from tests.pictures.run.test_shift import LOCK, run
 from tests.report.pages import Page, value
 from vstatics import load, solve
 from vstatics.errors import Problem

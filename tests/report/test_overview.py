@@ -12,9 +12,9 @@ from vstatics.explain import formula
 from vstatics.flow.power import flows
 from vstatics.report import Material
 from vstatics.report import explained as report_explained
-from vstatics.report.drawn import Pictures
 from vstatics.report.explained import explained
 from vstatics.report.overview import alerts, overview
+from vstatics.report.page_pictures import Pictures
 from vstatics.summary import summarize
 from vstatics.tables.html import Markup, joined, printed
 

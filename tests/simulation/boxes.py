@@ -9,9 +9,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from vstatics.model.transmission import Gear, Mechanism, ShiftElement, Transmission
-from vstatics.simulation.formula import Formula
-from vstatics.simulation.laws import Points, TorqueLaw, constant
-from vstatics.simulation.scenario import Capacity, Scenario, Start
+from vstatics.simulation.scenario.formula import Formula
+from vstatics.simulation.scenario.laws import Points, TorqueLaw, constant
+from vstatics.simulation.scenario.parts import Capacity, Scenario, Start
 
 K1 = -67 / 33
 RPM = 0.10471975511965977

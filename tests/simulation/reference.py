@@ -21,8 +21,8 @@ from vstatics.model.parts import damping
 from vstatics.model.springs import Spring
 from vstatics.model.transmission import Mechanism, ShiftElement, Transmission
 from vstatics.numerics.arrays import Floats
-from vstatics.simulation.laws import Points, Resistance, Road, TorqueLaw
-from vstatics.simulation.scenario import Capacity, Scenario
+from vstatics.simulation.scenario.laws import Points, Resistance, Road, TorqueLaw
+from vstatics.simulation.scenario.parts import Capacity, Scenario
 
 LOSS_SMOOTHING = 1e-3
 """Speed against the third link over which the flow of a mesh turns. [rad/s]"""

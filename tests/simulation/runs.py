@@ -12,9 +12,9 @@ from tests.simulation.reference import mechanism_column
 from tests.trains import no_losses, random_train
 from vstatics.model.transmission import Gear, Transmission
 from vstatics.numerics.arrays import Floats
-from vstatics.simulation.formula import Formula
-from vstatics.simulation.laws import Points, Resistance, TorqueLaw, constant
-from vstatics.simulation.scenario import Capacity, Control, Dog, Scenario, Start
+from vstatics.simulation.scenario.formula import Formula
+from vstatics.simulation.scenario.laws import Points, Resistance, TorqueLaw, constant
+from vstatics.simulation.scenario.parts import Capacity, Control, Dog, Scenario, Start
 
 
 def random_box(rng: Random, *, losses: bool = False) -> Transmission:

@@ -13,10 +13,10 @@ from vstatics.model.parts import Friction, OfLoad
 from vstatics.model.springs import Spring, between
 from vstatics.model.transmission import Gear, ShiftElement, Transmission
 from vstatics.simulation import simulate
-from vstatics.simulation.formula import Formula
-from vstatics.simulation.laws import Resistance, Road, TorqueLaw, constant
-from vstatics.simulation.motion import Motion
-from vstatics.simulation.scenario import Control, Converter, Scenario, Start
+from vstatics.simulation.record.motion import Motion
+from vstatics.simulation.scenario.formula import Formula
+from vstatics.simulation.scenario.laws import Resistance, Road, TorqueLaw, constant
+from vstatics.simulation.scenario.parts import Control, Converter, Scenario, Start
 
 EXACT = 1e-8
 
@@ -280,7 +280,7 @@ def test_ramp_of_a_capacity() -> None:
 
 def test_capacity_by_a_formula() -> None:
     """J w0 = M (t - (1 - exp(-K t))/K)."""
-    from vstatics.simulation.scenario import Capacity
+    from vstatics.simulation.scenario.parts import Capacity
 
     case = links(0.5, elements=(ShiftElement(1, 0, "B"),))
     control = Capacity(Formula("182*(1 - exp(-60*t))"))

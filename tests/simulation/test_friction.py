@@ -10,8 +10,8 @@ from vstatics.model.parts import Friction, OfLoad
 from vstatics.model.springs import Spring, between
 from vstatics.model.transmission import Gear, ShiftElement
 from vstatics.simulation import simulate
-from vstatics.simulation.laws import Resistance, constant
-from vstatics.simulation.scenario import Capacity, Control, Scenario, Shift, Start
+from vstatics.simulation.scenario.laws import Resistance, constant
+from vstatics.simulation.scenario.parts import Capacity, Control, Scenario, Shift, Start
 
 PACK = Friction(radius=0.1, area=0.006, surfaces=8, coefficient=((0.0, 0.1),))
 FALLING = PACK._replace(coefficient=((0.0, 0.1), (10.0, 0.05)))

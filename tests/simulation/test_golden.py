@@ -28,9 +28,9 @@ from tests.simulation.boxes import (
 from tests.simulation.reference import start_speeds
 from vstatics.model.transmission import Gear, ShiftElement
 from vstatics.simulation import simulate
-from vstatics.simulation.laws import constant
-from vstatics.simulation.motion import Motion
-from vstatics.simulation.scenario import Dog, Scenario, Start
+from vstatics.simulation.record.motion import Motion
+from vstatics.simulation.scenario.laws import constant
+from vstatics.simulation.scenario.parts import Dog, Scenario, Start
 
 
 def happened(motion: Motion) -> list[tuple[str, str, Any]]:

@@ -17,7 +17,7 @@ import pytest
 
 from tests.commands import CASES
 from vstatics.simulation import Motion, simulate
-from vstatics.simulation.scenario_file import load_scenario
+from vstatics.simulation.scenario.file import load_scenario
 
 SCENARIOS = sorted((CASES / "scenarios").glob("*.yaml"))
 QUICK = ("tarasik-set-lock", "tarasik-set-upshift")

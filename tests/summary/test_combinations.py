@@ -9,7 +9,7 @@ import pytest
 
 from tests.commands import CASES, vstatics
 from vstatics import CaseError, load, solve
-from vstatics.summary.combinations import Combination, combinations
+from vstatics.summary.unused_sets import Combination, combinations
 
 
 def found(name: str, *without: str, at_most: int = 1000) -> dict[frozenset[str], Combination]:

@@ -10,9 +10,9 @@ import pytest
 
 from vstatics import Gear, Mechanism, ReadError, ShiftElement, Transmission, solve
 from vstatics.errors import Problem
-from vstatics.sweep.expressions import Expression, read_expression
-from vstatics.sweep.expressions.columns import read_columns
-from vstatics.sweep.targets import target
+from vstatics.sweep.kept.columns import read_columns
+from vstatics.sweep.kept.expressions import Expression, read_expression
+from vstatics.sweep.variants.targets import target
 
 SET = Transmission(
     3,

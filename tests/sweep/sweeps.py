@@ -18,10 +18,10 @@ from vstatics.numerics.arrays import Floats
 from vstatics.sweep import build
 from vstatics.sweep.options import SweepOptions
 from vstatics.sweep.plan import SweepPlan
-from vstatics.sweep.steps import Steps
-from vstatics.sweep.targets import Target
-from vstatics.sweep.variants import Variants
-from vstatics.sweep.variation import Span, Variation
+from vstatics.sweep.variants.numbered import Variants
+from vstatics.sweep.variants.steps import Steps
+from vstatics.sweep.variants.targets import Target
+from vstatics.sweep.variants.variation import Span, Variation
 
 DIFFERENTIAL = Transmission(
     3,

@@ -15,7 +15,7 @@ from vstatics import Gear, Mechanism, ShiftElement, Spring, Transmission, loads
 from vstatics.sweep import sweep
 from vstatics.sweep.blocks import calculate
 from vstatics.sweep.chunk import STATUS, Chunk
-from vstatics.torsion.gear_modes import modes
+from vstatics.torsion.vibration.gear_modes import modes
 
 SHAFT = chain([0.2, 0.8], [500.0])
 """Two masses: ``omega^2 = c (1/J1 + 1/J2)``, and a rigid mode that is not counted."""

@@ -9,9 +9,9 @@ import pytest
 
 from tests.sweep.scenarios import subject
 from vstatics.errors import ReadError
-from vstatics.simulation.motion import Energy, Event, Motion, Peak, Reached
-from vstatics.sweep.expressions import read_expression
-from vstatics.sweep.expressions.columns import read_columns
+from vstatics.simulation.record.motion import Energy, Event, Motion, Peak, Reached
+from vstatics.sweep.kept.columns import read_columns
+from vstatics.sweep.kept.expressions import read_expression
 from vstatics.sweep.motion_tables import MotionTables
 
 SUBJECT = subject()

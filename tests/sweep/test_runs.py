@@ -21,10 +21,10 @@ from vstatics.sweep.calculation import calculate
 from vstatics.sweep.chunk import STATUS, Chunk
 from vstatics.sweep.options import SweepOptions
 from vstatics.sweep.runs import piece_of_runs
-from vstatics.sweep.scenario import load_varied
-from vstatics.sweep.scenario_numbers import NumberPath
 from vstatics.sweep.tasks import SweepTask
 from vstatics.sweep.tasks import calculate as of_piece
+from vstatics.sweep.variants.scenario_numbers import NumberPath
+from vstatics.sweep.variants.subject import load_varied
 
 OUT = "locks[brake], heat[brake], speeds[carrier], max(abs(slips)), controls.brake.1.2*2"
 SLIP = 500 * math.pi / 30 / 1.5

@@ -7,8 +7,8 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from vstatics.torsion.chain import Chain, ChainSpring
-from vstatics.torsion.scheme import SchemeSpring, TorsionScheme
+from vstatics.torsion.reduction.chain import Chain, ChainSpring
+from vstatics.torsion.reduction.scheme import SchemeSpring, TorsionScheme
 
 TENTH = 0.1
 """A heading "J*10" means that a tenth of the printed number is J."""

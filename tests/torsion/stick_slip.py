@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from scipy.integrate import solve_ivp
 
-from vstatics.torsion.dump_given import Dump
+from vstatics.torsion.clutch.given import Dump
 
 
 class Contacts(NamedTuple):

@@ -11,8 +11,8 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from vstatics.torsion.clutch import DumpCase
-from vstatics.torsion.dump_given import Dump
+from vstatics.torsion.clutch.dumped import DumpCase
+from vstatics.torsion.clutch.given import Dump
 
 
 class Line(NamedTuple):

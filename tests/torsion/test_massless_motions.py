@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from vstatics import CaseError, loads
-from vstatics.torsion.gear_modes import modes
+from vstatics.torsion.vibration.gear_modes import modes
 
 TWO_SPRINGS = """\
 springs:

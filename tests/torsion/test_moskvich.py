@@ -13,9 +13,9 @@ import pytest
 from tests.commands import CASES
 from tests.torsion.book import TENTH, percent, scheme, table
 from vstatics import Transmission, load
-from vstatics.torsion.gear_modes import GearModes, modes
-from vstatics.torsion.reduction import GearReduction, reduce
-from vstatics.torsion.scheme import natural_frequencies
+from vstatics.torsion.reduction.reduced_values import GearReduction, reduce
+from vstatics.torsion.reduction.scheme import natural_frequencies
+from vstatics.torsion.vibration.gear_modes import GearModes, modes
 
 GEARS = ("1", "2", "3", "4")
 STATES = {"working": "", "at stop": " at stop"}

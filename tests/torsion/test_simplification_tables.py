@@ -8,9 +8,9 @@ from typing import Any
 import pytest
 
 from tests.torsion.book import TENTH, chain, percent, scheme, table
-from vstatics.torsion.chain import partial_systems, scheme_of
-from vstatics.torsion.scheme import natural_frequencies
-from vstatics.torsion.simplification import SimplificationRule, simplify
+from vstatics.torsion.reduction.chain import partial_systems, scheme_of
+from vstatics.torsion.reduction.scheme import natural_frequencies
+from vstatics.torsion.reduction.simplification import SimplificationRule, simplify
 
 GEARS = ("I", "II", "III", "IV", "V")
 RULES: tuple[SimplificationRule, ...] = ("r", "b", "u")

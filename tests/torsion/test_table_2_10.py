@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from tests.torsion.test_gear_modes import omegas, only
+from tests.torsion.vibration.test_gear_modes import omegas, only
 from vstatics import Spring, Transmission
 
 HERE = Path(__file__).parent

@@ -13,7 +13,7 @@ from tests.writers.modelica_system import IDENTIFIER, parsed, solved
 from vstatics import Gear, Load, Mechanism, ShiftElement, Spring, Transmission, load, loads, solve
 from vstatics.model.parts import Damping, Friction
 from vstatics.writers import modelica, modelica_limits
-from vstatics.writers.modelica_names import Identifiers, class_name, identifier, string
+from vstatics.writers.modelica_models import Identifiers, class_name, identifier, string
 
 
 @pytest.mark.parametrize(

@@ -20,7 +20,7 @@ from tests.summary.test_inertia import ACCELERATIONS
 from tests.writers.modelica_system import IDENTIFIER
 from vstatics import Transmission, load, load_scenario, loads, simulate
 from vstatics.writers import modelica
-from vstatics.writers.modelica_names import identifier
+from vstatics.writers.modelica_models import identifier
 
 rumoca = pytest.importorskip("rumoca")
 

@@ -7,8 +7,10 @@ Words of a command line go in; results go to stdout, messages to stderr, and an 
 >>> said.exit_code, said.stderr.rstrip()
 (1, "nowhere/box.yaml: error: can't be read: No such file or directory")
 
-`COMMANDS` lists the commands, each a module of this room. `cases` has what those share that
-calculate cases, `texts` the formats of results, `files` input, output and messages.
+`COMMANDS` lists the commands. `frame` has what they share: input and output, cases, values of
+options. A command on a case is a module here; larger ones have folders: `sweep`, `simulate` (whose
+samples are carried out as a sweep is), and the groups `torsion` and `synth`, a module for each of
+their commands. `schemas` writes the JSON Schemas of all.
 """
 
 from __future__ import annotations
@@ -21,9 +23,9 @@ from typing import Any
 
 import click
 
-from vstatics.cli import files
-from vstatics.cli.exit_status import DONE, FAILED, WRONG_USE, stopped_by
-from vstatics.cli.lazy_group import LazyGroup
+from vstatics.cli.frame import files
+from vstatics.cli.frame.exit_status import DONE, FAILED, WRONG_USE, stopped_by
+from vstatics.cli.frame.lazy_group import LazyGroup
 from vstatics.errors import ReadError, printable
 from vstatics.extras import __version__, build
 from vstatics.jobs.stopping import Stop, StoppedError, stoppable
@@ -33,13 +35,16 @@ click.UsageError.exit_code = WRONG_USE
 COMMANDS = {
     "new": ("vstatics.cli.new", "Write a commented case to start from."),
     "run": ("vstatics.cli.run", "Calculate every gear of each case."),
-    "sweep": ("vstatics.cli.sweep", "Calculate variants of a case, to a table."),
+    "sweep": ("vstatics.cli.sweep.command", "Calculate variants of a case, to a table."),
     "flow": ("vstatics.cli.flow", "Show where the power goes, what is lost, what circulates."),
     "summary": ("vstatics.cli.summary", "Ratios, steps, spread, transitions, largest values."),
     "explain": ("vstatics.cli.explain", "Write out the equations and the ratio of a gear."),
-    "simulate": ("vstatics.cli.simulate", "What a scenario does to a case over time."),
-    "torsion": ("vstatics.cli.torsion", "The transmission as a torsional system."),
-    "synth": ("vstatics.cli.synth", "Find gearboxes: schemes, gears, ratios, teeth, whole ones."),
+    "simulate": ("vstatics.cli.simulate.command", "What a scenario does to a case over time."),
+    "torsion": ("vstatics.cli.torsion.group", "The transmission as a torsional system."),
+    "synth": (
+        "vstatics.cli.synth.group",
+        "Find gearboxes: schemes, gears, ratios, teeth, whole ones.",
+    ),
     "plot": ("vstatics.cli.plot", "Draw a picture of a case: SVG, PNG or PDF."),
     "report": ("vstatics.cli.report", "Write a case and its results as one page of HTML."),
     "check": ("vstatics.cli.check", "Report problems of the input, and the conditions per gear."),
@@ -81,7 +86,7 @@ class Commands(LazyGroup):
             raise
         except Exception as error:  # noqa: BLE001 - whoever uses the program wants no trace
             stop.check()  # an import that is stopped may end in an error of another kind
-            from vstatics.cli.cases import unexpected
+            from vstatics.cli.frame.cases import unexpected
 
             files.show([unexpected(f"vstatics {ctx.invoked_subcommand}", error)])
         return FAILED

@@ -1,25 +1,31 @@
-"""`vstatics check`: problems of the input, degrees of freedom, conditions per gear."""
+"""`vstatics check`: problems of cases and scenarios, degrees of freedom, conditions per gear."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
 
 import click
 
-from vstatics import readers
-from vstatics.cli import cases as arguments
-from vstatics.cli import files
-from vstatics.cli.cases import CaseOptions, calculate_one
-from vstatics.cli.exit_status import DONE, FAILED
-from vstatics.cli.formats import OutputOptions, TextStyle
-from vstatics.cli.telling import Telling
+from vstatics import extras, readers
+from vstatics.cli.frame import cases as arguments
+from vstatics.cli.frame import files
+from vstatics.cli.frame.cases import CaseOptions, calculate_one, unexpected
+from vstatics.cli.frame.documents import scenario_with_case
+from vstatics.cli.frame.exit_status import DONE, FAILED
+from vstatics.cli.frame.formats import OutputOptions, TextStyle
+from vstatics.cli.frame.problems import Telling
 from vstatics.elements.drawing import drawing_of
-from vstatics.errors import Problem, ReadError, plural
+from vstatics.errors import CaseError, Problem, ReadError, plural
 from vstatics.statics.diagnosis import freedom, given_conditions
 from vstatics.statics.results import Results
 from vstatics.statics.status import CONFLICT, TIED_UP
 from vstatics.tables.grid import Grid, text
 from vstatics.tables.text import lines
+
+if TYPE_CHECKING:
+    from vstatics.simulation.scenario.parts import Scenario
+
 
 FORMATS = ("text", "json")
 
@@ -125,8 +131,6 @@ def _calculated(
     arguments.check_streams(cases)
     for file in cases:
         if file != files.STDIN and _is_scenario(file):
-            from vstatics.cli.scenario_check import check_scenario
-
             yield check_scenario(file, options)
             continue
         outcome = calculate_one(file, options)
@@ -141,7 +145,7 @@ def _is_scenario(file: str) -> bool:
         return False
     if b"duration" not in data:
         return False
-    from vstatics.simulation.scenario_file import is_scenario  # cases need no simulation
+    from vstatics.simulation.scenario.file import is_scenario  # cases need no simulation
 
     return is_scenario(data, name)
 
@@ -167,3 +171,50 @@ def _problems(cases: Sequence[str], options: CaseOptions) -> tuple[str, bool]:
         failed |= fails
         found += problem_json.records(file, options.telling.printed(problems))
     return problem_json.text(found), failed
+
+
+_TRIED_PART = 1e-9
+"""So much of the duration is tried."""
+
+
+def check_scenario(file: str, options: CaseOptions) -> tuple[str, list[Problem], bool, Grid | None]:
+    """The name of a scenario, its problems and those of its case, whether it fails, what it has."""
+    from vstatics.simulation.scenario.checks import scenario_doubts  # cases need no simulation
+
+    try:
+        read = scenario_with_case(*files.read_input(file), options.input_format)
+        found = [*scenario_doubts(read.scenario), *_faults_at_start(read.scenario)]
+        problems = options.telling.told([*read.reading.warnings, *map(read.locate, found)])
+    except ReadError as error:
+        return file, error.problems, True, None
+    except Exception as error:  # noqa: BLE001 - the other files are to go on
+        return file, [unexpected(file, error)], True, None
+    failed = any(one.severity == "error" for one in problems)
+    shown = None if failed else _scenario_summary(file, read.scenario)
+    return file, problems, failed or options.telling.fails(problems), shown
+
+
+def _faults_at_start(scenario: Scenario) -> list[Problem]:
+    """Why it can't begin, as far as that takes no run; nothing where scipy is not installed."""
+    if extras.missing("simulation", "a simulation"):
+        return []
+    from vstatics.simulation.run import simulate
+
+    try:
+        simulate(scenario._replace(duration=_TRIED_PART * scenario.duration, targets={}))
+    except CaseError as error:
+        return error.problems
+    return []
+
+
+def _scenario_summary(file: str, scenario: Scenario) -> Grid:
+    """What a scenario has, in a line."""
+    counts = {
+        "control": len(scenario.controls or ()),
+        "torque": len(scenario.torques),
+        "converter": len(scenario.converters),
+        "shift": len(scenario.shifts or ()),
+    }
+    parts = [f"{count} {plural(noun, count)}" for noun, count in counts.items() if count]
+    told = ", ".join(parts) or "nothing happens"
+    return Grid(f"{file}: {scenario.duration:g} s, {told}", [text(""), text("")], [])

@@ -8,9 +8,9 @@ from typing import NamedTuple
 
 import click
 
-from vstatics.cli import files
-from vstatics.cli.cases import Command
-from vstatics.cli.exit_status import DONE, FAILED
+from vstatics.cli.frame import files
+from vstatics.cli.frame.cases import Command
+from vstatics.cli.frame.exit_status import DONE, FAILED
 from vstatics.errors import plural
 from vstatics.readers import sweep_tables
 from vstatics.readers.results import read_results

@@ -5,10 +5,10 @@ from __future__ import annotations
 import click
 
 from vstatics import readers
-from vstatics.cli import cases as arguments
-from vstatics.cli import files
-from vstatics.cli.exit_status import DONE, FAILED
-from vstatics.cli.telling import Telling
+from vstatics.cli.frame import cases as arguments
+from vstatics.cli.frame import files
+from vstatics.cli.frame.exit_status import DONE, FAILED
+from vstatics.cli.frame.problems import Telling
 from vstatics.errors import CaseError, ReadError, of_file
 from vstatics.model.transmission import Transmission
 from vstatics.statics.solve import solve

@@ -8,12 +8,12 @@ from typing import Any
 
 import click
 
-from vstatics.cli import cases as arguments
-from vstatics.cli import formats, texts
-from vstatics.cli.cases import CalculatedCase, CaseOptions
-from vstatics.cli.formats import OutputOptions, TextStyle
-from vstatics.cli.job import Job
-from vstatics.cli.one_or_many import carry_out
+from vstatics.cli.frame import cases as arguments
+from vstatics.cli.frame import formats, texts
+from vstatics.cli.frame.cases import CalculatedCase, CaseOptions
+from vstatics.cli.frame.formats import OutputOptions, TextStyle
+from vstatics.cli.frame.one_or_many import carry_out
+from vstatics.cli.frame.texts import Job
 from vstatics.tables.grid import Grid
 
 

@@ -1,16 +1,42 @@
-"""`vstatics new`: a commented case to start from."""
+"""`vstatics new`: a commented case to start from, one of the folder `templates`."""
 
 from __future__ import annotations
 
 import os
+from importlib import resources
 
 import click
 
-from vstatics.cli import files
-from vstatics.cli.template import TEMPLATES, template
+from vstatics.cli.frame import files
 from vstatics.errors import ReadError, nearest, of_file
 from vstatics.jobs.files import STDOUT
 from vstatics.readers import format_of_name
+
+TEMPLATES = (
+    "planetary",
+    "double_planet",
+    "stepped",
+    "ravigneaux",
+    "planet_group",
+    "simpson",
+    "lepelletier",
+    "countershaft",
+    "drive_axle",
+    "power_split",
+    "worm",
+)
+"""Their names, the simplest first."""
+
+
+def template(name: str) -> str:
+    """The text of a template.
+
+    >>> template("ravigneaux").splitlines()[0]
+    '# A Ravigneaux set: the small sun meshes with the short planets, these with the long planets,'
+    """
+    return (resources.files("vstatics.cli") / "templates" / f"{name}.yaml").read_text(
+        encoding="utf-8"
+    )
 
 
 def _known(context: click.Context, parameter: click.Parameter, value: str) -> str:

@@ -8,17 +8,17 @@ from typing import cast
 
 import click
 
-from vstatics.cli import cases as arguments
-from vstatics.cli import formats, texts
-from vstatics.cli.box_documents import plot_boxes
-from vstatics.cli.cases import CalculatedCase, CaseOptions
-from vstatics.cli.job import Job
-from vstatics.cli.one_or_many import carry_out
-from vstatics.cli.scenario_run import run_of
+from vstatics.cli.frame import cases as arguments
+from vstatics.cli.frame import formats, texts
+from vstatics.cli.frame.cases import CalculatedCase, CaseOptions
+from vstatics.cli.frame.found_boxes import plot_boxes
+from vstatics.cli.frame.one_or_many import carry_out
+from vstatics.cli.frame.scenario_run import run_of
+from vstatics.cli.frame.texts import Job
 from vstatics.errors import CaseError, ReadError, of_file
 from vstatics.jobs.files import STDOUT, is_stream
 from vstatics.pictures import FORMATS, OF_RUNS, PICTURES, Format, render
-from vstatics.pictures.style import Style
+from vstatics.pictures.sheet.style import Style
 from vstatics.statics.results import Language
 from vstatics.tables.suffixes import known, suffix_of
 

@@ -8,13 +8,13 @@ from typing import TYPE_CHECKING
 
 import click
 
-from vstatics.cli import cases as arguments
-from vstatics.cli import files, formats, texts
-from vstatics.cli.box_documents import listing_in, report_boxes
-from vstatics.cli.cases import CalculatedCase, CaseOptions
-from vstatics.cli.job import Job
-from vstatics.cli.one_or_many import carry_out
-from vstatics.cli.scenario_run import run_of
+from vstatics.cli.frame import cases as arguments
+from vstatics.cli.frame import files, formats, texts
+from vstatics.cli.frame.cases import CalculatedCase, CaseOptions
+from vstatics.cli.frame.found_boxes import listing_in, report_boxes
+from vstatics.cli.frame.one_or_many import carry_out
+from vstatics.cli.frame.scenario_run import run_of
+from vstatics.cli.frame.texts import Job
 
 if TYPE_CHECKING:
     from vstatics.report.naming import Naming

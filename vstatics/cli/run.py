@@ -7,13 +7,13 @@ from typing import Any
 
 import click
 
-from vstatics.cli import cases as arguments
-from vstatics.cli import files, formats, texts
-from vstatics.cli.cases import CalculatedCase, CaseOptions, calculate
-from vstatics.cli.exit_status import DONE, FAILED
-from vstatics.cli.formats import OutputOptions, TextStyle
-from vstatics.cli.job import Job
-from vstatics.cli.one_or_many import carry_out
+from vstatics.cli.frame import cases as arguments
+from vstatics.cli.frame import files, formats, texts
+from vstatics.cli.frame.cases import CalculatedCase, CaseOptions, calculate
+from vstatics.cli.frame.exit_status import DONE, FAILED
+from vstatics.cli.frame.formats import OutputOptions, TextStyle
+from vstatics.cli.frame.one_or_many import carry_out
+from vstatics.cli.frame.texts import Job
 from vstatics.errors import printable
 from vstatics.jobs.files import STDOUT
 from vstatics.tables.grid import Grid
@@ -145,7 +145,7 @@ def _pretty(
     several: bool,
 ) -> int:
     """Show the gears of each case to a person; the exit status."""
-    from vstatics.cli.console import SafeConsole, trimmed
+    from vstatics.cli.frame.console import SafeConsole, trimmed
     from vstatics.summary.pretty import ASCII, DOTS, view
 
     to = wanted._replace(formats=("text",)).destination(inputs)

@@ -7,13 +7,11 @@ import os
 import sys
 from typing import Any
 
-from vstatics.cli import (
-    problem_json,
-    simulate_schemas,
-    synth_schemas,
-    torsion_dump,
-    torsion_schemas,
-)
+from vstatics.cli import problem_json
+from vstatics.cli.simulate import schemas as simulate_schemas
+from vstatics.cli.synth import schemas as synth_schemas
+from vstatics.cli.torsion import dump
+from vstatics.cli.torsion import schemas as torsion_schemas
 from vstatics.explain import schema as explain
 from vstatics.flow import schema as flow
 from vstatics.readers.named import schema as case
@@ -33,7 +31,7 @@ def schemas() -> dict[str, dict[str, Any]]:
         **torsion_schemas.json_schemas(),
         **simulate_schemas.json_schemas(),
         **synth_schemas.json_schemas(),
-        "dump": torsion_dump.json_schema(),
+        "dump": dump.json_schema(),
         "check": problem_json.json_schema(),
     }
 

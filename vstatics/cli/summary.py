@@ -8,15 +8,14 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from vstatics.cli import cases as arguments
-from vstatics.cli import files, formats, texts
-from vstatics.cli.box_documents import listing_in
-from vstatics.cli.cases import CalculatedCase, CaseOptions, calculate
-from vstatics.cli.exit_status import DONE, FAILED
-from vstatics.cli.formats import Destination, OutputOptions
-from vstatics.cli.job import Job
-from vstatics.cli.one_or_many import carry_out
-from vstatics.cli.summary_boxes import box_numbers, calculated_boxes
+from vstatics.cli.frame import cases as arguments
+from vstatics.cli.frame import files, formats, texts
+from vstatics.cli.frame.cases import CalculatedCase, CaseOptions, calculate
+from vstatics.cli.frame.exit_status import DONE, FAILED
+from vstatics.cli.frame.formats import Destination, OutputOptions
+from vstatics.cli.frame.found_boxes import box_numbers, calculated_boxes, listing_in
+from vstatics.cli.frame.one_or_many import carry_out
+from vstatics.cli.frame.texts import Job
 from vstatics.errors import CaseError, ReadError, of_file
 from vstatics.tables.grid import Grid
 

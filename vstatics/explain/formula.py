@@ -9,7 +9,7 @@ from fractions import Fraction
 from typing import Any, NamedTuple
 
 from vstatics.elements.drawing import parts_of
-from vstatics.explain import forms
+from vstatics.explain import factored
 from vstatics.explain.bodies import OwnLinks, Structure
 from vstatics.explain.names import Names
 from vstatics.explain.shares import NoFormula, shares
@@ -123,12 +123,12 @@ def formula(
 
 def _of_ratio(ratio: Any, symbols: Sequence[Symbol]) -> RatioFormula:
     kept, [renamed] = _in_occurring([ratio], symbols)
-    text = forms.fraction(renamed, forms.Notation([one.name for one in kept]))
+    text = factored.fraction(renamed, factored.Notation([one.name for one in kept]))
     shared, shorter = _shared(renamed, kept)
     return RatioFormula(
         left="i",
         text=text,
-        expression=forms.fraction(renamed, forms.python(len(kept))),
+        expression=factored.fraction(renamed, factored.python(len(kept))),
         symbols=kept,
         speeds={},
         value=_value(renamed, kept),
@@ -141,13 +141,13 @@ def _of_speed(
     output: str, shares: Sequence[Any], speeds: Mapping[str, float], symbols: Sequence[Symbol]
 ) -> RatioFormula:
     kept, renamed = _in_occurring(shares, symbols)
-    notation = forms.Notation([one.name for one in kept])
+    notation = factored.Notation([one.name for one in kept])
     unknowns = [f"w{number}" for number in range(1, len(speeds) + 1)]
     numbers = zip(renamed, speeds.values(), strict=True)
     return RatioFormula(
         left=output,
-        text=forms.weighted(renamed, list(speeds), notation),
-        expression=forms.weighted(renamed, unknowns, forms.python(len(kept))),
+        text=factored.weighted(renamed, list(speeds), notation),
+        expression=factored.weighted(renamed, unknowns, factored.python(len(kept))),
         symbols=kept,
         speeds=speeds,
         value=math.fsum(_value(share, kept) * speed for share, speed in numbers),
@@ -208,7 +208,7 @@ def _shared(value: Any, symbols: Sequence[Symbol]) -> tuple[dict[str, list[str]]
     if one is None:
         return {}, ""
     stands_for = {letter: [symbols[n].name for n in numbers] for letter, numbers in letters.items()}
-    return stands_for, forms.fraction(one, forms.Notation(new))
+    return stands_for, factored.fraction(one, factored.Notation(new))
 
 
 def _value(value: Any, symbols: Sequence[Symbol]) -> float:

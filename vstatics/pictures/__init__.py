@@ -3,14 +3,15 @@
 A result, a kind of picture and a style go in; the bytes of a file come out.
 
 >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
->>> from vstatics.pictures.style import Style
+>>> from vstatics.pictures.sheet.style import Style
 >>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)], [Gear([1])])
 >>> render(solve(case), "plan", "svg", Style())[:5]
 b'<?xml'
 >>> picture(solve(case), "plan", Style()).texts[0].get_text()
 'Generalised kinematic plan'
 
-A kind of picture is a function ``draw(results, style, gears) -> Figure`` in a module of
+`sheet` is what all share. `flow`, `lever`, `schemes`, `run`, `plan`, `vibration` and `boxes` have
+the kinds of pictures. A kind is a function ``draw(results, style, gears) -> Figure`` in a module of
 its own, which is imported when its picture is asked for: matplotlib is an extra. Kinds that
 show a run take its motion, too.
 """
@@ -30,22 +31,22 @@ from vstatics.statics.results import Results
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from vstatics.pictures.style import Style
-    from vstatics.simulation.motion import Motion
+    from vstatics.pictures.sheet.style import Style
+    from vstatics.simulation.record.motion import Motion
 
 Format = Literal["svg", "png", "pdf"]
 FORMATS: tuple[Format, ...] = get_args(Format)
 
 PICTURES = {
-    "plan": "vstatics.pictures.plan",
-    "lever": "vstatics.pictures.lever",
-    "flow": "vstatics.pictures.flow",
+    "plan": "vstatics.pictures.plan.picture",
+    "lever": "vstatics.pictures.lever.picture",
+    "flow": "vstatics.pictures.flow.picture",
     "structure": "vstatics.pictures.schemes.structure",
     "stick": "vstatics.pictures.schemes.stick",
-    "efficiency": "vstatics.pictures.efficiency",
-    "modes": "vstatics.pictures.modes",
-    "campbell": "vstatics.pictures.campbell",
-    "shift": "vstatics.pictures.shift",
+    "efficiency": "vstatics.pictures.flow.efficiency",
+    "modes": "vstatics.pictures.vibration.modes",
+    "campbell": "vstatics.pictures.vibration.campbell",
+    "shift": "vstatics.pictures.run.shift",
 }
 """Kind of picture -> module."""
 OF_RUNS = ("shift", "plan")
@@ -162,7 +163,7 @@ def written(figure: Figure, form: Format, style: Style, title: str) -> bytes:
     """
     with settings_of(style):
         if form == "svg":
-            from vstatics.pictures.svg import written_as_svg
+            from vstatics.pictures.sheet.svg import written_as_svg
 
             return written_as_svg(figure, title, style)
         file = io.BytesIO()
@@ -172,7 +173,7 @@ def written(figure: Figure, form: Format, style: Style, title: str) -> bytes:
 
 def _alternative(results: Results, kind: str, style: Style, gears: Sequence[int]) -> str:
     """What a picture shows, for those who do not see it."""
-    from vstatics.pictures.words import KINDS, gear_title, title
+    from vstatics.pictures.sheet.words import KINDS, gear_title, title
 
     names = (gear_title(results.case.gears[number - 1].name, style) for number in gears)
     return title(results.case, ", ".join([style.text(*KINDS[kind]), *names]))

@@ -14,9 +14,9 @@ from __future__ import annotations
 import os
 
 from vstatics.jobs.files import replacing
-from vstatics.report.gathering import Material, gather
-from vstatics.report.page import page
-from vstatics.simulation.motion import Motion
+from vstatics.report.html_page import page
+from vstatics.report.material import Material, gather
+from vstatics.simulation.record.motion import Motion
 from vstatics.statics.results import Results, expect_results
 
 __all__ = ["Material", "gather", "page", "write_report"]

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
 
-from vstatics.report.drawn import inline
 from vstatics.report.overview import line_of
+from vstatics.report.page_pictures import inline
 from vstatics.report.parts import figure
-from vstatics.synthesis.box_listing import BoxListing, ListedBox
+from vstatics.synthesis.boxes.listing import BoxListing, ListedBox
 from vstatics.tables.grid import Cell, Column, Grid, Row, exact, sign, text, whole
 from vstatics.tables.html import Markup, tables, tag
 

@@ -8,14 +8,14 @@ from typing import Any
 
 from vstatics.errors import CaseError, Problem
 from vstatics.extras import missing
-from vstatics.pictures.style import Style
+from vstatics.pictures.sheet.style import Style
 from vstatics.report.box_parts import all_grid, box_link, family_grid, shown_box
-from vstatics.report.drawn import inline
+from vstatics.report.html_page import framed
 from vstatics.report.overview import line_of
-from vstatics.report.page import framed
+from vstatics.report.page_pictures import inline
 from vstatics.report.parts import figure
-from vstatics.synthesis.box_listing import BoxListing, drawn_boxes
-from vstatics.synthesis.box_reading import listing_of
+from vstatics.synthesis.boxes.listing import BoxListing, drawn_boxes
+from vstatics.synthesis.boxes.reading import listing_of
 from vstatics.tables.html import Markup, joined, table, tag
 from vstatics.tables.numbers import typeset
 
@@ -31,14 +31,14 @@ def box_pages(document: Mapping[str, Any]) -> dict[str, bytes]:
     Parameters
     ----------
     document : mapping
-        As `vstatics.synthesis.box_document.box_document` makes it, with boxes.
+        As `vstatics.synthesis.boxes.document.box_document` makes it, with boxes.
 
     Raises
     ------
     CaseError
         If matplotlib is not installed, or there is no box.
     """
-    from vstatics.pictures.boxes import render_boxes
+    from vstatics.pictures.boxes.picture import render_boxes
 
     listing = listing_of(document)
     page = boxes_page(listing, document).encode(errors="backslashreplace")
@@ -113,7 +113,7 @@ def _overview(listing: BoxListing, without: str) -> Iterator[Markup]:
     if without:
         yield tag("p", f"There are no pictures: {without}")
         return
-    from vstatics.pictures.boxes import render_points
+    from vstatics.pictures.boxes.picture import render_points
 
     svg = render_points(listing, drawn_boxes(listing, MOST_SHOWN_BOXES))
     name = "Mean loss over the largest torque"
@@ -132,7 +132,7 @@ def _diagrams(listing: BoxListing, without: str, digits: int | None) -> Iterator
         case = box.transmission()
         svg = None
         if not without:
-            from vstatics.pictures.box_stick import stick_diagram
+            from vstatics.pictures.boxes.stick import stick_diagram
 
             svg = stick_diagram(case, "")
         yield from shown_box(box, svg, digits)

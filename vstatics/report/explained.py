@@ -11,7 +11,7 @@ from vstatics.explain.explanation import Explanation
 from vstatics.explain.grids import matrix
 from vstatics.explain.text import MATRIX, RATIO, sections
 from vstatics.extras import missing
-from vstatics.report.gathering import Material
+from vstatics.report.material import Material
 from vstatics.tables.grid import Cell
 from vstatics.tables.html import Markup, bare, scrolled, tag
 

@@ -7,9 +7,9 @@ from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from vstatics.errors import printable
-from vstatics.report.drawn import Drawn, picture_of
+from vstatics.report.page_pictures import Drawn, picture_of
 from vstatics.report.parts import figures
-from vstatics.simulation.motion import Motion
+from vstatics.simulation.record.motion import Motion
 from vstatics.statics.results import Results
 from vstatics.tables.grid import Cell, Column, Grid, exact
 from vstatics.tables.html import Markup, tables, tag
@@ -46,7 +46,7 @@ def run_section(results: Results, motion: Motion, *, has_pictures: bool) -> RunS
 
 def shown_run(section: RunSection, digits: int | None) -> Iterator[Markup]:
     """All of it; why the run stopped, if it did, comes first."""
-    from vstatics.simulation.motion_grids import motion_grids
+    from vstatics.simulation.record.grids import motion_grids
 
     motion = section.motion
     if motion.stopped is not None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator, Sequence
 
-from vstatics.report.gathering import Material
+from vstatics.report.material import Material
 from vstatics.report.parts import gear_link
 from vstatics.summary.extremes import LOSSY_TORQUES, TORQUES, Largest, overall, quantity
 from vstatics.tables.html import Markup, joined, tag

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from urllib.parse import quote
 
-from vstatics.report.drawn import Drawn
+from vstatics.report.page_pictures import Drawn
 from vstatics.tables.html import Markup, scrolled, tag
 
 

@@ -7,14 +7,14 @@ from collections.abc import Iterator, Sequence
 
 from vstatics.flow.grids import power_grid, remarks
 from vstatics.flow.power_flow import GearFlow
-from vstatics.report.drawn import NAMES, Drawn
 from vstatics.report.explained import explained, no_formula
-from vstatics.report.gathering import Material
 from vstatics.report.given import given
+from vstatics.report.material import Material
 from vstatics.report.motion import shown_run
 from vstatics.report.overview import alerts, overview
+from vstatics.report.page_pictures import NAMES, Drawn
 from vstatics.report.parts import figures, gear_link, of_gear
-from vstatics.report.vibration_parts import shown_vibration
+from vstatics.report.vibration import shown_vibration
 from vstatics.summary.grids import Marks, element_signs
 from vstatics.summary.grids import grids as summary_grids
 from vstatics.tables.grid import Cell, Column, Grid

@@ -1,19 +1,25 @@
-"""The natural modes of a case that vibrates, for its page."""
+"""The natural modes of a case that vibrates, for its page.
+
+The section on vibration: natural frequencies, resonances, the modes of each gear.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
 from vstatics.elements.drawing import drawing_of
 from vstatics.errors import CaseError
 from vstatics.extras import require
 from vstatics.model.transmission import Mechanism, ShiftElement, Transmission
-from vstatics.report.drawn import Drawn, picture_of
+from vstatics.report.page_pictures import NAMES, Drawn, picture_of
+from vstatics.report.parts import figures, gear_link, of_gear
 from vstatics.statics.results import Results
+from vstatics.tables.grid import Cell, Column, Grid, Row, exact, text, whole
+from vstatics.tables.html import Markup, table, tables, tag
 
 if TYPE_CHECKING:
-    from vstatics.torsion.gear_modes import GearModes
+    from vstatics.torsion.vibration.gear_modes import GearModes
 
 
 class Vibration(NamedTuple):
@@ -59,7 +65,7 @@ def vibration(results: Results, *, has_pictures: bool) -> Vibration | None:
         require("torsion", "the section on vibration")
     except CaseError as error:
         return Vibration(without=str(error))
-    from vstatics.torsion.gear_modes import modes
+    from vstatics.torsion.vibration.gear_modes import modes
 
     found = modes(case)
     if not has_pictures or not any(gear.modes for gear in found):
@@ -69,3 +75,65 @@ def vibration(results: Results, *, has_pictures: bool) -> Vibration | None:
         for kind in ("modes", "campbell")
     )
     return Vibration(found, shapes, campbell)
+
+
+OF_GEAR = ("frequencies", "energy")
+"""Keys of the tables of a gear."""
+
+
+def shown_vibration(found: Vibration, digits: int | None) -> Iterator[Markup]:
+    """All of it, or why it is left out."""
+    if found.without:
+        yield tag("p", f"Left out: {found.without}")
+        return
+    said = [f"gear {gear.name}: {text}" for gear in found.gears for text in gear.warnings]
+    if said:
+        yield tag("ul", *(tag("li", text) for text in said), class_="messages")
+    grid = frequencies(found.gears).with_digits(digits)
+    yield table(grid._replace(rows=[[gear_link(row[0].text), *row[1:]] for row in grid.cells]))
+    for number, gear in enumerate(found.gears):
+        drawn = [one[number] for one in (found.campbell, found.shapes) if one]
+        yield of_gear("modes", gear.name, list(_gear(gear, drawn, digits)))
+
+
+def frequencies(gears: Sequence[GearModes]) -> Grid:
+    """The natural frequencies of all gears, without damping; why a gear has none.
+
+    Examples
+    --------
+    >>> from vstatics.torsion.vibration.gear_modes import GearModes
+    >>> grid = frequencies([GearModes("1", 1), GearModes("2", error="tied up")])
+    >>> [column.heading for column in grid.columns], grid.texts
+    (['gear', 'rigid modes', 'note'], [['1', '1', ''], ['2', '-', 'tied up']])
+    """
+    most = max(len(gear.modes) for gear in gears)
+    modes = [Column(str(number), over="mode") for number in range(1, most + 1)]
+    columns = [text("gear"), Column("rigid modes"), *modes]
+    rows: list[Row] = []
+    for gear in gears:
+        rigid = Cell("-") if gear.error else whole(gear.rigid_modes)
+        missing = [exact(None)] * (most - len(gear.modes))
+        rows.append([gear.name, rigid, *(exact(mode.frequency) for mode in gear.modes), *missing])
+    if any(gear.error for gear in gears):
+        columns.append(text("note"))
+        rows = [[*row, gear.error] for row, gear in zip(rows, gears, strict=True)]
+    return Grid("Natural frequencies [Hz]", columns, rows)
+
+
+def _gear(gear: GearModes, pictures: Sequence[Drawn], digits: int | None) -> Iterator[Markup]:
+    """The modes of a gear, below its name."""
+    from vstatics.torsion.vibration.grids import modes_grids
+
+    if not gear.modes:
+        yield tag("p", gear.error or "no natural frequency")
+        return
+    for drawn in pictures:
+        yield from figures(drawn, NAMES[drawn.kind])
+    shown = (grid for grid in modes_grids([gear]) if grid.key in OF_GEAR)
+    yield from tables(_without_gear(grid).with_digits(digits) for grid in shown)
+
+
+def _without_gear(grid: Grid) -> Grid:
+    """A table without its first column, which names the gear in all rows."""
+    rows = [row[1:] for row in grid.rows]
+    return grid._replace(columns=grid.columns[1:], rows=rows)

@@ -1,16 +1,13 @@
 """The same case in motion: what happens to it by a scenario.
 
-1. `scenario_file` reads a `Scenario`: a case, a start, controls or shifts, torques.
-2. `devices` makes a `MotionSystem` of it: what is heavy, what is rigid, what sticks, what bends;
-   `ports` are what gives a torque by what it sees.
-3. While the same things stick, constant matrices hold, a `MotionStructure`, and `Equations` with
-   them. They are solved in closed form (`stretches`), else step by step (`pieces`).
-4. `margins` tell how far all is from a change, `location` finds where one ends; `selection`
-   chooses what sticks from there on, `impacts` joins what joins at once.
-5. `course` goes from event to event, `record` keeps what is asked for: a `Motion`, whose energy
-   must close (`account`).
+1. `scenario` reads what happens: a case, a start, controls or shifts, torques.
+2. `system` makes a `MotionSystem` of it, and the equations that hold while the same things stick.
+3. `events`: they are solved in closed form, else step by step, to where a margin ends; from there
+   on something else sticks.
+4. `course` goes from event to event, `record` keeps what is asked for: a `Motion`, whose energy
+   must close. `run` is all of it.
 
-`tarasik` is the published method, for comparison. The room needs scipy, an extra. How it all is
+`published` is the method of Tarasik, for comparison. The room needs scipy, an extra. How it all is
 derived: docs/method.md.
 
 >>> from vstatics import ShiftElement, Transmission
@@ -31,34 +28,27 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from vstatics.simulation.formula import Formula
-    from vstatics.simulation.laws import Points, Resistance, Road, constant
-    from vstatics.simulation.motion import Motion
+    from vstatics.simulation.record.motion import Motion
     from vstatics.simulation.run import simulate
-    from vstatics.simulation.scenario import (
-        Capacity,
-        Converter,
-        Dog,
-        Scenario,
-        Shift,
-        Start,
-    )
-    from vstatics.simulation.scenario_file import load_scenario
+    from vstatics.simulation.scenario.file import load_scenario
+    from vstatics.simulation.scenario.formula import Formula
+    from vstatics.simulation.scenario.laws import Points, Resistance, Road, constant
+    from vstatics.simulation.scenario.parts import Capacity, Converter, Dog, Scenario, Shift, Start
 
 _LATER = {
-    "Capacity": "scenario",
-    "Converter": "scenario",
-    "Dog": "scenario",
-    "Formula": "formula",
-    "Motion": "motion",
-    "Points": "laws",
-    "Resistance": "laws",
-    "Road": "laws",
-    "Scenario": "scenario",
-    "Shift": "scenario",
-    "Start": "scenario",
-    "constant": "laws",
-    "load_scenario": "scenario_file",
+    "Capacity": "scenario.parts",
+    "Converter": "scenario.parts",
+    "Dog": "scenario.parts",
+    "Formula": "scenario.formula",
+    "Motion": "record.motion",
+    "Points": "scenario.laws",
+    "Resistance": "scenario.laws",
+    "Road": "scenario.laws",
+    "Scenario": "scenario.parts",
+    "Shift": "scenario.parts",
+    "Start": "scenario.parts",
+    "constant": "scenario.laws",
+    "load_scenario": "scenario.file",
     "simulate": "run",
 }
 """Names that are imported when somebody asks for them."""

@@ -8,20 +8,19 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from vstatics.errors import CaseError, Problem
-from vstatics.simulation.breaks import break_times, large_sizes
-from vstatics.simulation.curves import capacity_at
-from vstatics.simulation.equations import Equations
-from vstatics.simulation.impacts import impact
-from vstatics.simulation.instants import Instant, instant_of
-from vstatics.simulation.location import Finder, MarginEnd, NoCapacity
-from vstatics.simulation.margins import LargeSizes, Watch
-from vstatics.simulation.motion import Event, EventKind
-from vstatics.simulation.pieces import StepTolerances, TimeStep, TooSmall, steps
-from vstatics.simulation.ports import PortLayout, States
-from vstatics.simulation.record import Record
-from vstatics.simulation.selection import ModeSelection, NoChoice, Selected, turned
-from vstatics.simulation.stretches import Closed, NoFit
-from vstatics.simulation.system import MotionSystem
+from vstatics.simulation.events.impacts import impact
+from vstatics.simulation.events.instants import Instant, break_times, instant_of, large_sizes
+from vstatics.simulation.events.location import Finder, MarginEnd, NoCapacity
+from vstatics.simulation.events.margins import LargeSizes, Watch
+from vstatics.simulation.events.pieces import StepTolerances, TimeStep, TooSmall, steps
+from vstatics.simulation.events.selection import ModeSelection, NoChoice, Selected, turned
+from vstatics.simulation.events.stretches import Closed, NoFit
+from vstatics.simulation.record.motion import Event, EventKind
+from vstatics.simulation.record.record import Record
+from vstatics.simulation.system.curves import capacity_at
+from vstatics.simulation.system.equations import Equations
+from vstatics.simulation.system.matrices import MotionSystem
+from vstatics.simulation.system.ports import PortLayout, States
 
 _MOST_AT_ONCE = 60
 """Events within a moment, before it is told that there is no way on."""

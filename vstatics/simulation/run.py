@@ -10,18 +10,18 @@ import numpy as np
 from vstatics.errors import CaseError, Problem
 from vstatics.numerics.arrays import Floats
 from vstatics.simulation.course import EventRun, RunStop
-from vstatics.simulation.devices import motion_system
-from vstatics.simulation.instants import Instant
-from vstatics.simulation.motion import Energy, Motion
-from vstatics.simulation.ports import PortLayout
-from vstatics.simulation.programme import programmes
-from vstatics.simulation.record import Record
-from vstatics.simulation.scenario import Scenario
-from vstatics.simulation.scenario_checks import check_scenario
-from vstatics.simulation.selection import NoChoice
-from vstatics.simulation.settled import settled_twists, with_viscous_damping
-from vstatics.simulation.start import start_gear, start_speeds
-from vstatics.simulation.system import MotionSystem
+from vstatics.simulation.events.instants import Instant
+from vstatics.simulation.events.selection import NoChoice
+from vstatics.simulation.events.springs_at_start import settled_twists, with_viscous_damping
+from vstatics.simulation.events.start import start_gear, start_speeds
+from vstatics.simulation.record.motion import Energy, Motion
+from vstatics.simulation.record.record import Record
+from vstatics.simulation.scenario.checks import check_scenario
+from vstatics.simulation.scenario.parts import Scenario
+from vstatics.simulation.scenario.programme import programmes
+from vstatics.simulation.system.devices import motion_system
+from vstatics.simulation.system.matrices import MotionSystem
+from vstatics.simulation.system.ports import PortLayout
 
 Method = Literal["events", "tarasik"]
 BALANCE = 1e-8
@@ -64,8 +64,8 @@ def simulate(
     A brake stops a wheel of 2 kg*m^2:
 
     >>> from vstatics import ShiftElement, Transmission
-    >>> from vstatics.simulation.laws import constant
-    >>> from vstatics.simulation.scenario import Capacity, Scenario, Start
+    >>> from vstatics.simulation.scenario.laws import constant
+    >>> from vstatics.simulation.scenario.parts import Capacity, Scenario, Start
     >>> case = Transmission(1, [ShiftElement(1, name="B")], [], [], inertias={1: 2.0})
     >>> scenario = Scenario(case, 3.0, Start(speeds={1: 10.0}), {1: Capacity(constant(40.0))})
     >>> motion = simulate(scenario)
@@ -76,7 +76,7 @@ def simulate(
     """
     check_scenario(scenario)
     if method == "tarasik":
-        from vstatics.simulation.tarasik import tarasik
+        from vstatics.simulation.published.tarasik import tarasik
 
         return tarasik(scenario, step=step, rtol=rtol)
     gear = start_gear(scenario)

@@ -25,13 +25,13 @@ from typing import NamedTuple
 
 from vstatics.numerics.arrays import Floats
 from vstatics.statics.results import Results, expect_results
-from vstatics.summary.combinations import Combination, combinations
-from vstatics.summary.design import Design, design
+from vstatics.summary.design_table import Design, design
 from vstatics.summary.duty import Cycle
 from vstatics.summary.extremes import Largest, Margin, largest, margins
 from vstatics.summary.inertia import GearInertia, reduced_inertias
 from vstatics.summary.sensitivity import sensitivities
 from vstatics.summary.shifts import Transition, transitions
+from vstatics.summary.unused_sets import Combination, combinations
 
 __all__ = ["Summary", "summarize"]
 

@@ -9,7 +9,7 @@ from string import ascii_uppercase
 
 from vstatics.model.parts import HOUSING, ShiftElement
 from vstatics.summary import Summary
-from vstatics.summary.design import GearLine
+from vstatics.summary.design_table import GearLine
 from vstatics.summary.extremes import (
     LOSSY_TORQUES,
     PLANETS,

@@ -1,9 +1,13 @@
-"""A view of the gears for a person at a terminal: one table, coloured."""
+"""A view of the gears for a person at a terminal: one table, coloured.
+
+Results as a notebook shows them: the table of the gears.
+"""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator
+from html import escape
 
 from rich.console import Group
 from rich.text import Text
@@ -12,10 +16,11 @@ from vstatics.statics.result_arrays import OUTPUT
 from vstatics.statics.results import Results
 from vstatics.statics.roles import IDLE, MEANINGS, ONE_PIECE, Role, roles
 from vstatics.statics.status import STATUSES
-from vstatics.summary.design import GearLine, design
+from vstatics.summary.design_table import GearLine, design
 from vstatics.summary.grids import Marks, element_signs
 from vstatics.tables import terminal
 from vstatics.tables.grid import Cell, Column, Grid, exact, text
+from vstatics.tables.html import table
 from vstatics.tables.ports import port_tables, ports_grid
 from vstatics.tables.quantities import Table
 from vstatics.tables.values import tables
@@ -149,9 +154,9 @@ def _figures(line: GearLine, digits: int | None) -> list[Cell]:
 def _speeds(by_key: dict[str, Table], number: int, *, rpm: bool) -> Iterator[tuple[str, float]]:
     """The speeds of links, planets and open elements."""
     unit = "_rpm" if rpm else ""
-    for table, kind in (("W", ""), ("WSAT", "planet "), ("WFRI", "slip ")):
-        if table + unit in by_key:
-            for name, value in _column(by_key[table + unit], number):
+    for key, kind in (("W", ""), ("WSAT", "planet "), ("WFRI", "slip ")):
+        if key + unit in by_key:
+            for name, value in _column(by_key[key + unit], number):
                 # P1.planet tells by itself what it is, 1 does not
                 front = "" if "." in name else kind or "link " * name.isdigit()
                 yield front + name, value
@@ -222,3 +227,17 @@ def _legend(
         yield "; ".join(said)
     states = {results.status(number + 1) for number in range(len(case.gears))}
     yield from (f"{one.name}: {one.meaning}" for one in STATUSES if one in states)
+
+
+def html(results: Results) -> str:
+    """The gears of one case as a table; arrays of variants as a line.
+
+    Examples
+    --------
+    >>> from vstatics import Gear, Mechanism, Transmission, solve
+    >>> html(solve(Transmission(2, [], [Mechanism(1, 2, 0, -2.5)], [Gear()]))).count("<tr>")
+    2
+    """
+    if results.ratio.ndim != 1:
+        return f"<code>{escape(repr(results))}</code>"
+    return table(gears_grid(results))

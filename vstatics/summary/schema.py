@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from vstatics.summary.combinations import Combination
-from vstatics.summary.design import GearLine
+from vstatics.summary.design_table import GearLine
 from vstatics.summary.document import FORMAT, VERSION
 from vstatics.summary.duty import Cycle
 from vstatics.summary.extremes import Largest, Margin
 from vstatics.summary.inertia import GearInertia
 from vstatics.summary.shifts import Transition
+from vstatics.summary.unused_sets import Combination
 from vstatics.writers.documents import documents, head
 from vstatics.writers.ports import ports_schema
 from vstatics.writers.record_schema import (

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from vstatics.statics.results import Results
-from vstatics.summary.design import ranges
+from vstatics.summary.design_table import ranges
 
 WORDS = ("none", "single", "double", "triple")
 

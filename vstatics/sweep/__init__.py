@@ -6,9 +6,9 @@
 ...     print(chunk.values[:, 0], chunk.columns[:, 0])
 [-4.  -3.5] [5.  4.5]
 
-`options` become a plan (`build`, `plan`): numbered `variants`, columns and conditions
-(`expressions`). Its pieces are calculated anywhere (`chunk`, `tasks`) and put together
-(`output`, `formats`).
+`options` become a plan (`build`, `plan`): numbered `variants`, and what is `kept` of them, columns
+and conditions. Its pieces are calculated anywhere (`chunk`, `tasks`) and put together in one of
+the `formats` (`output`).
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
     from vstatics.model.transmission import IdleConvention
     from vstatics.sweep.chunk import Chunk
-    from vstatics.sweep.subjects import Subject
+    from vstatics.sweep.variants.subject import Subject
 
 __all__ = ["sweep"]
 

@@ -11,8 +11,13 @@ from vstatics.numerics.arrays import Booleans, Floats
 from vstatics.statics.results import Results
 from vstatics.statics.solve import solve
 from vstatics.sweep.frequencies import OMEGA, Frequencies, frequencies
-from vstatics.sweep.own_numbers import impossible, own_number
-from vstatics.sweep.targets import OF_MECHANISM, OfMechanism, Target
+from vstatics.sweep.variants.targets import (
+    OF_MECHANISM,
+    OfMechanism,
+    Target,
+    impossible,
+    own_number,
+)
 
 if TYPE_CHECKING:
     from vstatics.model.transmission import Transmission

@@ -12,19 +12,18 @@ from vstatics.errors import CaseError, Problem, ReadError, of_file
 from vstatics.extras import require
 from vstatics.model.transmission import IdleConvention, Transmission
 from vstatics.readers.named.nodes import MOST_PROBLEMS
-from vstatics.sweep.expressions.columns import read_columns
 from vstatics.sweep.formats import Format
+from vstatics.sweep.kept.columns import read_columns
+from vstatics.sweep.kept.selection import read_objective, read_where
 from vstatics.sweep.options import SweepOptions
 from vstatics.sweep.plan import SweepPlan
-from vstatics.sweep.samples import Method, Sample
-from vstatics.sweep.scenario import VariedScenario
-from vstatics.sweep.scenario_numbers import NumberPath
-from vstatics.sweep.selection import read_objective, read_where
-from vstatics.sweep.subjects import Subject, target_of
-from vstatics.sweep.table import load_table
 from vstatics.sweep.texts import Text, located
-from vstatics.sweep.variants import VariantGrid, Variants, VariantTable, Zip
-from vstatics.sweep.variation import Variation, read_variation
+from vstatics.sweep.variants.numbered import VariantGrid, Variants, VariantTable, Zip
+from vstatics.sweep.variants.samples import Method, Sample
+from vstatics.sweep.variants.scenario_numbers import NumberPath
+from vstatics.sweep.variants.subject import Subject, VariedScenario, target_of
+from vstatics.sweep.variants.table import load_table
+from vstatics.sweep.variants.variation import Variation, read_variation
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     import pandas as pd
 
     from vstatics.jobs.pieces import Account
-    from vstatics.sweep.expressions.selections import Tables
+    from vstatics.sweep.kept.meanings import Tables
     from vstatics.sweep.plan import SweepPlan
 
 Codes = np.ndarray[Any, np.dtype[np.uint8]]

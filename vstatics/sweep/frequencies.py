@@ -17,10 +17,10 @@ from vstatics.model.transmission import HOUSING, Transmission
 from vstatics.numerics.arrays import Booleans, Floats, Integers
 from vstatics.statics.matrix import column
 from vstatics.statics.status import CONFLICT
-from vstatics.sweep.targets import OF_MECHANISM, Target
+from vstatics.sweep.variants.targets import OF_MECHANISM, Target
 
 if TYPE_CHECKING:
-    from vstatics.torsion.system import TorsionalSystem
+    from vstatics.torsion.system.gear_system import TorsionalSystem
 
 OMEGA = "omega"
 """The name of the table. [rad/s]"""
@@ -73,7 +73,7 @@ def frequencies(
     <BLANKLINE>
            [[20.]]])
     """
-    from vstatics.torsion.state import vibrating
+    from vstatics.torsion.system.state import vibrating
 
     count = 1 + max((mode for modes in asked.values() for mode in modes), default=-1)
     omegas = np.full((len(values), len(case.gears), count), np.nan)
@@ -107,8 +107,8 @@ def mode_names(case: Transmission, targets: Sequence[Target]) -> list[str]:
         If scipy is missing.
     """
     require("torsion", "omega")
-    from vstatics.torsion.coordinates import coordinates
-    from vstatics.torsion.state import vibrating
+    from vstatics.torsion.system.coordinates import coordinates
+    from vstatics.torsion.system.state import vibrating
 
     heavy = {target.owner + 1: 1.0 for target in targets if target.quantity == "inertia"}
     case = replace(case, inertias={**case.inertias, **heavy})
@@ -154,8 +154,8 @@ def _by_ratios(
     modes: Sequence[int],
 ) -> tuple[Floats, Booleans]:
     """The frequencies of a gear where nearly all ratios differ, and which of them are found."""
-    from vstatics.torsion.other_ratios import VariedSystem, frequencies_of_ratios
-    from vstatics.torsion.state import vibrating
+    from vstatics.torsion.system.state import vibrating
+    from vstatics.torsion.vibration.other_ratios import VariedSystem, frequencies_of_ratios
 
     one = _with_ratios(case, targets, values[0])
     system = vibrating(one, one.gears[gear])
@@ -185,7 +185,7 @@ def _of_gear(
     modes: Sequence[int],
 ) -> Floats:
     """The frequencies of a gear, of shape (variants, modes)."""
-    from vstatics.torsion.variants import variant_frequencies
+    from vstatics.torsion.vibration.variants import variant_frequencies
 
     stiffnesses, inertias = _elastic_and_heavy(case, system, targets, values)
     return variant_frequencies(

@@ -13,9 +13,9 @@ from typing import Literal, NamedTuple, TypeAlias
 import numpy as np
 
 from vstatics.numerics.arrays import Floats
-from vstatics.simulation.laws import Resistance, Road
-from vstatics.simulation.motion import EventKind, Motion
-from vstatics.simulation.scenario import Scenario
+from vstatics.simulation.record.motion import EventKind, Motion
+from vstatics.simulation.scenario.laws import Resistance, Road
+from vstatics.simulation.scenario.parts import Scenario
 
 Kind = Literal["link", "shift element", "device", "friction", "loss", "target", "number"]
 """What has a row; a number has none. Friction is that of shift elements, of links with a resistance

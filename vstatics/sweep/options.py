@@ -8,8 +8,8 @@ from typing import Any, Literal, NamedTuple, get_args
 
 from vstatics.model.transmission import IdleConvention
 from vstatics.sweep.formats import FORMATS
-from vstatics.sweep.samples import METHODS
 from vstatics.sweep.texts import Text
+from vstatics.sweep.variants.samples import METHODS
 
 Kind = Literal["path", "count", "flag", "choice", "text", "texts", "list", "vary"]
 """How an option is read; `list`: one text, of items with commas; `vary`: texts such as `a=1`."""

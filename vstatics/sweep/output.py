@@ -13,11 +13,12 @@ from vstatics.jobs import pieces
 from vstatics.jobs.alone import Alone, Workers
 from vstatics.jobs.finished_pieces import FinishedPieces
 from vstatics.jobs.pieces import Account, Copy
-from vstatics.sweep import best, chunk, tasks
+from vstatics.sweep import chunk, tasks
 from vstatics.sweep.chunk import Chunk
 from vstatics.sweep.formats import MOST_ROWS, Format, text
 from vstatics.sweep.formats.npz import ArchiveLayout, ColumnType
 from vstatics.sweep.formats.npz import layout as npz_layout
+from vstatics.sweep.kept import best
 from vstatics.sweep.plan import SweepPlan
 from vstatics.sweep.tasks import SweepTask
 

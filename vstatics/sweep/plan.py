@@ -11,14 +11,14 @@ import numpy as np
 
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Floats
-from vstatics.sweep.expressions import Expression
-from vstatics.sweep.expressions.columns import OutputColumns
-from vstatics.sweep.expressions.selections import Tables
 from vstatics.sweep.frequencies import OMEGA
-from vstatics.sweep.selection import Objective
-from vstatics.sweep.subjects import Subject
-from vstatics.sweep.targets import Target
-from vstatics.sweep.variants import Variants
+from vstatics.sweep.kept.columns import OutputColumns
+from vstatics.sweep.kept.expressions import Expression
+from vstatics.sweep.kept.meanings import Tables
+from vstatics.sweep.kept.selection import Objective
+from vstatics.sweep.variants.numbered import Variants
+from vstatics.sweep.variants.subject import Subject
+from vstatics.sweep.variants.targets import Target
 
 PIECE = 65536
 """Variants of a piece: what is calculated, kept and taken up again as a whole. Constant,

@@ -10,8 +10,8 @@ import numpy as np
 from vstatics.errors import CaseError, Problem, ReadError
 from vstatics.sweep.chunk import INVALID, STOPPED, Chunk, joined, rows_of
 from vstatics.sweep.motion_tables import MotionTables
-from vstatics.sweep.scenario import VariedScenario
-from vstatics.sweep.scenario_numbers import NumberPath
+from vstatics.sweep.variants.scenario_numbers import NumberPath
+from vstatics.sweep.variants.subject import VariedScenario
 
 if TYPE_CHECKING:
     from vstatics.sweep.plan import SweepPlan

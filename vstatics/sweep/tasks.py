@@ -12,11 +12,12 @@ from vstatics.jobs import pieces
 from vstatics.jobs.alone import Workers
 from vstatics.jobs.pieces import Account, Copy
 from vstatics.jobs.workers import workers
-from vstatics.sweep import best, calculation
+from vstatics.sweep import calculation
 from vstatics.sweep.chunk import Chunk
 from vstatics.sweep.formats import TEXTS, Format, text
+from vstatics.sweep.kept import best
 from vstatics.sweep.plan import SweepPlan
-from vstatics.sweep.variants import VariantPart, VariantTable
+from vstatics.sweep.variants.numbered import VariantPart, VariantTable
 
 
 class SweepTask(NamedTuple):

@@ -1,7 +1,8 @@
 """The gearbox to be found: which schemes there are, which gears they give, with which ratios.
 
-A number of planetary sets goes in, schemes come out; a scheme becomes a case, whose shift
-elements are tried, and whose ratios are fitted to those that are wanted.
+A number of planetary sets goes in, schemes come out (`structures`); a scheme becomes a case, whose
+shift elements are tried (`gears`), whose `ratios` are fitted to those that are wanted, and whose
+wheels get `teeth`. `boxes` finds whole gearboxes at once.
 
 >>> [one.code for one in schemes(StructureSearch(sets=2, classes="order"))]
 ['0-1-2-0-1-3', '0-1-2-0-3-4']
@@ -19,19 +20,18 @@ elements are tried, and whose ratios are fitted to those that are wanted.
 
 from __future__ import annotations
 
-from vstatics.synthesis.box import BoxSearch
-from vstatics.synthesis.box_filter import BoxFilter
-from vstatics.synthesis.box_planar import box_is_planar
-from vstatics.synthesis.box_search import find_boxes
-from vstatics.synthesis.combinations import combinations
-from vstatics.synthesis.fit import fit
-from vstatics.synthesis.found_schemes import FoundScheme, schemes
-from vstatics.synthesis.scheme import SetScheme
-from vstatics.synthesis.scheme_case import scheme_case
-from vstatics.synthesis.structure_counts import count
-from vstatics.synthesis.structures import StructureSearch
-from vstatics.synthesis.teeth import find_teeth
-from vstatics.synthesis.teeth_limits import TeethLimits
+from vstatics.synthesis.boxes.box import BoxSearch
+from vstatics.synthesis.boxes.choice import BoxFilter
+from vstatics.synthesis.boxes.figures import box_is_planar
+from vstatics.synthesis.boxes.search import find_boxes
+from vstatics.synthesis.gears.case_of_scheme import scheme_case
+from vstatics.synthesis.gears.search import combinations
+from vstatics.synthesis.ratios.fitting import fit
+from vstatics.synthesis.structures.counts import count
+from vstatics.synthesis.structures.growth import FoundScheme, StructureSearch, schemes
+from vstatics.synthesis.structures.scheme import SetScheme
+from vstatics.synthesis.teeth.finding import find_teeth
+from vstatics.synthesis.teeth.limits import TeethLimits
 
 __all__ = [
     "BoxFilter",

@@ -1,11 +1,11 @@
 """The same case as a torsional system: natural modes, reduction, simplification, response.
 
 A gear is a `TorsionalSystem` of bodies, of elastic and of rigid devices, each with the row that
-it has in the structural-distribution matrix (`system`). `coordinates` splits its motions into
-free, massless and rigid ones; `natural` and `damped` solve for the modes, `torques` for the
-torques of all devices; `gear_modes` tells them by name. `reduction` has all on one link,
-`reduced_scheme` as masses and springs there, which `simplification` makes fewer; `forced` vibrates
-under torques, `clutch` is dumped, `measured` corrects a case. The room needs scipy, an extra.
+it has in the structural-distribution matrix: that is `system`. `vibration` has its natural modes,
+without damping and with it, of many variants, and what follows from measured ones. `reduction`
+has all on one link, then as masses and springs there, then as fewer of them. In `forced` the gear
+vibrates under torques, in `clutch` the clutch is dumped. `documents` is the JSON of all. The room
+needs scipy, an extra.
 
 >>> from vstatics import Spring, Transmission, torsion
 >>> shaft = Spring({1: 1, 2: -1}, stiffness=100.0, name="shaft")
@@ -23,14 +23,14 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from vstatics.torsion.clutch import dump
-    from vstatics.torsion.forced import Harmonic, response
-    from vstatics.torsion.gear_dump import gear_dumps
-    from vstatics.torsion.gear_modes import modes
-    from vstatics.torsion.measured import damping, identify
-    from vstatics.torsion.reduced_scheme import gear_scheme
-    from vstatics.torsion.reduction import reduce
-    from vstatics.torsion.simplification import simplify
+    from vstatics.torsion.clutch.dumped import dump
+    from vstatics.torsion.clutch.gear_dump import gear_dumps
+    from vstatics.torsion.forced.harmonic_torques import Harmonic, response
+    from vstatics.torsion.reduction.reduced_scheme import gear_scheme
+    from vstatics.torsion.reduction.reduced_values import reduce
+    from vstatics.torsion.reduction.simplification import simplify
+    from vstatics.torsion.vibration.gear_modes import modes
+    from vstatics.torsion.vibration.measured import damping, identify
 
 __all__ = [
     "Harmonic",
@@ -46,16 +46,16 @@ __all__ = [
 ]
 
 _LATER = {
-    "Harmonic": "forced",
-    "damping": "measured",
-    "dump": "clutch",
-    "gear_dumps": "gear_dump",
-    "gear_scheme": "reduced_scheme",
-    "identify": "measured",
-    "modes": "gear_modes",
-    "reduce": "reduction",
-    "response": "forced",
-    "simplify": "simplification",
+    "Harmonic": "forced.harmonic_torques",
+    "damping": "vibration.measured",
+    "dump": "clutch.dumped",
+    "gear_dumps": "clutch.gear_dump",
+    "gear_scheme": "reduction.reduced_scheme",
+    "identify": "vibration.measured",
+    "modes": "vibration.gear_modes",
+    "reduce": "reduction.reduced_values",
+    "response": "forced.harmonic_torques",
+    "simplify": "reduction.simplification",
 }
 """Names that are imported when somebody asks for them: most need scipy."""
 

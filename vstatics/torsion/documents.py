@@ -7,12 +7,12 @@ from typing import Any
 
 import numpy as np
 
-from vstatics.torsion.cycle import summed
-from vstatics.torsion.forced import GearResponse, OrderResponse
-from vstatics.torsion.gear_modes import GearModes, Mode
-from vstatics.torsion.measured import Damped, Identified
-from vstatics.torsion.reduction import GearReduction
-from vstatics.torsion.simplification import Simplification
+from vstatics.torsion.forced.cycle import summed
+from vstatics.torsion.forced.harmonic_torques import GearResponse, OrderResponse
+from vstatics.torsion.reduction.reduced_values import GearReduction
+from vstatics.torsion.reduction.simplification import Simplification
+from vstatics.torsion.vibration.gear_modes import GearModes, Mode
+from vstatics.torsion.vibration.measured import Damped, Identified
 
 MODES = "vstatics-modes"
 REDUCTION = "vstatics-reduction"

@@ -11,8 +11,15 @@ from vstatics.elements.planet_inertia import PlanetInertia, planet_inertias
 from vstatics.model.parts import HOUSING, Mechanism, OfLoad, ShiftElement, damping
 from vstatics.model.springs import Spring, ends
 from vstatics.model.transmission import Transmission
-from vstatics.writers.modelica_models import LIBRARY, THREE_LINK, own_model, own_names
-from vstatics.writers.modelica_names import Identifiers, class_name, string
+from vstatics.writers.modelica_models import (
+    LIBRARY,
+    THREE_LINK,
+    Identifiers,
+    class_name,
+    own_model,
+    own_names,
+    string,
+)
 
 MODEL = "Gearbox"
 """The model within the package."""

@@ -4,10 +4,10 @@ A case with such teeth stays calculable: ratios and torques ask for numbers only
 are warnings and notes. They hold for the usual profile of 20 degrees with tips one module
 high. The first about an element tells what nearby teeth would do.
 
-`gathering` asks all questions: `assembly` and `spacing` those about planets, `meshing` those
+`doubtful_teeth` asks all questions: `assembly` and `spacing` those about planets, `meshing` those
 about any wheels that mesh. `subjects` and `layout` know an element's teeth, `nearby` others.
 """
 
-from vstatics.elements.teeth.gathering import doubts
+from vstatics.elements.teeth.doubtful_teeth import doubts
 
 __all__ = ["doubts"]

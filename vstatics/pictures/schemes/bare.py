@@ -6,13 +6,13 @@ from functools import partial
 from typing import Any, NamedTuple
 
 from vstatics.model.transmission import Transmission
-from vstatics.pictures.labels import Point
 from vstatics.pictures.schemes.assumed import as_sets
 from vstatics.pictures.schemes.pen import Window
 from vstatics.pictures.schemes.scheme import Scheme, scheme_of
 from vstatics.pictures.schemes.sheet import Sheet, draw_devices, extent, wired
 from vstatics.pictures.schemes.stick import StickLayout, draw_mechanism, place
-from vstatics.pictures.style import Style
+from vstatics.pictures.sheet.labels import Point
+from vstatics.pictures.sheet.style import Style
 from vstatics.summary.contrast import letters
 
 

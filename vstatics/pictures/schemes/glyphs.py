@@ -6,8 +6,8 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from vstatics.model.transmission import HOUSING
-from vstatics.pictures.labels import Point
 from vstatics.pictures.schemes.channels import ABOVE, Reach, Tap
+from vstatics.pictures.sheet.labels import Point
 
 TOOTH, SLEEVE = 0.9, 2.6
 """Widths of the lines of teeth and of the sleeves that join rims. [pt]"""

@@ -6,7 +6,6 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import permutations, product
 
 from vstatics.elements.element import Element
-from vstatics.pictures.labels import Point
 from vstatics.pictures.schemes.channels import ABOVE, BELOW
 from vstatics.pictures.schemes.glyphs import (
     FACE,
@@ -19,6 +18,7 @@ from vstatics.pictures.schemes.glyphs import (
     wheel,
 )
 from vstatics.pictures.schemes.sets import NO_NAMES
+from vstatics.pictures.sheet.labels import Point
 
 PAIR_WIDTH = 50.0
 """Of a pair of wheels with its shafts. [pt]"""

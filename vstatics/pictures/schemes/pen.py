@@ -11,10 +11,10 @@ from matplotlib.patches import PathPatch, Polygon
 from matplotlib.path import Path
 from matplotlib.transforms import Affine2D
 
-from vstatics.pictures import labels
-from vstatics.pictures.labels import POINTS_PER_INCH, Point
-from vstatics.pictures.style import FONT, SIZE, Style
-from vstatics.pictures.svg import halo, told
+from vstatics.pictures.sheet import labels
+from vstatics.pictures.sheet.labels import POINTS_PER_INCH, Point
+from vstatics.pictures.sheet.style import FONT, SIZE, Style
+from vstatics.pictures.sheet.svg import halo, told
 
 SMALL = SIZE - 1
 """Of text that matters less. [pt]"""

@@ -14,7 +14,7 @@ from vstatics.errors import CaseError, Problem
 from vstatics.model.parts import ELEMENT_KINDS
 from vstatics.model.springs import Spring, ends
 from vstatics.model.transmission import HOUSING, Gear, Mechanism, ShiftElement, Transmission
-from vstatics.pictures.state import PictureState
+from vstatics.pictures.sheet.gear_state import PictureState
 from vstatics.tables.numbers import typeset
 
 MOST_DEVICES = 200

@@ -7,9 +7,6 @@ from typing import Any, NamedTuple
 
 from vstatics.errors import CaseError, Problem
 from vstatics.model.transmission import HOUSING
-from vstatics.pictures import labels
-from vstatics.pictures.heads import chart_head
-from vstatics.pictures.labels import Paper, Point
 from vstatics.pictures.schemes.channels import ABOVE, BELOW, Item, PlacedTap, Tap
 from vstatics.pictures.schemes.pen import Pen, Window, wrapped
 from vstatics.pictures.schemes.placing import Placement
@@ -28,9 +25,12 @@ from vstatics.pictures.schemes.signs import (
 )
 from vstatics.pictures.schemes.titles import NO_TITLES, Titles, titles_of
 from vstatics.pictures.schemes.wires import wire_lines
-from vstatics.pictures.state import state_of
-from vstatics.pictures.style import SIZE, TITLE, Style
-from vstatics.pictures.words import fault, gear_title, title
+from vstatics.pictures.sheet import labels
+from vstatics.pictures.sheet.gear_state import state_of
+from vstatics.pictures.sheet.head import chart_head
+from vstatics.pictures.sheet.labels import Paper, Point
+from vstatics.pictures.sheet.style import SIZE, TITLE, Style
+from vstatics.pictures.sheet.words import fault, gear_title, title
 from vstatics.statics.results import Results
 
 TERMINAL = 30.0

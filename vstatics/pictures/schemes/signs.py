@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import NamedTuple
 
-from vstatics.pictures.heads import KeySign
-from vstatics.pictures.labels import Point
-from vstatics.pictures.looks import Look
 from vstatics.pictures.schemes.pen import LINE_WIDTH, Pen, ground
 from vstatics.pictures.schemes.scheme import SchemeState
-from vstatics.pictures.style import Style
+from vstatics.pictures.sheet.head import KeySign
+from vstatics.pictures.sheet.labels import Point
+from vstatics.pictures.sheet.line_styles import Look
+from vstatics.pictures.sheet.style import Style
 
 HALF = {"freewheel": 6.0, "dog_clutch": 4.0, "spring": 9.0}
 """Half the length along the line, where it is not that of plates. [pt]"""
@@ -48,7 +48,7 @@ class Coupled(NamedTuple):
 def draw_coupled(pen: Pen, one: Coupled) -> None:
     """A sign on its line; plates at the housing stand at its wall.
 
-    >>> from vstatics.pictures.style import Style
+    >>> from vstatics.pictures.sheet.style import Style
     >>> pen = Pen((0, 0), (50, 50), Style())
     >>> draw_coupled(pen, Coupled("brake", (20, 0), (20, 30), "#000000", housing=1))
     >>> len(pen.figure.artists)

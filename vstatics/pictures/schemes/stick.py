@@ -18,8 +18,6 @@ from vstatics.elements.group import group_of
 from vstatics.elements.kinds import Planetary
 from vstatics.errors import CaseError, Problem
 from vstatics.model.transmission import Transmission
-from vstatics.pictures import labels
-from vstatics.pictures.labels import Point
 from vstatics.pictures.schemes.assumed import as_sets, can_be_set
 from vstatics.pictures.schemes.board import ITEM_GAP, Board
 from vstatics.pictures.schemes.channels import ABOVE, BELOW, Item, Tap
@@ -40,8 +38,10 @@ from vstatics.pictures.schemes.sheet import (
 )
 from vstatics.pictures.schemes.structure import box_item, draw_box, named_on_tracks
 from vstatics.pictures.schemes.titles import teeth_of
-from vstatics.pictures.style import Style
-from vstatics.pictures.words import word
+from vstatics.pictures.sheet import labels
+from vstatics.pictures.sheet.labels import Point
+from vstatics.pictures.sheet.style import Style
+from vstatics.pictures.sheet.words import word
 from vstatics.statics.results import Results
 
 LEAST_HALF = 36.0

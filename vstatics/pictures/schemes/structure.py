@@ -11,8 +11,6 @@ from typing import Any
 from matplotlib.figure import Figure
 
 from vstatics.model.transmission import HOUSING
-from vstatics.pictures import labels
-from vstatics.pictures.labels import Point
 from vstatics.pictures.schemes.board import Board
 from vstatics.pictures.schemes.channels import ABOVE, BELOW, Item, Reach, Tap
 from vstatics.pictures.schemes.pen import SMALL, ground, wrapped
@@ -27,8 +25,10 @@ from vstatics.pictures.schemes.sheet import (
     draw_devices,
     sheet_of,
 )
-from vstatics.pictures.style import Style
-from vstatics.pictures.words import word
+from vstatics.pictures.sheet import labels
+from vstatics.pictures.sheet.labels import Point
+from vstatics.pictures.sheet.style import Style
+from vstatics.pictures.sheet.words import word
 from vstatics.statics.results import Results
 from vstatics.tables.numbers import typeset
 

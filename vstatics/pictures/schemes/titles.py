@@ -9,9 +9,9 @@ from vstatics.elements.element import Element
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.traced import plain
 from vstatics.pictures.schemes.scheme import Device, Scheme, ratio_text
-from vstatics.pictures.state import PictureState
-from vstatics.pictures.style import Style, number
-from vstatics.pictures.words import word
+from vstatics.pictures.sheet.gear_state import PictureState
+from vstatics.pictures.sheet.style import Style, number
+from vstatics.pictures.sheet.words import word
 from vstatics.statics.results import Results
 
 

@@ -6,9 +6,9 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import combinations, pairwise
 from typing import NamedTuple
 
-from vstatics.pictures.labels import Point
 from vstatics.pictures.schemes.placing import Placement
 from vstatics.pictures.schemes.scheme import Scheme, SchemeState
+from vstatics.pictures.sheet.labels import Point
 
 CUT = 4.0
 """Half the gap of a wire where another crosses it. [pt]"""

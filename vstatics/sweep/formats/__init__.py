@@ -1,4 +1,8 @@
-"""Formats of the output of a sweep: how its pieces look, and how they become one file."""
+"""Formats of the output of a sweep: how its pieces look, and how they become one file.
+
+`text` writes CSV and JSON lines, `npz` and `parquet` columns of numbers, `tables` Markdown, LaTeX
+and workbooks for few rows that people read.
+"""
 
 from __future__ import annotations
 

@@ -1,0 +1,88 @@
+"""Documents of found boxes as input of commands."""
+
+from __future__ import annotations
+
+import json
+import re
+from pathlib import Path
+
+import pytest
+
+from tests.commands import CASES, vstatics
+from tests.synthesis.boxes.listed_boxes import many, simpson
+
+
+@pytest.fixture
+def boxes(tmp_path: Path) -> Path:
+    path = tmp_path / "boxes.json"
+    path.write_text(json.dumps(many(4)))
+    return path
+
+
+def test_plot_and_report(tmp_path: Path, boxes: Path) -> None:
+    boxes.write_text(json.dumps(simpson()))
+    for command in (
+        ("plot", boxes, "--kind", "boxes", "-o", tmp_path / "boxes.png", "--dark"),
+        ("report", boxes, "-o", tmp_path / "boxes.html"),
+    ):
+        said = vstatics(*command)
+        assert (said.status, said.out, said.err) == (0, "", "")
+    assert (tmp_path / "boxes.png").read_bytes().startswith(b"\x89PNG")
+    assert "<h1>1 found box</h1>" in (tmp_path / "boxes.html").read_text()
+
+
+def test_summaries_stand_side_by_side(boxes: Path) -> None:
+    said = vstatics("summary", boxes, "--box", "1,4")
+    assert said.status == 0
+    assert re.search(r"^B: .*boxes\.json box 4 \(box ", said.out, re.MULTILINE)
+    assert re.search(r"^1 +2\.479 +2\.479 +1\.676 +1\.676 ", said.out, re.MULTILINE)
+    assert re.search(r"^of them between two links +2 +2$", said.out, re.MULTILINE)
+    assert len(json.loads(vstatics("summary", boxes, "-f", "json").out)) == 4
+    tables = vstatics("summary", boxes).out.partition("Gears")[2]
+    assert max(map(len, tables.splitlines())) <= 80
+    assert tables.count("mean forward efficiency") == 2  # two boxes beside two others
+
+
+@pytest.mark.parametrize(
+    ("options", "said"),
+    [
+        (
+            ("summary", "BOXES", "--box", "5"),
+            "--box: read 5, but the boxes have the numbers 1 to 4",
+        ),
+        (("summary", "BOXES", "--box", "x"), "read 'x', expected numbers of boxes"),
+        (("summary", CASES / "simpson.yaml", "--box", "1"), "--box: expected one document"),
+        (("plot", "BOXES", "--kind", "boxes", "--gear", "1", "-o", "x.svg"), "--gear: found boxes"),
+        (("report", "BOXES", "-o", "x/"), "found boxes give one page: expected -o FILE, not x/"),
+        (("plot", "BOXES", "BOXES", "--kind", "boxes", "-o", "x/"), "expected one document"),
+    ],
+)
+def test_wrong_use(options: tuple[object, ...], said: str, boxes: Path) -> None:
+    answer = vstatics(*(boxes if one == "BOXES" else one for one in options))
+    assert answer.status == 2
+    assert said in answer.err
+
+
+@pytest.mark.parametrize(
+    "command", [("run",), ("check",), ("plot", "--kind", "plan", "-o", "x.svg"), ("synth", "fit")]
+)
+def test_other_commands_tell_what_it_is(command: tuple[str, ...], boxes: Path) -> None:
+    more = ("--ratios", "1=2") if command[0] == "synth" else ()
+    answer = vstatics(*command, boxes, *more)
+    assert answer.status == 1
+    assert "these are found boxes, expected a case; plot --kind boxes, report and" in answer.err
+
+
+def test_what_is_no_document_of_boxes_is_told(tmp_path: Path, boxes: Path) -> None:
+    answer = vstatics("plot", CASES / "simpson.yaml", "--kind", "boxes", "-o", tmp_path / "a.svg")
+    assert answer.status == 1
+    assert "not JSON" in answer.err
+    boxes.write_text('{"searched": 5, "found": 0, "families": 0, "boxes": []}')
+    for command in (
+        ("plot", "--kind", "boxes", "-o", tmp_path / "a.svg"),
+        ("report", "-o", tmp_path / "a.html"),
+        ("summary",),
+    ):
+        answer = vstatics(*command, boxes)
+        assert answer.status == 1
+        assert "no box was found" in answer.err

@@ -1,0 +1,347 @@
+"""`vstatics sweep`: its options, its exit status, what it says and where."""
+
+from __future__ import annotations
+
+import csv
+import json
+import math
+import re
+import sys
+from pathlib import Path
+
+import openpyxl
+import pytest
+
+from tests.commands import CASES, MZKT, process, shell, vstatics
+from tests.sweep.sweeps import CASE_TEXT, names
+from vstatics import load, solve
+
+VARY = ("--vary", "D.ratio=-4:-2:5")
+COLUMNS = "variant,D.ratio,status,ratio[direct],ratio[low]"
+
+
+@pytest.fixture(autouse=True)
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A folder, the current one, with the differential of `sweeps`."""
+    (tmp_path / "box.yaml").write_text(CASE_TEXT, encoding="utf-8")
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+def test_a_grid_on_stdout() -> None:
+    """The low gear has the ratio 1 - u."""
+    said = vstatics("sweep", "box.yaml", *VARY, "--out", "ratio")
+    rows = [f"{n},{u:g},ok,1,{1 - u:g}" for n, u in enumerate((-4, -3.5, -3, -2.5, -2))]
+    assert (said.status, said.out.splitlines()) == (0, [COLUMNS, *rows])
+    assert re.fullmatch(
+        r"<stdout>: 5 rows of 5 variants; [\d.e-]+ s, [\d,]+ variants a second\n", said.err
+    )
+
+
+def test_the_numbers_are_those_of_run() -> None:
+    """The published case with its own numbers varied to what they are."""
+    said = vstatics("sweep", MZKT, "--vary", "D1.ratio=-0.8", "-f", "jsonl")
+    read = json.loads(said.out)
+    results = solve(load(MZKT))
+    for number, gear in enumerate("123456"):
+        assert read[f"ratio[{gear}]"] == pytest.approx(results.ratio[number], rel=1e-11)
+        assert read[f"efficiency[{gear}]"] == pytest.approx(results.efficiency[number], rel=1e-11)
+
+
+def test_values_in_pairs_a_table_and_a_sample() -> None:
+    pairs = vstatics(
+        "sweep", "box.yaml", "--zip", "--vary", "D.ratio=-4,-2", "--vary", "D.efficiency=.9,1",
+        "--out", "ratio[low]",
+    )  # fmt: skip
+    assert pairs.out.splitlines()[1:] == ["0,-4,0.9,ok,5", "1,-2,1,ok,3"]
+    Path("own.csv").write_text("D.efficiency,D.ratio\n.9,-4\n1,-2\n", encoding="utf-8")
+    table = vstatics("sweep", "box.yaml", "--variants", "own.csv", "--out", "ratio[low]")
+    assert table.out.splitlines() == [
+        "variant,D.efficiency,D.ratio,status,ratio[low]",
+        "0,0.9,-4,ok,5",
+        "1,1,-2,ok,3",
+    ]
+    options = (
+        "sweep",
+        "box.yaml",
+        "--vary",
+        "D.ratio=-4:-2",
+        "--sample",
+        "9",
+        "--method",
+        "random",
+    )
+    one, same, other = (vstatics(*options, "--seed", seed).out for seed in (1, 1, 2))
+    assert one == same
+    assert one != other
+    assert all(-4 <= float(row.split(",")[1]) <= -2 for row in one.splitlines()[1:])
+
+
+def test_a_condition_and_the_best() -> None:
+    """The efficiency (1 - u eta)/(1 - u) of the low gear grows as u goes to 0."""
+    said = vstatics("sweep", "box.yaml", *VARY, "--out", "ratio", "--where", "ratio[low] < 4.2")
+    assert [row.split(",")[0] for row in said.out.splitlines()[1:]] == ["2", "3", "4"]
+    assert said.err.startswith("<stdout>: 3 rows of 5 variants;")
+    said = vstatics(
+        "sweep", "box.yaml", *VARY, "--max", "efficiency[low]", "--best", 2, "-f", "jsonl"
+    )
+    assert [json.loads(line)["variant"] for line in said.out.splitlines()] == [4, 3]
+
+
+def test_variants_without_a_solution_are_rows_and_are_counted() -> None:
+    said = vstatics("sweep", "box.yaml", "--vary", "D.ratio=0,1,-2", "--out", "ratio[low]")
+    assert said.out.splitlines()[1:] == ["0,0,invalid,", "1,1,tied up,", "2,-2,ok,3"]
+    assert "3 rows of 3 variants (1 tied up, 1 invalid);" in said.err
+    assert said.status == 0
+    said = vstatics("sweep", "box.yaml", "--vary", "D.ratio=0,1")
+    assert said.status == 1
+    assert said.err.endswith("no variant has a solution\n")
+    locked = CASES / "self-locking.yaml"
+    name = load(locked).mechanisms[0].name
+    said = vstatics("sweep", locked, "--vary", f"{name}.efficiency=.5,.6")
+    assert said.status == 0
+    assert "(2 locked)" in said.err
+
+
+@pytest.mark.parametrize("form", ["csv", "jsonl", "npz", "parquet"])
+def test_the_format_is_told_by_the_suffix_or_by_name(form: str, folder: Path) -> None:
+    pytest.importorskip("pyarrow")
+    assert vstatics("sweep", "box.yaml", *VARY, "-o", f"out.{form}").status == 0
+    assert vstatics("sweep", "box.yaml", *VARY, "-o", "out", "-f", form).status == 0
+    one, other = (Path(name).read_bytes() for name in (f"out.{form}", "out"))
+    assert one == other
+    assert names(folder) == ["box.yaml", "out", f"out.{form}"]
+    starts = {"csv": b"variant,", "jsonl": b'{"variant', "npz": b"PK\3\4", "parquet": b"PAR1"}
+    assert one.startswith(starts[form])
+
+
+def test_few_rows_go_to_tables_that_people_read(folder: Path) -> None:
+    """In Markdown with the digits of CSV, in a workbook as numbers."""
+    for suffix in ("csv", "md", "tex", "xlsx"):
+        said = vstatics("sweep", "box.yaml", *VARY, "-o", f"out.{suffix}")
+        assert said.status == 0, said.err
+    rows = list(csv.reader((folder / "out.csv").read_text(encoding="utf-8").splitlines()))
+    lines = (folder / "out.md").read_text(encoding="utf-8").replace("\\", "").splitlines()
+    assert [[one.strip() for one in line.strip("|").split("|")] for line in lines[4:]] == rows[1:]
+    assert (folder / "out.tex").read_text(encoding="utf-8").count("\\\\\n") == len(rows)
+    sheet = openpyxl.load_workbook(folder / "out.xlsx")["Variants"]
+    head, *body = sheet.iter_rows(values_only=True)
+    assert list(head) == rows[0]
+    for row, expected in zip(body, rows[1:], strict=True):
+        numbers = [(one, two) for one, two in zip(row, expected, strict=True) if one != "ok"]
+        assert [one for one, _ in numbers] == pytest.approx([float(two) for _, two in numbers])
+
+
+def test_many_rows_do_not_go_to_tables_that_people_read(folder: Path) -> None:
+    said = vstatics("sweep", "box.yaml", "--vary", "D.ratio=-3:-2:100001", "-o", "out.xlsx")
+    assert (said.status, names(folder)) == (2, ["box.yaml"])
+    assert "xlsx is for 100000 rows at most, not for 100001: expected another format" in said.err
+
+
+def test_rounding_makes_no_variant_the_best() -> None:
+    """The direct gear has the ratio 1 whatever D1 is, in some variants with an error of 2e-16."""
+    said = vstatics(
+        "sweep", MZKT, "--vary", "D1.ratio=-.9:-.5:90", "--max", "ratio[4]", "--best", 3,
+        "--out", "ratio[4]",
+    )  # fmt: skip
+    assert [row.split(",")[0] for row in said.out.splitlines()] == ["variant", "0", "1", "2"]
+
+
+def test_more_jobs_give_the_same_text() -> None:
+    options = ("sweep", "box.yaml", "--vary", "D.ratio=-4:-2:140000", "--out", "ratio[low]")
+    texts = [vstatics(*options, "--jobs", jobs).out for jobs in (1, 3)]
+    assert vstatics(*options, "--jobs", 2, "-o", "out.csv").status == 0
+    assert texts[0] == texts[1] == Path("out.csv").read_text(encoding="utf-8")
+    assert texts[0].count("\n") == 140001
+
+
+def test_an_output_is_replaced_also_by_resume_as_it_may_be_of_another_sweep() -> None:
+    for more in ((), ("--resume",)):
+        Path("out.csv").write_text("old", encoding="utf-8")
+        said = vstatics("sweep", "box.yaml", *VARY, "-o", "out.csv", *more)
+        assert said.status == 0
+        assert Path("out.csv").read_text(encoding="utf-8").startswith("variant,")
+    first, _ = said.err.splitlines()
+    assert first == "out.csv may be of another sweep: every variant is calculated again"
+
+
+def test_a_sweep_stopped_before_its_first_piece_leaves_no_old_output_for_its_own() -> None:
+    assert vstatics("sweep", "box.yaml", *VARY, "-o", "out.csv").status == 0
+    more = ("--vary", "D.ratio=-4:-2:9", "-o", "out.csv", "--resume")
+    assert vstatics("sweep", "box.yaml", *more).status == 0
+    assert Path("out.csv").read_text(encoding="utf-8").count("\n") == 10
+
+
+def test_resume_begins_where_there_is_nothing() -> None:
+    said = vstatics("sweep", "box.yaml", *VARY, "-o", "out.csv", "--resume")
+    assert said.status == 0
+    assert said.err.startswith("out.csv: 5 rows of 5 variants;")
+
+
+@pytest.mark.parametrize(
+    ("options", "told"),
+    [
+        ("--vary D.ratio=-4:-2:1000000 -o out.csv", "variants  1000000\nrows      1000000\n"),
+        ("--vary D.ratio=-4:-2:1000 --where ratio[low]>4", "rows      about 500\n"),
+        ("--vary D.ratio=-4:-2:1000 --max ratio[low]", "rows      the best, at most 20\n"),
+        ("--vary D.ratio=-4:-2:1000000000 -o o.npz", "size      about 49 GB\n"),
+        ("--vary D.ratio=-4:-2:9", "columns   7: variant, D.ratio, status, ratio[direct], "),
+    ],
+)
+def test_a_dry_run_says_how_much_and_writes_nothing(options: str, told: str, folder: Path) -> None:
+    """A row of NPZ: 8 bytes for the number, for D.ratio and for four columns, 1 for the status."""
+    said = vstatics("sweep", "box.yaml", *options.split(), "--dry-run")
+    assert (said.status, said.err) == (0, "")
+    assert told in said.out
+    assert re.search(r"\ntime      about (a second|[\d.]+ (s|minutes|hours))\n$", said.out)
+    assert names(folder) == ["box.yaml"]
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        "",
+        "box.yaml",
+        "--vary D.ratio=1",
+        "box.yaml --vary D.ratio=1 --variants own.csv",
+        "box.yaml --variants own.csv --sample 3",
+        "box.yaml --variants own.csv --zip",
+        "box.yaml --vary D.ratio=1:2 --zip --sample 3",
+        "box.yaml --vary D.ratio=1 --seed 3",
+        "box.yaml --vary D.ratio=1 --method lhs",
+        "box.yaml --vary D.ratio=1 --best 3",
+        "box.yaml --vary D.ratio=1 --max ratio[low] --best 0",
+        "box.yaml --vary D.ratio=1 --resume",
+        "box.yaml --vary D.ratio=1 -o out.xls",
+        "box.yaml --vary D.ratio=1 -o out",
+        "box.yaml --vary D.ratio=1 -f npz",
+        "box.yaml --vary D.ratio=1 -o - -f parquet",
+        "box.yaml --vary D.ratio=1 -o out.csv --jobs 0",
+        "box.yaml --vary D.ratio=1:2 --sample 0",
+        "box.yaml --vary D.ratio=1 --jobs 2 --scheduler tcp://127.0.0.1:1",
+    ],
+)
+def test_wrong_use_is_2_and_says_how(arguments: str) -> None:
+    said = vstatics("sweep", *arguments.split())
+    assert (said.status, said.out) == (2, "")
+    assert "\nError: " in said.err
+
+
+def test_an_unknown_suffix_is_told_with_those_that_are_known() -> None:
+    said = vstatics("sweep", "box.yaml", *VARY, "-o", "out.xls")
+    assert ".csv .jsonl .ndjson .npz .parquet" in said.err
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        ("--vary D.ratoi=1", "--vary:1:3: error: read `ratoi`"),
+        ("--vary D.ratio=1 --where ratio[lwo]>1", "--where:1:7: error: there is no gear `lwo`"),
+        ("--vary D.ratio=1 --out efficiencey", "--out:1:1: error: there is no table `efficiencey`"),
+        ("--vary D.ratio=1 --min ratio", "--min:1:1: error: `ratio` has one value per gear"),
+        ("--vary D.ratio=1:2", "--vary:1:1: error: D.ratio=1:2 has no count"),
+        ("--vary D.ratio=1 --file nowhere.yaml", "nowhere.yaml: error: can't be read"),
+        ("--vary D.ratio=1 --coast -o nowhere/out.csv", "can't be written: No such file"),
+        ("--vary D.ratio=1 -o folder.csv", "folder.csv: error: can't be written: Is a directory"),
+    ],
+)
+def test_what_is_wrong_is_1_and_is_told_with_its_place(arguments: str, words: str) -> None:
+    Path("folder.csv").mkdir()
+    said = vstatics("sweep", "box.yaml", *arguments.split())
+    assert (said.status, said.out) == (1, "")
+    assert words in said.err
+    assert not [name for name in names(Path()) if name.endswith(".parts")]
+
+
+@pytest.mark.parametrize(
+    ("package", "arguments", "extra"),
+    [
+        ("pyarrow", "-o out.parquet", "parquet"),
+        ("distributed", "--scheduler tcp://127.0.0.1:1", "dask"),
+        ("scipy", "--sample 9", "sample"),
+    ],
+)
+def test_a_package_that_is_missing_is_told_before_anything_is_calculated(
+    package: str, arguments: str, extra: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    import importlib.util
+
+    find = importlib.util.find_spec
+    monkeypatch.setattr(
+        importlib.util, "find_spec", lambda name: None if name == package else find(name)
+    )
+    said = vstatics("sweep", "box.yaml", "--vary", "D.ratio=-4:-2", *arguments.split())
+    assert (said.status, said.out) == (1, "")
+    assert f'needs the package {package}: pip install "vstatics[{extra}]"' in said.err
+
+
+def test_a_reader_that_has_seen_enough_ends_the_sweep_quietly() -> None:
+    for jobs in (1, 2):
+        line = f"vstatics sweep {MZKT} --vary D1.ratio=-.9:-.7:200000 --jobs {jobs} | head -n 2"
+        status, out, err = shell(line)
+        assert (status, err, out.count(b"\n")) == (1, b"", 2)
+
+
+def test_rows_go_to_what_is_no_file(folder: Path) -> None:
+    status, out, err = process("sweep", "box.yaml", *VARY, "-o", "/dev/stdout", cwd=folder)
+    assert (status, out.count(b"\n")) == (0, 6)
+    assert err.startswith(b"/dev/stdout: 5 rows")
+    if Path("/dev/full").exists():
+        line = f"cd {folder}; PYTHONPATH={Path(__file__).parents[3]} {sys.executable} -m vstatics "
+        line += "sweep box.yaml --vary D.ratio=-4 > /dev/full"
+        full = b"<stdout>: error: can't be written: No space left on device\n"
+        assert shell(line) == (1, b"", full)
+
+
+@pytest.mark.parametrize("where", ["/dev/stdout", "/dev/fd/1"])
+def test_rows_stand_where_the_file_behind_a_stream_is(where: str) -> None:
+    line = f"cd '{Path.cwd()}'; (echo a; vstatics sweep box.yaml --vary D.ratio=-4 -o {where}; echo end) > all.txt"
+    assert shell(line)[0] == 0
+    first, head, row, last = Path("all.txt").read_text(encoding="utf-8").splitlines()
+    assert (first, last) == ("a", "end")
+    assert head.startswith("variant,")
+    assert row.startswith("0,-4,ok")
+
+
+def test_a_sweep_in_the_units_of_the_load() -> None:
+    """With the ring held the carrier turns at 2000/(1 - u) and gets 300*(1 - u*.96) N*m."""
+    text = f"load: {{speed: 2000 rpm, torque: 300 N*m}}\n{CASE_TEXT}"
+    Path("loaded.yaml").write_text(text, encoding="utf-8")
+    out = "W_rpm[3,low], speeds_rpm[3,low], MxP_Nm[low], lossy_torques_Nm[Mx,low], LOSS_kW[D,low]"
+    where = ("--where", "Mx_Nm[low] > 900", "--max", "output_power_kW[low]")
+    said = vstatics("sweep", "loaded.yaml", *VARY, "--out", out, *where, "-f", "jsonl")
+    rows = [json.loads(line) for line in said.out.splitlines()]
+    assert [row["D.ratio"] for row in rows] == [-2.5, -3, -3.5, -4]  # the best loses least
+    for row in rows:
+        _, u, _, *found = row.values()
+        torque, speed = 300 * (1 - u * 0.96), 2000 / (1 - u)
+        lost = (300 * 2000 - torque * speed) * math.pi / 30 / 1000
+        assert found == pytest.approx([speed, speed, torque, torque, lost])
+    without = vstatics("sweep", "box.yaml", *VARY, "--out", "Mx_Nm")
+    assert (without.status, without.out) == (1, "")
+    assert "--out:1:1: error: no load tells the torque at the input" in without.err
+
+
+def test_a_sweep_file_knows_either_name() -> None:
+    text = """\
+case: box.yaml
+vary: {D.IAB: "-4:-2:5"}
+out: ETA[low], slip_speeds[C, low]
+where: W[3, low] < .3
+max: efficiency[low]
+"""
+    Path("sweep.yaml").write_text(text, encoding="utf-8")
+    said = vstatics("sweep", "--file", "sweep.yaml")
+    assert said.out.splitlines()[0] == 'variant,D.ratio,status,ETA[low],"slip_speeds[C,low]"'
+
+
+def test_headings_stay_as_they_are_where_that_is_asked_for(tmp_path: Path) -> None:
+    """A heading that begins as a formula does gets an apostrophe; in a file and on a stream."""
+    said = ("sweep", MZKT, "--vary", "D1.ratio=-3:-2:2", "--out", "-ratio[1]")
+    heads = []
+    for option in ((), ("--raw",)):
+        assert vstatics(*said, *option, "-o", tmp_path / "out.csv").status == 0
+        written = (tmp_path / "out.csv").read_text(encoding="utf-8")
+        assert vstatics(*said, *option).out == written
+        heads.append(written.splitlines()[0])
+    assert heads == ["variant,D1.ratio,status,'-ratio[1]", "variant,D1.ratio,status,-ratio[1]"]

@@ -1,0 +1,38 @@
+"""The picture of efficiency: its shares make up what the efficiency lacks."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from tests.commands import CASES
+from tests.pictures.drawn import texts, titled
+from vstatics import Gear, Mechanism, Transmission, load, solve
+from vstatics.pictures import picture
+from vstatics.pictures.flow.efficiency import loss_shares
+from vstatics.pictures.sheet.style import Style
+
+
+def test_shares_of_losses_make_up_what_the_efficiency_lacks() -> None:
+    for name in ("umdm.yaml", "zf-8hp70.yaml", "two-stage.yaml", "mzkt7922.dat"):
+        for coast in (False, True):
+            results = solve(load(CASES / name), coast=coast)
+            _, shares = loss_shares(results, Style())
+            kept = ~np.isnan(results.efficiency)
+            np.testing.assert_allclose(1 - shares.sum(axis=0)[kept], results.efficiency[kept])
+            assert (shares[:, kept] >= -1e-12).all()
+
+
+def test_a_part_of_the_loss_has_its_name_and_says_what_it_takes() -> None:
+    """Two pairs one after the other: .96 * .75, so .04 and .24 of the power that enters."""
+    pairs = [
+        Mechanism(1, 2, 0, ratio=-2.5, efficiency=0.96),
+        Mechanism(2, 3, 0, ratio=-1.5, efficiency=0.75),
+    ]
+    case = Transmission(3, [], pairs, [Gear()], output=3)
+    figure = picture(solve(case), "efficiency", Style())
+    parts = ["gear 1, D1: 4 %", "gear 1, D2: 24 %"]
+    assert [said for said, _ in titled(figure) if said] == [*parts, "gear 1: efficiency 0.720"]
+    assert texts(figure).count("D2") == 2  # in the part and in the key
+    assert "0.720" in texts(figure)
+    colours = {one.get_facecolor() for said, one in titled(figure) if said in parts}
+    assert len(colours) == 2

@@ -1,0 +1,224 @@
+"""Levers: positions follow from the teeth, speeds are linear along them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+import pytest
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from matplotlib.path import Path
+from matplotlib.text import Text
+
+from tests.commands import CASES, SHIPPED, vstatics
+from tests.pictures.test_pictures import overlaps
+from vstatics import Results, load, solve
+from vstatics.pictures import picture, render, settings_of
+from vstatics.pictures.lever.gear import in_gear
+from vstatics.pictures.lever.order import ordered
+from vstatics.pictures.lever.picture import of_each_gear
+from vstatics.pictures.lever.points import levers, shafts
+from vstatics.pictures.sheet.style import Style
+
+NAMES = [path.name for path in SHIPPED]
+
+
+def result(name: str) -> Results:
+    return solve(load(CASES / name))
+
+
+def test_positions_on_a_lever_follow_from_the_teeth() -> None:
+    """Ravigneaux of 30, 36 and 72 teeth against its carrier: 72/30 : -72/36 : 1."""
+    results = result("ravigneaux-aod.yaml")
+    [lever] = levers(results.case)
+    positions = {results.case.link_name(node.link): node.position for node in lever.nodes}
+    assert positions == pytest.approx(
+        {"reverse sun": -2, "carrier": 0, "ring": 1, "forward sun": 2.4}
+    )
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_speeds_are_linear_along_every_lever(name: str) -> None:
+    """Willis: all speeds against the carrier are in the ratio of their positions."""
+    results = result(name)
+    speeds = np.hstack([np.zeros((len(results.case.gears), 1)), results.speeds])
+    for lever in levers(results.case):
+        low, high = lever.nodes[0], lever.nodes[-1]
+        slope = (speeds[:, high.link] - speeds[:, low.link]) / (high.position - low.position)
+        for node in lever.nodes:
+            expected = speeds[:, low.link] + slope * (node.position - low.position)
+            np.testing.assert_allclose(speeds[:, node.link], expected, atol=1e-9)
+
+
+@pytest.mark.parametrize("name", ["zf-8hp70.yaml", "ravigneaux-aod.yaml", "mzkt7922.dat"])
+@pytest.mark.parametrize("merged", [False, True])
+def test_torques_on_a_lever_are_in_balance_like_forces(name: str, merged: bool) -> None:
+    """Benford and Leising 1981: neither their sum nor their moment moves the lever."""
+    results = result(name)
+    drawn = levers(results.case, merged=merged)
+    for number in range(1, len(results.case.gears) + 1):
+        for lever, torques in zip(drawn, in_gear(results, number, drawn).torques, strict=True):
+            moments = [
+                torque * node.position for torque, node in zip(torques, lever.nodes, strict=True)
+            ]
+            assert sum(torques) == pytest.approx(0, abs=1e-9)
+            assert sum(moments) == pytest.approx(0, abs=1e-9)
+
+
+def test_two_sets_with_two_common_links_are_one_lever() -> None:
+    """Simpson of 3HP 22, ratios -u: sun, carrier 2, output (carrier 1 and ring 2), ring 1.
+
+    From carrier 1 the ring is at 1, the sun at u1. Carrier 2 divides sun to ring 2 as 1 to -u2.
+    """
+    case = result("simpson.yaml").case
+    first, second = (one.ratio for one in case.mechanisms)
+    [lever] = levers(case, merged=True)
+    positions = {case.link_name(node.link): node.position for node in lever.nodes}
+    carrier = first / (1 - second)
+    assert positions == pytest.approx(
+        {"sun": first, "carrier 2": carrier, "output": 0, "ring 1": 1}
+    )
+    assert len(levers(case)) == 2
+
+
+def test_a_link_that_a_locked_set_holds_stands() -> None:
+    """Issue 16: ZF 8HP70, gears 1, 2, R: A and B hold sun and ring of P1, so its carrier stands."""
+    results = result("zf-8hp70.yaml")
+    drawn = levers(results.case)
+    [carrier] = [n for n in range(1, 9) if results.case.link_name(n) == "carrier 1"]
+    held = [
+        results.case.gears[number - 1].name
+        for number in range(1, 10)
+        if in_gear(results, number, drawn).stands(carrier)
+    ]
+    assert held == ["1", "2", "R"]
+
+
+def drawn_text(name: str, *gears: int) -> str:
+    return render(result(name), "lever", "svg", Style(), gears).decode()
+
+
+def test_a_set_that_is_locked_and_carries_the_reaction_is_one_piece() -> None:
+    """Issue 16: Ford 10R80, gear 1: P1 takes 3.696 of the input torque; P2 and P3 take none."""
+    drawn = drawn_text("ford-10r80.yaml", 1)
+    assert "P1, one piece" in drawn
+    assert "<title>P1 carrier: carrier 1, speed 0.000, torque −3.696</title>" in drawn
+    assert "P2, one piece" not in drawn
+    assert "carries no torque" in drawn
+
+
+def test_a_clutch_that_is_engaged_without_torque_says_so() -> None:
+    # Ford 10R80: in gear 1 D joins the intermediate shaft, on which nothing acts, to sun 4
+    # (M_D = 0 by the balance of the intermediate shaft); in gear 2 P4 is driven through it
+    whole = result("ford-10r80.yaml")
+    slack = [in_gear(whole, number, levers(whole.case)).is_slack("D") for number in (1, 2)]
+    assert slack == [True, False]
+    said = "engaged, without torque"
+    assert [said in drawn_text("ford-10r80.yaml", number) for number in (1, 2)] == slack
+
+
+def test_brakes_are_grounds_clutches_ties_by_their_names() -> None:
+    """8HP70, gear 1: A, B, C are engaged; two of them are brakes."""
+    results = result("zf-8hp70.yaml")
+    gear = in_gear(results, 1, levers(results.case))
+    assert sorted(gear.grounds.values()) == ["A", "B"]
+    assert [one.name for one in gear.ties if one.name] == ["C"]
+
+
+@pytest.mark.slow
+def test_a_lever_that_shows_the_same_refers_to_the_gear_before() -> None:
+    """BelAZ-7516: T1 makes the odd gears with P1, T2 the even ones (its table of gears)."""
+    drawn = drawn_text("belaz7516.yaml")
+    assert [drawn.count(f"P1, as in gear {gear}<") for gear in (1, 2, 3)] == [3, 3, 0]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", [name for name in NAMES if name != "moskvich-start.yaml"])
+def test_no_text_of_levers_covers_another(name: str) -> None:
+    is_other = NAMES.index(name) % 2 == 1
+    style = Style("ru" if is_other else "en", merged=is_other)
+    assert overlaps(result(name), "lever", style) == []
+
+
+def test_a_wheel_that_is_part_of_the_axle_is_held_by_the_housing() -> None:
+    """The hubs' rings are fixed, one by the housing as its link, one by a support (the case)."""
+    results = result("wheel-hub.yaml")
+    drawn = levers(results.case)
+    held = in_gear(results, 3, drawn).grounds
+    assert [drawn[place].name for place, _ in held] == ["left hub", "right hub"]
+    assert set(held.values()) == {""}
+
+
+def test_the_key_tells_what_occurs_and_nothing_else() -> None:
+    """Tarasik's set: its brake in gear 1, its clutch in gear 2 (the case)."""
+    keys = [drawn_text("tarasik-set.yaml", gear) for gear in (1, 2)]
+    assert ["held by a brake" in key for key in keys] == [True, False]
+    assert [">clutch<" in key for key in keys] == [False, True]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["zf-9hp48.yaml", "driveline-8hp70.yaml", "two-stage.yaml"])
+def test_no_line_runs_through_a_text(name: str) -> None:
+    """But below a text with paper around its letters: names of brakes, clutches, springs."""
+    with settings_of(Style()):
+        for figure in of_each_gear(result(name), Style()):
+            assert list(crossed(figure)) == []
+
+
+def crossed(figure: Figure) -> Iterator[str]:
+    """Texts of a figure that a line runs through, by more than their margins."""
+    canvas: Any = FigureCanvasAgg(figure)
+    renderer = canvas.get_renderer()
+    ends: list[Any] = []
+    for line in figure.findobj(Line2D):
+        if isinstance(line, Line2D) and line.get_linestyle() != "None":
+            places = line.get_transform().transform(line.get_xydata())
+            ends += [one for one in pairwise(places) if np.isfinite(one).all()]
+    for text in figure.findobj(Text):
+        if isinstance(text, Text) and text.get_text() and not text.get_path_effects():
+            box = text.get_window_extent(renderer).padded(-1, -2)
+            if any(Path(np.array(one)).intersects_bbox(box, filled=False) for one in ends):
+                yield text.get_text()
+
+
+@pytest.mark.slow
+def test_options_of_levers_and_of_stick_diagrams_serve_no_other_kind() -> None:
+    said = vstatics("plot", CASES / "simpson.yaml", "-k", "lever", "--merge", "-o", "-")
+    assert "P1 + P2" in said.out
+    refused = vstatics("plot", CASES / "simpson.yaml", "-k", "plan", "--merge", "-o", "-")
+    assert refused.status == 2
+    assert "--merge: only levers can be merged" in refused.err
+    refused = vstatics("plot", CASES / "simpson.yaml", "-k", "plan", "--wheels", "-o", "-")
+    assert (refused.status, "--wheels: only stick diagrams name them" in refused.err) == (2, True)
+
+
+@pytest.mark.slow
+def test_long_titles_and_names_of_levers_stay_inside_the_figure() -> None:
+    """Bold letters are wider, Cyrillic ones more so (issue 16)."""
+    case = result("simpson.yaml").case.replace(name="Трёхступенчатая коробка для проверки вёрстки")
+    style = Style("ru", merged=True)
+    with settings_of(style):
+        figure = picture(solve(case), "lever", style, [3])
+        canvas: Any = FigureCanvasAgg(figure)
+        renderer = canvas.get_renderer()
+        ends = [one.get_window_extent(renderer).x1 for one in figure.findobj(Text)]
+        names = [one.get_text().replace("\n", " ") for one in figure.findobj(Text)]
+    assert max(ends) < figure.bbox.x1
+    assert "P1 + P2, как одно целое" in names
+
+
+def test_the_input_stands_left_of_the_output_and_joints_are_short() -> None:
+    """8HP70: P1 to P4 as in every drawing of it; its driveline begins with the engine."""
+    case = result("zf-8hp70.yaml").case
+    assert [lever.name for lever in ordered(case, levers(case))] == ["P1", "P2", "P3", "P4"]
+    driveline = result("driveline-8hp70.yaml").case
+    drawn = levers(driveline)
+    first, *_, last = ordered(driveline, [*drawn, *shafts(driveline, drawn)])
+    assert [driveline.link_name(one.nodes[0].link) for one in (first, last)] == [
+        "engine",
+        "vehicle",
+    ]

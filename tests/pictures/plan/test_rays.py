@@ -1,0 +1,200 @@
+"""Generalised kinematic plans: their rays and gears.
+
+The rays of the UMDM follow from its plan (Voloshko, Galimyanov, Salakhov, Mavleev, Kinematic
+and force analysis of the universal multi-flow differential mechanism, figure 5): all meet at
+(1, 1), so a link that is stopped in the gear of ratio u has the ray (u*x - 1)/(u - 1). The
+ratios are those of the teeth in `cases/umdm.yaml` by its equations (5) to (8).
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+from tests.commands import CASES, SHIPPED
+from tests.pictures.drawn import titled
+from vstatics import CaseError, Gear, Mechanism, Results, ShiftElement, Transmission, load, solve
+from vstatics.pictures import picture
+from vstatics.pictures.plan.rays import KinematicPlan, plans
+from vstatics.pictures.sheet.style import Style
+
+NAMES = [path.name for path in SHIPPED]
+WITHOUT_PLAN = ("wheel-hub.yaml", "wolfrom.yaml")
+"""One degree of freedom, and nothing that shifts."""
+
+
+def result(name: str) -> Results:
+    return solve(load(CASES / name))
+
+
+@pytest.fixture(scope="module")
+def umdm() -> Results:
+    return result("umdm.yaml")
+
+
+def links(results: Results, numbers: tuple[int, ...]) -> str:
+    return " = ".join(results.case.link_name(link) for link in numbers)
+
+
+RATIOS = {"sun 4": 1147 / 756, "carrier": 37 / 14, "ring 6": 111 / 65, "ring 7": -37 / 9}
+"""u of each gear of the UMDM, in which this link is held: sun 1 in, ring 8 out."""
+
+
+@pytest.mark.parametrize(("link", "u"), RATIOS.items())
+def test_rays_of_the_umdm_follow_from_its_ratios(umdm: Results, link: str, u: float) -> None:
+    """Zero 1/u, ordinate -1/(u - 1) at the origin and slope u/(u - 1)."""
+    [plan] = plans(umdm)
+    rays = {links(umdm, ray.links): ray for ray in plan.rays}
+    ray = rays[link]
+    expected = 1 / u, -1 / (u - 1), u / (u - 1)
+    assert (-ray.start / ray.slope, ray.start, ray.slope) == pytest.approx(expected)
+
+
+def test_the_input_is_horizontal_and_the_output_the_bisector(umdm: Results) -> None:
+    [plan] = plans(umdm)
+    rays = {links(umdm, ray.links): ray for ray in plan.rays}
+    assert (rays["sun 1"].start, rays["sun 1"].slope) == pytest.approx((1, 0))
+    assert (rays["ring 8"].start, rays["ring 8"].slope) == pytest.approx((0, 1))
+
+
+def test_all_rays_of_the_umdm_meet_in_the_unit_point(umdm: Results) -> None:
+    [plan] = plans(umdm)
+    assert plan.has_unit_point
+    assert [ray.at(1.0) for ray in plan.rays] == pytest.approx([1.0] * 6)
+
+
+def test_gears_stand_at_the_inverse_of_their_ratios(umdm: Results) -> None:
+    [plan] = plans(umdm)
+    ratios = [37 / 14, 111 / 65, 1147 / 756, 1, -37 / 9]
+    assert [1 / mark.output for mark in plan.marks] == pytest.approx(ratios)
+
+
+def told_places(results: Results) -> dict[str, Any]:
+    """The places of what has a title, by it, in points of the picture."""
+    return {title: line.get_xydata() for title, line in titled(picture(results, "plan", Style()))}
+
+
+def test_the_picture_draws_these_rays(umdm: Results) -> None:
+    """On its way from gear to gear the ray of a link is on the abscissa at 1/u."""
+    places = told_places(umdm)
+    verticals = {title: at for title, at in places.items() if ": 1/i " in title}
+    across = {
+        float(title.split()[-1].replace("−", "-")): at[0][0] for title, at in verticals.items()
+    }
+    assert sorted(across) == pytest.approx([-9 / 37, 14 / 37, 65 / 111, 756 / 1147, 1], abs=5e-4)
+    held = {title: at[0] for title, at in places.items() if " holds " in title}
+    for link, u in RATIOS.items():
+        [(x, rest)] = [at for title, at in held.items() if title.endswith(f" holds {link}")]
+        [((x0, y0), (x1, y1))] = [
+            at for title, at in places.items() if title.startswith(f"{link}: ")
+        ]
+        assert x0 + (rest - y0) * (x1 - x0) / (y1 - y0) == pytest.approx(x, abs=0.01)
+        near = min(across, key=lambda one: abs(one - 1 / u))
+        assert across[near] == pytest.approx(x)
+
+
+def test_a_link_has_its_colour_and_the_abscissa_reaches_as_far_as_the_gears() -> None:
+    """Issue 16: one colour over all panels; T3 of the BelAZ, 1/i .168 and .250, was squeezed."""
+    lines = titled(picture(result("belaz7516.yaml"), "plan", Style()))
+    assert {one.get_color() for title, one in lines if title[:4] == "J5: "} == {Style().colour(4)}
+    [ray] = [one.get_xydata() for title, one in lines if title == "J3: −2.030 + 12.12·(1/i)"]
+    gears = [
+        one.get_xydata() for title, one in lines if title.startswith("gear") and "1/i" in title
+    ]
+    inside = [at[0][0] for at in gears if ray[0][0] < at[0][0] < ray[1][0]]
+    assert max(inside) - min(inside) > 0.8 * (ray[1][0] - ray[0][0])
+
+
+@pytest.mark.parametrize("name", [name for name in NAMES if name not in WITHOUT_PLAN])
+def test_speeds_on_a_vertical_are_those_of_its_gear(name: str) -> None:
+    results = result(name)
+    for plan in plans(results):
+        assert_speeds_on_rays(results, plan)
+
+
+def assert_speeds_on_rays(results: Results, plan: KinematicPlan) -> None:
+    for mark in plan.marks:
+        speeds = results.speeds[mark.gear - 1]
+        for ray in plan.rays:
+            for link in ray.links:
+                if np.isfinite(speeds[link - 1]):
+                    assert ray.at(mark.output) == pytest.approx(speeds[link - 1], abs=1e-9)
+
+
+def test_three_degrees_of_freedom_have_a_plan_for_each_element() -> None:
+    """MZKT 7922: elements 1 to 5 are in gears 1 3, 2 4, 5 6, 1 2 5 and 3 4 6 of the deck."""
+    found = {
+        plan.engaged: [mark.gear for mark in plan.marks] for plan in plans(result("mzkt7922.dat"))
+    }
+    assert found == {
+        ("T1",): [1, 3],
+        ("F2",): [2, 4],
+        ("T3",): [5, 6],
+        ("T4",): [1, 2, 5],
+        ("F5",): [3, 4, 6],
+    }
+
+
+def test_only_a_plan_without_brakes_has_a_unit_point() -> None:
+    """A train that turns as one piece moves a brake's link."""
+    has = {plan.engaged: plan.has_unit_point for plan in plans(result("mzkt7922.dat"))}
+    assert has == {("T1",): False, ("F2",): True, ("T3",): False, ("T4",): False, ("F5",): True}
+
+
+def test_four_degrees_of_freedom_have_a_plan_for_two_elements_in_common() -> None:
+    """ZF 8HP: of its ten pairs of elements each is in two gears or three of the shift table."""
+    results = result("zf-8hp70.yaml")
+    names = [gear.name for gear in results.case.gears]
+    found = {plan.engaged: {names[mark.gear - 1] for mark in plan.marks} for plan in plans(results)}
+    assert len(found) == 10
+    assert found["A", "B"] == {"1", "2", "R"}
+    assert found["C", "E"] == {"3", "6"}
+
+
+def test_without_a_free_speed_there_is_no_plan() -> None:
+    for name in WITHOUT_PLAN:
+        with pytest.raises(CaseError, match="no gear of this case leaves anything free"):
+            plans(result(name))
+
+
+def test_a_freewheel_that_holds_makes_a_gear_like_a_brake() -> None:
+    """The ring wants to turn backward; held, it leaves the carrier 1/(1 + 2.5) of the sun."""
+    case = Transmission(
+        3,
+        [ShiftElement(2, 0, kind="freewheel"), ShiftElement(3, 1)],
+        [Mechanism(1, 2, 3, -2.5)],
+        [Gear(), Gear([2])],
+    )
+    [plan] = plans(solve(case))
+    assert [mark.output for mark in plan.marks] == pytest.approx([1 / 3.5, 1])
+    assert [mark.elements for mark in plan.marks] == [(1,), (2,)]
+
+
+def test_sets_in_series_have_a_plan_for_each_brake() -> None:
+    """Each brake is needed for the output, so each may be the one that is free; not 2**24 are tried."""
+    count = 24
+    sets = [Mechanism(n, count + 1 + n, n + 1, -2.0) for n in range(1, count + 1)]
+    brakes = [ShiftElement(count + 1 + n) for n in range(1, count + 1)]
+    gear = Gear(range(1, count + 1))
+    train = Transmission(2 * count + 1, brakes, sets, [gear], output=count + 1)
+    found = plans(solve(train))
+    assert len(found) == count
+    assert {len(plan.engaged) for plan in found} == {count - 1}
+
+
+def test_links_that_stand_all_over_a_plan_are_named() -> None:
+    """Issue 16; A and B hold both wheels of the first set of the Ford 10R80, so it stands whole."""
+    results = result("ford-10r80.yaml")
+    [first] = [plan for plan in plans(results) if plan.engaged == ("A", "B", "D")]
+    assert [results.case.link_name(link) for link in first.standing] == [
+        "sun 1-2",
+        "ring 1",
+        "carrier 1",
+    ]
+    figure = picture(results, "plan", Style())
+    assert "stand: sun 1-2, ring 1, carrier 1" in {text.get_text() for text in figure.texts}
+    wide, high = figure.get_size_inches()
+    assert high / wide * 190 < 2 * 277  # mm, with margins of an A4 page
+    assert 8 / wide / 72 * 190 / 25.4 * 72 > 5.5  # pt, of texts on paper

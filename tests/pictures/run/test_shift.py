@@ -1,0 +1,179 @@
+"""Pictures of a run: what is drawn of it, over time and into the kinematic plan.
+
+The run is that of a planetary set whose brake locks, in closed form (V. P. Tarasik, simulation of
+planetary gearboxes, 2018, figure 2): constant accelerations to the lock at .410054 s, and from there.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from tests.commands import CASES
+from tests.pictures.drawn import titled
+from tests.pictures.test_pictures import overlaps
+from vstatics import CaseError, Results, load, solve
+from vstatics.pictures import picture, render
+from vstatics.pictures.plan.course import course, visited
+from vstatics.pictures.plan.rays import plans
+from vstatics.pictures.run.events import named_events
+from vstatics.pictures.run.lines import panels, states, thinned
+from vstatics.pictures.sheet.line_styles import element_look, spring_look
+from vstatics.pictures.sheet.style import Style
+from vstatics.simulation.record.motion import Energy, Event, Motion, Peak
+
+LOCK = 34.906585 / 85.126799
+"""Slip at the start by its acceleration. [s]"""
+
+
+@pytest.fixture(scope="module")
+def results() -> Results:
+    return solve(load(CASES / "tarasik-set.yaml"))
+
+
+def run(count: int = 20) -> Motion:
+    """The brake slips to `LOCK` and then sticks; the lock-up clutch stays open."""
+    before, after = np.linspace(0.0, LOCK, count), np.linspace(LOCK, 1.0, count)
+    sun = np.r_[52.359878 - 0.548321 * before, 52.135036 + 25.477707 * (after - LOCK)]
+    carrier = np.r_[50.856751 * before, (52.135036 + 25.477707 * (after - LOCK)) / 2.5]
+    ring = np.r_[-34.906585 + 85.126799 * before, 0.0 * after]
+    time = np.r_[before, after]
+    brake = np.r_[np.full(count, -120.0), np.full(count, -60.5)]
+    heat = np.r_[858.815102 * (1 - (1 - before / LOCK) ** 2), np.full(count, 858.815102)]
+    none = np.zeros_like(time)
+    return Motion(
+        time,
+        ("sun", "ring", "carrier"),
+        ("brake", "lock-up"),
+        ("brake", "lock-up", "set"),
+        np.stack([sun, ring, carrier], axis=1),
+        np.stack([ring, sun - ring], axis=1),
+        np.stack([brake, none, brake / 1.5], axis=1),
+        np.stack([heat, none], axis=1),
+        (Event(LOCK, "brake", "locks"),),
+        Energy(1163.48, {"brake": 858.815102}, {}, {}, 304.665, 0.0, 0.0, 0.0),
+        {"brake": Peak(-120.0, 0.0)},
+    )
+
+
+def test_an_element_slips_until_it_locks_and_what_never_carries_is_left_out() -> None:
+    [brake] = states(run())
+    assert brake.name == "brake"
+    assert np.array(brake.slips) == pytest.approx(np.array([[0.0, LOCK]]))
+    assert np.array(brake.sticks) == pytest.approx(np.array([[LOCK, 1.0]]))
+
+
+def test_panels_have_what_moves(results: Results) -> None:
+    shown = {
+        panel.english: [line.name for line in panel.lines] for panel in panels(results.case, run())
+    }
+    assert shown == {
+        "speed, rad/s": ["sun", "carrier", "ring"],
+        "slip, rad/s": ["brake"],
+        "torque of elements, N·m": ["brake"],
+        "heat, kJ": ["brake"],
+    }
+
+
+def test_links_of_one_speed_share_a_line(results: Results) -> None:
+    speeds = run().speeds[:, [0, 0, 2]]
+    speed, *_ = panels(results.case, run()._replace(speeds=speeds))
+    assert [line.name for line in speed.lines] == ["sun = ring", "carrier"]
+
+
+def test_torques_far_apart_are_drawn_over_their_peaks(results: Results) -> None:
+    torques = run().torques.copy()
+    torques[:, 1] = 1e5
+    torque = panels(results.case, run()._replace(torques=torques))[2]
+    assert [line.name for line in torque.lines] == ["brake (120.0 N·m)", "lock-up (100000 N·m)"]
+    assert [abs(line.values).max() for line in torque.lines] == [1.0, 1.0]
+
+
+def test_of_many_events_impacts_and_locks_are_named() -> None:
+    events = [Event(0.1 * n, "C", "slips" if n % 2 else "locks") for n in range(8)]
+    events[5] = Event(0.5, "C", "impact", 3.0)
+    assert named_events(events, 5) == [one for one in events if one.event != "slips"]
+
+
+def test_a_thinned_line_keeps_ends_and_extremes() -> None:
+    time = np.linspace(0.0, 2.0, 200_001)
+    values = np.sin(3e3 * time)
+    values[77_777] = 5.0
+    fewer, kept = thinned(time, values)
+    assert (fewer[0], fewer[-1], max(kept)) == (0.0, 2.0, 5.0)
+    assert len(fewer) < 7000
+
+
+def test_a_run_is_on_the_plan_of_what_sticks(results: Results) -> None:
+    """The set has two degrees of freedom, so it is always on its plan: from rest to 1/2.5."""
+    [(_, through)] = visited(results.case, plans(results), run())
+    assert through.on_plan.sum() >= len(through.time) - 4  # those beside the rounded lock
+    assert [float(through.output[place]) for place in (0, -1)] == pytest.approx([0.0, 0.4])
+
+
+def test_a_run_leaves_a_plan_whose_speeds_it_does_not_have(results: Results) -> None:
+    [plan] = plans(results)
+    half = len(run().time) // 2
+    speeds = run().speeds.copy()
+    speeds[half:, 1] += 1.0
+    through = course(results.case, plan, run()._replace(speeds=speeds))
+    assert not through.on_plan[half:].any()
+    assert np.isnan(through.masked(through.output, on_plan=True)[half:]).all()
+
+
+def test_nothing_can_be_drawn_without_a_run_or_where_nothing_moves(results: Results) -> None:
+    with pytest.raises(CaseError, match="expected a scenario, not a case"):
+        picture(results, "shift", Style())
+    with pytest.raises(CaseError, match="nothing moves"):
+        picture(
+            results,
+            "shift",
+            Style(),
+            motion=run()._replace(speeds=0 * run().speeds, torques=0 * run().torques),
+        )
+
+
+def test_elements_are_told_apart_without_colours() -> None:
+    """Issue 16: by dash and sign, for who sees no red."""
+    looks = [look(n, Style()) for look in (element_look, spring_look) for n in range(14)]
+    told = [tuple(map(str, look.values())) for look in looks]
+    assert len(set(told)) == len(told)
+
+
+def test_lines_that_are_not_drawn_are_named(results: Results) -> None:
+    count = 11
+    motion = run()._replace(
+        elements=tuple(f"C{n}" for n in range(count)),
+        torques=np.tile(run().torques[:, :1], count),
+        slips=np.tile(run().slips[:, :1], count),
+        heat=np.tile(run().heat[:, :1], count),
+    )
+    shown = picture(results, "shift", Style(), motion=motion)
+    texts = " ".join(text.get_text().replace("\n", " ") for text in shown.texts)
+    assert "slip, not drawn: C8, C9, C10" in texts
+
+
+def test_links_have_their_colours_and_elements_others(results: Results) -> None:
+    """Issue 16: the same colour for the same thing in all kinds."""
+    shown = titled(picture(results, "shift", Style(), motion=run()))
+    lines = {said: one.get_color() for said, one in shown if hasattr(one, "get_color")}
+    assert [lines[name] for name in ("sun", "ring", "carrier")] == list(Style().colours[:3])
+    assert lines["brake"] == Style().ink  # crimson is what is engaged, grey what has no torque
+    assert {"brake slips, 0.000–0.410 s", "brake sticks, 0.410–1.000 s"} <= {
+        one for one, _ in shown
+    }
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("kind", ["shift", "plan"])
+@pytest.mark.parametrize("style", [Style(), Style("ru", dark=True)])
+def test_no_label_covers_another(results: Results, kind: str, style: Style) -> None:
+    many = tuple(Event(n / 40, "brake", "slips" if n % 2 else "locks") for n in range(1, 40))
+    for motion in (run(), run()._replace(events=()), run()._replace(events=many)):
+        assert overlaps(results, kind, style, motion) == []
+
+
+@pytest.mark.slow
+def test_the_same_run_gives_the_same_bytes(results: Results) -> None:
+    made = {render(results, kind, "svg", Style(), motion=run()) for kind in ("shift", "plan") * 2}
+    assert len(made) == 2

@@ -1,0 +1,458 @@
+"""Pictures of the scheme: everything that the case joins is joined, and can be read."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from itertools import combinations
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from matplotlib.colors import to_hex
+from matplotlib.figure import Figure
+from matplotlib.patches import PathPatch
+
+import vstatics
+from vstatics import Gear, Mechanism, ShiftElement, Transmission
+from vstatics.elements.drawing import drawing_of
+from vstatics.elements.group import group_of
+from vstatics.elements.kinds import KINDS, Simple
+from vstatics.errors import CaseError
+from vstatics.numerics.traced import plain
+from vstatics.pictures import render
+from vstatics.pictures.schemes import stick, structure
+from vstatics.pictures.schemes.placing import Placement
+from vstatics.pictures.schemes.scheme import Scheme, scheme_of, scheme_state
+from vstatics.pictures.schemes.sets import section_of
+from vstatics.pictures.sheet.gear_state import state_of
+from vstatics.pictures.sheet.style import Style
+from vstatics.statics.results import Results
+
+SHIPPED = Path(__file__).parents[3] / "cases"
+CASES = sorted(path for path in SHIPPED.glob("*") if path.is_file())
+DRAWN = [case for case in CASES if "elements:" in case.read_text(encoding="utf-8").split()]
+FEW = {"mzkt7922.dat", "umdm.yaml", "wheel-hub.yaml"}
+"""Cases of each kind for the fast tests: a deck, shared planets, held links."""
+
+
+def by_name(cases: list[Path]) -> list[object]:
+    return [
+        pytest.param(case, id=case.name, marks=[] if case.name in FEW else pytest.mark.slow)
+        for case in cases
+    ]
+
+
+every_case = pytest.mark.parametrize("path", by_name(CASES[::5]))
+every_drawn_case = pytest.mark.parametrize("path", by_name(DRAWN[::5]))
+
+PAIRS = """\
+input: a
+output: k
+elements:
+  pair: {kind: gear_pair, first: a, second: b, teeth: {first: 20, second: 41}}
+  ring pair: {kind: internal_pair, first: b, second: c, teeth: {first: 20, second: 41}}
+  idle: {kind: idler, first: c, second: d, teeth: {first: 20, idler: 25, second: 41}}
+  chain 1: {kind: chain, first: d, second: e, teeth: {first: 41, second: 41}}
+  belt 1: {kind: belt, first: e, second: f, diameters: {first: 100, second: 41}}
+  bearing: {kind: shaft, first: f, second: g, efficiency: 0.99}
+  steering: {kind: worm, worm: g, wheel: h, teeth: {worm: 2, wheel: 40},
+             efficiency: {worm: 0.8, wheel: 0.7}}
+  hypoid: {kind: bevel_pair, first: h, second: i, teeth: {first: 11, second: 40}}
+  axle: {kind: bevel, carrier: i, left: left, right: right}
+  stop: {kind: held, link: right}
+mechanisms:
+  extra: {first: left, second: k, ratio: 2}
+shift_elements:
+  lock: {kind: dog_clutch, links: [left, i]}
+  way: {kind: freewheel, links: [j, a]}
+  low and reverse brake: [j, housing]
+gears:
+  "1": {engaged: [low and reverse brake]}
+"""
+
+
+def overlaps(figure: Figure) -> list[tuple[str, str]]:
+    """Pairs of texts whose bounding boxes have a common area, and texts that leave the paper."""
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+
+    renderer = FigureCanvasAgg(figure).get_renderer()  # type: ignore[no-untyped-call]
+    texts = [text for text in figure.texts if text.get_text()]
+    boxes = [(text.get_text(), text.get_window_extent(renderer)) for text in texts]
+    whole = figure.bbox
+    outside = [
+        (name, "paper")
+        for name, box in boxes
+        if not (whole.x0 <= box.x0 and box.x1 <= whole.x1 and whole.y0 <= box.y0)
+        or box.y1 > whole.y1
+    ]
+    pairs = [
+        (one, other)
+        for (one, a), (other, b) in combinations(boxes, 2)
+        if min(a.x1, b.x1) - max(a.x0, b.x0) > 0.5 and min(a.y1, b.y1) - max(a.y0, b.y0) > 0.5
+    ]
+    return outside + pairs
+
+
+def pieces_of(placement: Placement, wire: int) -> int:
+    """In how many parts a wire falls that do not touch one another."""
+    lines = [(x, x, low, high) for x, low, high, own in placement.verticals() if own == wire]
+    lines += [
+        (*span, placement.y(track), placement.y(track))
+        for track, span in placement.row.spans.items()
+        if track[0] == wire
+    ]
+    taps = [tap for tap in placement.row.taps if tap.wire == wire and tap.reach != "none"]
+    lines += [  # the bar of a carrier that leaves to both sides
+        (one.x, one.x, min(one.y, other.y), max(one.y, other.y))
+        for one, other in combinations(taps, 2)
+        if one[0] == other[0] and one.x == other.x
+    ]
+    parts: list[list[tuple[float, float, float, float]]] = []
+    for line in lines:
+        touched = [part for part in parts if any(touch(line, other) for other in part)]
+        merged = [line, *(other for part in touched for other in part)]
+        parts = [part for part in parts if part not in touched] + [merged]
+    return len(parts)
+
+
+def touch(one: tuple[float, float, float, float], other: tuple[float, float, float, float]) -> bool:
+    across = min(one[1], other[1]) - max(one[0], other[0])
+    up = min(one[3], other[3]) - max(one[2], other[2])
+    return across >= -1e-9 and up >= -1e-9
+
+
+def assert_joins(scheme: Scheme, placement: Placement) -> None:
+    """Each device meets the links of its members and no others; each link is of one piece."""
+    for index, device in enumerate(scheme.devices):
+        taps = [tap for tap in placement.row.taps if tap.item == index and tap.reach != "none"]
+        assert {tap.wire for tap in taps} == device.links, device.name
+        assert all(device.members[tap.label] == tap.wire for tap in taps if tap.label)
+        assert index in placement.row.lefts
+    for wire in range(1, len(scheme.links) + 1):
+        assert pieces_of(placement, wire) == 1, scheme.name(wire)
+    for port in scheme.ports:
+        low, high = placement.row.spans[placement.end_of(port.link)]
+        end = low if port.role == "input" else high
+        assert end == (0.0 if port.role == "input" else placement.row.width)
+
+
+def assert_apart(placement: Placement) -> None:
+    """No wire runs along another, none ends on another."""
+    lines = [(x, x, low, high, wire) for x, low, high, wire in placement.verticals()]
+    lines += [
+        (*span, placement.y(track), placement.y(track), track[0])
+        for track, span in placement.row.spans.items()
+    ]
+    crossings = {(x, y) for x, y, _, _ in placement.crossings()}
+    for one, other in combinations(lines, 2):
+        if one[4] != other[4] and touch(one[:4], other[:4]):
+            place = max(one[0], other[0]), max(one[2], other[2])
+            assert place in crossings, (one, other)
+
+
+def assert_clear(figure: Figure, placement: Placement, scheme: Scheme) -> None:
+    """No wire runs through the name of a device."""
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+
+    renderer = FigureCanvasAgg(figure).get_renderer()  # type: ignore[no-untyped-call]
+    names = {" ".join(device.name.split()) for device in scheme.devices} - set(scheme.links)
+    lines = [(x, x, low, high) for x, low, high, _ in placement.verticals()]
+    lines += [
+        (low, high, placement.y(track), placement.y(track))
+        for track, (low, high) in placement.row.spans.items()
+    ]
+    for text in figure.texts:
+        if " ".join(text.get_text().split()) in names:
+            window = text.get_window_extent(renderer)
+            box = window.transformed(text.get_transform().inverted())
+            inside = box.x0 + 0.5, box.x1 - 0.5, box.y0 + 0.5, box.y1 - 0.5
+            assert not [line for line in lines if touch(inside, line)], text.get_text()
+
+
+def check(
+    scheme: Scheme, placement: Placement, results: Results, draw: Callable[..., Figure]
+) -> None:
+    """The picture of a case, without a gear in English and with its first in Russian."""
+    assert_joins(scheme, placement)
+    assert_apart(placement)
+    for gear in (None, 1):
+        figure = draw(results, Style(language="ru" if gear else "en"), [gear] if gear else [])
+        assert overlaps(figure) == []
+        if gear is None:
+            assert_clear(figure, placement, scheme)
+        shown = " ".join(" ".join(text.get_text() for text in figure.texts).split())
+        for device in scheme.devices:
+            assert device.kind == "held" or device.name in shown
+        for link in scheme.links:
+            assert link in shown
+
+
+@every_case
+def test_structure_can_be_read_and_joins_what_the_case_joins(path: Path) -> None:
+    results = vstatics.solve(vstatics.load(path))
+    scheme = scheme_of(results.case)
+    check(scheme, structure.place(scheme, Style()), results, structure.draw)
+
+
+@every_drawn_case
+def test_stick_diagram_can_be_read_and_joins_what_the_case_joins(path: Path) -> None:
+    results = vstatics.solve(vstatics.load(path))
+    scheme = scheme_of(results.case)
+    check(scheme, stick.place(scheme, Style()).placement, results, stick.draw)
+
+
+@pytest.mark.slow
+def test_pairs_of_every_kind_can_be_read_and_are_joined(tmp_path: Path) -> None:
+    path = tmp_path / "pairs.yaml"
+    path.write_text(PAIRS, encoding="utf-8")
+    results = vstatics.solve(vstatics.load(path))
+    scheme = scheme_of(results.case)
+    kinds = {device.kind for device in scheme.devices}
+    assert kinds >= {name for name, kind in KINDS.items() if isinstance(kind, Simple)}
+    check(scheme, stick.place(scheme, Style()).placement, results, stick.draw)
+
+
+def test_ten_speed_automatic_has_no_crossing() -> None:
+    # bodies of revolution about one axis cannot pass through each other, so the half-section of
+    # a gearbox that exists has none, if its sets stand in their order, as P1 to P4 of this one do
+    scheme = scheme_of(vstatics.load(SHIPPED / "ford-10r80.yaml"))
+    assert stick.place(scheme, Style()).placement.crossings() == []
+
+
+def test_the_same_case_looks_the_same() -> None:
+    scheme = scheme_of(vstatics.load(SHIPPED / "wheel-hub.yaml"))
+    assert structure.place(scheme, Style()) == structure.place(scheme, Style())
+    assert stick.place(scheme, Style()) == stick.place(scheme, Style())
+
+
+def test_stick_diagram_needs_elements() -> None:
+    results = vstatics.solve(vstatics.load(SHIPPED / "moskvich412.yaml"))  # pairs alone
+    with pytest.raises(CaseError, match="needs elements"):
+        stick.draw(results, Style())
+
+
+def test_ravigneaux_set_has_its_small_sun_at_the_short_planets() -> None:
+    # docs/elements.md: small sun with short, large sun and ring with long, short with long
+    case = vstatics.load(SHIPPED / "ravigneaux-aod.yaml")
+    drawing = drawing_of(case)
+    assert drawing is not None
+    section = section_of(group_of(drawing.elements[0]))
+    planes = {
+        column.sun.member: (column.rims, column.ring and column.ring.member)
+        for column in section.columns
+        if column.sun is not None
+    }
+    assert planes["small_sun"] == ({0: "short", 1: "long"}, "ring")
+    assert planes["large_sun"] == ({1: "long"}, None)
+
+
+def test_each_wheel_of_the_umdm_is_in_the_plane_of_its_rim() -> None:
+    # the meshes of cases/umdm.yaml
+    case = vstatics.load(SHIPPED / "umdm.yaml")
+    drawing = drawing_of(case)
+    assert drawing is not None
+    section = section_of(group_of(drawing.elements[0]))
+    seen = set()
+    for column in section.columns:
+        if column.sun is not None:
+            seen.add((column.sun.member, column.rims[min(column.rims)]))
+        if column.ring is not None:
+            seen.add((column.ring.member, column.rims[max(column.rims)]))
+    assert seen == {
+        ("sun 1", "A2"),
+        ("sun 4", "B3'"),
+        ("ring 6", "A2"),
+        ("ring 7", "B3"),
+        ("ring 8", "B3'"),
+    }
+    assert {0: "A2'", 1: "B3"} in [column.rims for column in section.columns]
+
+
+@pytest.mark.parametrize("draw", [structure.draw, stick.draw])
+def test_third_gear_of_the_eight_speed_marks_its_three_elements(
+    draw: Callable[..., Figure],
+) -> None:
+    # shift table of the ZF 8HP: gear 3 has B, C and E; A and D are open
+    results = vstatics.solve(vstatics.load(SHIPPED / "zf-8hp70.yaml"))
+    style = Style()
+    colors = {text.get_text(): text.get_color() for text in draw(results, style, [3]).texts}
+    assert {name for name, color in colors.items() if color == style.engaged} == {"B", "C", "E"}
+    assert colors["A"] == colors["D"] == style.soft
+    # carrier 3 goes to the open clutch D alone, so P3 carries nothing
+    assert colors["carrier 3"] == style.soft
+    assert colors["P1"] == colors["P4"] == colors["output"] == style.ink
+
+
+def test_freewheel_is_marked_where_it_holds() -> None:
+    # the low roller clutch of the TH400 holds in drive, first gear, and overruns in second
+    results = vstatics.solve(vstatics.load(SHIPPED / "simpson-th400.yaml"))
+    scheme = scheme_of(results.case)
+    roller = [device.name for device in scheme.devices].index("low roller clutch")
+    assert roller in scheme_state(scheme, state_of(results, 1)).engaged
+    assert roller in scheme_state(scheme, state_of(results, 2)).idle
+
+
+def test_support_that_holds_is_not_pale() -> None:
+    # cases/wheel-hub.yaml: in gear `both` the right wheel carries torque by the right hub, whose
+    # ring the support holds; in gear `left` it hangs in the air
+    results = vstatics.solve(vstatics.load(SHIPPED / "wheel-hub.yaml"))
+    scheme = scheme_of(results.case)
+    support = [device.name for device in scheme.devices].index("support")
+    assert support in scheme_state(scheme, state_of(results, 1)).idle
+    assert support not in scheme_state(scheme, state_of(results, 3)).idle
+    wheel = scheme.links.index("right wheel") + 1
+    pale = {
+        gear: {port.link for port in scheme_state(scheme, state_of(results, gear)).idle_ports}
+        for gear in (1, 3)
+    }
+    assert wheel in pale[1]
+    assert wheel not in pale[3]
+
+
+def test_gear_that_is_tied_up_says_so() -> None:
+    # two brakes hold sun and ring of a set whose sun is driven
+    case = Transmission(
+        3,
+        [ShiftElement(1), ShiftElement(2)],
+        [Mechanism(1, 2, 3, -2)],
+        [Gear([1, 2]), Gear([])],
+    )
+    results = vstatics.solve(case)
+    titles = [structure.draw(results, Style(), [gear]).texts[0] for gear in (1, 2)]
+    assert [title.get_text() for title in titles] == [
+        "Structure, gear 1, tied up",
+        "Structure, gear 2, not determined",
+    ]
+
+
+def test_a_set_that_reacts_as_one_piece_is_marked_and_not_pale() -> None:
+    # issue 16: Ford 10R80, gear 1: P1 stands between its brakes and carries 3.696 of the input
+    # torque; P2 and P3 carry none
+    results = vstatics.solve(vstatics.load(SHIPPED / "ford-10r80.yaml"))
+    scheme = scheme_of(results.case)
+    state = scheme_state(scheme, state_of(results, 1))
+    named = {device.name: index for index, device in enumerate(scheme.devices)}
+    assert state.pieces == {named["P1"]}
+    assert {named["P2"], named["P3"]} < state.idle
+    assert not {named["P1"], named["P4"]} & state.idle
+    svg = render(results, "stick", "svg", Style(), [1]).decode()
+    assert "carrier −3.696" in svg
+    assert "turns as one piece" in svg
+
+
+def colors_at(figure: Figure) -> dict[tuple[float, float], set[Any]]:
+    """Colours of the lines that begin, bend or end at a point."""
+    found: dict[tuple[float, float], set[Any]] = {}
+    for one in figure.findobj(PathPatch):
+        color = to_hex(one.get_edgecolor())
+        for x, y in np.asarray(one.get_path().vertices).tolist():
+            found.setdefault((round(x, 3), round(y, 3)), set()).add(color)
+    return found
+
+
+def torques_of(results: Results, gear: int) -> list[dict[int, list[float]]]:
+    """Of the devices of a scheme, by the links from which they have them."""
+    case, values = results.case, results.torques[gear - 1].tolist()
+    members = results.gear(gear).member_torques(lossy=False)
+    found: list[dict[int, list[float]]] = []
+    for device, own in zip(case.own_devices, members, strict=True):
+        found.append({})
+        for one in device.members:
+            found[-1].setdefault(one.link, []).append(plain(own[one.name]))
+    for shift, torque in zip(case.shift_elements, values, strict=False):
+        found.append({shift.first: [torque], shift.second: [torque]})
+    for spring, torque in zip(
+        case.springs, values[: -len(case.springs) - 2 : -1][::-1], strict=False
+    ):
+        found.append({link: [torque] for link in (0, *spring.form)})
+    return found
+
+
+def check_pins(results: Results, placement: Placement, gear: int, figure: Figure) -> set[str]:
+    """Arms are pale where a device has no torque from a link, and not where it has one."""
+    scheme, colors, style = scheme_of(results.case), colors_at(figure), Style()
+    pale: set[str] = set()
+    for index, by_link in enumerate(torques_of(results, gear)):
+        device = scheme.devices[index]
+        taps = [tap for tap in placement.row.taps if tap.item == index and tap.reach != "none"]
+        outer = [tap for tap in taps if tap.reach != "row"]
+        shown: dict[int, list[set[Any]]] = {}
+        for tap in outer or taps:
+            y = tap.y if tap.reach == "row" else placement.edge(tap.side)
+            shown.setdefault(tap.wire, []).append(colors.get((round(tap.x, 3), round(y, 3)), set()))
+        for wire, own in shown.items():
+            where = gear, device.name, scheme.name(wire)
+            if any(not abs(torque) < 1e-9 for torque in by_link[wire]):
+                assert len(own) > 1 or style.faint not in own[0], where
+                assert not any(own) or any(style.ink in one for one in own), where
+            elif len(own) == 1 and own[0]:  # through the bar of a carrier torque may pass
+                assert style.faint in own[0], where
+                is_bare = not any(any(torques) for torques in by_link.values())
+                assert not (is_bare and style.ink in own[0]), where
+                pale.add(f"{device.name} {scheme.name(wire)}")
+    return pale
+
+
+def test_arms_without_torque_are_pale() -> None:
+    # issue 16: Ford 10R80, gear 1; D is engaged, and nothing comes to it
+    results = vstatics.solve(vstatics.load(SHIPPED / "ford-10r80.yaml"))
+    layout = stick.place(scheme_of(results.case), Style())
+    pale = check_pins(results, layout.placement, 1, stick.draw(results, Style(), [1]))
+    assert {"P2 sun 1-2", "P2 input", "P3 carrier 1", "D sun 4", "D intermediate"} <= pale
+    assert not [name for name in pale if name.startswith(("P1", "P4", "A", "B", "E"))]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("path", CASES, ids=lambda path: path.name)
+def test_arms_are_pale_where_no_torque_is_in_all_gears(path: Path) -> None:
+    results = vstatics.solve(vstatics.load(path))
+    scheme, style = scheme_of(results.case), Style()
+    is_drawn = path in DRAWN
+    placement = stick.place(scheme, style).placement if is_drawn else structure.place(scheme, style)
+    figures = (stick if is_drawn else structure).of_each_gear(results, style)
+    for gear, figure in enumerate(figures, 1):
+        check_pins(results, placement, gear, figure)
+
+
+def test_ports_show_which_way_their_power_goes() -> None:
+    # cases/power-split.yaml: MG1 and the right wheel take power (`vstatics flow`)
+    results = vstatics.solve(vstatics.load(SHIPPED / "power-split.yaml"))
+    scheme = scheme_of(results.case)
+    ways = scheme_state(scheme, state_of(results, 1)).leaving
+    assert {scheme.name(port.link): leaves for port, leaves in ways.items()} == {
+        "engine": False,
+        "MG2": False,
+        "MG1": True,
+        "left wheel": True,
+        "right wheel": True,
+    }
+
+
+def test_wheels_have_their_names_and_teeth_on_request() -> None:
+    # cases/wheel-hub.yaml
+    results = vstatics.solve(vstatics.load(SHIPPED / "wheel-hub.yaml"))
+    bare, full = (
+        {text.get_text() for text in stick.draw(results, Style(wheels=wheels)).texts}
+        for wheels in (False, True)
+    )
+    assert full - bare == {"sun: 26", "ring: 64"}
+
+
+def test_mechanisms_that_may_be_sets_have_a_stick_diagram_with_a_note() -> None:
+    results = vstatics.solve(vstatics.load(SHIPPED / "mzkt7922.dat"))
+    said = [text.get_text() for text in stick.draw(results, Style()).texts]
+    assert any("as planetary sets" in text for text in said)
+    assert {"D1", "D2", "D3"} < set(said)
+
+
+def ring(count: int) -> Transmission:
+    """A ring of sets: set n shares a link with the next, the last with the first."""
+    sets = [Mechanism(n, n % count + 1, count + n, -2 - n / 50) for n in range(1, count + 1)]
+    brakes = [ShiftElement(count + n) for n in range(1, count + 1)]
+    return Transmission(2 * count, brakes, sets, [Gear(range(1, count))])
+
+
+def test_a_case_that_no_picture_could_show_is_refused() -> None:
+    with pytest.raises(CaseError, match=r"up to 200 .* has 202"):
+        scheme_of(ring(101))

@@ -1,0 +1,88 @@
+"""SVG of pictures: texts that can be found and copied, titles, nothing that could run."""
+
+from __future__ import annotations
+
+import re
+from xml.etree import ElementTree as ET
+
+import pytest
+from matplotlib.figure import Figure
+
+from tests.commands import CASES
+from vstatics import load, solve
+from vstatics.pictures import PICTURES, render, settings_of
+from vstatics.pictures.sheet.style import Style
+from vstatics.pictures.sheet.svg import halo, told, written_as_svg
+
+SVG = "{http://www.w3.org/2000/svg}"
+STYLE = Style()
+SET = solve(load(CASES / "ravigneaux-gf4a.yaml"))
+SPRINGS = solve(load(CASES / "moskvich412.yaml"))
+KINDS = [kind for kind in PICTURES if kind != "shift"]
+
+
+def parsed(svg: bytes) -> ET.Element:
+    """Our own SVG."""
+    return ET.fromstring(svg)  # noqa: S314 - from nowhere else
+
+
+def made(**how: object) -> ET.Element:
+    """A picture of one text."""
+    figure = Figure(figsize=(2, 1))
+    with settings_of(STYLE):
+        figure.text(0.5, 0.5, "sun <1>\nК & −2.5", **how)  # type: ignore[arg-type]
+        return parsed(written_as_svg(figure, "a <set>", STYLE))
+
+
+def test_texts_stay_texts_in_letters_that_other_machines_have() -> None:
+    root = made()
+    assert [one.text for one in root.iter(f"{SVG}text")] == ["sun <1>", "К & −2.5"]
+    assert "sans-serif" in root.attrib["font-family"]
+    assert root.find(f"{SVG}title") is not None
+    assert root.findtext(f"{SVG}title") == "a <set>"
+
+
+def test_what_an_artist_says_is_its_title_and_data() -> None:
+    root = made(gid=told('P1: "sun" & <ring>', gear="R"))
+    group = next(root.iter(f"{SVG}g"))
+    assert group.findtext(f"{SVG}title") == 'P1: "sun" & <ring>'
+    assert group.attrib == {"data-gear": "R"}
+
+
+def test_a_halo_is_painted_below_letters_that_stay_letters() -> None:
+    root = made(**halo(STYLE))
+    group = next(root.iter(f"{SVG}g"))
+    assert group.attrib["paint-order"] == "stroke"
+    assert group.attrib["stroke"] == STYLE.paper
+    assert len(list(root.iter(f"{SVG}text"))) == 2
+
+
+def test_a_halo_stays_for_pictures_of_dots() -> None:
+    figure = Figure()
+    with settings_of(STYLE):
+        text = figure.text(0.5, 0.5, "x", **halo(STYLE))
+        written_as_svg(figure, "", STYLE)
+    assert text.get_path_effects()
+
+
+@pytest.mark.parametrize("dark", [False, True])
+@pytest.mark.parametrize("kind", KINDS)
+def test_small_texts_have_a_colour_of_enough_contrast(kind: str, dark: bool) -> None:
+    style = Style(dark=dark)
+    results = SPRINGS if kind in ("modes", "campbell") else SET
+    gears = (2,) if kind in ("modes", "campbell") else ()
+    root = parsed(render(results, kind, "svg", style, gears))
+    readable = {style.ink, style.soft, style.engaged, style.lost, style.circulating}
+    texts = [*root.iter(f"{SVG}text")]
+    assert texts
+    assert {one.attrib.get("fill", "#000000") for one in texts} <= readable | {style.paper}
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_every_kind_says_what_it_shows_and_typesets_its_numbers(kind: str) -> None:
+    results = SPRINGS if kind in ("modes", "campbell") else SET
+    gears = (2,) if kind in ("modes", "campbell") else ()
+    root = parsed(render(results, kind, "svg", STYLE, gears))
+    assert len(root.findall(f".//{SVG}title")) > 4
+    for text in ("".join(one.itertext()) for one in root.iter(f"{SVG}text")):
+        assert not re.search(r"(?<![\w.)])-\.?\d|(?<![\w.])\.\d", text), text

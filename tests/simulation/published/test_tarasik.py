@@ -1,0 +1,174 @@
+"""The published method: what its equations give, calculated apart from this program.
+
+The numbers beside those of `test_golden` are of the same scenarios; they differ, since (12) lacks
+terms, and its energy does not close.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from tests.simulation.boxes import (
+    box,
+    capacity,
+    first_gear,
+    held,
+    planetary_set,
+    points,
+    run_of_box,
+    second_gear,
+)
+from tests.simulation.test_golden import happened
+from vstatics.errors import CaseError
+from vstatics.model.springs import Spring, between
+from vstatics.simulation import simulate
+from vstatics.simulation.published.tarasik import tarasik
+from vstatics.simulation.published.two_masses import TwoMasses, two_masses
+from vstatics.simulation.scenario.laws import Resistance, constant
+from vstatics.simulation.scenario.parts import Converter, Dog, Scenario, Start
+from vstatics.simulation.scenario.programme import programmes
+from vstatics.simulation.system.devices import motion_system
+
+
+def test_brake_stops_the_ring() -> None:
+    motion = simulate(first_gear(), method="tarasik")
+    [(element, event, time)] = happened(motion)
+    assert (element, event) == ("F1", "locks")
+    assert time == pytest.approx(0.103815, abs=6e-7)
+    at_lock = motion.speeds[np.searchsorted(motion.time, time)]
+    assert at_lock[:2] == pytest.approx([45.419057, 18.167623], abs=6e-7)
+    assert motion.energy.heat["F1"] == pytest.approx(219.843, abs=6e-4)
+    assert motion.energy.balance == pytest.approx(391.906, abs=6e-4)
+    assert "391.906 J" in motion.messages[0].text
+    # locked, it has the same acceleration as the event run
+    rate = (motion.speeds[-1, 0] - at_lock[0]) / (1 - time)
+    assert rate == pytest.approx(25.477707, abs=6e-7)
+
+
+def test_energy_up_to_the_lock() -> None:
+    energy = tarasik(first_gear(duration=0.1038149)).energy
+    assert energy.work == pytest.approx(147.643, abs=6e-4)
+    assert energy.kinetic == pytest.approx(-464.106, abs=6e-4)
+
+
+def test_lock_up() -> None:
+    motion = tarasik(second_gear())
+    assert motion.events[0].time == pytest.approx(0.122889680, abs=6e-10)
+    assert motion.energy.heat["F2"] == pytest.approx(2647.488, abs=6e-4)
+    assert motion.energy.balance == pytest.approx(-4593.4, abs=0.06)
+
+
+def test_losses_break_the_lock() -> None:
+    """From (12): 24.295752, and 23.566879 for u dw_out/dt; consistent would be 24.143556."""
+    loads = ((1, constant(40)), (2, constant(-60)))
+    motion = tarasik(Scenario(planetary_set(0.95), 1e-4, Start("1", 50.0), torques=loads))
+    rates = (motion.speeds[-1] - motion.speeds[0]) / 1e-4
+    assert rates[0] == pytest.approx(24.295752, abs=6e-7)
+    assert 2.5 * rates[1] == pytest.approx(23.566879, abs=6e-7)
+
+
+@pytest.mark.parametrize(
+    ("output", "published", "exact"),
+    [(41.2, 0.282344, 0.293875), (4.0, 0.115581, 0.137580), (1.2, 0.079945, 0.111913)],
+)
+def test_lock_of_the_box(output: float, published: float, exact: float) -> None:
+    """The less inertia the output has, the more (12) is wrong: 4, 16, 29 %."""
+    case = box()
+    case = case.replace(inertias={**case.inertias, 7: output})
+    scenario = run_of_box(duration=0.5)._replace(case=case)
+    assert tarasik(scenario).events[0].time == pytest.approx(published, abs=6e-7)
+    assert simulate(scenario).events[0].time == pytest.approx(exact, abs=6e-7)
+
+
+def test_shift_at_once() -> None:
+    """The brake lets go, the lock-up clutch takes over: one clutch at a time."""
+    controls = {1: capacity((0, 300), (0.5, 300), (0.5, 0)), 2: capacity((0.5, 0), (0.5, 300))}
+    loads = ((1, constant(40)), (2, constant(-60)))
+    motion = tarasik(Scenario(planetary_set(), 1.5, Start("1", 50.0), controls, loads))
+    assert [one[:2] for one in happened(motion)] == [("F1", "slips"), ("F2", "locks")]
+    assert motion.stopped is None
+    assert motion.speeds[-1] == pytest.approx([motion.speeds[-1, 0]] * 3)
+    assert np.isnan(motion.torques[:, -1]).all()
+
+
+def test_what_does_not_hold_slips_again() -> None:
+    """(15): at 0.2 s the brake has less than it must pass."""
+    controls = {1: capacity((0, 120), (0.2, 120), (0.2, 20))}
+    motion = tarasik(first_gear()._replace(controls=controls))
+    assert [one[:2] for one in happened(motion)] == [("F1", "locks"), ("F1", "slips")]
+
+
+def test_two_clutches_stop_it() -> None:
+    motion = tarasik(run_of_box())
+    assert motion.stopped is not None
+    assert "FB slips, and with FH and F1 held the box has 1 degree" in motion.stopped.message
+    assert motion.time[-1] == pytest.approx(1.9)
+    both = {1: held(50), 2: held(50)}
+    motion = tarasik(first_gear()._replace(controls=both))
+    assert motion.stopped is not None
+    assert "F1 and F2 slip at once" in motion.stopped.message
+
+
+def test_what_it_does_not_know() -> None:
+    """Each is an error that says where."""
+    spring = Spring(between(2), 100.0)
+    case = planetary_set().replace(springs=[spring])
+    converter = Converter("TC", 1, 2, ((0.0, 2.0, 1e-3), (1.0, 1.0, 0.0)))
+    base = first_gear()
+    for scenario, path in (
+        (first_gear(case), ("case", "springs", 1)),
+        (base._replace(converters=(converter,)), ("converters", "TC")),
+        (base._replace(controls={1: Dog(((0.1, True),))}), ("controls", "F1")),
+        (base._replace(torques=((2, Resistance(5.0)),)), ("torques", "h")),
+        (base._replace(torques=((3, points((0, 5))),)), ("torques", "b")),
+    ):
+        with pytest.raises(CaseError) as error:
+            tarasik(scenario)
+        assert error.value.problems[0].path == path
+
+
+def test_input_that_stands() -> None:
+    """J_in of (3) is not defined there: the run stops, and says so."""
+    start = Start(speeds={1: 0.0, 2: 10.0})
+    motion = tarasik(first_gear()._replace(start=start))
+    assert motion.stopped is not None or math.isfinite(motion.speeds[-1, 0])
+
+
+J_IN = {
+    1: {0: 0.811111, 1: 0.723162, 2: 0.647049, 3: 0.584538, 4: 0.537639, 5: 0.508642},
+    2: {0: 0.5, 5: 0.513317, 10: 0.557143, 15: 0.638272, 20: 0.765089, 25: 0.948, 30: 1.2},
+}
+"""Of figure 2, calculated apart: gear -> time [s] -> [kg*m^2]."""
+
+
+@pytest.mark.parametrize(
+    ("gear", "time", "inertia"), [(g, t, j) for g, row in J_IN.items() for t, j in row.items()]
+)
+def test_inertia_at_the_input(gear: int, time: float, inertia: float) -> None:
+    """Gear 1: 500 - 10t and 30t rpm; gear 2: 1500 - 10t and 600 + 20t rpm."""
+    masses = masses_of_set()
+    fast, slow = (500, 0) if gear == 1 else (1500, 600)
+    speeds = (fast - 10 * time, slow + (30 if gear == 1 else 20) * time)
+    assert masses.input_inertia(*speeds) == pytest.approx(inertia, abs=6e-7)
+
+
+def test_points_a_and_c() -> None:
+    """A: the ring stands at 500/85 s, J_in is that of the sun; C: all turn alike."""
+    masses, time = masses_of_set(), 500 / 85
+    assert time == pytest.approx(5.882353, abs=6e-7)
+    speeds = (500 - 10 * time, 30 * time)
+    assert speeds == pytest.approx((441.1765, 176.4706), abs=6e-5)
+    assert (masses.speeds @ speeds)[2] == pytest.approx(0, abs=1e-9)
+    assert masses.input_inertia(*speeds) == pytest.approx(0.5, abs=1e-12)
+    assert masses.ratio == pytest.approx(2.5)
+    assert masses.output_inertia == pytest.approx(0.8)
+
+
+def masses_of_set() -> TwoMasses:
+    """The planetary set with its brake as the clutch."""
+    scenario = first_gear()
+    system = motion_system(scenario, programmes(scenario, ()), None)
+    return two_masses(system, (0, 1), (), 0)

@@ -1,0 +1,263 @@
+"""Scenarios are read with all their forms and units; what is wrong is told at its place."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import pytest
+
+from vstatics import ReadError, readers, solve
+from vstatics.simulation.scenario.distribution import Distribution
+from vstatics.simulation.scenario.file import ScenarioFile, load_scenario, read_scenario
+from vstatics.simulation.scenario.formula import Formula
+from vstatics.simulation.scenario.laws import Points, Resistance, Road, constant
+from vstatics.simulation.scenario.parts import Capacity, Converter, Dog, Scenario, Shift, Start
+from vstatics.simulation.scenario.programme import newton_metres
+from vstatics.simulation.system.devices import drags
+from vstatics.writers import named
+
+CASE = b"""
+links: [in, front ring, wheel]
+inertias: {in: 0.5, front ring: 0.7, wheel: 0.8}
+mechanisms: {set: {first: in, second: front ring, third: wheel, ratio: -1.5}}
+load: {torque: 100 N*m}
+shift_elements:
+  B: {links: [front ring, housing], capacity: 300 N*m}
+  lock up: {links: [in, front ring]}
+  P:
+    links: [in, front ring]
+    friction: {radius: 0.1, area: 60 cm^2, surfaces: 8, coefficient: 0.1}
+  W: {links: [wheel, housing], kind: freewheel}
+gears: {low: [B], high: [lock up]}
+"""
+START = "start: {gear: low, speed: 60}"
+
+
+def scenario_file(text: str, case: bytes = CASE) -> ScenarioFile:
+    """A scenario of three lines at least; the texts of tests begin at line 4."""
+    document = read_scenario(f"case: box.yaml\nduration: 6\n{text}".encode(), "shift.yaml")
+    return document.with_case(readers.read(case, "box.yaml"))
+
+
+def scenario(text: str) -> Scenario:
+    return scenario_file(f"{START}\n{text}").scenario
+
+
+def test_all_forms_of_controls() -> None:
+    read = scenario("""controls:
+  B: [[0, 30 kgf*m], [2000 ms, 3/10*1000], [2, 0]]
+  lock up: {formula: "182*(1 - exp(-60*t))", scale: 0.9}
+  P: {points: [[0, 2 bar], [1, 84e-5]]}
+""")
+    assert read.controls == {
+        1: Capacity(Points((0.0, 2.0, 2.0), (30 * 9.80665, 300.0, 0.0))),
+        2: Capacity(Formula("182*(1 - exp(-60*t))"), 0.9),
+        3: Capacity(Points((0.0, 1.0), (2e5, 84e-5))),
+    }
+    assert scenario("controls: {B: 200 N*m, lock up: t}").controls == {
+        1: Capacity(constant(200.0)),
+        2: Capacity(Formula("t")),
+    }
+    read = scenario("controls: {B: {dog: [[1.5, closed], [2, open]]}, P: {formula: 1 MPa}}")
+    assert read.controls == {
+        1: Dog(((1.5, True), (2.0, False))),
+        3: Capacity(constant(1e6)),
+    }
+
+
+def test_all_forms_of_torques() -> None:
+    read = scenario("""torques:
+  in: 1.5 kN*m
+  front ring: [[0, 100], [1, 200]]
+  wheel:
+    - -1200*tanh(speed/0.05)
+    - {resistance: 300}
+    - {over: speed, points: [[600 rpm, 900], [200, 1 kN*m]]}
+    - {over: angle, points: [[90 deg, 1]]}
+    - [[0, 5], [1, 6]]
+    - {road: {mass: 12 t, radius: 500 mm, rolling: 0.012, drag_area: 6.5, slope: 3/100}}
+""")
+    assert read.torques == (
+        (1, constant(1500.0)),
+        (2, Points((0.0, 1.0), (100.0, 200.0))),
+        (3, Formula("-1200*tanh(speed/0.05)")),
+        (3, Resistance(300.0)),
+        (3, Points((20 * math.pi, 200.0), (900.0, 1000.0), "speed")),
+        (3, Points((math.pi / 2,), (1.0,), "angle")),
+        (3, Points((0.0, 1.0), (5.0, 6.0))),
+        (3, Road(12000.0, 0.5, 0.012, 6.5, 0.03)),
+    )
+
+
+def test_what_else_a_scenario_has() -> None:
+    read = scenario_file("""start: {speeds: {in: 600 rpm, wheel: 36 km/h}, engaged: [B], settled: true}
+torques: {wheel: {road: {mass: 1, radius: 0.5}}}
+converters: {TC: {links: [in, wheel], points: [[0, 2.4, 3.1e-3], [.8, 1.0, 0]]}}
+shifts: [{at: 2, to: high, overlap: 300 ms}, {at: 3, to: low}]
+targets: {wheel: [8.3, 50 km/h], in: 4*3}
+samples: {start.speeds.in: {normal: [600 rpm, 6], min: 20}, x: {uniform: [1, 2]}}
+""")
+    assert read.scenario[3:] == (
+        None,
+        ((3, Road(1.0, 0.5)),),
+        (Converter("TC", 1, 3, ((0.0, 2.4, 3.1e-3), (0.8, 1.0, 0.0))),),
+        (Shift(2.0, "high", 0.3), Shift(3.0, "low", 0.0)),
+        {3: (8.3, 50 / 3.6 / 0.5), 1: (12.0,)},
+    )
+    speeds = {1: 20 * math.pi, 3: 20.0}
+    assert read.scenario.start == Start(speeds=speeds, engaged=(1,), settled=True)
+    assert read.samples == {
+        "start.speeds.in": Distribution(normal=(20 * math.pi, 6.0), min=20.0),
+        "x": Distribution(uniform=(1.0, 2.0)),
+    }
+
+
+FAULTS = [
+    ("contrls: {}", "4:1", "unknown key `contrls`; did you mean `controls`?"),
+    ("controls: {C: 3}", "4:12", "read 'C', expected the name of a shift element: B, lock up"),
+    ("controls: {B: [[0, 1], [2, 1], [1, 1]]}", "4:32", "read 1 behind 2, expected points in"),
+    ("controls: {B: [[0, 1], [2, -1]]}", "4:28", "read -1, expected a capacity of 0 or more"),
+    ("controls: {B: -1}", "4:12", "read -1, expected a capacity of 0 or more"),
+    ("controls: {P: -1}", "4:12", "read -1, expected a pressure of 0 or more"),
+    ("controls: {B: 301}", "4:12", "read 301 N*m, expected at most 300 N*m, the capacity in the"),
+    ("controls: {B: {formula: 200, scale: 2}}", "4:12", "read 200 N*m times 2, expected at most"),
+    ("controls: {B: {points: [[0, 400]]}}", "4:12", "expected at most 300 N*m"),
+    ("controls: {B: {points: [[0, 4], [1, 400]]}}", "4:37", "expected at most 300 N*m"),
+    ("controls: {B: {scale: 1}}", "4:15", "read none of them, expected one of `points`, `form"),
+    ("controls: {B: {dog: [[1, open]], points: [[0, 1]]}}", "4:15", "read `points` and `dog`, exp"),
+    ("controls: {B: {dog: [[1, shut]]}}", "4:26", "expected `open` or `closed`"),
+    ("controls: {B: {dog: [[1, open], [0, closed]]}}", "4:33", "expected times in their order"),
+    ("controls: {B: []}", "4:12", "expected points, one at least"),
+    ("controls: {B: 3 bar}", "4:12", "read a number in Pa, expected one in N*m, since B has no"),
+    ("controls: {P: [[0, 3 N*m]]}", "4:20", "expected one in Pa, since P has `friction`"),
+    ("controls: {B: 3 kg}", "4:15", "expected a number in N*m or Pa, bare or with its unit"),
+    ("controls: {B: 2*(t + speed)}", "4:22", "read `speed`, expected a formula of t"),
+    ("controls: {B: 100 - 60*t}", "4:12", " s, expected 0 to 300, the capacity of the case"),
+    ('controls: {B: "400*(t > 1)"}', "4:12", "gives 400 at 1.0"),
+    ("controls: {B: sqrt(1 - t)}", "4:12", "gives nan at 1.0"),
+    ("controls: {P: 1e5 - 1e5*t}", "4:12", " s, expected 0 or more"),
+    ("controls: {B: .nan}", "4:15", "read `.`, expected a number, t, or"),
+    ("controls: {W: 3}", "4:12", "is a freewheel, which finds by itself whether it holds"),
+    ("controls: [3]", "4:11", "expected a mapping: a number for each shift element"),
+    ("torques: {wheels: 3}", "4:11", "did you mean `wheel`?"),
+    ("torques: {housing: 3}", "4:10", "read the housing, expected a link that can turn"),
+    ('torques: {in: "1 + tt"}', "4:20", "read `tt`, expected a formula of t, speed and angle"),
+    ("torques: {in: [[0, 1], [1, 2, 3]]}", "4:24", "read a list of 3, expected 2 numbers"),
+    ("torques: {in: [3, {resistance: -1}]}", "4:32", "read -1, expected a torque of 0 or more"),
+    ("torques: {in: {over: speed, resistance: 1}}", "4:15", "read `over` beside `resistance`"),
+    ("torques: {in: {over: speed, points: [[1 s, 2]]}}", "4:39", "the points are over speed"),
+    ("torques: {in: {road: {mass: 1}}}", "4:22", "`radius` is missing"),
+    ("torques: {in: {road: {mass: 1, radius: 0}}}", "4:40", "read 0, expected a radius above 0"),
+    ("torques: {in: {road: {mass: 1, radius: 1, slope: 3}}}", "4:50", "the sine of an angle"),
+    ("converters: {B: {links: [in, wheel], points: [[0, 1, 1]]}}", "4:14", "of another device"),
+    ("converters: {T: {links: [in, in], points: [[0, 1, 1]]}}", "4:25", "two different links"),
+    ("converters: {T: {links: [in, weel], points: [[0, 1, 1]]}}", "4:30", "did you mean `wheel`"),
+    (
+        "converters: {T: {links: [in, housing], points: [[0, 1, 1]]}}",
+        "4:30",
+        "a link that can turn",
+    ),
+    ("converters: {T: {links: [in, wheel], points: []}}", "4:46", "read no points"),
+    ("converters: {T: {links: [in, wheel], points: [[1, 1, 1], [0, 1, 1]]}}", "4:58", "in their"),
+    ("converters: {T: {links: [in, wheel], points: [[0, 1, -1]]}}", "4:54", "lambda of 0 or more"),
+    ("shifts: [{at: 1, to: hih}]", "4:22", "expected the name of a gear; did you mean `high`?"),
+    ("shifts: [{at: 2, to: low}, {at: 1, to: high}]", "4:33", "expected shifts in their order"),
+    ("shifts: [{at: 2, to: low, overlap: -1}]", "4:36", "read -1, expected a time of 0 or more"),
+    ("shifts: [{to: low}]", "4:10", "`at` is missing"),
+    ("targets: {in: 50 km/h}", "4:11", "a velocity belongs to a link with a `road`"),
+    ("samples: {x: {normal: [0, -1]}}", "4:23", "expected a standard deviation of 0 or more"),
+    ("samples: {x: {normal: [0, 1], min: 3}}", "4:23", "expected one from min to max"),
+    ("samples: {x: {min: 3}}", "4:14", "expected one of `normal`, `lognormal` or `uniform`"),
+]
+
+
+@pytest.mark.parametrize(("text", "place", "message"), FAULTS)
+def test_a_fault_is_told_once_at_its_place(text: str, place: str, message: str) -> None:
+    with pytest.raises(ReadError) as caught:
+        scenario(text)
+    [problem] = caught.value.problems
+    assert message in problem.message
+    assert str(problem).startswith(f"shift.yaml:{place}: error: ")
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("{case: box.yaml, duration: 6}", "`start` is missing"),
+        ("{case: box.yaml, duration: 0, start: {gear: low}}", "read 0, expected a time above 0"),
+        ("{case: box.yaml, duration: 6, start: {}}", "expected `gear`, or `speeds` that determine"),
+        ("{duration: 6, start: {gear: low, speeds: {in: 3}}}", "read `gear` beside `speeds`"),
+        ("{duration: 6, start: {speed: 3, speeds: {in: 3}}}", "read `speed` without `gear`"),
+        ("{duration: 6, start: {gear: slow}}", "did you mean `low`?"),
+        ("{duration: 6, start: {speeds: {in: 3 N}}}", "expected a number in rad/s or m/s"),
+        ("[]", "read a list, expected a scenario"),
+        (CASE.decode(), "this is a case, expected a scenario: a mapping with `case`"),
+    ],
+)
+def test_what_is_no_scenario(text: str, message: str) -> None:
+    with pytest.raises(ReadError) as caught:
+        read_scenario(text.encode(), "x.yaml").with_case(readers.read(CASE, "box.yaml"))
+    [problem] = caught.value.problems
+    assert message in problem.message
+
+
+def test_all_faults_are_told_together() -> None:
+    with pytest.raises(ReadError) as caught:
+        scenario("controls: {B: -1, X: 2}\ntorques: {in: x}\nshifts: [{at: -1, to: x}]")
+    assert [one.place.line for one in caught.value.problems if one.place] == [4, 4, 5, 6, 6]
+
+
+def test_the_case_is_found_beside_the_scenario_or_given(tmp_path: Path) -> None:
+    (tmp_path / "box.yaml").write_bytes(CASE)
+    (tmp_path / "other.yaml").write_bytes(CASE.replace(b"low", b"first"))
+    file = tmp_path / "shift.yaml"
+    file.write_text('{"case": "box.yaml", "duration": 6, "start": {"gear": "low"}}')
+    assert load_scenario(file).case.gears[0].name == "low"
+    with pytest.raises(ReadError, match="expected the name of a gear"):
+        load_scenario(file, tmp_path / "other.yaml")
+    file.write_text("{case: bax.yaml, duration: 6, start: {gear: low}}")
+    with pytest.raises(ReadError, match=r"shift.yaml:1:8: error: .*bax.yaml can't be read"):
+        load_scenario(file)
+    file.write_text("{duration: 6, start: {gear: low}}")
+    with pytest.raises(ReadError, match="`case` is missing: the file of the case"):
+        load_scenario(file)
+
+
+def test_names_of_a_drawn_case() -> None:
+    """Links of planets are none of the case's own."""
+    case = b"""
+input: in
+output: out
+elements: {P: {kind: planetary, sun: in, ring: held, carrier: out, teeth: {sun: 30, ring: 70}}}
+shift_elements: {"B 1": [held, housing]}
+gears: {"1": [B 1]}
+"""
+    read = scenario_file('start: {gear: 1}\ncontrols: {"B 1": 3}\ntorques: {out: 3}', case)
+    out = read.scenario.case.link_number("out")
+    assert read.scenario.torques == ((out, constant(3.0)),)
+    with pytest.raises(ReadError, match="expected the name of a link"):
+        scenario_file("start: {gear: 1}\ntorques: {4: 1}", case)
+    assert read.scenario.controls == {1: Capacity(constant(3.0))}
+
+
+def test_capacities_and_drag_with_a_unit_need_no_load_where_there_are_inertias() -> None:
+    case = b"""
+links: [a, b]
+inertias: {a: 1, b: 3}
+shift_elements: {C: {links: [a, b], capacity: 20 N*m, drag: 2 N*m}}
+gears: {"1": {engaged: [C]}}
+"""
+    read = readers.read(case, "box.yaml").case
+    written = readers.read(named.write_yaml(read).encode(), "box.yaml").case
+    for one in (read, written):
+        assert newton_metres(one.shift_elements[0].capacity, one) == 20
+        assert [drag.torque for drag in drags(one, None)] == [2]
+        [told] = [str(one) for one in solve(one).messages if "drag" in str(one)]
+        assert told == "warning: the drag of C has a unit, but the case no load: it is left out"
+
+
+def test_a_dog_clutch_takes_no_capacity() -> None:
+    case = CASE.replace(b"lock up: {links", b"lock up: {kind: dog_clutch, links")
+    with pytest.raises(ReadError, match="a dog clutch, which has no friction"):
+        _ = scenario_file(f"{START}\ncontrols: {{lock up: 100}}", case).scenario

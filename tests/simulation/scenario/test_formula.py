@@ -1,0 +1,98 @@
+"""Formulas of a scenario: values by Python's own arithmetic, mistakes at their places."""
+
+from __future__ import annotations
+
+import math
+import pickle
+
+import pytest
+
+from vstatics import ReadError
+from vstatics.readers.expressions.excerpt import Excerpt
+from vstatics.simulation.scenario.formula import Formula, read_formula
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("182*(1 - exp(-60*t))", 182 * (1 - math.exp(-30))),
+        ("-1200*tanh(speed/0.05)", -1200 * math.tanh(-7 / 0.05)),
+        ("84e-5*speed^2", 84e-5 * 49),
+        ("-2^2 + 2**3^2 + 2^-1", -4 + 2**9 + 0.5),
+        ("speed^2^0.5", math.nan),
+        ("2^2^0.5*sign(speed)", -(2 ** math.sqrt(2))),
+        ("abs(speed)^1.5", 7**1.5),
+        ("min(t, speed, angle) + max(3) - sqrt(16)", -8.0),
+        ("sin(2*pi*t) + cos(angle)", math.sin(math.pi) + math.cos(3)),
+        ("100*(0 < t <= 0.5) + (t > 1 or not angle > 3)", 101.0),
+        ("1/(1 + exp(2000*t))", 0.0),
+        ("1/0", math.inf),
+        ("0/0", math.nan),
+        ("sqrt(speed)", math.nan),
+        ("10^400", math.inf),
+        ("min(1/0, 5)", 5.0),
+    ],
+)
+def test_values(text: str, expected: float) -> None:
+    value = Formula(text).function(0.5, -7.0, 3.0)
+    assert value == pytest.approx(expected, rel=1e-14, abs=1e-14, nan_ok=True)
+    assert type(value) is float
+
+
+def test_what_it_has() -> None:
+    assert Formula("sin(angle)*t + pi").variables == {"t", "angle"}
+    assert Formula("3").variables == frozenset()
+    assert pickle.loads(pickle.dumps(Formula("t"))) == Formula("t")  # noqa: S301
+    assert len({Formula("t"), Formula("t")}) == 1
+
+
+@pytest.mark.parametrize(
+    ("text", "times"),
+    [
+        ("min(t/0.3, 1)*9000", (0.3,)),
+        ("100*(1 < t <= 2) + sign(3 - t)", (1.0, 2.0, 3.0)),
+        ("max(-t*4 + 8, t - 2, 1)", (1.75, 2.0, 3.0)),
+        ("abs(2*pi*t - 4*pi)", (2.0,)),
+        ("min(t^2, 4) + min(speed, t) + min(1, 2) + abs(t - t)", ()),
+        ("t < 1e308*10", ()),
+    ],
+)
+def test_where_it_bends_or_jumps(text: str, times: tuple[float, ...]) -> None:
+    assert Formula(text).breaks == pytest.approx(times)
+
+
+@pytest.mark.parametrize(
+    ("text", "column", "message"),
+    [
+        ("2*tt", 3, "read `tt`, expected a formula of t, speed and angle"),
+        (
+            "tanch(speed)",
+            1,
+            "there is no function `tanch`, expected abs, min, max, sqrt, exp, tanh",
+        ),
+        ("t.real", 1, "read `t.real`, expected a number, t, speed or angle, or a function"),
+        ("speed[out]", 1, "read `[` behind `speed`, expected speed alone: that of the link itself"),
+        ("exp(1, 2)", 1, "exp of 2 parts, expected one, as in exp(t)"),
+        ("__import__('os')", 1, "there is no function `__import__`"),
+        ("exp + 1", 5, "`exp` is a function, expected `(` behind it, such as exp(t)"),
+        ("2*(t", 5, "a bracket `(` is not closed"),
+        ("", 1, "read nothing, expected a number, t, speed or angle"),
+        ("lambda: 0", 1, "which this language does not have"),
+        ("(" * 60 + "t", 51, "more than 50 brackets are open"),
+        ("0<" + "(0<" * 20 + "t" + "<1)" * 20, 32, "too many comparisons, one inside another"),
+        ("1" * 3000, 1, "read 3000 characters"),
+    ],
+)
+def test_mistakes(text: str, column: int, message: str) -> None:
+    with pytest.raises(ReadError) as caught:
+        Formula(text).function(0.0, 0.0, 0.0)
+    [problem] = caught.value.problems
+    assert message in problem.message
+    assert problem.place is not None
+    assert problem.place.column == column
+
+
+def test_a_control_is_a_formula_of_time_alone() -> None:
+    with pytest.raises(ReadError, match="read `speed`, expected a formula of t"):
+        read_formula(Excerpt("3*speed", "FH"), ["t"])
+    assert read_formula(Excerpt(" 3*t ", "FH"), ["t"]) == Formula("3*t")

@@ -1,0 +1,133 @@
+"""Numbers of a scenario and of its case by their paths: found, replaced, refused."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.sweep.scenarios import CASE, subject
+from vstatics.errors import ReadError
+from vstatics.simulation.scenario.laws import Points
+from vstatics.simulation.scenario.parts import Capacity
+from vstatics.sweep import build
+from vstatics.sweep.options import SweepOptions
+from vstatics.sweep.variants.variation import read_variation
+
+
+@pytest.mark.parametrize(
+    ("text", "name", "value"),
+    [
+        ("duration", "duration", 0.6),
+        ("controls.brake.1.2", "controls.brake.1.2", 120.0),
+        ("controls.brake.points.1.2", "controls.brake.points.1.2", 120.0),
+        ("torques.sun", "torques.sun", 40.0),
+        ("targets.carrier.2", "targets.carrier.2", 20.0),
+        ("start.speeds.sun [rpm]", "start.speeds.sun [rpm]", 500.0),
+        ("inertias.ring", "inertias.ring", 0.7),
+        ("ring.inertia", "inertias.ring", 0.7),
+        ("mechanisms.set.ratio", "mechanisms.set.ratio", -1.5),
+        ("set.ratio", "mechanisms.set.ratio", -1.5),
+        ('controls."lock-up".scale', "controls.lock-up.scale", None),
+        ("shift_elements.brake.static", "shift_elements.brake.static", None),
+    ],
+)
+def test_a_path_names_a_number_of_the_scenario_or_its_case(
+    text: str, name: str, value: float | None
+) -> None:
+    varied = subject()
+    path = varied.target(text)
+    assert path.name == name
+    if value is not None:
+        assert varied.written_number(path, None) == value
+
+
+def test_a_variant_is_the_documents_with_other_numbers() -> None:
+    varied = subject()
+    names = (
+        "duration",
+        "controls.brake.1.2",
+        "controls.lock-up.scale",
+        "shift_elements.brake.static",
+        "ring.inertia",
+        "start.speeds.sun [rpm]",
+    )
+    paths = [varied.target(name) for name in names]
+    made = varied.variant(paths, [2.0, 99.5, 0.5, 1.25, 0.1, 30.0]).scenario
+    assert made.duration == 2.0
+    assert made.controls is not None
+    assert made.controls[1] == Capacity(Points((0.0,), (99.5,)))
+    assert made.controls[2].scale == 0.5  # type: ignore[union-attr]
+    assert made.case.shift_elements[0].static == 1.25
+    assert made.case.inertias == {1: 0.5, 2: 0.1, 3: 0.8}
+    assert made.start.speeds[1] == pytest.approx(3.14159265358979)
+    own = varied.own.scenario
+    assert (own.duration, own.case.inertias[2]) == (0.6, 0.7)
+
+
+def test_counts_of_teeth_vary_as_whole_numbers() -> None:
+    case = b"""
+links: [s, r, c]
+input: s
+output: c
+inertias: {s: 1, r: 1, c: 1}
+elements: {P1: {kind: planetary, sun: s, ring: r, carrier: c, teeth: {sun: 30, ring: 60}}}
+shift_elements: {B: [r, housing]}
+gears: {"1": [B]}
+"""
+    teeth = subject(b"{case: x, duration: 1, start: {gear: '1'}}", case)
+    path = teeth.target("elements.P1.teeth.ring")
+    assert teeth.variant([path], [90.0]).scenario.case.mechanisms[0].ratio == -3.0
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("control.brake.1.2=1,2", "a key `control`; did you mean `controls`?"),
+        ("controls.brake.2.1=1,2", "1:16: error: read `2`, expected the number of an item, 1 to 1"),
+        ("controls.lock-up=1,2", "`controls.lock-up` is a formula, '0*t', expected a number"),
+        ("start=1,2", "`start` is a mapping: name a number in it"),
+        ("start.speeds.sun=1,2", "is in rpm in the document, so its values need their unit"),
+        ("duration=1 s:2 min:3", "read values in s and min, expected one unit for all"),
+        ("duration [s]=1 min,2", "read values in min, expected them in s"),
+        ("duration", "read `duration` without values, expected duration="),
+        ("D9.ratio=1,2", "neither the scenario nor its case has a key `D9`"),
+    ],
+)
+def test_what_there_is_not_is_told_with_its_place(text: str, said: str) -> None:
+    with pytest.raises(ReadError) as caught:
+        read_variation(text, subject())
+    assert said in str(caught.value)
+    assert caught.value.problems[0].place is not None
+
+
+def test_a_unit_may_stand_behind_some_values_and_holds_for_all() -> None:
+    read = read_variation("start.speeds.sun=500 rpm:700 rpm:3", subject())
+    assert read.target.name == "start.speeds.sun [rpm]"
+    assert read_variation("start.speeds.sun=500:700:3 rpm", subject()).target == read.target
+    assert read_variation("start.speeds.sun [rpm]=500,700", subject()).target == read.target
+
+
+def test_a_key_that_a_document_cannot_have_is_told_before_anything_is_calculated() -> None:
+    """A number that is not written may be added where the document may have it."""
+    for name, known in (("controls.brake.scal", "scale"), ("start.speeds.sum", "sun")):
+        with pytest.raises(ReadError, match=f"did you mean `{known}`"):
+            build.plan(subject(), SweepOptions.of(vary=[f"{name}=1,2"]))
+    made = build.plan(subject(), SweepOptions.of(vary=["controls.brake.scale=1,2"]))
+    assert made.names == ("controls.brake.scale",)
+
+
+def test_no_number_varies_twice_whatever_it_is_called() -> None:
+    vary = ["set.ratio=-2,-3", "mechanisms.set.ratio=-2,-3"]
+    with pytest.raises(ReadError, match="is varied twice"):
+        build.plan(subject(), SweepOptions.of(vary=vary))
+
+
+def test_of_a_deck_no_numbers_vary() -> None:
+    from tests.commands import MZKT
+
+    data = MZKT.read_bytes()
+    varied = subject(b"{case: x, duration: 1, start: {gear: '1'}}", data)
+    varied = type(varied)(varied.scenario, varied.case._replace(file="mzkt.dat"))
+    assert varied.trees.case is None
+    with pytest.raises(ReadError, match="numbers of a case vary where it is in YAML or JSON"):
+        varied.target("D1.ratio")
+    assert subject(case=CASE).trees.case is not None

@@ -1,0 +1,314 @@
+"""A table of variants from a CSV: what is taken, what is refused and where, what is left."""
+
+from __future__ import annotations
+
+import contextlib
+import io
+import multiprocessing
+import os
+import pickle
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from tests.sweep.sweeps import CASE, in_parts
+from vstatics.errors import Place, ReadError
+from vstatics.jobs.spool import PREFIX, Spool
+from vstatics.numerics.arrays import Floats
+from vstatics.sweep.variants import table as tables
+from vstatics.sweep.variants.numbered import VariantPart, VariantTable
+from vstatics.sweep.variants.table import load_table, read_table
+from vstatics.sweep.variants.targets import Target
+
+
+def read(data: bytes | str, folder: Path | None = None) -> VariantTable:
+    encoded = data.encode() if isinstance(data, str) else data
+    with pytest.MonkeyPatch.context() as patch:
+        if folder is not None:
+            patch.setattr(tempfile, "tempdir", str(folder))
+        return read_table(io.BytesIO(encoded), "own.csv", CASE)
+
+
+def rows(data: bytes | str) -> list[list[float]]:
+    table = read(data)
+    return [list(row) for row in table.block(0, table.count).tolist()]
+
+
+def refusal(data: bytes | str) -> list[tuple[int, int, str]]:
+    with pytest.raises(ReadError) as caught:
+        read(data)
+    told = []
+    for problem in caught.value.problems:
+        assert problem.place is not None
+        assert problem.place.file == "own.csv"
+        told.append((problem.place.line, problem.place.column, problem.message))
+    return told
+
+
+@pytest.fixture
+def spooled(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Path:
+    """A folder for temporary files, where even small tables are kept, read in small pieces."""
+    monkeypatch.setattr(tables, "_IN_MEMORY", 4)
+    monkeypatch.setattr(tables, "_PIECE", 64)
+    return tmp_path
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "D1.ratio,D1.efficiency\n-2.5,.96\n-3,0.97\n",
+        "D1.ratio,D1.efficiency\n-2.5,.96\n-3,0.97",
+        "D1.ratio,D1.efficiency\r\n-2.5,.96\r\n-3,0.97\r\n",
+        "\ufeffD1.ratio,D1.efficiency\n-2.5,.96\n-3,0.97\n",
+        "D1.ratio;D1.efficiency\n-2.5;.96\n-3;0.97\n",
+        "D1.ratio;D1.efficiency\n-2,5;,96\n-3;0,97\n",
+        " D1.ratio , #1.efficiency\n -2.5 , .96 \n -3 , 0.97\n",
+        '"D1.ratio","D1.efficiency"\n"-2.5",".96"\n-3,"0.97"\n',
+        "variant,D1.ratio,D1.efficiency\n0,-2.5,.96\n1,-3,0.97\n",
+        "D1.ratio,variant,D1.efficiency\n-2.5,first one,.96\n-3,,0.97\n",
+        "D1.ratio,D1.efficiency\n\n-5/2,.96\n  \n-3,97/100\n\n",
+        "D1.ratio,D1.efficiency\n-25E-1,96e-2\n-3,0.97\n",
+    ],
+)
+def test_a_table_as_people_write_it(text: str) -> None:
+    table = read(text)
+    assert [target.name for target in table.targets] == ["D1.ratio", "D1.efficiency"]
+    assert table.block(0, table.count).tolist() == [[-2.5, 0.96], [-3, 0.97]]
+
+
+def test_columns_stand_in_any_order_and_names_may_be_odd() -> None:
+    table = read('1.ratio,"D.2=x.ratio",D1.efficiency\n3,2,1\n')
+    owners = [one.owner for one in table.targets if isinstance(one, Target)]
+    assert owners == [2, 1, 0]
+    assert table.block(0, 1).tolist() == [[3, 2, 1]]
+    assert rows("D1.ratio\n-2\n-3\n") == [[-2], [-3]]
+
+
+def test_what_can_be_no_ratio_is_left_to_the_result() -> None:
+    """A variant that is none becomes a row marked so; see STATUS in chunk.py."""
+    assert rows("D1.ratio\n0\n1\ninf\n-inf\n") == [[0], [1], [np.inf], [-np.inf]]
+    assert np.isnan(rows("D1.ratio\nnan\n")).all()
+
+
+@pytest.mark.parametrize(
+    ("text", "line", "column", "words"),
+    [
+        ("", 1, 1, "read an empty line, expected names such as D1.ratio"),
+        ("\n1\n", 1, 1, "read an empty line"),
+        ("D1.ratio\n", 0, 0, "there is no variant, expected a line of numbers"),
+        ("D1.ratio\n\n \n", 0, 0, "there is no variant"),
+        ("variant\n1\n", 1, 1, "no column is a number of the case"),
+        ("D1.ratio, D1.ratoi\n1,2\n", 1, 14, "read `ratoi`, expected `ratio` or `efficiency`; did"),
+        ("D1.ratio,D4.ratio\n1,2\n", 1, 10, "there is no mechanism `D4`"),
+        ("varaint,D1.ratio\n1,2\n", 1, 1, "did you mean `variant`?"),
+        ("D1.ratio,\n1,2\n", 1, 10, "read nothing, expected a mechanism"),
+        ("D1.ratio,#1.ratio\n1,2\n", 1, 10, "D1.ratio has a column already"),
+        ("12\n34\n", 1, 1, "expected a mechanism"),
+        ("D1.ratio,1.ratio\n1,2\n3, x\n", 3, 4, "1.ratio: read `x`, expected a number"),
+        ("D1.ratio,1.ratio\n1,\n", 2, 3, "1.ratio: read nothing, expected a number"),
+        ("D1.ratio,1.ratio\n1,2\n3\n", 3, 2, "read 1 number, expected 2 as in the first line"),
+        ("D1.ratio,1.ratio\n1,2,3\n", 2, 5, "read 3 numbers, expected 2 as in the first line"),
+        ("D1.ratio,1.ratio\n1,5,2,5\n", 2, 5, "semicolons have to separate the numbers"),
+        ("D1.ratio;1.ratio\n1;2;3\n", 2, 5, "read 3 numbers"),
+        ("D1.ratio\n1\n1_0\n", 3, 1, "read `1_0`"),
+        ("D1.ratio\n1\n1d0\n", 3, 1, "read `1d0`"),
+        ("D1.ratio\n1\n1e999\n", 3, 1, "expected a number that is not so large"),
+        ("D1.ratio\n1\r2\n", 2, 1, "expected a number"),
+        ("D1.ratio\n# 1\n2\n", 2, 1, "read `# 1`"),
+        ("D1.ratio\n\n\n1\n\nx\n", 6, 1, "read `x`"),
+    ],
+)
+def test_what_is_wrong_is_told_with_its_place(
+    text: str, line: int, column: int, words: str
+) -> None:
+    ((found_line, found_column, message),) = refusal(text)
+    assert words in message
+    assert (found_line, found_column) == (line, column)
+
+
+def test_all_that_is_wrong_is_told() -> None:
+    told = refusal("D1.ratio,1.ratio\nx,y\n1,2\n3\n")
+    assert [place[:2] for place in told] == [(2, 1), (2, 3), (4, 2)]
+    told = refusal("D9.ratio,D1.ratio,D8.ratio\n")
+    assert [place[:2] for place in told] == [(1, 1), (1, 19)]
+    assert len(refusal("D1.ratio\n" + "x\n" * 10_000)) == 100
+    assert len(refusal("x," * 10_000 + "D1.ratio\n1\n")) == 100
+
+
+@pytest.mark.parametrize(
+    ("data", "place"),
+    [
+        ("D1.ratio\n-2\n".encode("utf-16"), (1, 1)),
+        ("D1.ratio\n-2\n-3 é\n".encode("latin-1"), (3, 4)),
+    ],
+)
+def test_other_encodings_are_refused(data: bytes, place: tuple[int, int]) -> None:
+    told = refusal(data)
+    assert told[0] == (*place, "the file is not UTF-8; save the table as CSV in UTF-8")
+
+
+def test_a_file_of_one_line_without_end(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(tables, "_LONGEST", 1000)
+    monkeypatch.setattr(tables, "_PIECE", 64)
+    ((line, column, message),) = refusal("D1.ratio\n" + "1" * 5000)
+    assert (line, column) == (2, 1)
+    assert "longer than 1000 bytes" in message
+
+
+def test_the_line_is_right_in_any_piece(spooled: Path) -> None:
+    text = "D1.ratio\n" + "".join(f"{number}\n\n" for number in range(500))
+    assert refusal(text + "x\n") == [
+        (1002, 1, "D1.ratio: read `x`, expected a number or a calculation such as -96/39")
+    ]
+    assert not list(spooled.iterdir())
+
+
+NUMBERS = st.lists(
+    st.tuples(st.floats(allow_nan=False), st.floats(allow_nan=False)), min_size=1, max_size=40
+)
+
+
+@given(NUMBERS, st.lists(st.integers(0, 40)), st.sampled_from(["\n", "\r\n"]))
+def test_numbers_come_back_to_the_bit(
+    numbers: list[tuple[float, float]], cuts: list[int], end: str
+) -> None:
+    lines = ["D1.ratio,1.ratio", *(f"{one!r},{two!r}" for one, two in numbers)]
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(tables, "_IN_MEMORY", 8)
+        patch.setattr(tables, "_PIECE", 100)
+        with contextlib.closing(read(end.join(lines))) as table:
+            assert in_parts(table, cuts).tolist() == [list(row) for row in numbers]
+
+
+@settings(max_examples=120)
+@given(st.binary(max_size=60), st.binary(max_size=60))
+def test_any_bytes_give_a_table_or_problems(head: bytes, rest: bytes) -> None:
+    for data in (head + rest, b"D1.ratio,1.ratio\n" + rest, b"D1.ratio;1.ratio\n1;2\n" + rest):
+        with contextlib.suppress(ReadError):
+            assert read(data).count > 0
+
+
+BIG = "variant,D1.ratio,1.ratio\n" + "".join(f"{n},{n}.5,-{n}\n" for n in range(200))
+EXPECTED: Floats = np.array([[n + 0.5, -float(n)] for n in range(200)])
+
+
+def test_a_large_table_lies_in_a_temporary_file(spooled: Path) -> None:
+    with contextlib.closing(read(BIG, spooled)) as table:
+        (file,) = spooled.iterdir()
+        assert file.name.startswith(PREFIX)
+        assert file.stat().st_size == EXPECTED.nbytes
+        assert table.count == 200
+        assert np.array_equal(table.block(0, 200), EXPECTED)
+        block = table.block(150, 200)
+        assert np.array_equal(block, EXPECTED[150:])
+        assert block.flags.f_contiguous
+        assert block.flags.writeable
+    assert not list(spooled.iterdir())
+    with pytest.raises(ReadError, match="temporary copy of the table can't be read: No such file"):
+        table.block(0, 1)
+
+
+def test_the_digest_is_that_of_the_numbers(spooled: Path) -> None:
+    with contextlib.closing(read(BIG, spooled)) as large:
+        assert large.digest == VariantTable(large.targets, EXPECTED).digest
+        assert large.digest == read(BIG.replace(".5,", ".50,")).digest
+        assert large.digest != read(BIG.replace(".5,", ".6,")).digest
+
+
+def test_copies_read_the_same_file_and_leave_it(spooled: Path) -> None:
+    with contextlib.closing(read(BIG, spooled)) as table:
+        pickled = pickle.dumps(table)
+        assert len(pickled) < 1000
+        copy = pickle.loads(pickled)  # noqa: S301
+        assert np.array_equal(copy.block(7, 9), EXPECTED[7:9])
+        copy.close()
+        del copy
+        assert len(list(spooled.iterdir())) == 1
+        part = pickle.loads(pickle.dumps(VariantPart(table, 100, 110)))  # noqa: S301
+    assert np.array_equal(part.block(102, 104), EXPECTED[102:104])
+
+
+@pytest.mark.parametrize("method", ["spawn", "forkserver"])
+def test_other_processes_read_it(spooled: Path, method: str) -> None:
+    if method not in multiprocessing.get_all_start_methods():
+        pytest.skip(f"there is no {method} here")
+    with contextlib.closing(read(BIG, spooled)) as table:
+        with multiprocessing.get_context(method).Pool(1) as pool:
+            assert np.array_equal(pool.apply(table.block, (3, 6)), EXPECTED[3:6])
+            pool.close()
+            pool.join()
+        assert np.array_equal(table.block(3, 6), EXPECTED[3:6])
+
+
+def test_the_file_goes_with_its_owner(spooled: Path) -> None:
+    table = read(BIG, spooled)
+    assert len(list(spooled.iterdir())) == 1
+    del table
+    assert not list(spooled.iterdir())
+
+
+def test_the_file_goes_with_the_process(tmp_path: Path) -> None:
+    program = (
+        "import numpy; from vstatics.jobs.spool import Spool\n"
+        "spool = Spool(1); spool.write(numpy.ones((5, 1)))\n"
+        "print(spool.take(4, 5))"
+    )
+    own = {"PYTHONPATH": os.pathsep.join(sys.path), "TMPDIR": str(tmp_path)}
+    said = subprocess.run(
+        [sys.executable, "-c", program], capture_output=True, check=True, env={**os.environ, **own}
+    )
+    assert said.stdout == b"[[1.]]\n"
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_file_that_was_cut_off_is_noticed(spooled: Path) -> None:
+    with contextlib.closing(read(BIG, spooled)) as table:
+        (file,) = spooled.iterdir()
+        os.truncate(file, EXPECTED.nbytes - 8)
+        assert np.array_equal(table.block(0, 199), EXPECTED[:199])
+        with pytest.raises(ReadError, match="it is cut off; start the sweep again"):
+            table.block(0, 200)
+
+
+def test_a_folder_that_cannot_be_written(spooled: Path) -> None:
+    with pytest.raises(ReadError) as caught:
+        read(BIG, spooled / "nowhere")
+    message = str(caught.value)
+    assert (
+        "temporary files: error: the temporary copy of the table can't be written: No such"
+        in message
+    )
+    assert "set TMPDIR to another folder" in message
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="there is no /dev/full here")
+def test_a_full_disk_leaves_no_file(spooled: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(tempfile, "tempdir", str(spooled))
+    spool = Spool(2)
+    spool.path = "/dev/full"
+    with pytest.raises(ReadError, match="can't be written: No space left on device; make room"):
+        spool.write(EXPECTED)
+    assert not list(spooled.iterdir())
+
+
+def test_a_fault_far_down_leaves_no_file(spooled: Path) -> None:
+    with pytest.raises(ReadError, match=r"own\.csv:202:3: error: D1\.ratio: read `x`"):
+        read(BIG + "0,x,1\n", spooled)
+    assert not list(spooled.iterdir())
+
+
+def test_a_file_of_that_name(tmp_path: Path) -> None:
+    file = tmp_path / "own.csv"
+    file.write_text(BIG, encoding="utf-8")
+    assert load_table(str(file), CASE).count == 200
+    with pytest.raises(ReadError) as caught:
+        load_table(str(tmp_path / "other.csv"), CASE)
+    (problem,) = caught.value.problems
+    assert problem.message == "can't be read: No such file or directory"
+    assert problem.place == Place(str(tmp_path / "other.csv"), 0, 0)

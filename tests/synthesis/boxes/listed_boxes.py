@@ -1,0 +1,49 @@
+"""Documents of found boxes for tests of pictures and pages: gearboxes that are built."""
+
+from __future__ import annotations
+
+import copy
+import json
+from functools import cache
+from typing import Any
+
+from tests.synthesis.boxes import hand_boxes
+from vstatics.synthesis.boxes.box import BoxSearch, FoundBox
+from vstatics.synthesis.boxes.choice import BoxFilter, ranked
+from vstatics.synthesis.boxes.document import box_document
+from vstatics.synthesis.boxes.figures import measured
+
+
+@cache
+def _text(search: BoxSearch, box: FoundBox) -> str:
+    found = ranked(search, [measured(search, box, 0.98)], BoxFilter())
+    return json.dumps(box_document(27_885, found))
+
+
+def simpson() -> dict[str, Any]:
+    """One box, of two sets."""
+    document: dict[str, Any] = json.loads(
+        _text(hand_boxes.SIMPSON_SEARCH, hand_boxes.SIMPSON),
+    )
+    return document
+
+
+def zf_6hp() -> dict[str, Any]:
+    """One box, with meshed planets and a sun that is held for good."""
+    document: dict[str, Any] = json.loads(_text(hand_boxes.ZF_6HP_SEARCH, hand_boxes.ZF_6HP))
+    return document
+
+
+def many(count: int) -> dict[str, Any]:
+    """So many boxes in families of three, of which two coincide; every fifth family is best."""
+    document = simpson()
+    first = document["boxes"][0]
+    document["boxes"] = [copy.deepcopy(first) for _ in range(count)]
+    for number, box in enumerate(document["boxes"]):
+        family, member = divmod(number, 3)
+        box["family"] = family + 1
+        box["pareto"] = family % 5 == 0 and member == 0
+        box["loss"] = 0.01 + 0.002 * (family % 7) + 0.0001 * family
+        box["torque"] = 2.0 + 0.3 * (family % 11) + 0.01 * (member == 2)
+    document |= {"found": count, "families": -(-count // 3)}
+    return document

@@ -1,0 +1,108 @@
+"""What can't be searched for is told with the option that has the mistake.
+
+Links: a connected scheme of N sets that leaves two degrees of freedom or more has N + 2 to
+2 N + 1 (docs/synthesis.md, method); one with K held members, in parts or not, up to 3 N - K + 1,
+as no other members need share a link. Elements: brakes on all links but input and output, clutches
+between any two.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import pytest
+
+from vstatics.errors import CaseError
+from vstatics.synthesis.boxes.box import BoxSearch
+from vstatics.synthesis.boxes.checks import check_box_search, elements_there, engaged_range
+
+EIGHT = (4.70, 3.13, 2.10, 1.67, 1.28, 1.0, 0.84, 0.67, -3.30)
+SIMPSON: dict[str, Any] = {
+    "sets": 2,
+    "elements": 4,
+    "engaged": 2,
+    "targets": (2.46, 1.46, 1.0, -2.2),
+}
+
+
+def search(**given: Any) -> BoxSearch:
+    """A search of the eight-speed of four sets, but for what is given."""
+    eight: dict[str, Any] = {"sets": 4, "elements": 5, "engaged": 3, "targets": EIGHT}
+    return BoxSearch(**(eight | given))
+
+
+@pytest.mark.parametrize(
+    "given",
+    [
+        {},
+        {**SIMPSON, "own_input": True},
+        {"sets": 3, "engaged": 2, "fixed": 1, "meshed": 1, "targets": EIGHT[:6]},
+        {"sets": 2, "engaged": 2, "elements": 3, "fixed": 1, "targets": (3.0, 1.0)},
+        {"sets": 1, "elements": 2, "engaged": 1, "targets": (3.0, 1.0)},
+        {"sets": 1, "elements": 2, "engaged": 2, "targets": (1.0,), "own_input": True},
+    ],
+)
+def test_what_gearboxes_have_can_be_asked_for(given: dict[str, Any]) -> None:
+    check_box_search(search(**given))
+
+
+@pytest.mark.parametrize(
+    ("given", "told"),
+    [
+        ({"sets": 0}, "sets: read 0, expected 1 to"),
+        ({"meshed": 5}, "meshed: read 5, expected 0 to 4"),
+        ({"fixed": -1}, "fixed: read -1, expected 0 to 4"),
+        ({"bounds": (1.0, 5.0)}, "bounds: read 1:5, expected two numbers above 1"),
+        ({"bounds": (5.0, 1.4)}, "bounds: read 5:1.4"),
+        ({"bounds": (2.0, math.inf)}, "bounds: read 2:inf"),
+        ({"bounds": (math.nan, 5.0)}, "bounds: read nan:5"),
+        ({"tolerance": 0.0}, "tolerance: read 0, expected a number above 0"),
+        ({"tolerance": math.nan}, "tolerance: read nan"),
+        ({"targets": ()}, "ratios: read none"),
+        ({"targets": (2.0, 0.0)}, "ratios: read 0, expected a ratio of"),
+        ({"targets": (2.0, math.nan)}, "ratios: read nan"),
+        ({"targets": (2.0, 2.0)}, "ratios: read 2 twice"),
+        ({"engaged": 5}, "engaged: read 5, but 4 sets leave 1 to 4"),
+        ({"engaged": 0}, "engaged: read 0, but 4 sets leave 1 to 4"),
+        ({"engaged": 7, "fixed": 2}, "engaged: read 7, but 4 sets with held members leave 1 to 5"),
+        ({**SIMPSON, "engaged": 1, "own_input": True}, "of its own leave 2 or 3 to be engaged"),
+        ({"sets": 1, "fixed": 1, "engaged": 1}, "leaves none to be engaged"),
+        ({"elements": 2}, "elements: read 2, expected 3, which are engaged, to 12"),
+        (
+            {"sets": 1, "engaged": 1, "elements": 5, "targets": (3.0, 1.0)},
+            "elements: read 5, expected 1, which are engaged, to 4, all that there are (1 brake and",
+        ),
+        ({"elements": 4}, "ratios: read 9 ratios, but 4 elements with 3 engaged give 4 gears"),
+        ({"targets": (2.0,)}, "elements: read 5, but 1 gear with 3 engaged can't use more than 3"),
+    ],
+)
+def test_a_mistake_is_told_with_its_option(given: dict[str, Any], told: str) -> None:
+    with pytest.raises(CaseError) as error:
+        check_box_search(search(**given))
+    assert told in str(error.value)
+
+
+def test_several_mistakes_are_told_together() -> None:
+    with pytest.raises(CaseError) as error:
+        check_box_search(search(meshed=9, tolerance=2.0, targets=(0.0, math.inf)))
+    assert [one.path for one in error.value.problems] == [
+        ("meshed",),
+        ("tolerance",),
+        ("ratios",),
+        ("ratios",),
+    ]
+
+
+def test_counts_of_elements() -> None:
+    """Brakes on all but two, clutches between any two, of what can turn.
+
+    Four sets have eight links; Lepelletier seven, of which one is held; Simpson four links and
+    a shaft of its own.
+    """
+    assert elements_there(search()) == (6, 28)
+    lepelletier = search(sets=3, engaged=2, fixed=1, targets=EIGHT[:6])
+    assert lepelletier.links == 7
+    assert elements_there(lepelletier) == (4, 15)
+    assert elements_there(search(**SIMPSON, own_input=True)) == (3, 10)
+    assert engaged_range(search(**SIMPSON, own_input=True)) == range(2, 4)

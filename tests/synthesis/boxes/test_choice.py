@@ -1,0 +1,221 @@
+"""Found boxes side by side: what is one box, families, the Pareto list, filters, the document."""
+
+from __future__ import annotations
+
+from itertools import permutations
+from typing import Any
+
+import numpy as np
+import pytest
+from jsonschema import Draft202012Validator
+
+from tests.synthesis.boxes.hand_boxes import (
+    SIMPSON,
+    SIMPSON_SEARCH,
+    ZF_6HP,
+    ZF_6HP_SEARCH,
+    ZF_8HP,
+    ZF_8HP_SEARCH,
+)
+from tests.trains import seeded
+from vstatics import solve
+from vstatics.readers import from_dict
+from vstatics.synthesis import StructureSearch, schemes
+from vstatics.synthesis.boxes.box import HELD, FoundBox
+from vstatics.synthesis.boxes.choice import (
+    ALIKE,
+    LIMITED,
+    PARETO,
+    BoxFilter,
+    RankedBox,
+    pareto,
+    ranked,
+)
+from vstatics.synthesis.boxes.document import box_document, box_schema
+from vstatics.synthesis.boxes.figures import MeasuredBox, measured
+from vstatics.synthesis.boxes.grids import box_grids
+from vstatics.synthesis.boxes.least_form import identity, least_box
+from vstatics.synthesis.structures.growth import FoundScheme
+from vstatics.synthesis.structures.scheme import SetScheme
+
+FAST = measured(SIMPSON_SEARCH, SIMPSON, 0.98)
+EIGHT = measured(ZF_8HP_SEARCH, ZF_8HP, 0.98)
+
+
+def renamed(box: FoundBox, seed: int) -> FoundBox:
+    """The same box in other words."""
+    rng = seeded(seed)
+    links = list(range(box.scheme.links))
+    rng.shuffle(links)
+    new = {HELD: HELD, box.scheme.links: box.scheme.links} | dict(enumerate(links))
+    order = rng.sample(range(len(box.ratios)), len(box.ratios))
+    which = rng.sample(range(len(box.elements)), len(box.elements))
+    sets = [tuple(new[link] for link in one) for one in box.scheme.sets]
+    elements = [tuple(new[link] for link in box.elements[index]) for index in which]
+    return FoundBox(
+        SetScheme(tuple(sets[index] for index in order)),  # type: ignore[misc]
+        None if box.held is None else new[box.held],
+        new[box.input],
+        new[box.output],
+        tuple((b, a) if b != HELD and rng.random() < 0.5 else (a, b) for a, b in elements),
+        tuple(box.ratios[index] for index in order),
+        tuple(tuple(which.index(index) for index in one) for one in box.gears),
+        box.error,
+    )
+
+
+@pytest.mark.parametrize("box", [ZF_8HP, SIMPSON, ZF_6HP])
+def test_a_box_in_other_words_is_the_same(box: FoundBox) -> None:
+    least = least_box(box)
+    assert least_box(least) == least
+    for seed in range(20):
+        assert least_box(renamed(box, seed)) == least
+
+
+def test_codes_and_ports_are_those_of_the_list_of_schemes() -> None:
+    # by the least of all orders of the sets, which another module finds
+    listed = {(one.code, one.input, one.output) for one in _three_sets()}
+    for seed, one in enumerate(_three_sets()[::200]):
+        assert one.input is not None
+        assert one.output is not None
+        scheme = SetScheme.of_code(one.code)
+        box = FoundBox(scheme, None, one.input, one.output, (), (-2.0,) * 3, (), 0.0)
+        least = least_box(renamed(box, seed))
+        assert (least.scheme.code, least.input, least.output) == (one.code, one.input, one.output)
+        assert (least.scheme.code, least.input, least.output) in listed
+
+
+def _three_sets() -> list[FoundScheme]:
+    return list(schemes(StructureSearch(3, "sets", ports=True)))
+
+
+def test_meshed_sets_and_held_links_tell_boxes_apart() -> None:
+    least = least_box(ZF_6HP)
+    other = least_box(ZF_6HP._replace(ratios=(-71 / 37, 85 / 31, -85 / 38)))
+    assert identity(least) != identity(other)
+    free = least_box(ZF_6HP._replace(held=None))
+    assert identity(least) != identity(free)
+    # a clutch to what is held is a brake
+    clutch = ZF_6HP._replace(elements=(*ZF_6HP.elements[:3], (1, 4), (5, HELD)))
+    assert least_box(clutch) == least
+
+
+def with_figures(found: MeasuredBox, number: int, **figures: Any) -> MeasuredBox:
+    """The same with other figures, as another box: one with another held link."""
+    return found._replace(
+        box=found.box._replace(held=number), figures=found.figures._replace(**figures)
+    )
+
+
+def test_families_have_equal_ratios_in_all_gears() -> None:
+    def other(number: int, *parts: float) -> MeasuredBox:
+        pairs = zip(FAST.gears, parts, strict=True)
+        gears = tuple(gear._replace(ratio=gear.ratio * (1 + ALIKE * part)) for gear, part in pairs)
+        return with_figures(FAST, number, loss=number)._replace(gears=gears)
+
+    boxes = [
+        other(0, 0, 0, 0, 0),
+        other(1, 0, 0, 0, 5),
+        other(2, 0.3, 0, -0.3, 0),
+        other(3, 0, 5, 0, 5),
+        other(4, 0, 0, 0, 5.3),
+    ]
+    found = ranked(SIMPSON_SEARCH, reversed(boxes), BoxFilter())
+    assert [box.family for box in found] == [1, 2, 1, 3, 2]
+
+
+def test_order_is_by_loss_then_torque() -> None:
+    worse = SIMPSON_SEARCH.tolerance * 2
+    boxes = [
+        with_figures(FAST, 0, loss=0.03, error=0.0),
+        with_figures(FAST, 1, loss=0.02, torque=3.0, error=0.009),
+        with_figures(FAST, 2, loss=0.02 + 1e-12, torque=2.0, error=0.005),
+        with_figures(FAST, 3, loss=0.01, error=worse),
+    ]
+    found = ranked(SIMPSON_SEARCH, boxes, BoxFilter())
+    assert [one.found.box.held for one in found] == [2, 1, 0, 3]
+
+
+def test_what_is_found_twice_is_told_once() -> None:
+    boxes = []
+    for seed in range(6):
+        box = renamed(ZF_8HP, seed)
+        near = tuple(ratio * (1 + 1e-4 * seed) for ratio in box.ratios)
+        boxes.append(measured(ZF_8HP_SEARCH, box._replace(ratios=near), 0.98))
+    best = min(box.figures.error for box in boxes)
+    for order in list(permutations(boxes))[::100]:
+        [found] = ranked(ZF_8HP_SEARCH, order, BoxFilter())
+        assert found.found.figures.error == best
+
+
+def test_pareto_list_is_that_of_all_pairs() -> None:
+    rng = np.random.default_rng(15)
+    figures = rng.integers(0, 6, (300, 4)).astype(float)
+    expected = [
+        not any((other <= one).all() and (other < one).any() for other in figures)
+        for one in figures
+    ]
+    assert pareto(figures).tolist() == expected
+    assert PARETO == ("loss", "planet_speed", "torque", "clutches")
+
+
+@pytest.mark.parametrize(
+    ("wanted", "stays"),
+    [
+        (BoxFilter(), True),
+        (BoxFilter(single=True, planar=True, brakes=(2,), clutches=(1, 3)), True),
+        (BoxFilter(brakes=(1, 3)), False),
+        (BoxFilter(clutches=(2,)), False),
+        *((BoxFilter(limits={name: getattr(EIGHT.figures, name)}), True) for name in LIMITED),
+        *(
+            (BoxFilter(limits={name: getattr(EIGHT.figures, name) * 0.99}), False)
+            for name in LIMITED
+        ),
+    ],
+)
+def test_filters(wanted: BoxFilter, *, stays: bool) -> None:
+    assert len(ranked(ZF_8HP_SEARCH, [EIGHT], wanted)) == stays
+    assert wanted.before(EIGHT.box) or not stays
+
+
+def test_filters_of_what_is_so() -> None:
+    no = EIGHT._replace(figures=EIGHT.figures._replace(single=False, planar=False))
+    assert not BoxFilter(single=True).lets(no)
+    assert not BoxFilter(planar=True).lets(no)
+    assert BoxFilter().lets(no)
+
+
+def test_document_follows_the_schema_and_its_cases_are_cases() -> None:
+    search, box = ZF_6HP_SEARCH, ZF_6HP
+    found = ranked(search, [measured(search, box, 0.98)], BoxFilter())
+    document = box_document(1234, found)
+    Draft202012Validator(box_schema()).validate(document)
+    assert (document["searched"], document["found"], document["families"]) == (1234, 1, 1)
+    [one] = document["boxes"]
+    assert one["held"] == found[0].found.box.held
+    # L0 large sun, L1 rear carrier, L3 small sun, L5 front carrier, L6 input: C, D, B, E, A
+    assert list(one["elements"]) == ["T-L0", "T-L1", "F-L0-L5", "F-L1-L6", "F-L3-L5"]
+    assert one["elements"]["F-L3-L5"] == ["L3", "L5"]
+    assert one["elements"]["T-L0"] == ["L0", "housing"]
+    case = from_dict(one["case"])
+    assert case == found[0].found.case
+    ratios = {name: gear["ratio"] for name, gear in one["gears"].items()}
+    assert solve(case).ratio.tolist() == pytest.approx(list(ratios.values()), rel=1e-12)
+    assert [gear["engaged"] for gear in one["gears"].values()] == [
+        [case.shift_elements[number - 1].name for number in gear.engaged] for gear in case.gears
+    ]
+
+
+def test_tables_tell_how_many_boxes_share_their_ratios() -> None:
+    boxes = [RankedBox(EIGHT, 1, pareto=True), RankedBox(EIGHT, 1, pareto=False)]
+    counts, best, schemes, families = box_grids(7, boxes)
+    assert counts.texts == [
+        ["searched", "7"],
+        ["found", "2"],
+        ["families", "1"],
+        ["Pareto list", "1"],
+    ]
+    assert [row[0] for row in best.texts] == [row[0] for row in schemes.texts] == ["1"]
+    assert families.texts[0][:2] == ["1", "2"]
+    assert families.texts[0][-9:][0] == "4.696"
+    assert len(list(box_grids(7, []))) == 1

@@ -1,0 +1,86 @@
+"""What quotients reach within bounds, against many points within; matching against SciPy."""
+
+import numpy as np
+import pytest
+from scipy.optimize import least_squares
+from scipy.sparse import csr_array
+from scipy.sparse.csgraph import maximum_bipartite_matching
+
+from vstatics.numerics.arrays import Floats
+from vstatics.synthesis.boxes.elements import matched
+from vstatics.synthesis.boxes.ranges import divide, lines, reached
+from vstatics.synthesis.boxes.set_ratios import Asked, fit_room, fitted
+
+CORNERS = (np.arange(8)[:, None] >> np.arange(3)) & 1
+
+
+def weights(points: Floats) -> Floats:
+    """How corners weigh in what is linear in each of three numbers from 0 to 1."""
+    return np.asarray(np.where(CORNERS, points[:, None], 1 - points[:, None]).prod(axis=2))
+
+
+def test_what_is_found_within_bounds_is_told_from_the_corners() -> None:
+    random = np.random.default_rng(15)
+    inside = weights(random.random((2000, 3)))
+    for _ in range(300):
+        above, below = random.normal(random.normal(), 1, (2, 8))
+        values = (inside @ above) / (inside @ below)
+        targets = np.sort(random.choice(values[values > 0], 1)) if (values > 0).any() else [1.0]
+        low, high = np.array(targets) * 0.99, np.array(targets) * 1.01
+        is_met = ((values >= low) & (values <= high)).any()
+        assert reached(above, below, low, high) or not is_met
+
+
+def test_no_more_is_told_where_the_denominator_has_one_sign() -> None:
+    """Then all between the least and the greatest quotient is reached, as it changes steadily."""
+    random = np.random.default_rng(16)
+    for _ in range(300):
+        above, below = random.normal(size=8), random.uniform(0.2, 2, 8)
+        low, high = np.array([0.5]), np.array([0.6])
+        quotients = above / below
+        assert reached(above, below, low, high) == (
+            quotients.min() <= 0.6 and quotients.max() >= 0.5
+        )
+
+
+def test_a_common_factor_is_taken_out() -> None:
+    """(p1 - 1/2 - p2) times 2 + p3 and 1 + p3: the quotient depends on p3 alone."""
+    p1, p2, p3 = CORNERS.T.astype(float)
+    above, below = (p1 - 0.5 - p2) * (2 + p3), (p1 - 0.5 - p2) * (1 + p3)
+    divide(above, below, lines(3))
+    np.testing.assert_allclose(above / below, (2 + p3) / (1 + p3), rtol=1e-12)
+    assert reached(above, below, np.array([1.49, 3.0]), np.array([1.51, 4.0])) == 0b01
+
+
+def test_targets_are_matched_where_that_can_be() -> None:
+    random = np.random.default_rng(17)
+    for _ in range(300):
+        can = random.random((7, 5)) < 0.35
+        reach = can @ (1 << np.arange(5))
+        chosen = np.zeros(5, np.int64)
+        best = maximum_bipartite_matching(csr_array(can.T.astype(np.int8)), perm_type="column")
+        assert (
+            matched(reach, 7, 5, chosen)
+            == (np.sort(best)[-5:] >= 0).all()
+            == ((best >= 0).sum() == 5)
+        )
+
+
+@pytest.mark.parametrize("number", range(5))
+def test_a_fit_is_that_of_scipy(number: int) -> None:
+    random = np.random.default_rng(number)
+    parts = random.uniform(0.5, 2, (5, 2, 8))
+    targets = random.uniform(0.7, 1.5, 5)
+    asked = Asked(targets, targets, targets, 1.0, 1.5, 4.0)
+    room = fit_room(5, 3)
+    room.logs[:] = np.log(2.5)
+    total = fitted(parts, np.arange(5), asked, room)
+
+    def errors(logs: Floats) -> Floats:
+        own = weights((np.exp(logs)[None] - 1.5) / 2.5)[0]
+        return np.asarray(np.log((parts[:, 0] @ own) / (parts[:, 1] @ own) / targets))
+
+    start = np.full(3, np.log(2.5))
+    ends = np.log(1.5), np.log(4.0)
+    best = least_squares(errors, start, bounds=ends, xtol=1e-15, ftol=1e-15, gtol=1e-15)
+    assert total <= 2 * best.cost * (1 + 1e-9) + 1e-18

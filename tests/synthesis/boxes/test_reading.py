@@ -1,0 +1,103 @@
+"""Documents of found boxes, read again."""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+import pytest
+
+from tests.synthesis.boxes import hand_boxes
+from tests.synthesis.boxes.listed_boxes import many, simpson, zf_6hp
+from vstatics import ReadError
+from vstatics.synthesis.boxes.case import box_case
+from vstatics.synthesis.boxes.listing import drawn_boxes
+from vstatics.synthesis.boxes.reading import is_listing, listing_of, read_boxes
+
+
+def read(document: Any) -> Any:
+    return read_boxes(json.dumps(document).encode(), "boxes.json")
+
+
+def test_a_box_is_what_was_written() -> None:
+    document = zf_6hp()
+    [box] = read(document).boxes
+    given = document["boxes"][0]
+    assert (box.number, box.code, box.family, box.pareto) == (1, given["code"], 1, True)
+    assert box.elements["T-L0"] == ("L0", "housing")
+    assert dict(box.ratios) == given["ratios"]
+    assert box.gears["R"].target == hand_boxes.ZF_6HP_SEARCH.targets[-1]
+    assert (box.brakes, box.clutches, box.loss) == (2, 3, given["loss"])
+    assert [gear.name for gear in box.transmission().gears] == list(given["gears"])
+
+
+def test_the_case_of_a_box_comes_back_with_all_its_numbers() -> None:
+    search, box = hand_boxes.SIMPSON_SEARCH, hand_boxes.SIMPSON
+    [listed] = listing_of(simpson()).boxes
+    own = box_case(box, search.targets, 0.98)
+    assert sorted(one.ratio for one in listed.transmission().mechanisms) == sorted(
+        one.ratio for one in own.mechanisms
+    )
+
+
+@pytest.mark.parametrize(
+    ("change", "said"),
+    [
+        (lambda one: one.pop("loss"), "box 2: expected the key `loss`"),
+        (lambda one: one.update(loss="low"), "box 2.loss: read str 'low', expected a number"),
+        (lambda one: one.update(family=1.5), "box 2.family: read float 1.5, expected a count"),
+        (lambda one: one.update(single=1), "box 2.single: read int 1, expected true or false"),
+        (lambda one: one["gears"]["1"].update(engaged="A"), "box 2.gears.1.engaged: read str 'A'"),
+        (lambda one: one.update(gears=[]), "box 2.gears: read list [], expected an object"),
+        (lambda one: one["elements"].update(A=3), "box 2.elements.A: read int 3, expected a list"),
+    ],
+)
+def test_what_is_wrong_is_told_at_its_box(change: Any, said: str) -> None:
+    document = many(3)
+    change(document["boxes"][1])
+    with pytest.raises(ReadError) as caught:
+        read(document)
+    assert str(caught.value).startswith(f"boxes.json: error: {said}")
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        (b"", "boxes.json:1:1: error: not JSON: Expecting value; expected a document of found"),
+        (b"[]", "expected a document of found boxes"),
+        (b'{"searched": 1, "boxes": [3]}', "box 1: read int 3, expected an object"),
+        (b'{"searched": NaN, "boxes": []}', "read NaN, expected a number or null"),
+        (b"\xff\xfe", "not JSON that can be read"),
+        (b"[" * 100_000, "not JSON"),
+    ],
+)
+def test_what_is_no_document_of_boxes_is_told(text: bytes, said: str) -> None:
+    with pytest.raises(ReadError) as caught:
+        read_boxes(text, "boxes.json")
+    assert said in str(caught.value)
+    assert not is_listing(text) or b"boxes" in text
+
+
+def test_many_mistakes_are_told_up_to_some() -> None:
+    document = many(60)
+    for box in document["boxes"]:
+        box["loss"] = "x"
+    with pytest.raises(ReadError) as caught:
+        read(document)
+    assert len(caught.value.problems) == 20
+
+
+def test_a_case_that_is_none_is_told_with_its_box() -> None:
+    document = many(2)
+    document["boxes"][1]["case"] = {"links": 3}
+    with pytest.raises(ReadError, match=r"case of box 2: .*mechanisms"):
+        read(document).boxes[1].transmission()
+
+
+def test_what_gets_a_diagram() -> None:
+    """The Pareto list has boxes 1, 16, 31, ...; the other families begin with 4, 7, 10, ..."""
+    listing = listing_of(many(40))
+    assert [box.number for box in drawn_boxes(listing, 3)] == [1, 16, 31]
+    assert [box.number for box in drawn_boxes(listing, 5)] == [1, 4, 7, 16, 31]
+    assert [box.number for box in drawn_boxes(listing, 15)] == sorted([2, *range(1, 41, 3)])
+    assert len(drawn_boxes(listing, 100)) == 40

@@ -1,0 +1,275 @@
+"""Combinations of shift elements against published tables, closed forms and other ways."""
+
+from __future__ import annotations
+
+from collections import Counter
+from itertools import permutations
+
+import pytest
+
+from tests.commands import CASES
+from vstatics import Gear, Mechanism, ShiftElement, Spring, Transmission, load
+from vstatics.errors import CaseError
+from vstatics.synthesis import combinations
+from vstatics.synthesis.gears.engaged_sets import EngagedSet
+from vstatics.synthesis.gears.kinds import kind_alone
+from vstatics.synthesis.gears.search import CombinationSearch
+
+P1, P2, P3, P4 = 2.0, 2.6, 2.2, 2.4
+BELAZ = {
+    ("F1", "F2"): ("direct", 1.0),
+    ("F1", "T3"): ("gear", 1 + P3),
+    ("F1", "T2"): ("gear", (1 + P2) * (1 + P3) / (1 + P2 + P3)),
+    ("F1", "T4"): ("gear", 1 - P3 * P4),
+    ("F2", "T1"): ("gear", (1 + P1) / P1),
+    ("T1", "T3"): ("gear", (1 + P1) / P1 * (1 + P3)),
+    ("T1", "T2"): ("gear", (1 + P1) / P1 * (1 + P2) * (1 + P3) / (1 + P2 + P3)),
+    ("T1", "T4"): ("gear", (1 + P1) / P1 * (1 - P3 * P4)),
+    ("F1", "T1"): ("blocked", None),
+}
+"""Evseenko, tables 1 and 2, with ratios by Willis for ring by sun = p; all others park."""
+
+
+def belaz() -> Transmission:
+    """Links J1..J7; sets sun, ring, carrier."""
+    sets = [(3, 1, 2), (2, 4, 5), (2, 5, 7), (5, 6, 7)]
+    ratios = [-P1, -P2, -P3, -P4]
+    return Transmission(
+        7,
+        [
+            ShiftElement(*links, name=name)
+            for name, links in {
+                "F1": (1, 2), "F2": (2, 5), "T1": (3, 0), "T2": (4, 0), "T3": (5, 0), "T4": (6, 0),
+            }.items()
+        ],
+        [Mechanism(*links, ratio) for links, ratio in zip(sets, ratios, strict=True)],
+        [Gear([1, 2])],
+    )  # fmt: skip
+
+
+def test_belaz_7516_as_published() -> None:
+    found = combinations(belaz())
+    assert len(found) == 15
+    for one in found:
+        first, second = one.engaged
+        kind, ratio = BELAZ.get((first, second), ("parking", None))
+        assert (one.kind, one.free) == (kind, False), one
+        assert one.ratio == pytest.approx(ratio, rel=1e-12) if ratio else one.ratio != one.ratio
+
+
+def two_sets(order: tuple[int, ...]) -> Transmission:
+    """A scheme of two sets with two common links, and the engine as link 5.
+
+    Clutches F1 to F10 and brakes T1, T2 as in table 13; J1 to J4 are links of `order`.
+    """
+    first, second, third, fourth = order
+    pairs = [
+        (first, second), (first, third), (first, fourth), (second, third), (second, fourth),
+        (third, fourth), (5, first), (5, second), (5, third), (5, fourth), (second, 0), (third, 0),
+    ]  # fmt: skip
+    names = [*(f"F{number}" for number in range(1, 11)), "T1", "T2"]
+    return Transmission(
+        5,
+        [ShiftElement(*pair, name=name) for pair, name in zip(pairs, names, strict=True)],
+        [Mechanism(1, 2, 3, -2.3), Mechanism(2, 4, 3, -3.1)],
+        [Gear()],
+        input=5,
+        output=fourth,
+    )
+
+
+def test_table_14_of_the_source() -> None:
+    """66 combinations: 32 direct drives, 4 gears, 2 that block, 13 park, 15 leave it free."""
+    for order in permutations(range(1, 5)):
+        found = combinations(two_sets(order))
+        kinds = Counter(one.kind for one in found)
+        assert kinds == {"direct": 32, "gear": 4, "blocked": 2, "parking": 13, "neutral": 15}
+        gears = {tuple(one.engaged) for one in found if one.kind == "gear"}
+        assert gears == {("F7", "T1"), ("F7", "T2"), ("F8", "T2"), ("F9", "T1")}
+        blocked = {tuple(one.engaged) for one in found if one.kind == "blocked"}
+        assert blocked == {("F8", "T1"), ("F9", "T2")}
+
+
+RATIOS_OF_UMDM = {
+    "T-carrier": 37 / 14,
+    "T-ring 6": 111 / 65,
+    "T-sun 4": 1147 / 756,
+    "T-ring 7": -37 / 9,
+}
+"""Voloshko, Salakhov and others; the ratios of `umdm-reduced.yaml` by Willis."""
+
+
+@pytest.mark.parametrize("file", ["umdm.yaml", "umdm-reduced.yaml"])
+def test_all_elements_of_umdm(file: str) -> None:
+    """Any pair of its six links locks it, four brakes give gears; drawn, planets are links."""
+    case = load(CASES / file)
+    own = {(e.first, e.second): e.name for e in case.shift_elements}
+    names = [own.get((link, 0), f"T-{case.link_name(link)}") for link in range(1, 7)]
+    expected = {own.get((case.link_number(name[2:]), 0), name): ratio
+                for name, ratio in RATIOS_OF_UMDM.items()}  # fmt: skip
+    found = combinations(case, elements="auto")
+    assert [one.kind for one in found] == ["direct"] * 15 + ["gear"] * 4
+    assert [one.engaged for one in found[15:]] == [[name] for name in names[1:5]]
+    ratios = {one.engaged[0]: one.ratio for one in found[15:]}
+    assert ratios == pytest.approx(expected, rel=1e-12)
+
+
+def kinds(case: Transmission, *engaged: int) -> list[tuple[str, bool]]:
+    return [(one.kind, one.free) for one in combinations(case, engaged)]
+
+
+SIMPLE = Mechanism(1, 2, 3, -2.5)
+
+
+def test_one_set_with_nothing_and_with_too_much_engaged() -> None:
+    """A differential; two brakes hold all of it, a clutch beside a brake, too."""
+    case = Transmission(3, [ShiftElement(2), ShiftElement(1, 2), ShiftElement(1)], [SIMPLE], [Gear()])  # fmt: skip
+    assert kinds(case, 0) == [("neutral", False)]
+    assert kinds(case, 2) == [("blocked", False)] * 3
+    assert kinds(case, 3, 0) == [("blocked", False), ("neutral", False)]
+
+
+def test_free_links_are_told() -> None:
+    """A second set hangs on a link: as long as nothing holds it, two of its speeds are open."""
+    case = Transmission(
+        5,
+        [ShiftElement(2), ShiftElement(4), ShiftElement(1, 2), ShiftElement(1)],
+        [SIMPLE, Mechanism(4, 5, 3, -2)],
+        [Gear()],
+        output=3,
+    )
+    assert kinds(case, 1) == [("gear", True), ("neutral", False), ("direct", True), ("blocked", True)]  # fmt: skip
+    assert kinds(case, 2)[0] == ("gear", False)
+
+
+def test_ratio_1_by_chance_is_no_direct_drive() -> None:
+    """Two sets in series with K and 1/K have 1 by their numbers; a clutch by itself."""
+    case = Transmission(
+        3,
+        [ShiftElement(1, 3)],
+        [Mechanism(1, 2, 0, -3), Mechanism(2, 3, 0, -1 / 3)],
+        [Gear()],
+    )
+    assert [(one.kind, one.ratio) for one in combinations(case, [0])] == [("gear", 1.0)]
+    assert combinations(case, [1])[0].kind == "gear"
+    alike = case.replace(mechanisms=[SIMPLE, SIMPLE._replace(ratio=-2.5)], shift_elements=[ShiftElement(1, 2)])  # fmt: skip
+    assert combinations(alike)[0].kind == "direct"
+
+
+def test_sets_that_agree_by_their_numbers_only() -> None:
+    """Two equal sets beside each other are one; of different ratios they lock."""
+    sets = [SIMPLE, Mechanism(1, 2, 3, -2.5)]
+    case = Transmission(3, [ShiftElement(2)], sets, [Gear()])
+    assert combinations(case, [1])[0].ratio == pytest.approx(3.5)
+    other = case.replace(mechanisms=[SIMPLE, Mechanism(1, 2, 3, -2.6)])
+    assert [(one.engaged, one.kind) for one in combinations(other)] == [([], "direct")]
+    assert kinds(other, 1) == [("blocked", False)]
+
+
+def test_springs_turn_as_shafts_at_mean_speeds() -> None:
+    damper = Spring({4: 1, 1: -1}, stiffness=1000)
+    case = Transmission(
+        4, [ShiftElement(2), ShiftElement(4, 3)], [SIMPLE], [Gear()], input=4, output=3,
+        springs=[damper],
+    )  # fmt: skip
+    assert [(one.kind, one.ratio) for one in combinations(case)] == [
+        ("gear", pytest.approx(3.5)),
+        ("direct", 1.0),
+    ]
+
+
+def test_a_freewheel_counts_as_one_that_holds() -> None:
+    case = Transmission(3, [ShiftElement(2, kind="freewheel", name="L")], [SIMPLE], [Gear()])
+    assert [one.ratio for one in combinations(case)] == [pytest.approx(3.5)]
+
+
+def test_order_is_that_of_the_case() -> None:
+    found = combinations(belaz(), [1], ["T2", "F1", "3"])
+    assert [one.engaged for one in found] == [["F1"], ["T1"], ["T2"]]
+
+
+def test_all_elements_have_names_by_their_links() -> None:
+    """None on input and output; those of the case keep their names."""
+    case = Transmission(
+        4, [ShiftElement(2, name="B"), ShiftElement(4, name="park")],
+        [SIMPLE, Mechanism(2, 3, 4, -2)], [Gear()], link_names=["in", "x", "y-z", "out"],
+    )  # fmt: skip
+    names = [one.name for one in CombinationSearch(case, elements=["auto"]).elements]
+    assert names == ["F-in-x", "F-in-y-z", "F-in-out", "F-x-y-z", "F-x-out", "F-y-z-out", "B", "T-y-z"]  # fmt: skip
+
+
+def test_names_that_would_be_the_same_are_numbers() -> None:
+    """The clutches a-b to c and a to b-c would both be F-a-b-c."""
+    case = belaz().replace(link_names=["a-b", "x", "c", "a", "y", "b-c", "z"])
+    names = [one.name for one in CombinationSearch(case, elements=["auto"]).elements]
+    assert len(set(names)) == len(names) == 26
+    assert {"F1", "F-1-3", "F-4-6"} < set(names)
+    taken = case.replace(shift_elements=[ShiftElement(3, 7, "F-1-3"), *case.shift_elements[1:]])
+    names = [one.name for one in CombinationSearch(taken, elements=["auto"]).elements]
+    assert len(set(names)) == 26
+    assert {"F-1-3", "F-1-3'"} < set(names)
+
+
+def test_elements_of_all_elements_are_the_same_again() -> None:
+    """A case with all of them, by their names, has all of them."""
+    case = belaz()
+    every = CombinationSearch(case, elements=["auto"]).elements
+    again = CombinationSearch(case.replace(shift_elements=every), elements=["auto"]).elements
+    assert [one.name for one in again] == [one.name for one in every]
+    some = case.replace(shift_elements=every[5:9])
+    named = {one.name for one in CombinationSearch(some, elements=["auto"]).elements}
+    assert {"F-1-7", "F-2-3", "T-4"} < named
+
+
+def test_batches_do_not_matter(monkeypatch: pytest.MonkeyPatch) -> None:
+    expected = combinations(belaz(), [0, 1, 2], "auto")
+    assert [len(set(one.engaged)) for one in expected].count(2) == 325
+    monkeypatch.setattr(CombinationSearch, "_room", lambda *_: 50)
+    again = combinations(belaz(), [0, 1, 2], "auto")
+    assert list(map(str, again)) == list(map(str, expected))
+
+
+def test_alone_and_on_arrays_agree() -> None:
+    case = belaz()
+    links = {element.name: element.links for element in case.shift_elements}
+    for one in combinations(case, [0, 1, 2, 3, 4]):
+        alone = kind_alone(case, [links[name] for name in one.engaged])
+        kind = one.kind.replace("direct", "gear")
+        assert (alone.kind.word, alone.free) == (kind, one.free)
+        assert alone.ratio == pytest.approx(one.ratio, rel=1e-12, nan_ok=True)
+
+
+def test_ratios_of_any_size() -> None:
+    """A clutch joins everything behind a set of 1e10: rows that lose digits go another way."""
+    case = Transmission(
+        8,
+        [ShiftElement(5, 8), ShiftElement(4, 8), ShiftElement(4, 7)],
+        [Mechanism(8, 5, 6, -8 / 3), Mechanism(7, 5, 2, 1e10), Mechanism(4, 8, 3, -3), Mechanism(4, 2, 6, -2.5)],
+        [Gear()], input=3,
+    )  # fmt: skip
+    assert combinations(case, [3]) == [EngagedSet(["F1", "F2", "F3"], "direct", 1.0, True)]
+
+
+def test_more_than_there_are() -> None:
+    with pytest.raises(CaseError, match="read 7 engaged elements, expected 0 to 6"):
+        combinations(belaz(), 7)
+    with pytest.raises(CaseError, match="more than the 100 that may be tried"):
+        combinations(belaz(), elements="auto", at_most=100)
+    with pytest.raises(CaseError, match="did you mean `F1`"):
+        combinations(belaz(), elements=["f1"])
+    alone = belaz().replace(shift_elements=[], gears=[Gear()])
+    with pytest.raises(CaseError, match="2 engaged elements leave one degree of freedom"):
+        combinations(alone)
+
+
+def test_counts_that_nobody_writes_out() -> None:
+    """399 links have 80 thousand pairs: nothing of that size is made before it is refused."""
+    sets = [Mechanism(2 * n - 1, 2 * n, 2 * n + 1, -2) for n in range(1, 200)]
+    case = Transmission(399, [], sets, [Gear()])
+    with pytest.raises(CaseError, match="more than 1e\\+200 combinations"):
+        combinations(case, elements="auto")
+    with pytest.raises(CaseError, match="too many for the memory"):
+        CombinationSearch(case, [1], ["auto"]).check(10**6)
+    brakes = [ShiftElement(link) for link in range(2, 399)]
+    with pytest.raises(CaseError, match="too many for an hour"):
+        CombinationSearch(case.replace(shift_elements=brakes), [396]).check(1000)

@@ -1,0 +1,227 @@
+"""Clutches that are dumped in a case: table 3.8 of the book from own values of two cars."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from tests.commands import CASES
+from tests.torsion.table_3_8 import TABLE_3_8, Line
+from vstatics import CaseError, ClutchDump, load, loads
+from vstatics.torsion.clutch.dumped import dump
+from vstatics.torsion.clutch.gear_dump import GearDump, gear_dumps
+
+CARS = {
+    "ВАЗ-2101": ("[3.75, 2.30, 1.493, 1]", 4.3),
+    "Москвич-412": ("[3.49, 2.04, 1.33, 1]", 4.22),
+}
+"""Ratios of the gearbox, as those of omega1 in table 3.7, and of the final drive."""
+
+
+def car(vehicle: str) -> str:
+    """Own values: engine, disc and gear wheels by gear 4, the rest by the final drive.
+
+    J_3 is ``a i^2 + b``, of the shafts before and behind the gearbox, by gears 1 and 4.
+    """
+    lines = {one.gear: one.given for one in TABLE_3_8 if one.vehicle == vehicle}
+    first, direct = lines[1], lines[4]
+    ratios, final = CARS[vehicle]
+    own = [float(one) for one in ratios.strip("[]").split(",")]
+    before = (first.J3 - direct.J3) / (own[0] ** 2 - 1)
+    square = final**2
+    pairs = "\n".join(
+        f"  pair {n}: {{first: disc, second: wheel {n}, ratio: {one}}}"
+        for n, one in enumerate(own, 1)
+    )
+    elements = ", ".join(f"dog {n}: [wheel {n}, propshaft]" for n in range(1, 5))
+    return f"""\
+output: vehicle
+inertias:
+  engine: {direct.J1}
+  disc: {direct.J2}
+  input shaft: {before}
+  propshaft: {direct.J3 - before}
+  wheels: {direct.J4 * square}
+  vehicle: {direct.J5 * square}
+  axle: 0.9
+springs:
+  half-shafts: {{twist: {{crown wheel: 1, wheels: -1, axle: -1}}, compliance: {direct.E / square / 2}}}
+  tyres: {{links: [wheels, vehicle], compliance: {direct.E / square / 8}}}
+  leaf springs: {{links: [axle, housing], compliance: {direct.E / square * 3 / 8}}}
+shift_elements: {{clutch: [engine, disc], {elements}}}
+mechanisms:
+  shaft: {{first: disc, second: input shaft, ratio: 1}}
+{pairs}
+  final drive: {{first: propshaft, second: crown wheel, ratio: {final}}}
+gears: {{1: [clutch, dog 1], 2: [clutch, dog 2], 3: [clutch, dog 3], 4: [clutch, dog 4], N: [clutch], open: [dog 1]}}
+dump: {{J1: [engine], J2: [disc], J3: [input shaft, propshaft], J4: [wheels], J5: [vehicle],
+  M_C0: {direct.M_C0}, M_phi: {direct.M_phi * final}, omega1: {direct.omega1}, to: propshaft}}
+"""
+
+
+def only(text: str, gear: str = "1") -> GearDump:
+    [found] = gear_dumps(loads(text), [gear])
+    return found
+
+
+@pytest.mark.parametrize(
+    "line",
+    [one for one in TABLE_3_8 if one.vehicle in CARS],
+    ids=lambda one: f"{one.vehicle}-{one.gear}",
+)
+def test_table_3_8_from_own_values(line: Line) -> None:
+    """Tsitovich, Algin, Vehicle dynamics (1981); inertias are rounded in table 3.7."""
+    found = only(car(line.vehicle), str(line.gear))
+    assert found.given is not None
+    assert found.made is not None
+    assert found.to == "propshaft"
+    assert found.given == pytest.approx(line.given, rel=3e-2)
+    assert found.made.case == line.case
+    largest, at_input_shaft, *_ = line.torques
+    assert found.made.max_torque / 1e3 == pytest.approx(largest, rel=1e-2)
+    if at_input_shaft is not None:
+        assert found.made.input_shaft_torque / 1e3 == pytest.approx(at_input_shaft, rel=1e-2)
+
+
+def test_the_link_changes_torques_by_its_ratio() -> None:
+    text = car("ВАЗ-2101")
+    on_propshaft, on_disc = only(text, "2"), only(text.replace(", to: propshaft", ""), "2")
+    assert on_propshaft.made is not None
+    assert on_disc.made is not None
+    assert on_disc.to == "disc"
+    assert on_disc.made.max_torque == pytest.approx(on_propshaft.made.max_torque / 2.3)
+    assert on_disc.made.dynamic_factor == pytest.approx(on_propshaft.made.dynamic_factor)
+    assert on_disc.given is not None
+    assert (on_disc.given.M_C0, on_disc.given.omega1) == (142, 586)
+
+
+def test_a_given_compliance_is_on_the_link() -> None:
+    text = car("ВАЗ-2101").replace("to: propshaft", "to: propshaft, E: 0.005")
+    for gear in ("1", "4"):
+        found = only(text, gear)
+        assert found.given is not None
+        assert found.given.E == 0.005
+
+
+def test_it_is_that_of_the_reduced_numbers() -> None:
+    found = only(car("Москвич-412"), "3")
+    assert found.given is not None
+    assert found.made is not None
+    assert found.made[:6] == dump(found.given)[:6]
+    [with_rate] = gear_dumps(loads(car("Москвич-412")), ["3"], 50)
+    assert with_rate.made is not None
+    assert with_rate.made.engagement == dump(found.given, 50).engagement
+
+
+def test_tyres_that_always_grip() -> None:
+    text = car("ВАЗ-2101")
+    start = text.index("M_phi")
+    without = text[:start] + text[text.index("omega1") :]
+    found = only(without)
+    assert found.given is not None
+    assert found.made is not None
+    assert (found.given.M_phi, found.made.case) == (math.inf, "A2")
+
+
+def test_links_that_are_forgotten_are_told() -> None:
+    """But not the axle: it stands, and bears the reaction."""
+    found = only(car("ВАЗ-2101").replace("J3: [input shaft, propshaft]", "J3: [propshaft]"))
+    assert found.made is not None
+    told = "note: in none of J1 to J5, though turning with propshaft: input shaft"
+    assert told in map(str, found.made.messages)
+
+
+def test_planets_go_with_the_links_of_their_set() -> None:
+    """A ring that is held, planets on pins: their orbit by m r^2, their spin by Willis."""
+    text = """\
+elements:
+  set: {kind: planetary, sun: disc, ring: housing, carrier: shaft, teeth: {sun: 30, ring: 60},
+    planets: 3, planet: {inertia: 2e-4, mass: 0.5, radius: 0.1}}
+inertias: {engine: 0.2, disc: 0.01, shaft: 0.05, vehicle: 90}
+springs: {tyre: {links: [shaft, vehicle], compliance: 1e-3}}
+shift_elements: {clutch: [engine, disc]}
+gears: {1: [clutch]}
+input: engine
+output: vehicle
+dump: {J1: [engine], J2: [disc], J3: [shaft], J5: [vehicle], M_C0: 200, omega1: 400, to: shaft}
+"""
+    found = only(text)
+    assert found.given is not None
+    assert found.made is not None
+    spin = (15 - 60) / 15  # planet against carrier -60/15, with the carrier 1 more
+    assert spin == -3
+    shaft = 0.05 + 3 * (2e-4 * spin**2 + 0.5 * 0.1**2)
+    assert found.given[:4] == pytest.approx((0.2 * 9, 0.01 * 9, shaft, 0.0))
+    assert not [one for one in found.made.messages if "none of" in str(one)]
+
+
+@pytest.mark.parametrize(
+    ("gear", "old", "new", "error"),
+    [
+        (
+            "open",
+            "",
+            "",
+            "engine of J1 does not turn with propshaft; is the clutch engaged in this gear?",
+        ),
+        (
+            "N",
+            "",
+            "",
+            "engine of J1 does not turn with propshaft; is the clutch engaged in this gear?",
+        ),
+        ("N", ", to: propshaft", "", "propshaft of J3 does not turn with disc"),
+        ("1", "J4: [wheels]", "J4: [wheels, axle]", "axle of J4 does not turn with propshaft"),
+        ("1", "  disc: 0.0044\n", "", "the links of J2 have no inertia"),
+        ("1", "to: propshaft", "to: axle", "link axle does not turn: nothing can be reduced to it"),
+        ("1", "J5: [vehicle]", "J5: [crown wheel]", "nothing elastic is between J2 and J5; "),
+    ],
+)
+def test_why_there_is_no_torque(gear: str, old: str, new: str, error: str) -> None:
+    text = car("ВАЗ-2101").replace(old, new)
+    if "crown wheel]" in new:
+        text = text.replace("inertias:\n", "inertias:\n  crown wheel: 1\n")
+    found = only(text, gear)
+    assert (found.given, found.made) == (None, None)
+    assert found.error.startswith(error)
+
+
+def test_numbers_that_give_no_torque_are_told() -> None:
+    found = only(car("ВАЗ-2101").replace("M_C0: 142", "M_C0: 1e308"))
+    assert found.made is None
+    assert "expected a finite number above 0" in found.error or "so large" in found.error
+
+
+def test_a_case_without_a_dump() -> None:
+    case = loads(car("ВАЗ-2101")).replace(dump=None)
+    with pytest.raises(CaseError, match=r"^dump: there is no `dump`"):
+        gear_dumps(case)
+    with pytest.raises(ValueError, match="no gear"):
+        gear_dumps(loads(car("ВАЗ-2101")), ["7"])
+
+
+def test_links_may_be_numbers_in_python() -> None:
+    case = loads(car("ВАЗ-2101"))
+    names = ("engine", "disc", "propshaft", "wheels", "vehicle")
+    first, second, third, fourth, fifth = ([case.link_number(one)] for one in names)
+    made = ClutchDump(first, second, third, fourth, fifth, M_C0=142, omega1=586)
+    [found] = gear_dumps(case.replace(dump=made), ["4"])
+    assert found.to == "disc"
+
+
+@pytest.mark.parametrize(("gear", "ratio"), [("1", 3.49), ("2", 2.04), ("3", 1.33), ("4", 1.0)])
+def test_compliance_of_a_driveline_with_an_axle_on_springs(gear: str, ratio: float) -> None:
+    """The shipped Москвич-412: the sum of table 2.2, with that of the axle springs.
+
+    On the input shaft there, the propshaft here; with the clutch damper.
+    """
+    compliances = {
+        "1": (84, 167, 50, 1476, 1525, 211),
+        "2": (84, 62.4, 17.1, 503, 520, 72),
+        "3": (84, 28.3, 7.25, 214, 221, 30.6),
+        "4": (84, 17.7, 4.1, 121, 125, 17.3),
+    }[gear]
+    [found] = gear_dumps(load(CASES / "moskvich412.yaml"), [gear])
+    assert found.given is not None
+    assert pytest.approx(sum(compliances) * 1e-5 / ratio**2, rel=3e-3) == found.given.E

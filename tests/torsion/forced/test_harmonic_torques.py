@@ -1,0 +1,214 @@
+"""Forced vibration: closed forms of one and two masses, and laws of every system."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+
+from tests.torsion.systems import branched, chain, matrices, with_planetary_set
+from vstatics import Damping, Gear, Mechanism, ReadError, ShiftElement, Spring, Transmission
+from vstatics.torsion.forced.cycle import summed
+from vstatics.torsion.forced.harmonic_torques import RAD_PER_RPM, Harmonic, response
+from vstatics.torsion.forced.torque_table import read_torque_table
+from vstatics.torsion.vibration.gear_modes import modes
+
+SPEEDS = np.array([100.0, 300.0, 1000.0])
+
+
+def one_mass(damping: Damping | float) -> Transmission:
+    spring = Spring({1: 1}, stiffness=800.0, damping=damping, name="mount")
+    return Transmission(1, [], [], [], springs=[spring], inertias={1: 0.5})
+
+
+@pytest.mark.parametrize(
+    ("damping", "factor"), [(6.0, lambda w: 6j * w), (Damping(loss_factor=0.1), lambda _: 80j)]
+)
+def test_one_mass(damping: Damping | float, factor: object) -> None:
+    """``q = 1/(c - J w^2 + i w d)``, torque ``(c + i w d) q``."""
+    [gear] = response(one_mass(damping), 1, [Harmonic(2.0, 3.0, 0.5)], SPEEDS)
+    omega = 2 * RAD_PER_RPM * SPEEDS
+    rate = 800 + np.array([factor(w) for w in omega])  # type: ignore[operator]
+    expected = 3 * np.exp(0.5j) / (rate - 0.5 * omega**2)
+    [order] = gear.orders
+    np.testing.assert_allclose(order.amplitudes["1"], expected, rtol=1e-13)
+    np.testing.assert_allclose(order.torques["mount"], rate * expected, rtol=1e-13)
+
+
+def test_two_free_masses() -> None:
+    """``q_1 = (c - J2 w^2)/(w^2 (J1 J2 w^2 - c (J1 + J2)))``."""
+    j1, j2, c = 2.0, 8.0, 4e4
+    [gear] = response(chain([j1, j2], [c]), 1, [Harmonic(1.0)], SPEEDS)
+    w = RAD_PER_RPM * SPEEDS
+    expected = (c - j2 * w**2) / (w**2 * (j1 * j2 * w**2 - c * (j1 + j2)))
+    np.testing.assert_allclose(gear.orders[0].amplitudes["1"].real, expected, rtol=1e-11)
+    assert gear.resonances == []
+
+
+@settings(max_examples=40, deadline=None)
+@given(branched(damped=True))
+def test_every_system_is_in_balance_and_reciprocal(case: Transmission) -> None:
+    """``(K + i w D - w^2 M) q = e``, and q_b under a torque at a is q_a under one at b."""
+    mass, stiffness, resistance = matrices(case)
+    [first] = response(case, 1, [Harmonic(1.5)], SPEEDS)
+    [last] = response(case, case.links, [Harmonic(1.5)], SPEEDS)
+    q = np.array(list(first.orders[0].amplitudes.values()))
+    for index, speed in enumerate(SPEEDS):
+        w = 1.5 * RAD_PER_RPM * speed
+        dynamic = stiffness + 1j * w * resistance - w**2 * mass
+        force = dynamic @ q[:, index]
+        expected = np.eye(case.links)[0]
+        np.testing.assert_allclose(force, expected, atol=1e-7 * max(1, np.abs(dynamic).max()))
+    there = first.orders[0].amplitudes[str(case.links)]
+    np.testing.assert_allclose(there, last.orders[0].amplitudes["1"], rtol=1e-6, atol=1e-12)
+
+
+def test_torques_of_rigid_devices_balance_every_link() -> None:
+    case = with_planetary_set()
+    [gear, _] = response(case, 1, [Harmonic(2.0)], SPEEDS)
+    [order] = gear.orders
+    t, q, w2 = order.torques, order.amplitudes, (2 * RAD_PER_RPM * SPEEDS) ** 2
+    np.testing.assert_allclose(1 - t["in"], -0.2 * w2 * q["1"], rtol=1e-9)
+    np.testing.assert_allclose(t["in"] - t["P"], -0.01 * w2 * q["2"], rtol=1e-9, atol=1e-9)
+    np.testing.assert_allclose(3.5 * t["P"] - t["out"], -0.03 * w2 * q["4"], rtol=1e-9, atol=1e-9)
+
+
+def test_resonances_lie_where_an_order_meets_a_natural_frequency() -> None:
+    case = with_planetary_set()
+    [gear, _] = response(case, 1, [Harmonic(2.0), Harmonic(4.5)], [300.0, 4000.0])
+    omegas = [mode.omega for mode in modes(case)[0].modes]
+    expected = [
+        (order, number, omega / order / RAD_PER_RPM)
+        for order in (2.0, 4.5)
+        for number, omega in enumerate(omegas, 1)
+        if 300 <= omega / order / RAD_PER_RPM <= 4000
+    ]
+    assert len(expected) > 2
+    assert [tuple(one) for one in gear.resonances] == [pytest.approx(one) for one in expected]
+
+
+def test_an_undamped_system_that_is_hit_exactly_has_no_value() -> None:
+    case = one_mass(0.0)
+    hit = 40.0 / RAD_PER_RPM
+    [gear] = response(case, 1, [Harmonic(1.0)], [hit, 2 * hit])
+    assert np.isnan(gear.orders[0].amplitudes["1"]).tolist() == [True, False]
+    assert np.isnan(gear.orders[0].torques["mount"]).tolist() == [True, False]
+    [damped] = response(one_mass(1.0), 1, [Harmonic(1.0)], [hit])
+    assert abs(damped.orders[0].amplitudes["1"][0]) == pytest.approx(1 / 40)
+
+
+def test_a_part_without_damping_that_is_hit_exactly_has_no_value() -> None:
+    """Two pairs of masses apart from each other, of which one is damped."""
+    shafts = [
+        Spring({1: 1, 2: -1}, stiffness=150.0, name="s"),
+        Spring({3: 1, 4: -1}, stiffness=50.0, damping=0.1, name="t"),
+    ]
+    case = Transmission(4, [], [], [], springs=shafts, inertias={1: 1.0, 2: 2.0, 3: 1.0, 4: 1.0})
+    omegas = [mode.omega for mode in modes(case)[0].modes]
+    assert omegas == pytest.approx([10.0, 15.0])
+    for at in (1, 3):
+        [gear] = response(case, at, [Harmonic(1.0)], np.array(omegas) / RAD_PER_RPM)
+        assert np.isnan(gear.orders[0].amplitudes["1"]).tolist() == [False, True]
+
+
+def test_a_mass_that_stands_still_at_its_own_frequency() -> None:
+    """An absorber: the mass on which the torque acts stands, at ``c = J w^2`` of the other."""
+    spring = Spring({1: 1, 2: -1}, stiffness=64.0, name="absorber")
+    case = Transmission(2, [], [], [], springs=[spring], inertias={1: 1.0, 2: 1.0})
+    [gear] = response(case, 1, [Harmonic(1.0)], [8.0 / RAD_PER_RPM])
+    assert abs(gear.orders[0].amplitudes["1"][0]) < 1e-15
+    assert gear.orders[0].amplitudes["2"][0] == pytest.approx(-1 / 64)
+    assert gear.orders[0].torques["absorber"][0] == pytest.approx(1.0)
+
+
+def test_a_link_that_nothing_resists_has_no_value_and_its_device_no_torque() -> None:
+    case = Transmission(
+        4, [], [Mechanism(3, 4, 0, 2.0, name="loose")], [], inertias={1: 1.0, 2: 2.0},
+        springs=[Spring({1: 1, 2: -1}, stiffness=150.0, name="s")],
+    )  # fmt: skip
+    [gear] = response(case, 1, [Harmonic(1.0)], [100.0])
+    assert np.isnan(gear.orders[0].amplitudes["3"][0])
+    assert gear.orders[0].torques["loose"][0] == 0
+    assert response(case, 3, [Harmonic(1.0)], [100.0])[0].error.startswith("link 3 has no inertia")
+
+
+def test_an_open_element_has_a_torque_of_0_at_every_speed() -> None:
+    """Also where it is the only device."""
+    case = Transmission(2, [ShiftElement(1, 2, name="C")], [], [Gear()], inertias={1: 1.0, 2: 1.0})
+    [gear] = response(case, 1, [Harmonic(2.0)], SPEEDS)
+    assert gear.orders[0].torques["C"].tolist() == [0, 0, 0]
+    expected = -1 / (RAD_PER_RPM * 2 * SPEEDS) ** 2
+    np.testing.assert_allclose(gear.orders[0].amplitudes["1"].real, expected)
+
+
+def test_many_speeds_are_solved_piece_by_piece(monkeypatch: pytest.MonkeyPatch) -> None:
+    case, speeds = with_planetary_set(), np.linspace(10, 5000, 50)
+    [whole, _] = response(case, 1, [Harmonic(2.0)], speeds)
+    monkeypatch.setattr("vstatics.torsion.forced.harmonic_torques.ENTRIES", 40)
+    [pieces, _] = response(case, 1, [Harmonic(2.0)], speeds)
+    for name, values in whole.orders[0].amplitudes.items():
+        np.testing.assert_allclose(pieces.orders[0].amplitudes[name], values, rtol=1e-12)
+
+
+@pytest.mark.filterwarnings("error")
+@pytest.mark.parametrize("speed", [1e-300, 1e300])
+def test_absurd_speeds_have_no_value(speed: float) -> None:
+    [gear, _] = response(with_planetary_set(), 1, [Harmonic(speed)], [speed])
+    assert np.isnan(gear.orders[0].amplitudes["1"]).all()
+
+
+def test_orders_far_apart_meet_in_every_phase() -> None:
+    found = summed([0.5, 2_000_000.5], [np.array([3.0 + 0j]), np.array([-4j])])
+    assert found.largest[0] == pytest.approx(7)
+
+
+def test_the_largest_value_of_several_orders() -> None:
+    """Against two million points of the wave itself."""
+    x = np.linspace(0, 2 * np.pi, 2_000_001)
+    for orders, amplitudes in (
+        ([1.0, 3.0], [1.0 + 0j, -1.0 + 0j]),
+        ([0.5, 1.0, 1.5], [1.0 + 1j, 0.3 - 2j, 0.7 + 0j]),
+        ([2.0, 4.5], [1.0 + 0j, 1j]),
+    ):
+        wave = sum(
+            (a * np.exp(1j * 2 * order * x)).real
+            for order, a in zip(orders, amplitudes, strict=True)
+        )
+        found = summed(orders, [np.array([a]) for a in amplitudes])
+        assert found.largest[0] == pytest.approx(np.abs(wave).max(), rel=1e-9)
+        assert found.rms[0] == pytest.approx(math.sqrt(np.mean(wave[:-1] ** 2)), rel=1e-9)
+    incommensurable = summed([1.0, math.sqrt(2)], [np.array([3.0 + 0j]), np.array([-4j])])
+    assert incommensurable.largest[0] == pytest.approx(7)
+
+
+def test_a_table_of_torques() -> None:
+    table = b"order, amplitude, phase [deg]\n2, 80, 90\n\n4.5,20,0\n"
+    found = read_torque_table(table, "engine.csv")
+    assert found == [Harmonic(2.0, 80.0, math.pi / 2), Harmonic(4.5, 20.0, 0.0)]
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        (b"order\n2\n", "engine.csv:1:1: error: read the headings order, expected `order`"),
+        (b"order,amplitude\n", "engine.csv:1:1: error: there is no order below the headings"),
+        (
+            b"order,amplitude\n2,x\n",
+            "engine.csv:2:1: error: amplitude: read 'x', expected a number",
+        ),
+        (
+            b"order,amplitude\n0,1\n",
+            "engine.csv:2:1: error: order: read '0', expected a number above",
+        ),
+        (b"order,amplitude\n2,nan\n", "engine.csv:2:1: error: amplitude: read 'nan'"),
+        (b"order,amplitude\n2,1\n2,3\n", "engine.csv:3:1: error: order 2 is given twice"),
+        (b"order,amplitude\n2,1,5\n", "engine.csv:2:1: error: read 3 cells, expected 2"),
+        (b"", "engine.csv:1:1: error: the file is empty, expected a table of orders"),
+    ],
+)
+def test_what_is_wrong_in_a_table_is_told_with_its_line(text: bytes, message: str) -> None:
+    with pytest.raises(ReadError) as caught:
+        read_torque_table(text, "engine.csv")
+    assert any(str(one).startswith(message) for one in caught.value.problems)

@@ -1,0 +1,141 @@
+"""Springs in place of masses without inertia: closed forms, and the Schur complement."""
+
+from __future__ import annotations
+
+import random
+
+import numpy as np
+import pytest
+
+from vstatics.torsion.reduction.condensation import tidied, without_massless
+from vstatics.torsion.reduction.scheme import (
+    Array,
+    SchemeSpring,
+    TorsionScheme,
+    natural_frequencies,
+    stiffness_matrix,
+)
+
+Twist = dict[int, float]
+
+
+def light(inertias: list[float], *springs: tuple[Twist, float]) -> TorsionScheme:
+    """A scheme; its springs are a, b, c."""
+    return TorsionScheme(
+        tuple(str(mass) for mass, _ in enumerate(inertias)),
+        tuple(inertias),
+        tuple(SchemeSpring(n, *given) for n, given in zip("abcdefgh", springs, strict=False)),
+    )
+
+
+def schur(scheme: TorsionScheme) -> Array:
+    """K of the masses with inertia by static condensation."""
+    whole, heavy = stiffness_matrix(scheme), np.array(scheme.inertias) > 0
+    outer, mixed, inner = whole[heavy][:, heavy], whole[heavy][:, ~heavy], whole[~heavy][:, ~heavy]
+    left: Array = outer - mixed @ np.linalg.solve(inner, mixed.T)
+    return left
+
+
+def test_a_differential_and_a_shaft() -> None:
+    """Figure П1.6: the twist 1, -i, -(1 - i) stays, C = C1 C2/((1 - i)^2 C1 + C2)."""
+    i, one, two = 2.5, 0.3, 0.7
+    given = light([1, 1, 1, 0], ({0: 1, 1: -i, 3: -(1 - i)}, one), ({2: -1, 3: 1}, two))
+    [spring] = without_massless(given).springs
+    assert spring.twist == pytest.approx({0: 1, 1: -i, 2: -(1 - i)})
+    assert 1 / spring.compliance == pytest.approx(1 / one / two / ((1 - i) ** 2 / one + 1 / two))
+
+
+def test_two_differentials_in_a_row() -> None:
+    """Figure П1.6: 1, -i1, -(1 - i1) i2, -(1 - i1)(1 - i2)."""
+    i1, i2, one, two = 2.5, 0.4, 0.3, 0.7
+    given = light(
+        [1, 1, 1, 1, 0],
+        ({0: 1, 1: -i1, 4: -(1 - i1)}, one),
+        ({4: 1, 2: -i2, 3: -(1 - i2)}, two),
+    )
+    [spring] = without_massless(given).springs
+    expected = {0: 1, 1: -i1, 2: -(1 - i1) * i2, 3: -(1 - i1) * (1 - i2)}
+    assert spring.twist == pytest.approx(expected)
+    assert spring.compliance == pytest.approx(one + (1 - i1) ** 2 * two)
+
+
+def test_two_differentials_on_the_same_masses() -> None:
+    """Figure П1.6: 1 - i2, -(i1 - i2), -(1 - i1), by its first coefficient."""
+    i1, i2 = 2.5, 0.4
+    given = light(
+        [1, 1, 1, 0],
+        ({0: 1, 1: -i1, 3: -(1 - i1)}, 0.3),
+        ({2: 1, 1: -i2, 3: -(1 - i2)}, 0.7),
+    )
+    [spring] = without_massless(given).springs
+    expected = {0: 1 - i2, 1: -(i1 - i2), 2: -(1 - i1)}
+    assert spring.twist == pytest.approx({mass: a / (1 - i2) for mass, a in expected.items()})
+    assert stiffness_matrix(without_massless(given)) == pytest.approx(schur(given))
+
+
+def random_scheme(seed: int) -> TorsionScheme:
+    """Eight masses, three of them without inertia, and twists of two to four members."""
+    chance = random.Random(seed)  # noqa: S311
+    springs = []
+    for number in range(10):
+        members = {number % 8, *chance.sample(range(8), chance.randint(1, 3))}
+        twist = {mass: chance.choice([-1, 1]) * chance.uniform(0.2, 3) for mass in members}
+        springs.append(SchemeSpring(f"s{number}", twist, 10 ** chance.uniform(-6, 0)))
+    inertias = [chance.uniform(0.1, 2) for _ in range(5)] + [0.0] * 3
+    return TorsionScheme(tuple("abcdefgh"), tuple(inertias), tuple(springs))
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_any_scheme_keeps_its_stiffness_and_frequencies(seed: int) -> None:
+    given = random_scheme(seed)
+    left = without_massless(given)
+    expected = schur(given)
+    assert len(left.springs) <= len(given.springs) - 3
+    assert stiffness_matrix(left) == pytest.approx(expected, abs=1e-9 * abs(expected).max())
+    assert natural_frequencies(left) == pytest.approx(natural_frequencies(given), rel=1e-9)
+
+
+def test_a_meeting_of_three_stays_where_the_shape_is_kept() -> None:
+    star = light([1, 1, 1, 0], ({0: 1, 3: -1}, 1.0), ({1: 1, 3: -1}, 1.0), ({2: 1, 3: -1}, 1.0))
+    assert tidied(star) == star
+    assert len(without_massless(star).springs) == 2
+
+
+def test_parallel_springs_are_one() -> None:
+    """One of them is written with doubled coefficients: four times the stiffness."""
+    given = light([1, 1], ({0: 1, 1: -1}, 0.5), ({0: -2, 1: 2}, 2.0))
+    [spring] = tidied(given).springs
+    assert spring == SchemeSpring("a+b", {0: 1, 1: -1}, 0.25)
+
+
+def test_springs_that_nothing_resists_are_gone() -> None:
+    """A shaft to a mass without inertia, and then the one before it."""
+    given = light([1, 1, 0, 0], ({0: 1, 1: -1}, 1.0), ({1: 1, 2: -1}, 1.0), ({2: 1, 3: -1}, 1.0))
+    left = tidied(given)
+    assert left.names == ("0", "1")
+    assert [spring.name for spring in left.springs] == ["a"]
+
+
+def test_damping_in_a_row_is_weighed_by_squares_of_compliances() -> None:
+    """(П1.17): K = K12 (E12/E)^2 + ... ; parallel dampers add."""
+    row = [(1.0, 5.0), (2.0, 3.0), (7.0, 0.5)]
+    springs = [SchemeSpring("s", {mass: 1, mass + 1: -1}, *given) for mass, given in enumerate(row)]
+    chain = TorsionScheme(tuple("abcd"), (1, 0, 0, 1), tuple(springs))
+    [spring] = tidied(chain).springs
+    assert spring.damping == pytest.approx(sum(k * (e / 10) ** 2 for e, k in row))
+    both = TorsionScheme(("a", "b"), (1, 1), (springs[0], springs[0]))
+    assert tidied(both).springs[0].damping == 10
+
+
+def test_damping_of_a_differential_and_a_shaft() -> None:
+    """Both in one torque M: each dissipates K (E M')^2, with M' its own torque for 1 of M."""
+    i, first, second = 2.5, (0.3, 4.0), (0.7, 9.0)
+    springs = (
+        SchemeSpring("a", {0: 1, 1: -i, 3: -(1 - i)}, *first),
+        SchemeSpring("b", {2: -1, 3: 1}, *second),
+    )
+    given = TorsionScheme(tuple("abcd"), (1, 1, 1, 0), springs)
+    [spring] = tidied(given).springs
+    own, other = 1.0, abs(1 - i)
+    expected = first[1] * (first[0] * own) ** 2 + second[1] * (second[0] * other) ** 2
+    assert spring.damping * spring.compliance**2 == pytest.approx(expected)

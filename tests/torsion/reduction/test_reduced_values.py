@@ -1,0 +1,158 @@
+"""Inertias and compliances on one link."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.torsion.systems import with_planetary_set
+from vstatics import Gear, Mechanism, ShiftElement, Spring, Transmission
+from vstatics.torsion.reduction.reduced_scheme import gear_scheme
+from vstatics.torsion.reduction.reduced_values import NO_REACTION, reduce
+from vstatics.torsion.reduction.scheme import TorsionScheme, natural_frequencies
+from vstatics.torsion.reduction.simplification import simplify
+from vstatics.torsion.vibration.gear_modes import modes
+
+I_GEARBOX, I0 = (3.49, 2.04, 1.33, 1.0), 4.22
+"""Tsitovich, Algin, Vehicle dynamics (1981), tables 2.1 and 2.2: Moskvich-412."""
+GEARBOX = {"J_c34": (0.00426, (0.00035, 0.00102, 0.00241, 0.00426))}
+
+
+def axle(ratio: float) -> Transmission:
+    """Input, gearbox, propshaft, final drive whose casing rests on a spring, wheel, vehicle."""
+    return Transmission(
+        6, [], [Mechanism(1, 2, 0, ratio, name="gearbox")], [], output=6,
+        link_names=["in", "out", "pinion", "casing", "wheel", "vehicle"],
+        inertias={2: 0.000426, 3: 0.00251, 4: 9.65, 5: 15.3, 6: 1380.0},
+        springs=[
+            Spring({2: 1, 3: -1}, compliance=4.1e-5, name="propshaft"),
+            Spring({3: 1, 5: -I0, 4: I0}, compliance=6.8e-5 * I0**2, name="half-shafts"),
+            Spring({4: 1}, compliance=7.02e-5, name="wind-up"),
+            Spring({5: 1, 6: -1}, compliance=0.97e-5, name="tyre"),
+        ],
+    )  # fmt: skip
+
+
+PUBLISHED = {
+    "pinion": (0.000206, 0.000603, 0.00142, 0.00251),
+    "casing": (0.044, 0.130, 0.306, 0.541),
+    "wheel": (0.0705, 0.204, 0.486, 0.860),
+    "vehicle": (6.39, 18.8, 44.1, 78.0),
+    "propshaft": (50e-5, 17.1e-5, 7.25e-5, 4.1e-5),
+    "half-shafts": (1476e-5, 503e-5, 214e-5, 121e-5),
+    "wind-up": (1525e-5, 520e-5, 221e-5, 125e-5),
+    "tyre": (211e-5, 72e-5, 30.6e-5, 17.3e-5),
+}
+"""Table 2.2, in gears I to IV, from the own values of table 2.1 (within 1.2 %: three digits)."""
+
+
+@pytest.mark.parametrize("gear", range(4))
+def test_moskvich_412_as_published(gear: int) -> None:
+    [found] = reduce(axle(I_GEARBOX[gear]), "in")
+    for name, published in PUBLISHED.items():
+        computed = found.inertias.get(name, found.compliances.get(name))
+        assert computed == pytest.approx(published[gear], rel=0.013), name
+    assert found.inertias["in"] == pytest.approx(GEARBOX["J_c34"][1][gear] / 10, rel=0.004)
+    assert found.merged == {"in": ["out"]}
+    ratio = I_GEARBOX[gear] * I0
+    assert found.ratios["vehicle"] == pytest.approx(ratio)
+
+
+def test_a_gearbox_with_a_compliant_casing() -> None:
+    """(1.22), (1.23): ``J/(1 - i)^2``, ``E (1 - i)^2``; at i = 1 there is no reaction."""
+    i = 3.49
+    case = Transmission(
+        3, [], [Mechanism(1, 2, 3, i, name="box")], [], output=2,
+        inertias={1: 0.2, 2: 3.0, 3: 0.4}, springs=[Spring({3: 1}, compliance=2e-4, name="mount")],
+    )  # fmt: skip
+    [found] = reduce(case, 1)
+    assert found.inertias == pytest.approx({"1": 0.2, "2": 3.0 / i**2, "3": 0.4 / (1 - i) ** 2})
+    assert found.compliances == pytest.approx({"mount": 2e-4 * (1 - i) ** 2})
+    [to_output] = reduce(case, 2)
+    assert to_output.inertias["3"] == pytest.approx(0.4 / (1 / i - 1) ** 2)
+    [at_1] = reduce(case.replace(mechanisms=[Mechanism(1, 2, 3, 1.0)]), 1)
+    assert at_1.inertias["3"] is at_1.compliances["mount"] is at_1.ratios["3"] is None
+    assert at_1.notes == {"3": NO_REACTION}
+
+
+def test_a_train_of_two_mechanisms_on_one_casing_has_one_reaction() -> None:
+    """1 - i of the whole train, i = 2*3."""
+    case = Transmission(
+        4, [], [Mechanism(1, 2, 4, 2.0), Mechanism(2, 3, 4, 3.0)], [], output=3,
+        inertias={1: 1.0, 4: 5.0}, springs=[Spring({4: 1}, stiffness=9.0, name="mount")],
+    )  # fmt: skip
+    [found] = reduce(case, 1)
+    assert found.inertias["4"] == pytest.approx(5.0 / 25)
+
+
+def test_a_frame_behind_the_casing_is_scaled_as_the_casing() -> None:
+    i = 3.0
+    case = Transmission(
+        4, [], [Mechanism(1, 2, 3, i, stiffness=800.0)], [], output=2,
+        inertias={1: 0.2, 2: 3.0, 3: 0.4, 4: 8.0},
+        springs=[Spring({3: 1, 4: -1}, stiffness=70.0, name="mount"),
+                 Spring({4: 1}, stiffness=900.0, name="frame")],
+    )  # fmt: skip
+    [found] = reduce(case, 1)
+    assert found.inertias == pytest.approx({"1": 0.2, "2": 3 / 9, "3": 0.4 / 4, "4": 8 / 4})
+    expected = {"D1": 1 / 800, "mount": 4 / 70, "frame": 4 / 900}
+    assert found.compliances == pytest.approx(expected)
+    scheme = gear_scheme(case, case.gears[0])
+    assert isinstance(scheme, TorsionScheme)
+    omegas = [mode.omega for mode in modes(case)[0].modes]
+    assert natural_frequencies(scheme) == pytest.approx(omegas, rel=1e-11)
+
+
+def test_a_ring_gear_on_the_casing_takes_the_reaction_with_it() -> None:
+    """The casing takes ``1 - 3*4`` of a torque at the engine: of the set and of the final drive."""
+    case = Transmission(
+        5, [ShiftElement(2, 5, name="brake")],
+        [Mechanism(1, 2, 3, -2.0, name="set"), Mechanism(3, 4, 5, 4.0, stiffness=900.0)],
+        [Gear([1])], output=4, inertias={1: 0.2, 4: 3.0, 5: 0.5},
+        springs=[Spring({5: 1}, compliance=0.01, name="mount")],
+    )  # fmt: skip
+    [found] = reduce(case, 1)
+    assert found.merged == {"2": ["5"]}
+    assert found.inertias["2"] == pytest.approx(0.5 / 11**2)
+    assert found.compliances["mount"] == pytest.approx(0.01 * 11**2)
+
+
+def test_what_does_not_turn_with_the_link_has_no_value() -> None:
+    case = Transmission(
+        4, [ShiftElement(2, 3, name="C")], [], [Gear([]), Gear([1])], output=4,
+        inertias={1: 1.0, 4: 2.0},
+        springs=[Spring({1: 1, 2: -1}, stiffness=5.0, name="a"),
+                 Spring({3: 1, 4: -1}, stiffness=7.0, name="b")],
+    )  # fmt: skip
+    opened, closed = reduce(case, 1)
+    assert opened.inertias["4"] is None
+    assert opened.compliances["b"] is None
+    assert closed.inertias["4"] == 2.0
+    assert closed.merged == {"2": ["3"]}
+
+
+@pytest.mark.parametrize("stiffness", [None, 700.0])
+def test_the_scheme_of_a_gear_has_its_frequencies(stiffness: float | None) -> None:
+    case = with_planetary_set()
+    [mechanism] = case.mechanisms
+    case = case.replace(
+        mechanisms=[mechanism._replace(stiffness=stiffness)],
+        inertias={**case.inertias, 2: 0.0 if stiffness is None else 0.01},
+    )
+    scheme = gear_scheme(case, case.gears[0])
+    assert isinstance(scheme, TorsionScheme)
+    expected = [mode.omega for mode in modes(case, ["low"])[0].modes]
+    assert natural_frequencies(scheme) == pytest.approx(expected, rel=1e-10)
+
+
+def test_a_rigid_set_with_inertia_on_all_its_links_is_a_stiff_spring() -> None:
+    """One frequency more, far above, which is the first to be taken out."""
+    case = with_planetary_set()
+    scheme = gear_scheme(case, case.gears[0])
+    assert isinstance(scheme, TorsionScheme)
+    expected = [mode.omega for mode in modes(case, ["low"])[0].modes]
+    *own, stiff = natural_frequencies(scheme)
+    assert own == pytest.approx(expected, rel=1e-7)
+    assert stiff > 1000 * own[-1]
+    [step] = simplify(scheme, 3).steps
+    assert step.omegas[0] == pytest.approx(expected[0], rel=0.003)
+    assert step.omegas == pytest.approx(expected, rel=0.1)

@@ -1,0 +1,335 @@
+"""Natural modes: what holds of every system, and what is known in closed form."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from scipy import linalg
+
+from tests.torsion.systems import Array, branched, chain, matrices, with_planetary_set
+from vstatics import Gear, Mechanism, ShiftElement, Spring, Transmission
+from vstatics.torsion.vibration.gear_modes import GearModes, modes
+
+
+def only(case: Transmission, **options: object) -> GearModes:
+    [gear] = modes(case, **options)  # type: ignore[arg-type]
+    return gear
+
+
+def omegas(gear: GearModes) -> list[float]:
+    return [mode.omega for mode in gear.modes]
+
+
+def shapes(gear: GearModes) -> Array:
+    return np.array([list(mode.shape.values()) for mode in gear.modes]).T
+
+
+def test_two_masses_on_a_shaft() -> None:
+    """``omega^2 = c (1/J1 + 1/J2)``; they swing against each other, by their inertias."""
+    gear = only(chain([2.0, 8.0], [40.0]))
+    [mode] = gear.modes
+    assert gear.rigid_modes == 1
+    assert mode.omega == pytest.approx(math.sqrt(40 * (1 / 2 + 1 / 8)), rel=1e-14)
+    assert mode.frequency == pytest.approx(mode.omega / (2 * math.pi))
+    assert mode.shape == pytest.approx({"1": 1.0, "2": -0.25})
+    assert mode.torques == pytest.approx({"shaft 1": 40 * 1.25})
+    assert mode.kinetic == pytest.approx({"1": 0.8, "2": 0.2})
+    assert mode.elastic == {"shaft 1": 1.0}
+    assert mode.nodes == 1
+    assert (mode.damping_ratio, mode.damped_frequency) == (0.0, mode.frequency)
+    assert gear.damped == []
+
+
+def test_a_chain_of_equal_masses_free_at_its_ends() -> None:
+    """``omega_k = 2 sqrt(c/J) sin(k pi/(2n))`` with k nodes."""
+    gear = only(chain([3.0] * 12, [75.0] * 11))
+    expected = [2 * 5 * math.sin(k * math.pi / 24) for k in range(1, 12)]
+    assert omegas(gear) == pytest.approx(expected, rel=1e-13)
+    assert [mode.nodes for mode in gear.modes] == list(range(1, 12))
+
+
+@settings(max_examples=60, deadline=None)
+@given(branched())
+def test_every_system_of_springs(case: Transmission) -> None:
+    """Sum of omega^2 = trace of M^-1 K; orthogonal in M and K; shares add up; M^-1 K x = w^2 x."""
+    gear = only(case)
+    mass, stiffness, _ = matrices(case)
+    squares = np.square(omegas(gear))
+    assert squares.sum() == pytest.approx(np.trace(linalg.solve(mass, stiffness)), rel=1e-11)
+    x = shapes(gear)
+    for matrix in (mass, stiffness):
+        product = x.T @ matrix @ x
+        size = np.sqrt(np.outer(np.diag(product), np.diag(product)))
+        assert np.abs((product - np.diag(np.diag(product))) / size).max(initial=0) < 1e-9
+    np.testing.assert_allclose(stiffness @ x, (mass @ x) * squares, atol=1e-9 * squares.max())
+    for mode in gear.modes:
+        assert sum(mode.kinetic.values()) == pytest.approx(1, abs=1e-12)
+        assert sum(mode.elastic.values()) == pytest.approx(1, abs=1e-12)
+        assert 1.0 in mode.shape.values()
+        assert max(map(abs, mode.shape.values())) == pytest.approx(1, abs=1e-9)
+    twists = [[one.form.get(n, 0.0) for n in range(1, case.links + 1)] for one in case.springs]
+    rank = np.linalg.matrix_rank(np.array(twists))
+    assert (len(gear.modes), gear.rigid_modes) == (rank, case.links - rank)
+
+
+@settings(max_examples=30, deadline=None)
+@given(branched(), st.randoms(use_true_random=False))
+def test_renumbering_links_changes_nothing(case: Transmission, random: object) -> None:
+    order = list(range(1, case.links + 1))
+    random.shuffle(order)  # type: ignore[attr-defined]
+    new = dict(zip(range(1, case.links + 1), order, strict=True))
+    other = case.replace(
+        inertias={new[link]: value for link, value in case.inertias.items()},
+        springs=[
+            spring._replace(twist={new[link]: part for link, part in spring.form.items()})
+            for spring in case.springs
+        ],
+        input=new[case.input],
+        output=new[case.output],
+    )
+    assert omegas(only(other)) == pytest.approx(omegas(only(case)), rel=1e-10, abs=1e-10)
+
+
+def of_springs(twists: list[Array]) -> Array:
+    """K of the three springs of the set."""
+    parts = zip((900.0, 4000.0, 2500.0), twists, strict=True)
+    stiffness: Array = np.sum([c * np.outer(a, a) for c, a in parts], axis=0)
+    return stiffness
+
+
+def test_a_planetary_set_agrees_with_a_model_made_by_hand() -> None:
+    """Lagrange's equations with the ring and the carrier as coordinates of the set.
+
+    ``w_sun = 3.5 w_carrier - 2.5 w_ring`` (Willis, ratio -2.5): J_sun couples the two.
+    """
+    case = with_planetary_set()
+    # q = (engine, ring, carrier, vehicle); sun = 3.5 carrier - 2.5 ring
+    sun = np.array([0, -2.5, 3.5, 0])
+    mass = np.diag([0.2, 0.05, 0.03, 4.0]) + 0.01 * np.outer(sun, sun)
+    twists = [np.array([1, 0, 0, 0]) - sun, np.array([0, 1, 0, 0]), np.array([0, 0, 1, -1])]
+    stiffness = of_springs(twists)
+    squares = linalg.eigh(stiffness, mass, eigvals_only=True)
+    low, direct = modes(case)
+    assert low.rigid_modes == 1
+    assert omegas(low) == pytest.approx(np.sqrt(squares[1:]), rel=1e-11)
+    # direct: the clutch makes sun, ring and carrier one body of .09 on its mount
+    body = np.diag([0.2, 0.09, 4.0])
+    twists = [np.array([1, -1, 0]), np.array([0, 1, 0]), np.array([0, 1, -1])]
+    stiffness = of_springs(twists)
+    assert direct.rigid_modes == 0
+    assert omegas(direct) == pytest.approx(
+        np.sqrt(linalg.eigh(stiffness, body, eigvals_only=True)), rel=1e-11
+    )
+
+
+def test_torques_of_rigid_devices_balance_every_link() -> None:
+    """``J q'' = -A M``: of each link, with the column (1, 2.5, -3.5) of the set."""
+    low, direct = modes(with_planetary_set())
+    inertias = [0.2, 0.01, 0.05, 0.03, 4.0]
+    for gear, engaged in ((low, 0.0), (direct, 1.0)):
+        for mode in gear.modes:
+            torque = mode.torques
+            assert (torque["C"] == 0) == (engaged == 0)
+            on_links = [
+                torque["in"],
+                -torque["in"] + torque["P"] + torque["C"],
+                2.5 * torque["P"] - torque["C"] + torque["ring mount"],
+                -3.5 * torque["P"] + torque["out"],
+                -torque["out"],
+            ]
+            scale = max(map(abs, torque.values()))
+            inertial = [
+                mode.omega**2 * inertia * x
+                for inertia, x in zip(inertias, mode.shape.values(), strict=True)
+            ]
+            assert inertial == pytest.approx(on_links, abs=1e-9 * scale)
+
+
+@pytest.mark.parametrize("stiff", [1e8, 1e10, 1e12])
+def test_very_stiff_devices_tend_to_constraints(stiff: float) -> None:
+    case = with_planetary_set()
+    [mechanism], [clutch] = case.mechanisms, case.shift_elements
+    elastic = case.replace(
+        mechanisms=[mechanism._replace(stiffness=stiff)],
+        shift_elements=[clutch._replace(stiffness=stiff)],
+    )
+    for rigid, stiffened in zip(modes(case), modes(elastic), strict=True):
+        lowest = omegas(stiffened)[: len(rigid.modes)]
+        assert lowest == pytest.approx(omegas(rigid), rel=1e4 / stiff + 1e-9)
+        for exact, near in zip(rigid.modes, stiffened.modes, strict=False):
+            scale = max(map(abs, exact.torques.values()))
+            assert near.torques == pytest.approx(exact.torques, abs=scale * (1e5 / stiff + 1e-6))
+
+
+def test_own_and_reduced_coordinates_have_the_same_frequencies() -> None:
+    """Gearbox with a compliant casing, (1.11) and (1.22), (1.23); at i = 1 the casing is apart."""
+    i, springs = 3.49, [Spring({3: 1}, stiffness=3000.0, name="mount")]
+    own = Transmission(
+        3, [], [Mechanism(1, 2, 3, i, stiffness=800.0)], [], output=2, springs=springs,
+        inertias={1: 0.2, 2: 3.0, 3: 0.4},
+    )  # fmt: skip
+    reduced = Transmission(
+        3, [], [], [], output=2,
+        springs=[
+            Spring({1: 1, 2: -1, 3: -1}, stiffness=800.0),
+            Spring({3: 1}, stiffness=3000.0 / (1 - i) ** 2),
+        ],
+        inertias={1: 0.2, 2: 3.0 / i**2, 3: 0.4 / (1 - i) ** 2},
+    )  # fmt: skip
+    assert omegas(only(own)) == pytest.approx(omegas(only(reduced)), rel=1e-12)
+    at_1 = only(own.replace(mechanisms=[Mechanism(1, 2, 3, 1.0, stiffness=800.0)]))
+    expected = sorted([math.sqrt(3000 / 0.4), math.sqrt(800 * (1 / 0.2 + 1 / 3.0))])
+    assert omegas(at_1) == pytest.approx(expected, rel=1e-13)
+
+
+def test_a_soft_support_is_an_ordinary_mode() -> None:
+    """``omega^2 = c/(J1 + J2)`` beside a shaft 1e19 times as stiff."""
+    case = chain([1.0, 2.0], [1e10])
+    soft = case.replace(springs=[*case.springs, Spring({1: 1}, stiffness=1e-9, name="string")])
+    gear = only(soft)
+    assert gear.rigid_modes == 0
+    assert gear.modes[0].omega == pytest.approx(math.sqrt(1e-9 / 3), rel=1e-6)
+    assert gear.modes[0].elastic["string"] == pytest.approx(1)
+
+
+def test_equal_frequencies_are_listed_as_often_as_they_occur() -> None:
+    """Two equal wheels on equal half-shafts: antiphase, and with the rest (2.2)."""
+    springs = [Spring({1: 1, n: -1}, stiffness=50.0, name=f"half-shaft {n}") for n in (2, 3, 4)]
+    case = Transmission(
+        4, [], [], [], springs=springs, inertias={1: 9.0, 2: 2.0, 3: 2.0, 4: 2.0}, output=4
+    )
+    gear = only(case)
+    assert omegas(gear) == pytest.approx([5.0, 5.0, math.sqrt(50 * (1 / 2 + 3 / 9))], rel=1e-13)
+    first, second = (np.array(list(mode.shape.values())) for mode in gear.modes[:2])
+    assert abs(first @ np.diag([9.0, 2, 2, 2]) @ second) < 1e-12
+
+
+def test_what_stands_together_is_one_node() -> None:
+    """Wheels in antiphase on half-shafts: all between engine and differential stands, (2.2)."""
+    springs = [
+        Spring({1: 1, 2: -1}, stiffness=70.0, name="propshaft"),
+        Spring({2: 1, 3: -1}, stiffness=50.0, name="left"),
+        Spring({2: 1, 4: -1}, stiffness=50.0, name="right"),
+    ]
+    inertias = {1: 9.0, 2: 1.0, 3: 2.0, 4: 2.0}
+    gear = only(Transmission(4, [], [], [], springs=springs, inertias=inertias, output=4))
+    [antiphase] = [mode for mode in gear.modes if mode.omega == pytest.approx(5.0)]
+    assert antiphase.nodes == 1
+    axle = only(
+        Transmission(
+            3, [], [], [], output=2, inertias={1: 1.0, 2: 2.0, 3: 0.1},
+            springs=[Spring({1: 1, 2: -1, 3: -1}, stiffness=5.0), Spring({3: 1}, stiffness=9.0)],
+        )
+    )  # fmt: skip
+    assert axle.modes[0].nodes == 1
+
+
+def test_a_tie_of_the_largest_amplitude_goes_to_the_first_link() -> None:
+    [mode] = only(chain([2.0, 2.0], [1.0])).modes
+    assert mode.shape == pytest.approx({"1": 1.0, "2": -1.0}, abs=1e-15)
+
+
+def test_massless_links_follow_and_infinite_frequencies_are_left_out() -> None:
+    """Two shafts in a row are one: 1/(1/c1 + 1/c2)."""
+    gear = only(chain([2.0, 0.0, 8.0], [60.0, 120.0]))
+    [mode] = gear.modes
+    assert mode.omega == pytest.approx(5.0)
+    assert mode.torques["shaft 1"] == pytest.approx(mode.torques["shaft 2"])
+    assert mode.kinetic["2"] == 0
+
+
+def test_what_nothing_moves_or_holds_is_left_out_with_a_warning() -> None:
+    """Link 3 hangs on an open clutch, without inertia."""
+    case = chain([2.0, 8.0], [40.0])
+    loose = Transmission(
+        3, [ShiftElement(2, 3, name="C")], [], [Gear([]), Gear([1])], springs=case.springs,
+        inertias={1: 2.0, 2: 8.0}, output=2,
+    )  # fmt: skip
+    opened, closed = modes(loose)
+    assert omegas(opened) == pytest.approx([5.0])
+    assert omegas(closed) == pytest.approx([5.0])
+    assert math.isnan(opened.modes[0].shape["3"])
+    [warning] = opened.warnings
+    assert warning.startswith("3 has neither an inertia nor a device that resists")
+    assert closed.modes[0].shape["3"] == pytest.approx(-0.25)
+    assert closed.warnings == []
+    assert closed.modes[0].torques["C"] == pytest.approx(0, abs=1e-12)
+
+
+def test_redundant_devices_have_no_torque_of_their_own() -> None:
+    springs = chain([2.0, 8.0], [40.0]).springs
+    twice = [ShiftElement(2, 3, name="C"), ShiftElement(2, 3, name="D")]
+    case = Transmission(
+        3, twice, [], [Gear([1, 2])], springs=springs, output=3, inertias={1: 2.0, 3: 8.0}
+    )
+    gear = only(case)
+    told = (
+        "C and D: 1 device is in excess; the speeds agree, the torque of C and D is not determined"
+    )
+    assert gear.warnings == [told]
+    assert math.isnan(gear.modes[0].torques["C"])
+    assert gear.modes[0].torques["shaft 1"] == pytest.approx(50)
+
+
+def test_a_tied_up_gear_says_why_and_elastic_devices_tie_nothing_up() -> None:
+    brakes = [ShiftElement(2, name="B"), ShiftElement(1, 2, name="C")]
+    case = Transmission(
+        2, brakes, [], [Gear([1, 2])], springs=[Spring({1: 1}, stiffness=1.0)], inertias={1: 1.0}
+    )
+    assert only(case).error.startswith("tied up: B and C let the input not turn")
+    assert only(case).modes == ()
+    elastic = case.replace(shift_elements=[brakes[0], brakes[1]._replace(stiffness=8.0)])
+    assert omegas(only(elastic)) == pytest.approx([3.0])
+
+
+def test_freewheels_hold_as_they_do_at_mean_speeds() -> None:
+    """It holds the ring in drive; on the overrun it lets the ring go."""
+    case = with_planetary_set(
+        shift_elements=[ShiftElement(0, 3, name="F", kind="freewheel")],
+        gears=[Gear([], name="low")],
+        springs=[
+            Spring({1: 1, 2: -1}, stiffness=900.0, name="in"),
+            Spring({4: 1, 5: -1}, stiffness=2500.0, name="out"),
+        ],
+    )
+    turned = case.replace(shift_elements=[ShiftElement(3, 0, name="F", kind="freewheel")])
+    for one in (case, turned):
+        assert {only(one, coast=coast).rigid_modes for coast in (False, True)} == {1, 2}
+    assert only(case).rigid_modes != only(turned).rigid_modes
+
+
+def test_so_many_modes_as_are_asked_for() -> None:
+    case = chain([1.0] * 60, [10.0] * 59)
+    assert len(only(case).modes) == 20
+    assert len(only(case, count=59).modes) == 59
+    assert omegas(only(case, count=3)) == pytest.approx(omegas(only(case))[:3])
+    assert len(only(chain([1.0] * 50, [10.0] * 49)).modes) == 49
+
+
+def test_many_links_by_sparse_matrices() -> None:
+    """A chain of 340 masses, clamped by a soft spring at one end; against all modes at once."""
+    case = chain([1.0 + n % 3 for n in range(340)], [100.0 + n % 5 for n in range(339)])
+    case = case.replace(springs=[*case.springs, Spring({1: 1}, stiffness=0.5)])
+    mass, stiffness, _ = matrices(case)
+    expected = np.sqrt(linalg.eigh(stiffness, mass, eigvals_only=True, subset_by_index=[0, 5]))
+    assert omegas(only(case, count=6)) == pytest.approx(expected, rel=1e-9)
+
+
+def test_sensitivities_are_differences_of_the_frequencies() -> None:
+    case = with_planetary_set()
+    [mode, *_] = modes(case)[0].modes
+    step = 1e-6
+    for number, spring in enumerate(case.springs):
+        springs = list(case.springs)
+        springs[number] = spring._replace(stiffness=spring.rate * (1 + step))
+        changed = modes(case.replace(springs=springs))[0].modes[0].omega
+        slope = (changed / mode.omega - 1) / step
+        assert slope == pytest.approx(mode.by_stiffness[spring.name], abs=1e-6)
+    for link, inertia in case.inertias.items():
+        heavier = case.replace(inertias={**case.inertias, link: inertia * (1 + step)})
+        slope = (modes(heavier)[0].modes[0].omega / mode.omega - 1) / step
+        assert slope == pytest.approx(mode.by_inertia[str(link)], abs=1e-6)

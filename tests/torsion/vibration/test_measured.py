@@ -1,0 +1,187 @@
+"""Compliances and dampings from a measured mode: tables П2.1 and 2.4 of the book, round trips."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+
+import pytest
+
+from tests.torsion.vibration.test_decrements import TABLE_2_4, TABLE_P2_1
+from vstatics import CaseError, Spring, Transmission, loads
+from vstatics.torsion.vibration.gear_modes import Mode, modes
+from vstatics.torsion.vibration.measured import Identified, damping, identify
+
+DRIVELINE = """\
+inertias: {engine: 0.15, disc: 0.0032, gear wheels: 0.001, wheel: 1.53, vehicle: 138, casing: 0.9}
+springs:
+  damper: {links: [engine, disc], compliance: 84e-5}
+  "prop, shaft": {links: [gear wheels, pinion], compliance: 50e-5}
+  tyre: {links: [wheel, vehicle], stiffness: 10309}
+  wind-up: {links: [casing, housing], compliance: 7.02e-5}
+shift_elements:
+  I: {links: [countershaft, gear wheels], stiffness: 1e5}
+  IV: [disc, gear wheels]
+mechanisms:
+  pair: {first: disc, second: countershaft, ratio: 3.49}
+  final drive: {first: pinion, second: wheel, third: casing, ratio: 4.22, stiffness: 9e4,
+    planet_ratio: 1}
+gears: {1: [I], 4: [IV], both: [I, IV]}
+"""
+"""About as a Москвич-412, with a clutch and a mechanism that are elastic, too."""
+
+
+def one_link(first: float, second: float, compliance: float) -> Transmission:
+    shaft = Spring({1: 1, 2: -1}, compliance=compliance, name="all")
+    return Transmission(2, [], [], [], inertias={1: first, 2: second}, springs=[shaft])
+
+
+def corrected(case: Transmission, made: Identified) -> Transmission:
+    """The case with what was identified."""
+
+    def changes(name: str) -> dict[str, float]:
+        one = {"stiffness": 1 / made.compliances[name]}
+        return one | ({"damping": made.dampings[name]} if made.dampings else {})
+
+    return case.replace(
+        springs=[one._replace(compliance=None, **changes(one.name)) for one in case.springs],  # type: ignore[arg-type]
+        mechanisms=[
+            one._replace(**changes(one.name)) if one.stiffness else one  # type: ignore[arg-type]
+            for one in case.mechanisms
+        ],
+        shift_elements=[
+            one._replace(**changes(one.name)) if one.name in made.compliances else one  # type: ignore[arg-type]
+            for one in case.shift_elements
+        ],
+    )
+
+
+def mode(case: Transmission, gear: str, number: int = 1) -> Mode:
+    [found] = modes(case, [gear])
+    return found.modes[number - 1]
+
+
+@pytest.mark.parametrize("gear", TABLE_P2_1)
+def test_table_p2_1(gear: str) -> None:
+    """Tsitovich, Algin, Vehicle dynamics (1981), ВАЗ-2101."""
+    given = TABLE_P2_1[gear]
+    first, second, third = given.inertias
+    case = one_link(first + second, third, given.compliance)
+    made = identify(case, 1, given.measured, given.decrement)
+    if given.calculated is not None:
+        assert made.omega == pytest.approx(given.calculated, rel=0.3e-2)
+    assert made.compliances["all"] == pytest.approx(given.corrected, rel=1.5e-2)
+    if given.damping is not None:
+        assert made.dampings["all"] == pytest.approx(given.damping, rel=0.3e-2)
+
+
+@pytest.mark.parametrize(("gear", "number"), [("1", 1), ("1", 3), ("4", 1), ("4", 2)])
+def test_a_corrected_case_has_the_measured_mode(gear: str, number: int) -> None:
+    """All shapes stay; the damping is in proportion to the stiffness, so its ratio is exact."""
+    case = loads(DRIVELINE)
+    before = mode(case, gear, number)
+    made = identify(case, gear, 0.8 * before.omega, 0.7, number)
+    after = mode(corrected(case, made), gear, number)
+    assert made.omega == before.omega
+    assert after.omega == pytest.approx(0.8 * before.omega, rel=1e-12)
+    assert after.shape == pytest.approx(before.shape)
+    assert after.damping_ratio == pytest.approx(0.7 / (2 * math.pi))
+
+
+def test_elastic_devices_of_the_gear_are_corrected() -> None:
+    case = loads(DRIVELINE)
+    always = {"damper", "prop, shaft", "tyre", "wind-up", "final drive"}
+    assert identify(case, 1, 15).compliances.keys() == always | {"I"}
+    assert identify(case, "4", 15).compliances.keys() == always
+    assert identify(case, "4", 15).dampings == {}
+    factor = (mode(case, "4").omega / 15) ** 2
+    assert identify(case, "4", 15).compliances["final drive"] == pytest.approx(factor / 9e4)
+
+
+@pytest.mark.parametrize("gear", TABLE_2_4)
+def test_table_2_4(gear: str) -> None:
+    """In a chain without inertia between them the shares are those of the compliances, (П1.20).
+
+    At 1 rad/s a damping is K omega.
+    """
+    given = TABLE_2_4[gear]
+    printed = dict(zip(("transmission", "axle", "tyres"), given.parts, strict=True))
+    decrements = {name: one for name, one in printed.items() if one is not None}
+    *shafts, axle, tyres = given.compliances
+    compliances = (math.fsum(shafts), axle, tyres)
+    springs = [
+        Spring({n: 1, n + 1: -1}, compliance=one, name=name)
+        for n, (name, one) in enumerate(zip(printed, compliances, strict=True), 1)
+    ]
+    case = Transmission(4, [], [], [], inertias={1: 0.15, 4: 1.0}, springs=springs)
+    made = damping(case, 1, decrements, omega=1.0)
+    if len(decrements) == 3:
+        assert made.decrement == pytest.approx(given.decrement, rel=1e-2)
+    for name, product in zip(printed, given.products[:3], strict=True):
+        if product is not None:
+            assert made.dampings[name] == pytest.approx(product, rel=1e-2)
+
+
+def test_dampings_give_the_decrement_back() -> None:
+    """Lightly damped, the ratio of the mode follows from its decrement."""
+    case = loads(DRIVELINE)
+    given = {"prop, shaft": 0.003, "tyre": 0.004, "wind-up": 0.009, "final drive": 0.001}
+    made = damping(case, "4", given)
+    assert made.omega == mode(case, "4").omega
+    damped = case.replace(
+        springs=[one._replace(damping=made.dampings.get(one.name, 0.0)) for one in case.springs],
+        mechanisms=[
+            one._replace(damping=made.dampings.get(one.name, 0.0)) for one in case.mechanisms
+        ],
+    )
+    ratio = mode(damped, "4").damping_ratio
+    assert made.decrement == pytest.approx(2 * math.pi * ratio, rel=1e-4)
+    elastic = mode(case, "4").elastic
+    assert made.shares == {name: elastic[name] for name in given}
+    assert made.notes == []
+
+
+def test_dampings_of_the_case_are_told() -> None:
+    """That of a loss factor adds ``pi * loss factor`` by its share."""
+    text = DRIVELINE.replace("84e-5", "84e-5, damping: {loss_factor: 0.1}")
+    made = damping(loads(text), "4", {"tyre": 0.2})
+    share = mode(loads(DRIVELINE), "4").elastic["damper"]
+    assert made.decrement == 0.2 * made.shares["tyre"]
+    told = f"by its damping in the case damper adds {math.pi * 0.1 * share:.4g} to the decrement"
+    assert made.notes == [told]
+
+
+@pytest.mark.parametrize(
+    ("decrements", "message"),
+    [
+        ({}, "there is no decrement"),
+        ({"tyer": 0.1}, "no elastic device `tyer`; did you mean `tyre`?"),
+        ({"pair": 0.1}, "`pair` is not elastic in gear 4; elastic are `final drive`, `damper`"),
+        ({"I": 0.1}, "`I` is not elastic in gear 4"),
+        ({"tyre": -0.1}, "decrement of tyre: read -0.1, expected a number of 0 or more"),
+        ({"tyre": math.nan}, "decrement of tyre: read nan"),
+    ],
+)
+def test_what_can_be_no_decrement(decrements: Mapping[str, float], message: str) -> None:
+    with pytest.raises(ValueError, match="^" + message.replace("?", r"\?")):
+        damping(loads(DRIVELINE), "4", decrements)
+
+
+@pytest.mark.parametrize("omega", [0.0, -1.0, math.nan, math.inf, 1e-300, 1e300])
+def test_what_can_be_no_frequency(omega: float) -> None:
+    with pytest.raises(ValueError, match=r"a number above 0|numbers so large"):
+        identify(loads(DRIVELINE), "4", omega, 0.5)
+
+
+def test_a_mode_that_is_not_there() -> None:
+    count = len(modes(loads(DRIVELINE), ["4"])[0].modes)
+    with pytest.raises(ValueError, match=f"^no mode {count + 1} in gear 4; it has {count}$"):
+        identify(loads(DRIVELINE), "4", 15.0, mode=count + 1)
+
+
+def test_a_gear_without_modes_is_told() -> None:
+    with pytest.raises(CaseError, match=r"gears\[3\]: tied up"):
+        identify(loads("input: disc\n" + DRIVELINE.replace(", stiffness: 1e5", "")), "both", 15.0)
+    text = "inertias: {1: 1}\nlinks: 2\nmechanisms: {D: {first: 1, second: 2, ratio: 3}}\ngears: {1: []}"
+    with pytest.raises(CaseError, match=r"gears\[1\]: nothing elastic joins inertias"):
+        identify(loads(text), 1, 15.0)

@@ -1,0 +1,158 @@
+"""Frequencies of many variants at once: each as if it were calculated alone."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from tests.torsion.systems import Array, branched, chain, with_planetary_set
+from vstatics import Spring, Transmission
+from vstatics.torsion.system.coordinates import coordinates
+from vstatics.torsion.system.gear_system import TorsionalSystem, torsional_system
+from vstatics.torsion.vibration.natural import natural_modes
+from vstatics.torsion.vibration.variants import variant_frequencies
+
+VARIANTS = 4
+
+
+def system_of(case: Transmission, gear: int = 0) -> TorsionalSystem:
+    return torsional_system(case, case.gears[gear])
+
+
+def frequencies(
+    system: TorsionalSystem,
+    stiffnesses: Mapping[int, Array] | None = None,
+    inertias: Mapping[int, Array] | None = None,
+) -> Array:
+    """All that there may be, of shape (variants, links)."""
+    given = [*(stiffnesses or {}).values(), *(inertias or {}).values()]
+    return variant_frequencies(
+        system,
+        range(len(system.names)),
+        stiffnesses=stiffnesses or {},
+        inertias=inertias or {},
+        variants=len(given[0]),
+    )
+
+
+def alone(
+    system: TorsionalSystem, stiffnesses: Mapping[int, Array], inertias: Mapping[int, Array]
+) -> Array:
+    """The same, one by one, by the modes of a single case."""
+    rows = []
+    for variant in range(VARIANTS):
+        devices, bodies = list(system.devices), list(system.bodies)
+        places = [place for place, one in enumerate(devices) if one.stiffness is not None]
+        for device, numbers in stiffnesses.items():
+            place = places[device]
+            devices[place] = devices[place]._replace(stiffness=float(numbers[variant]))
+        for body, numbers in inertias.items():
+            bodies[body] = bodies[body]._replace(inertia=float(numbers[variant]))
+        one = system._replace(devices=tuple(devices), bodies=tuple(bodies))
+        omegas = natural_modes(one, coordinates(one)).omegas
+        rows.append(np.pad(omegas, (0, len(system.names) - len(omegas)), constant_values=np.nan))
+    return np.array(rows)
+
+
+def numbers(low: float, high: float) -> st.SearchStrategy[Array]:
+    size = st.floats(math.log10(low), math.log10(high)).map(lambda power: 10.0**power)
+    return st.lists(size, min_size=VARIANTS, max_size=VARIANTS).map(np.array)
+
+
+@settings(max_examples=50, deadline=None)
+@given(branched(), st.data())
+def test_any_stiffnesses_and_inertias(case: Transmission, data: st.DataObject) -> None:
+    """A link may lose its inertia in some variants, and a stiffness go over eight decades."""
+    inertias = {
+        link: j for link, j in case.inertias.items() if data.draw(st.integers(0, 3)) or link < 2
+    }
+    system = system_of(case.replace(inertias=inertias))
+    devices, bodies = len(system.elastic), case.links
+    stiff = data.draw(st.dictionaries(st.integers(0, devices - 1), numbers(1e-4, 1e4), max_size=2))
+    heavy = data.draw(
+        st.dictionaries(
+            st.integers(0, bodies - 1),
+            st.tuples(numbers(0.01, 10), st.lists(st.booleans(), min_size=4, max_size=4)).map(
+                lambda drawn: drawn[0] * np.array(drawn[1])
+            ),
+            max_size=2,
+        )
+    )
+    if stiff or heavy:
+        expected = alone(system, stiff, heavy)
+        np.testing.assert_allclose(frequencies(system, stiff, heavy), expected, rtol=1e-9)
+
+
+@pytest.mark.parametrize("gear", [0, 1])
+def test_a_planetary_set_between_elastic_shafts(gear: int) -> None:
+    system = system_of(with_planetary_set(), gear)
+    for device in range(len(system.elastic)):
+        stiff = {device: np.array([1.0, 1e3, 1e6, 1e9])}
+        np.testing.assert_allclose(frequencies(system, stiff), alone(system, stiff, {}), rtol=1e-9)
+
+
+def test_a_shaft_with_a_link_without_inertia_is_two_shafts_in_a_row() -> None:
+    """``1/c = 1/c1 + 1/c2``, and ``omega^2 = c (1/J1 + 1/J2)``."""
+    system = system_of(chain([0.2, 0.0, 0.8], [500.0, 300.0]))
+    stiffness = np.array([1e-6, 20.0, 500.0, 1e12])
+    in_a_row = 1 / (1 / stiffness + 1 / 300)
+    found = frequencies(system, {0: stiffness})
+    np.testing.assert_allclose(found[:, 0], np.sqrt(in_a_row * (1 / 0.2 + 1 / 0.8)), rtol=1e-12)
+    assert np.isnan(found[:, 1:]).all()
+
+
+def test_a_shaft_that_ends_without_inertia_carries_no_torque() -> None:
+    system = system_of(chain([0.2, 0.8, 0.0], [500.0, 300.0]))
+    found = frequencies(system, {1: np.array([1.0, 1e3, 1e9])})
+    np.testing.assert_allclose(found[:, 0], math.sqrt(500 * (1 / 0.2 + 1 / 0.8)), rtol=1e-13)
+    assert np.isnan(found[:, 1:]).all()
+
+
+def test_a_soft_support_keeps_its_digits_beside_stiff_shafts() -> None:
+    """A body of 1 + 1 on a support: ``omega^2 = c/2``, twelve decades below the shaft."""
+    twists = {1: 1, 2: -1}, {2: 1}
+    springs = [Spring(twist, stiffness=c) for twist, c in zip(twists, (1e9, 1.0), strict=True)]
+    system = system_of(Transmission(2, [], [], [], springs=springs, inertias={1: 1.0, 2: 1.0}))
+    stiffness = np.array([1e-3, 1e-2, 1e-1])
+    found = frequencies(system, {1: stiffness})
+    np.testing.assert_allclose(found[:, 0], np.sqrt(stiffness / 2), rtol=1e-9)
+    np.testing.assert_allclose(found[:, 1], math.sqrt(2e9), rtol=1e-9)
+
+
+def test_very_stiff_devices_tend_to_constraints() -> None:
+    """Two of three masses become one: ``omega^2 = c (1/J1 + 1/(J2 + J3))``."""
+    system = system_of(chain([0.2, 0.3, 0.5], [500.0, 300.0]))
+    [row] = frequencies(system, {1: np.array([1e14])})
+    assert row[0] == pytest.approx(math.sqrt(500 * (1 / 0.2 + 1 / 0.8)), rel=1e-9)
+
+
+def test_an_inertia_of_0_takes_a_mode_away() -> None:
+    system = system_of(chain([0.2, 0.3, 0.5], [500.0, 300.0]))
+    found = frequencies(system, {}, {1: np.array([0.3, 0.0, 0.3])})
+    assert np.isnan(found).sum(axis=1).tolist() == [1, 2, 1]
+    in_a_row = 1 / (1 / 500 + 1 / 300)
+    assert found[1, 0] == pytest.approx(math.sqrt(in_a_row * (1 / 0.2 + 1 / 0.5)))
+    np.testing.assert_array_equal(found[0], found[2])
+
+
+def test_more_variants_than_are_solved_at_once() -> None:
+    """Four masses on a row of shafts, all of the same stiffness: frequencies go by its root."""
+    system = system_of(chain([1.0] * 4, [1.0] * 3))
+    stiffness = np.linspace(1, 100, 20_000)
+    found = frequencies(system, dict.fromkeys(range(3), stiffness))
+    expected = 2 * np.outer(np.sqrt(stiffness), [math.sin(k * math.pi / 8) for k in (1, 2, 3)])
+    np.testing.assert_allclose(found[:, :3], expected, rtol=1e-12)
+
+
+def test_many_links_are_solved_one_by_one() -> None:
+    """A shaft of 400 equal masses, ``omega_k = 2 sqrt(c/J) sin(k pi/800)``; all inertias vary."""
+    system = system_of(chain([1.0] * 400, [1.0] * 399))
+    heavy = dict.fromkeys(range(400), np.array([1.0, 4.0]))
+    found = variant_frequencies(system, [0, 2], stiffnesses={}, inertias=heavy, variants=2)
+    expected = [[2 / j * math.sin(k * math.pi / 800) for k in (1, 3)] for j in (1, 2)]
+    np.testing.assert_allclose(found, expected, rtol=1e-9)

@@ -1,0 +1,294 @@
+"""What commands share: their arguments, and reading and calculating each case."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterator, Sequence
+from functools import wraps
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar, get_args
+
+import click
+
+from vstatics import readers
+from vstatics.cli.frame import files
+from vstatics.cli.frame.problems import Telling
+from vstatics.errors import Problem, ReadError, of_file, plural, spoken
+from vstatics.model.checks import hints
+from vstatics.model.transmission import IdleConvention, Transmission
+from vstatics.readers.reading import Reading
+from vstatics.statics.result_arrays import Message
+from vstatics.statics.results import Language, Results
+from vstatics.statics.solve import solve
+
+if TYPE_CHECKING:
+    from vstatics.simulation.scenario.file import ScenarioFile
+
+Command = TypeVar("Command", bound=Callable[..., Any])
+
+argument = click.argument("cases", nargs=-1, required=True, type=click.Path(), metavar="CASE...")
+input_format = click.option(
+    "--from",
+    "input_format",
+    type=click.Choice(list(readers.READERS)),
+    help="Format of the input; else told by the suffix, then by the content.",
+)
+coast = click.option(
+    "--coast/--drive",
+    default=None,
+    help="Power enters at the output (engine braking), or at the input; else as the case says.",
+)
+idle = click.option(
+    "--idle",
+    type=click.Choice(get_args(IdleConvention)),
+    help="Sign of idle mechanisms; else as the case says.",
+)
+quiet = click.option(
+    "-q",
+    "--quiet",
+    is_flag=True,
+    help="Errors only: no warnings, notes, progress; no count where all is well.",
+)
+strict = click.option(
+    "--strict", is_flag=True, help="Warnings make the exit status 1, too; notes do not."
+)
+some_gears = click.option(
+    "--gear",
+    "gears",
+    multiple=True,
+    metavar="G",
+    help="This gear only, by its name or number; may be given several times.",
+)
+
+
+def required_output(says: str) -> Callable[[Command], Command]:
+    """The option for a file that a command can't do without."""
+    return click.option(
+        "-o", "--output", type=click.Path(), required=True, metavar="FILE", help=says
+    )
+
+
+def language(of: str) -> Callable[[Command], Command]:
+    """The option for the language of something."""
+    return click.option(
+        "--lang",
+        type=click.Choice(get_args(Language)),
+        default="en",
+        show_default=True,
+        help=f"Language of {of}.",
+    )
+
+
+class CalculatedCase(NamedTuple):
+    """What became of a case: results, or only problems."""
+
+    file: str
+    results: Results | None
+    problems: list[Problem]
+    data: bytes = b""
+    """What was read."""
+    telling: Telling = Telling()
+    scenario: ScenarioFile | None = None
+    """That which names the case, where the command takes one."""
+
+    @property
+    def failed(self) -> bool:
+        """Whether the case is in error, a gear is tied up, or what is told makes it fail."""
+        if self.results is None or self.results.failed:
+            return True
+        return self.telling.fails(self.problems)
+
+
+class CaseOptions(NamedTuple):
+    """How cases are read and calculated; what is None is as the case says."""
+
+    input_format: readers.Format | None = None
+    coast: bool | None = None
+    idle: IdleConvention | None = None
+    telling: Telling = Telling()
+    scenarios: bool = False
+    """Whether a scenario may stand for its case."""
+
+
+def telling(command: Command) -> Command:
+    """The options of what is printed and what fails; the command gets `telling`."""
+
+    @wraps(command)
+    def with_telling(*values: Any, quiet: bool, strict: bool, **others: Any) -> Any:
+        return command(*values, telling=Telling(quiet, strict), **others)
+
+    decorated: Any = quiet(strict(with_telling))
+    return decorated  # type: ignore[no-any-return]
+
+
+def settings(command: Command) -> Command:
+    """The options of how cases are read, calculated and told; the command gets `settings`."""
+
+    @wraps(command)
+    def with_settings(
+        *values: Any,
+        input_format: readers.Format | None,
+        coast: bool | None,
+        idle: IdleConvention | None,
+        telling: Telling,
+        **others: Any,
+    ) -> Any:
+        options = CaseOptions(input_format, coast, idle, telling=telling)
+        return command(*values, settings=options, **others)
+
+    decorated: Any = input_format(coast(idle(telling(with_settings))))
+    return decorated  # type: ignore[no-any-return]
+
+
+def gear_number(case: Transmission, asked: str) -> int:
+    """The number of a gear from 1: the one of this name, else the one of this number.
+
+    Raises
+    ------
+    BadParameter
+        If there is none; it tells the nearest name.
+    """
+    try:
+        return case.gear_number(asked)
+    except ValueError as error:
+        raise click.BadParameter(str(error), param_hint="--gear") from None
+
+
+def gear_indices(case: Transmission, asked: Sequence[str]) -> Sequence[int]:
+    """The indices of the gears that are asked for, each once; all where none is.
+
+    Raises
+    ------
+    BadParameter
+        If there is no such gear.
+    """
+    numbers = dict.fromkeys(gear_number(case, one) for one in asked)
+    return [number - 1 for number in numbers] or range(len(case.gears))
+
+
+def calculate(cases: Sequence[str], settings: CaseOptions) -> Iterator[CalculatedCase]:
+    """Read and calculate each case, print its problems, and go on after a bad one."""
+    check_streams(cases)
+    for file in cases:
+        outcome = calculate_one(file, settings)
+        files.show(settings.telling.printed(outcome.problems))
+        files.show(settings.telling.quiet_failure(outcome.problems, outcome.file))
+        yield outcome
+
+
+def check_streams(cases: Sequence[str]) -> None:
+    """Standard input can be one case only."""
+    if cases.count(files.STDIN) > 1:
+        raise click.UsageError("standard input (-) can be read once")
+
+
+def calculate_one(file: str, settings: CaseOptions) -> CalculatedCase:
+    """Read and calculate a case; whatever goes wrong with it is a problem of this case."""
+    name, data = files.STDIN_NAME if file == files.STDIN else file, b""
+    scenario = None
+    try:
+        data, name = files.read_input(file)
+        if settings.scenarios and (scenario := _scenario(data, name, settings)):
+            reading = scenario.reading
+        else:
+            reading = readers.read(data, name, settings.input_format)
+        results = solve(reading.case, coast=settings.coast, idle=settings.idle)
+        notes = map(reading.locate, hints(reading.case)) if settings.telling.notes else ()
+        each = settings.telling.each_gear
+        problems = [*reading.warnings, *notes, *_located(reading, results, each_gear=each)]
+    except ReadError as error:
+        results, problems = None, _no_case(data, name, settings) or error.problems
+    except Exception as error:  # noqa: BLE001 - the other cases are to go on
+        results, problems = None, [unexpected(name, error)]
+    told = settings.telling.told(problems)
+    return CalculatedCase(name, results, told, data, settings.telling, scenario)
+
+
+def _scenario(data: bytes, name: str, settings: CaseOptions) -> ScenarioFile | None:
+    """The scenario of a text with the case that it names; None if it is none."""
+    if b"duration" not in data:  # as in nearly all cases, and YAML costs start-up time
+        return None
+    from vstatics.cli.frame.documents import scenario_with_case
+    from vstatics.simulation.scenario.file import is_scenario
+
+    return (
+        scenario_with_case(data, name, settings.input_format) if is_scenario(data, name) else None
+    )
+
+
+def _no_case(data: bytes, name: str, settings: CaseOptions) -> list[Problem]:
+    """What is to be said of a text that is no case but a scenario, where none is taken."""
+    return _boxes_said(data, name) or ([] if settings.scenarios else _scenario_said(data, name))
+
+
+def _boxes_said(data: bytes, name: str) -> list[Problem]:
+    if b'"searched"' not in data:
+        return []
+    from vstatics.synthesis.boxes.reading import is_listing
+
+    taking = "plot --kind boxes, report and summary take one such file"
+    message = f"these are found boxes, expected a case; {taking}"
+    return [of_file(name, message)] if is_listing(data) else []
+
+
+def _scenario_said(data: bytes, name: str) -> list[Problem]:
+    if b"duration" not in data:
+        return []
+    from vstatics.simulation.scenario.file import is_scenario
+
+    message = "this is a scenario, expected a case; simulate, plot, report and sweep take scenarios"
+    return [of_file(name, message)] if is_scenario(data, name) else []
+
+
+def read_one(file: str, input_format: readers.Format | None, telling: Telling) -> Reading:
+    """Read the case of a command that does not show its results, and print its warnings.
+
+    Raises
+    ------
+    ReadError
+        If it can't be read; with the problems to print.
+    """
+    return read_data(*files.read_input(file), input_format, telling)
+
+
+def read_data(
+    data: bytes, name: str, input_format: readers.Format | None, telling: Telling
+) -> Reading:
+    """As `read_one`, of what was read from a file of that name."""
+    try:
+        reading = readers.read(data, name, input_format)
+    except ReadError as error:
+        said = _boxes_said(data, name) or _scenario_said(data, name)
+        raise ReadError(telling.printed(said or error.problems)) from None
+    files.show(telling.printed(reading.warnings))
+    files.show(telling.quiet_failure(reading.warnings, name))
+    return reading
+
+
+def unexpected(name: str, error: Exception) -> Problem:
+    """The problem that the program itself has a fault, with the line to look at."""
+    trace = error.__traceback__
+    while trace is not None and trace.tb_next is not None:
+        trace = trace.tb_next
+    where = ""
+    if trace is not None:
+        where = f" in {os.path.basename(trace.tb_frame.f_code.co_filename)}:{trace.tb_lineno}"  # noqa: PTH119
+    text = " ".join(f"{type(error).__name__}: {error}".split())
+    message = f"an error of vstatics, please report it with this case: {text}{where}"
+    return of_file(name, message)
+
+
+def _located(reading: Reading, results: Results, *, each_gear: bool) -> Iterator[Problem]:
+    """The messages of a result as problems: at the place of each gear, or of the first of many."""
+    if not results.messages:
+        return
+    numbers = {gear.name: number for number, gear in enumerate(results.case.gears, 1)}
+    together: dict[object, list[Message]] = {}
+    for message in results.messages:
+        if message.gear:
+            key = message if each_gear else message._replace(gear="")
+            together.setdefault(key, []).append(message)
+    for first, *others in together.values():
+        place = reading.locate(Problem("", ("gears", numbers[first.gear]))).place
+        names = spoken([first.gear, *(other.gear for other in others)])
+        text = f"{plural('gear', 1 + len(others))} {names}: {first.text}"
+        yield Problem(text, place=place, severity=first.severity)

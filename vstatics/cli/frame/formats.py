@@ -1,0 +1,188 @@
+"""Where a command writes to and in which format: told by -f and the suffix of -o."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Sequence
+from functools import wraps
+from typing import Any, NamedTuple
+
+import click
+
+from vstatics.cli.frame import files
+from vstatics.cli.frame.cases import Command
+from vstatics.errors import Problem, ReadError
+from vstatics.extras import missing
+from vstatics.jobs.files import STDOUT, is_stream
+from vstatics.statics.results import Language
+from vstatics.tables.suffixes import SUFFIXES, format_of, known, mismatch, suffix_of
+
+TABLES = ("text", "json", "jsonl", "csv", "markdown", "latex", "xlsx")
+"""The formats of a command with tables."""
+FULL = ("json", "jsonl", "csv")
+"""They have all digits of a number."""
+
+
+class TextStyle(NamedTuple):
+    """How texts are laid out."""
+
+    lang: Language = "en"
+    digits: int | None = None
+    """After the point; None: those that suit a number."""
+    raw: bool = False
+    """Whether texts in CSV stay as they are."""
+
+
+class Destination(NamedTuple):
+    """Where results go."""
+
+    form: str
+    output: str | None
+    style: TextStyle
+    is_folder: bool = False
+
+    @property
+    def suffix(self) -> str:
+        """Of a file in a directory."""
+        return SUFFIXES[self.form][0]
+
+
+class OutputOptions(NamedTuple):
+    """What -f, -o, --digits and --raw say."""
+
+    formats: Sequence[str]
+    """Which the command has; without a word it is the first."""
+    form: str | None
+    output: str | None
+    style: TextStyle
+
+    def destination(
+        self, inputs: Sequence[str], *, several: bool = False, together: bool = False
+    ) -> Destination:
+        """Where results go, and in which format; refused before anything is calculated.
+
+        Parameters
+        ----------
+        inputs : sequence of str
+            Files that are read, so nothing may be written over them.
+        several : bool
+            Whether there are several cases. To a name without suffix they go into a directory.
+        together : bool
+            Whether they give one text even there, but in a directory that is there or is meant.
+
+        Raises
+        ------
+        UsageError
+            If the command has no such format, two are told, or an input would be overwritten.
+        ReadError
+            If a package is missing that the format needs.
+        """
+        files.spare(inputs, self.output)
+        output, form = self.output, self.form
+        if output is None or output == STDOUT:
+            return self._checked(form, is_folder=False)
+        if output.endswith("/") or os.path.isdir(output):  # noqa: PTH112
+            return self._checked(form, is_folder=True)
+        suffix = suffix_of(output)
+        told = format_of(output, self.formats) if suffix else self.formats[0]
+        if told is None and not is_stream(output):
+            raise click.UsageError(f"{output}: {self._expected(several=several)}")
+        if told and (message := mismatch(form, output)):
+            raise click.UsageError(f"-f {message}")
+        if form is None and suffix:
+            form = told
+        is_folder = several and not (suffix or together or form == "jsonl" or is_stream(output))
+        if is_folder and os.path.exists(output):  # noqa: PTH110
+            message = f"several cases give a result each, and {output} is a file"
+            raise click.UsageError(f"{message}: expected a directory, or a name with a suffix")
+        return self._checked(form, is_folder=is_folder)
+
+    def _checked(self, form: str | None, *, is_folder: bool) -> Destination:
+        chosen = form or self.formats[0]
+        if is_folder and chosen == "jsonl":
+            raise click.UsageError(f"jsonl is one stream: expected -o FILE, not {self.output}")
+        if self.style.digits is not None and chosen in FULL:
+            raise click.UsageError(f"--digits does not apply to {chosen}, which has all digits")
+        if self.style.raw and chosen != "csv":
+            raise click.UsageError("--raw is for CSV")
+        if chosen == "xlsx" and (message := missing("xlsx", "XLSX")):
+            raise ReadError([Problem(message)])
+        return Destination(chosen, self.output, self.style, is_folder)
+
+    def _expected(self, *, several: bool) -> str:
+        expected = " ".join(known(self.formats))
+        plain = ", or none for text" * (self.formats[0] in ("text", "listing"))
+        folder = "; a directory ends with /" * several
+        return f"no format has this suffix here: expected {expected}{plain}{folder}"
+
+
+def each_by_itself(
+    output: str, cases: Sequence[str], formats: Sequence[str], what: str
+) -> Destination:
+    """Where one text or picture of each case goes: several of them need a directory.
+
+    Raises
+    ------
+    UsageError
+    """
+    several = len(cases) > 1
+    to = OutputOptions(formats, None, output, TextStyle()).destination(cases, several=several)
+    if several and not to.is_folder:
+        folder = os.path.splitext(output)[0]  # noqa: PTH122
+        message = f"{what} is of one case: expected a directory for several ({folder}/)"
+        raise click.UsageError(message)
+    return to
+
+
+def options(*formats: str, says: str = "Format of the output") -> Callable[[Command], Command]:
+    """The options -f, -o, --digits and --raw; the command gets `wanted`."""
+
+    def decorate(command: Command) -> Command:
+        @wraps(command)
+        def with_wanted(
+            *values: Any,
+            output_format: str | None,
+            output: str | None,
+            digits: int | None,
+            raw: bool,
+            lang: Language = "en",
+            **others: Any,
+        ) -> Any:
+            wanted = OutputOptions(formats, output_format, output, TextStyle(lang, digits, raw))
+            return command(*values, wanted=wanted, **others)
+
+        decorated: Any = with_wanted
+        for option in reversed(_OPTIONS):
+            decorated = option(decorated)
+        choice = click.option(
+            "-f",
+            "--format",
+            "output_format",
+            type=click.Choice(formats),
+            help=f"{says}; else told by the suffix of -o, else {formats[0]}.",
+        )
+        return choice(decorated)  # type: ignore[no-any-return]
+
+    return decorate
+
+
+raw = click.option(
+    "--raw", is_flag=True, help="CSV without an apostrophe before = + - @ that begin a text."
+)
+digits = click.option(
+    "--digits",
+    type=click.IntRange(1, 15),
+    metavar="N",
+    help="Digits after the point, in what people read; JSON and CSV have all.",
+)
+_OPTIONS = (
+    click.option(
+        "-o",
+        "--output",
+        type=click.Path(),
+        help="Write to this file, whole or not at all; several cases to this directory, "
+        "or with a suffix to one file.",
+    ),
+    digits,
+    raw,
+)

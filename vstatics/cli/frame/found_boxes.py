@@ -1,0 +1,144 @@
+"""Documents of found boxes in place of cases: their picture, their page, their summaries."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from vstatics.cli.frame import files
+from vstatics.cli.frame.cases import CalculatedCase, CaseOptions
+from vstatics.cli.frame.exit_status import DONE
+from vstatics.cli.frame.formats import Destination
+from vstatics.errors import CaseError, ReadError, of_file
+from vstatics.statics.solve import solve
+
+if TYPE_CHECKING:
+    from vstatics.pictures import Format
+    from vstatics.pictures.sheet.style import Style
+    from vstatics.synthesis.boxes.listing import BoxListing, ListedBox
+
+
+def listing_in(file: str) -> tuple[BoxListing, dict[str, Any]] | None:
+    """The found boxes that a file lists, and its document; None if it is another file.
+
+    What can be read but once is left to those that read cases: standard input, pipes.
+
+    Raises
+    ------
+    ReadError
+        If it is such a document with something wrong.
+    """
+    if file == files.STDIN or not os.path.isfile(file):  # noqa: PTH113
+        return None
+    try:
+        data, name = files.read_input(file)
+    except ReadError:  # told where cases are read
+        return None
+    if b'"searched"' not in data:
+        return None
+    from vstatics.synthesis.boxes.reading import is_listing, read_document
+
+    if not is_listing(data):
+        return None
+    return read_document(data, name)
+
+
+def plot_boxes(cases: Sequence[str], to: Destination, form: Format, style: Style) -> int:
+    """Write the picture of found boxes; the exit status.
+
+    Raises
+    ------
+    UsageError
+        If there are several documents.
+    ReadError
+        If the file has none, or can't be written.
+    """
+    from vstatics.pictures.boxes.picture import render_boxes
+    from vstatics.synthesis.boxes.reading import read_boxes
+
+    if len(cases) > 1 or to.is_folder:
+        raise click.UsageError("boxes: expected one document of found boxes, and a file for it")
+    data, name = files.read_input(cases[0])
+    listing = read_boxes(data, name)
+    try:
+        drawn = render_boxes(listing, form, style)
+    except (CaseError, ReadError) as error:
+        raise ReadError(of_file(name, one.message) for one in error.problems) from None
+    files.write_data(drawn, to.output)
+    return DONE
+
+
+def report_boxes(
+    listing: BoxListing, document: dict[str, Any], file: str, output: str, digits: int | None
+) -> int:
+    """Write the page of found boxes; the exit status.
+
+    Raises
+    ------
+    ReadError
+        If there is no box, the case of one can't be read, or the page can't be written.
+    """
+    from vstatics.report.boxes import boxes_page
+
+    try:
+        page = boxes_page(listing, document, digits)
+    except (CaseError, ReadError) as error:
+        raise ReadError(of_file(file, one.message) for one in error.problems) from None
+    files.write_data(files.encoded(page), output)
+    return DONE
+
+
+MOST_COMPARED_BOXES = 6
+"""So many boxes stand side by side where nobody says which."""
+
+
+def calculated_boxes(
+    listing: BoxListing, file: str, asked: Sequence[int], settings: CaseOptions
+) -> Iterator[CalculatedCase]:
+    """The cases of boxes with their results: those that are asked for, else those that tell most.
+
+    Raises
+    ------
+    BadParameter
+        If there is no box of a number.
+    ReadError
+        If there is no box, or the case of one can't be read.
+    """
+    if not listing.boxes:
+        raise ReadError([of_file(file, "no box was found, so there is nothing to summarize")])
+    for box in _chosen_boxes(listing, asked):
+        try:
+            case = box.transmission()
+        except ReadError as error:
+            raise ReadError(of_file(file, one.message) for one in error.problems) from None
+        results = solve(case, coast=settings.coast, idle=settings.idle)
+        name = f"{file} box {box.number}"
+        yield CalculatedCase(name, results, [], telling=settings.telling)
+
+
+def _chosen_boxes(listing: BoxListing, asked: Sequence[int]) -> list[ListedBox]:
+    from vstatics.synthesis.boxes.listing import drawn_boxes
+
+    if not asked:
+        return drawn_boxes(listing, MOST_COMPARED_BOXES)
+    last = len(listing.boxes)
+    for number in asked:
+        if not 1 <= number <= last:
+            message = f"read {number}, but the boxes have the numbers 1 to {last}"
+            raise click.BadParameter(message, param_hint="--box")
+    return [listing.boxes[number - 1] for number in dict.fromkeys(asked)]
+
+
+def box_numbers(
+    _context: click.Context, _option: click.Parameter, texts: Sequence[str]
+) -> tuple[int, ...]:
+    """Numbers of boxes, with commas or one by one."""
+    found: list[int] = []
+    for text in ",".join(texts).split(",") if texts else ():
+        if not text.strip().isdecimal() or len(text) > 9:
+            raise click.BadParameter(f"read {text!r}, expected numbers of boxes, such as 1,4")
+        found.append(int(text))
+    return tuple(found)

@@ -1,0 +1,58 @@
+"""The run of a scenario that stands for its case, for pictures and pages."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from vstatics.cli.frame import files
+from vstatics.cli.frame.cases import CalculatedCase
+from vstatics.errors import CaseError, Problem, ReadError
+from vstatics.extras import missing
+
+if TYPE_CHECKING:
+    from vstatics.simulation.record.motion import Motion
+    from vstatics.simulation.scenario.file import ScenarioFile
+
+INSTANTS = 400
+"""Of a run that is drawn, at least."""
+
+
+def needs(extra: str, purpose: str) -> None:
+    """Refuse what needs a package that is not there."""
+    if message := missing(extra, purpose):
+        raise ReadError([Problem(message)])
+
+
+def run_of(outcome: CalculatedCase) -> Motion | None:
+    """The run of what names its case by a scenario, with enough instants for pictures.
+
+    What is to be said of it is printed.
+
+    Raises
+    ------
+    ReadError
+        If it can't begin, with the places of what keeps it from that.
+    """
+    read = outcome.scenario
+    if read is None:
+        return None
+    needs("simulation", "a run")
+    from vstatics.simulation.run import simulate as simulated
+
+    try:
+        motion = simulated(read.scenario, step=read.scenario.duration / INSTANTS)
+    except CaseError as error:
+        raise ReadError(map(read.locate, error.problems)) from None
+    files.show(outcome.telling.printed(run_problems(read, motion)))
+    return motion
+
+
+def run_problems(read: ScenarioFile, motion: Motion) -> Iterator[Problem]:
+    """Messages of a run, and why it stopped, at their places."""
+    file = read.spots.place(())._replace(line=0, column=0, text="")
+    for message in motion.messages:
+        text = f"gear {message.gear}: {message.text}" if message.gear else message.text
+        yield Problem(text, (), file, message.severity)
+    if motion.stopped is not None:
+        yield read.locate(motion.stopped)

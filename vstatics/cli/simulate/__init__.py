@@ -1,0 +1,6 @@
+"""`vstatics simulate`: what a scenario does to a case over time.
+
+`command` has the options, runs the scenario once and shows the motion. `samples` is for
+``--samples``: many runs with drawn numbers, carried out as a sweep is, and their statistics.
+`schemas` describes the JSON of both, and that of a scenario.
+"""

@@ -1,0 +1,183 @@
+"""`vstatics sweep`: variants of a case, to a table."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import Any, cast
+
+import click
+
+from vstatics import readers
+from vstatics.cli.frame import cases as arguments
+from vstatics.cli.frame import files, formats
+from vstatics.cli.frame.cases import Command
+from vstatics.cli.frame.exit_status import DONE, FAILED
+from vstatics.cli.frame.problems import Telling
+from vstatics.cli.sweep.estimate import estimate, most_rows
+from vstatics.cli.sweep.run import run
+from vstatics.cli.sweep.subject import check_options, read_subject, spare
+from vstatics.errors import CaseError, ReadError
+from vstatics.jobs.files import is_stream
+from vstatics.sweep import build
+from vstatics.sweep.file import read_sweep_file
+from vstatics.sweep.formats import FORMATS, MOST_ROWS, TEXTS, Format
+from vstatics.sweep.options import OPTIONS, Option, SweepOptions, conflicts, says
+from vstatics.tables.suffixes import format_of, known, mismatch
+
+
+def declared(command: Command) -> Command:
+    """The options that a sweep file and `vstatics.sweep()` have, too."""
+    for name, option in reversed(list(OPTIONS.items())):
+        if option.help:
+            command = _click_option(name, option)(command)
+    return command
+
+
+def _click_option(name: str, option: Option) -> Callable[[Command], Command]:
+    kinds: dict[str, dict[str, Any]] = {
+        "path": {"type": click.Path()},
+        "count": {"type": click.IntRange(option.least)},
+        "flag": {"is_flag": True, "default": None},
+        "choice": {"type": click.Choice(option.choices)},
+        "texts": {"multiple": True},
+        "vary": {"multiple": True},
+    }
+    names = filter(None, [option.short, f"--{name}"])
+    more = kinds.get(option.kind, {})
+    return click.option(*names, metavar=option.metavar, help=option.help, **more)
+
+
+@click.command()
+@click.argument("case", required=False, type=click.Path(), metavar="[CASE]")
+@click.option("--file", "sweep_file", type=click.Path(), help="Read the sweep from this YAML file.")
+@declared
+@click.option(
+    "-j", "--jobs", type=click.IntRange(1), default=1, show_default=True, help="Processes."
+)
+@click.option("--scheduler", metavar="ADDRESS", help="Dask scheduler, such as tcp://HOST:8786.")
+@formats.raw
+@click.option("--resume", is_flag=True, help="Go on with a sweep that was stopped.")
+@click.option("--dry-run", is_flag=True, help="Only say how many, how large, how long.")
+@arguments.input_format
+@arguments.coast
+@arguments.idle
+@arguments.telling
+def sweep(
+    sweep_file: str | None,
+    jobs: int,
+    scheduler: str | None,
+    raw: bool,
+    resume: bool,
+    dry_run: bool,
+    input_format: readers.Format | None,
+    telling: Telling,
+    **said: Any,
+) -> int:
+    """Calculate variants of CASE and write a table: a row each, or the best ones.
+
+    CASE may be a scenario of `vstatics simulate`: then each variant is a run.
+
+    VALUES are low:high:count, low:high:step=STEP, a list a,b,c, or low:high with
+    --sample. NAME is D1.ratio or .efficiency; of what is elastic shaft.stiffness,
+    .compliance or .damping; engine.inertia. EXPR and LIST speak of tables by name:
+    efficiency[1], speeds[C1,1], max(abs(torques)), D1.ratio; omega[2,1] is the
+    second natural frequency in gear 1. Of a scenario NAME is any number of it or of
+    its case by its path, shifts.1.overlap, and EXPR speaks of the run: heat[F2],
+    locks[F2], max(abs(slips[F2])), peaks[shaft], speeds[out], work.
+
+    \b
+    Examples:
+      vstatics sweep box.yaml --vary D1.ratio=-0.9:-0.7:201 -o out.csv
+      vstatics sweep box.yaml --vary D1.ratio=-3:-2 --vary D2.ratio=-4:-2
+                --sample 100000 --max 'min(efficiency)' --best 10
+      vstatics sweep box.yaml --vary D3.efficiency=.95,.97 --out losses[D3]
+                --where 'efficiency[1] > .95 and max(speeds) < 3'
+      vstatics sweep box.yaml --vary shaft.stiffness=1e3:1e4:91 --out omega[1]
+      vstatics sweep shift.yaml --vary shifts.1.overlap=.1:.6:26
+                --out 'heat[F2],max(abs(slips[F2]))'
+      vstatics sweep --file sweep.yaml --jobs 8 --resume
+
+    \b
+    Formats by suffix: .csv .jsonl .ndjson .npz .parquet, for few rows .md .tex
+    .xlsx. While it runs, finished pieces lie in OUTPUT.parts; --resume takes
+    them up after an interruption.
+    Exit status: 0 done; 1 not finished, or no variant has a solution, with
+    --strict also if there is a warning on the case;
+    2 wrong use; 130 or 143 stopped by Ctrl-C or SIGTERM.
+    """
+    own, of_file = SweepOptions.of(**said), SweepOptions()
+    if sweep_file is not None:
+        of_file = read_sweep_file(*files.read_input(sweep_file))
+    options = own.over(of_file)
+
+    def spelled(name: str) -> str:
+        in_file = says(getattr(of_file, name)) and not says(getattr(own, name))
+        return f"`{name}`" if in_file else f"--{name}"
+
+    form = _checked(options, spelled, resume=resume, jobs=jobs, scheduler=scheduler)
+    if raw and form != "csv":
+        raise click.UsageError("--raw is for CSV.")
+    files.spare(filter(None, [options.case, options.variants, sweep_file]), options.output)
+
+    try:
+        build.check_packages(options, form, scheduler)
+        subject, warnings = read_subject(options.case or "", input_format, telling)
+        spare(subject, options.output)
+        check_options(subject, coast=options.coast, idle=options.idle)
+        plan = build.plan(subject, options)
+        if most_rows(plan) > MOST_ROWS.get(form, math.inf):
+            message = f"{form} is for {MOST_ROWS[form]} rows at most, not for {most_rows(plan)}"
+            raise click.UsageError(f"{message}: expected another format, or --best")
+        if dry_run:
+            files.write_output(estimate(plan, form, jobs), None)
+            status = DONE
+        else:
+            where = plan, form, options.output
+            status = run(
+                *where,
+                jobs=jobs,
+                scheduler=scheduler,
+                raw=raw,
+                resume=resume,
+                quiet=telling.quiet,
+            )
+        return status or (FAILED if telling.fails(warnings) else DONE)
+    except CaseError as error:  # is shown as what ends a reading
+        raise ReadError(error.problems) from error
+
+
+def _checked(
+    options: SweepOptions,
+    spelled: Callable[[str], str],
+    *,
+    resume: bool,
+    jobs: int,
+    scheduler: str | None,
+) -> Format:
+    """The format of the output; wrong combinations of options are wrong use."""
+    to_stream = is_stream(options.output)
+    if options.case is None:
+        raise click.UsageError("Missing argument 'CASE' (or `case` in --file).")
+    if not (options.vary or options.variants):
+        raise click.UsageError("Nothing is varied: expected --vary, or --variants.")
+    for message in conflicts(vars(options), spelled):
+        raise click.UsageError(message if message.endswith("?") else f"{message}.")
+    if resume and to_stream:
+        raise click.UsageError("--resume needs a file to go on with: -o FILE.")
+    if scheduler and jobs > 1:
+        raise click.UsageError("--jobs and --scheduler exclude one another.")
+    told = format_of(options.output or "", FORMATS)
+    form = cast("Format | None", options.format) or told
+    message = "" if to_stream else mismatch(form, str(options.output))
+    as_text = form in TEXTS and format_of(str(options.output), ["text"])
+    if message and not as_text:
+        raise click.UsageError(f"{spelled('format')} {message}")
+    if to_stream and (form or "csv") not in TEXTS:
+        raise click.UsageError(f"{form} can't go to a stream, expected a file: -o FILE")
+    if form is None and not to_stream:
+        raise click.UsageError(
+            f"can't tell the format of {options.output}: expected a suffix of "
+            f"{' '.join(known(FORMATS))}, or --format"
+        )
+    return form or "csv"

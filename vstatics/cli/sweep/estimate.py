@@ -1,0 +1,102 @@
+"""What is known of a sweep before it is carried out: how many, how large, how long."""
+
+from __future__ import annotations
+
+import os
+import time
+
+from vstatics.cli.frame.estimates import duration_text, size_text
+from vstatics.errors import ReadError, of_file
+from vstatics.jobs.finished_pieces import FinishedPieces
+from vstatics.sweep import calculation
+from vstatics.sweep.formats import Format
+from vstatics.sweep.kept.best import BEST
+from vstatics.sweep.plan import SweepPlan
+from vstatics.sweep.tasks import data_of
+
+SPOTS, ROWS = 16, 16
+"""The size of a row is that of so many rows at so many spots of a sweep."""
+LONGEST_NUMBER = 32
+"""No number takes more bytes, with what stands around it but its name."""
+
+
+def check_room(plan: SweepPlan, form: Format, output: str, pieces: FinishedPieces) -> None:
+    """Refuse an output that can't have room on its disk, before anything is written.
+
+    Where a condition or an objective decides how many rows there are it can't be told.
+    Parquet is packed, and nobody knows how well; but its pieces lie there unpacked before.
+
+    Raises
+    ------
+    ReadError
+        With both sizes.
+    """
+    from shutil import disk_usage
+
+    if plan.where is not None or plan.objectives:
+        return
+    try:
+        free = disk_usage(os.path.dirname(pieces.output)).free + pieces.size()  # noqa: PTH120
+    except OSError:
+        return  # it is told when the output is to be written
+    names = ("variant", *plan.names, "status", *plan.headings)
+    if sum(LONGEST_NUMBER + len(name.encode()) for name in names) * plan.variants.count <= free:
+        return
+    size = _row_bytes(plan, form) * plan.variants.count
+    if size > free:
+        what = "its pieces would have" if form == "parquet" else "would have"
+        message = (
+            f"{what} about {size_text(size)}, but {size_text(free)} are free there: expected fewer "
+            "variants or columns, --where, --best, or another disk"
+        )
+        raise ReadError([of_file(output, message)])
+
+
+def _row_bytes(plan: SweepPlan, form: Format) -> float:
+    """The mean length of a row, all over the sweep."""
+    last = max(plan.variants.count - ROWS, 0)
+    starts = sorted({last * spot // (SPOTS - 1) for spot in range(SPOTS)})
+    ends = ((start, min(start + ROWS, plan.variants.count)) for start in starts)
+    parts = [calculation.calculate(plan, *two) for two in ends]
+    length = sum(memoryview(one).nbytes for part in parts for one in data_of(form, part))
+    return length / sum(len(part.variants) for part in parts)
+
+
+def most_rows(plan: SweepPlan) -> int:
+    """The rows that there may be."""
+    count = plan.variants.count
+    if not plan.objectives:
+        return count
+    return min(count, plan.best or (BEST if len(plan.objectives) == 1 else count))
+
+
+def estimate(plan: SweepPlan, form: Format, jobs: int) -> str:
+    """How many variants, how large, about how long, by a block of the sweep."""
+    variants, columns = plan.variants.count, len(plan.names) + len(plan.headings) + 2
+    start, stop = calculation.middle(plan)
+    calculation.calculate(plan, start, min(start + 100, stop))  # the first time costs more
+    began = time.perf_counter()
+    rows = calculation.calculate(plan, start, stop)
+    data = data_of(form, rows)
+    seconds = (time.perf_counter() - began) / max(stop - start, 1) * variants
+    part = len(rows.variants) / max(stop - start, 1)
+    count = round(part * variants)
+    if plan.objectives:
+        expected = f"the best, at most {min(count, most_rows(plan))}"
+    else:
+        expected = str(count) if plan.where is None else f"about {count}"
+    length = sum(memoryview(one).nbytes for one in data) / max(len(rows.variants), 1)
+    size = "small" if plan.objectives else f"about {size_text(length * count)}"
+    processes = f" with {jobs} jobs" if jobs > 1 else ""
+    lines = {
+        "variants": str(variants),
+        "rows": expected,
+        "columns": f"{columns}: {_listed(['variant', *plan.names, 'status', *plan.headings])}",
+        "size": size,
+        "time": f"about {duration_text(seconds / min(jobs, max(plan.pieces, 1)))}{processes}",
+    }
+    return "".join(f"{name:9} {value}\n" for name, value in lines.items())
+
+
+def _listed(names: list[str], most: int = 8) -> str:
+    return ", ".join(names if len(names) <= most else [*names[: most - 1], "...", names[-1]])

@@ -1,0 +1,172 @@
+"""Carrying out a sweep: to a file or a stream, with what is said when it ends."""
+
+from __future__ import annotations
+
+import os
+import time
+
+from vstatics.cli.frame import files
+from vstatics.cli.frame.exit_status import FAILED, stopped_by
+from vstatics.cli.sweep.estimate import check_room
+from vstatics.errors import CaseError
+from vstatics.jobs.files import STDOUT, is_stream, unwritable
+from vstatics.jobs.finished_pieces import SUFFIX, FinishedPieces
+from vstatics.jobs.stopping import StoppedError
+from vstatics.model.transmission import Transmission
+from vstatics.sweep import chunk
+from vstatics.sweep.formats import Format
+from vstatics.sweep.output import Output, SweepReport, description, stream
+from vstatics.sweep.plan import SweepPlan
+from vstatics.sweep.tasks import SweepTask
+from vstatics.sweep.variants.numbered import VariantTable
+
+UNSOLVED = [
+    chunk.STATUS[code] for code in (chunk.TIED_UP, chunk.CONFLICT, chunk.INVALID, chunk.STOPPED)
+]
+"""A variant of this status has no solution at all."""
+
+
+def run(
+    plan: SweepPlan,
+    form: Format,
+    output: str | None,
+    *,
+    jobs: int,
+    scheduler: str | None,
+    raw: bool,
+    resume: bool,
+    quiet: bool,
+) -> int:
+    """Carry out a sweep; its exit status. A quiet one says what is not well, no more."""
+    try:
+        if output is None or is_stream(output):
+            return to_stream(plan, form, output, jobs, scheduler, raw=raw, quiet=quiet)
+        to = plan, form, output, jobs, scheduler
+        return to_file(*to, raw=raw, resume=resume, quiet=quiet)
+    finally:
+        if isinstance(plan.variants, VariantTable):
+            plan.variants.close()
+
+
+def to_file(
+    plan: SweepPlan,
+    form: Format,
+    output: str,
+    jobs: int,
+    scheduler: str | None,
+    *,
+    raw: bool,
+    resume: bool,
+    quiet: bool,
+) -> int:
+    """Write the output file, whole or not at all; the exit status."""
+    from vstatics.cli.frame.progress import progress
+
+    began = time.perf_counter()
+    with FinishedPieces(output) as pieces:
+        check_room(plan, form, output, pieces)
+        if resume and not (quiet or pieces.exists()) and os.path.exists(output):  # noqa: PTH110
+            files.say(f"{output} may be of another sweep: every variant is calculated again")
+        written = Output(plan, form, pieces, raw=raw)
+        try:
+            without = pieces.open(description(plan, form), plan.pieces, resume=resume)
+            if without and not quiet:
+                files.say(f"{pieces.directory}: {without}; every variant is calculated")
+            kept = written.finished
+            called = written.task.workers(jobs, scheduler)
+            with called, progress(plan.variants.count, "variants", quiet=quiet) as advance:
+                advance(kept)
+                written.calculate(called, advance)
+                report = written.assemble(called)
+        except StoppedError as stopped:
+            files.say(f"stopped; {_kept(written, output)}")
+            return stopped_by(stopped.signal)
+        except OSError as error:
+            files.show([unwritable(output, error)])
+            files.say(_kept(written, output))
+            return FAILED
+        except CaseError as error:
+            files.show(error.problems)
+            if pieces.finished():
+                files.say(_kept(written, output))
+            return FAILED
+    return _summary(plan, output, report, kept, time.perf_counter() - began, quiet=quiet)
+
+
+def _kept(written: Output, output: str) -> str:
+    """What there is to go on with after an end before the end."""
+    plan = written.task.plan
+    if not written.finished:
+        return "nothing was finished"
+    return (
+        f"{written.finished} of {plan.variants.count} variants are finished and kept in "
+        f"{output}{SUFFIX}; the same command with --resume goes on"
+    )
+
+
+def to_stream(
+    plan: SweepPlan,
+    form: Format,
+    output: str | None,
+    jobs: int,
+    scheduler: str | None,
+    *,
+    raw: bool,
+    quiet: bool,
+) -> int:
+    """Write rows to stdout, or to what is no file, as they come; the exit status."""
+    from vstatics.cli.frame.progress import progress
+
+    began = time.perf_counter()
+    task = SweepTask(plan, form, raw=raw)
+    done = 0
+    try:
+        with (
+            files.stream(output) as write,
+            task.workers(jobs, scheduler) as called,
+            progress(plan.variants.count, "variants", beside_stdout=True, quiet=quiet) as advance,
+        ):
+
+            def advanced(variants: int) -> None:
+                nonlocal done
+                done += variants
+                advance(variants)
+
+            report = stream(task, called, advanced, write)
+    except StoppedError as stopped:
+        files.say(f"stopped after {done} of {plan.variants.count} variants")
+        return stopped_by(stopped.signal)
+    name = "<stdout>" if output in (None, STDOUT) else str(output)
+    return _summary(plan, name, report, 0, time.perf_counter() - began, quiet=quiet)
+
+
+def _summary(
+    plan: SweepPlan, output: str, report: SweepReport, kept: int, seconds: float, *, quiet: bool
+) -> int:
+    """Say what became of the variants; the exit status."""
+    reasons = [
+        f"{report.counts[status]} {status}"
+        for status in chunk.STATUS[1:]
+        if status in report.counts
+    ]
+    unlike = f" ({', '.join(reasons)})" if reasons else ""
+    before = f", {kept} of them before" if kept else ""
+    rate = (report.variants - kept) / max(seconds, 1e-9)
+    if reasons or not quiet:
+        files.say(
+            f"{output}: {report.rows} rows of {report.variants} variants{unlike}{before}; "
+            f"{seconds:.3g} s, {float(f'{rate:.3g}'):,.0f} variants a second"
+        )
+    solved = sum(count for status, count in report.counts.items() if status not in UNSOLVED)
+    if not solved:
+        files.say("no variant has a solution")
+        tell_reason(plan)
+    return 0 if solved else 1
+
+
+def tell_reason(plan: SweepPlan) -> None:
+    """Say why the first variant of a scenario has no numbers."""
+    if not isinstance(plan.subject, Transmission):
+        from vstatics.sweep.runs import reason
+
+        files.show(reason(plan, plan.subject))

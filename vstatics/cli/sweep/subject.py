@@ -1,0 +1,83 @@
+"""What a sweep is of, as it is read from files: a case, or a scenario and its case."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import click
+
+from vstatics import readers
+from vstatics.cli.frame import cases as arguments
+from vstatics.cli.frame import files
+from vstatics.cli.frame.documents import case_of
+from vstatics.cli.frame.problems import Telling
+from vstatics.errors import Problem, ReadError
+from vstatics.sweep.variants.subject import Document, Subject, VariedScenario
+
+
+class ReadSubject(NamedTuple):
+    """A case or a scenario, and what is doubtful of the case."""
+
+    subject: Subject
+    warnings: list[Problem]
+
+
+def read_subject(file: str, input_format: readers.Format | None, telling: Telling) -> ReadSubject:
+    """Read the case or the scenario of a sweep, and print the warnings.
+
+    Raises
+    ------
+    ReadError
+        If it can't be read; with the problems to print.
+    """
+    data, name = files.read_input(file)
+    if input_format is None and b"duration" in data:
+        from vstatics.simulation.scenario.file import is_scenario  # others need no simulation
+
+        if is_scenario(data, name):
+            return read_scenario_subject(Document(data, name), telling)
+    reading = arguments.read_data(data, name, input_format, telling)
+    return ReadSubject(reading.case, list(reading.warnings))
+
+
+def read_scenario_subject(
+    scenario: Document,
+    telling: Telling,
+    case: str | None = None,
+    case_format: readers.Format | None = None,
+) -> ReadSubject:
+    """Read the case of a scenario, that which it names or another, and both together."""
+    from vstatics.simulation.scenario.file import read_scenario
+
+    of_case = Document(*case_of(read_scenario(*scenario), case))
+    subject = VariedScenario(scenario, of_case, case_format=case_format)
+    try:
+        reading = subject.own.reading
+    except ReadError as error:
+        raise ReadError(telling.printed(error.problems)) from None
+    files.show(telling.printed(reading.warnings))
+    files.show(telling.quiet_failure(reading.warnings, subject.case.file))
+    return ReadSubject(subject, list(reading.warnings))
+
+
+def spare(subject: Subject, output: str | None) -> None:
+    """Refuse an output that would write over the case of a scenario.
+
+    Raises
+    ------
+    UsageError
+    """
+    if isinstance(subject, VariedScenario):
+        files.spare([subject.case.file], output)
+
+
+def check_options(subject: Subject, *, coast: bool | None, idle: str | None) -> None:
+    """Refuse options that say something about gears, where a scenario tells what happens.
+
+    Raises
+    ------
+    UsageError
+    """
+    if isinstance(subject, VariedScenario) and (coast is not None or idle is not None):
+        option = "--coast" if coast else "--idle" if coast is None else "--drive"
+        raise click.UsageError(f"{option} is for a case; a scenario says itself what happens.")

@@ -1,0 +1,129 @@
+"""`vstatics synth box`: whole gearboxes for wanted ratios of gears."""
+
+from __future__ import annotations
+
+import os
+
+import click
+
+from vstatics.cli.frame import cases as arguments
+from vstatics.cli.frame import files, formats
+from vstatics.cli.frame.estimates import about, duration_text
+from vstatics.cli.frame.exit_status import DONE
+from vstatics.cli.frame.formats import OutputOptions
+from vstatics.cli.frame.progress import progress
+from vstatics.cli.synth.box_options import BoxAsked, options
+from vstatics.errors import CaseError, ReadError
+from vstatics.extras import require
+from vstatics.jobs.files import is_stream
+from vstatics.jobs.workers import cores
+from vstatics.writers import plain_json
+
+
+@click.command()
+@options
+@formats.options(*formats.TABLES)
+@click.option("-j", "--jobs", type=click.IntRange(1), help="Processes.  [default: all cores]")
+@click.option("--scheduler", metavar="ADDRESS", help="Dask scheduler, such as tcp://HOST:8786.")
+@click.option("--resume", is_flag=True, help="Go on with a search into -o that was stopped.")
+@click.option("--dry-run", is_flag=True, help="Only about how many boxes, and how long.")
+@arguments.quiet
+def box(
+    asked: BoxAsked,
+    wanted: OutputOptions,
+    jobs: int | None,
+    scheduler: str | None,
+    resume: bool,
+    dry_run: bool,
+    quiet: bool,
+) -> int:
+    """Find all gearboxes of N planetary sets and M shift elements with wanted ratios.
+
+    All schemes of the sets are tried with all inputs and outputs, and with all choices of
+    brakes (of links but input and output) and clutches (between any two links). A box is
+    found where ratios of its sets leave no gear further from the wanted one than the
+    tolerance. Found boxes are told by mean loss of the forward gears; boxes with equal ratios
+    in all gears are one family, and none of these is the best by its ratios.
+
+    -o DIR writes all of them as cases, each with a stick diagram, and tables, and a page.
+
+    \b
+    Examples:
+      vstatics synth box --sets 2 --elements 4 --engaged 2 --own-input
+                --ratios 2.45,1.45,1,-2.2
+      vstatics synth box --sets 4 --elements 5 --engaged 3 --tolerance .005
+                --ratios 4.70,3.13,2.10,1.67,1.28,1,.84,.67,-3.30 -o found/
+      vstatics synth box --sets 3 --meshed 1 --fixed 1 --elements 5 --engaged 2
+                --ratios 4.17,2.34,1.52,1.14,.87,.69,-3.4 --limit torque=4 -f json
+
+    \b
+    While it runs, finished pieces lie in DIR.parts or FILE.parts; --resume takes
+    them up after an interruption, also with other filters.
+    Needs numba and networkx: pip install "vstatics[boxes]"; for -o DIR also
+    matplotlib: "vstatics[boxes,plot]".
+    Exit status: 0 done; 1 no box is found, or not finished; 2 wrong use;
+    130 or 143 stopped by Ctrl-C or SIGTERM.
+    """
+    if scheduler and (jobs or 1) > 1:
+        raise click.UsageError("--jobs and --scheduler exclude one another.")
+    to = wanted.destination([], several=True)
+    if to.is_folder:
+        _check_folder(str(to.output))
+    if resume and is_stream(to.output):
+        raise click.UsageError("--resume needs a file or a directory to go on with: -o DIR.")
+    processes = 1 if scheduler else jobs or cores()
+    try:
+        require("boxes", "synth box")
+        if scheduler is not None:
+            require("dask", "--scheduler")
+        if to.is_folder and not dry_run:
+            require("plot", f"-o {to.output}/, with its diagrams,")
+        if dry_run:
+            _estimate(asked, to.form, processes, quiet=quiet)
+            return DONE
+        from vstatics.cli.synth.box_run import BoxRun, carry_out
+
+        return carry_out(BoxRun(asked, to, processes, scheduler, resume, quiet))
+    except CaseError as error:  # is shown as what ends a reading
+        raise ReadError(error.problems) from error
+
+
+def _check_folder(output: str) -> None:
+    """Refuse a directory that can't be one, before anything is searched.
+
+    Raises
+    ------
+    UsageError
+    """
+    if not output:
+        raise click.UsageError("-o names nothing: expected a directory or a file.")
+    if os.path.exists(output.rstrip("/") or "/") and not os.path.isdir(output):  # noqa: PTH110, PTH112
+        raise click.UsageError(f"{output} is a file: expected a directory")
+    from vstatics.cli.synth.box_output import of_others
+
+    if name := of_others(output):
+        there = f"{output} holds {name}, but no boxes.json of an earlier search"
+        raise click.UsageError(f"{there}, so it may be yours: expected another directory")
+
+
+def _estimate(asked: BoxAsked, form: str, jobs: int, *, quiet: bool) -> None:
+    """Tell about how many boxes there are, and how long they take."""
+    from vstatics.synthesis.boxes.pieces import box_estimate
+
+    with progress(None, "pieces tried", quiet=quiet):
+        found = box_estimate(asked.search)
+    seconds = found.seconds / min(jobs, max(found.pieces, 1))
+    if form in ("json", "jsonl"):
+        counts = {"searched": round(found.boxes), "found": round(found.found)}
+        document = {**counts, "exact": found.exact, "seconds": seconds}
+        lay_out = plain_json.line if form == "jsonl" else plain_json.text
+        files.write_output(lay_out(document).rstrip("\n") + "\n", None)
+        return
+    say = (lambda number: f"{number:.0f}") if found.exact else about
+    processes = f" with {jobs} jobs" if jobs > 1 else ""
+    lines = {
+        "boxes": say(found.boxes),
+        "found": say(found.found) if found.exact or found.found else "few, or none",
+        "time": f"about {duration_text(seconds)}{processes}",
+    }
+    files.write_output("".join(f"{name:6} {value}\n" for name, value in lines.items()), None)

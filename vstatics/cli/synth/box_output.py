@@ -1,0 +1,183 @@
+"""What `vstatics synth box` writes: its result as one text, or a directory with all found boxes."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Set as AbstractSet
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any, NamedTuple
+
+from vstatics.cli.convert import write
+from vstatics.cli.frame import files, texts
+from vstatics.cli.frame.cases import CalculatedCase
+from vstatics.cli.frame.formats import TextStyle
+from vstatics.cli.frame.progress import progress
+from vstatics.cli.frame.texts import CaseOutput, OutputForm
+from vstatics.errors import plural
+from vstatics.jobs.alone import Workers
+from vstatics.jobs.files import replace
+from vstatics.jobs.finished_pieces import SUFFIX
+from vstatics.model.transmission import Transmission
+from vstatics.synthesis.boxes.box import BoxSearch
+from vstatics.synthesis.boxes.choice import RankedBox
+from vstatics.synthesis.boxes.document import box_document
+from vstatics.synthesis.boxes.grids import all_boxes, box_grids
+from vstatics.synthesis.boxes.listing import drawn_boxes
+from vstatics.synthesis.boxes.reading import listing_of
+from vstatics.synthesis.boxes.work import BoxWork
+from vstatics.tables.grid import Grid
+from vstatics.writers import plain_json
+
+TABLES = {"text": "boxes.txt", "json": "boxes.json"}
+"""The result in a directory, by format."""
+MOST_DRAWN_CASES = 1000
+"""So many boxes have a diagram: a thousand take minutes."""
+OWN = re.compile(r"box-\d{4,}\.(yaml|svg)|boxes\.(svg|html)")
+"""Names of files that not every search has; those of an earlier one are removed."""
+
+
+@dataclass(frozen=True)
+class FoundBoxes:
+    """What a search has given."""
+
+    search: BoxSearch
+    searched: int
+    with_ratios: int
+    """So many boxes have the ratios, whether they are wanted or not."""
+    boxes: tuple[RankedBox, ...]
+    """Those that are wanted, in their order."""
+
+    @cached_property
+    def document(self) -> dict[str, Any]:
+        """As plain data; its cases take some time."""
+        return box_document(self.searched, self.boxes)
+
+    @property
+    def title(self) -> str:
+        """What was searched for."""
+        search = self.search
+        sets = f"{search.sets} {plural('set', search.sets)}"
+        elements = f"{search.elements} {plural('element', search.elements)}"
+        return f"{sets}, {elements}, {search.engaged} engaged"
+
+    def text(self, form: str, style: TextStyle) -> bytes:
+        """The result in a format; in JSON lines each box is one."""
+        as_json = {
+            "json": lambda _: f"{plain_json.text(self.document)}\n",
+            "jsonl": lambda _: "".join(map(plain_json.line, self.document["boxes"])),
+        }
+        return self._text(form, style, as_json, lambda: box_grids(self.searched, self.boxes))
+
+    def table(self, style: TextStyle) -> bytes:
+        """All boxes as a table in CSV."""
+        return self._text("csv", style, {}, lambda: iter([all_boxes(self.boxes)]))
+
+    def _text(
+        self,
+        form: str,
+        style: TextStyle,
+        as_json: Mapping[str, Callable[[str | None], str]],
+        grids: Callable[[], Iterator[Grid]],
+    ) -> bytes:
+        shown = CaseOutput([self.title], as_json, grids)
+        return texts.alone(CalculatedCase(self.title, None, []), shown, OutputForm(form, style))
+
+
+class BoxFiles(NamedTuple):
+    """What the files of a box are made of."""
+
+    name: str
+    """Without suffix."""
+    case: Transmission
+    is_drawn: bool
+
+
+def write_folder(
+    folder: str, found: FoundBoxes, style: TextStyle, called: Workers, *, quiet: bool
+) -> None:
+    """Write all found boxes into a directory: cases, diagrams, tables, a page.
+
+    Raises
+    ------
+    OSError
+        If a file can't be written.
+    """
+    from vstatics.report.boxes import box_pages
+
+    os.makedirs(folder, exist_ok=True)  # noqa: PTH103
+    items = _items(found)
+    own: set[str] = set()
+    with progress(len(items) + 1, "boxes written", quiet=quiet) as advance:
+        for item, contents in called.each(box_files, items):
+            for suffix, content in contents.items():
+                own.add(f"{item.name}{suffix}")
+                _put(folder, f"{item.name}{suffix}", content)
+            advance(1)
+        pages = box_pages(found.document) if found.boxes else {}
+        for name, content in pages.items():
+            _put(folder, name, content)
+        advance(1)
+    _forget(folder, own | pages.keys())
+    _put(folder, "boxes.csv", found.table(TextStyle(raw=style.raw)))
+    for form, name in TABLES.items():  # the document last: where it is all is
+        _put(folder, name, found.text(form, style))
+    if len(items) > MOST_DRAWN_CASES and not quiet:
+        some = "those of the Pareto list, the first of each family, and the next in order"
+        files.say(f"{folder}: {MOST_DRAWN_CASES} of {len(items)} boxes have a diagram: {some}")
+
+
+def _items(found: FoundBoxes) -> list[BoxFiles]:
+    """Each box with its name; not more of them are drawn than anybody can look at."""
+    numbers = range(1, len(found.boxes) + 1)
+    drawn = set(numbers)
+    if len(drawn) > MOST_DRAWN_CASES:
+        listing = listing_of(found.document)
+        drawn = {box.number for box in drawn_boxes(listing, MOST_DRAWN_CASES)}
+    names = file_names(len(found.boxes))
+    return [
+        BoxFiles(name, box.found.case, number in drawn)
+        for number, name, box in zip(numbers, names, found.boxes, strict=True)
+    ]
+
+
+def box_files(_: BoxWork, item: BoxFiles) -> dict[str, bytes]:
+    """The files of a box by their suffixes: its case, and its stick diagram."""
+    text, _lost = write(item.case, "yaml")
+    made = {".yaml": files.encoded(text)}
+    if item.is_drawn:
+        from vstatics.pictures.boxes.stick import stick_diagram
+
+        made[".svg"] = stick_diagram(item.case)
+    return made
+
+
+def file_names(count: int) -> list[str]:
+    """Names of the files of so many boxes, without suffix.
+
+    >>> file_names(2)
+    ['box-0001', 'box-0002']
+    """
+    width = max(4, len(str(count)))
+    return [f"box-{number:0{width}}" for number in range(1, count + 1)]
+
+
+def _put(folder: str, name: str, content: bytes) -> None:
+    replace(os.path.join(folder, name), content)  # noqa: PTH118
+
+
+def of_others(folder: str) -> str:
+    """A file with a name that a search gives, where no search has been; "" if there is none."""
+    is_own = os.path.exists(os.path.join(folder, "boxes.json"))  # noqa: PTH110, PTH118
+    if is_own or not os.path.isdir(folder) or os.path.isdir(f"{folder.rstrip('/')}{SUFFIX}"):  # noqa: PTH112
+        return ""
+    return min(filter(OWN.fullmatch, os.listdir(folder)), default="")  # noqa: PTH208
+
+
+def _forget(folder: str, kept: AbstractSet[str]) -> None:
+    """Remove files of an earlier search."""
+    for name in os.listdir(folder):  # noqa: PTH208
+        if OWN.fullmatch(name) and name not in kept:
+            os.unlink(os.path.join(folder, name))  # noqa: PTH108, PTH118

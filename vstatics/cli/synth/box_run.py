@@ -1,0 +1,184 @@
+"""Carrying out a search for boxes: to stdout, a file or a directory; interrupted ones go on."""
+
+from __future__ import annotations
+
+import os
+import time
+from typing import NamedTuple
+
+from vstatics.cli.frame import files
+from vstatics.cli.frame.exit_status import DONE, FAILED, stopped_by
+from vstatics.cli.frame.formats import Destination
+from vstatics.cli.frame.progress import progress
+from vstatics.cli.synth.box_options import BoxAsked
+from vstatics.cli.synth.box_output import FoundBoxes, write_folder
+from vstatics.errors import CaseError, ReadError
+from vstatics.jobs.alone import Workers
+from vstatics.jobs.files import is_stream, replace, unwritable
+from vstatics.jobs.finished_pieces import SUFFIX, FinishedPieces
+from vstatics.jobs.pieces import ASSEMBLED
+from vstatics.jobs.stopping import StoppedError
+from vstatics.jobs.workers import workers
+from vstatics.synthesis.boxes import pieces as box_pieces
+from vstatics.synthesis.boxes.choice import family_count, ranked
+from vstatics.synthesis.boxes.figures import MeasuredBox
+from vstatics.synthesis.boxes.work import (
+    MOST_MEASURED,
+    BoxWork,
+    SearchedPieces,
+    check_most,
+    description,
+    find,
+    measure,
+    portions,
+)
+
+
+class BoxRun(NamedTuple):
+    """What is searched for, by whom, and where to."""
+
+    asked: BoxAsked
+    to: Destination
+    jobs: int
+    scheduler: str | None
+    resume: bool
+    quiet: bool
+
+    @property
+    def work(self) -> BoxWork:
+        """What workers need to know."""
+        return BoxWork(self.asked.search, self.asked.efficiency)
+
+    def workers(self, items: int) -> Workers:
+        """Who does so many pieces."""
+        jobs = max(min(self.jobs, items), 1)
+        return workers(self.work, self.work.describe, jobs=jobs, scheduler=self.scheduler)
+
+
+def carry_out(run: BoxRun) -> int:
+    """Search, write what is found, and tell what became of it; the exit status."""
+    began = time.perf_counter()
+    with progress(None, "made ready", quiet=run.quiet):
+        count = box_pieces.cut(run.asked.search)
+        box_pieces.prepare()  # once, not in every process
+    found = _to_stream(run, count) if is_stream(run.to.output) else _to_store(run, count)
+    if isinstance(found, int):
+        return found
+    if not (run.quiet or is_stream(run.to.output)):
+        files.say(_summary(str(run.to.output), found, time.perf_counter() - began))
+    if found.boxes:
+        return DONE
+    if found.with_ratios:
+        files.say(f"no box is found: {_boxes(found.with_ratios)} with these ratios, none as wanted")
+    else:
+        within = f"within {run.asked.search.tolerance:g} of these ratios"
+        files.say(f"no box is found: none of {found.searched} comes {within}")
+    return FAILED
+
+
+def _to_stream(run: BoxRun, count: int) -> FoundBoxes | int:
+    """Search, and write to stdout or what is no file; an exit status if it is stopped."""
+    pieces = SearchedPieces(count)
+    try:
+        with run.workers(count) as called:
+            found = _found(run, pieces, called)
+    except StoppedError as stopped:
+        files.say(f"stopped after {pieces.done} of {count} pieces of the search")
+        return stopped_by(stopped.signal)
+    files.write_data(found.text(run.to.form, run.to.style), run.to.output)
+    return found
+
+
+def _to_store(run: BoxRun, count: int) -> FoundBoxes | int:
+    """Search, and write a file or a directory; pieces lie beside it meanwhile."""
+    output = str(run.to.output).rstrip("/") or "/"
+    with FinishedPieces(output, "search", into_folder=run.to.is_folder) as store:
+        pieces = _opened(run, store, output, count)
+        try:
+            with run.workers(count) as called:
+                found = _found(run, pieces, called)
+                if run.to.is_folder:
+                    write_folder(output, found, run.to.style, called, quiet=run.quiet)
+                    store.drop()
+                else:
+                    replace(store.path(ASSEMBLED), found.text(run.to.form, run.to.style))
+                    store.finish()
+        except StoppedError as stopped:
+            files.say(f"stopped; {_kept(store, output, count)}")
+            return stopped_by(stopped.signal)
+        except OSError as error:
+            files.show([unwritable(output, error)])
+            files.say(_kept(store, output, count))
+            return FAILED
+        except CaseError as error:
+            files.show(error.problems)
+            if store.finished():
+                files.say(_kept(store, output, count))
+            return FAILED
+    if run.to.is_folder and run.to.form != "xlsx":
+        files.write_data(found.text(run.to.form, run.to.style), None)
+    return found
+
+
+def _opened(run: BoxRun, store: FinishedPieces, output: str, count: int) -> SearchedPieces:
+    """The pieces that are there, if they are to be taken up.
+
+    Raises
+    ------
+    ReadError
+        If they are of another search, or the directory can't be made.
+    """
+    if run.resume and not (run.quiet or store.exists()) and os.path.exists(output):  # noqa: PTH110
+        files.say(f"{output} may be of another search: every piece is searched again")
+    try:
+        without = store.open(description(run.asked.search, count), count, resume=run.resume)
+    except OSError as error:
+        raise ReadError([unwritable(output, error)]) from None
+    if without and not run.quiet:
+        files.say(f"{store.directory}: {without}; every piece is searched")
+    return SearchedPieces(count, store)
+
+
+def _found(run: BoxRun, pieces: SearchedPieces, called: Workers) -> FoundBoxes:
+    """Search what is not searched, and measure what is found."""
+    with progress(pieces.count, "pieces", quiet=run.quiet) as advance:
+        advance(pieces.done)
+        for piece, found in called.each(find, pieces.pending):
+            pieces.take(piece, found)
+            advance(1)
+    asked = run.asked
+    if pieces.given_up:
+        those = f"{pieces.given_up} of the sets of elements could not be looked at to the end"
+        advice = "expected narrower --bounds, or more --ratios"
+        files.say(f"warning: {those}, and some of them may be boxes, too; {advice}")
+    boxes = [box for box in pieces.boxes() if asked.wanted.before(box)]
+    check_most(len(boxes), MOST_MEASURED)
+    measured: list[MeasuredBox] = []
+    with progress(len(boxes), "boxes", quiet=run.quiet) as advance:
+        for _, some in called.each(measure, portions(boxes)):
+            measured += some
+            advance(len(some))
+    chosen = ranked(asked.search, measured, asked.wanted)
+    return FoundBoxes(asked.search, pieces.searched, pieces.found, chosen)
+
+
+def _kept(store: FinishedPieces, output: str, count: int) -> str:
+    """What there is to go on with after an end before the end."""
+    finished = len(store.finished())
+    if not finished:
+        return "nothing was finished"
+    pieces = f"{finished} of {count} pieces of the search are finished and kept"
+    is_named = os.path.basename(output) not in (".", "..")  # noqa: PTH119
+    name = f"{output}{SUFFIX}" if is_named else store.directory
+    return f"{pieces} in {name}; the same command with --resume goes on"
+
+
+def _summary(output: str, found: FoundBoxes, seconds: float) -> str:
+    """What became of the search."""
+    families = family_count(found.boxes)
+    count = f"{_boxes(len(found.boxes))} in {families} {'family' if families == 1 else 'families'}"
+    return f"{output}: {count} of {found.searched} that were looked at; {seconds:.3g} s"
+
+
+def _boxes(count: int) -> str:
+    return f"{count} {'box' if count == 1 else 'boxes'}"

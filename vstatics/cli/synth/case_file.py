@@ -1,0 +1,65 @@
+"""The case that a command of `vstatics synth` has found, as a file that other commands take."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+import click
+
+from vstatics import readers
+from vstatics.cli.convert import write
+from vstatics.cli.frame import files
+from vstatics.errors import CaseError, ReadError, of_file
+from vstatics.model.transmission import Transmission
+from vstatics.tables.suffixes import suffix_of
+
+written_case = click.option(
+    "--write",
+    "target",
+    type=click.Path(),
+    metavar="FILE",
+    help="Also write what is found as a case: YAML, JSON or deck by the suffix.",
+)
+"""The option for it; the command gets `target`."""
+
+
+def case_format(target: str, inputs: Iterable[str], output: str | None = None) -> str:
+    """The format of the case to write, by its suffix; refused before anything is calculated.
+
+    Raises
+    ------
+    UsageError
+        If the suffix is none, or what is read or written besides would be written over.
+    """
+    files.spare(inputs, target)
+    if output is not None and target == output:
+        message = f"read {target} twice, expected another file for the case (--write) than for -o"
+        raise click.UsageError(message)
+    form = "modelica" if suffix_of(target) == ".mo" else readers.format_of_name(target)
+    if form is None:
+        message = f"can't tell the format of {target}: expected a suffix such as .yaml, .json, .dat"
+        raise click.BadParameter(message, param_hint="--write")
+    return form
+
+
+def write_case(case: Transmission, target: str, form: str) -> bool:
+    """Write a case, whole or not at all; tell what the format can't keep.
+
+    Returns
+    -------
+    bool
+        Whether it keeps all.
+
+    Raises
+    ------
+    ReadError
+        If what is left of it would be another case, or it can't be written.
+    """
+    try:
+        text, lost = write(case, form)
+    except CaseError as error:
+        raise ReadError([of_file(target, str(error))]) from error
+    files.write_output(text, target)
+    for what in lost:
+        files.say(f"{target}: not kept: {what}")
+    return not lost

@@ -1,0 +1,146 @@
+"""What `vstatics synth combinations` writes: before it begins, and what it finds."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
+
+import click
+
+from vstatics.cli.frame import files, one_case, texts
+from vstatics.cli.frame.cases import CalculatedCase
+from vstatics.cli.frame.estimates import check_room as check_disk_room
+from vstatics.cli.frame.estimates import duration_text, size_text
+from vstatics.cli.frame.formats import Destination
+from vstatics.cli.frame.one_case import file_name
+from vstatics.cli.frame.problems import Telling
+from vstatics.cli.frame.progress import Advance, progress
+from vstatics.errors import listed
+from vstatics.synthesis.gears.engaged_sets import EngagedSets, combination_grids
+from vstatics.synthesis.gears.kinds import EngagedKind
+from vstatics.synthesis.gears.search import CombinationSearch, count_text
+from vstatics.tables.grid import Grid
+from vstatics.tables.grid import text as words
+from vstatics.writers import plain_json
+from vstatics.writers.plain_json import plain_data
+
+STREAMED = ("json", "jsonl")
+"""Formats that are written as they are found."""
+MOST_PRINTED_ROWS = 200_000
+"""Of any other format."""
+FRAME = '{"combinations": [\n ', ",\n ", "\n]}\n"
+"""Around the entries of JSON, and between them."""
+
+
+def check_room(search: CombinationSearch, to: Destination) -> None:
+    """Refuse tables that nobody reads, and a file that its disk has no room for.
+
+    Raises
+    ------
+    UsageError, ReadError
+    """
+    if to.form not in STREAMED:
+        if search.count > MOST_PRINTED_ROWS:
+            message = f"{to.form} is for {MOST_PRINTED_ROWS} rows at most, not for {search.count}"
+            raise click.UsageError(f"{message}: expected -f json or jsonl")
+        return
+    check_disk_room(_length(search) * search.count, to.output, "--engaged or --elements")
+
+
+def _length(search: CombinationSearch) -> float:
+    """About how many bytes a combination has in JSON."""
+    lines = [line for batch in search.samples() for line in _lines(batch)]
+    return sum(len(line.encode()) + 3 for line in lines) / len(lines)
+
+
+class CombinationEstimate(NamedTuple):
+    """What is known before any combination is tried."""
+
+    elements: Sequence[str]
+    """Names of those to choose from."""
+    engaged: Sequence[int]
+    total: float
+    """Of combinations; `count` in JSON."""
+    bytes: float
+    """About so many of JSON."""
+    seconds: float
+
+
+def estimate(search: CombinationSearch) -> CombinationEstimate:
+    """How many combinations, how large, about how long."""
+    names = [one.name for one in search.elements]
+    size = _length(search) * search.count
+    return CombinationEstimate(names, search.sizes, search.count, size, search.seconds())
+
+
+def show_estimate(search: CombinationSearch, case: str, to: Destination) -> None:
+    """Write it: lines as text, an object as JSON, else a table."""
+    known = estimate(search)
+    if to.form in STREAMED:
+        size = round(known.bytes) if math.isfinite(known.bytes) else math.inf
+        parts = {"elements": known.elements, "engaged": known.engaged, "count": known.total}
+        made = plain_data(parts | {"bytes": size, "seconds": known.seconds})
+        text = plain_json.line(made) if to.form == "jsonl" else f"{plain_json.text(made)}\n"
+        files.write_output(text, to.output)
+        return
+    rows = {
+        "elements": f"{search.choice}: {listed(known.elements)}",
+        "engaged": ", ".join(map(str, known.engaged)),
+        "combinations": count_text(known.total),
+        "size": f"about {size_text(known.bytes)} of JSON",
+        "time": f"about {duration_text(known.seconds)}",
+    }
+    if to.form == "text":
+        lines = [f"{name:12}  {value}\n" for name, value in rows.items()]
+        files.write_output("".join(lines), to.output)
+        return
+    grid = Grid("Estimate", [words(""), words("")], [[*row] for row in rows.items()])
+    one_case.show(case, to, search.case.name, lambda: [grid], dict)
+
+
+def show(search: CombinationSearch, case: str, to: Destination, telling: Telling) -> None:
+    """Write all combinations; JSON as they are found."""
+    with progress(
+        int(search.count), "combinations", beside_stdout=to.output is None, quiet=telling.quiet
+    ) as advance:
+        if to.form in STREAMED:
+            with files.stream(to.output) as write:
+                for text in _json(search, advance, as_lines=to.form == "jsonl"):
+                    write(files.encoded(text))
+            return
+        title = search.case.name or file_name(case)
+        found = (one for batch in _watched(search, advance) for one in batch.each())
+        shown = texts.CaseOutput([title], {}, lambda: combination_grids(found))
+        outcome = CalculatedCase(file_name(case), None, [])
+        files.write_data(
+            texts.alone(outcome, shown, texts.OutputForm(to.form, to.style)), to.output
+        )
+
+
+def _watched(search: CombinationSearch, advance: Advance) -> Iterator[EngagedSets]:
+    for batch in search.batches():
+        yield batch
+        advance(len(batch.members))
+
+
+def _json(search: CombinationSearch, advance: Advance, *, as_lines: bool) -> Iterator[str]:
+    """JSON piece by piece: a document, or a line for each combination."""
+    first, between, last = ("", "\n", "\n") if as_lines else FRAME
+    before = first
+    for batch in _watched(search, advance):
+        yield before + between.join(_lines(batch))
+        before = between
+    yield last
+
+
+def _lines(found: EngagedSets) -> Iterator[str]:
+    """Combinations as JSON, an object each."""
+    names = [plain_json.line(element.name).rstrip() for element in found.elements]
+    kinds = [f'"kind": "{kind.word}"' for kind in EngagedKind]
+    columns = (found.members, found.kinds, found.ratios, found.free)
+    for members, kind, ratio, free in zip(*(one.tolist() for one in columns), strict=True):
+        engaged = ", ".join([names[one] for one in members])
+        number = repr(ratio) if math.isfinite(ratio) else "null"
+        is_free = "true" if free else "false"
+        yield f'{{"engaged": [{engaged}], {kinds[kind]}, "ratio": {number}, "free": {is_free}}}'

@@ -1,0 +1,162 @@
+"""`vstatics synth fit`: ratios of mechanisms for wanted ratios of gears."""
+
+from __future__ import annotations
+
+import math
+
+import click
+
+from vstatics import readers
+from vstatics.cli.frame import cases as arguments
+from vstatics.cli.frame import files, formats
+from vstatics.cli.frame.exit_status import DONE, FAILED
+from vstatics.cli.frame.formats import OutputOptions
+from vstatics.cli.frame.one_case import (
+    file_name,
+    one_text,
+    problems_of,
+    show_alone,
+    tell,
+    warnings_of,
+)
+from vstatics.cli.frame.problems import Telling
+from vstatics.cli.frame.progress import progress
+from vstatics.cli.frame.values import named, pair, wrong_use
+from vstatics.cli.synth.case_file import case_format, write_case, written_case
+from vstatics.errors import Problem, listed, of_file, spoken
+from vstatics.model.transmission import Transmission
+from vstatics.readers.named.scalars import number
+from vstatics.synthesis.ratios.estimate import dry_document, dry_grids
+from vstatics.synthesis.ratios.fitted_case import fitted_case, left_out_by_fit, lost_by_fit
+from vstatics.synthesis.ratios.fitting import TOLERANCE, Fit, fit_document
+from vstatics.synthesis.ratios.fitting import fit as fitted
+from vstatics.synthesis.ratios.grids import fit_grids
+from vstatics.synthesis.ratios.problem import doubts, fit_problem
+
+
+@click.command()
+@click.argument("case", type=click.Path())
+@click.option(
+    "--ratios",
+    multiple=True,
+    required=True,
+    metavar="GEAR=I,...",
+    help="What gears should have, by their names, such as 1=4.7,2=3.13,R=-3.3; a name with commas "
+    "in double quotes; may be given several times.",
+)
+@click.option(
+    "--bounds",
+    multiple=True,
+    metavar="MECHANISM=LOW:HIGH,...",
+    help="Between which numbers its ratio is looked for, or the one that it has; `all` for those "
+    "that are not named. Else it keeps its sign, and its size is up to 14, between moving links "
+    "on the same side of 1.",
+)
+@click.option(
+    "--weights",
+    multiple=True,
+    metavar="GEAR=W,...",
+    help="Weights of the squares of ln(i/wanted); 1 when not given.",
+)
+@click.option(
+    "--tolerance",
+    type=float,
+    default=TOLERANCE,
+    show_default=True,
+    metavar="T",
+    help="A ratio is met where |ln(i/wanted)| is no more.",
+)
+@click.option("--dry-run", is_flag=True, help="Only say what is varied, and what gears can have.")
+@written_case
+@formats.options(*formats.TABLES)
+@arguments.input_format
+@arguments.telling
+def fit(
+    case: str,
+    ratios: tuple[str, ...],
+    bounds: tuple[str, ...],
+    weights: tuple[str, ...],
+    tolerance: float,
+    dry_run: bool,
+    target: str | None,
+    wanted: OutputOptions,
+    input_format: readers.Format | None,
+    telling: Telling,
+) -> int:
+    """Find ratios of the mechanisms of CASE for wanted ratios of gears; - is standard input.
+
+    The sum of squares of ln(i/wanted) is least, within bounds; all solutions that differ are
+    found from many starts. The ratios of the case itself matter only for their signs, and where
+    the wanted ones leave a choice. Teeth are left out of account: a drawn element has the ratio
+    of its wheels, one of shared planets several, between its central wheels.
+
+    \b
+    Examples:
+      vstatics synth fit cases/belaz7516.yaml --ratios 2=4,4=2.01,5=1.4925,R2=-5.12
+      vstatics synth fit box.yaml --ratios 1=4.7,2=3.13 --bounds P1=-4:-1.5 -f json
+      vstatics synth fit box.yaml --ratios 1=4.7 --write fitted.yaml
+
+    \b
+    Exit status: 0 all wanted ratios are met; 1 some are not, or the case is in error;
+    2 wrong use, such as a ratio that the gear can't have.
+    """
+    to = one_text(wanted, [case])
+    form = "" if target is None else case_format(target, [case], to.output)
+    given = (
+        named("ratios", ratios, "GEAR=RATIO", number),
+        named("bounds", bounds, "MECHANISM=LOW:HIGH", pair),
+        named("weights", weights, "GEAR=WEIGHT", number),
+    )
+    reading = arguments.read_one(case, input_format, telling)
+    own = reading.case
+    with problems_of(reading), wrong_use(_OPTIONS):
+        if dry_run:
+            problem = fit_problem(own, *given, tolerance)
+        else:
+            with progress(None, "steps", quiet=telling.quiet) as advance:
+                found = fitted(
+                    own,
+                    given[0],
+                    bounds=given[1],
+                    weights=given[2],
+                    tolerance=tolerance,
+                    advance=advance,
+                )
+    if dry_run:
+        notes = warnings_of(doubts(problem), file_name(case))
+        tell(notes, telling, case)
+        show_alone(case, to, own.name, lambda: dry_grids(problem), lambda: dry_document(problem))
+        return FAILED if telling.fails([*reading.warnings, *notes]) else DONE
+    notes = _notes(found, file_name(case))
+    tell(notes, telling, case)
+    kept = target is None or _write(own, found, target, form, telling)
+    show_alone(case, to, own.name, lambda: fit_grids(found), lambda: fit_document(found))
+    fails = telling.fails([*reading.warnings, *notes])
+    return FAILED if found.unmet or not kept or fails else DONE
+
+
+def _write(case: Transmission, found: Fit, target: str, form: str, telling: Telling) -> bool:
+    """Write the case with the ratios found; whether it keeps all of the other."""
+    lost = lost_by_fit(case)
+    kept = write_case(fitted_case(case, found.ratios), target, form)
+    for what in lost:
+        files.say(f"{target}: not kept: {what}")
+    for what in () if telling.quiet else left_out_by_fit(case, found.ratios):
+        files.say(f"{target}: left out: {what}")
+    return kept and not lost
+
+
+_OPTIONS = ("ratios", "bounds", "weights", "tolerance")
+
+
+def _notes(found: Fit, file: str) -> list[Problem]:
+    """What is not met, and what to know of the solution."""
+    notes = []
+    if found.unmet:
+        off = "infinitely" if math.isinf(found.residual) else f"up to {100 * found.residual:.3g} %"
+        notes.append(of_file(file, f"not met: {spoken(found.unmet)}, off by {off}"))
+    told = [*found.warnings]
+    if found.free:
+        choice = f"the wanted ratios leave a choice of {listed(found.free)}"
+        told.append(f"{choice}: they are as near as may be to the case's own")
+    return notes + warnings_of(told, file)

@@ -1,0 +1,170 @@
+"""`vstatics synth structures`: all schemes of so many planetary sets."""
+
+from __future__ import annotations
+
+from typing import get_args
+
+import click
+
+from vstatics.cli.frame import files
+from vstatics.cli.frame.estimates import about, check_room, duration_text, size_text
+from vstatics.cli.frame.progress import progress
+from vstatics.cli.frame.values import separated
+from vstatics.errors import Problem, quoted, typed_number
+from vstatics.jobs.files import is_stream
+from vstatics.synthesis.structures import growth as search
+from vstatics.synthesis.structures.counts import count
+from vstatics.synthesis.structures.estimate import Estimate, estimate
+from vstatics.synthesis.structures.growth import Classes, StructureSearch
+from vstatics.synthesis.structures.json_lines import lines
+from vstatics.writers import plain_json
+
+FORMATS = ("json", "jsonl")
+LONG = 60
+"""What takes longer is told before. [s]"""
+QUICK_SETS = 3
+"""So many sets are done before an estimate is."""
+
+
+def _links(
+    context: click.Context, parameter: click.Parameter, given: tuple[str, ...]
+) -> tuple[int, ...]:
+    """Numbers, each by itself or several with commas."""
+    words = separated(given)
+    numbers = [typed_number(word, 2 * search.MOST_SETS + 1) for word in words]
+    for word, number in zip(words, numbers, strict=True):
+        if number is None:
+            message = f"read {quoted(word)}, expected a number of links"
+            raise click.BadParameter(message, context, parameter)
+    return tuple(number for number in numbers if number is not None)
+
+
+@click.command()
+@click.option(
+    "--sets",
+    type=click.IntRange(1, search.MOST_SETS),
+    required=True,
+    metavar="N",
+    help=f"The number of planetary sets, 1 to {search.MOST_SETS}.",
+)
+@click.option(
+    "--all",
+    "unsound",
+    is_flag=True,
+    help="Also schemes in which some sets turn as one body whatever their ratios.",
+)
+@click.option(
+    "--classes",
+    type=click.Choice(get_args(Classes)),
+    default="none",
+    show_default=True,
+    help="Which schemes are one: none; up to renaming of the sets; also with sun and ring "
+    "exchanged (members); also with the members of a set in any order.",
+)
+@click.option("--ports", is_flag=True, help="With every choice of an input and an output.")
+@click.option(
+    "--links",
+    multiple=True,
+    callback=_links,
+    metavar="J",
+    help="Only schemes with so many links; may be repeated, or hold commas.",
+)
+@click.option("--count", "counted", is_flag=True, help="Only how many there are.")
+@click.option("--dry-run", is_flag=True, help="Only about how many, how large, how long.")
+@click.option(
+    "-f", "--format", "form", type=click.Choice(FORMATS), help="A list is JSON lines in both."
+)
+@click.option("-o", "--output", type=click.Path(), help="Write to this file, whole or not at all.")
+def structures(
+    sets: int,
+    unsound: bool,
+    classes: Classes,
+    ports: bool,
+    links: tuple[int, ...],
+    counted: bool,
+    dry_run: bool,
+    form: str | None,
+    output: str | None,
+) -> None:
+    """List all schemes of N planetary sets, or count them.
+
+    A scheme tells which suns, carriers and rings are one link; its sets hang together, and
+    it leaves two degrees of freedom or more. A line of JSON for each has its `code` (the
+    links of sun, carrier and ring of each set in turn, from 0), its number of `links`, and
+    with --ports the links of `input` and `output`.
+
+    \b
+    Examples:
+      vstatics synth structures --sets 2
+      vstatics synth structures --sets 4 --classes sets --count
+      vstatics synth structures --sets 5 --classes sets --ports --dry-run
+    """
+    asked = StructureSearch(sets, classes, unsound, ports, links)
+    try:
+        search.check_search(asked)
+    except ValueError as error:
+        raise click.BadParameter(str(error), param_hint="--links") from None
+    if dry_run:
+        found = estimate(asked, listed=not counted)
+        files.write_output(_estimate_text(asked, found, form, listed=not counted), output)
+        return
+    expected = _told(asked, output, listed=not counted)
+    if counted:
+        with progress(expected, "schemes") as advance:
+            by_links = count(asked, advance)
+        files.write_output(_json(_document(asked, by_links), form), output)
+        return
+    with (
+        files.stream(output) as write,
+        progress(expected, "schemes", beside_stdout=is_stream(output)) as advance,
+    ):
+        for batch in search.batches(asked):
+            text = lines(asked, batch)
+            write(text)
+            advance(text.count(b"\n"))
+
+
+def _document(asked: StructureSearch, by_links: dict[int, int]) -> dict[str, object]:
+    numbers = {str(links): number for links, number in by_links.items()}
+    return {"sets": asked.sets, "count": sum(by_links.values()), "by_links": numbers}
+
+
+def _json(document: dict[str, object], form: str | None) -> str:
+    return plain_json.line(document) if form == "jsonl" else plain_json.text(document) + "\n"
+
+
+def _told(asked: StructureSearch, output: str | None, *, listed: bool) -> int:
+    """About how many there will be; told if it takes long, refused without room on the disk.
+
+    Raises
+    ------
+    ReadError
+    """
+    if asked.sets <= QUICK_SETS:
+        return 0
+    found = estimate(asked, listed=listed)
+    check_room(found.bytes, output, "--count, --classes, --links, or another disk")
+    if found.seconds > LONG:
+        size = f", {size_text(found.bytes)}" if listed else ""
+        text = f"{about(found.total)} schemes{size}, in about {duration_text(found.seconds)}"
+        files.show([Problem(text, severity="note")])
+    return round(found.total)
+
+
+def _estimate_text(
+    asked: StructureSearch, found: Estimate, form: str | None, *, listed: bool
+) -> str:
+    """How many, how large and how long, in lines; or as JSON if it is asked for."""
+    if form:
+        rounded = {links: round(number) for links, number in found.by_links.items()}
+        size = round(found.bytes) if listed else None
+        about_it = {"exact": found.exact, "bytes": size, "seconds": found.seconds}
+        return _json({**_document(asked, rounded), **about_it}, form)
+    say = str if found.exact else about
+    parts = {"schemes": say(found.total)}
+    for links, number in found.by_links.items():
+        parts[f"{links} links"] = say(number)
+    if listed:
+        parts["size"] = f"about {size_text(found.bytes)}"
+    parts["time"] = f"about {duration_text(found.seconds)}"
+    return "".join(f"{name:9} {value}\n" for name, value in parts.items())

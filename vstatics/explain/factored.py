@@ -1,0 +1,308 @@
+"""A fraction of polynomials as one writes it by hand: `(1 - u1)(1 - u3)`, `2 - 1/u`.
+
+Of several equal forms the shortest is taken: in factors, term by term, and 1 and the rest.
+Polynomials are those of `sympy.polys`, with whole coefficients.
+
+Factors of polynomials, each with the sign in which it looks best.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any, NamedTuple
+
+Fraction = Any
+"""`sympy.polys.fields.FracElement`"""
+
+
+class Notation(NamedTuple):
+    """How symbols, products and powers are written."""
+
+    symbols: Sequence[str]
+    times: str = " "
+    power: str = "^"
+    joined: str = ""
+    """Between two brackets."""
+
+
+def python(count: int) -> Notation:
+    """An expression that Python and SymPy read; its symbols are u1, u2, ..."""
+    return Notation([f"u{number}" for number in range(1, count + 1)], "*", "**", "*")
+
+
+class _Written(NamedTuple):
+    """An expression, and whether it needs brackets as a factor, as a divisor."""
+
+    text: str
+    is_sum: bool = False
+    is_product: bool = False
+
+    @property
+    def factor(self) -> str:
+        return f"({self.text})" if self.is_sum else self.text
+
+    @property
+    def divisor(self) -> str:
+        return f"({self.text})" if self.is_sum or self.is_product else self.text
+
+
+def fraction(value: Fraction, notation: Notation) -> str:
+    """The shortest form of a fraction of polynomials.
+
+    Examples
+    --------
+    >>> from sympy import ZZ
+    >>> from sympy.polys.fields import field
+    >>> _, u, v = field("u, v", ZZ)
+    >>> [fraction(one, Notation("uv")) for one in (1 - u, (1 - u) * (1 - v), u / (u - 1), u * v)]
+    ['1 - u', '(1 - u)(1 - v)', 'u/(u - 1)', 'u v']
+    >>> [fraction(one, Notation("uv")) for one in (2 - 1 / u, (u + v - 1) / u, 1 - u * v)]
+    ['2 - 1/u', '(u + v - 1)/u', '1 - u v']
+    >>> fraction((u - 1) / u * (1 - v), Notation("uv"))
+    '(1 - 1/u)(1 - v)'
+    """
+    if len(factored(value.numer).factors) > 1:
+        return _in_factors(value, notation).text  # a product is to be seen as one
+    measure = Notation(["u"] * len(notation.symbols))  # names do not decide on the form
+    measured, texts = (
+        [form.text for form in (write(value, how) for write in _FORMS) if form is not None]
+        for how in (measure, notation)
+    )
+    return min(zip(measured, texts, strict=True), key=lambda pair: len(pair[0]))[1]
+
+
+def weighted(values: Sequence[Fraction], unknowns: Sequence[str], notation: Notation) -> str:
+    """A sum of unknowns with fractions of polynomials as coefficients, over one divisor.
+
+    Examples
+    --------
+    >>> from sympy import ZZ
+    >>> from sympy.polys.fields import field
+    >>> _, u = field("u", ZZ)
+    >>> weighted([1 / (1 - u), -u / (1 - u)], ["w_sun", "w_ring"], Notation("u"))
+    '(w_sun - u w_ring)/(1 - u)'
+    """
+    divisor = values[0].denom
+    for value in values[1:]:
+        divisor = divisor.lcm(value.denom)
+    below = factored(divisor)
+    terms = []
+    for value, unknown in zip(values, unknowns, strict=True):
+        whole = (value * divisor).numer * (1 if below.number > 0 else -1)
+        sign, text = _signed(whole, notation)
+        term = unknown if text.text == "1" else f"{text.factor}{notation.times}{unknown}"
+        terms.append((sign, term))
+    terms.sort(key=lambda one: one[0] == "-")
+    written = "".join(f" {sign} {term}" for sign, term in terms)
+    written = written.removeprefix(" + ") if terms[0][0] == "+" else f"-{written[3:]}"
+    positive = below._replace(number=abs(below.number))
+    over = _product(positive, notation)
+    if over.text == "1":
+        return written
+    return f"({written})/{over.divisor}" if len(values) > 1 else f"{written}/{over.divisor}"
+
+
+def _signed(polynomial: Polynomial, notation: Notation) -> tuple[str, _Written]:
+    """The sign of a polynomial, as far as it can't be taken into a factor, and the rest."""
+    found = factored(polynomial)
+    if found.number < 0:
+        found, _ = _turned(found, Factored(1, []))
+    rest = _product(found._replace(number=abs(found.number)), notation)
+    return ("-" if found.number < 0 else "+"), rest
+
+
+def _in_factors(value: Fraction, notation: Notation) -> _Written:
+    """Numerator and denominator, each in factors; ``(u - 1)/u`` within is ``1 - 1/u``."""
+    above, below = factored(value.numer), factored(value.denom)
+    above, below, inverse = _inverse(above, below)
+    if above.number * below.number < 0:
+        above, below = _turned(above, below)
+    is_negative = above.number * below.number < 0
+    quotient = _quotient(above, below, notation, inverse)
+    return quotient._replace(text=f"-{quotient.factor}") if is_negative else quotient
+
+
+def _quotient(
+    above: Factored,
+    below: Factored,
+    notation: Notation,
+    inverse: Sequence[tuple[Polynomial, int]] = (),
+) -> _Written:
+    """One product over another, without their signs."""
+    top = _product(above._replace(number=abs(above.number)), notation, inverse)
+    over = _product(below._replace(number=abs(below.number)), notation)
+    return top if over.text == "1" else _Written(f"{top.factor}/{over.divisor}", is_product=True)
+
+
+def _inverse(above: Factored, below: Factored) -> tuple[Factored, Factored, Powers]:
+    """What is left without factors ``1 - 1/u``, and these: the symbol and the power of each."""
+    inverse: Powers = []
+    top, bottom, number = [], below.factors, above.number
+    for factor, power in above.factors:
+        symbol = 1 - factor  # a factor stands as 1 - u, not as u - 1
+        given = next((have for one, have in bottom if one == symbol and len(one) == 1), 0)
+        common = min(power, given)
+        if common:
+            inverse.append((symbol, common))
+            number *= (-1) ** common
+            bottom = [(one, have - common * (one == symbol)) for one, have in bottom]
+        if power > common:
+            top.append((factor, power - common))
+    rest = [(factor, power) for factor, power in bottom if power]
+    return Factored(number, top), below._replace(factors=rest), inverse
+
+
+def _turned(above: Factored, below: Factored) -> tuple[Factored, Factored]:
+    """A minus taken into a factor that looks as well with it, if there is one."""
+    for part in (below, above):
+        for place, (factor, power) in enumerate(part.factors):
+            if power % 2 and balance(factor) == 0 and len(factor) > 1:
+                factors = [*part.factors]
+                factors[place] = (-factor, power)
+                turned = part._replace(number=-part.number, factors=factors)
+                return (above, turned) if part is below else (turned, below)
+    return above, below
+
+
+def _by_terms(value: Fraction, notation: Notation) -> _Written | None:
+    """Each term of the numerator over a denominator of one term."""
+    if len(value.denom) > 1 or len(value.numer) < 2:
+        return None
+    field = value.parent()
+    text = ""
+    for term in _ordered(value.numer):
+        one = _in_factors(field(term) / field(value.denom), notation).text
+        minus = one.startswith("-")
+        text += f" {'-' if minus else '+'} {one.lstrip('-')}" if text else one
+    return _Written(text, is_sum=True)
+
+
+def _one_and_rest(value: Fraction, notation: Notation) -> _Written | None:
+    """1 plus or minus what is left, in factors."""
+    rest = value - 1
+    if not rest or len(rest.numer) == len(value.numer) == 1:
+        return None
+    above, below = factored(rest.numer), factored(rest.denom)
+    sign = "-" if above.number * below.number < 0 else "+"
+    return _Written(f"1 {sign} {_quotient(above, below, notation).factor}", is_sum=True)
+
+
+_FORMS = (_in_factors, _by_terms, _one_and_rest)
+
+
+def _ordered(polynomial: Polynomial) -> list[Polynomial]:
+    """Its terms: those above 0 first, and of each kind the short ones first."""
+    terms = sorted(polynomial.terms(), key=lambda term: (term[1] < 0, sum(term[0])))
+    ring = polynomial.ring
+    return [ring({powers: factor}) for powers, factor in terms]
+
+
+def _product(
+    product: Factored, notation: Notation, inverse: Sequence[tuple[Polynomial, int]] = ()
+) -> _Written:
+    """A product, single symbols before sums, in the order of the symbols.
+
+    `inverse` has the symbols u of further factors ``1 - 1/u``, each with its power.
+    """
+    factors = [
+        (len(factor) > 1, _position(factor), _sum(factor, notation), power)
+        for factor, power in product.factors
+    ]
+    factors += [
+        (True, _position(symbol), f"1 - 1/{_sum(symbol, notation)}", power)
+        for symbol, power in inverse
+    ]
+    factors.sort()
+    if product.number == 1 and len(factors) == 1 and factors[0][-1] == 1:
+        is_sum, _, text, _ = factors[0]
+        return _Written(text, is_sum=is_sum)
+    text = str(product.number) if product.number != 1 or not factors else ""
+    for is_sum, _, written, power in factors:
+        base = f"({written})" if is_sum else written
+        raised = base if power == 1 else f"{base}{notation.power}{power}"
+        bracketed = is_sum and text.endswith(")")
+        text += f"{notation.joined if bracketed else notation.times}{raised}" if text else raised
+    return _Written(text, is_product=len(factors) + (product.number != 1) > 1)
+
+
+def _position(polynomial: Polynomial) -> tuple[int, ...]:
+    """Which symbols occur, for an order of factors."""
+    occurring = {place for powers, _ in polynomial.terms() for place, p in enumerate(powers) if p}
+    return tuple(sorted(occurring))
+
+
+def _sum(polynomial: Polynomial, notation: Notation) -> str:
+    """A polynomial term by term."""
+    text = ""
+    for term in _ordered(polynomial):
+        [(powers, factor)] = term.terms()
+        symbols = [
+            symbol if power == 1 else f"{symbol}{notation.power}{power}"
+            for symbol, power in zip(notation.symbols, powers, strict=True)
+            if power
+        ]
+        size = abs(int(factor))
+        parts = [str(size)] * (size != 1 or not symbols) + symbols
+        minus = factor < 0
+        front = (" - " if minus else " + ") if text else "-" * minus
+        text += front + notation.times.join(parts)
+    return text
+
+
+Polynomial = Any
+"""`sympy.polys.rings.PolyElement`, with whole coefficients."""
+
+Powers = list[tuple[Polynomial, int]]
+"""Factors, each with its power."""
+
+
+class Factored(NamedTuple):
+    """A polynomial: a whole number times powers of factors."""
+
+    number: int
+    factors: Powers
+
+
+def factored(polynomial: Polynomial) -> Factored:
+    """Factors with the sign in which they look best."""
+    number, rest = polynomial.primitive()
+    factors = []
+    for factor, power in _factors(rest):
+        if factor.is_ground:
+            number *= factor.LC**power
+            continue
+        turned = _looks(-factor) > _looks(factor)
+        factors.append((-factor if turned else factor, power))
+        number = -number if turned and power % 2 else number
+    return Factored(int(number), factors)
+
+
+def _factors(polynomial: Polynomial) -> Powers:
+    """Factors of a polynomial whose coefficients have none in common.
+
+    Where a symbol occurs in the first power only, as ``a + b u``, the greatest common factor
+    of a and b is one, and what is left can't be divided. SymPy's own way takes long where
+    there are many symbols.
+    """
+    if polynomial.is_ground:
+        return [(polynomial, 1)]
+    powers = [max(one) for one in zip(*polynomial.monoms(), strict=True)]
+    if 1 not in powers:
+        constant, found = polynomial.factor_list()
+        return [(polynomial.ring(constant), 1), *found]
+    place = powers.index(1)
+    ring = polynomial.ring
+    symbol = ring.gens[place]
+    with_it = ring({one: factor for one, factor in polynomial.terms() if one[place]})
+    common = with_it.quo(symbol).gcd(polynomial - with_it)
+    return [(polynomial.quo(common), 1), *_factors(common)]
+
+
+def balance(polynomial: Polynomial) -> int:
+    """Terms above 0 less those below 0."""
+    return sum(1 if factor > 0 else -1 for _, factor in polynomial.terms())
+
+
+def _looks(polynomial: Polynomial) -> tuple[int, bool, bool]:
+    """How well it looks: more terms above 0; else the constant is above 0, else the first term."""
+    return balance(polynomial), polynomial.coeff(1) > 0, polynomial.LC > 0

@@ -1,0 +1,128 @@
+"""Bands of the picture `flow` that go back below all others, each in a row of its own."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import NamedTuple
+
+from vstatics.pictures.flow.columns import BAND_CLEARANCE, SPACE, Across, FlowCell, on_way_back
+from vstatics.pictures.flow.graph import Band, Graph
+from vstatics.pictures.flow.places import Box, Line, Note
+from vstatics.pictures.flow.texts import FlowTexts
+from vstatics.pictures.sheet.labels import Point, height, width
+
+UNDER = 3.0
+"""Between a band and its text. [pt]"""
+GROWTH = 1.3
+"""A row grows so much until its nodes stand where nothing crosses it."""
+
+
+class BackRow(NamedTuple):
+    """A band that goes back, and what is written at it."""
+
+    number: int
+    """Index of the band."""
+    band: Band
+    width: float
+    """[pt]"""
+    cell: FlowCell | None
+    """The nodes on its way."""
+    text: str
+    """Below it; nothing where another band of the loop has it."""
+
+    @property
+    def needed(self) -> float:
+        """Room between its ends [pt]."""
+        return self.cell.wide + SPACE if self.cell else 0.0
+
+
+def back_rows(graph: Graph, scale: float, texts: FlowTexts) -> list[BackRow]:
+    """From the top: what goes back least first."""
+
+    def reach(number: int) -> int:
+        source, target = graph.ends(graph.bands[number])
+        return graph.layers[source] - graph.layers[target]
+
+    found: list[BackRow] = []
+    named: set[int | None] = {None}
+    back = [number for number, band in enumerate(graph.bands) if band.back]
+    for number in sorted(back, key=reach):
+        band = graph.bands[number]
+        cell = on_way_back(band.between, band.power, scale, texts) if band.between else None
+        text = "" if band.loop is None or band.loop in named else texts.loop(band.loop)
+        named.add(band.loop)
+        found.append(BackRow(number, band, band.power * scale, cell, text))
+    return found
+
+
+def free(rows: Sequence[BackRow], place: int, spaced: Across) -> Iterator[tuple[float, float]]:
+    """Where nothing that goes farther down crosses a row, from left to right [pt]."""
+    taken = sorted(
+        (x - row.width / 2 - BAND_CLEARANCE, x + row.width / 2 + BAND_CLEARANCE)
+        for row in rows[place + 1 :]
+        for x in (spaced.leaving[row.number], spaced.arriving[row.number])
+    )
+    low = 0.0
+    for left, right in taken:
+        yield low, left
+        low = max(low, right)
+    yield low, float("inf")
+
+
+def nearest(wanted: float, wide: float, places: Iterator[tuple[float, float]]) -> float | None:
+    """The place next to that which is wanted where something of a width has room."""
+    half = wide / 2
+    found = [
+        min(max(wanted, low + half), high - half) for low, high in places if high - low >= wide
+    ]
+    return min(found, key=lambda x: abs(x - wanted), default=None)
+
+
+def _middle_of_cell(rows: Sequence[BackRow], place: int, spaced: Across) -> float | None:
+    row = rows[place]
+    if row.cell is None:
+        return None
+    left, right = spaced.arriving[row.number], spaced.leaving[row.number]
+    low, high = (x + way * (row.width / 2 + BAND_CLEARANCE) for x, way in ((left, 1), (right, -1)))
+    within = ((max(low, one), min(high, other)) for one, other in free(rows, place, spaced))
+    return nearest((left + right) / 2, row.cell.wide, within)
+
+
+def crowded(rows: Sequence[BackRow], spaced: Across) -> list[int]:
+    """Indices of bands that have no room for their nodes."""
+    return [
+        row.number
+        for place, row in enumerate(rows)
+        if row.cell is not None and _middle_of_cell(rows, place, spaced) is None
+    ]
+
+
+def placed_rows(
+    rows: Sequence[BackRow],
+    spaced: Across,
+    ends: Mapping[int, tuple[Point, Point]],
+    low: float,
+) -> Iterator[tuple[Line, list[Box], list[Note]]]:
+    """Each band below a depth, with the nodes on its way and its text.
+
+    Parameters
+    ----------
+    ends : mapping
+        Where each band leaves its source and reaches its target. [pt]
+    """
+    for place, row in enumerate(rows):
+        top = low + SPACE / 2 + (row.cell.above if row.cell else 0.0)
+        deep = top + row.width / 2
+        right, left = spaced.leaving[row.number], spaced.arriving[row.number]
+        start, end = ends[row.number]
+        turns = ((right, start[1]), (right, deep), (left, deep), (left, end[1]))
+        low = top + row.width
+        middle = _middle_of_cell(rows, place, spaced)
+        centre = (left + right) / 2
+        boxes = [Box(row.cell, centre if middle is None else middle, top)] if row.cell else []
+        notes = []
+        if row.text:
+            x = nearest(centre, width(row.text), free(rows, place, spaced))
+            low += height(row.text) + UNDER
+            notes.append(Note(x or centre, low - height(row.text) / 2, row.text, loop=True))
+        yield Line(row.band, row.width, (start, *turns, end)), boxes, notes

@@ -1,0 +1,147 @@
+"""Where the nodes, bands and texts of the picture `flow` stand."""
+
+from __future__ import annotations
+
+from collections.abc import Hashable, Iterator, Mapping, Sequence
+from itertools import pairwise
+from typing import NamedTuple
+
+from vstatics.pictures.flow.back import GROWTH, BackRow, back_rows, crowded, placed_rows
+from vstatics.pictures.flow.columns import Across, NodeColumns, across, columns
+from vstatics.pictures.flow.depths import Depths, depths
+from vstatics.pictures.flow.graph import Graph
+from vstatics.pictures.flow.places import Box, FlowLayout, Line, Note, Stub
+from vstatics.pictures.flow.texts import FlowTexts
+from vstatics.pictures.sheet.labels import Point, height, width
+
+TRIES = 12
+"""Times that rows of bands that go back grow."""
+STRAIGHT = 0.5
+"""What rises less is level. [pt]"""
+
+
+class _Placed(NamedTuple):
+    """Runs and what passes, in their places."""
+
+    graph: Graph
+    scale: float
+    """Width of a band of power 1. [pt]"""
+    cells: NodeColumns
+    deep: Depths
+    courses: Mapping[int, Sequence[float]]
+    """How deep each band is at its source, where it passes a layer, and at its target. [pt]"""
+    spaced: Across
+    boxes: Sequence[Box]
+    """By run."""
+
+    def ends(self, number: int) -> tuple[Point, Point]:
+        """Where a band leaves its source, and reaches its target."""
+        source, target = (self.boxes[run] for run in self.graph.ends(self.graph.bands[number]))
+        return (source.right, self.deep.starts[number]), (target.left, self.deep.ends[number])
+
+
+def layout(graph: Graph, scale: float, texts: FlowTexts) -> FlowLayout:
+    """Places of all that is drawn of a gear; a band of power 1 has the width `scale` [pt].
+
+    Examples
+    --------
+    >>> from vstatics import Gear, Mechanism, Transmission, solve
+    >>> from vstatics.flow.power import flows
+    >>> from vstatics.pictures.flow.graph import graph
+    >>> from vstatics.pictures.sheet.style import Style
+    >>> pair = Mechanism(1, 2, 0, -4.0, 0.98, name="pair")
+    >>> [gear] = flows(solve(Transmission(2, [], [pair], [Gear()])))
+    >>> placing = layout(graph(gear.lossy), 100.0, FlowTexts(gear, gear.lossy, Style()))
+    >>> cells = [box.cell for box in sorted(placing.boxes, key=lambda box: box.left)]
+    >>> [(str(cell.run[0]), round(cell.thick), round(cell.loss)) for cell in cells]
+    [('1', 100, 0), ('pair', 100, 2), ('2', 98, 0)]
+    """
+    rows = back_rows(graph, scale, texts)
+    placed = _placed(graph, scale, columns(graph, scale, texts), rows)
+    lines = [*_forward(placed), *_within(placed)]
+    boxes = list(placed.boxes)
+    low = max(box.bottom + box.cell.below for box in boxes)
+    low = max([low, *(y + line.width / 2 for line in lines for _, y in line.points)])
+    notes = list(_on_bands(placed))
+    ends = {row.number: placed.ends(row.number) for row in rows}
+    for line, own, texts_of_row in placed_rows(rows, placed.spaced, ends, low):
+        lines.append(line)
+        boxes += own
+        notes += texts_of_row
+    low = max([low, *(y + line.width / 2 for line in lines for _, y in line.points)])
+    low = max([low, *(note.bottom for note in notes)])
+    wide = max([placed.spaced.width, *(note.x + width(note.text) / 2 for note in notes)])
+    stubs = tuple(_stubs(placed))
+    return FlowLayout(wide, low, graph, tuple(boxes), tuple(lines), stubs, tuple(notes))
+
+
+def _placed(graph: Graph, scale: float, cells: NodeColumns, rows: Sequence[BackRow]) -> _Placed:
+    """Runs in their places; columns grow until all nodes on ways back have room."""
+    deep = depths(graph, scale, cells, [row.number for row in rows])
+    courses = {
+        number: [deep.starts[number], *(deep.middles[key] for key in way[1:-1]), deep.ends[number]]
+        for number, way in cells.ways.items()
+    }
+    needed = {row.number: row.needed for row in rows}
+    spaced = across(graph, cells, courses, needed, scale)
+    for _ in range(TRIES):
+        narrow = crowded(rows, spaced)
+        if not narrow:
+            break
+        for number in narrow:
+            needed[number] = GROWTH * (spaced.leaving[number] - spaced.arriving[number])
+        spaced = across(graph, cells, courses, needed, scale)
+    by_run = {one.number: (layer, one) for layer, own in enumerate(cells.cells) for one in own}
+    boxes = []
+    for number in range(len(graph.runs)):
+        layer, one = by_run[number]
+        boxes.append(Box(one, spaced.middle(layer), deep.middles[layer, number] - one.thick / 2))
+    return _Placed(graph, scale, cells, deep, courses, spaced, boxes)
+
+
+def _stubs(placed: _Placed) -> Iterator[Stub]:
+    graph = placed.graph
+    for link, own in graph.ports.items():
+        box = placed.boxes[graph.place[link]]
+        for port in own:
+            x = box.left if port.enters else box.right
+            yield Stub(link, port, port.power * placed.scale, x, placed.deep.ports[port])
+
+
+def _on_bands(placed: _Placed) -> Iterator[Note]:
+    """Powers above bands that pass a column."""
+    for layer, column in enumerate(placed.cells.cells):
+        for one in column:
+            if one.number < 0 and one.text:
+                top = placed.deep.middles[layer, one.number] - one.thick / 2 - one.above
+                x = placed.spaced.middle(layer)
+                yield Note(x, top + height(one.text) / 2, one.text, loop=False)
+
+
+def _forward(placed: _Placed) -> Iterator[Line]:
+    """Each band between runs that goes from left to right: level but between columns."""
+    for number, course in placed.courses.items():
+        start, end = placed.ends(number)
+        points = [start]
+        for (layer, _), (deep, other) in zip(
+            placed.cells.ways[number], pairwise(course), strict=False
+        ):
+            left, right = placed.spaced.gaps[layer]
+            if abs(deep - other) > STRAIGHT:
+                points += [(left, deep), (right, other)]
+        band = placed.graph.bands[number]
+        yield Line(band, band.power * placed.scale, (*points, end))
+
+
+def _within(placed: _Placed) -> Iterator[Line]:
+    """Each band inside a run."""
+    deep: dict[Hashable, float] = {}
+    for band in placed.graph.bands:
+        if placed.graph.is_within(band):
+            box = placed.boxes[placed.graph.place[band.source]]
+            sides = {node: (left, right) for node, left, right in box.signs()}
+            thick = band.power * placed.scale
+            top = deep.get(band.pairs[0], box.top)
+            deep[band.pairs[0]] = top + thick
+            y = top + thick / 2
+            yield Line(band, thick, ((sides[band.source][1], y), (sides[band.target][0], y)))

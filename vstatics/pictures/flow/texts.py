@@ -1,0 +1,134 @@
+"""What is written in the picture `flow`."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from vstatics.flow.circulation import Node
+from vstatics.flow.power_flow import GearFlow, PowerFlow
+from vstatics.flow.shared_planets import words
+from vstatics.pictures.flow.graph import EndPort, Run
+from vstatics.pictures.sheet.labels import width, wrapped
+from vstatics.pictures.sheet.style import Style, number
+from vstatics.pictures.sheet.words import fault
+
+NODE_NAME_WIDTH = 84.0
+"""A name is wrapped to this width. [pt]"""
+RUN_NAME_WIDTH = 110.0
+"""The names of a run are. [pt]"""
+LOOP_TEXT_WIDTH = 300.0
+"""What is said of a loop is wrapped to this width. [pt]"""
+LEAST_SHOWN_POWER = 0.0005
+"""What is less is not 0.000."""
+UNBROKEN = "\u00a0"
+"""A blank at which no line ends."""
+
+
+class FlowTexts(NamedTuple):
+    """What is written at the nodes, bands and loops of a gear; a text may have lines."""
+
+    flow: GearFlow
+    side: PowerFlow
+    style: Style
+
+    def power(self, value: float) -> str:
+        """Of a loss, and of a band."""
+        text = number(value) if value >= LEAST_SHOWN_POWER else "<0.001"
+        return text if math.isnan(self.flow.kilowatts) else f"{text}\n{self._kilowatts(value)}"
+
+    def run(
+        self,
+        run: Run,
+        power: float,
+        wide: float,
+        ports: Sequence[EndPort] = (),
+        *,
+        back: bool = False,
+    ) -> str:
+        """The names of a run of a width, and the power through it; of ports what differs."""
+        names = [_unbroken(_named(node, ports, self.style)) for node in run]
+        between = f"{UNBROKEN}{'<' if back else '>'} "
+        joined = between.join(reversed(names) if back else names)
+        name = wrapped(
+            joined, NODE_NAME_WIDTH if len(run) == 1 else max(RUN_NAME_WIDTH, wide)
+        ).replace(UNBROKEN, " ")
+        lines = [name, "?" if self.side.unknown and self._is_unknown(run) else self.power(power)]
+        for port in ports:
+            if not math.isclose(port.power, power, rel_tol=1e-9):
+                way = self.style.text(*(("in", "вход") if port.enters else ("out", "выход")))
+                lines.append(f"{way} {self.power(port.power)}")
+        return "\n".join(lines)
+
+    def _is_unknown(self, run: Run) -> bool:
+        return any(node in self.side.unknown for node in run)
+
+    def loop(self, number_of_loop: int) -> str:
+        """Power that circulates, and why it may not, by the index of the loop."""
+        power, doubt = self.side.loops[number_of_loop].power, self._doubt(number_of_loop)
+        text = f"{self.style.text('circulates', 'циркулирует')} {number(power)}"
+        if not math.isnan(self.flow.kilowatts):
+            text += f", {self._kilowatts(power)}"
+        share = power / self.side.entering if self.side.entering else math.nan
+        of = self.style.text("of the power in", "входящей мощности")
+        return f"{text}: {100 * share:.1f}% {of}{doubt}"
+
+    def _doubt(self, number_of_loop: int) -> str:
+        """Further lines of a loop that may not be in the metal."""
+        found = self.side.loops[number_of_loop].shared
+        if not found:
+            return ""
+        said = [f"у {one.first} и {one.second} общие {' и '.join(one.links)}" for one in found]
+        russian = f"в металле может не быть: {', '.join(said)}"
+        return f"\n{wrapped(self.style.text(words(found), russian), LOOP_TEXT_WIDTH)}"
+
+    def _kilowatts(self, power: float) -> str:
+        """A power to three digits."""
+        value = power * self.flow.kilowatts
+        text = f"{value:.0f}" if value >= 100 else f"{value:#.3g}".removesuffix(".")
+        return f"{text} {self.style.text('kW', 'кВт')}"
+
+
+def port_name(node: Node, style: Style) -> str:
+    """Of the input and the output; other ports have the names of their links."""
+    ports = {"input": style.text("input", "вход"), "output": style.text("output", "выход")}
+    return ports.get(node.name, node.name)
+
+
+def _named(node: Node, ports: Sequence[EndPort], style: Style) -> str:
+    """The name of a node, with that of its port if this says more."""
+    own = [port.node for port in ports if port.node.number == node.number and node.kind == "link"]
+    said = [port_name(port, style) for port in own if port.name != node.name]
+    return ": ".join((*said, node.name))
+
+
+def _unbroken(name: str) -> str:
+    """A name that is not wrapped if it fits into a line."""
+    return name.replace(" ", UNBROKEN) if width(name) <= NODE_NAME_WIDTH else name
+
+
+def heading(flow: GearFlow, wide: float, style: Style) -> str:
+    """What is to be said of a gear besides its picture."""
+    lines = [fault(flow.status, style)] if flow.note else []
+    side = flow.lossy or flow.ideal
+    if side is None:
+        lines.append(style.text("no flow of power", "потока мощности нет"))
+        return wrapped(": ".join(reversed(lines)), wide)
+    if flow.lossy is None:
+        lines[-1] += style.text("; drawn without losses", "; показана без потерь")
+    ports = (
+        (style.text("in", "вход"), side.entering),
+        (style.text("out", "выход"), side.leaving),
+        (style.text("lost", "потери"), side.lost),
+    )
+    lines.append(" · ".join(f"{name} {number(value)}" for name, value in ports))
+    if not side.edges:
+        lines.append(style.text("no power is determined", "мощности не определены"))
+    elif side.unknown:
+        unknown = ", ".join(dict.fromkeys(port_name(n, style) for n in side.unknown))
+        lines.append(f"{style.text('not determined', 'не определены')}: {unknown}")
+    for loop in side.locked_in:
+        text = style.text("within one piece, not drawn", "внутри одного целого, не показано")
+        lines.append(f"{text}: {number(loop.power)}, {' > '.join(n.name for n in loop.nodes)}")
+    return "\n".join(wrapped(line, wide) for line in lines)

@@ -1,0 +1,116 @@
+"""What nodes and bands of the picture `flow` say while a pointer rests on them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import NamedTuple
+
+from vstatics.flow.circulation import Node
+from vstatics.flow.power_flow import GearFlow, PowerFlow
+from vstatics.numerics.traced import plain
+from vstatics.pictures.flow.graph import Band, EndPort
+from vstatics.pictures.flow.texts import FlowTexts, port_name
+from vstatics.pictures.sheet.style import number
+from vstatics.statics.state import GearState
+
+
+class FlowTitles(NamedTuple):
+    """Power, torque and speed of all that is drawn of a gear; relative to those of the input."""
+
+    texts: FlowTexts
+    speeds: Mapping[str, float]
+    """By the name of the link."""
+    torques: Mapping[tuple[Node, str], float]
+    """Which links give to the members of mechanisms, with losses if there are any."""
+    divided: frozenset[tuple[Node, Node]]
+    """Where power is divided by convention."""
+
+    @property
+    def _side(self) -> PowerFlow:
+        return self.texts.side
+
+    def is_divided(self, band: Band) -> bool:
+        """Whether the power of a band is divided by convention all the way."""
+        return self.divided.issuperset(band.pairs)
+
+    def is_doubtful(self, band: Band) -> bool:
+        """Whether a band is part of a loop that may not be in the metal."""
+        return band.loop is not None and bool(self._side.loops[band.loop].shared)
+
+    def band(self, band: Band) -> str:
+        """What is said of a band; one that goes back has no one speed."""
+        nodes = band.source, *band.between, band.target
+        names = " → ".join(map(str, nodes))
+        link = next(node for node in nodes if node.kind == "link")
+        said = [self._power(band.power)]
+        if len(nodes) == 2:
+            said += self._turning(band.power, link.name)
+        if band.loop is not None:
+            said.append(self._word("circulates", "циркулирует"))
+        if self.is_doubtful(band):
+            said.append(self._word("may not be in the metal", "в металле может не быть"))
+        said += [self._convention] * self.is_divided(band)
+        return f"{names}: {', '.join(said)}"
+
+    def port(self, link: Node, port: EndPort) -> str:
+        """What is said of a port."""
+        said = [self._power(port.power), *self._turning(port.power, link.name)]
+        return f"{port_name(port.node, self.texts.style)}: {', '.join(said)}"
+
+    def node(self, node: Node, power: float, lost: float) -> str:
+        """What is said of a node with the power that is drawn through it, and of its members."""
+        said = [self._power(power)]
+        if node.kind == "link":
+            said += self._turning(power, node.name)
+        if lost:
+            said.append(f"{self._word('lost', 'потери')} {self._one_line(lost)}")
+        said += [self._convention] * (node in self.texts.flow.by_convention)
+        return "\n".join([f"{node}: {', '.join(said)}", *self._members(node)])
+
+    def _members(self, node: Node) -> Iterator[str]:
+        for device, member, link, power in self._side.members:
+            speed = self.speeds.get(link, 0.0)
+            if device == node:
+                torque = self.torques.get((device, member), power / speed if speed else 0.0)
+                name = link if member in ("first", "second", link) else f"{member} ({link})"
+                yield f"{name}: {', '.join(self._torque(torque, speed))}"
+
+    def _power(self, power: float) -> str:
+        return f"{self._word('power', 'мощность')} {self._one_line(power)}"
+
+    def _one_line(self, power: float) -> str:
+        return self.texts.power(power).replace("\n", ", ")
+
+    def _turning(self, power: float, link: str) -> list[str]:
+        speed = self.speeds[link]
+        return self._torque(power / abs(speed), speed) if speed else []
+
+    def _torque(self, torque: float, speed: float) -> list[str]:
+        words = self._word("torque", "момент"), self._word("speed", "скорость")
+        return [
+            f"{word} {number(value)}" for word, value in zip(words, (torque, speed), strict=True)
+        ]
+
+    @property
+    def _convention(self) -> str:
+        return self._word("by convention", "условно")
+
+    def _word(self, english: str, russian: str) -> str:
+        return self.texts.style.text(english, russian)
+
+
+def titles(texts: FlowTexts, flow: GearFlow, state: GearState) -> FlowTitles:
+    """The titles of a gear."""
+    lossy = texts.side is flow.lossy
+    torques = {
+        (Node("mechanism", number, device.name), member): plain(torque)
+        for number, (device, members) in enumerate(
+            zip(state.case.own_devices, state.member_torques(lossy=lossy), strict=True), 1
+        )
+        for member, torque in members.items()
+    }
+    case = state.case
+    speeds = {
+        case.link_name(link): plain(state.speeds[link - 1]) for link in range(1, case.own_links + 1)
+    }
+    return FlowTitles(texts, speeds, torques, frozenset(flow.divided(texts.side)))

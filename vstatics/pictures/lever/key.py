@@ -1,0 +1,142 @@
+"""The key of lever diagrams: those signs that occur; lengths in points."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
+
+from vstatics.model.transmission import HOUSING
+from vstatics.pictures.lever.gear import LeverGear
+from vstatics.pictures.lever.marks import MARKS, Inks, arrow, box, coil, ground, mark_of, plates
+from vstatics.pictures.lever.points import Lever
+from vstatics.pictures.sheet import labels
+from vstatics.pictures.sheet.labels import Paper, Point
+from vstatics.pictures.sheet.style import Style, number
+
+KEY_ROW_HEIGHT = 15.0
+"""Height of a row of the key."""
+LEVER_MARGIN = 14.0
+KEY_SIGN_WIDTH = 24.0
+"""Width of what stands before a text."""
+
+
+class LeverKey(NamedTuple):
+    """The key of a figure."""
+
+    entries: Sequence[tuple[str, str]]
+    """Kind of sign, and what it means."""
+    style: Style
+    wide: float
+    """Of the figure."""
+    arrow: float
+    """Length of the sample of a torque."""
+
+    def _places(self) -> Iterator[Point]:
+        """Where each entry begins, from the left of the first row downwards."""
+        x, row = LEVER_MARGIN, 0
+        for kind, text in self.entries:
+            size = self._room(kind) + labels.width(text) + LEVER_MARGIN
+            if x > LEVER_MARGIN and x + size > self.wide:
+                x, row = LEVER_MARGIN, row + 1
+            yield x, -row * KEY_ROW_HEIGHT
+            x += size
+
+    def _room(self, kind: str) -> float:
+        return max(KEY_SIGN_WIDTH, self.arrow + 6) if kind == "torque" else KEY_SIGN_WIDTH
+
+    @property
+    def height(self) -> float:
+        """Of all rows."""
+        return KEY_ROW_HEIGHT - min(y for _, y in self._places())
+
+    def put(self, paper: Paper, inks: Inks) -> None:
+        """Draw it from the foot of the figure upwards."""
+        top = LEVER_MARGIN + self.height - KEY_ROW_HEIGHT / 2
+        for (kind, text), (x, down) in zip(self.entries, self._places(), strict=True):
+            self._sample(inks, kind, (x, top + down))
+            paper.write(x + self._room(kind), top + down, text, va="center")
+
+    def _sample(self, inks: Inks, kind: str, place: Point) -> None:
+        (x, y), style = place, self.style
+        middle = x + KEY_SIGN_WIDTH / 2 - 4
+        if kind in MARKS:
+            inks.point((middle, y), kind, style.ink)
+        elif kind in ("brake", "housing"):
+            ground(inks, (middle, y), style.engaged if kind == "brake" else style.ink)
+        elif kind in ("clutch", "slack", "spring"):
+            ends = (middle - 8, y), (middle + 8, y)
+            lines = {"clutch": style.engaged, "slack": style.faint, "spring": style.soft}
+            inks.line(*ends, colour=lines[kind])
+            (coil if kind == "spring" else plates)(inks, (middle, y), style)
+        elif kind == "torque":
+            arrow(inks, (x + self.arrow, y), self.arrow, style.ink)
+        elif kind == "pair":
+            box(inks, (middle, y), (10, 8), style.ink)
+        else:
+            colour, width = (style.soft, 3.0) if kind == "speed" else (style.faint, 2.0)
+            inks.line((x, y), (x + KEY_SIGN_WIDTH - 6, y), colour=colour, width=width)
+
+
+def key_of(
+    drawn: Sequence[Lever], gears: Sequence[LeverGear], style: Style, wide: float, per_torque: float
+) -> LeverKey:
+    """The key to what occurs in some gears; an arrow of a round torque tells their scale."""
+    length, unit = _unit(per_torque)
+    text = style.text
+    meanings = {
+        "in": text("input, and what is joined to it", "вход и соединённое с ним"),
+        "out": text("output, and what is joined to it", "выход и соединённое с ним"),
+        "port": text("speed or torque given", "задана скорость или момент"),
+        "stands": text("stands", "стоит"),
+        "brake": text("held by a brake", "удерживается тормозом"),
+        "housing": text("housing", "корпус"),
+        "clutch": text("clutch", "муфта"),
+        "slack": text("engaged, without torque", "включена, без момента"),
+        "spring": text("spring as shaft", "пружина как вал"),
+        "pair": text("pair of wheels, its ratio", "пара колёс, передаточное число"),
+        "torque": text(
+            f"{unit} × input torque, without losses", f"{unit} × входной момент, без потерь"
+        ),
+        "speed": text("speed; dotted: that of the input", "скорость; пунктир: входная"),
+        "pale": text("carries no torque", "без момента"),
+    }
+    found = {sign for gear in gears for sign in _signs(drawn, gear)}
+    shown = [(kind, meaning) for kind, meaning in meanings.items() if kind in found]
+    return LeverKey(shown, style, wide, length)
+
+
+def _unit(per_torque: float) -> tuple[float, str]:
+    """A round torque whose arrow is 10 to 25 pt long; its length, and it as text.
+
+    >>> _unit(20.0), _unit(3.0)
+    ((10.0, '0.5'), (15.0, '5'))
+    """
+    power = 10.0 ** math.floor(math.log10(10 / per_torque))
+    steps = (step * power for step in (1, 2, 5, 10))
+    torque = next(one for one in steps if one * per_torque >= 10)
+    return torque * per_torque, number(torque).rstrip("0").rstrip(".")
+
+
+def _signs(drawn: Sequence[Lever], gear: LeverGear) -> Iterator[str]:
+    """The signs of a gear."""
+    yield "speed"
+    for place, lever in enumerate(drawn):
+        yield from _of_lever(lever, place, gear)
+    yield from ("brake" if name else "housing" for name in gear.grounds.values())
+    for one in gear.ties:
+        if one.name:
+            clutch = "slack" if gear.is_slack(one.name) else "clutch"
+            yield "spring" if one.is_spring else clutch
+
+
+def _of_lever(lever: Lever, place: int, gear: LeverGear) -> Iterator[str]:
+    for node in lever.nodes:
+        if node.link != HOUSING:
+            yield mark_of(node.link, gear.state, stands=gear.stands(node.link))
+    if lever.ratio is not None:
+        yield "pair"
+    if any(torque != 0 for torque in gear.torques[place]):
+        yield "torque"
+    if not gear.is_loaded(place):
+        yield "pale"

@@ -1,0 +1,132 @@
+"""In which order levers stand, and which of them upside down: so that joins are short."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from itertools import combinations, pairwise
+
+from vstatics.model.transmission import HOUSING, Transmission
+from vstatics.pictures.lever.gear import LeverTie, joins, shaft_ties, spots_of, tie
+from vstatics.pictures.lever.points import Lever
+
+LEVER_SEARCH_ROUNDS = 20
+"""Of a search; more would change little."""
+MOVES = 60
+"""The more, the farther a lever may go at once."""
+Order = tuple[int, ...]
+Move = Callable[[Order], Order]
+
+
+def ordered(case: Transmission, drawn: Sequence[Lever]) -> list[Lever]:
+    """Levers from left to right: what is joined is near, the input left, the output right.
+
+    Where nothing is gained they stand as in the case.
+    """
+    spots, gear = spots_of(drawn), case.gears[0]
+    links = [{place for place, _ in some} for link, some in spots.items() if link != HOUSING]
+    ties = [
+        [(one, other) for one, _ in spots[first] for other, _ in spots[second]]
+        for first, second in _tied(case)
+        if first in spots and second in spots
+    ]
+    first, last = (spots[link][0][0] for link in (case.gear_input(gear), case.gear_output(gear)))
+
+    def cost(order: Order) -> float:
+        at = {place: number for number, place in enumerate(order)}
+        spans = sum(max(map(at.__getitem__, one)) - min(map(at.__getitem__, one)) for one in links)
+        near = sum(max(1, min(abs(at[a] - at[b]) for a, b in one)) for one in ties)
+        return spans + 0.6 * near + 0.3 * (at[first] > at[last]) + 0.1 * (at[first] - at[last])
+
+    start = tuple(range(len(drawn)))
+    reach = MOVES // len(start) + 2  # of many levers only those that are near change places
+    pairs = [(one, other) for one, other in combinations(start, 2) if other - one <= reach]
+    moves = [move for pair in pairs for move in _moves(*pair)]
+    return [drawn[place] for place in _best(start, moves, cost)]
+
+
+def _tied(case: Transmission) -> Iterator[tuple[int, int]]:
+    """Links that shift elements and springs join."""
+    yield from (element.links for element in case.shift_elements if HOUSING not in element.links)
+    for spring in case.springs:
+        yield from pairwise(spring.form)
+
+
+def _moves(one: int, other: int) -> list[Move]:
+    """What can be done between two places: swap, shift to the left or the right, turn round."""
+    return [
+        lambda o: (*o[:one], o[other], *o[one + 1 : other], o[one], *o[other + 1 :]),
+        lambda o: (*o[:one], *o[one + 1 : other + 1], o[one], *o[other + 1 :]),
+        lambda o: (*o[:one], o[other], *o[one:other], *o[other + 1 :]),
+        lambda o: (*o[:one], *o[one : other + 1][::-1], *o[other + 1 :]),
+    ]
+
+
+def _best(start: Order, moves: Sequence[Move], cost: Callable[[Order], float]) -> Order:
+    """What single moves reach, the best of them each time."""
+    reached, least = start, cost(start)
+    for _ in range(LEVER_SEARCH_ROUNDS):
+        costs = {tried: cost(tried) for tried in {move(reached): None for move in moves}}
+        best = min(costs, key=costs.__getitem__, default=reached)
+        if not costs or costs[best] >= least - 1e-9:
+            break
+        reached, least = best, costs[best]
+    return reached
+
+
+def every(case: Transmission, drawn: Sequence[Lever]) -> list[LeverTie]:
+    """All ties that a gear may have: each clutch, and springs."""
+    spots = spots_of(drawn)
+    found = [
+        one for element in case.shift_elements for one in tie(element.name, *element.links, spots)
+    ]
+    return [*found, *shaft_ties(case, spots)]
+
+
+def heights(case: Transmission, drawn: Sequence[Lever]) -> list[list[float]]:
+    """The height of each node of each lever, from 0 to 1, levers turned over where that helps.
+
+    Shafts stand in the mean of what they are joined to.
+    """
+    both = [(_heights(lever), _heights(lever, over=True)) for lever in drawn]
+    ties = [
+        (one, weight)
+        for some, weight in ((joins(drawn), 1.0), (every(case, drawn), 0.4))
+        for one in some
+    ]
+
+    def cost(turned: Order) -> float:
+        return sum(
+            weight * abs(both[a][turned[a]][m] - both[b][turned[b]][n])
+            for one, weight in ties
+            for (a, m), (b, n) in (one.ends,)
+        )
+
+    turns = [_turn(place) for place, lever in enumerate(drawn) if len(lever.nodes) > 1]
+    best = _best((0,) * len(drawn), turns, cost)
+    found = [pair[turn] for pair, turn in zip(both, best, strict=True)]
+    for place, lever in enumerate(drawn):
+        if not lever.devices:
+            near = [
+                found[b][n]
+                for one, _ in ties
+                for (a, _), (b, n) in (one.ends, one.ends[::-1])
+                if a == place
+            ]
+            found[place] = [sum(near) / len(near) if near else 0.5]
+    return found
+
+
+def _turn(place: int) -> Move:
+    return lambda turned: (*turned[:place], 1 - turned[place], *turned[place + 1 :])
+
+
+def _heights(lever: Lever, *, over: bool = False) -> list[float]:
+    low, high = lever.ends
+    if lever.ratio is not None:  # a sign, whose points are at no distances
+        turning = [node for node in lever.nodes if node.link != HOUSING]
+        found = [0.25 if node is turning[0] else 0.75 for node in lever.nodes]
+    elif low == high:
+        found = [0.5 for _ in lever.nodes]
+    else:
+        found = [(node.position - low) / (high - low) for node in lever.nodes]
+    return [1 - one for one in found] if over else found

@@ -1,0 +1,139 @@
+"""The run of a case through its kinematic plan: where it is on the abscissa, and when."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from vstatics.model.transmission import Transmission
+from vstatics.numerics.arrays import Floats
+from vstatics.pictures.plan.key import BROAD, PATH, gear_look
+from vstatics.pictures.plan.rays import KinematicPlan
+from vstatics.pictures.run.events import event_text, named_events
+from vstatics.pictures.sheet import labels
+from vstatics.pictures.sheet.chart import Chart, tick_texts, widest
+from vstatics.pictures.sheet.ends import LineEnd, beside
+from vstatics.pictures.sheet.labels import LEADER
+from vstatics.pictures.sheet.line_styles import link_look
+from vstatics.pictures.sheet.style import Style, number
+from vstatics.simulation.record.motion import Event, Motion
+
+COURSE_HEIGHT = 60.0
+"""Of the time below a plan, without its events. [pt]"""
+MOST_PLAN_EVENTS = 14
+"""Events that are named."""
+MOST_COURSE_POINTS = 4000
+"""That are drawn."""
+ON_PLAN = 5e-3
+"""A run is on a plan where all speeds are those of its rays, to this part of the largest: shafts
+that are elastic are never there to the last digit."""
+
+
+class PlanCourse(NamedTuple):
+    """A run as a plan has it."""
+
+    time: Floats
+    """[s]"""
+    output: Floats
+    """The abscissa: output speed by input speed; NaN where the input stands. [-]"""
+    paths: Floats
+    """Shape (instants, rays): speed of each ray's links by the input speed. [-]"""
+    on_plan: NDArray[np.bool_]
+    """Whether all speeds are those of the rays."""
+
+    @property
+    def visits(self) -> bool:
+        """Whether the run is on the plan for a while."""
+        both = self.on_plan[:-1] & self.on_plan[1:] & (np.diff(self.time) > 0)
+        return bool(both.any())
+
+    def masked(self, values: Floats, *, on_plan: bool) -> Floats:
+        """Values on the plan or off it; NaN elsewhere. What is off reaches back onto it."""
+        kept = self.on_plan if on_plan else ~self.on_plan
+        if not on_plan:
+            kept = kept | np.r_[kept[1:], False] | np.r_[False, kept[:-1]]
+        return np.where(kept, values, np.nan)
+
+
+def course(case: Transmission, plan: KinematicPlan, motion: Motion) -> PlanCourse:
+    """A run in the coordinates of a plan."""
+    kept = np.unique(np.linspace(0, len(motion.time) - 1, MOST_COURSE_POINTS).astype(int))
+    columns = {name: place for place, name in enumerate(motion.links)}
+    own = range(1, case.own_links + 1)
+    speeds = {link: motion.speeds[kept, columns[case.link_name(link)]] for link in own}
+    turns, out = speeds[plan.input], speeds[plan.output]
+    largest = np.abs(motion.speeds).max()
+    moving = np.abs(turns) > ON_PLAN * largest
+    by = np.where(moving, turns, np.nan)
+    expected = dict.fromkeys(own, np.zeros_like(turns))
+    for ray in plan.rays:
+        expected |= dict.fromkeys(ray.links, ray.start * turns + ray.slope * out)
+    off = np.max([np.abs(speeds[link] - expected[link]) for link in own], axis=0)
+    paths = [speeds[ray.links[0]] / by for ray in plan.rays]
+    return PlanCourse(
+        motion.time[kept], out / by, np.stack(paths, axis=1), moving & (off <= ON_PLAN * largest)
+    )
+
+
+def right_of(motion: Motion, style: Style) -> float:
+    """Width that the names of events need [pt]."""
+    names = [_name(event, style) for event in named_events(motion.events, MOST_PLAN_EVENTS)]
+    return LEADER + max(map(labels.width, names), default=0.0) + LEADER
+
+
+def high_of(motion: Motion) -> float:
+    """Height of the time below a plan [pt]."""
+    named = min(len(motion.events), MOST_PLAN_EVENTS)
+    return max(COURSE_HEIGHT, named * (labels.height("x") + labels.LABEL_GAP))
+
+
+def draw_paths(chart: Chart, plan: KinematicPlan, run: PlanCourse, style: Style) -> None:
+    """What the run goes over of each ray, and how it leaves and reaches the plan."""
+    for place, ray in enumerate(plan.rays):
+        is_port = plan.input in ray.links or plan.output in ray.links
+        look = link_look(ray.links[0], style) | BROAD | {"linestyle": "solid"}
+        on = run.masked(run.output, on_plan=True)
+        chart.plot(on, run.masked(run.paths[:, place], on_plan=True), **look)
+        if not is_port:
+            off = run.masked(run.output, on_plan=False)
+            beside = run.masked(run.paths[:, place], on_plan=False)
+            chart.plot(off, beside, **link_look(ray.links[0], style) | PATH)
+
+
+def draw_time(
+    chart: Chart, plan: KinematicPlan, run: PlanCourse, motion: Motion, style: Style
+) -> None:
+    """The abscissa of the run over time, which goes down, below the plan."""
+    gears = [chart.across(mark.output) for mark in plan.marks]
+    chart.lines([((x, 0.0), (x, chart.height)) for x in gears], **gear_look(style))
+    times = [chart.up(time) for time in sorted({event.time for event in motion.events})]
+    pieces = [((0.0, y), (chart.width, y)) for y in times]
+    chart.lines(pieces, color=style.faint, linewidth=0.6, zorder=0.5)
+    for on_plan in (True, False):
+        look = {"linewidth": 2.4, "solid_capstyle": "butt"} if on_plan else PATH
+        values = run.masked(run.output, on_plan=on_plan)
+        chart.plot(values, run.time, color=style.engaged, **look)
+    chart.frame(style, "left", "right", "bottom", "top")
+    ticks = labels.ticks(motion.time[0], motion.time[-1], 4)
+    chart.scale("left", ticks, style)
+    chart.name("left", style.text("time, s", "время, с"), widest(tick_texts(ticks)) + 14)
+    ends = [
+        LineEnd(chart.up(one.time), (_name(one, style),))
+        for one in named_events(motion.events, MOST_PLAN_EVENTS)
+    ]
+    beside(chart, "right", ends, style)
+
+
+def _name(event: Event, style: Style) -> str:
+    return f"{number(event.time)} {event_text(event, style)}"
+
+
+def visited(
+    case: Transmission, plans: Sequence[KinematicPlan], motion: Motion
+) -> list[tuple[KinematicPlan, PlanCourse]]:
+    """The plans on which the run is at any time, with its course; if it is on none, all."""
+    every = [(plan, course(case, plan, motion)) for plan in plans]
+    return [(plan, run) for plan, run in every if run.visits] or every

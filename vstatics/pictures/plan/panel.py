@@ -1,0 +1,211 @@
+"""One kinematic plan: rays with their names, gears, scales."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import Any, NamedTuple
+
+from vstatics.model.transmission import HOUSING, Transmission
+from vstatics.numerics.tolerances import SAME_RATIO
+from vstatics.pictures.plan.course import PlanCourse
+from vstatics.pictures.plan.key import THICK, THIN, dot_look, gear_look, unit_look
+from vstatics.pictures.plan.rays import KinematicPlan, Ray
+from vstatics.pictures.sheet import labels
+from vstatics.pictures.sheet.chart import AxisScale, Chart
+from vstatics.pictures.sheet.ends import LineEnd, along, beside
+from vstatics.pictures.sheet.labels import LEADER, Label
+from vstatics.pictures.sheet.line_styles import link_looks
+from vstatics.pictures.sheet.style import Style, number
+from vstatics.pictures.sheet.svg import told
+from vstatics.pictures.sheet.words import gear_title
+
+RAY_NAME_WIDTH = 110.0
+"""Names of rays, and those of gears that run upwards, are wrapped to this width. [pt]"""
+NARROW_ABSCISSA = 0.4
+"""Where gears take less of the abscissa from 0 on, it does not reach to 0."""
+
+
+class DrawnPlan(NamedTuple):
+    """A plan with what follows from it."""
+
+    plan: KinematicPlan
+    run: PlanCourse | None
+    x: AxisScale
+    y: AxisScale
+    names: tuple[tuple[str, ...], ...]
+    """Of the links of each ray, wrapped."""
+    head: str
+    note: str
+    """Below that."""
+    top: GearRow
+    foot: GearRow
+
+    @property
+    def above(self) -> float:
+        """What stands over the axes [pt]."""
+        texts = [labels.height(text) + 2 for text in (self.head, self.note) if text]
+        return LEADER + self.top.height + 2 + sum(texts)
+
+    def ends(self, height: float, style: Style) -> list[LineEnd]:
+        """The names of rays at the left, in a chart of a height [pt]."""
+        return [
+            LineEnd(
+                self.y.part(ray.at(self.x.low)) * height,
+                names,
+                tuple(link_looks([link], style)[0] for link in ray.links),
+            )
+            for ray, names in zip(self.plan.rays, self.names, strict=True)
+        ]
+
+    def ticks(self) -> list[float]:
+        """Of the ordinates."""
+        return labels.ticks(self.y.low, self.y.high, 6)
+
+
+class GearRow(NamedTuple):
+    """Texts above or below a plan, each near to its vertical."""
+
+    labels: list[Label]
+    upright: bool
+    height: float
+    """[pt]"""
+
+
+def drawn_plan(
+    case: Transmission, plan: KinematicPlan, run: PlanCourse | None, wide: float, style: Style
+) -> DrawnPlan:
+    """A plan with its scales and texts in a width [pt], with a run if there is one."""
+    x = _abscissa(plan, has_run=run is not None)
+    reached = [ray.at(end) for ray in plan.rays for end in (x.low, x.high)] + [0.0, 1.0]
+    room = 0.05 * (max(reached) - min(reached))
+    y = AxisScale(min(reached) - room, max(reached) + room)
+    names = tuple(
+        tuple(labels.wrapped(case.link_name(link), RAY_NAME_WIDTH) for link in ray.links)
+        for ray in plan.rays
+    )
+    head, note = (labels.wrapped(text, wide) for text in _heads(case, plan, style))
+    return DrawnPlan(plan, run, x, y, names, head, note, *_rows(case, plan, x, wide, style))
+
+
+def _abscissa(plan: KinematicPlan, *, has_run: bool) -> AxisScale:
+    """From the first gear to the last; from 0 on where gears take a good part of that."""
+    outputs = [mark.output for mark in plan.marks]
+    low, high = min(outputs), max(outputs)
+    whole = min(low, 0.0), max(high, 0.0)
+    if has_run or high - low <= SAME_RATIO or high - low >= NARROW_ABSCISSA * (whole[1] - whole[0]):
+        low, high = whole
+    room = 0.06 * (high - low) or 0.1
+    return AxisScale(low - room, high + room)
+
+
+def _heads(case: Transmission, plan: KinematicPlan, style: Style) -> tuple[str, str]:
+    """What all gears of a plan have in common: elements and speeds, links that stand."""
+    parts = []
+    if plan.engaged:
+        parts.append(f"{style.text('engaged', 'включены')}: {', '.join(plan.engaged)}")
+    if plan.given:
+        parts.append(f"{style.text('given', 'задано')}: {', '.join(plan.given)}")
+    names = ", ".join(map(case.link_name, plan.standing))
+    return "; ".join(parts), f"{style.text('stand', 'стоят')}: {names}" if names else ""
+
+
+def _rows(
+    case: Transmission, plan: KinematicPlan, x: AxisScale, wide: float, style: Style
+) -> tuple[GearRow, GearRow]:
+    """The gears with the elements that make them above a plan, 1/i of each below it."""
+    at = [x.part(mark.output) * wide for mark in plan.marks]
+    texts = [
+        (
+            case.gears[mark.gear - 1].name,
+            ", ".join(case.shift_elements[number - 1].name for number in mark.elements),
+        )
+        for mark in plan.marks
+    ]
+    across, turned = (
+        [
+            Label(place, labels.wrapped(between.join(filter(None, text)), longest), style.ink)
+            for place, text in zip(at, texts, strict=True)
+        ]
+        for between, longest in (("\n", wide), (": ", RAY_NAME_WIDTH))
+    )
+    outputs = sorted({round(mark.output, 9) + 0.0 for mark in plan.marks})
+    scale = [Label(x.part(one) * wide, number(one), style.ink) for one in outputs]
+    common = [one for one in (0.0, 1.0) if one not in outputs and x.low < one < x.high]
+    scale += [Label(x.part(one) * wide, f"{one:.0f}", style.soft) for one in common]
+    return _near(across, turned, wide), _near(scale, scale, wide)
+
+
+def _near(across: list[Label], turned: list[Label], wide: float) -> GearRow:
+    """Texts across if each can stand near to its vertical, else upwards."""
+    sizes = [labels.across_size(label.text) for label in across]
+    wanted = [label.at for label in across]
+    places = labels.spread(wanted, sizes, 0.0, wide)
+    if all(abs(one - other) <= LEADER for one, other in zip(places, wanted, strict=True)):
+        return GearRow(across, upright=False, height=max(labels.height(a.text) for a in across))
+    return GearRow(turned, upright=True, height=max(labels.width(a.text) for a in turned))
+
+
+def draw_plan(chart: Chart, case: Transmission, one: DrawnPlan, above: float, style: Style) -> None:
+    """A plan with all its labels but those of ordinates; heads as high [pt] as those beside it."""
+    chart.frame(style, "left", "right", "bottom", "top")
+    _draw_rays(chart, case, one.plan, style)
+    _draw_gears(chart, case, one.plan, style)
+    beside(chart, "left", one.ends(chart.height, style), style)
+    along(chart, "top", one.top.labels, style, upright=one.top.upright)
+    along(chart, "bottom", one.foot.labels, style, upright=one.foot.upright)
+    top, how = chart.height + above, {"va": "top", "linespacing": labels.LINE_HEIGHT}
+    if one.head:
+        chart.write(0, top, one.head, weight="bold", **how)
+        top -= labels.height(one.head) + 2
+    if one.note:
+        chart.write(0, top, one.note, color=style.soft, **how)
+
+
+def _draw_rays(chart: Chart, case: Transmission, plan: KinematicPlan, style: Style) -> None:
+    """The line of each link, and those of what stands."""
+    ends = chart.x.low, chart.x.high
+    rest = [((0.0, chart.up(0.0)), (chart.width, chart.up(0.0)))]
+    if ends[0] < 0 < ends[1]:
+        rest.append(((chart.across(0.0), 0.0), (chart.across(0.0), chart.height)))
+    chart.lines(rest, color=style.ink, linewidth=0.8)
+    for ray in plan.rays:
+        is_port = plan.input in ray.links or plan.output in ray.links
+        places = [(chart.across(end), chart.up(ray.at(end))) for end in ends]
+        for look in link_looks(ray.links, style):
+            how: dict[str, Any] = {"linewidth": THICK if is_port else THIN, **look}
+            chart.line(*places, solid_capstyle="butt", gid=told(_ray_told(case, ray)), **how)
+
+
+def _ray_told(case: Transmission, ray: Ray) -> str:
+    names = " = ".join(case.link_name(link) for link in ray.links)
+    sign = "−" if ray.slope < 0 else "+"
+    return f"{names}: {number(ray.start)} {sign} {number(abs(ray.slope))}·(1/i)"
+
+
+def _draw_gears(chart: Chart, case: Transmission, plan: KinematicPlan, style: Style) -> None:
+    """A vertical for each gear, and what stops or joins links there."""
+    for mark in plan.marks:
+        x, name = chart.across(mark.output), gear_title(case.gears[mark.gear - 1].name, style)
+        said = told(f"{name}: 1/i {number(mark.output)}", gear=str(mark.gear))
+        chart.line((x, 0.0), (x, chart.height), gid=said, **gear_look(style))
+        for text, y in _stops(case, plan, mark.elements, mark.output, style):
+            chart.line((x, chart.up(y)), gid=told(f"{name}: {text}"), **dot_look(style))
+    if plan.has_unit_point and chart.x.low < 1 < chart.x.high:
+        chart.line((chart.across(1.0), chart.up(1.0)), **unit_look(style))
+
+
+def _stops(
+    case: Transmission,
+    plan: KinematicPlan,
+    elements: Sequence[int],
+    output: float,
+    style: Style,
+) -> Iterator[tuple[str, float]]:
+    """What holds a link where its ray crosses the abscissa, or joins two whose rays meet."""
+    speeds = {link: ray.at(output) for ray in plan.rays for link in ray.links}
+    for element in (case.shift_elements[place - 1] for place in elements):
+        names = [case.link_name(link) for link in element.links if link != HOUSING]
+        does = style.text("holds", "держит"), style.text("joins", "соединяет")
+        is_brake = HOUSING in element.links
+        text = f"{element.name} {does[not is_brake]} {' + '.join(names)}"
+        yield text, 0.0 if is_brake else speeds.get(element.links[0], 0.0)

@@ -1,0 +1,129 @@
+"""A picture for those who work in Python: shown in a notebook, or saved."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from vstatics.errors import nearest
+from vstatics.extras import require
+from vstatics.pictures import FORMATS, PICTURES, Format, picture, render
+from vstatics.pictures.sheet.style import Style
+from vstatics.statics.results import Language, Results, expect_results
+from vstatics.tables.suffixes import format_of, known
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from vstatics.simulation.record.motion import Motion
+
+
+class Picture:
+    """A picture of the results of one case; a notebook shows it as SVG."""
+
+    def __init__(
+        self,
+        results: Results,
+        kind: str,
+        style: Style,
+        gears: Sequence[int],
+        motion: Motion | None = None,
+    ) -> None:
+        """Keep what is to be drawn; it is drawn when it is shown or saved."""
+        self._drawn = results, kind, style, gears
+        self._motion = motion
+
+    def __repr__(self) -> str:
+        """What it shows."""
+        results, kind, _, _ = self._drawn
+        return f"<Picture {kind} of {results!r}>"
+
+    def _repr_svg_(self) -> str:
+        return self._as("svg").decode()
+
+    @property
+    def figure(self) -> Figure:
+        """The figure of matplotlib, to be changed."""
+        return picture(*self._drawn, motion=self._motion)
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write it to a file: SVG, PNG or PDF by the suffix.
+
+        Raises
+        ------
+        ValueError
+            For another suffix.
+        """
+        form = format_of(os.fspath(path), FORMATS)
+        if form is None:
+            suffixes = ", ".join(known(FORMATS))
+            raise ValueError(f"a picture as {os.fspath(path)}: expected a suffix of {suffixes}")
+        data = self._as(form)
+        with open(path, "wb") as file:  # noqa: PTH123
+            file.write(data)
+
+    def _as(self, form: Format) -> bytes:
+        results, kind, style, gears = self._drawn
+        return render(results, kind, form, style, gears, motion=self._motion)
+
+
+def plot(  # noqa: PLR0913 - all but the first by name
+    results: Results,
+    kind: str = "plan",
+    *,
+    gear: int | str | None = None,
+    motion: Motion | None = None,
+    wheels: bool = False,
+    merge: bool = False,
+    dark: bool = False,
+    lang: Language = "en",
+) -> Picture:
+    """A picture of the results of one case.
+
+    Parameters
+    ----------
+    results : Results
+        Of one case.
+    kind : str
+        What is drawn, as of ``vstatics plot --kind``: plan, lever, flow, structure, stick,
+        efficiency, modes, campbell, shift.
+    gear : int or str, optional
+        Number from 1, or name, of the only gear that is shown.
+    motion : Motion, optional
+        A run of the case, for the kinds `shift` and `plan`.
+    wheels : bool, optional
+        Stick diagrams with names and teeth of wheels.
+    merge : bool, optional
+        Two sets with two common links are one lever.
+    dark : bool, optional
+        Light on dark.
+    lang : {"en", "ru"}, optional
+        Of axes and titles.
+
+    Returns
+    -------
+    Picture
+        Shown as SVG by a notebook; ``save`` writes it to a file, ``figure`` is for matplotlib.
+
+    Raises
+    ------
+    CaseError
+        If matplotlib is not installed, or the case has nothing that could be drawn.
+    ValueError
+        If there is no such kind or gear.
+
+    Examples
+    --------
+    >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
+    >>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)], [Gear([1])])
+    >>> plot(solve(case), "lever")._repr_svg_()[:5]
+    '<?xml'
+    """
+    expect_results(results, "plot")
+    require("plot", "a picture")
+    if kind not in PICTURES:
+        hint = nearest(kind, PICTURES) or f"; expected one of {', '.join(PICTURES)}"
+        raise ValueError(f"there is no picture {kind!r}{hint}")
+    gears = () if gear is None else (results.case.gear_number(gear),)
+    return Picture(results, kind, Style(lang, dark, wheels=wheels, merged=merge), gears, motion)

@@ -1,0 +1,59 @@
+"""What happens in a run: which events are named in its pictures, and how."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from vstatics.errors import printable
+from vstatics.pictures.sheet.chart import Chart
+from vstatics.pictures.sheet.style import Style
+from vstatics.simulation.record.motion import Event
+
+MOST_NAMED_EVENTS = 24
+"""Events that are named."""
+NAME_LETTERS = 40
+"""Letters of a name."""
+
+
+EVENTS_IN_RUSSIAN = {
+    "locks": "замыкается",
+    "slips": "буксует",
+    "reverses": "меняет знак скольжения",
+    "impact": "удар",
+}
+"""Kinds of events."""
+
+
+def short(name: str) -> str:
+    """A name that fits into a margin, whoever wrote it.
+
+    >>> short("C1"), short("a" * 50)
+    ('C1', 'aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa…')
+    """
+    safe = printable(name)
+    return safe if len(safe) <= NAME_LETTERS else f"{safe[: NAME_LETTERS - 1]}…"
+
+
+def event_text(event: Event, style: Style) -> str:
+    """What happens.
+
+    >>> event_text(Event(0.3, "C1", "locks"), Style())
+    'C1 locks'
+    """
+    return f"{short(event.element)} {style.text(event.event, EVENTS_IN_RUSSIAN[event.event])}"
+
+
+def named_events(events: Sequence[Event], most: int) -> list[Event]:
+    """The events that get a label: all, or of many impacts and ends of slip before others."""
+    if len(events) <= most:
+        return list(events)
+    order = {"impact": 0, "locks": 1, "reverses": 2, "slips": 3}
+    first = sorted(range(len(events)), key=lambda place: (order[events[place].event], place))
+    return [events[place] for place in sorted(first[:most])]
+
+
+def draw_events(chart: Chart, events: Sequence[Event], style: Style) -> None:
+    """A vertical at each event."""
+    times = [chart.across(time) for time in sorted({event.time for event in events})]
+    pieces = [((x, 0.0), (x, chart.height)) for x in times]
+    chart.lines(pieces, color=style.faint, linewidth=0.6, zorder=0.5)

@@ -1,0 +1,208 @@
+"""SVG of matplotlib made small and readable: texts stay texts, nodes say what they are.
+
+An artist carries what its picture in SVG shall have besides as its ``gid``, made by `told`:
+
+>>> from matplotlib.figure import Figure
+>>> from vstatics.pictures import settings_of
+>>> from vstatics.pictures.sheet.style import Style
+>>> figure = Figure(figsize=(1, 1))
+>>> with settings_of(Style()):
+...     _ = figure.text(0.5, 0.5, "P1", gid=told("P1: planetary, ratio −2.5"))
+>>> b"<title>P1: planetary" in written_as_svg(figure, "", Style())
+True
+"""
+
+from __future__ import annotations
+
+import io
+import json
+import re
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import Any
+from xml.etree import ElementTree as ET
+
+from matplotlib.figure import Figure
+from matplotlib.patheffects import withStroke
+from matplotlib.text import Text
+
+from vstatics.pictures.sheet.style import FAMILIES, SIZE, Style
+
+SVG = "http://www.w3.org/2000/svg"
+_GROUP = f"{{{SVG}}}g"
+XLINK = "http://www.w3.org/1999/xlink"
+HALO = 2.0
+"""Width of the paper around a text that stands over lines. [pt]"""
+_SIZE = f"{SIZE:g}px"
+_DECIMAL = re.compile(r"-?\d+\.\d+")
+_BESIDE_LETTER = re.compile(r"(?<=[A-Za-z]) (?=[-\d])|(?<=\d) (?=[A-Za-z])")
+_USUAL = {
+    ("font-size", _SIZE),
+    ("stroke-linejoin", "round"),
+    ("stroke-dashoffset", "0"),
+    ("text-anchor", "start"),
+}
+_MEASURES = {"d", "x", "y", "x1", "x2", "y1", "y2", "width", "height", "points", "transform"}
+
+
+def told(title: str = "", *, halo: bool = False, **data: str) -> str:
+    """What an artist says in SVG, as its ``gid``.
+
+    Parameters
+    ----------
+    title : str
+        Shown while a pointer rests on it; it is the alternative text, too.
+    halo : bool
+        A text with paper around its letters; `halo` makes one.
+    **data
+        Attributes ``data-...`` of its group.
+    """
+    return json.dumps({"title": title, "halo": halo, "data": data}, ensure_ascii=False)
+
+
+def halo(style: Style, title: str = "") -> dict[str, Any]:
+    """How a text is written that stands over lines: with paper around its letters.
+
+    >>> sorted(halo(Style()))
+    ['gid', 'path_effects']
+    """
+    effect = withStroke(linewidth=HALO, foreground=style.paper)
+    return {"path_effects": [effect], "gid": told(title, halo=True)}
+
+
+def written_as_svg(figure: Figure, title: str, style: Style) -> bytes:
+    """A figure as SVG; the same figure gives the same bytes.
+
+    Parameters
+    ----------
+    title : str
+        Of the whole picture, its alternative text.
+    """
+    file = io.BytesIO()
+    with _letters_kept(figure):
+        figure.savefig(file, format="svg", metadata={"Date": None, "Creator": None})
+    root = ET.fromstring(file.getvalue())  # noqa: S314 - our own, not from anywhere else
+    _strip(root)
+    for element in list(root.iter()):
+        _say(element, style)
+        _shorten(element)
+    _unwrap(root)
+    root.set("viewBox", _plain(root.get("viewBox", "")))
+    root.set("font-family", FAMILIES)
+    root.set("font-size", _SIZE)
+    root.set("stroke-linejoin", "round")
+    root.set("role", "img")
+    del root.attrib["version"]
+    if title:
+        root.insert(0, _title(title))
+    ET.register_namespace("", SVG)
+    ET.register_namespace("xlink", XLINK)
+    text = ET.tostring(root, encoding="unicode")
+    return f'<?xml version="1.0" encoding="utf-8"?>\n{text}\n'.encode()
+
+
+@contextmanager
+def _letters_kept(figure: Figure) -> Iterator[None]:
+    """No effects of paths for a while: with them texts would become outlines."""
+    texts: list[Any] = figure.findobj(Text)
+    effects = [(text, text.get_path_effects()) for text in texts if text.get_path_effects()]
+    for text, _ in effects:
+        text.set_path_effects([])
+    yield
+    for text, kept in effects:
+        text.set_path_effects(kept)
+
+
+def _strip(root: ET.Element) -> None:
+    """Take out what says nothing: metadata, the style for all elements, blanks."""
+    for parent in list(root.iter()):
+        for child in list(parent):
+            name = child.tag.rpartition("}")[2]
+            if name in ("metadata", "style"):
+                parent.remove(child)
+            child.tail = None
+        if parent.tag != f"{{{SVG}}}text":
+            parent.text = None
+    for parent in list(root.iter()):
+        for child in list(parent):
+            if child.tag == f"{{{SVG}}}defs" and not len(child):
+                parent.remove(child)
+
+
+def _say(element: ET.Element, style: Style) -> None:
+    """Give a group its title, halo and data, and take the names that nobody refers to."""
+    if element.tag != f"{{{SVG}}}g" or "id" not in element.attrib:
+        return
+    said = element.attrib.pop("id")
+    if not said.startswith("{"):
+        return
+    mark = json.loads(said)
+    for key, value in mark["data"].items():
+        element.set(f"data-{key}", value)
+    if mark["halo"]:
+        around = {"paint-order": "stroke", "stroke": style.paper, "stroke-width": f"{HALO:g}px"}
+        for key, value in around.items():
+            element.set(key, value)
+    if mark["title"]:
+        element.insert(0, _title(mark["title"]))
+
+
+def _title(text: str) -> ET.Element:
+    found = ET.Element(f"{{{SVG}}}title")
+    found.text = text
+    return found
+
+
+def _shorten(element: ET.Element) -> None:
+    """Two decimals of a point are enough to see, and attributes shorter than a style."""
+    for key in element.attrib.keys() & _MEASURES:
+        element.set(key, _BESIDE_LETTER.sub("", _plain(" ".join(element.attrib[key].split()))))
+    if element.get("transform", "").startswith("rotate(-0 "):
+        del element.attrib["transform"]
+    declared = element.attrib.pop("style", "")
+    for key, _, value in (one.partition(":") for one in declared.split(";") if one.strip()):
+        name, given = key.strip(), _plain(value.strip())
+        if name == "font":
+            _set_font(element, given)
+        elif name != "font-family" and (name, given) not in _USUAL:
+            element.set(name, given)
+
+
+def _plain(value: str) -> str:
+    return _DECIMAL.sub(lambda found: f"{float(found[0]):.2f}".rstrip("0").rstrip("."), value)
+
+
+def _set_font(element: ET.Element, font: str) -> None:
+    """Size and weight of a font given in one: ``bold 10px 'DejaVu Sans'``."""
+    words = font.split("'", maxsplit=1)[0].split()
+    for word in words:
+        if word.endswith("px") and word != _SIZE:
+            element.set("font-size", word)
+        elif word in ("bold", "600", "700"):
+            element.set("font-weight", word)
+
+
+def _unwrap(parent: ET.Element) -> None:
+    """Take away groups that say nothing themselves; adjacent lines of one look are one path."""
+    children: list[ET.Element] = []
+    for child in parent:
+        _unwrap(child)
+        bare = child.tag == _GROUP and not child.attrib and not _has_title(child)
+        for one in list(child) if bare else [child]:
+            if not (children and _joins(children[-1], one)):
+                children.append(one)
+    parent[:] = children
+
+
+def _joins(line: ET.Element, other: ET.Element) -> bool:
+    """Add a line to one that looks like it, if it does."""
+    lines = line.tag == other.tag == f"{{{SVG}}}path" and other.get("fill") == "none"
+    looks = [{**one.attrib, "d": ""} for one in (line, other)]
+    if not lines or looks[0] != looks[1] or "opacity" in looks[0]:
+        return False
+    line.set("d", line.attrib["d"] + other.attrib["d"])
+    return True
+
+
+def _has_title(group: ET.Element) -> bool:
+    return len(group) > 0 and group[0].tag == f"{{{SVG}}}title"

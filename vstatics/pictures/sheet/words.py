@@ -1,0 +1,83 @@
+"""Words of pictures that do not come from the case, in two languages."""
+
+from __future__ import annotations
+
+from vstatics.model.transmission import Transmission
+from vstatics.pictures.sheet.style import Style
+from vstatics.statics.status import Status
+
+KINDS = {
+    "stick": ("Stick diagram", "Кинематическая схема"),
+    "structure": ("Structure", "Структурная схема"),
+    "flow": ("Power flow", "Потоки мощности"),
+    "lever": ("Lever diagram", "Рычажная схема"),
+    "efficiency": ("Efficiency", "КПД"),
+    "plan": ("Kinematic plan", "Кинематический план"),
+    "modes": ("Natural modes", "Собственные формы"),
+    "campbell": ("Campbell diagram", "Диаграмма Кэмпбелла"),
+    "shift": ("Run over time", "Ход во времени"),
+}
+"""What a kind of picture is called, where it stands by itself."""
+ELEMENTS = {
+    "sun": "солнце",
+    "ring": "эпицикл",
+    "carrier": "водило",
+    "small_sun": "солнце м.",
+    "large_sun": "солнце б.",
+    "sun2": "солнце 2",
+    "ring2": "эпицикл 2",
+    "left": "левое",
+    "right": "правое",
+    "worm": "червяк",
+    "wheel": "колесо",
+    "first": "первое",
+    "second": "второе",
+    "third": "третье",
+    "mechanism": "механизм",
+    "clutch": "фрикцион",
+    "brake": "тормоз",
+    "dog_clutch": "зубчатая муфта",
+    "freewheel": "муфта своб. хода",
+    "held": "опора",
+    "link": "звено",
+    "planet": "сателлит",
+    "idler": "паразитное к.",
+    "planetary": "план. ряд",
+    "double_planet": "парные сателлиты",
+    "stepped": "двухвенц. сателлит",
+    "ravigneaux": "ряд Равиньо",
+    "planet_group": "группа сателлитов",
+    "bevel": "конич. дифф.",
+    "bevel_pair": "конич. пара",
+    "gear_pair": "пара колёс",
+    "internal_pair": "внутр. пара",
+    "chain": "цепь",
+    "belt": "ремень",
+    "shaft": "вал",
+    "spring": "пружина",
+}
+"""Members of elements and their kinds."""
+
+
+def word(name: str, style: Style) -> str:
+    """A member or kind as it is written in a picture; names of a case stay as they are.
+
+    >>> word("small_sun", Style("en")), word("small_sun", Style("ru"))
+    ('small sun', 'солнце м.')
+    """
+    return style.text(name.replace("_", " "), ELEMENTS.get(name, name))
+
+
+def fault(status: Status, style: Style) -> str:
+    """What keeps a gear from being calculated."""
+    return style.text(status.english, status.russian)
+
+
+def gear_title(gear: str, style: Style) -> str:
+    """How a gear is called."""
+    return f"{style.text('gear', 'передача')} {gear}"
+
+
+def title(case: Transmission, subject: str) -> str:
+    """What is shown of a case, with its name."""
+    return f"{case.name}: {subject}" if case.name else f"{subject[0].upper()}{subject[1:]}"

@@ -1,0 +1,143 @@
+"""The page: its head, its sections, its look, the data that it carries."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable, Iterator, Sequence
+from importlib.resources import files
+from typing import Any
+
+from vstatics.pictures.sheet.style import FAMILIES
+from vstatics.report.material import Material
+from vstatics.report.page_pictures import palette
+from vstatics.report.parts import chooser
+from vstatics.report.picture_styles import shared
+from vstatics.report.sections import RUN, Part, sections
+from vstatics.tables.html import Markup, joined, printed, tag
+
+POLICY = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'"
+"""A browser loads nothing from anywhere."""
+NOTHING = Markup()
+
+
+def page(material: Material) -> str:
+    """The whole page, as HTML.
+
+    Parameters
+    ----------
+    material : Material
+        See `gather`.
+    """
+    case = material.results.case
+    title = material.naming.title(case.name, runs=material.run is not None)
+    parts = list(sections(material))
+    choice = chooser([gear.name for gear in case.gears]) if case.gears else NOTHING
+    return framed(title, _about(material), parts, material.document, choice)
+
+
+def framed(
+    title: str,
+    about: Iterable[Markup],
+    parts: Sequence[Part],
+    document: dict[str, Any],
+    choice: Markup = NOTHING,
+) -> str:
+    """A page of sections with its contents, its look and the data that it carries.
+
+    Parameters
+    ----------
+    about : iterable of Markup
+        What stands below the title.
+    document : dict
+        What the page shows, as JSON.
+    choice : Markup, optional
+        Stays in sight: what is chosen for several sections.
+    """
+    links = (tag("a", name, href=f"#{_id(name)}") for name, _ in parts)
+    contents = tag("nav", *links, class_="contents", aria_label="Contents")
+    shown = tag("main", *(_section(name, inner) for name, inner in parts))
+    main, looks = shared(printed(shown, _names(document.get("case"))))
+    body = tag(
+        "body",
+        tag("header", tag("h1", title), *about, contents),
+        choice,
+        main,
+        _data(document),
+        tag("script", _resource("script.js")),
+    )
+    head = tag(
+        "head",
+        tag("meta", charset="utf-8"),
+        tag("meta", name="viewport", content="width=device-width, initial-scale=1"),
+        tag("meta", http_equiv="Content-Security-Policy", content=POLICY),
+        tag("title", title),
+        tag("style", _styles(title), looks),
+    )
+    return f"<!DOCTYPE html>\n{tag('html', head, body, lang='en')}\n"
+
+
+def _about(material: Material) -> Iterator[Markup]:
+    case = material.results.case
+    if material.run:
+        link = tag("a", RUN, href=f"#{_id(RUN)}")
+        said = f": {material.naming.description}" if material.naming.description else ""
+        yield tag("p", "Scenario, see ", link, said, class_="told")
+    if case.description:
+        yield tag("p", case.description, class_="told")
+    if case.source:
+        yield tag("p", "Source: ", case.source, class_="told source")
+
+
+def _section(name: str, inner: Sequence[Markup]) -> Markup:
+    return tag("section", tag("h2", name), *inner, id=_id(name))
+
+
+def _names(data: Any) -> Iterator[str]:
+    """All texts of plain data, among which are the names.
+
+    >>> [*_names({"links": ["in", "-3"], "gears": {"R": {"speeds": {"in": 1}}}})]
+    ['links', 'in', '-3', 'gears', 'R', 'speeds', 'in']
+    """
+    if isinstance(data, str):
+        yield data
+    elif isinstance(data, dict | list):
+        for one in data:
+            yield from _names(one)
+            if isinstance(data, dict):
+                yield from _names(data[one])
+
+
+def _id(name: str) -> str:
+    return name.lower().replace(" ", "-")
+
+
+def _data(document: dict[str, Any]) -> Markup:
+    """The result in JSON; a text of the case cannot end the script that it stands in."""
+    text = json.dumps(document, ensure_ascii=False, allow_nan=False).replace("<", "\\u003c")
+    return tag("script", Markup(text), type="application/json", id="result")
+
+
+def _resource(name: str) -> Markup:
+    return Markup((files(__package__) / name).read_text(encoding="utf-8"))
+
+
+def _styles(title: str) -> Markup:
+    """The style sheet, after what it takes from elsewhere: colours, letters, running title."""
+    dark = f"@media screen and (prefers-color-scheme: dark) {{ :root {{ {palette(dark=True)} }} }}"
+    light = f":root {{ {palette(dark=False)} }}"
+    letters = f"figure svg {{ font-family: {FAMILIES}; stroke-linejoin: round; }}"
+    running = f"@page {{ @top-left {{ content: {_quoted(title)}; }} }}"
+    return joined(
+        *map(Markup, (f"{one}\n" for one in (light, dark, letters, running))),
+        _resource("style.css"),
+    )
+
+
+def _quoted(text: str) -> str:
+    """A text in a style sheet, which it cannot end.
+
+    >>> print(_quoted('a "b" </style>'))
+    "a \\22 b\\22  \\3c \\2f style\\3e "
+    """
+    inner = "".join(one if one.isalnum() or one == " " else f"\\{ord(one):x} " for one in text)
+    return f'"{inner}"'

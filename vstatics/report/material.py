@@ -1,0 +1,101 @@
+"""Everything that the page shows of a case, calculated once."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import Any, NamedTuple
+
+from vstatics.errors import CaseError, Problem
+from vstatics.flow.power import flows
+from vstatics.flow.power_flow import GearFlow
+from vstatics.report.motion import RunSection, run_section
+from vstatics.report.naming import UNNAMED, Naming
+from vstatics.report.page_pictures import Pictures, pictures
+from vstatics.report.vibration import Vibration, vibration
+from vstatics.simulation.record.motion import Motion
+from vstatics.statics.result_arrays import Message
+from vstatics.statics.results import Results
+from vstatics.summary import Summary, summarize
+from vstatics.writers import result_json
+
+
+class Material(NamedTuple):
+    """What the page is made of."""
+
+    results: Results
+    document: dict[str, Any]
+    """The result as ``vstatics run -f json`` writes it."""
+    summary: Summary
+    flows: Sequence[GearFlow]
+    pictures: Pictures
+    messages: Sequence[str]
+    """Of the input, then of the results."""
+    without: str
+    """Why there are no pictures at all, else nothing."""
+    vibration: Vibration | None = None
+    """Nothing if the case does not vibrate."""
+    digits: int | None = None
+    """After the point; None: those that suit a number."""
+    run: RunSection | None = None
+    """Of a scenario."""
+    naming: Naming = UNNAMED
+
+
+def gather(
+    results: Results,
+    problems: Iterable[Problem] = (),
+    digits: int | None = None,
+    motion: Motion | None = None,
+    naming: Naming = UNNAMED,
+) -> Material:
+    """What the page of a case shows.
+
+    Parameters
+    ----------
+    results : Results
+        Of one case, not of arrays of variants.
+    problems : iterable of Problem
+        Warnings of the input; those that are among the messages of the results already
+        do not come twice.
+    digits : int, optional
+        After the point, where they are not those that suit a number.
+    motion : Motion, optional
+        A run of the case.
+    naming : Naming, optional
+        What the case does not say of itself: the name of its file, the scenario.
+    """
+    without, drawn = "", Pictures()
+    try:
+        drawn = pictures(results)
+    except CaseError as error:
+        without = str(error)
+    others = (one for one in problems if not _is_among(one, results.messages))
+    return Material(
+        results,
+        result_json.document(results),
+        summarize(results),
+        flows(results),
+        drawn,
+        [*map(_told, others), *map(str, results.messages)],
+        without,
+        vibration(results, has_pictures=not without),
+        digits,
+        None if motion is None else run_section(results, motion, has_pictures=not without),
+        naming,
+    )
+
+
+def _is_among(problem: Problem, messages: Iterable[Message]) -> bool:
+    """Whether a message says it too: readers name fields, results name the parts."""
+    said = problem.message
+    return any(
+        said.endswith(f": {one.text}" if one.gear else one.text.partition(": ")[2])
+        for one in messages
+    )
+
+
+def _told(problem: Problem) -> str:
+    """A problem with its line, but not its file."""
+    line = problem.place.line if problem.place else 0
+    where = f"line {line}: " if line else ""
+    return f"{problem.severity}: {where}{problem.message}"

@@ -1,0 +1,156 @@
+"""Pictures as SVG that stands within a page: own ids, colours that follow the screen."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from typing import NamedTuple
+from xml.etree import ElementTree as ET
+
+from vstatics.errors import CaseError
+from vstatics.extras import require
+from vstatics.pictures import of_each_gear, sheets
+from vstatics.pictures.sheet.style import Style
+from vstatics.pictures.sheet.words import KINDS
+from vstatics.report.picture_styles import is_look
+from vstatics.simulation.record.motion import Motion
+from vstatics.statics.results import Results
+from vstatics.tables.html import Markup
+
+_LIGHT, _DARK = Style(), Style(dark=True)
+_NAMES = ("paper", "ink", "soft", "faint", "engaged", "lost", "circulating", "power")
+_PAIRS = {name: (getattr(_LIGHT, name), getattr(_DARK, name)) for name in _NAMES} | {
+    f"colour{number}": pair
+    for number, pair in enumerate(zip(_LIGHT.colours, _DARK.colours, strict=True))
+}
+"""Colours of pictures on paper and on a dark screen, by the name of their variable."""
+_VARIABLES = {light: f"var(--{name})" for name, (light, _) in _PAIRS.items()}
+_REFERENCE = re.compile(r"url\(#([^)]+)\)")
+_COLOUR = re.compile("#[0-9a-f]{6}")
+_COLOURED = ("style", "fill", "stroke")
+
+
+NAMES = {kind: english for kind, (english, _) in KINDS.items()}
+"""What a kind of picture is called."""
+OF_EACH_GEAR = ("stick", "flow", "lever")
+OF_ALL_GEARS = ("efficiency", "plan")
+PAGE = Style(titled=False)
+
+
+class Drawn(NamedTuple):
+    """A picture, or why there is none."""
+
+    kind: str
+    sheets: Sequence[Markup]
+    """It may be too long for one."""
+    why: str = ""
+
+
+class Pictures(NamedTuple):
+    """Those of a case but for vibration and motion, by their kind."""
+
+    of_gears: Mapping[str, Sequence[Drawn]] = {}
+    """One of each gear."""
+    of_all: Mapping[str, Drawn] = {}
+
+
+def pictures(results: Results) -> Pictures:
+    """All pictures of a case but those of vibration and motion.
+
+    Where no stick diagram can be drawn, the structure of each gear stands for it.
+
+    Raises
+    ------
+    CaseError
+        If matplotlib is not installed.
+    """
+    require("plot", "a picture")
+    of_gears = {kind: of_each(results, kind) for kind in OF_EACH_GEAR}
+    if not any(one.sheets for one in of_gears["stick"]):
+        of_gears["stick"] = of_each(results, "structure")
+    return Pictures(of_gears, {kind: picture_of(results, kind) for kind in OF_ALL_GEARS})
+
+
+def of_each(results: Results, kind: str) -> list[Drawn]:
+    """A picture of each gear, or why a gear has none."""
+    gears = results.case.gears
+    try:
+        made = of_each_gear(results, kind, PAGE)
+    except CaseError:  # of one of them, perhaps
+        return [picture_of(results, kind, number) for number in range(1, len(gears) + 1)]
+    return [
+        Drawn(kind, [inline(svg, f"{kind}{number}", f"{NAMES[kind]}, gear {gear.name}")])
+        for number, (svg, gear) in enumerate(zip(made, gears, strict=True), 1)
+    ]
+
+
+def picture_of(
+    results: Results, kind: str, gear: int | None = None, motion: Motion | None = None
+) -> Drawn:
+    """A picture of a case, of one gear by its number from 1, or of a run."""
+    try:
+        made = sheets(results, kind, PAGE, () if gear is None else (gear,), motion=motion)
+    except CaseError as error:
+        return Drawn(kind, [], " ".join(str(error).split()))
+    own, label = f"{kind}{gear or ''}", NAMES[kind]
+    if gear is not None:
+        label = f"{label}, gear {results.case.gears[gear - 1].name}"
+    if motion is not None:
+        own, label = f"run-{own}", f"{label}, run"
+    return Drawn(kind, [inline(svg, f"{own}-{n or ''}", label) for n, svg in enumerate(made)])
+
+
+def palette(*, dark: bool) -> str:
+    """The variables of the colours, for a style sheet."""
+    return " ".join(f"--{name}: {pair[dark]};" for name, pair in _PAIRS.items())
+
+
+def inline(svg: bytes, prefix: str, label: str) -> Markup:
+    """An SVG as it stands within HTML.
+
+    Two pictures of matplotlib have the same ids: here they get a prefix. Colours become the
+    variables of the page. Its parts can be read, too, each by its title.
+
+    Examples
+    --------
+    >>> svg = b'<svg xmlns="http://www.w3.org/2000/svg"><g id="a" fill="#1a1a1a"/></svg>'
+    >>> inline(svg, "plan", "plan").partition(">")[2]
+    '<g id="plan-a" fill="var(--ink)" /></svg>'
+    """
+    root = ET.fromstring(svg)  # noqa: S314 - our own, not from anywhere else
+    if len(root) and root[0].tag.endswith("}title"):  # the page says it beside the picture
+        del root[0]
+    for element in root.iter():
+        element.tag = _local(element.tag)
+        kept = sorted(element.attrib.items(), key=lambda one: (is_look(one[0]), one[0]))
+        element.attrib = {
+            _local(key): _rewritten(_local(key), value, prefix) for key, value in kept
+        }
+    own = {
+        k: v
+        for k, v in root.attrib.items()
+        if k not in ("width", "height", "version", "font-family")
+    }
+    width = root.attrib.get("width", "100%")
+    root.attrib = {
+        **own,
+        "role": "graphics-document",
+        "aria-label": label,
+        "style": f"--width: {width}",
+    }
+    return Markup(ET.tostring(root, encoding="unicode"))
+
+
+def _local(name: str) -> str:
+    """A name without its namespace, as HTML has it."""
+    return name.rpartition("}")[2]
+
+
+def _rewritten(key: str, value: str, prefix: str) -> str:
+    if key == "id":
+        return f"{prefix}-{value}"
+    if key == "href" and value.startswith("#"):
+        return f"#{prefix}-{value[1:]}"
+    if key in _COLOURED:
+        value = _COLOUR.sub(lambda found: _VARIABLES.get(found[0], found[0]), value)
+    return _REFERENCE.sub(rf"url(#{prefix}-\1)", value)

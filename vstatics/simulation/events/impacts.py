@@ -1,0 +1,102 @@
+"""What joins at once: speeds after an impact.
+
+Mechanisms, closed dogs and freewheels at their stop take impulses, friction does not: ``M (w+ - w)
+= -C p`` and ``C' w+ = 0``, so half of ``p C' w`` is lost. A freewheel takes an impulse one way
+only.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import combinations
+from typing import NamedTuple
+
+import numpy as np
+
+from vstatics.numerics.arrays import Floats
+from vstatics.simulation.system.matrices import MotionSystem
+from vstatics.simulation.system.structure import null
+
+
+class Impact(NamedTuple):
+    """Speeds after an impact, and what it takes."""
+
+    speeds: Floats
+    """Of links. [rad/s]"""
+    energies: tuple[float, ...]
+    """Lost, by each contact that joins. [J]"""
+    stopped: tuple[int, ...]
+    """Indices of the freewheels that are at their stop."""
+
+
+def impact(
+    system: MotionSystem, speeds: Floats, rigid: Sequence[int], joining: Sequence[int]
+) -> Impact:
+    """The impact when contacts join.
+
+    Parameters
+    ----------
+    system : MotionSystem
+    speeds : ndarray, shape (links,)
+        Before. [rad/s]
+    rigid : sequence of int
+        Indices of all contacts that hold anything, those that join among them.
+    joining : sequence of int
+    """
+    wheels = [index for index, one in enumerate(system.contacts) if one.one_way]
+    held = [system.contacts[index].row for index in rigid]
+    small = 1e-9 * max(1.0, float(np.abs(speeds).max()))
+    best: Impact | None = None
+    for count in range(len(wheels), -1, -1):
+        for stopped in combinations(wheels, count):
+            rows = [mesh.row for mesh in system.meshes] + held
+            rows += [system.contacts[index].row for index in stopped]
+            after, impulses = _projected(system, speeds, np.array(rows))
+            first = len(rows) - len(stopped)
+            scale = 1e-9 * float(np.abs(impulses).max(initial=0.0))
+            pushed = (impulses[first:] <= scale).all()
+            free = [index for index in wheels if index not in stopped]
+            overrun = all(system.contacts[index].row @ after >= -small for index in free)
+            if best is None or (pushed and overrun):
+                energies = _energies(system, (speeds, after), impulses, rigid, joining)
+                best = Impact(after, energies, stopped)
+            if pushed and overrun:
+                return best
+    assert best is not None  # noqa: S101 - there is one choice at least
+    return best
+
+
+def _projected(system: MotionSystem, speeds: Floats, rows: Floats) -> tuple[Floats, Floats]:
+    """Speeds that rows leave, nearest by kinetic energy, and the impulses of the rows."""
+    mass = system.mass
+    free = null(rows)
+    reduced = free.T @ mass @ free
+    motions = np.linalg.lstsq(reduced, free.T @ mass @ speeds, rcond=1e-13)[0]
+    after: Floats = free @ motions
+    impulses = np.asarray(np.linalg.lstsq(rows.T, mass @ (speeds - after), rcond=1e-12)[0], float)
+    return after, impulses
+
+
+def _energies(
+    system: MotionSystem,
+    change: tuple[Floats, Floats],
+    impulses: Floats,
+    rigid: Sequence[int],
+    joining: Sequence[int],
+) -> tuple[float, ...]:
+    """What each of the contacts that join takes, by its impulse and its slip before."""
+    before, after = change
+    energy = kinetic_energy(system, before) - kinetic_energy(system, after)
+    first = len(system.meshes)
+    shares = [
+        0.5 * float(impulses[first + place] * (system.contacts[index].row @ before))
+        for place, index in enumerate(rigid)
+        if index in joining
+    ]
+    rest = (energy - sum(shares)) / len(shares)
+    return tuple(share + rest for share in shares)
+
+
+def kinetic_energy(system: MotionSystem, speeds: Floats) -> float:
+    """Of all bodies [J]."""
+    return float(system.inertias @ (system.heavy @ speeds) ** 2) / 2

@@ -1,0 +1,123 @@
+"""Where everything is at an instant, its state of equations, and when something bends or jumps."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from vstatics.numerics.arrays import Floats
+from vstatics.simulation.events.margins import LargeSizes
+from vstatics.simulation.scenario.formula import Formula
+from vstatics.simulation.scenario.laws import Points
+from vstatics.simulation.system.curves import capacity_at, programme_at
+from vstatics.simulation.system.equations import Equations
+from vstatics.simulation.system.matrices import MotionSystem
+
+STANDING = 1e-9
+"""A speed or torque that is 0 but for rounding, by the largest of its kind."""
+
+
+class Instant(NamedTuple):
+    """Where everything is."""
+
+    time: float
+    """[s]"""
+    speeds: Floats
+    """Of links. [rad/s]"""
+    twists: Floats
+    angles: Floats
+    accounts: Floats
+    """Works and losses up to here. [J]"""
+
+
+class Jump(NamedTuple):
+    """Twists that change at once, along motions without inertia."""
+
+    link: str
+    energy: float
+    """Lost. [J]"""
+
+
+def consistent(
+    equations: Equations, state: Floats, scales: LargeSizes
+) -> tuple[Floats, Jump | None]:
+    """The state with the twists that balance the torques where nothing heavy moves."""
+    if not equations.light or not equations.by_slope.shape[1]:
+        return state, None
+    time = equations.time
+    rates, _ = equations.rates(time, state)
+    torques = equations.torques(time, state, rates)
+    rest = equations.by_slope.T @ (equations.structure.balances @ torques)
+    if np.abs(rest).max() <= STANDING * scales.torque:
+        return state, None
+    motion = equations.along @ -np.linalg.solve(equations.stiff, rest)
+    turned = equations.structure.light_rates @ motion
+    made = state.copy()
+    made[equations.twists] += np.where(equations.ports.bends, turned[equations.spring_ports], 0.0)
+    given = torques * turned
+    given[equations.spring_ports] = 0.0
+    made[equations.works] += given
+    before, after = (equations.elastic_energy(one) for one in (state, made))
+    signs = np.ones(len(given))
+    signs[equations.layout.outside :] = -1.0
+    lost = float(signs @ given) - (after - before)
+    links = np.abs(equations.structure.light @ motion)
+    return made, Jump(equations.system.names[int(links.argmax())], lost)
+
+
+def state_of(equations: Equations, at: Instant) -> Floats:
+    """The state of equations at an instant."""
+    state = np.empty(equations.size)
+    structure = equations.structure
+    motions = structure.free.T @ at.speeds
+    motions += structure.projection @ (at.speeds - structure.free @ motions)
+    state[: equations.motions] = motions
+    state[equations.twists] = at.twists
+    state[equations.angles] = at.angles
+    state[equations.works.start :] = at.accounts
+    return state
+
+
+def instant_of(equations: Equations, time: float, state: Floats) -> Instant:
+    """The instant that a state of equations stands for."""
+    return Instant(
+        time,
+        equations.speeds(time, state),
+        state[equations.twists].copy(),
+        state[equations.angles].copy(),
+        state[equations.works.start :].copy(),
+    )
+
+
+def break_times(system: MotionSystem) -> list[float]:
+    """Times at which something bends or jumps, in order [s]."""
+    times: set[float] = set()
+    for contact in system.contacts:
+        times.update(contact.programme.breaks())
+    for spring in system.springs:
+        times.update(spring.limit.breaks())
+    for one in system.outside:
+        if isinstance(one.law, Points) and one.law.over == "time":
+            times.update(one.law.x)
+        elif isinstance(one.law, Formula):
+            times.update(one.law.breaks)
+    return sorted(time for time in times if 0 < time < system.scenario.duration)
+
+
+def large_sizes(system: MotionSystem, at: Instant) -> LargeSizes:
+    """Speeds and torques that are large at the start."""
+    speed = max(1.0, float(np.abs(at.speeds).max(initial=0.0)))
+    torque = 1.0
+    times = [at.time, *break_times(system)]
+    for contact in system.contacts:
+        held = [abs(capacity_at(contact, time)) for time in times]
+        torque = max([torque, *(one for one in held if math.isfinite(one))])
+    for spring in system.springs:
+        limit = abs(programme_at(spring.limit, at.time))
+        torque = max(torque, limit if math.isfinite(limit) else 0.0)
+    for one in system.outside:
+        if isinstance(one.law, Points):
+            torque = max(torque, *map(abs, one.law.y))
+    return LargeSizes(speed, torque)

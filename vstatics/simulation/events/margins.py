@@ -1,0 +1,296 @@
+"""How far everything is from changing its state: a margin for each, below 0 where it must."""
+
+from __future__ import annotations
+
+import math
+from typing import Literal, NamedTuple
+
+import numpy as np
+
+from vstatics.numerics.arrays import Floats
+from vstatics.simulation.events.split import least, widest, widest_place
+from vstatics.simulation.scenario.laws import Points
+from vstatics.simulation.scenario.programme import friction_at
+from vstatics.simulation.system.curves import capacity_at, programme_along, programme_at
+from vstatics.simulation.system.equations import Equations
+from vstatics.simulation.system.matrices import Contact
+
+Watched = Literal["slip", "hold", "split", "mesh", "flow", "cone", "limit", "grip", "piece"]
+"""A slip that may end; what sticks may slip, alone or together; a mesh may stand still, its flow
+turn, or it may begin to move; a spring may reach its limit, or grip again; points over a speed may
+have a corner; a capacity may lie above that of the case, or below 0."""
+
+
+_PASSED_LIMIT = 1e-10
+"""A limit is passed by more than this part of the largest torque."""
+
+
+class Watch(NamedTuple):
+    """What a margin is of."""
+
+    kind: Watched
+    of: int
+    """Of the contact, mesh, spring or outside torque."""
+    side: int = 1
+    """The side on which it changes: the sign of the torque, or of the step to another piece."""
+
+
+class LargeSizes(NamedTuple):
+    """What is large here."""
+
+    speed: float
+    """[rad/s]"""
+    torque: float
+    """[N*m]"""
+
+
+class Margins:
+    """The margins of equations; torques in N*m, speeds in rad/s."""
+
+    def __init__(self, equations: Equations) -> None:
+        self.equations = equations
+        system, states = equations.system, equations.states
+        layout, structure = equations.layout, equations.structure
+        self.watches: list[Watch] = []
+        self.is_torque: list[bool] = []
+        place = {(one.kind, one.of): row for row, one in enumerate(structure.multipliers)}
+        self.slipping: list[tuple[int, float]] = []
+        self.holding: list[tuple[Contact, int, int]] = []
+        """Contact, its multiplier, and the side: +1 its upper limit, -1 its lower one."""
+        for index, state in enumerate(states.contacts):
+            if state in ("+", "-"):
+                self.slipping.append((layout.contacts + index, 1.0 if state == "+" else -1.0))
+                self._watch("slip", index, torque=False)
+        for index, (contact, state) in enumerate(
+            zip(system.contacts, states.contacts, strict=True)
+        ):
+            if state == "stick":
+                for side in (1, -1):
+                    if (side == 1 and contact.one_way) or math.isfinite(
+                        capacity_at(contact, equations.time)
+                    ):
+                        self.holding.append((contact, place["contact", index], side))
+                        self._watch("hold", index, side)
+        self._meshes(place)
+        self._springs()
+        self._pieces()
+        self.held_rows = np.array([row for _, row, _ in self.holding], dtype=int)
+        self.sides = np.array([side for _, _, side in self.holding], dtype=float)
+        self.shared = structure.redundant.shape[1] > 0 and bool(self.holding or self.cones)
+        if self.shared:
+            self._watch("split", -1)
+        self.straight_limits = self._straight_limits()
+        self.slip_ports = np.array([port for port, _ in self.slipping], dtype=int)
+        self.slip_signs = np.array([sign for _, sign in self.slipping])
+
+    def _watch(self, kind: Watched, index: int, side: int = 1, *, torque: bool = True) -> None:
+        self.watches.append(Watch(kind, index, side))
+        self.is_torque.append(torque)
+
+    def _meshes(self, place: dict[tuple[str, int], int]) -> None:
+        system, states = self.equations.system, self.equations.states
+        self.moving: list[tuple[int, float, float]] = []
+        self.cones: list[tuple[int, int, float, float]] = []
+        for index, state in enumerate(states.meshes):
+            if state not in ("", "stick"):
+                speed, torque = (1.0 if sign == "+" else -1.0 for sign in state)
+                self.moving.append((index, speed, torque))
+                self._watch("mesh", index, torque=False)
+                self._watch("flow", index)
+        for index, (mesh, state) in enumerate(zip(system.meshes, states.meshes, strict=True)):
+            if state == "stick":
+                rows = place["mesh", index], place["friction", index]
+                self.cones.append((*rows, 1 - mesh.efficiency, 1 / mesh.back - 1))
+                self._watch("cone", index, 1)
+                self._watch("cone", index, -1)
+
+    def _springs(self) -> None:
+        system, states = self.equations.system, self.equations.states
+        self.bending: list[int] = []
+        self.gripping: list[tuple[int, float]] = []
+        for index, (spring, state) in enumerate(zip(system.springs, states.springs, strict=True)):
+            if state == "stick" and math.isfinite(programme_at(spring.limit, self.equations.time)):
+                self.bending.append(index)
+                self._watch("limit", index)
+        for index, (spring, state) in enumerate(zip(system.springs, states.springs, strict=True)):
+            if state in ("+", "-"):
+                self.gripping.append((index, 1.0 if state == "+" else -1.0))
+                self._watch("grip", index, torque=spring.viscous > 0)
+
+    def _pieces(self) -> None:
+        """Corners of points over a speed or an angle."""
+        equations = self.equations
+        self.corners: list[tuple[int, bool, float, float]] = []
+        for index, one in enumerate(equations.system.outside):
+            law = one.law
+            if not isinstance(law, Points) or law.over == "time":
+                continue
+            piece = equations.states.pieces[index]
+            by_angle = law.over == "angle"
+            port = equations.layout.angles.index(one.link) if by_angle else index
+            if piece > 0:
+                self.corners.append((port, by_angle, law.x[piece - 1], 1.0))
+                self._watch("piece", index, -1, torque=False)
+            if piece < len(law.x):
+                self.corners.append((port, by_angle, law.x[piece], -1.0))
+                self._watch("piece", index, 1, torque=False)
+        self.ratios: list[tuple[int, float, float]] = []
+        """Converter, ratio of speeds at a corner, side."""
+        for place, converter in enumerate(equations.system.converters):
+            index = equations.layout.outside + place
+            piece = equations.states.pieces[index]
+            if piece > 0:
+                self.ratios.append((place, converter.points[piece - 1][0], 1.0))
+                self._watch("piece", index, -1, torque=False)
+            if piece < len(converter.points):
+                self.ratios.append((place, converter.points[piece][0], -1.0))
+                self._watch("piece", index, 1, torque=False)
+
+    def _straight_limits(self) -> Floats | None:
+        """Limits of what sticks as ``c0 + c1 t``; None where one is a formula."""
+        time = self.equations.time
+        lines = []
+        for contact, _, side in self.holding:
+            curve = contact.programme.curve
+            if not isinstance(curve, Points):
+                return None
+            value, slope = curve.piece(curve.piece_at(time))
+            if contact.one_way and side == 1:
+                lines.append((0.0, 0.0))
+                continue
+            factor = contact.static * contact.programme.factor * friction_at(contact.friction)
+            lines.append((factor * value, factor * slope))
+        return np.array(lines).reshape(len(lines), 2)
+
+    def limits(self, times: Floats) -> Floats:
+        """Limits of what sticks at times, shape (limits, times) [N*m]."""
+        if self.straight_limits is not None:
+            made: Floats = self.straight_limits[:, :1] + self.straight_limits[:, 1:] * times
+            return made
+        return np.array([_limits(contact, side, times) for contact, _, side in self.holding])
+
+    def units(self, scales: LargeSizes) -> Floats:
+        """What is large beside each margin."""
+        return np.where(self.is_torque, scales.torque, scales.speed)
+
+    def at(self, time: float, state: Floats) -> Floats:
+        """All margins at a time."""
+        return self.along(np.array([time]), state[:, None])[:, 0]
+
+    def along(self, times: Floats, states: Floats) -> Floats:
+        """All margins at several times, shape (margins, times)."""
+        equations = self.equations
+        rates = equations.rates_at(times, states)
+        torques = equations.torques_at(times, states, rates)
+        held: Floats = equations.structure.torques @ torques
+        layout = equations.layout
+        times = equations.ports.inside(times)
+        parts = [self.slip_signs[:, None] * rates[self.slip_ports]]
+        slack = self._slack(times, held)
+        mine = len(self.holding)
+        shown = np.full(slack.shape, np.inf) if self.shared else slack
+        parts.append(shown[:mine])
+        if self.moving:
+            links = equations.speeds_at(times, states)
+            for index, speed, torque in self.moving:
+                slip = equations.system.meshes[index].slip @ links
+                parts.append(np.array([speed * slip, torque * held[index]]))
+        parts.append(shown[mine:])
+        parts += self._of_springs(times, states, rates, torques)
+        for port, by_angle, corner, side in self.corners:
+            at = states[equations.angles][port] if by_angle else rates[port]
+            parts.append(side * (at - corner)[None, :])
+        for place, corner, side in self.ratios:
+            pump, turbine = (rates[first + place] for first in (layout.pumps, layout.turbines))
+            turns = np.where(pump < 0, -1.0, 1.0)
+            parts.append((side * turns * (turbine - corner * pump))[None, :])
+        if self.shared:
+            columns = range(len(times))
+            parts.append(np.array([[self._together(slack[:, n], held[:, n]) for n in columns]]))
+        return np.vstack(parts)
+
+    def _slack(self, times: Floats, held: Floats) -> Floats:
+        """Of contacts that stick, then of meshes, shape (slacks, times)."""
+        if self.holding:
+            slack = self.limits(times) - self.sides[:, None] * held[self.held_rows]
+        else:
+            slack = np.zeros((0, len(times)))
+        cones = []
+        for mesh, friction, less, more in self.cones:
+            torque, taken = held[mesh], held[friction]
+            sign = np.where(torque >= 0, 1.0, -1.0)
+            cones += [sign * (taken + less * torque), sign * (more * torque - taken)]
+        return np.vstack([slack, *cones])
+
+    def _directions(self, held: Floats) -> Floats:
+        """Changes of the slacks along redundant directions."""
+        redundant = self.equations.structure.redundant
+        rows = [-side * redundant[row] for _, row, side in self.holding]
+        for mesh, friction, less, more in self.cones:
+            sign = 1.0 if held[mesh] >= 0 else -1.0
+            rows.append(sign * (redundant[friction] + less * redundant[mesh]))
+            rows.append(sign * (more * redundant[mesh] - redundant[friction]))
+        return np.array(rows).reshape(len(rows), redundant.shape[1])
+
+    def _together(self, slack: Floats, held: Floats) -> float:
+        smallest = float(slack.min())
+        if smallest >= -_PASSED_LIMIT * float(np.abs(held).max(initial=0.0)):
+            return max(smallest, 0.0)
+        return widest(slack, self._directions(held))
+
+    def tight(self, time: float, state: Floats) -> list[Watch]:
+        """What is at its limit in the split that leaves most room."""
+        equations, at = self.equations, np.array([time])
+        rates = equations.rates_at(at, state[:, None])
+        torques = equations.torques_at(at, state[:, None], rates)
+        held = (equations.structure.torques @ torques)[:, 0]
+        slack = self._slack(at, held[:, None])[:, 0]
+        best = slack + self._directions(held) @ widest_place(slack, self._directions(held))
+        near = best <= best.min() + 1e-6 * float(np.abs(slack).max())
+        watches = [one for one in self.watches if one.kind == "hold"]
+        watches += [one for one in self.watches if one.kind == "cone"]
+        return [watch for watch, tight in zip(watches, near.tolist(), strict=True) if tight]
+
+    def split(self, times: Floats, held: Floats) -> Floats:
+        """Torques of what holds, those of least norm within the limits, shape (held, times)."""
+        if not self.shared:
+            return held
+        slack = self._slack(times, held)
+        made = held.copy()
+        rounding = _PASSED_LIMIT * np.abs(held).max(axis=0, initial=0.0)
+        for column in np.flatnonzero(slack.min(axis=0) < -rounding):
+            change = least(slack[:, column], self._directions(held[:, column]))
+            if change is not None:
+                made[:, column] += self.equations.structure.redundant @ change
+        return made
+
+    def _of_springs(
+        self, times: Floats, states: Floats, rates: Floats, torques: Floats
+    ) -> list[Floats]:
+        equations = self.equations
+        first = equations.layout.springs
+        springs = equations.system.springs
+        made = []
+        for index in self.bending:
+            limit = programme_along(springs[index].limit, times)
+            made.append((limit - np.abs(torques[first + index]))[None, :])
+        for index, sign in self.gripping:
+            spring, rate = springs[index], rates[first + index]
+            if spring.viscous:
+                trial = spring.stiffness * states[equations.twists][index] + spring.viscous * rate
+                made.append((sign * trial - programme_along(spring.limit, times))[None, :])
+            else:
+                slopes = [
+                    equations.limit_slopes(time, rates[:, n], states[:, n])[index]
+                    for n, time in enumerate(times.tolist())
+                ]
+                made.append((sign * (rate - np.array(slopes) / spring.stiffness))[None, :])
+        return made
+
+
+def _limits(contact: Contact, side: int, times: Floats) -> Floats:
+    if contact.one_way and side == 1:
+        return np.zeros(len(times))
+    return (
+        contact.static * friction_at(contact.friction) * programme_along(contact.programme, times)
+    )

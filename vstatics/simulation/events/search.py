@@ -1,0 +1,130 @@
+"""The order in which choices of what sticks are tried."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from heapq import heappop, heappush
+from itertools import combinations, product
+
+from vstatics.simulation.events.margins import Watch
+from vstatics.simulation.system.ports import States
+
+_MOST_TRIED = 2000
+"""Choices, before it is told that there is none."""
+
+
+Choice = tuple[str, int, tuple[str, ...]]
+"""`contact`, `mesh` or `spring`, its index, its states: the one that sticks first."""
+
+
+class ModeSearch:
+    """Goes through choices: most sticking first, then nearest to before.
+
+    What fails in a choice tells which to try next; when these are gone, all are tried.
+    """
+
+    def __init__(self, base: States, choices: Sequence[Choice], before: States | None) -> None:
+        self.base, self.choices, self.before = base, choices, before
+        self.place = {choice[:2]: number for number, choice in enumerate(choices)}
+        self.seen: set[tuple[tuple[int, str], ...]] = {()}
+        self.waiting: list[tuple[tuple[int, ...], tuple[tuple[int, str], ...]]] = [((0,), ())]
+        self.changed: tuple[tuple[int, str], ...] = ()
+
+    def __iter__(self) -> Iterator[States]:
+        """Choices, as they are to be tried."""
+        others = (changed for changed in self._all() if changed not in self.seen)
+        for _ in range(_MOST_TRIED):
+            if self.waiting:
+                changed = heappop(self.waiting)[-1]
+            else:
+                following = next(others, None)
+                if following is None:
+                    return
+                changed = following
+            self.seen.add(changed)
+            self.changed = changed
+            yield _with(self.base, self.choices, dict(changed))
+
+    def fails(self, states: States, failing: Sequence[Watch], released: States | None) -> None:
+        """Note what fails in the choice that was tried last."""
+        if released is not None:
+            changes = dict(self.changed)
+            for number, (kind, index, _) in enumerate(self.choices):
+                if kind == "mesh" and released.meshes[index] != states.meshes[index]:
+                    changes[number] = released.meshes[index]
+            self._push(changes, single=False)
+        for watch in failing:
+            for number, state in self._others(watch):
+                others = {**dict(self.changed), number: state}
+                if state == self.choices[number][2][0]:
+                    del others[number]
+                self._push(others, single=True)
+
+    def _push(self, changes: dict[int, str], *, single: bool) -> None:
+        """Have a choice tried: meshes that move together count as one."""
+        changed = tuple(sorted(changes.items()))
+        if changed in self.seen:
+            return
+        self.seen.add(changed)
+        meshes = sum(self.choices[number][0] == "mesh" for number in changes)
+        made = _with(self.base, self.choices, changes)
+        slipping = len(changes) - meshes + min(meshes, 1)
+        rank = slipping, int(single), _distance(made, self.before), len(self.seen)
+        heappush(self.waiting, (rank, changed))
+
+    def _others(self, watch: Watch) -> Iterator[tuple[int, str]]:
+        """Other states of what fails."""
+        number = self.place.get((KIND_OF[watch.kind], watch.of), -1)
+        if number < 0:
+            return
+        options = self.choices[number][2]
+        if watch.kind == "hold":
+            wanted = "+" if watch.side > 0 else "-"
+            options = tuple(option for option in options if option in (wanted, "stick"))
+        now = dict(self.changed).get(number, options[0])
+        yield from ((number, option) for option in options if option != now)
+
+    def _all(self) -> Iterator[tuple[tuple[int, str], ...]]:
+        """All choices, most sticking first."""
+        for count in range(len(self.choices) + 1):
+            for slipping in combinations(range(len(self.choices)), count):
+                for signs in product(*(self.choices[index][2][1:] for index in slipping)):
+                    yield tuple(zip(slipping, signs, strict=True))
+
+
+KIND_OF = {
+    "slip": "contact",
+    "hold": "contact",
+    "mesh": "mesh",
+    "cone": "mesh",
+    "limit": "spring",
+    "grip": "spring",
+    "flow": "",
+    "piece": "",
+    "split": "",
+}
+"""What a margin is of."""
+
+
+def _with(base: States, choices: Sequence[Choice], changed: dict[int, str]) -> States:
+    parts = {
+        "contact": list(base.contacts),
+        "mesh": list(base.meshes),
+        "spring": list(base.springs),
+    }
+    for number, state in changed.items():
+        kind, index, _ = choices[number]
+        parts[kind][index] = state
+    contacts, meshes, springs = (tuple(parts[kind]) for kind in ("contact", "mesh", "spring"))
+    return States(contacts, meshes, springs, base.pieces)
+
+
+def _distance(states: States, before: States | None) -> int:
+    """In how many things states differ from before."""
+    if before is None:
+        return 0
+    return sum(
+        one != other
+        for mine, others in zip(states[:3], before[:3], strict=True)
+        for one, other in zip(mine, others, strict=True)
+    )

@@ -1,0 +1,226 @@
+"""What sticks and what slips from an instant on.
+
+Of the admissible choices that with most sticking, then the one nearest to before: all that may
+stick is tried as sticking first, then with one of them slipping, and so on. A choice is admissible
+where no margin is below 0, and none that is 0 falls.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from vstatics.errors import CaseError
+from vstatics.numerics.arrays import Booleans, Floats
+from vstatics.simulation.events.choices import ModeChoices
+from vstatics.simulation.events.instants import STANDING, Instant, Jump, consistent, state_of
+from vstatics.simulation.events.margins import LargeSizes, Margins, Watch
+from vstatics.simulation.events.search import KIND_OF, Choice, ModeSearch
+from vstatics.simulation.system.equations import Equations
+from vstatics.simulation.system.matrices import MotionSystem
+from vstatics.simulation.system.ports import PortLayout, States
+from vstatics.simulation.system.structure import MotionStructure, Structures
+
+_AMPLE = 1e300
+
+
+class NoChoice(Exception):  # noqa: N818 - it never leaves the room
+    """No admissible choice."""
+
+
+class Selected(NamedTuple):
+    """A choice, with the equations and the state that follow."""
+
+    equations: Equations
+    margins: Margins
+    state: Floats
+    jump: Jump | None = None
+
+
+class ModeSelection:
+    """Chooses what sticks and what slips in a system."""
+
+    def __init__(self, system: MotionSystem, layout: PortLayout) -> None:
+        self.system, self.layout = system, layout
+        self.structures = Structures(system)
+        self.choices = ModeChoices(system, layout, self.structures)
+        self.within = self.choices.within
+
+    def select(
+        self,
+        at: Instant,
+        before: States | None,
+        scales: LargeSizes,
+        left: Sequence[States] = (),
+        met: Sequence[int] = (),
+    ) -> Selected:
+        """The choice from an instant on.
+
+        Parameters
+        ----------
+        at : Instant
+        before : States, optional
+        scales : LargeSizes
+        left : sequence of States
+            That can't be kept.
+        met : sequence of int
+            Indices of contacts whose slip ends here.
+
+        Raises
+        ------
+        NoChoice
+        CaseError
+            Of a link without inertia whose speed nothing determines.
+        """
+        base, choices = self.choices.at(at, before, scales, met)
+        search = ModeSearch(base, choices, before)
+        fault: CaseError | None = None
+        for states in search:
+            try:
+                found, failing = self._tried(states, at, scales)
+            except CaseError as error:
+                fault, found, failing = fault or error, None, []
+            except np.linalg.LinAlgError:
+                found, failing = None, []
+            if found is not None and found.equations.states not in left:
+                return found
+            failing = [watch for watch in failing if self._may_change(watch, states, choices)]
+            search.fails(states, failing, self._released(states, at, choices))
+        if fault is not None:
+            raise fault
+        raise NoChoice
+
+    def _may_change(self, watch: Watch, states: States, choices: Sequence[Choice]) -> bool:
+        """Whether a mesh that fails could move at all, with what sticks besides meshes."""
+        if KIND_OF[watch.kind] != "mesh":
+            return True
+        free = {index for kind, index, _ in choices if kind == "mesh"}
+        meshes = tuple("" if index in free else one for index, one in enumerate(states.meshes))
+        try:
+            motions = self.structures.of(states.held, meshes)
+        except np.linalg.LinAlgError:
+            return True
+        slip = self.system.meshes[watch.of].slip
+        moves = np.concatenate([slip @ motions.free, slip @ motions.light])
+        return bool((np.abs(moves) > STANDING).any())
+
+    def _released(self, states: States, at: Instant, choices: Sequence[Choice]) -> States | None:
+        """The states with all meshes moving that would, if none of them held by its friction."""
+        held = [
+            index
+            for kind, index, _ in choices
+            if kind == "mesh" and states.meshes[index] == "stick"
+        ]
+        if not held:
+            return None
+        meshes = list(states.meshes)
+        for index in held:
+            meshes[index] = ""
+        loose = states._replace(meshes=tuple(meshes))
+        try:
+            structure = self.structures.of(loose.held, loose.meshes)
+            equations = Equations(self.system, self.layout, structure, loose, at.time)
+            state = state_of(equations, at)
+            rates, _ = equations.rates(at.time, state)
+            torques = equations.torques(at.time, state, rates)
+        except (CaseError, np.linalg.LinAlgError):
+            return None
+        turning = structure.free @ (structure.accelerations @ torques)
+        carried = structure.torques @ torques
+        slips = np.array([self.system.meshes[index].slip @ turning for index in held])
+        least = STANDING * float(np.abs(turning).max(initial=0.0))
+        for index, slip in zip(held, slips.tolist(), strict=True):
+            flow = "+" if carried[index] >= 0 else "-"
+            meshes[index] = ("+" if slip > 0 else "-") + flow if abs(slip) > least else "stick"
+        return states._replace(meshes=tuple(meshes))
+
+    def _tried(
+        self, states: States, at: Instant, scales: LargeSizes
+    ) -> tuple[Selected | None, list[Watch]]:
+        """A choice if it is admissible, with the flows of meshes and the pieces that go with it.
+
+        Else what fails in it.
+        """
+        tried: set[States] = set()
+        failing: list[Watch] = []
+        while states not in tried:
+            tried.add(states)
+            structure = self.structures.of(states.held, states.meshes)
+            equations = Equations(self.system, self.layout, structure, states, at.time)
+            state = state_of(equations, at)
+            if caught := self._caught(structure, at, state, scales):
+                return None, caught
+            state, jump = consistent(equations, state, scales)
+            margins = Margins(equations)
+            failing = self._failing(margins, at.time, state, scales)
+            if not failing:
+                return Selected(equations, margins, state, jump), []
+            states = _turned(states, failing) or states
+        return None, failing
+
+    def _caught(
+        self, structure: MotionStructure, at: Instant, state: Floats, scales: LargeSizes
+    ) -> list[Watch]:
+        """What can't stick, since something heavy would have to change its speed at once."""
+        heavy = self.system.heavy
+        speeds = heavy @ (structure.free @ state[: structure.free.shape[1]])
+        if np.abs(speeds - heavy @ at.speeds).max() <= 100 * STANDING * scales.speed:
+            return []
+        slips = {
+            index: float(contact.row @ at.speeds)
+            for index, contact in enumerate(self.system.contacts)
+            if structure.held[index] and self.choices.touched[index]
+        }
+        return [
+            Watch("hold", index, 1 if slip > 0 else -1)
+            for index, slip in slips.items()
+            if abs(slip) > STANDING * scales.speed
+        ]
+
+    def _failing(
+        self, margins: Margins, time: float, state: Floats, scales: LargeSizes
+    ) -> list[Watch]:
+        """What is below its margin, or at it and falling."""
+        now = margins.at(time, state)
+        now = np.where(np.isposinf(now), _AMPLE, now)
+        units = margins.units(scales)
+        below = ~(now >= -STANDING * units)
+        if below.any():
+            return _failed(margins, time, state, below)
+        near = now <= STANDING * units
+        if not near.any():
+            return []
+        ahead = state + self.within * margins.equations.derivative(time, state)
+        then = margins.at(time + self.within, ahead)
+        falls = near & (then - now < -1e-12 * units)
+        return _failed(margins, time + self.within, ahead, falls)
+
+
+def _failed(margins: Margins, time: float, state: Floats, failing: Booleans) -> list[Watch]:
+    """What fails; of what holds together what is at its limit."""
+    found: list[Watch] = []
+    for index in np.flatnonzero(failing):
+        watch = margins.watches[index]
+        found += margins.tight(time, state) if watch.kind == "split" else [watch]
+    return found
+
+
+def _turned(states: States, failing: Sequence[Watch]) -> States | None:
+    """The states with other flows of meshes and on other pieces; None if more than that fails."""
+    if any(watch.kind not in ("flow", "piece") for watch in failing):
+        failing = [watch for watch in failing if watch.kind == "flow"]
+    return turned(states, failing) if failing else None
+
+
+def turned(states: States, watches: Sequence[Watch]) -> States:
+    """The states with the other flow of each mesh that is watched, and on the next pieces."""
+    meshes, pieces = list(states.meshes), list(states.pieces)
+    for watch in watches:
+        if watch.kind == "flow":
+            state = meshes[watch.of]
+            meshes[watch.of] = state[0] + ("-" if state[1] == "+" else "+")
+        elif watch.kind == "piece":
+            pieces[watch.of] += watch.side
+    return states._replace(meshes=tuple(meshes), pieces=tuple(pieces))

@@ -1,0 +1,422 @@
+"""Equations of motion in closed form, stretch by stretch: by the exponential of their matrix.
+
+``dx/dt = A x + B c + D dc/dt``: what is straight stands in A, and the torques c, which are given by
+the time or bend with a speed, are polynomials over a stretch. Those that bend follow from the
+motion, which follows from them: it is calculated again until nothing changes (waveform relaxation;
+their slopes at the start stand in A, so little does). Works and losses are sums over Gauss points.
+A stretch has equal parts, in which the fastest motion that has not died away turns through about
+three radians.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import lru_cache
+from typing import NamedTuple
+
+import numpy as np
+
+from vstatics.numerics.arrays import Booleans, Floats
+from vstatics.simulation.events.pieces import TimeStep
+from vstatics.simulation.system.affine import Affine
+from vstatics.simulation.system.equations import Equations
+
+_NONE = np.zeros(0)
+_TERMS = 22
+"""Of the series."""
+
+
+class Exponential:
+    """``exp(A s)`` for s from 0 to 1: by its series, after so many halvings.
+
+    Examples
+    --------
+    >>> decay = Exponential(np.array([[-3.0]]))
+    >>> decay.at(np.array([0.0, 1.0]))[:, 0, 0].round(6)
+    array([1.      , 0.049787])
+    """
+
+    def __init__(self, matrix: Floats, nodes: Floats = _NONE) -> None:
+        norm = float(np.abs(matrix).sum(axis=0).max(initial=0.0))
+        self.halvings = max(0, int(np.ceil(np.log2(norm / 2.0)))) if norm > 2.0 else 0
+        step = matrix / 2.0**self.halvings
+        terms = [np.eye(len(matrix))]
+        for number in range(1, _TERMS + 1):
+            terms.append(terms[-1] @ step / number)
+        self.series = np.array(terms)
+        self.doubled = [self.at(np.ones(1))[0]]
+        """For 1, 2, 4, ..."""
+        self.nodes = self.at(nodes)
+        """For the parts of the time that are asked for again and again."""
+
+    def at(self, parts: Floats) -> Floats:
+        """For parts of the time, each 0 to 1; shape (parts, size, size)."""
+        factors = parts[:, None] ** np.arange(len(self.series))
+        size = self.series.shape[1]
+        made: Floats = (factors @ self.series.reshape(len(self.series), -1)).reshape(-1, size, size)
+        for _ in range(self.halvings):
+            made = made @ made
+        return made
+
+    def repeated(self, first: Floats, count: int) -> Floats:
+        """States at the start of each of so many equal parts, shape (size, parts)."""
+        made, level = first[:, None], 0
+        while made.shape[1] < count:
+            if level == len(self.doubled):
+                self.doubled.append(self.doubled[-1] @ self.doubled[-1])
+            made = np.hstack([made, self.doubled[level] @ made])
+            level += 1
+        return made[:, :count]
+
+
+DEGREE = 10
+"""Of the polynomials."""
+_GAUSS = 8
+_POINTS, WEIGHTS = np.polynomial.legendre.leggauss(_GAUSS)
+NODES: Floats = np.append(0.5 + 0.5 * np.asarray(_POINTS, float), 1.0)
+"""Gauss points of a part of a stretch and its end, by its length."""
+
+
+@lru_cache(maxsize=16)
+def fitting(count: int) -> tuple[Floats, Floats, Floats]:
+    """For so many parts: values at all instants -> series -> powers; and series -> values.
+
+    Returns
+    -------
+    to_series : ndarray, shape (instants, DEGREE + 1)
+    to_powers : ndarray, shape (DEGREE + 1, DEGREE + 1)
+        Of the time by the length of a part; each divided by its factorial.
+    to_values : ndarray, shape (DEGREE + 1, instants)
+    """
+    places = ((np.arange(count)[:, None] + NODES) / count).reshape(-1)
+    degree = min(DEGREE, len(places) - 3)
+    values = np.asarray(np.polynomial.chebyshev.chebvander(2 * places - 1, degree), float)
+    to_series = np.zeros((len(places), DEGREE + 1))
+    to_series[:, : degree + 1] = np.linalg.pinv(values).T
+    to_values = np.zeros((DEGREE + 1, len(places)))
+    to_values[: degree + 1] = values.T
+    return to_series, _powers() / _scales(count), to_values
+
+
+@lru_cache(maxsize=1)
+def _powers() -> Floats:
+    """Series over 0 to 1 -> powers."""
+    powers = np.zeros((DEGREE + 1, DEGREE + 1))
+    for number in range(DEGREE + 1):
+        series = np.polynomial.Chebyshev.basis(number, domain=[0.0, 1.0])
+        powers[number, : number + 1] = series.convert(kind=np.polynomial.Polynomial).coef
+    return powers
+
+
+def _scales(count: int) -> Floats:
+    """By which powers are divided: those of derivatives at the start are wanted."""
+    orders = np.arange(1, DEGREE + 1)
+    return np.append(1.0, np.cumprod(count / orders))
+
+
+_RADIANS = 3.0
+"""Of the fastest motion, in a part of a stretch."""
+_MOST_HALVINGS = 256
+"""Most parts of a stretch, a power of 2."""
+_GONE = 40.0
+"""A motion has died away after so many of its time constants."""
+_MOST_STRETCH_PARTS = 300_000
+_SHORTEST = 2.0**-14
+"""By which a part may be shortened, where torques bend."""
+_FIT = 1e-12
+"""How near polynomials come to torques, by the largest torque."""
+_FIRST_PARTS = 4
+"""Parts of a stretch to begin with, where torques bend."""
+_SMOOTH = 4
+"""So many stretches go well before a longer one is tried."""
+_RELAXATION_ROUNDS = 12
+"""Of relaxation."""
+_ORDERS = DEGREE + 1
+
+
+class NoFit(Exception):  # noqa: N818 - it never leaves the room
+    """Torques that no polynomial comes near, or more parts than are worth while."""
+
+
+class Parts(NamedTuple):
+    """The parts of a stretch."""
+
+    begin: float
+    """[s]"""
+    length: float
+    """Of each. [s]"""
+    number: int
+
+    @property
+    def times(self) -> Floats:
+        """Gauss points and ends, shape (parts, points) [s]."""
+        return self.begin + self.length * (np.arange(self.number)[:, None] + NODES)
+
+
+class TimeStretch(NamedTuple):
+    """A stretch that is calculated."""
+
+    parts: Parts
+    exponential: Exponential
+    starts: Floats
+    """States of the exponential at the start of each part."""
+    given: Floats
+    """Series of the torques that bend, shape (bending ports, DEGREE + 1)."""
+
+
+class Closed:
+    """The closed form of equations of motion.
+
+    Parameters
+    ----------
+    equations : Equations
+    state : ndarray
+        At the start.
+    large : float
+        A large torque. [N*m]
+    """
+
+    def __init__(self, equations: Equations, state: Floats, large: float) -> None:
+        self.equations, self.large = equations, large
+        ports = equations.ports
+        timed = {port for port, _, _ in ports.timed}
+        self.bending = np.array(sorted(timed.union(ports.bending)), dtype=int)
+        self.latest: Floats = np.zeros(len(self.bending))
+        """What the torques that bend were at the end of the last stretch."""
+        self.size = equations.works.start
+        self._straighten(equations.time, state)
+
+    def _straighten(self, time: float, state: Floats) -> None:
+        """Make the matrix with the slopes that torques have in a state."""
+        equations = self.equations
+        by_rate = equations.slopes_by_rate(time, state)
+        self.slopes: Floats = by_rate[self.bending]
+        self.affine = Affine(equations, by_rate)
+        self.latest = np.zeros(len(self.bending))
+        matrix = self.affine.change.by_state
+        self.rates = np.linalg.eigvals(matrix) if self.size else np.zeros(0)
+        self.balance = self._balanced()
+        self.matrix: Floats = self.balance[:, None] * matrix / self.balance
+        self.exponentials: dict[float, tuple[Exponential, float]] = {}
+
+    def _bends_elsewhere(self, time: float, state: Floats) -> bool:
+        """Whether the slopes in a state are others than those in the matrix."""
+        slopes = self.equations.slopes_by_rate(time, state)[self.bending]
+        largest = np.maximum(np.abs(slopes), np.abs(self.slopes))
+        return bool((np.abs(slopes - self.slopes) > 0.05 * largest).any())
+
+    def _balanced(self) -> Floats:
+        """Factors by which speeds and twists count alike: square roots of their energies."""
+        equations = self.equations
+        factors = np.ones(self.size)
+        factors[equations.twists] = np.sqrt(equations.ports.stiffness)
+        free = equations.structure.free
+        mass = ((free.T @ equations.system.mass) * free.T).sum(axis=1)
+        factors[: equations.motions] = np.sqrt(np.maximum(mass, 1e-30))
+        return factors
+
+    def stretches(self, state: Floats, end: float) -> Iterator[TimeStep]:
+        """Stretches up to a time.
+
+        Raises
+        ------
+        NoFit
+        """
+        time = begin = self.equations.time
+        left, shorter, smooth = _MOST_STRETCH_PARTS, 1.0, 0
+        most = _MOST_HALVINGS if self.equations.ports.is_affine else _FIRST_PARTS
+        while time < end:
+            while True:
+                length, count = self._parts(time - begin, end - time, most, shorter)
+                stretch = self._calculated(Parts(time, length, count), state)
+                if stretch is not None:
+                    break
+                if self._bends_elsewhere(time, state):
+                    self._straighten(time, state)
+                    continue
+                smooth = 0
+                most, shorter = (count // 2, shorter) if count > 1 else (1, shorter / 2)
+                if shorter < _SHORTEST:
+                    raise NoFit
+            left -= count
+            if left < 0:
+                raise NoFit
+            step = self._step(stretch, state, end)
+            yield step
+            time, state = step.end, step.last
+            smooth += 1
+            if smooth % _SMOOTH == 0:
+                shorter, most = min(1.0, 2 * shorter), most if shorter < 1 else 2 * most
+                most = min(most, _MOST_HALVINGS)
+
+    def _parts(self, gone: float, left: float, most: int, shorter: float) -> tuple[float, int]:
+        """Length and number of the parts of the next stretch."""
+        alive = np.abs(self.rates)[np.abs(self.rates.real) * gone < _GONE]
+        fastest = float(alive.max(initial=0.0))
+        length = _RADIANS / fastest * shorter if fastest > 0 else left * shorter
+        if self.equations.ports.timed:
+            length = min(length, self.equations.longest)
+        if most * length < left:
+            return length, most
+        count = 1  # to the end, in a power of 2 of equal parts
+        while count * length < left * (1 - 1e-12):
+            count *= 2
+        return left / count, count
+
+    def _exponential(self, length: float) -> tuple[Exponential, float]:
+        """Of x, of the time and 1, of the torques that bend; and the unit of all but x."""
+        known = self.exponentials.get(length)
+        if known is not None:
+            return known
+        size, change, ports = self.size, self.affine.change, self.equations.ports
+        made = np.zeros((size + 2 + _ORDERS * len(self.bending),) * 2)
+        factors = self.balance * length
+        made[:size, :size] = self.matrix * length
+        constant = change.by_given @ ports.c0 + change.by_slope @ ports.c1
+        made[:size, size] = factors * (change.by_given @ ports.c1)
+        made[:size, size + 1] = factors * constant
+        made[size, size + 1] = length
+        for place, port in enumerate(self.bending):
+            first = size + 2 + _ORDERS * place
+            made[:size, first] = factors * change.by_given[:, port]
+            made[:size, first + 1] = self.balance * change.by_slope[:, port]
+            rows = np.arange(first, first + DEGREE)
+            made[rows, rows + 1] = 1.0
+        # torques in units in which they push no more than x itself does
+        pushes = float(np.abs(made[:size, size:]).sum(axis=0).max(initial=0.0))
+        unit = max(pushes, 1e-300)
+        made[:size, size:] /= unit
+        exponential = Exponential(made, NODES), unit
+        self.exponentials[length] = exponential
+        return exponential
+
+    def _calculated(self, parts: Parts, state: Floats) -> TimeStretch | None:
+        """A stretch from a state on; None where torques bend too much for it."""
+        times = parts.times.reshape(-1)
+        to_series, to_powers, to_values = fitting(parts.number)
+        if self.equations.ports.is_affine:
+            return self._given(parts, state)
+        given = np.zeros((len(self.bending), _ORDERS))
+        given[:, 0] = self.latest
+        before = np.zeros((len(self.bending), len(times)))
+        for number in range(_RELAXATION_ROUNDS):
+            stretch = self._followed(parts, state, given, to_powers)
+            at = self._states(stretch)
+            now = self._bent(times, at.reshape(len(at), -1), given, to_values)
+            if not np.isfinite(now).all():
+                return None
+            given = now @ to_series
+            limit = _FIT * max(self.large, float(np.abs(now).max()))
+            if number and np.abs(now - before).max() <= limit:
+                self.latest = now[:, -1]
+                fits = np.abs(given @ to_values - now).max() <= 4 * limit
+                return self._followed(parts, state, given, to_powers) if fits else None
+            before = now
+        return None
+
+    def _given(self, parts: Parts, state: Floats) -> TimeStretch | None:
+        """The same where all torques that are not straight are given by the time."""
+        to_series, to_powers, to_values = fitting(parts.number)
+        if not len(self.bending):
+            return self._followed(parts, state, np.zeros((0, _ORDERS)), to_powers)
+        now = self.affine.given_at(parts.times.reshape(-1))[0][self.bending]
+        given = now @ to_series
+        limit = _FIT * max(self.large, float(np.abs(now).max()))
+        fits = np.abs(given @ to_values - now).max() <= 4 * limit
+        return self._followed(parts, state, given, to_powers) if fits else None
+
+    def _followed(
+        self, parts: Parts, state: Floats, given: Floats, to_powers: Floats
+    ) -> TimeStretch:
+        exponential, unit = self._exponential(parts.length)
+        size = self.size
+        first = np.zeros(len(exponential.series[0]))
+        first[:size] = self.balance * state[:size]
+        first[size] = parts.begin
+        first[size + 1] = 1.0
+        first[size + 2 :] = (given @ to_powers).reshape(-1)
+        first[size:] *= unit
+        return TimeStretch(parts, exponential, exponential.repeated(first, parts.number), given)
+
+    def _states(self, stretch: TimeStretch) -> Floats:
+        """X at instants of all parts, shape (size, parts, instants)."""
+        nodes = stretch.exponential.nodes.transpose(1, 0, 2)[: self.size]
+        inner: Floats = (nodes @ stretch.starts).transpose(0, 2, 1)
+        return inner / self.balance[:, None, None]
+
+    def _bent(self, times: Floats, states: Floats, given: Floats, to_values: Floats) -> Floats:
+        """The torques that bend, less what of them stands in the matrix."""
+        equations, affine = self.equations, self.affine
+        all_given, slopes = affine.straight_at(times)
+        all_given[self.bending] += given @ to_values
+        rates = affine.rates.by_state @ states + affine.rates.by_given @ all_given
+        rates += affine.rates.by_slope @ slopes
+        whole = np.zeros((equations.works.start, len(times)))
+        whole[: self.size] = states
+        torques = equations.torques_at(times, whole, rates)[self.bending]
+        made: Floats = torques - self.slopes[:, None] * rates[self.bending]
+        return made
+
+    def _step(self, stretch: TimeStretch, state: Floats, end: float) -> TimeStep:
+        """A stretch as a step, with works and losses."""
+        parts = stretch.parts
+        times = parts.times
+        if abs(end - times[-1, -1]) <= 1e-13 * abs(end):
+            times[-1, -1] = end
+        states = np.zeros((self.equations.size, parts.number, len(NODES)))
+        states[: self.size] = self._states(stretch)
+        self._account(states, times, state, parts.length)
+        flat = states.reshape(self.equations.size, -1)
+        befores = np.column_stack([state, states[:, :-1, -1]])
+
+        def exact(time: float) -> Floats:
+            return self._inside(stretch, time, befores)
+
+        def between(asked: Floats) -> Floats:
+            return self._among(stretch, asked, befores)
+
+        marks: Booleans = np.tile(np.arange(len(NODES)) == len(WEIGHTS), parts.number)
+        last = float(times[-1, -1]), flat[:, -1].copy()
+        return TimeStep(
+            parts.begin, last[0], state, last[1], between, exact, times.reshape(-1), flat, marks
+        )
+
+    def _among(self, stretch: TimeStretch, times: Floats, befores: Floats) -> Floats:
+        """X at any times of a stretch, with the works and losses up to the part they are in."""
+        parts = stretch.parts
+        passed = (times - parts.begin) / parts.length
+        at = np.clip(passed.astype(int), 0, parts.number - 1)
+        moves = stretch.exponential.at(np.clip(passed - at, 0.0, 1.0))[:, : self.size]
+        made = befores[:, at].copy()
+        made[: self.size] = np.einsum("nij,jn->in", moves, stretch.starts[:, at])
+        made[: self.size] /= self.balance[:, None]
+        return made
+
+    def _inside(self, stretch: TimeStretch, time: float, befores: Floats) -> Floats:
+        """The state at any time of a stretch; works by Gauss points up to there."""
+        parts = stretch.parts
+        passed = (time - parts.begin) / parts.length
+        part = min(parts.number - 1, max(0, int(passed)))
+        within = min(1.0, max(0.0, passed - part))
+        moves = stretch.exponential.at(within * NODES)
+        made = np.zeros((self.equations.size, 1, len(NODES)))
+        at = (moves @ stretch.starts[:, part])[:, : self.size].T
+        made[: self.size, 0] = at / self.balance[:, None]
+        begin = parts.begin + part * parts.length
+        times = begin + parts.length * within * NODES[None, :]
+        self._account(made, times, befores[:, part], parts.length * within)
+        return np.asarray(made[:, 0, -1])
+
+    def _account(self, states: Floats, times: Floats, before: Floats, length: float) -> None:
+        """Fill in works and losses."""
+        equations = self.equations
+        first = equations.works.start
+        count, nodes = times.shape
+        flat = np.repeat(before[:, None], count * nodes, axis=1)
+        flat[:first] = states[:first].reshape(first, count * nodes)
+        powers = equations.powers_at(times.reshape(-1), flat)
+        by_part = powers.reshape(-1, count, nodes)[:, :, : len(WEIGHTS)] @ WEIGHTS * (0.5 * length)
+        ends = before[first:, None] + np.cumsum(by_part, axis=1)
+        begins = np.hstack([before[first:, None], ends[:, :-1]])
+        states[first:] = begins[:, :, None]
+        states[first:, :, -1] = ends

@@ -1,0 +1,115 @@
+"""The course of a motion by the published method, as it is kept."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from vstatics.errors import Problem
+from vstatics.numerics.arrays import Floats
+from vstatics.simulation.record.motion import Energy, Event, Motion, Peak
+from vstatics.simulation.system.matrices import MotionSystem
+from vstatics.statics.result_arrays import Message
+
+
+class TarasikRecord:
+    """Instants, one after the other."""
+
+    def __init__(self, system: MotionSystem, speeds: Floats) -> None:
+        self.system, self.first = system, speeds
+        self.elements = [
+            (index, one.element)
+            for index, one in enumerate(system.contacts)
+            if one.element is not None
+        ]
+        count = len(system.case.shift_elements)
+        self.column = dict(self.elements)
+        self.times: list[float] = []
+        self.speeds: list[Floats] = []
+        self.torques: list[Floats] = []
+        self.heats: list[Floats] = []
+        self.work = 0.0
+        self.heat = np.zeros(count)
+        """Of elements, up to the last piece."""
+        self.events: list[Event] = []
+
+    def add(
+        self, time: float, speeds: Floats, torque: float, clutch: int | None, state: Floats
+    ) -> None:
+        """Keep an instant; nothing twice unless it jumps."""
+        torques = np.full(len(self.heat), np.nan)
+        for index, column in self.elements:
+            capacity = self._open(index, time)
+            if capacity:
+                torques[column] = 0.0
+        heat = self.heat.copy()
+        if clutch is not None:
+            torques[self.column[clutch]] = torque
+            heat[self.column[clutch]] += state[5]
+        self.work = float(state[4])
+        if self.times and self.times[-1] == time and _same(self.torques[-1], torques):
+            return
+        self.times.append(time)
+        self.speeds.append(speeds)
+        self.torques.append(torques)
+        self.heats.append(heat)
+
+    def _open(self, index: int, time: float) -> bool:
+        from vstatics.simulation.system.curves import capacity_at
+
+        return capacity_at(self.system.contacts[index], time) == 0
+
+    def heat_of(self, clutch: int | None, heat: float) -> None:
+        """Of a piece that ends, of its clutch."""
+        if clutch is not None:
+            self.heat[self.column[clutch]] += heat
+
+    def motion(self, problem: Problem | None) -> Motion:
+        """All of it."""
+        case = self.system.case
+        names = tuple(one.name for one in case.shift_elements)
+        devices = (*names, *(one.name for one in case.mechanisms))
+        speeds = np.array(self.speeds).reshape(len(self.times), case.links)
+        rows = np.zeros((len(names), case.links))
+        for index, column in self.elements:
+            rows[column] = self.system.contacts[index].row
+        unknown = np.full((len(self.times), len(devices) - len(names)), np.nan)
+        torques = np.array(self.torques).reshape(len(self.times), len(names))
+        last = self.speeds[-1] if self.speeds else self.first
+        mass = self.system.mass
+        kinetic = float(last @ mass @ last - self.first @ mass @ self.first) / 2
+        heat = dict(zip(names, map(float, self.heat), strict=True))
+        balance = self.work - math.fsum(self.heat) - kinetic
+        energy = Energy(self.work, heat, {}, {}, kinetic, 0.0, 0.0, balance)
+        text = f"the published equations leave {balance:.6g} J of the energy over"
+        largest = max(abs(self.work), math.fsum(self.heat), abs(kinetic))
+        closes = abs(balance) <= 1e-8 * largest
+        return Motion(
+            time=np.array(self.times),
+            links=tuple(case.link_names),
+            elements=names,
+            devices=devices,
+            speeds=speeds,
+            slips=speeds @ rows.T,
+            torques=np.hstack([torques, unknown]),
+            heat=np.array(self.heats).reshape(len(self.times), len(names)),
+            events=tuple(self.events),
+            energy=energy,
+            peaks=dict(self._peaks(names, torques)),
+            messages=(Message("note" if closes else "warning", text),),
+            stopped=problem,
+        )
+
+    def _peaks(self, names: tuple[str, ...], torques: Floats) -> list[tuple[str, Peak]]:
+        found = []
+        for column, name in enumerate(names):
+            sizes = np.nan_to_num(np.abs(torques[:, column]))
+            if sizes.any():
+                row = int(sizes.argmax())
+                found.append((name, Peak(float(torques[row, column]), self.times[row])))
+        return found
+
+
+def _same(one: Floats, other: Floats) -> bool:
+    return bool(np.array_equal(one, other, equal_nan=True))

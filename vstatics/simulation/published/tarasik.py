@@ -1,0 +1,297 @@
+"""The published equations of a box of two degrees of freedom, and what they do not know.
+
+    dw_in/dt  = [M_in - M_f sign(w_f) (1 - L) - M_out L P/(u eta)]/(J_in + J_out L/u^2)
+    dw_out/dt = {[M_in L P + M_f sign(w_f) (1 - L)] u eta - M_out}/(J_in L u^2 + J_out)     (12)
+    w_f = w_in - u w_out                                                                    (13)
+
+L = 1 where the clutch has locked, P = 1 while it holds: M_f above the torque that it passes. J_in
+is `TwoMasses.input_inertia`. The rate of a lumped inertia and its share on the output are missing
+from (12), so its energy does not close; this is shown. Repaired is what would stop it at once:
+M_f is reduced to the input, (14) takes the magnitude of w_f and (15) that of u, and a clutch that
+does not hold slips.
+
+Source: V. P. Tarasik, Planetary gearbox simulation (in Russian), 2018; (12) to (15).
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator
+from itertools import pairwise
+
+import numpy as np
+from scipy.integrate import solve_ivp
+
+from vstatics.errors import CaseError, Problem
+from vstatics.numerics.arrays import Floats
+from vstatics.simulation.events.instants import break_times
+from vstatics.simulation.events.start import start_gear, start_speeds
+from vstatics.simulation.published.phase_equations import ClutchPhase, PublishedEquations
+from vstatics.simulation.published.record_of_phases import TarasikRecord
+from vstatics.simulation.published.two_masses import NotTwoError, two_masses
+from vstatics.simulation.record.motion import Event, EventKind, Motion
+from vstatics.simulation.scenario.laws import Points
+from vstatics.simulation.scenario.parts import Dog, Scenario
+from vstatics.simulation.scenario.programme import programmes
+from vstatics.simulation.system.curves import capacity_at
+from vstatics.simulation.system.devices import motion_system
+from vstatics.simulation.system.matrices import Contact, MotionSystem
+
+_FINER = 1e-2
+"""Tolerance of the integration by what is asked for."""
+_CHANGES = 1000
+"""Of the clutch between two stops, at most."""
+_AT_REST = 1e-9
+"""Slips below this part of the largest speed are 0."""
+
+
+def tarasik(scenario: Scenario, *, step: float | None = None, rtol: float = 1e-8) -> Motion:
+    """The motion of a scenario by the published equations.
+
+    Parameters
+    ----------
+    scenario : Scenario
+        Of a box of two degrees of freedom with one clutch at a time.
+    step : float, optional
+        Its multiples are among the instants. [s]
+    rtol : float
+        As of `simulate`.
+
+    Returns
+    -------
+    Motion
+        Torques of what is locked beside the clutch, and of mechanisms, are NaN: the method has
+        none. It is `stopped` where the method has no equations for what comes.
+
+    Raises
+    ------
+    CaseError
+        Of all that the method does not know.
+    """
+    gear = start_gear(scenario)
+    engaged = tuple(gear.engaged) if gear else scenario.start.engaged
+    system = motion_system(scenario, programmes(scenario, engaged), gear)
+    problems = list(refusals(system))
+    ends = (scenario.case.input - 1, scenario.case.output - 1)
+    if gear is not None:
+        ends = (scenario.case.gear_input(gear) - 1, scenario.case.gear_output(gear) - 1)
+    problems += _elsewhere(system, ends)
+    if problems:
+        raise CaseError(problems)
+    speeds = start_speeds(system, gear)
+    run = _Run(system, ends, speeds, rtol)
+    times = set(break_times(system))
+    if step:
+        times |= {step * n for n in range(1, math.ceil(scenario.duration / step))}
+    stops = sorted(time for time in times if 0 < time < scenario.duration)
+    problem = run.through([0.0, *stops, scenario.duration])
+    return run.record.motion(problem)
+
+
+def _elsewhere(system: MotionSystem, ends: tuple[int, int]) -> list[Problem]:
+    names = {system.names[one.link] for one in system.outside if one.link not in ends}
+    text = "(12) has torques on input and output alone: leave it out, or take the events"
+    return [Problem(text, ("torques", name)) for name in sorted(names)]
+
+
+class _BoxEnds:
+    """A function that ends an integration where it falls through 0."""
+
+    terminal = True
+    direction = -1.0
+
+    def __init__(self, function: Callable[[float, Floats], float]) -> None:
+        self.function = function
+
+    def __call__(self, time: float, state: Floats) -> float:
+        """Its value."""
+        return self.function(time, state)
+
+
+class _Run:
+    """A motion, from one change of the clutch to the next."""
+
+    def __init__(
+        self, system: MotionSystem, ends: tuple[int, int], speeds: Floats, rtol: float
+    ) -> None:
+        self.system, self.ends, self.rtol = system, ends, rtol * _FINER
+        self.record = TarasikRecord(system, speeds)
+        self.state = np.array([speeds[ends[0]], speeds[ends[1]], 0.0, 0.0, 0.0, 0.0])
+        """Speeds of input and output, angles of both, work, heat of the clutch."""
+        self.stuck: list[int] = []
+        self.speeds = speeds
+
+    def through(self, stops: list[float]) -> Problem | None:
+        """Go from stop to stop; why it ends before the last."""
+        for begin, end in pairwise(stops):
+            time = begin
+            try:
+                phase = self._begin((begin + end) / 2, begin)
+                for _ in range(_CHANGES):
+                    time, phase = self._piece(phase, time, end)
+                    if time == end:
+                        break
+                else:
+                    raise NotTwoError("the clutch neither holds nor slips")  # noqa: TRY301
+            except NotTwoError as error:
+                text = f"at {time:.9g} s: {error}; (12) is of two masses and one clutch"
+                return Problem(text, ("controls",))
+        return None
+
+    def _begin(self, middle: float, time: float) -> ClutchPhase:
+        """What sticks and what slips, by the capacities on a piece of time."""
+        contacts = self.system.contacts
+        active = [n for n, one in enumerate(contacts) if capacity_at(one, middle) > 0]
+        for n in self.stuck:
+            if n not in active:
+                self._tell(time, n, "slips")
+        self.stuck = [n for n in self.stuck if n in active]
+        slips = {n: float(contacts[n].row @ self.speeds) for n in active if n not in self.stuck}
+        largest = max(1.0, float(np.abs(self.speeds).max()))
+        for n, slip in slips.items():
+            if abs(slip) <= _AT_REST * largest:
+                self.stuck.append(n)
+                if time > 0:
+                    self._tell(time, n, "locks")
+        slipping = [n for n in slips if n not in self.stuck]
+        if len(slipping) > 1:
+            names = " and ".join(contacts[n].name for n in slipping)
+            raise NotTwoError(f"{names} slip at once")
+        if slipping:
+            return self._slipping(slipping[0], math.copysign(1.0, slips[slipping[0]]))
+        return self._holding()
+
+    def _slipping(self, clutch: int, slip_sign: float) -> ClutchPhase:
+        try:
+            masses = two_masses(self.system, self.ends, self.stuck, clutch)
+        except NotTwoError as error:
+            name = self.system.contacts[clutch].name
+            raise NotTwoError(f"{name} slips, and {error}") from None
+        direction = slip_sign * math.copysign(1.0, masses.slip)
+        return ClutchPhase(masses, clutch, locked=False, direction=direction)
+
+    def _holding(self) -> ClutchPhase:
+        """Nothing slips: the last of what sticks is the clutch that joins input and output."""
+        reason: NotTwoError | None = None
+        for clutch in reversed(self.stuck):
+            others = [n for n in self.stuck if n != clutch]
+            try:
+                return ClutchPhase(
+                    two_masses(self.system, self.ends, others, clutch), clutch, locked=True
+                )
+            except NotTwoError as error:
+                reason = reason or error
+        try:
+            return ClutchPhase(
+                two_masses(self.system, self.ends, self.stuck, None), None, locked=False
+            )
+        except NotTwoError:
+            raise (reason or NotTwoError("nothing joins input and output")) from None
+
+    def _piece(self, phase: ClutchPhase, begin: float, end: float) -> tuple[float, ClutchPhase]:
+        """Integrate up to the next event or the end; how it goes on."""
+        equations = PublishedEquations(self.system, self.ends, phase, end)
+        self.state[5] = 0.0
+        if phase.locked and equations.margin(begin, self.state) < 0:
+            return begin, self._breaks_away(phase, equations, begin)
+        event = _BoxEnds(equations.margin if phase.locked else equations.slip)
+        size = max(1.0, float(np.abs(self.state[:2]).max()))
+        run = solve_ivp(
+            equations.rates,
+            (begin, end),
+            self.state,
+            "DOP853",
+            events=None if phase.clutch is None else event,
+            rtol=max(self.rtol, 1e-12),
+            atol=self.rtol * size,
+        )
+        if not run.success or not np.isfinite(run.y).all():
+            raise NotTwoError(f"the equations end here ({run.message})")
+        for instant, state in zip(run.t, run.y.T, strict=True):
+            speeds, torque = phase.masses.speeds @ state[:2], equations.torque(instant, state)
+            self.record.add(float(instant), speeds, torque, phase.clutch, state)
+        self.state = run.y[:, -1]
+        self.speeds = phase.masses.speeds @ self.state[:2]
+        self.record.heat_of(phase.clutch, float(self.state[5]))
+        time = float(run.t[-1])
+        if run.status != 1:
+            return end, phase
+        if phase.locked:
+            return time, self._breaks_away(phase, equations, time)
+        return time, self._meets(phase, time, end)
+
+    def _meets(self, phase: ClutchPhase, time: float, end: float) -> ClutchPhase:
+        """w_f is 0: the clutch locks, (14), or does not hold, (15)."""
+        assert phase.clutch is not None  # noqa: S101 - for mypy: something was watched
+        self.state[0] = phase.masses.ratio * self.state[1]
+        locked = phase._replace(locked=True)
+        if PublishedEquations(self.system, self.ends, locked, end).margin(time, self.state) < 0:
+            self._tell(time, phase.clutch, "reverses")
+            return phase._replace(direction=-phase.direction)
+        self.stuck.append(phase.clutch)
+        self._tell(time, phase.clutch, "locks")
+        return locked
+
+    def _breaks_away(
+        self, phase: ClutchPhase, equations: PublishedEquations, time: float
+    ) -> ClutchPhase:
+        """P = 0: it slips the way that its torque drives it, or that it has gone."""
+        assert phase.clutch is not None  # noqa: S101 - for mypy: it was locked
+        self.stuck.remove(phase.clutch)
+        self._tell(time, phase.clutch, "slips")
+        drift = self.state[0] - phase.masses.ratio * self.state[1]
+        if abs(drift) > _AT_REST * np.abs(self.state[:2]).max():  # with losses (12) drifts
+            return phase._replace(locked=False, direction=math.copysign(1.0, drift))
+        self.state[0] = phase.masses.ratio * self.state[1]
+        passed = equations.passed(time, self.state)
+        return phase._replace(locked=False, direction=math.copysign(1.0, passed))
+
+    def _tell(self, time: float, contact: int, kind: EventKind) -> None:
+        self.record.events.append(Event(time, self.system.contacts[contact].name, kind))
+
+
+_INSTEAD = "take the events, the method by default"
+
+
+def refusals(system: MotionSystem) -> Iterator[Problem]:
+    """All that (12) to (15) have no place for, each where it stands in the scenario."""
+    numbers = {spring.name: k for k, spring in enumerate(system.scenario.case.springs, 1)}
+    for spring in system.springs:
+        text = f"{spring.name} bends, but (12) is of a rigid box: {_INSTEAD}"
+        yield Problem(text, ("case", "springs", numbers.get(spring.name, spring.name)))
+    for converter in system.converters:
+        text = f"(12) has no converter: {_INSTEAD}"
+        yield Problem(text, ("converters", converter.name))
+    controls = system.scenario.controls or {}
+    for contact in system.contacts:
+        if contact.element is not None and isinstance(controls.get(contact.element + 1), Dog):
+            text = f"a dog clutch joins at once, which (12) does not know: {_INSTEAD}"
+            yield Problem(text, ("controls", contact.name))
+        else:
+            yield from _of_contact(contact)
+
+
+def _of_contact(contact: Contact) -> Iterator[Problem]:
+    if contact.element is None and not contact.is_drag:
+        text = (
+            f"the load of {contact.name} holds at rest, which (12) does not know: "
+            "take a formula such as -300*tanh(speed/0.05)"
+        )
+        yield Problem(text, ("torques", contact.name))
+    elif contact.is_drag:
+        text = f"{contact.name} drags, which (12) does not know: {_INSTEAD}"
+        yield Problem(text, ("case",))
+    elif contact.one_way and contact.element is not None:
+        text = f"{contact.name} is a freewheel, which (14) does not know: {_INSTEAD}"
+        yield Problem(text, ("case", "shift_elements", contact.element + 1))
+    elif contact.programme.is_dog and _changes(contact):
+        text = (
+            f"{contact.name} has no capacity in the case, so it joins at once, which (12) does "
+            "not know: give it a `capacity` there"
+        )
+        yield Problem(text, ("shifts",))
+
+
+def _changes(contact: Contact) -> bool:
+    curve = contact.programme.curve
+    return isinstance(curve, Points) and len(set(curve.y)) > 1

@@ -1,0 +1,117 @@
+"""A box of two degrees of freedom as the published method sees it: a mass at each end.
+
+Source: V. P. Tarasik, Planetary gearbox simulation (in Russian), 2018; (1) to (11).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import NamedTuple
+
+import numpy as np
+
+from vstatics.errors import plural
+from vstatics.model.transmission import Gear
+from vstatics.numerics.arrays import Floats
+from vstatics.simulation.system.matrices import MotionSystem
+from vstatics.simulation.system.structure import null
+
+_NO_COEFFICIENT = 1e-9
+"""Coefficients below this part of the largest are 0."""
+
+
+class TwoMasses(NamedTuple):
+    """Input and output of a box, joined by a clutch that slips or has locked."""
+
+    speeds: Floats
+    """Of links, by those of input and output; shape (links, 2)."""
+    slip: float
+    """Slip of the clutch by w_f = w_in - u w_out, (13); 0 without a clutch."""
+    ratio: float
+    """u, where the clutch has locked."""
+    efficiency: float
+    """eta, of that gear."""
+    turning: Floats
+    """Speeds of the bodies that stand on the input, by those of both; shape (bodies, 2)."""
+    inertias: Floats
+    """Of these. [kg*m^2]"""
+    output_inertia: float
+    """J_out. [kg*m^2]"""
+
+    def input_inertia(self, speed_in: float, speed_out: float) -> float:
+        """J_in by the speeds, as (3), (5) and (11): the energy of its bodies as of the input.
+
+        [kg*m^2]; infinite where the input stands and they do not.
+        """
+        speeds = self.turning @ np.array([speed_in, speed_out])
+        energy = float(self.inertias @ speeds**2)
+        if speed_in == 0:
+            return np.inf
+        return energy / speed_in**2
+
+
+class NotTwoError(ValueError):
+    """Why a box can't be seen so."""
+
+
+def two_masses(
+    system: MotionSystem, ends: tuple[int, int], held: Sequence[int], clutch: int | None
+) -> TwoMasses:
+    """The two masses while some contacts stick and a clutch, another contact, joins them.
+
+    Parameters
+    ----------
+    system : MotionSystem
+    ends : (int, int)
+        Indices of the input and the output link.
+    held : sequence of int
+        Indices of the contacts that stick, the clutch not among them.
+    clutch : int, optional
+        Index of the contact; none while nothing joins input and output.
+
+    Raises
+    ------
+    NotTwoError
+        Saying why the box has no such form.
+    """
+    rows = [mesh.row for mesh in system.meshes] + [system.contacts[n].row for n in held]
+    links = len(system.names)
+    free = null(np.array(rows).reshape(len(rows), links))
+    names = " and ".join(system.contacts[n].name for n in held) or "nothing"
+    if free.shape[1] != 2:
+        count = free.shape[1]
+        degrees = plural("degree", count)
+        raise NotTwoError(f"with {names} held the box has {count} {degrees} of freedom, not 2")
+    seen = free[list(ends)]
+    if abs(np.linalg.det(seen)) < _NO_COEFFICIENT:
+        raise NotTwoError(f"with {names} held input and output do not turn apart")
+    speeds: Floats = free @ np.linalg.inv(seen)
+    speeds[np.abs(speeds) < _NO_COEFFICIENT * np.abs(speeds).max()] = 0.0
+    slip, ratio, efficiency = 0.0, 1.0, 1.0
+    if clutch is not None:
+        contact = system.contacts[clutch]
+        of_in, of_out = map(float, contact.row @ speeds)
+        if abs(of_in) < _NO_COEFFICIENT or abs(of_out) < _NO_COEFFICIENT:
+            raise NotTwoError(f"{contact.name} does not join input and output")
+        slip, ratio = of_in, -of_out / of_in
+        efficiency = _efficiency(system, ends, (*held, clutch))
+    bodies: Floats = system.heavy @ speeds
+    on_output = np.abs(bodies[:, 0]) < _NO_COEFFICIENT * np.abs(bodies).max(axis=1)
+    output = float(system.inertias[on_output] @ bodies[on_output, 1] ** 2)
+    if not output:
+        raise NotTwoError("nothing heavy turns with the output alone")
+    turning, inertias = bodies[~on_output], system.inertias[~on_output]
+    return TwoMasses(speeds, slip, ratio, efficiency, turning, inertias, output)
+
+
+def _efficiency(system: MotionSystem, ends: tuple[int, int], engaged: Sequence[int]) -> float:
+    """Of the gear in which these contacts are engaged, by statics."""
+    if all(mesh.lossless for mesh in system.meshes):
+        return 1.0
+    from vstatics.statics.solve import solve
+
+    numbers = [element + 1 for n in engaged if (element := system.contacts[n].element) is not None]
+    gear = Gear(numbers, input=ends[0] + 1, output=ends[1] + 1)
+    results = solve(replace(system.case, gears=[gear], coast=False))
+    return float(results.efficiency[0])

@@ -1,0 +1,98 @@
+"""Where the work goes: heat, losses and energies of a state."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from vstatics.numerics.arrays import Floats
+from vstatics.simulation.events.impacts import kinetic_energy
+from vstatics.simulation.events.instants import Instant
+from vstatics.simulation.record.motion import Energy
+from vstatics.simulation.scenario.laws import Points
+from vstatics.simulation.scenario.programme import Programme
+from vstatics.simulation.system.equations import Equations
+
+
+def element_heat(equations: Equations, states: Floats) -> Floats:
+    """Heat of shift elements up to states, shape (elements, states) [J]."""
+    system, works = equations.system, states[equations.works]
+    made = np.zeros((len(system.case.shift_elements), states.shape[1]))
+    for index, contact in enumerate(system.contacts):
+        if contact.element is not None:
+            made[contact.element] += works[equations.layout.contacts + index]
+    for index, spring in enumerate(system.springs):
+        if spring.element is not None:
+            made[spring.element] += states[equations.slipped][index]
+    return made
+
+
+def energy_account(
+    start: Instant, end: float, equations: Equations, state: Floats, impact: float
+) -> Energy:
+    """The energies of a run [J].
+
+    Parameters
+    ----------
+    start : Instant
+    end : float
+        [s]
+    equations : Equations
+        That hold at the end.
+    state : ndarray
+        At the end.
+    impact : float
+        What impacts took. [J]
+    """
+    system = equations.system
+    heat, losses = _heat_and_losses(equations, state)
+    work = float(state[equations.works][: equations.layout.outside].sum())
+    kinetic = kinetic_energy(system, equations.speeds(end, state)) - kinetic_energy(
+        system, start.speeds
+    )
+    elastic = (
+        equations.elastic_energy(state) - float(equations.ports.stiffness @ start.twists**2) / 2
+    )
+    rest = work - sum(heat.values()) - sum(losses.values()) - kinetic - elastic - impact
+    areas = {
+        one.name: one.friction.area * one.friction.surfaces
+        for one in system.case.shift_elements
+        if one.friction is not None and one.name in heat
+    }
+    per_area = {name: heat[name] / area for name, area in areas.items()}
+    return Energy(work, heat, per_area, losses, kinetic, elastic, impact, rest)
+
+
+def _heat_and_losses(
+    equations: Equations, state: Floats
+) -> tuple[dict[str, float], dict[str, float]]:
+    """Of everything by its name [J]; what has one name is one sum."""
+    system, layout = equations.system, equations.layout
+    works = state[equations.works]
+    heat: dict[str, float] = {}
+    losses: dict[str, float] = {}
+    for index, contact in enumerate(system.contacts):
+        of = losses if contact.is_drag or contact.overrun_drag else heat
+        _add(of, contact.name, works[layout.contacts + index])
+    for index, spring in enumerate(system.springs):
+        if spring.viscous:
+            _add(losses, spring.name, state[equations.damped][index])
+        if not _unlimited(spring.limit):
+            _add(heat, spring.name, state[equations.slipped][index])
+    for index, converter in enumerate(system.converters):
+        taken = works[layout.pumps + index] + works[layout.turbines + index]
+        _add(losses, converter.name, taken)
+    for index, mesh in enumerate(system.meshes):
+        if not mesh.lossless:
+            _add(losses, mesh.name, state[equations.meshed][index])
+    return heat, losses
+
+
+def _add(energies: dict[str, float], name: str, energy: float) -> None:
+    energies[name] = energies.get(name, 0.0) + float(energy)
+
+
+def _unlimited(limit: Programme) -> bool:
+    """Whether a spring never slips."""
+    return isinstance(limit.curve, Points) and all(map(math.isinf, limit.curve.y))

@@ -1,0 +1,63 @@
+"""The course of a simulation as columns of numbers, named as in expressions of a sweep."""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Iterator
+
+import numpy as np
+
+from vstatics.numerics.arrays import Floats
+from vstatics.simulation.record.motion import Motion
+from vstatics.tables import csv
+from vstatics.tables.names import written
+
+
+def columns(motion: Motion) -> dict[str, Floats]:
+    """`time`, then each of speeds, slips and torques by its heading, such as ``speeds[in]``.
+
+    [s], [rad/s], [N*m]; of a run that had to stop also `stopped`, 1 at its last instant.
+    """
+    made = {"time": motion.time}
+    for table, names, values in (
+        ("speeds", motion.links, motion.speeds),
+        ("slips", motion.elements, motion.slips),
+        ("torques", motion.devices, motion.torques),
+    ):
+        for index in range(len(names)):
+            made[f"{table}[{written(index, names)}]"] = values[:, index]
+    if motion.stopped is not None:
+        made["stopped"] = np.zeros(len(motion.time))
+        made["stopped"][-1] = 1.0
+    return made
+
+
+def as_csv(motion: Motion, *, raw: bool = False) -> str:
+    """A line of headings, then one for each instant, with all digits; NaN is an empty cell."""
+    named = columns(motion)
+    table = np.column_stack([*named.values()])
+    return "".join([csv.lines([named], raw=raw), *_lines(table)])
+
+
+def _lines(table: Floats) -> Iterator[str]:
+    for row in table.tolist():
+        yield ",".join(repr(value) if value == value else "" for value in row) + "\n"  # noqa: PLR0124 (NaN)
+
+
+def as_npz(motion: Motion) -> bytes:
+    """An archive of arrays by their headings."""
+    file = io.BytesIO()
+    np.savez(file, **columns(motion))  # type: ignore[arg-type] # arrays, no options
+    return file.getvalue()
+
+
+def as_parquet(motion: Motion) -> bytes:
+    """A table of floats, by pyarrow; what does not exist is null."""
+    from importlib import import_module
+
+    pa, parquet = import_module("pyarrow"), import_module("pyarrow.parquet")
+    named = columns(motion)
+    arrays = [pa.array(np.ascontiguousarray(one), from_pandas=True) for one in named.values()]
+    file = io.BytesIO()
+    parquet.write_table(pa.table(arrays, names=[*named]), file)
+    return file.getvalue()

@@ -1,0 +1,287 @@
+"""What is kept of a run while it goes on, torques of devices too, and the motion made of it."""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+from collections.abc import Iterable
+from itertools import groupby
+from typing import NamedTuple
+
+import numpy as np
+
+from vstatics.errors import Problem
+from vstatics.numerics.arrays import Floats
+from vstatics.simulation.events.impacts import kinetic_energy
+from vstatics.simulation.events.instants import Instant, Jump
+from vstatics.simulation.events.margins import Margins
+from vstatics.simulation.events.pieces import TimeStep
+from vstatics.simulation.record.account import element_heat, energy_account
+from vstatics.simulation.record.motion import Event, Motion, Peak, Reached
+from vstatics.simulation.scenario.laws import Road
+from vstatics.simulation.system.equations import Equations
+from vstatics.simulation.system.matrices import MotionSystem, between
+from vstatics.simulation.system.ports import PortLayout
+from vstatics.statics.result_arrays import Message
+
+
+class Kept(NamedTuple):
+    """An instant that is kept."""
+
+    time: float
+    equations: Equations
+    margins: Margins
+    state: Floats
+
+
+class Record:
+    """A run so far."""
+
+    def __init__(self, system: MotionSystem, start: Instant, step: float | None) -> None:
+        self.system, self.start, self.every = system, start, step
+        self.layout = PortLayout(system)
+        self.events: list[Event] = []
+        self.impact = 0.0
+        self.joined: set[int] = set()
+        """Contacts that have just joined by an impact."""
+        self.messages: list[Message] = []
+        self.kept: list[Kept] = []
+        self.time = start.time
+        self.energy_scale = max(kinetic_energy(system, start.speeds), 1.0)
+        case = system.case
+        self.devices = (*case.devices, *(one.name for one in system.converters))
+        self.peaks = np.zeros(len(self.devices))
+        self.peak_times = np.zeros(len(self.devices))
+        self.targets = [
+            (link - 1, speed)
+            for link, speeds in system.scenario.targets.items()
+            for speed in speeds
+        ]
+        self.reached: dict[tuple[int, float], tuple[float, float]] = {}
+        self._current: tuple[Equations, Margins] | None = None
+
+    def jumps(self, time: float, jump: Jump) -> None:
+        """Twists that changed at once."""
+        self.impact += jump.energy
+        text = (
+            f"link {jump.link} has no inertia: at {time:.6g} s the torques on it jump, and it "
+            "turns at once to where they balance"
+        )
+        self.messages.append(Message("warning", text))
+
+    def begin(self, equations: Equations, margins: Margins, state: Floats) -> None:
+        """A piece begins."""
+        self._current = equations, margins
+        self.kept.append(Kept(equations.time, equations, margins, state))
+        self.time = equations.time
+        scale = max(
+            kinetic_energy(self.system, equations.speeds(equations.time, state)),
+            float(np.abs(state[equations.works]).max(initial=0.0)),
+        )
+        self.energy_scale = max(self.energy_scale, scale)
+        self._peak(np.array([equations.time]), state[:, None], equations, margins)
+
+    def step(self, step: TimeStep, end: float, state: Floats) -> None:
+        """A step, or the part of it up to an event."""
+        assert self._current is not None  # noqa: S101 - a piece has begun
+        equations, margins = self._current
+        first = len(self.kept)
+        if self.every:
+            number = math.floor(step.start / self.every * (1 + 1e-12)) + 1
+            while number * self.every < end * (1 - 1e-12):
+                time = number * self.every
+                self.kept.append(Kept(time, equations, margins, step.exact(time)))
+                number += 1
+        for place in np.flatnonzero(step.marks & (step.times < end)).tolist():
+            at = step.states[:, place]
+            self.kept.append(Kept(float(step.times[place]), equations, margins, at))
+        if self.every:
+            self.kept[first:] = sorted(self.kept[first:], key=lambda one: one.time)
+        self.kept.append(Kept(end, equations, margins, state))
+        self.time = end
+        self._peak(np.array([end]), state[:, None], equations, margins)
+        self._targets(step, end, state, equations)
+
+    def sample(
+        self, step: TimeStep, times: Floats, states: Floats, equations: Equations, margins: Margins
+    ) -> None:
+        """Instants within a step, for peaks."""
+        if not len(times):
+            return
+        torques = self._peak(times, states, equations, margins)
+        if len(times) < 3:
+            return
+        sizes = np.abs(torques)
+        top = sizes.argmax(axis=0)
+        inner = (top > 0) & (top < len(times) - 1)
+        for device in np.flatnonzero(inner & (sizes.max(axis=0) >= np.abs(self.peaks) * 0.999)):
+            place = int(top[device])
+            self._refine(step, times[place], times[place + 1] - times[place - 1], int(device))
+
+    def _refine(self, step: TimeStep, time: float, width: float, device: int) -> None:
+        """Note the top of a torque near an instant, by parabolas through three."""
+        assert self._current is not None  # noqa: S101 - a piece has begun
+        for spread in (0.5 * width, 0.02 * width, 0.001 * width):
+            near = np.clip(time + spread * np.array([-1.0, 0.0, 1.0]), step.start, step.end)
+            sizes = np.abs(self._peak(near, step.between(near), *self._current)[:, device])
+            bend = sizes[0] - 2 * sizes[1] + sizes[2]
+            if bend >= 0:
+                return
+            time = float(near[1] + 0.5 * (sizes[0] - sizes[2]) / bend * spread)
+            time = min(max(time, step.start), step.end)
+
+    def _peak(
+        self, times: Floats, states: Floats, equations: Equations, margins: Margins
+    ) -> Floats:
+        """Note torques that are larger than before."""
+        torques = device_torques(equations, margins, times, states).T
+        top = np.abs(torques).argmax(axis=0)
+        columns = np.arange(torques.shape[1])
+        largest = torques[top, columns]
+        larger = np.abs(largest) > np.abs(self.peaks) * (1 + 1e-12)
+        self.peaks[larger] = largest[larger]
+        self.peak_times[larger] = times[top][larger]
+        return torques
+
+    def _targets(self, step: TimeStep, end: float, state: Floats, equations: Equations) -> None:
+        """Note when links reach speeds that are asked for."""
+        for link, speed in self.targets:
+            if (link, speed) in self.reached:
+                continue
+
+            def short(time: float, link: int = link, speed: float = speed) -> float:
+                at = state if time == end else step.between(np.array([time]))[:, 0]
+                return float(equations.speeds(time, at)[link]) - speed
+
+            first, last = short(step.start), short(end)
+            if first == 0 or (first < 0) != (last < 0):
+                from scipy.optimize import brentq
+
+                time = step.start if first == 0 else float(brentq(short, step.start, end))
+                at = step.between(np.array([time]))[:, 0]
+                angle = float(at[equations.angles][self.layout.angles.index(link)])
+                self.reached[link, speed] = time, angle
+
+    def motion(self, stopped: Problem | None) -> Motion:
+        """All of it."""
+        system = self.system
+        elements = system.case.shift_elements
+        rows = np.array(
+            [between(one.first, one.second, len(system.names)) for one in elements]
+        ).reshape(len(elements), len(system.names))
+        times, speeds, torques, heat = [], [], [], []
+        for equations, group in groupby(self.kept, key=lambda one: one.equations):
+            same = list(group)
+            at = np.array([one.time for one in same])
+            states = np.array([one.state for one in same]).T
+            times.append(at)
+            speeds.append(equations.speeds_at(at, states).T)
+            torques.append(device_torques(equations, same[0].margins, at, states).T)
+            heat.append(element_heat(equations, states).T)
+        all_times, all_speeds, all_torques, all_heat = map(
+            np.concatenate, (times, speeds, torques, heat)
+        )
+        kept = _different(all_times, all_speeds, all_torques)
+        at_links = all_speeds[kept]
+        pieces = [(one.equations, one.margins) for one in self.kept]
+        counted = Counter([*self.messages, *shared_torques(pieces)])
+        last = self.kept[-1]
+        return Motion(
+            all_times[kept],
+            system.names,
+            tuple(one.name for one in elements),
+            self.devices,
+            at_links,
+            at_links @ rows.T,
+            all_torques[kept],
+            all_heat[kept],
+            tuple(self.events),
+            energy_account(self.start, self.time, last.equations, last.state, self.impact),
+            {
+                name: Peak(float(torque), float(time))
+                for name, torque, time in zip(
+                    self.devices, self.peaks, self.peak_times, strict=True
+                )
+            },
+            tuple(self._reached()),
+            tuple(counted),
+            stopped,
+        )
+
+    def _reached(self) -> list[Reached]:
+        radius = {
+            link - 1: law.radius
+            for link, law in self.system.scenario.torques
+            if isinstance(law, Road)
+        }
+        made = []
+        for link, speed in self.targets:
+            time, angle = self.reached.get((link, speed), (math.nan, math.nan))
+            distance = angle * radius.get(link, math.nan)
+            made.append(Reached(self.system.names[link], speed, time, angle, distance))
+        return made
+
+
+def _different(times: Floats, speeds: Floats, torques: Floats) -> Floats:
+    """Which instants stand: an instant stands twice only where something jumps."""
+    kept = np.ones(len(times), dtype=bool)
+    for number in np.flatnonzero(np.diff(times) == 0) + 1:
+        same = all(
+            np.allclose(one[number - 1], one[number], rtol=1e-9, atol=1e-9)
+            for one in (speeds, torques)
+        )
+        kept[number] = not same
+    return kept
+
+
+def device_torques(equations: Equations, margins: Margins, times: Floats, states: Floats) -> Floats:
+    """Torques of all devices at several times, shape (devices, times) [N*m]."""
+    rates = equations.rates_at(times, states)
+    ports = equations.torques_at(times, states, rates)
+    held = margins.split(times, equations.structure.torques @ ports)
+    system, layout = equations.system, equations.layout
+    count = len(system.case.devices)
+    made = np.zeros((count + len(system.converters), len(times)))
+    row_of = {
+        one.of: row
+        for row, one in enumerate(equations.structure.multipliers)
+        if one.kind == "contact"
+    }
+    for index, contact in enumerate(system.contacts):
+        device = contact.while_open if contact.element is None else contact.element
+        if device is not None:
+            row = row_of.get(index)
+            made[device] += ports[layout.contacts + index] if row is None else held[row]
+    for index, mesh in enumerate(system.meshes):
+        made[mesh.device] = held[index]
+    for index, spring in enumerate(system.springs):
+        made[spring.device] = ports[layout.springs + index]
+    made[count:] = ports[layout.pumps : layout.pumps + len(system.converters)]
+    return made
+
+
+def shared_torques(pieces: Iterable[tuple[Equations, Margins]]) -> list[Message]:
+    """What shares a torque that nothing determines, each set of elements once."""
+    found = []
+    seen: set[tuple[int, ...]] = set()
+    for equations, margins in pieces:
+        if not margins.shared:
+            continue
+        structure, contacts = equations.structure, equations.system.contacts
+        sharing = tuple(
+            one.of
+            for row, one in enumerate(structure.multipliers)
+            if one.kind == "contact"
+            and contacts[one.of].element is not None
+            and np.abs(structure.redundant[row]).max() > 1e-6
+        )
+        if len(sharing) < 2 or sharing in seen:
+            continue
+        seen.add(sharing)
+        names = ", ".join(contacts[index].name for index in sharing)
+        text = (
+            f"{names} hold together more than is needed (first at {equations.time:.6g} s): how "
+            "they share the torque is open, shown is the split of least norm"
+        )
+        found.append(Message("note", text))
+    return found

@@ -1,0 +1,331 @@
+"""What a scenario, its laws, points and formulas must fulfil before anything is calculated.
+
+Names stand in the paths: ``("controls", "FH")``, ``("torques", "out", 2)`` for the second of
+several laws, ``("shifts", 1, "to")``, numbers from 1. What only a calculation tells, such as start
+speeds that contradict each other, is told there.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+
+from vstatics.errors import CaseError, Path, Problem, ReadError, listed, nearest, quoted, spoken
+from vstatics.model.parts import HOUSING
+from vstatics.model.transmission import Transmission
+from vstatics.simulation.scenario.formula import Formula
+from vstatics.simulation.scenario.laws import Points, Resistance, Road, TorqueLaw
+from vstatics.simulation.scenario.parts import Capacity, Control, Converter, Scenario, Start
+from vstatics.simulation.scenario.programme import largest_control
+
+_TRIED_TIMES = 1001
+
+
+def check_scenario(scenario: Scenario) -> None:
+    """Refuse a scenario that cannot be.
+
+    Raises
+    ------
+    CaseError
+        With every problem.
+    """
+    if found := list(scenario_problems(scenario)):
+        raise CaseError(found)
+
+
+def scenario_problems(scenario: Scenario) -> Iterator[Problem]:
+    """All that is wrong with a scenario.
+
+    Examples
+    --------
+    >>> from vstatics import Gear, ShiftElement
+    >>> from vstatics.simulation.scenario.laws import constant
+    >>> case = Transmission(2, [ShiftElement(1, 2)], [], [Gear()])
+    >>> negative = {1: Capacity(constant(-30.0))}
+    >>> scenario = Scenario(case, 0.0, Start(speeds={1: 0.0, 2: 0.0}), negative)
+    >>> for problem in scenario_problems(scenario):
+    ...     print(problem)
+    duration: read 0, expected a time above 0
+    controls.F1: read -30, expected a capacity of 0 or more
+    """
+    if not 0 < scenario.duration < math.inf:
+        yield Problem(f"read {scenario.duration:g}, expected a time above 0", ("duration",))
+    yield from _of_start(scenario.start, scenario.case)
+    yield from _of_controls(scenario.controls or {}, scenario.case, scenario.duration)
+    yield from _of_torques(scenario)
+    yield from _of_converters(scenario.converters, scenario.case)
+    yield from _of_shifts(scenario)
+    for link, speeds in scenario.targets.items():
+        path = ("targets", _name(scenario.case, link))
+        yield from _of_link(link, scenario.case, path)
+        yield from of_finite(speeds, "a speed", path)
+
+
+def scenario_doubts(scenario: Scenario) -> Iterator[Problem]:
+    """What is doubtful about a scenario: vehicles whose mass is not among the inertias."""
+    case = scenario.case
+    for link, law in scenario.torques:
+        if isinstance(law, Road) and 0 < link <= case.links:
+            mass, inertia = law.mass * law.radius**2, case.inertias.get(link, 0.0)
+            if inertia < mass * (1 - 1e-3):
+                yield Problem(
+                    f"the case has an inertia of {inertia:g} kg*m^2 on this link, and `road` adds "
+                    f"none: a mass of {law.mass:g} kg on wheels of {law.radius:g} m has {mass:g}",
+                    ("torques", _name(case, link)),
+                    severity="warning",
+                )
+
+
+def _of_start(start: Start, case: Transmission) -> Iterator[Problem]:
+    by_speeds = bool(start.speeds) or bool(start.engaged)
+    if start.gear is None and not by_speeds:
+        yield Problem("expected `gear`, or `speeds` that determine all others", ("start",))
+    if start.gear is not None:
+        if by_speeds:
+            message = "read `gear` beside `speeds` or `engaged`, expected one or the other"
+            yield Problem(message, ("start",))
+        yield from _of_gear(start.gear, case, ("start", "gear"))
+    elif start.speed:
+        yield Problem("read `speed` without `gear`, expected both", ("start", "speed"))
+    yield from of_finite([start.speed], "a speed", ("start", "speed"))
+    for link, speed in start.speeds.items():
+        path = ("start", "speeds", _name(case, link))
+        yield from _of_link(link, case, path)
+        yield from of_finite([speed], "a speed", path)
+    for place, element in enumerate(start.engaged, 1):
+        yield from _of_element(element, case, ("start", "engaged", place))
+
+
+def _of_controls(
+    controls: Mapping[int, Control], case: Transmission, duration: float
+) -> Iterator[Problem]:
+    for number, control in controls.items():
+        problems = list(_of_element(number, case, ("controls", str(number))))
+        yield from problems
+        if problems:
+            continue
+        element = case.shift_elements[number - 1]
+        path = ("controls", element.name)
+        if element.is_freewheel:
+            message = "is a freewheel, which finds by itself whether it holds: it has no control"
+            yield Problem(message, path)
+        elif isinstance(control, Capacity) and element.kind == "dog_clutch":
+            message = (
+                "is a dog clutch, which has no friction: expected when it closes and opens, such "
+                "as {dog: [[1.5, closed], [2, open]]}"
+            )
+            yield Problem(message, path)
+        elif isinstance(control, Capacity):
+            largest = largest_control(element, case)
+            kind = "pressure" if element.friction else "capacity"
+            yield from _of_capacity(control, largest, kind, path)
+            if isinstance(control.law, Formula):
+                yield from _tried(control, largest, duration, path)
+        else:
+            yield from of_times([time for time, _ in control.points], (*path, "dog"))
+
+
+def _tried(
+    control: Capacity, largest: float | None, duration: float, path: Path
+) -> Iterator[Problem]:
+    """A formula at many times: whether it ever gives what is no capacity."""
+    law = control.law
+    if not isinstance(law, Formula) or not 0 < duration < math.inf or law.variables - {"t"}:
+        return
+    times = np.linspace(0.0, duration, _TRIED_TIMES)
+    values = law.along(times) * control.scale
+    most = math.inf if largest is None else largest * (1 + 1e-9)
+    wrong = np.flatnonzero(
+        ~((values >= -1e-9 * np.nan_to_num(np.abs(values)).max()) & (values <= most))
+    )
+    if len(wrong):
+        first = int(wrong[0])
+        expected = "0 or more" if largest is None else f"0 to {largest:g}, the capacity of the case"
+        message = f"gives {values[first]:g} at {times[first]:.6g} s, expected {expected}"
+        yield Problem(message, path)
+
+
+def _of_capacity(
+    control: Capacity, largest: float | None, kind: str, path: Path
+) -> Iterator[Problem]:
+    """A capacity, or a pressure, that is never negative and at most what the case says."""
+    law, scale = control
+    if not 0 <= scale < math.inf:
+        yield Problem(f"read {scale:g}, expected a scale of 0 or more", (*path, "scale"))
+    if isinstance(law, Formula):
+        yield from of_formula(law, ["t"], path)
+        return
+    if law.over != "time":
+        yield Problem(f"read points over {law.over}, expected points over time", path)
+    yield from of_points(law, path)
+    for number, value in enumerate(law.y, 1):
+        place = (*path, number, 2) if len(law.y) > 1 else path
+        if value < 0:
+            yield Problem(f"read {value:g}, expected a {kind} of 0 or more", place)
+        elif largest is not None and value * scale > largest * (1 + 1e-12):
+            unit = "Pa" if kind == "pressure" else "N*m"
+            read = f"{value:g} {unit}" if scale == 1 else f"{value:g} {unit} times {scale:g}"
+            message = f"read {read}, expected at most {largest:g} {unit}, the capacity in the case"
+            yield Problem(message, place)
+
+
+def _of_torques(scenario: Scenario) -> Iterator[Problem]:
+    laws: dict[int, list[TorqueLaw]] = {}
+    for link, law in scenario.torques:
+        laws.setdefault(link, []).append(law)
+    for link, several in laws.items():
+        path = ("torques", _name(scenario.case, link))
+        yield from _of_link(link, scenario.case, path)
+        for number, law in enumerate(several, 1):
+            yield from of_law(law, (*path, number) if len(several) > 1 else path)
+
+
+def _of_converters(converters: Sequence[Converter], case: Transmission) -> Iterator[Problem]:
+    names = list(case.devices)
+    for converter in converters:
+        path = ("converters", converter.name)
+        if converter.name in names:
+            message = f"{quoted(converter.name)} is the name of another device of the case"
+            yield Problem(message, path)
+        names.append(converter.name)
+        for place, link in enumerate((converter.pump, converter.turbine), 1):
+            yield from _of_link(link, case, (*path, "links", place))
+        if converter.pump == converter.turbine:
+            yield Problem("expected two different links, pump and turbine", (*path, "links"))
+        yield from of_characteristic(converter.points, (*path, "points"))
+
+
+def _of_shifts(scenario: Scenario) -> Iterator[Problem]:
+    before = 0.0
+    for number, shift in enumerate(scenario.shifts or (), 1):
+        path = ("shifts", number)
+        yield from _of_gear(shift.to, scenario.case, (*path, "to"))
+        if not 0 <= shift.at < math.inf:
+            yield Problem(f"read {shift.at:g}, expected a time of 0 or more", (*path, "at"))
+        elif shift.at < before:
+            message = f"read {shift.at:g} behind {before:g}, expected shifts in their order"
+            yield Problem(message, (*path, "at"))
+        before = max(before, shift.at)
+        if not 0 <= shift.overlap < math.inf:
+            message = f"read {shift.overlap:g}, expected a time of 0 or more"
+            yield Problem(message, (*path, "overlap"))
+
+
+def _of_link(link: int, case: Transmission, path: Path) -> Iterator[Problem]:
+    if link == HOUSING:
+        yield Problem("read the housing, expected a link that can turn", path)
+    elif not 0 < link <= case.links:
+        yield Problem(f"read link {link}, expected 1 to {case.links}", path)
+
+
+def _of_element(number: int, case: Transmission, path: Path) -> Iterator[Problem]:
+    if not 0 < number <= len(case.shift_elements):
+        last = len(case.shift_elements)
+        expected = f"expected 1 to {last}" if last else "but the case has none"
+        yield Problem(f"read shift element {number}, {expected}", path)
+
+
+def _of_gear(name: str, case: Transmission, path: Path) -> Iterator[Problem]:
+    try:
+        case.gear_number(name)
+    except ValueError:
+        names = [gear.name for gear in case.gears]
+        hint = nearest(name, names) or f"; gears are {listed(names, 12)}"
+        yield Problem(f"read {quoted(name)}, expected the name of a gear{hint}", path)
+
+
+def _name(case: Transmission, link: int) -> Any:
+    return case.link_name(link) if 0 <= link <= case.links else str(link)
+
+
+def of_law(law: TorqueLaw, path: Path) -> Iterator[Problem]:
+    """Of a torque: numbers that can be, points in order, known names."""
+    match law:
+        case Formula():
+            yield from of_formula(law, ["t", "speed", "angle"], path)
+        case Points():
+            yield from of_points(law, path)
+        case Resistance():
+            if not 0 <= law.torque < math.inf:
+                message = f"read {law.torque:g}, expected a torque of 0 or more"
+                yield Problem(message, (*path, "resistance"))
+        case Road():
+            yield from _of_road(law, (*path, "road"))
+
+
+def _of_road(road: Road, path: Path) -> Iterator[Problem]:
+    limits: dict[str, tuple[Callable[[float], bool], str]] = {
+        "mass": (lambda value: value > 0, "a mass above 0"),
+        "radius": (lambda value: value > 0, "a radius above 0"),
+        "rolling": (lambda value: value >= 0, "a coefficient of 0 or more"),
+        "drag_area": (lambda value: value >= 0, "an area of 0 or more"),
+        "slope": (lambda value: -1 <= value <= 1, "the sine of an angle, from -1 to 1"),
+    }
+    for name, (holds, expected) in limits.items():
+        value = getattr(road, name)
+        if not (holds(value) and math.isfinite(value)):
+            yield Problem(f"read {value:g}, expected {expected}", (*path, name))
+
+
+def of_characteristic(
+    points: Sequence[tuple[float, float, float]], path: Path
+) -> Iterator[Problem]:
+    """Of a converter: speed ratios in order, no negative torque ratio."""
+    if not points:
+        yield Problem("read no points, expected one at least", path)
+    yield from _ascending([ratio for ratio, _, _ in points], "speed ratios in their order", path)
+    for number, row in enumerate(points, 1):
+        yield from of_finite(row, "a number", (*path, number))
+        if row[1] < 0:
+            message = f"read {row[1]:g}, expected a torque ratio K of 0 or more"
+            yield Problem(message, (*path, number, 2))
+        if row[2] < 0 and row[0] < 1:
+            message = f"read {row[2]:g}, expected a lambda of 0 or more up to i = 1"
+            yield Problem(message, (*path, number, 3))
+
+
+def of_formula(formula: Formula, names: Sequence[str], path: Path) -> Iterator[Problem]:
+    """One that can be read, with known names alone."""
+    try:
+        others = sorted(formula.variables.difference(names))
+    except ReadError as error:
+        yield from (problem._replace(path=path, place=None) for problem in error.problems)
+        return
+    if others:
+        yield Problem(f"read {quoted(others[0])}, expected a formula of {spoken(names)}", path)
+
+
+def of_points(points: Points, path: Path) -> Iterator[Problem]:
+    """As many values as abscissas, finite and in order."""
+    if not points.x or len(points.x) != len(points.y):
+        yield Problem("expected points, one at least, each of two numbers", path)
+    yield from of_finite([*points.x, *points.y], "a number", path)
+    yield from _ascending(points.x, f"points in the order of the {points.over}", path)
+
+
+def of_times(times: Sequence[float], path: Path) -> Iterator[Problem]:
+    """One time at least, finite and in order."""
+    if not times:
+        yield Problem("read no times, expected one at least", path)
+    yield from of_finite(times, "a time", path)
+    yield from _ascending(times, "times in their order", path)
+
+
+def _ascending(values: Sequence[float], expected: str, path: Path) -> Iterator[Problem]:
+    for number, (one, other) in enumerate(pairwise(values), 2):
+        if other < one:
+            message = f"read {other:g} behind {one:g}, expected {expected}"
+            yield Problem(message, (*path, number))
+            return
+
+
+def of_finite(values: Sequence[float], expected: str, path: Path) -> Iterator[Problem]:
+    """The first of some numbers that is infinite or does not exist."""
+    for value in values:
+        if not math.isfinite(value):
+            yield Problem(f"read {value:g}, expected {expected} that is finite", path)
+            return

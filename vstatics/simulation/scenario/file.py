@@ -1,0 +1,274 @@
+"""A scenario in YAML or JSON: bytes -> `ScenarioDocument` -> with its case `ScenarioFile`.
+
+A scenario names the file of its case, which whoever opens files reads in between: the document
+says which one (`case_file`), and takes the case (`with_case`).
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping as AnyMapping
+from typing import Any, NamedTuple
+
+from vstatics.errors import Path, Problem, ReadError
+from vstatics.model.transmission import Transmission
+from vstatics.readers.named.nodes import (
+    Found,
+    Mapping,
+    Node,
+    Scalar,
+    Spot,
+    Spots,
+    decode,
+    is_null,
+    what,
+)
+from vstatics.readers.named.walk import Walk
+from vstatics.readers.reading import Reading, certain
+from vstatics.simulation.scenario.checks import scenario_problems
+from vstatics.simulation.scenario.distribution import Distribution, distribution_problems
+from vstatics.simulation.scenario.keys import SCENARIO
+from vstatics.simulation.scenario.parts import Scenario
+from vstatics.simulation.scenario.values import ScenarioValues
+
+EXPECTED = "a scenario: a mapping with `case`, `duration`, `start` and what happens"
+_OF_CASES = ("links", "mechanisms", "elements", "springs", "gears", "shift_elements")
+
+
+class ScenarioFile(NamedTuple):
+    """A scenario that was read, and where its parts stand."""
+
+    scenario: Scenario
+    name: str
+    """As it says itself; else empty."""
+    description: str
+    samples: AnyMapping[str, Distribution]
+    """By the paths of numbers."""
+    reading: Reading
+    """Of the case."""
+    spots: Spots
+
+    def locate(self, problem: Problem) -> Problem:
+        """Give a problem of the scenario, or of its case, its place."""
+        return located(problem, self.spots, self.reading)
+
+
+class ScenarioDocument(NamedTuple):
+    """A scenario as a tree of nodes, before its case is known."""
+
+    root: Mapping
+    found: Found
+
+    @property
+    def case_file(self) -> str:
+        """The file of the case, by the folder of the scenario; empty if it names none."""
+        node = self._case_node
+        if not isinstance(node, Scalar) or is_null(node) or not node.text:
+            return ""
+        folder = os.path.dirname(self.found.source.file)  # noqa: PTH120 (pathlib costs time)
+        return os.path.join(folder, node.text)  # noqa: PTH118
+
+    @property
+    def _case_node(self) -> Node | None:
+        return next((value for key, value in self.root.entries if key.text == "case"), None)
+
+    def no_case(self, why: str) -> ReadError:
+        """The error that the file of the case cannot be read, at the place where it is named."""
+        node = self._case_node or self.root
+        place = self.found.source.place(node.line, node.column)
+        return ReadError([Problem(why, ("case",), place)])
+
+    def with_case(self, reading: Reading) -> ScenarioFile:
+        """The scenario of a case.
+
+        Raises
+        ------
+        ReadError
+            With every problem and its place.
+        """
+        spots = Spots(self.found)
+        walk = Walk(spots)
+        case = reading.case
+        walk.references.set_link_names(case.link_names[: case.own_links])
+        walk.references.set_elements(element.name for element in case.shift_elements)
+        values = walk.read(Spot((), "", self.root), SCENARIO)
+        made = ScenarioValues(case, spots)
+        scenario, samples = made.scenario(values), made.samples(values)
+        problems = list(scenario_problems(scenario))
+        for number, one in enumerate(samples.values(), 1):
+            problems += distribution_problems(one, ("samples", number))
+        is_certain = certain(spots.unreadable)
+        found = [
+            *self.found.problems,
+            *(
+                located(one, spots, reading)
+                for one in problems
+                if is_certain(_own_path(one.path, case, spots))
+            ),
+        ]
+        if found:
+            raise ReadError(sorted(found, key=lambda one: one.place[1:3] if one.place else ()))
+        return ScenarioFile(
+            scenario, values.get("name", ""), values.get("description", ""), samples, reading, spots
+        )
+
+
+def read_scenario(data: bytes, file: str) -> ScenarioDocument:
+    """Read a scenario as far as can be without its case.
+
+    Parameters
+    ----------
+    data : bytes
+        YAML, or JSON.
+    file : str
+        Its name, for messages, and for the file of its case.
+
+    Raises
+    ------
+    ReadError
+        If it is no document, or a case.
+
+    Examples
+    --------
+    >>> read_scenario(b"{case: box.yaml, duration: 6}", "shifts/up.yaml").case_file
+    'shifts/box.yaml'
+    """
+    from vstatics.readers.named.yaml_nodes import yaml_tree  # yaml costs start-up time
+
+    found = decode(data, file, "a scenario")
+    root = yaml_tree(found)
+    if not isinstance(root, Mapping):
+        found.stop(f"read {what(root)}, expected {EXPECTED}", root.line, root.column)
+    keys = {key.text for key, _ in root.entries}
+    if "duration" not in keys and not keys.isdisjoint(_OF_CASES):
+        found.stop(f"this is a case, expected {EXPECTED}", root.line, root.column)
+    return ScenarioDocument(root, found)
+
+
+def is_scenario(data: bytes, file: str) -> bool:
+    """Whether a document is a scenario: it has a `duration`, which no case has.
+
+    >>> is_scenario(b"{case: box.yaml, duration: 6}", "up.yaml"), is_scenario(b"links: 3", "x.yaml")
+    (True, False)
+    """
+    from vstatics.readers import format_of
+
+    if b"duration" not in data or format_of(file, data) == "deck":
+        return False
+    try:
+        root = read_scenario(data, file).root
+    except ReadError:
+        return False
+    return any(key.text == "duration" for key, _ in root.entries)
+
+
+def load_scenario_file(file: str, case: str | None = None) -> ScenarioFile:
+    """Read the file of a scenario and that of its case.
+
+    Parameters
+    ----------
+    file : str
+    case : str, optional
+        A case in place of that which the scenario names.
+
+    Raises
+    ------
+    ReadError
+        With every problem and its place.
+    OSError
+        If the scenario, or a case that is given, cannot be opened.
+    """
+    from vstatics import readers
+
+    with open(file, "rb") as stream:  # noqa: PTH123
+        document = read_scenario(stream.read(), file)
+    return document.with_case(readers.read(*case_bytes(document, case)))
+
+
+def case_bytes(document: ScenarioDocument, case: str | None = None) -> tuple[bytes, str]:
+    """The case that a scenario names, or another that is given, and its name.
+
+    Raises
+    ------
+    ReadError
+        If the scenario names none, or one that cannot be opened, with the place.
+    OSError
+        If the one that is given cannot be opened.
+    """
+    name = case or document.case_file
+    if not name:
+        raise document.no_case("`case` is missing: the file of the case")
+    try:
+        with open(name, "rb") as stream:  # noqa: PTH123
+            return stream.read(), name
+    except OSError as error:
+        if case:
+            raise
+        raise document.no_case(f"{name} can't be read: {error.strerror}") from None
+
+
+def load_scenario(
+    source: str | os.PathLike[str], case: str | os.PathLike[str] | None = None
+) -> Scenario:
+    """Read a scenario in YAML or JSON, and its case.
+
+    Parameters
+    ----------
+    source : path-like
+    case : path-like, optional
+        A case in place of that which the scenario names.
+
+    Raises
+    ------
+    ReadError
+        With every problem and its place.
+    OSError
+        If a file cannot be opened.
+    """
+    return load_scenario_file(os.fspath(source), None if case is None else os.fspath(case)).scenario
+
+
+def located(problem: Problem, spots: Spots, reading: Reading) -> Problem:
+    """A problem at its place: in the scenario, or, where its path begins with `case`, there."""
+    if problem.place is not None:
+        return problem
+    whole = spots.place(())._replace(line=0, column=0, text="")
+    if not problem.path:
+        return problem._replace(place=whole)
+    if problem.path[0] == "case":
+        of_case = reading.locate(problem._replace(path=problem.path[1:]))
+        if of_case.place is not None:
+            return of_case
+        place = spots.place(("case",)) if spots.has(("case",)) else whole
+        return of_case._replace(place=place)
+    path = _own_path(problem.path, reading.case, spots)
+    return spots.locate(problem._replace(path=path))._replace(path=problem.path)
+
+
+def _own_path(path: Path, case: Transmission, spots: Spots) -> Path:
+    """A path with names of links, elements and converters -> that of the reader, with numbers."""
+    named = 2 if path[:2] == ("start", "speeds") else 1
+    if len(path) <= named:
+        return path
+    names = _names(path[0], case, spots)
+    start, name, rest = path[:named], path[named], path[named + 1 :]
+    own = (*start, names.get(str(name), name))
+    if path[0] == "converters" and rest[:1] == ("links",) and len(rest) > 1:
+        return (*own, "first" if rest[1] == 1 else "second")
+    for number, part in enumerate(rest):
+        between = spots.has((*own, "points")) and isinstance(part, int) and number < len(rest)
+        own = (*own, "points", part) if between and not spots.has((*own, part)) else (*own, part)
+    return own
+
+
+def _names(key: Any, case: Transmission, spots: Spots) -> dict[str, int]:
+    """Numbers by name of what a key of a scenario speaks of."""
+    if key == "controls":
+        listed = [element.name for element in case.shift_elements]
+    elif key in ("torques", "targets", "start"):
+        listed = list(case.link_names)
+    elif key == "converters":
+        listed = spots.keys(("converters",))
+    else:
+        return {}
+    return {name: number for number, name in enumerate(listed, 1)}

@@ -1,0 +1,99 @@
+"""What is read of a scenario's document before its case says what the numbers measure.
+
+Numbers know their unit, since what one measures may depend on the case: a pressure where an
+element has friction, a velocity where a link has a road. `scenario_values` makes the parts of a
+scenario of these.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from functools import partial
+from typing import Any, NamedTuple, get_args
+
+from vstatics.errors import quoted, spoken
+from vstatics.model.shape import Measure, Parsed
+from vstatics.readers.expressions.excerpt import Excerpt
+from vstatics.readers.named.arithmetic import calculated
+from vstatics.readers.named.si_units import in_any_unit
+from vstatics.simulation.scenario.formula import Formula, read_formula
+from vstatics.simulation.scenario.laws import Road
+
+
+class GivenControl(NamedTuple):
+    """A control as a mapping."""
+
+    points: Sequence[tuple[float, float]] | None = None
+    formula: float | Formula | None = None
+    scale: float = 1.0
+    dog: Sequence[tuple[float, str]] | None = None
+
+
+class GivenLaw(NamedTuple):
+    """A law of a torque as a mapping."""
+
+    over: str = "time"
+    points: Sequence[tuple[float, float]] | None = None
+    formula: float | Formula | None = None
+    resistance: float | None = None
+    road: Road | None = None
+
+
+class GivenSamples(NamedTuple):
+    """A distribution."""
+
+    normal: tuple[float, float] | None = None
+    lognormal: tuple[float, float] | None = None
+    uniform: tuple[float, float] | None = None
+    min: float | None = None
+    max: float | None = None
+
+
+def exactly_one(*names: str, with_points: Sequence[str] = ()) -> Callable[..., str]:
+    """Whether one of some keys is given, and others beside `points` alone."""
+
+    def fault(**values: Any) -> str:
+        given = [name for name in names if values.get(name) is not None]
+        if len(given) != 1:
+            read = f"read {spoken(map(quoted, given))}" if given else "read none of them"
+            return f"{read}, expected one of {spoken(map(quoted, names), 'or')}"
+        others = [name for name in with_points if values.get(name) is not None]
+        if others and given != ["points"]:
+            return f"read {quoted(others[0])} beside {quoted(given[0])}, expected it with `points`"
+        return ""
+
+    return fault
+
+
+def _curve(text: str, measures: Sequence[Measure], names: Sequence[str]) -> float | Formula:
+    """A number, bare or with its unit, or a formula."""
+    try:
+        behind = calculated(text).behind
+    except ValueError:
+        behind = "*"
+    if not behind or behind[0].isalpha() or behind[0] == "°":
+        return in_any_unit(text, measures)
+    try:
+        return in_any_unit(text, measures)
+    except ValueError:
+        return read_formula(Excerpt(text, ""), names)
+
+
+def _number(measures: Sequence[Measure], expected: str) -> Parsed:
+    return Parsed(expected, partial(in_any_unit, measures=measures), 0.0)
+
+
+CAPACITY = _number(["si_torque", "pressure"], "a capacity in N*m, or a pressure in Pa")
+ABSCISSA = _number(["time", "si_speed", "angle"], "a time, a speed or an angle")
+SPEED = _number(["si_speed", "velocity"], "a speed")
+ANYTHING = _number(get_args(Measure), "a number")
+CAPACITY_CURVE = Parsed(
+    "a capacity, or a formula of t",
+    partial(_curve, measures=["si_torque", "pressure"], names=["t"]),
+    0.0,
+)
+TORQUE_CURVE = Parsed(
+    "a torque, or a formula of t, speed and angle",
+    partial(_curve, measures=["si_torque"], names=["t", "speed", "angle"]),
+    0.0,
+)

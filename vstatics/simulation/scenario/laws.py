@@ -1,0 +1,113 @@
+"""What depends on time, on a speed or on an angle: points, formulas, and laws of a load."""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from typing import Any, Literal, NamedTuple, TypeAlias
+
+from vstatics.simulation.scenario.formula import Formula
+
+Over = Literal["time", "speed", "angle"]
+"""What stands along the abscissa: s, rad/s, rad."""
+
+
+class Points(NamedTuple):
+    """Straight between points, constant before the first and after the last.
+
+    Where an abscissa repeats, the later value holds from there.
+
+    Parameters
+    ----------
+    x, y : sequence of float
+        As many of each, one at least; `x` does not decrease. [s, rad/s or rad; N*m or Pa]
+    over : {"time", "speed", "angle"}
+
+    Examples
+    --------
+    >>> ramp = Points((0.0, 2.0, 2.0), (10.0, 30.0, 0.0))
+    >>> ramp.at(1.0), ramp.at(2.0), ramp.at(-1.0)
+    (20.0, 0.0, 10.0)
+    """
+
+    x: tuple[float, ...]
+    y: tuple[float, ...]
+    over: Over = "time"
+
+    def at(self, x: float) -> float:
+        """The value at an abscissa."""
+        value, slope = self.piece(self.piece_at(x))
+        return value + slope * x
+
+    def piece_at(self, x: float) -> int:
+        """The number of the piece that holds from an abscissa on; piece 0 ends at `x[0]`."""
+        return bisect_right(self.x, x)
+
+    def piece(self, number: int) -> tuple[float, float]:
+        """Value at 0 and slope of the straight line of a piece."""
+        if number in (0, len(self.x)):
+            return self.y[min(number, len(self.x) - 1)], 0.0
+        left, right = self.x[number - 1 : number + 1]
+        below, above = self.y[number - 1 : number + 1]
+        if below == above:
+            return below, 0.0
+        slope = (above - below) / (right - left)
+        return below - slope * left, slope
+
+
+def constant(value: float) -> Points:
+    """A value that never changes."""
+    return Points((0.0,), (float(value),))
+
+
+GRAVITY = 9.81
+"""[m/s^2]"""
+AIR = 1.2
+"""Density. [kg/m^3]"""
+
+
+class Resistance(NamedTuple):
+    """Dry friction of a load: it acts against the speed, and holds at rest up to its torque."""
+
+    torque: float
+    """[N*m]"""
+
+
+class Road(NamedTuple):
+    """What a road does to a vehicle, on a link that turns as its wheels."""
+
+    mass: float
+    """[kg]"""
+    radius: float
+    """Of the wheels. [m]"""
+    rolling: float = 0.0
+    """Coefficient of the rolling resistance. [-]"""
+    drag_area: float = 0.0
+    """Coefficient of air drag by frontal area. [m^2]"""
+    slope: float = 0.0
+    """Sine of the angle of ascent. [-]"""
+
+    @property
+    def rolling_torque(self) -> float:
+        """Dry friction: it acts against the speed, and holds at rest up to this [N*m]."""
+        return self.radius * self.mass * GRAVITY * self.rolling
+
+    @property
+    def climbing_torque(self) -> float:
+        """Of the ascent [N*m]."""
+        return self.radius * self.mass * GRAVITY * self.slope
+
+    def torque(self, speed: Any) -> Any:
+        """By ascent and air, at a speed of the wheels or an array of them [N*m].
+
+        Examples
+        --------
+        >>> Road(1000.0, 0.5, drag_area=0.8, slope=0.1).torque(10.0)
+        -496.5
+        """
+        air = self.radius**3 * AIR * self.drag_area / 2
+        return -self.climbing_torque - air * speed * abs(speed)
+
+
+Curve: TypeAlias = Points | Formula
+"""A number over time, or over the speed or the angle of the link itself."""
+TorqueLaw: TypeAlias = Points | Formula | Resistance | Road

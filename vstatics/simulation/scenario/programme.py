@@ -1,0 +1,189 @@
+"""The capacity of each shift element over time: by its control, by shifts, or by its gear."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+from vstatics.errors import CaseError, Problem
+from vstatics.model.parts import Friction, OfLoad, ShiftElement
+from vstatics.model.transmission import Gear, Transmission
+from vstatics.simulation.scenario.laws import Curve, Points, constant
+from vstatics.simulation.scenario.parts import Capacity, Scenario
+
+
+class Programme(NamedTuple):
+    """What a shift element can carry over time."""
+
+    curve: Curve
+    """Capacity [N*m], or pressure [Pa]; infinite where it holds anything."""
+    factor: float = 1.0
+    """By which the curve is multiplied."""
+    is_dog: bool = False
+    """Whether it holds anything or nothing, and joins at once."""
+    largest: float | None = None
+    """Which the capacity of the case allows. [N*m or Pa]"""
+
+    def breaks(self) -> tuple[float, ...]:
+        """Times at which it may bend or jump [s]."""
+        return self.curve.x if isinstance(self.curve, Points) else self.curve.breaks
+
+
+OPEN = Programme(constant(0.0))
+HOLDS = Programme(constant(math.inf), is_dog=True)
+
+
+def programmes(scenario: Scenario, engaged: tuple[int, ...]) -> list[Programme]:
+    """The programme of each shift element; that of a freewheel is its capacity.
+
+    Parameters
+    ----------
+    scenario : Scenario
+    engaged : sequence of int
+        Numbers of the shift elements that are engaged at the start.
+
+    Raises
+    ------
+    CaseError
+        Of a shift whose elements have no capacity to be moved, of an unknown gear.
+    """
+    controls = scenario.controls or {}
+    by_gear = scenario.shifts is not None or (
+        scenario.controls is None and scenario.start.gear is not None
+    )
+    found = []
+    problems: list[Problem] = []
+    for number, element in enumerate(scenario.case.shift_elements, 1):
+        control = controls.get(number)
+        if element.is_freewheel:
+            held = newton_metres(element.capacity, scenario.case)
+            factor = 1 / friction_at(element.friction)
+            found.append(Programme(constant(math.inf if held is None else held), factor))
+        elif control is not None:
+            found.append(_controlled(control, element, scenario.case))
+        elif by_gear:
+            shifted = _Shifted(number, element, scenario)
+            try:
+                found.append(shifted.programme(engaged=number in engaged))
+            except CaseError as error:
+                problems += error.problems
+        else:
+            found.append(OPEN)
+    if problems:
+        raise CaseError(problems)
+    return found
+
+
+def newton_metres(number: float | None, case: Transmission) -> float | None:
+    """A capacity or a drag of a case as a torque [N*m]; by the torque of the load without a unit.
+
+    NaN where the case has no such load.
+    """
+    if number is None:
+        return None
+    if isinstance(number, OfLoad):
+        return abs(number.given)
+    if not number or math.isinf(number):
+        return number
+    whole = case.load.torque if case.load else None
+    return abs(number * whole) if whole else math.nan
+
+
+def friction_at(friction: Friction | None, slip: float = 0.0) -> float:
+    """The coefficient of friction at a slip [rad/s]; 1 of what has no pack."""
+    if friction is None:
+        return 1.0
+    slips, values = zip(*friction.coefficient, strict=True)
+    return Points(slips, values).at(abs(slip))
+
+
+def largest_control(element: ShiftElement, case: Transmission) -> float | None:
+    """What a control may give at most by the capacity of the case [N*m]; with a pack [Pa]."""
+    largest, pack = newton_metres(element.capacity, case), element.friction
+    if largest is None or pack is None:
+        return largest
+    return largest / (pack.per_pressure * friction_at(pack))
+
+
+def _controlled(control: object, element: ShiftElement, case: Transmission) -> Programme:
+    if isinstance(control, Capacity):
+        pack = element.friction
+        factor = control.scale * (pack.per_pressure if pack else 1.0)
+        return Programme(control.law, factor, largest=largest_control(element, case))
+    times: list[float] = []
+    held: list[float] = []
+    for time, closed in getattr(control, "points", ()):
+        before = held[-1] if held else 0.0
+        times += [time, time]
+        held += [before, math.inf if closed else 0.0]
+    if not times:
+        return OPEN
+    if times[0] > 0:
+        return Programme(Points(tuple(times), tuple(held)), is_dog=True)
+    return Programme(Points(tuple(times[1:]), tuple(held[1:])), is_dog=True)
+
+
+class _Shifted:
+    """A shift element that is moved by shifts."""
+
+    def __init__(self, number: int, element: ShiftElement, scenario: Scenario) -> None:
+        self.number, self.element, self.scenario = number, element, scenario
+        held = newton_metres(element.capacity, scenario.case)
+        self.anything = held is None or element.kind == "dog_clutch"
+        self.capacity = math.inf if held is None or self.anything else held
+        self.factor = 1.0 if self.anything else 1 / friction_at(element.friction)
+        """The capacity of the case is that at the begin of slip, whatever the pack."""
+
+    def programme(self, *, engaged: bool) -> Programme:
+        """Its capacity over time."""
+        points = [(0.0, self.capacity if engaged else 0.0)]
+        for index, shift in enumerate(sorted(self.scenario.shifts or ()), 1):
+            gear = _gear(self.scenario.case, shift.to, index)
+            target = self.capacity if self.number in gear.engaged else 0.0
+            points = self._moved(points, shift.at, shift.overlap, target, index)
+        times, held = zip(*points, strict=True)
+        return Programme(Points(times, held), self.factor, is_dog=self.anything)
+
+    def _moved(
+        self,
+        points: list[tuple[float, float]],
+        at: float,
+        overlap: float,
+        target: float,
+        index: int,
+    ) -> list[tuple[float, float]]:
+        """The points with another shift; what is on its way is taken from where it is."""
+        now = _at(points, at)
+        kept = [point for point in points if point[0] < at]
+        if now == target and all(value == target for time, value in points if time >= at):
+            return points if not kept else [*kept, (at, now)]
+        if self.anything:
+            if overlap and self.element.kind != "dog_clutch":
+                name = self.element.name
+                message = (
+                    f"{name} has no capacity in the case, so it can't change over "
+                    f"{overlap:g} s: give it a `capacity` there, or an overlap of 0"
+                )
+                raise CaseError([Problem(message, ("shifts", index))])
+            moment = at + overlap if target else at
+            return [*kept, (at, now), (moment, now), (moment, target)]
+        return [*kept, (at, now), (at + overlap, target)]
+
+
+def _at(points: list[tuple[float, float]], time: float) -> float:
+    """The value just before a time, of points that may be infinite."""
+    before = [point for point in points if point[0] < time]
+    after = [point for point in points if point[0] >= time]
+    if not before:
+        return points[0][1]
+    if not after or before[-1][1] == after[0][1]:
+        return before[-1][1]
+    (t0, v0), (t1, v1) = before[-1], after[0]
+    return v0 + (v1 - v0) * (time - t0) / (t1 - t0)
+
+
+def _gear(case: Transmission, name: str, index: int) -> Gear:
+    try:
+        return case.gears[case.gear_number(name) - 1]
+    except ValueError as error:
+        raise CaseError([Problem(str(error), ("shifts", index, "to"))]) from None

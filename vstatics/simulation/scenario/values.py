@@ -1,0 +1,172 @@
+"""The values of a document -> the parts of a scenario: units by what stands there, plain floats."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from typing import Any
+
+from vstatics.errors import Path
+from vstatics.model.parts import ShiftElement
+from vstatics.model.shape import Measure
+from vstatics.model.transmission import Transmission
+from vstatics.readers.named.nodes import Spots
+from vstatics.readers.named.si_units import UNIT_OF, InUnit
+from vstatics.simulation.scenario.distribution import Distribution
+from vstatics.simulation.scenario.formula import Formula
+from vstatics.simulation.scenario.given import GivenControl, GivenLaw
+from vstatics.simulation.scenario.laws import Over, Points, Resistance, Road, TorqueLaw, constant
+from vstatics.simulation.scenario.parts import (
+    Capacity,
+    Control,
+    Converter,
+    Dog,
+    Scenario,
+    Shift,
+    Start,
+)
+
+_OVER: Mapping[str, Measure] = {"time": "time", "speed": "si_speed", "angle": "angle"}
+
+
+class ScenarioValues:
+    """Makes the parts of a scenario of what was read, and tells units that do not belong.
+
+    Parameters
+    ----------
+    case : Transmission
+    spots : Spots
+        Of the scenario's document.
+    """
+
+    def __init__(self, case: Transmission, spots: Spots) -> None:
+        self.case = case
+        self.spots = spots
+
+    def scenario(self, values: Mapping[str, Any]) -> Scenario:
+        """The scenario of a document's values."""
+        torques = tuple(self._torques(values.get("torques", {})))
+        radii = {link: law.radius for link, law in torques if isinstance(law, Road)}
+        controls, shifts = values.get("controls"), values.get("shifts")
+        converters: Mapping[str, Any] = values.get("converters", {})
+        return Scenario(
+            self.case,
+            float(values["duration"]),
+            self._start(values["start"], radii),
+            None if controls is None else dict(self._controls(controls)),
+            torques,
+            tuple(_converter(name, one) for name, one in converters.items()),
+            None if shifts is None else tuple(_shift(one) for one in shifts),
+            {
+                link: tuple(self._speeds(given, ("targets", link), radii.get(link)))
+                for link, given in values.get("targets", {}).items()
+            },
+        )
+
+    def samples(self, values: Mapping[str, Any]) -> dict[str, Distribution]:
+        """Distributions by the paths of numbers."""
+        given: Mapping[str, Distribution] = values.get("samples", {})
+        return {path: Distribution(*map(_plain, one)) for path, one in given.items()}
+
+    def _start(self, values: Mapping[str, Any], radii: Mapping[int, float]) -> Start:
+        path, speeds = ("start", "speeds"), values.get("speeds", {})
+        [speed] = self._speeds([values.get("speed", 0.0)], ("start", "speed"), None)
+        return Start(
+            values.get("gear"),
+            speed,
+            {
+                link: next(self._speeds([one], (*path, link), radii.get(link)))
+                for link, one in speeds.items()
+            },
+            tuple(values.get("engaged", ())),
+            values.get("settled", False),
+        )
+
+    def _speeds(self, given: Any, path: Path, radius: float | None) -> Iterator[float]:
+        """Speeds of a link [rad/s]; velocities by the radius of the wheels on it."""
+        for number, one in enumerate(given if isinstance(given, list) else [given], 1):
+            place = (*path, number) if isinstance(given, list) else path
+            if getattr(one, "measure", None) == "velocity":
+                if radius:
+                    yield float(one) / radius
+                    continue
+                message = "read a velocity, expected a speed in rad/s or rpm; a velocity belongs "
+                self.spots.tell(place, f"{message}to a link with a `road`")
+            yield float(one)
+
+    def _controls(self, given: Mapping[int, Any]) -> Iterator[tuple[int, Control]]:
+        for number, one in given.items():
+            path: Path = ("controls", number)
+            element = self.case.shift_elements[number - 1]
+            if not isinstance(one, GivenControl):
+                yield number, Capacity(self._capacity(one, element, path))
+            elif one.dog is not None:
+                yield number, Dog(tuple((float(t), state == "closed") for t, state in one.dog))
+            else:
+                key = "formula" if one.points is None else "points"
+                law = self._capacity(getattr(one, key), element, (*path, key))
+                yield number, Capacity(law, float(one.scale))
+
+    def _capacity(self, given: Any, element: ShiftElement, path: Path) -> Points | Formula:
+        """A capacity over time; a pressure where the element has friction."""
+        measure: Measure = "pressure" if element.friction else "si_torque"
+        why = f", since {element.name} has {'' if element.friction else 'no '}`friction`"
+        return self._curve(given, (), measure, path, why)
+
+    def _curve(
+        self, given: Any, over: Sequence[Over], measure: Measure, path: Path, why: str = ""
+    ) -> Points | Formula:
+        """Points, a formula, or a number."""
+        if isinstance(given, Formula):
+            return given
+        if not isinstance(given, Sequence):
+            self._check_unit(given, measure, path, why)
+            return constant(given or 0.0)
+        along: Over = over[0] if over else "time"
+        for number, (x, y) in enumerate(given, 1):
+            self._check_unit(x, _OVER[along], (*path, number, 1), f": the points are over {along}")
+            self._check_unit(y, measure, (*path, number, 2), why)
+        return Points(tuple(float(x) for x, _ in given), tuple(float(y) for _, y in given), along)
+
+    def _check_unit(self, value: Any, measure: Measure, path: Path, why: str) -> None:
+        if isinstance(value, InUnit) and value.measure not in (None, measure):
+            read, unit = UNIT_OF[value.measure], UNIT_OF[measure]
+            self.spots.tell(path, f"read a number in {read}, expected one in {unit}{why}")
+
+    def _torques(self, given: Mapping[int, Iterable[Any]]) -> Iterator[tuple[int, TorqueLaw]]:
+        for link, laws in given.items():
+            several = list(laws)
+            for number, one in enumerate(several, 1):
+                listed = self.spots.has(("torques", link, number)) and len(several) > 1
+                path = ("torques", link, number) if listed else ("torques", link)
+                yield link, self._law(one, path)
+
+    def _law(self, given: Any, path: Path) -> TorqueLaw:
+        if not isinstance(given, GivenLaw):
+            return self._curve(given, (), "si_torque", path)
+        if given.resistance is not None:
+            return Resistance(float(given.resistance))
+        if given.road is not None:
+            return Road(*map(float, given.road))
+        over: Any = given.over or "time"
+        key = "formula" if given.points is None else "points"
+        return self._curve(getattr(given, key), (over,), "si_torque", (*path, key))
+
+
+def _floats(values: Iterable[float]) -> tuple[Any, ...]:
+    return tuple(map(float, values))
+
+
+def _plain(value: Any) -> Any:
+    """Numbers without what their units measure."""
+    if isinstance(value, tuple):
+        return _floats(value)
+    return None if value is None else float(value)
+
+
+def _converter(name: str, given: Mapping[str, Any]) -> Converter:
+    pump, turbine = given["links"]
+    return Converter(name, pump, turbine, tuple(map(_floats, given["points"])))
+
+
+def _shift(given: Mapping[str, Any]) -> Shift:
+    return Shift(float(given["at"]), given["to"], float(given["overlap"]))

@@ -1,0 +1,58 @@
+"""The values of capacities and of other curves over time: at an instant, at many, their slopes."""
+
+from __future__ import annotations
+
+from collections import deque
+
+import numpy as np
+
+from vstatics.numerics.arrays import Floats
+from vstatics.simulation.scenario.formula import Formula
+from vstatics.simulation.scenario.laws import Curve, Points
+from vstatics.simulation.scenario.programme import Programme, friction_at
+from vstatics.simulation.system.matrices import Contact
+
+
+def capacity_at(contact: Contact, time: float, slip: float = 0.0) -> float:
+    """The kinetic capacity of a contact [N*m] at a time, from there on."""
+    value = programme_at(contact.programme, time)
+    return value if contact.friction is None else value * friction_at(contact.friction, slip)
+
+
+def programme_at(programme: Programme, time: float) -> float:
+    """The value of a programme at a time, from there on."""
+    curve = programme.curve
+    at = curve.at(time) if isinstance(curve, Points) else curve.function(time, 0.0, 0.0)
+    if at == 0 or programme.factor == 0:
+        return 0.0
+    return at * programme.factor
+
+
+def programme_along(programme: Programme, times: Floats) -> Floats:
+    """The values of a programme at several times."""
+    return programme.factor * curve_along(programme.curve, times)
+
+
+_LAST: deque[tuple[Curve, Floats, Floats]] = deque(maxlen=16)
+
+
+def curve_along(curve: Curve, times: Floats) -> Floats:
+    """The values of a curve at several times; those last asked for are remembered."""
+    if isinstance(curve, Points) and len(set(curve.y)) == 1:
+        return np.full(len(times), curve.y[0])
+    for known, at, values in _LAST:
+        if at is times and known == curve:
+            return values
+    if isinstance(curve, Points):
+        made = np.array([curve.at(time) for time in times.tolist()])
+    else:
+        made = curve.along(times)
+    _LAST.append((curve, times, made))
+    return made
+
+
+def slope_of(formula: Formula, time: float, within: float) -> float:
+    """Change of a formula with time, looking forward only."""
+    function = formula.function
+    now, middle, later = (function(time + part * within, 0.0, 0.0) for part in (0.0, 0.5, 1.0))
+    return (4 * middle - 3 * now - later) / within

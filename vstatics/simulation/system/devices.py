@@ -1,0 +1,272 @@
+"""A scenario as devices along rows: what is heavy, rigid, sticks, bends, drags, or acts."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from vstatics.errors import CaseError, Problem
+from vstatics.model.parts import OfLoad, ShiftElement, damping
+from vstatics.model.transmission import Gear, Transmission
+from vstatics.simulation.scenario.laws import Resistance, Road, TorqueLaw, constant
+from vstatics.simulation.scenario.parts import Scenario
+from vstatics.simulation.scenario.programme import Programme, friction_at, newton_metres
+from vstatics.simulation.system.matrices import (
+    Contact,
+    Elastic,
+    MotionSystem,
+    OutsideTorque,
+    RigidMechanism,
+    between,
+    combination,
+    unit,
+)
+from vstatics.statics.matrix import column
+from vstatics.torsion.system.bodies import planet_bodies
+
+
+def motion_system(
+    scenario: Scenario, capacities: list[Programme], gear: Gear | None
+) -> MotionSystem:
+    """The system of a scenario.
+
+    Parameters
+    ----------
+    scenario : Scenario
+    capacities : sequence of Programme
+        Of the shift elements.
+    gear : Gear, optional
+        That of the start, for the drag of its links.
+
+    Raises
+    ------
+    CaseError
+    """
+    case = scenario.case
+    bodies = [
+        (unit(link - 1, case.links), inertia) for link, inertia in case.inertias.items() if inertia
+    ]
+    for body, _ in planet_bodies(case):
+        if body.inertia:
+            by_number = [(index + 1, part) for index, part in body.form.items()]
+            bodies.append((combination(by_number, case.links), body.inertia))
+    if not bodies:
+        message = "the case has no `inertias`, so nothing can be in motion: give those of its links"
+        raise CaseError([Problem(f"{message} in kg*m^2", ("case",))])
+    contacts, outside = _loads(scenario)
+    dragging = list(drags(case, gear))
+    return MotionSystem(
+        scenario=scenario,
+        names=tuple(case.link_names),
+        heavy=np.array([row for row, _ in bodies]),
+        inertias=np.array([inertia for _, inertia in bodies]),
+        meshes=tuple(_meshes(case)),
+        contacts=(
+            *_elements(case, capacities, dragging),
+            *contacts,
+            *_drag_contacts(case, dragging),
+        ),
+        springs=tuple(_springs(case, capacities)),
+        outside=tuple(outside),
+        converters=scenario.converters,
+    )
+
+
+def _meshes(case: Transmission) -> list[RigidMechanism]:
+    start = len(case.shift_elements)
+    found = []
+    for index, one in enumerate(case.mechanisms):
+        if one.stiffness is not None:
+            continue
+        back = one.efficiency if one.back_efficiency is None else one.back_efficiency
+        if back == 0:
+            message = f"{one.name} is self-locking, which a scenario can't have yet"
+            raise CaseError([Problem(message, ("case",))])
+        u = one.ratio
+        found.append(
+            RigidMechanism(
+                one.name,
+                start + index,
+                combination(zip(one.links, column(u), strict=True), case.links),
+                between(one.first, one.third, case.links),
+                combination([(one.second, -u), (one.third, u)], case.links),
+                one.efficiency,
+                back,
+            )
+        )
+    return found
+
+
+def _elements(
+    case: Transmission, capacities: list[Programme], dragging: list[DragTorque]
+) -> list[Contact]:
+    """The shift elements that do not bend."""
+    overrun = {one.number: one.torque for one in dragging if one.is_element}
+    found = []
+    for index, (element, programme) in enumerate(zip(case.shift_elements, capacities, strict=True)):
+        if element.stiffness is not None and not element.is_freewheel:
+            continue
+        drag = overrun.get(index + 1, 0.0) if element.is_freewheel else 0.0
+        found.append(
+            Contact(
+                element.name,
+                between(element.first, element.second, case.links),
+                programme,
+                element.friction,
+                element.static,
+                one_way=element.is_freewheel,
+                overrun_drag=drag,
+                element=index,
+            )
+        )
+    return found
+
+
+def _drag_contacts(case: Transmission, dragging: list[DragTorque]) -> list[Contact]:
+    """What drags, but freewheels, whose drag acts while they overrun."""
+    found = []
+    for is_element, number, torque in dragging:
+        programme = Programme(constant(torque))
+        if is_element:
+            element = case.shift_elements[number - 1]
+            if element.is_freewheel:
+                continue
+            row = between(element.first, element.second, case.links)
+            open_of = number - 1
+            found.append(Contact(element.name, row, programme, is_drag=True, while_open=open_of))
+        else:
+            row = unit(number - 1, case.links)
+            found.append(Contact(case.link_name(number), row, programme, is_drag=True))
+    return found
+
+
+def _springs(case: Transmission, capacities: list[Programme]) -> list[Elastic]:
+    links, found = case.links, []
+    unlimited = Programme(constant(math.inf))
+    for index, element in enumerate(case.shift_elements):
+        if element.stiffness is not None and not element.is_freewheel:
+            row = between(element.first, element.second, links)
+            damped = damping(element.damping)
+            limit = _slipping_torque(element, capacities[index])
+            found.append(
+                Elastic(element.name, index, row, element.stiffness, *damped, limit, index)
+            )
+    start = len(case.shift_elements)
+    for index, mechanism in enumerate(case.mechanisms, start):
+        if mechanism.stiffness is not None:
+            row = combination(zip(mechanism.links, column(mechanism.ratio), strict=True), links)
+            damped = damping(mechanism.damping)
+            found.append(
+                Elastic(mechanism.name, index, row, mechanism.stiffness, *damped, unlimited)
+            )
+    for index, spring in enumerate(case.springs, start + len(case.mechanisms)):
+        row = combination(spring.form.items(), links)
+        limit = unlimited if spring.limit is None else Programme(constant(spring.limit))
+        damped = damping(spring.damping)
+        found.append(Elastic(spring.name, index, row, spring.rate, *damped, limit))
+    return found
+
+
+def _slipping_torque(element: ShiftElement, capacity: Programme) -> Programme:
+    """At which an elastic shift element slips."""
+    pack = element.friction
+    if element.static != 1 or (pack and len(pack.coefficient) > 1):
+        message = (
+            f"{element.name} is elastic, so it slips at one torque: leave out `static` and give "
+            "one coefficient of friction, or a spring beside it in place of `stiffness`"
+        )
+        raise CaseError([Problem(message, ("case",))])
+    return capacity._replace(factor=capacity.factor * friction_at(pack))
+
+
+def _loads(scenario: Scenario) -> tuple[list[Contact], list[OutsideTorque]]:
+    """Outside torques: what of them is dry friction, and what is not."""
+    contacts, outside = [], []
+    for link, law in scenario.torques:
+        friction = _dry(law)
+        if friction:
+            name = scenario.case.link_name(link)
+            row = unit(link - 1, scenario.case.links)
+            contacts.append(Contact(name, row, Programme(constant(friction))))
+        if not isinstance(law, Resistance):
+            outside.append(OutsideTorque(link - 1, law))
+    return contacts, outside
+
+
+def _dry(law: TorqueLaw) -> float:
+    """The dry friction of a load [N*m]."""
+    if isinstance(law, Resistance):
+        return law.torque
+    if isinstance(law, Road):
+        return law.rolling_torque
+    return 0.0
+
+
+class DragTorque(NamedTuple):
+    """What drags."""
+
+    is_element: bool
+    """Whether it is a shift element, not a link."""
+    number: int
+    """Of the element or the link."""
+    torque: float
+    """[N*m]"""
+
+
+def drags(case: Transmission, gear: Gear | None) -> Iterator[DragTorque]:
+    r"""What drags, in a gear or without one.
+
+    Raises
+    ------
+    CaseError
+        Of a drag that has no unit.
+
+    Examples
+    --------
+    A drag of the case holds without a gear, too:
+
+    >>> from vstatics.readers import loads
+    >>> case = loads("links: [a]\ninertias: {a: 1}\ndrag: {a: 0.1}\nload: {torque: 20 N*m}")
+    >>> list(drags(case, None))
+    [DragTorque(is_element=False, number=1, torque=2.0)]
+    """
+    problems = []
+    open_drag = gear.open_drag if gear else _of_all_gears([one.open_drag for one in case.gears])
+    items = [
+        (True, number, open_drag.get(number, element.drag), element.name)
+        for number, element in enumerate(case.shift_elements, 1)
+    ]
+    of_links = gear.drag if gear else _of_all_gears([one.drag for one in case.gears])
+    items += [(False, link, drag, case.link_name(link)) for link, drag in of_links.items()]
+    found = []
+    for is_element, number, drag, name in items:
+        torque = abs(newton_metres(drag, case) or 0.0)
+        if math.isnan(torque):
+            message = (
+                f"the drag of {name} is {drag:g} of the input torque, which a scenario does not "
+                "have: give it with its unit, such as `3 N*m`, or a `load` with a torque"
+            )
+            problems.append(Problem(message))
+        elif torque:
+            found.append(DragTorque(is_element, number, torque))
+    if problems:
+        raise CaseError(problems)
+    yield from found
+
+
+def _of_all_gears(by_gear: Sequence[Mapping[int, float]]) -> dict[int, float]:
+    """The drag that is the same in all gears, as that of the case is."""
+    first, *others = by_gear
+    return {
+        part: drag
+        for part, drag in first.items()
+        if all(part in one and _given(one[part]) == _given(drag) for one in others)
+    }
+
+
+def _given(torque: float) -> float:
+    """A torque as it was given, whatever load it is related to."""
+    return torque.given if isinstance(torque, OfLoad) else torque

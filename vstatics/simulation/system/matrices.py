@@ -1,0 +1,158 @@
+"""A case in motion as matrices: what is heavy, what is rigid, what gives torques, rows of speeds.
+
+``M dw/dt = T - A M_devices``: the columns of mechanisms are constraints, those of shift elements
+carry friction, those of springs elastic torques (the structural-distribution matrix of statics,
+with inertias on the links). Everything that gives a torque by what it sees is a port: a row that
+gives its rate, and a torque along the same row.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from vstatics.model.parts import HOUSING, Friction
+from vstatics.model.transmission import Transmission
+from vstatics.numerics.arrays import Floats
+from vstatics.simulation.scenario.formula import Formula
+from vstatics.simulation.scenario.laws import Points, Road
+from vstatics.simulation.scenario.parts import Converter, Scenario
+from vstatics.simulation.scenario.programme import Programme
+
+
+class Contact(NamedTuple):
+    """Dry friction along a row: it slips with its capacity, or sticks within it."""
+
+    name: str
+    row: Floats
+    programme: Programme
+    friction: Friction | None = None
+    static: float = 1.0
+    one_way: bool = False
+    """A freewheel: it carries nothing while its slip is above 0."""
+    overrun_drag: float = 0.0
+    """Of a freewheel. [N*m]"""
+    element: int | None = None
+    """Index of its shift element."""
+    is_drag: bool = False
+    """Its heat is a loss, and it has no events."""
+    while_open: int | None = None
+    """Index of the element while whose capacity is 0 it acts."""
+
+
+class RigidMechanism(NamedTuple):
+    """A rigid mechanism."""
+
+    name: str
+    device: int
+    """Index among the devices."""
+    row: Floats
+    """(1, -u, u - 1)."""
+    slip: Floats
+    """First link against the third."""
+    friction: Floats
+    """Column of what its losses take: second link against the third, (0, -u, u)."""
+    efficiency: float
+    back: float
+
+    @property
+    def lossless(self) -> bool:
+        """Whether it takes nothing."""
+        return self.efficiency == 1.0 and self.back == 1.0
+
+
+class Elastic(NamedTuple):
+    """A spring, or a shift element or mechanism that bends."""
+
+    name: str
+    device: int
+    row: Floats
+    stiffness: float
+    """[N*m/rad]"""
+    viscous: float
+    """[N*m*s/rad]"""
+    loss_factor: float
+    limit: Programme
+    """Within which its torque stays. [N*m]"""
+    element: int | None = None
+
+
+class OutsideTorque(NamedTuple):
+    """A torque on a link that is no dry friction."""
+
+    link: int
+    """Index."""
+    law: Points | Formula | Road
+
+
+@dataclass(frozen=True)
+class MotionSystem:
+    """All of a scenario that does not change while it runs."""
+
+    scenario: Scenario
+    names: tuple[str, ...]
+    """Of links."""
+    heavy: Floats
+    """Speeds of bodies with an inertia by those of links, shape (bodies, links)."""
+    inertias: Floats
+    """Of these. [kg*m^2]"""
+    meshes: tuple[RigidMechanism, ...]
+    contacts: tuple[Contact, ...]
+    springs: tuple[Elastic, ...]
+    outside: tuple[OutsideTorque, ...]
+    converters: tuple[Converter, ...]
+
+    @property
+    def case(self) -> Transmission:
+        """The case."""
+        return self.scenario.case
+
+    @property
+    def mass(self) -> Floats:
+        """Inertia matrix of the links [kg*m^2]."""
+        mass: Floats = (self.heavy.T * self.inertias) @ self.heavy
+        return mass
+
+    def port_rows(self) -> Floats:
+        """Rows of outside torques, contacts, springs, pumps, turbines: their rates by speeds."""
+        links = len(self.names)
+        rows = [unit(one.link, links) for one in self.outside]
+        rows += [contact.row for contact in self.contacts]
+        rows += [spring.row for spring in self.springs]
+        rows += [unit(one.pump - 1, links) for one in self.converters]
+        rows += [unit(one.turbine - 1, links) for one in self.converters]
+        return np.array(rows).reshape(len(rows), links)
+
+
+def unit(index: int, links: int) -> Floats:
+    """The speed of a link, by its index."""
+    return combination([(index + 1, 1.0)], links)
+
+
+def combination(parts: Iterable[tuple[int, float]], links: int) -> Floats:
+    """Links by their numbers, each with its coefficient; the housing stands still.
+
+    Examples
+    --------
+    >>> combination([(1, 1.0), (0, 2.0), (3, -3.0)], 3)
+    array([ 1.,  0., -3.])
+    """
+    row = np.zeros(links)
+    for link, part in parts:
+        if link != HOUSING:
+            row[link - 1] += part
+    return row
+
+
+def between(first: int, second: int, links: int) -> Floats:
+    """First link against second, by their numbers.
+
+    Examples
+    --------
+    >>> between(2, 0, 3)
+    array([0., 1., 0.])
+    """
+    return combination([(first, 1.0), (second, -1.0)], links)

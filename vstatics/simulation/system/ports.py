@@ -1,0 +1,294 @@
+"""The torques of ports and converters at an instant: by time, by their rates, by twists and angles.
+
+What is straight in time and rate stands in arrays, ``u = c0 + c1 t + s rate``; springs add
+``k e``; all else is a function that is asked one by one.
+"""
+
+from __future__ import annotations
+
+import math
+from bisect import bisect_right
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from vstatics.numerics.arrays import Floats
+from vstatics.simulation.scenario.formula import Formula
+from vstatics.simulation.scenario.laws import Points, Road
+from vstatics.simulation.scenario.parts import Converter
+from vstatics.simulation.scenario.programme import Programme, friction_at
+from vstatics.simulation.system.curves import capacity_at, curve_along, slope_of
+from vstatics.simulation.system.matrices import Contact, MotionSystem
+
+Torque = Callable[[float, float, float], float]
+"""By time [s], rate [rad/s] and angle [rad]."""
+
+
+class States(NamedTuple):
+    """What everything does between two events."""
+
+    contacts: tuple[str, ...]
+    """`open`, `stick`, `rigid`, or the sign of the slip."""
+    meshes: tuple[str, ...]
+    """As `MeshStates`."""
+    springs: tuple[str, ...]
+    """`stick`: it bends; else the sign of the torque at whose limit it slips; `open`."""
+    pieces: tuple[int, ...]
+    """Of points over a speed or an angle, the piece that each outside torque is on, else 0; then
+    of each converter.
+    """
+
+    @property
+    def held(self) -> tuple[bool, ...]:
+        """Of each contact, whether it sticks."""
+        return tuple(state in ("stick", "rigid") for state in self.contacts)
+
+
+class PortLayout:
+    """Which port is where, and what is integrated beside speeds."""
+
+    def __init__(self, system: MotionSystem) -> None:
+        self.outside = len(system.outside)
+        self.contacts = self.outside
+        self.springs = self.contacts + len(system.contacts)
+        self.pumps = self.springs + len(system.springs)
+        self.turbines = self.pumps + len(system.converters)
+        self.converters = len(system.converters)
+        self.ports = self.turbines + self.converters
+        angles = {one.link for one in system.outside if _needs_angle(one.law)}
+        self.angles = tuple(sorted(angles | {link - 1 for link in system.scenario.targets}))
+        """Indices of the links whose angles are followed."""
+
+
+def _needs_angle(law: object) -> bool:
+    if isinstance(law, Points):
+        return law.over == "angle"
+    return isinstance(law, Formula) and "angle" in law.variables
+
+
+class Ports:
+    """The torques of all ports while nothing changes its state, on one piece of time.
+
+    Parameters
+    ----------
+    system : MotionSystem
+    layout : PortLayout
+    states : States
+    time : float
+        At which the piece of time begins. [s]
+    """
+
+    def __init__(
+        self, system: MotionSystem, layout: PortLayout, states: States, time: float
+    ) -> None:
+        self.layout = layout
+        self.c0 = np.zeros(layout.ports)
+        self.c1 = np.zeros(layout.ports)
+        self.by_rate = np.zeros(layout.ports)
+        """Slope by the port's own rate. [N*m*s/rad]"""
+        self.by_angle: list[tuple[int, int, float]] = []
+        """Port, place of the angle, slope. [N*m/rad]"""
+        self.special: list[tuple[int, int, Torque]] = []
+        """Port, place of the angle or -1, its torque."""
+        self.roads: list[tuple[int, Callable[[Any], Any]]] = []
+        """Port, and its torque by its rate, a number or an array."""
+        self.timed: list[tuple[int, Formula, float]] = []
+        """Port, its torque by the time alone, and by what that is multiplied."""
+        self.after, self.until = math.nextafter(time, math.inf), math.inf
+        """Between these formulas are asked: what jumps at an end does it outside."""
+        self.converters = tuple(
+            (converter, states.pieces[layout.outside + index])
+            for index, converter in enumerate(system.converters)
+        )
+        self.senses_rate = np.zeros(layout.ports, dtype=bool)
+        """Ports whose torque changes with their rate."""
+        self.stiffness = np.array([one.stiffness for one in system.springs])
+        self.bends = np.array([state == "stick" for state in states.springs], dtype=bool)
+        self.elastic = np.where(self.bends, self.stiffness, 0.0)
+        for index, one in enumerate(system.outside):
+            place = layout.angles.index(one.link) if one.link in layout.angles else -1
+            self._outside(index, one.law, states.pieces[index], place, time)
+        for index, contact in enumerate(system.contacts):
+            self._contact(layout.contacts + index, contact, states.contacts[index], time)
+        for index, spring in enumerate(system.springs):
+            port, state = layout.springs + index, states.springs[index]
+            if state == "stick":
+                self.by_rate[port] = spring.viscous
+                self.senses_rate[port] = spring.viscous != 0
+            elif state != "open":
+                self._programme(port, spring.limit, 1.0 if state == "+" else -1.0, time)
+        for ports in (layout.pumps, layout.turbines):
+            self.senses_rate[ports : ports + len(system.converters)] = True
+        self.bending = sorted(
+            {port for port, _, _ in self.special}
+            | {port for port, _ in self.roads}
+            | set(range(layout.pumps, layout.ports))
+        )
+        """Ports whose torques are not straight in rates, twists and angles."""
+        self.is_affine = not self.bending
+        """Whether all torques are straight in rates, twists and angles."""
+
+    def torques(self, time: float, rates: Floats, twists: Floats, angles: Floats) -> Floats:
+        """Of all ports [N*m]."""
+        time = min(max(time, self.after), self.until)
+        torques = self.c0 + self.c1 * time + self.by_rate * rates
+        layout = self.layout
+        if len(twists):
+            torques[layout.springs : layout.pumps] += self.elastic * twists
+        for port, place, slope in self.by_angle:
+            torques[port] += slope * angles[place]
+        for port, formula, factor in self.timed:
+            torques[port] = factor * formula.function(time, 0.0, 0.0)
+        for port, on_road in self.roads:
+            torques[port] = on_road(rates[port])
+        for port, place, function in self.special:
+            angle = angles[place] if place >= 0 else 0.0
+            torques[port] = function(time, float(rates[port]), angle)
+        for index, (converter, piece) in enumerate(self.converters):
+            pump, turbine = layout.pumps + index, layout.turbines + index
+            torques[pump], torques[turbine] = converter_torques(
+                converter, piece, float(rates[pump]), float(rates[turbine])
+            )
+        return torques
+
+    def torques_at(self, times: Floats, rates: Floats, twists: Floats, angles: Floats) -> Floats:
+        """The same at several times; all shapes end with these."""
+        times = self.inside(times)
+        torques: Floats = self.by_rate[:, None] * rates
+        torques += self.c0[:, None]
+        if self.c1.any():
+            torques += self.c1[:, None] * times
+        layout = self.layout
+        if len(twists):
+            torques[layout.springs : layout.pumps] += self.elastic[:, None] * twists
+        for port, place, slope in self.by_angle:
+            torques[port] += slope * angles[place]
+        for port, formula, factor in self.timed:
+            torques[port] = factor * curve_along(formula, times)
+        for port, on_road in self.roads:
+            torques[port] = on_road(rates[port])
+        for port, place, function in self.special:
+            turned = angles[place].tolist() if place >= 0 else [0.0] * len(times)
+            at = zip(times.tolist(), rates[port].tolist(), turned, strict=True)
+            torques[port] = [function(*one) for one in at]
+        for index, (converter, piece) in enumerate(self.converters):
+            pump, turbine = layout.pumps + index, layout.turbines + index
+            made = converter_torques_at(converter, piece, rates[pump], rates[turbine])
+            torques[pump], torques[turbine] = made
+        return torques
+
+    def inside(self, times: Floats) -> Floats:
+        """Times as formulas are asked for them; the same array where it lies inside."""
+        if len(times) and (times[0] < self.after or times[-1] > self.until):
+            clipped: Floats = np.clip(times, self.after, self.until)
+            return clipped
+        return times
+
+    def slopes(self, time: float, rates: Floats, angles: Floats, within: float) -> Floats:
+        """Change of the torques with time alone, and of springs with their rates [N*m/s]."""
+        slopes = self.c1.copy()
+        layout = self.layout
+        springs = slice(layout.springs, layout.pumps)
+        slopes[springs] += self.elastic * rates[springs]
+        for port, formula, factor in self.timed:
+            slopes[port] = factor * slope_of(formula, time, within)
+        for port, place, function in self.special:
+            angle = angles[place] if place >= 0 else 0.0
+            rate = float(rates[port])
+            later, now = (function(time + part * within, rate, angle) for part in (1.0, 0.0))
+            middle = function(time + 0.5 * within, rate, angle)
+            slopes[port] = (4 * middle - 3 * now - later) / within
+        return slopes
+
+    def _outside(
+        self, port: int, law: Points | Formula | Road, piece: int, place: int, time: float
+    ) -> None:
+        if isinstance(law, Road):
+            if law.drag_area:
+                self.roads.append((port, law.torque))
+                self.senses_rate[port] = True
+            else:
+                self.c0[port] = -law.climbing_torque
+        elif isinstance(law, Formula) and not law.variables & {"speed", "angle"}:
+            self.timed.append((port, law, 1.0))
+        elif isinstance(law, Formula):
+            self.special.append((port, place, law.function))
+            self.senses_rate[port] = "speed" in law.variables
+        elif law.over == "time":
+            self.c0[port], self.c1[port] = law.piece(law.piece_at(time))
+        else:
+            value, slope = law.piece(piece)
+            self.c0[port] = value
+            if law.over == "speed":
+                self.by_rate[port] = slope
+                self.senses_rate[port] = len(law.x) > 1
+            else:
+                self.by_angle.append((port, place, slope))
+
+    def _contact(self, port: int, contact: Contact, state: str, time: float) -> None:
+        if state not in ("+", "-"):
+            return
+        sign = 1.0 if state == "+" else -1.0
+        if contact.one_way and state == "+":
+            self.c0[port] = contact.overrun_drag
+            return
+        if contact.friction is None or len(contact.friction.coefficient) == 1:
+            mu = friction_at(contact.friction)
+            self._programme(port, contact.programme, sign * mu, time)
+            return
+
+        def torque(at: float, slip: float, _angle: float) -> float:
+            return sign * capacity_at(contact, at, slip)
+
+        self.special.append((port, -1, torque))
+
+    def _programme(self, port: int, programme: Programme, sign: float, time: float) -> None:
+        curve, factor = programme.curve, sign * programme.factor
+        if isinstance(curve, Points):
+            value, slope = curve.piece(curve.piece_at(time))
+            self.c0[port] = factor * value if math.isfinite(value) else sign * value
+            self.c1[port] = factor * slope
+            return
+        self.timed.append((port, curve, factor))
+
+
+def converter_torques(
+    converter: Converter, piece: int, pump: float, turbine: float
+) -> tuple[float, float]:
+    """Torques that a converter takes from its pump and from its turbine, by their speeds.
+
+    ``M_P = lambda w_P |w_P|`` and ``-K M_P`` (Tsitovich, Algin, (1.38)), with K and lambda by the
+    straight line of a piece; none with the pump at rest.
+    """
+    if pump == 0:
+        return 0.0, 0.0
+    factor, coefficient = _on_piece(converter, piece, turbine / pump)
+    taken = coefficient * pump * abs(pump)
+    return taken, -factor * taken
+
+
+def converter_torques_at(
+    converter: Converter, piece: int, pumps: Floats, turbines: Floats
+) -> tuple[Floats, Floats]:
+    """The same at several instants."""
+    turns = pumps != 0
+    ratios = np.divide(turbines, pumps, out=np.zeros_like(pumps), where=turns)
+    factor, coefficient = _on_piece(converter, piece, ratios)
+    taken = np.where(turns, coefficient * pumps * np.abs(pumps), 0.0)
+    return taken, -factor * taken
+
+
+def converter_piece(converter: Converter, ratio: float) -> int:
+    """The piece of the points that holds from a ratio of speeds on; piece 0 is before the first."""
+    return bisect_right([point[0] for point in converter.points], ratio)
+
+
+def _on_piece(converter: Converter, piece: int, ratio: Any) -> tuple[Any, Any]:
+    """K and lambda."""
+    points = converter.points
+    if piece in (0, len(points)):
+        return points[min(piece, len(points) - 1)][1:]
+    (i0, k0, l0), (i1, k1, l1) = points[piece - 1 : piece + 1]
+    part = (ratio - i0) / (i1 - i0)
+    return k0 + part * (k1 - k0), l0 + part * (l1 - l0)

@@ -1,0 +1,232 @@
+"""The equations of motion while the same things stick: constant matrices.
+
+``M dw/dt = F - B x`` and ``C' w = 0``: the columns C are those of rigid mechanisms and of contacts
+that stick, B is C with ``u eta^x`` in place of u. With N and L, bases of what C and B leave
+free, ``(L' M N) dq/dt = L' F`` and ``w = N q``. Motions in which nothing heavy moves are apart:
+along these the torques balance, ``L0' F = 0``.
+"""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from typing import NamedTuple
+
+import numpy as np
+
+from vstatics.numerics.arrays import Booleans, Floats
+from vstatics.simulation.system.matrices import MotionSystem
+
+Held = tuple[bool, ...]
+"""Of each contact, whether it sticks."""
+MeshStates = tuple[str, ...]
+"""Of each rigid mechanism: `""` lossless; `stick`; else the signs of the speed of its first link
+against the third and of the torque on its first link, as `+-`."""
+
+_INDEPENDENT_MOTION = 1e-9
+"""A direction counts that is above this part of the largest."""
+_ROUNDED_MOTION = 1e-12
+"""Parts of a motion below this are rounding."""
+_LAST_PREFERENCE = 1e2
+_FIRST = 1e-2
+"""Weights in the norm of redundant torques: drags and meshes take a part last."""
+
+
+class Multiplier(NamedTuple):
+    """A torque that follows from what holds."""
+
+    kind: str
+    """`mesh`: on the first link of a mechanism; `friction` of a mesh that sticks; `contact`."""
+    of: int
+
+
+class MotionStructure:
+    """Matrices while the same things stick.
+
+    Attributes
+    ----------
+    free : ndarray, shape (links, motions)
+        Speeds of links by those of the motions with inertia, ``N``.
+    light : ndarray, shape (links, massless motions)
+        Speeds of links by those of the motions without.
+    projection : ndarray, shape (motions, links)
+        Motions of the same momentum by speeds of links that do not fit, as those of links without
+        inertia.
+    rates, light_rates : ndarray
+        Rates of ports by these.
+    accelerations : ndarray, shape (motions, ports)
+        dq/dt by the torques of ports.
+    balances : ndarray, shape (massless motions, ports)
+        What must be 0, by the torques of ports.
+    multipliers : sequence of Multiplier
+    torques : ndarray, shape (multipliers, ports)
+        By the torques of ports; of redundant ones those of least norm.
+    redundant : ndarray, shape (multipliers, directions)
+        Changes of these that change nothing else, orthonormal in the weighted norm.
+    mesh_rates, mesh_light_rates : ndarray
+        What a mesh loses by the torque on its first link, by the motions.
+    """
+
+    def __init__(self, system: MotionSystem, held: Held, meshes: MeshStates) -> None:
+        self.held = held
+        rows, columns, self.multipliers = _constraints(system, held, meshes)
+        mass, ports = system.mass, system.port_rows()
+        signs = np.full(len(ports), -1.0)
+        signs[: len(system.outside)] = 1.0
+        forces = ports.T * signs
+        self.free, self.light = _motions(system.heavy, rows)
+        left, left_light = self.free, self.light
+        taken = columns.T[: len(meshes)] - rows.T[: len(meshes)]
+        circulating = np.zeros((len(self.multipliers), 0))
+        if columns is not rows:
+            circulating = _circulating(rows, columns)
+            columns = columns - columns @ circulating @ circulating.T
+            left, left_light = _motions(system.heavy, columns)
+        momenta = self.free.T @ mass
+        self.projection = np.asarray(np.linalg.solve(momenta @ self.free, momenta), float)
+        self.rates = ports @ self.free
+        self.light_rates = ports @ self.light
+        self.balances = left_light.T @ forces
+        reduced = left.T @ mass @ self.free
+        self.accelerations: Floats = np.linalg.solve(reduced, left.T @ forces)
+        residual = forces - mass @ self.free @ self.accelerations
+        weights = np.array([_weight(system, one) for one in self.multipliers])
+        fixed = np.vstack([columns, circulating.T])
+        residual = np.vstack([residual, np.zeros((circulating.shape[1], residual.shape[1]))])
+        self.torques, self.redundant = _multipliers(fixed, weights, residual)
+        self.mesh_rates: Floats = taken @ self.free
+        self.mesh_light_rates: Floats = taken @ self.light
+        self.loses = any(state not in ("", "stick") for state in meshes)
+
+
+def _weight(system: MotionSystem, multiplier: Multiplier) -> float:
+    if multiplier.kind == "mesh":
+        return _FIRST
+    if multiplier.kind == "friction" or system.contacts[multiplier.of].is_drag:
+        return _LAST_PREFERENCE
+    return 1.0
+
+
+def mesh_factor(efficiency: float, back: float, state: str) -> float:
+    """``eta^x`` of a mesh: x is +1 where power enters by the first link, seen from the third.
+
+    >>> mesh_factor(0.98, 0.98, "+-"), mesh_factor(0.98, 0.98, "--"), mesh_factor(1, 1, "")
+    (1.0204081632653061, 0.98, 1.0)
+    """
+    if state in ("", "stick"):
+        return 1.0
+    return efficiency if state[0] == state[1] else 1 / back
+
+
+def _constraints(
+    system: MotionSystem, held: Held, meshes: MeshStates
+) -> tuple[Floats, Floats, list[Multiplier]]:
+    """Rows and columns of what holds, both as columns; the same array where nothing is lost."""
+    rows, columns, multipliers = [], [], []
+    for index, (mesh, state) in enumerate(zip(system.meshes, meshes, strict=True)):
+        factor = mesh_factor(mesh.efficiency, mesh.back, state)
+        rows.append(mesh.row)
+        columns.append(mesh.row + (factor - 1) * mesh.friction)
+        multipliers.append(Multiplier("mesh", index))
+    for index, (mesh, state) in enumerate(zip(system.meshes, meshes, strict=True)):
+        if state == "stick":
+            rows.append(mesh.friction)
+            columns.append(mesh.friction)
+            multipliers.append(Multiplier("friction", index))
+    for index, (contact, sticks) in enumerate(zip(system.contacts, held, strict=True)):
+        if sticks:
+            rows.append(contact.row)
+            columns.append(contact.row)
+            multipliers.append(Multiplier("contact", index))
+    links = len(system.names)
+    made = np.array(rows).reshape(len(rows), links).T
+    if all(state in ("", "stick") for state in meshes):
+        return made, made, multipliers
+    return made, np.array(columns).T, multipliers
+
+
+def null(matrix: Floats) -> Floats:
+    """An orthonormal basis of what a matrix takes to 0, as columns."""
+    if not matrix.shape[0]:
+        return np.eye(matrix.shape[1])
+    norms = np.linalg.norm(matrix, axis=1, keepdims=True)
+    scaled = matrix / np.where(norms > 0, norms, 1.0)
+    _, sizes, right = np.linalg.svd(scaled)
+    rank = int((sizes > _INDEPENDENT_MOTION * max(sizes[0], 1e-300)).sum()) if len(sizes) else 0
+    basis: Floats = right[rank:].T
+    return basis
+
+
+def _motions(heavy: Floats, columns: Floats) -> tuple[Floats, Floats]:
+    """What columns leave free: motions of something heavy, and those of nothing heavy."""
+    free = null(columns.T)
+    if not free.shape[1]:
+        return free, free
+    _, sizes, right = np.linalg.svd(heavy @ free)
+    rank = (
+        int((sizes > _INDEPENDENT_MOTION * sizes[0]).sum()) if sizes[0] > _INDEPENDENT_MOTION else 0
+    )
+    light = free @ right[rank:].T
+    light[np.abs(light) < _ROUNDED_MOTION] = 0.0  # or a law of a heavy link would seem to sense it
+    return free @ right[:rank].T, light
+
+
+def _circulating(rows: Floats, columns: Floats) -> Floats:
+    """Multipliers that change no speed but lose power, as gears on two ways that turn alike.
+
+    Nothing tells how large they are: they are taken to be 0. As columns, orthonormal.
+    """
+    if not rows.shape[1]:
+        return np.zeros((0, 0))
+    spare = null(rows)
+    if not spare.shape[1]:
+        return spare
+    _, sizes, right = np.linalg.svd(columns @ spare)
+    rank = int((sizes > _INDEPENDENT_MOTION * np.abs(columns).max()).sum())
+    circulating: Floats = spare @ right[:rank].T
+    return circulating
+
+
+def _multipliers(columns: Floats, weights: Floats, residual: Floats) -> tuple[Floats, Floats]:
+    """Multipliers by ports, and what of them is redundant.
+
+    Of redundant ones those of least weighted norm; drags and meshes take a part only where
+    nothing else does.
+    """
+    count = columns.shape[1]
+    if not count:
+        return np.zeros((0, residual.shape[1])), np.zeros((0, 0))
+    rank = _rank(columns)
+    bearing: Booleans = weights < _LAST_PREFERENCE
+    places = np.arange(count)
+    if not bearing.all():
+        found = _rank(columns[:, bearing])
+        for index in np.flatnonzero(~bearing):
+            bearing[index] = found < rank and _rank(columns[:, bearing | (places == index)]) > found
+            found += int(bearing[index])
+    scaled = columns[:, bearing] / weights[bearing]
+    left, sizes, right = np.linalg.svd(scaled, full_matrices=False)
+    used = sizes > _INDEPENDENT_MOTION * 1e-3 * sizes[0]
+    made = np.zeros((count, residual.shape[1]))
+    least = (right[used].T / sizes[used]) @ left[:, used].T @ residual
+    made[bearing] = least / weights[bearing, None]
+    if rank == count:
+        return made, np.zeros((count, 0))
+    spare = null(columns) * weights[:, None]
+    basis, _ = np.linalg.qr(spare)  # orthonormal in the weighted norm
+    return made, basis / weights[:, None]
+
+
+def _rank(columns: Floats) -> int:
+    sizes = np.linalg.svd(columns, compute_uv=False)
+    return int((sizes > _INDEPENDENT_MOTION * sizes[0]).sum()) if len(sizes) else 0
+
+
+class Structures:
+    """Structures of a system, each made once."""
+
+    def __init__(self, system: MotionSystem) -> None:
+        self.system = system
+        self.of = lru_cache(maxsize=512)(self._made)
+
+    def _made(self, held: Held, meshes: MeshStates) -> MotionStructure:
+        return MotionStructure(self.system, held, meshes)

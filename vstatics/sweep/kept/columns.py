@@ -1,0 +1,176 @@
+"""The text of --out -> columns with headings."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from vstatics.errors import Problem, ReadError
+from vstatics.numerics.arrays import Floats
+from vstatics.readers.expressions.excerpt import Excerpt
+from vstatics.readers.expressions.grammar import Applied
+from vstatics.readers.named.nodes import MOST_PROBLEMS
+from vstatics.sweep.kept.evaluation import FUNCTIONS, LAST
+from vstatics.sweep.kept.expressions import Expression, names_of, read_expression
+from vstatics.sweep.kept.meanings import NameFinder, Selection, Tables, VariedNumber
+from vstatics.sweep.variants.subject import Subject
+from vstatics.sweep.variants.targets import Varied
+from vstatics.tables.names import written
+
+OPTION = "--out"
+
+_BLANK = re.compile(r"\s")
+
+
+class ColumnGroup(NamedTuple):
+    """An expression, and which of its values become columns."""
+
+    expression: Expression
+    cells: tuple[tuple[int, int], ...]
+    """Index of gear and of row, 0 where it has none."""
+
+
+@dataclass(frozen=True)
+class OutputColumns:
+    """What is written of each variant.
+
+    Parameters
+    ----------
+    headings : tuple of str
+        All different.
+    parts : tuple of ColumnGroup
+        What they stand for, in the same order.
+    """
+
+    headings: tuple[str, ...]
+    parts: tuple[ColumnGroup, ...]
+
+    def __call__(self, tables: Tables, values: Floats) -> Floats:
+        """Calculate all columns.
+
+        Parameters
+        ----------
+        tables : Tables
+            `Results` of an array of variants, or what else has tables of them.
+        values : ndarray, shape (variants, targets)
+            The varied numbers. [-]
+
+        Returns
+        -------
+        ndarray, shape (variants, columns)
+            Each column lies in one stretch of memory. NaN does not exist. [-]
+        """
+        columns = np.empty((len(self.headings), len(values))).T
+        column = 0
+        for expression, cells in self.parts:
+            table = expression.spread(tables, values)
+            for gear, row in cells:
+                columns[:, column] = table[:, gear, row]
+                column += 1
+        return columns
+
+
+def read_columns(text: str, subject: Subject, targets: Sequence[Varied]) -> OutputColumns:
+    """Read a list of expressions, separated by commas outside brackets.
+
+    Each gives a column, or one for each gear and row that it has: all gears of the first
+    row, then of the second. What is asked for twice is written once, and varied numbers not
+    at all, since they have columns of their own.
+
+    Parameters
+    ----------
+    text : str
+    subject : Transmission or VariedScenario
+        Whose names the text uses.
+    targets : sequence of Varied
+        What is varied.
+
+    Raises
+    ------
+    ReadError
+        With everything that is wrong, and its places.
+
+    Examples
+    --------
+    >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission
+    >>> case = Transmission(3, [ShiftElement(1, 2), ShiftElement(2, 0)],
+    ...                     [Mechanism(1, 2, 3, -2.5)], [Gear([1]), Gear([2], name="1R")])
+    >>> columns = read_columns("ratio, speeds[3], abs(losses[D1]), ratio[2] - 1", case, [])
+    >>> columns.headings[:4]
+    ('ratio[1]', 'ratio["1R"]', 'speeds[3,1]', 'speeds[3,"1R"]')
+    >>> columns.headings[4:]
+    ('abs(losses[D1])[1]', 'abs(losses[D1])["1R"]', 'ratio[2] - 1')
+    """
+    names = names_of(Excerpt(text, OPTION), subject, targets)
+    varied = {one.name for one in targets}
+    known = set(varied)
+    headings: list[str] = []
+    parts: list[ColumnGroup] = []
+    problems: list[Problem] = []
+    for start, stop in _items(text):
+        try:
+            expression = read_expression(Excerpt(text, OPTION, start, stop), subject, targets)
+        except ReadError as error:
+            problems += error.problems
+            if len(problems) >= MOST_PROBLEMS:
+                break
+            continue
+        cells = []
+        for cell, heading in _headings(expression, names, targets):
+            if heading in varied and not isinstance(expression.node, VariedNumber):
+                heading = f"({heading})"  # noqa: PLW2901 - it is not what is varied
+            if heading not in known:
+                known.add(heading)
+                headings.append(heading)
+                cells.append(cell)
+        parts.append(ColumnGroup(expression, tuple(cells)))
+    if problems:
+        raise ReadError(problems)
+    return OutputColumns(tuple(headings), tuple(parts))
+
+
+def _items(text: str) -> Iterator[tuple[int, int]]:
+    """The ends of the parts between commas that stand outside brackets and quotes."""
+    start, depth, quote = 0, 0, ""
+    for at, letter in enumerate(text):
+        if quote:
+            quote = "" if letter == quote else quote
+        elif letter in "\"'":
+            quote = letter
+        elif letter in "([":
+            depth += 1
+        elif letter in ")]":
+            depth -= 1
+        elif letter == "," and depth <= 0:
+            yield start, at
+            start = at + 1
+    yield start, len(text)
+
+
+def _headings(
+    expression: Expression, names: NameFinder, targets: Sequence[Varied]
+) -> Iterator[tuple[tuple[int, int], str]]:
+    """Gear and row of each column, and its heading."""
+    node, text = expression.node, _BLANK.sub(" ", expression.text)
+    if isinstance(node, VariedNumber):
+        yield (0, 0), targets[node.column].name
+        return
+    gears: Sequence[str] = expression.gears or ()
+    rows: Sequence[str] = expression.rows or ()
+    own_gear = own_row = None
+    if isinstance(node, Applied) and node.name == LAST and expression.table:
+        (node,) = node.operands
+    call = isinstance(node, Applied) and node.name in (*FUNCTIONS, LAST)
+    before = text if call else f"({text})"
+    if isinstance(node, Selection):  # a heading tells the row and gear that were picked, too
+        gears, rows = names.gears, names.written_rows(node.table)
+        own_gear, own_row, before = node.gear, node.row, expression.table
+    for row in range(len(expression.rows or ("",))):
+        for gear in range(len(expression.gears or ("",))):
+            picked = ((own_row, row, rows), (own_gear, gear, gears))
+            keys = [written(n if own is None else own, names) for own, n, names in picked if names]
+            yield (gear, row), f"{before}[{','.join(keys)}]" if keys else text

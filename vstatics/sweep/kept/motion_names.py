@@ -1,0 +1,113 @@
+"""What the names in an expression mean where a scenario is swept: tables of runs, its numbers."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from vstatics.errors import Place, listed, nearest, quoted, typed_number
+from vstatics.readers.expressions.excerpt import Excerpt
+from vstatics.readers.expressions.grammar import Language
+from vstatics.readers.expressions.operands import Constant, DottedName, Subscript, TableName
+from vstatics.sweep.kept.evaluation import FUNCTIONS, LAST
+from vstatics.sweep.kept.meanings import Selection, VariedNumber
+from vstatics.sweep.motion_tables import TABLES, along_time
+from vstatics.sweep.variants.subject import VariedScenario
+from vstatics.sweep.variants.targets import Varied
+
+LANGUAGE = Language(
+    (*FUNCTIONS, LAST),
+    "a number, a table such as heat[F2], a number of the scenario such as shifts.1.at, "
+    "or a function",
+    example="work",
+    instead="; rows of a table go in [ ]",
+)
+
+
+class MotionNames:
+    """Finds what names in a text mean, for a scenario and what is varied of it."""
+
+    gears: Sequence[str] = ()
+    """None: the first axis of the tables is that of time."""
+
+    def __init__(self, source: Excerpt, subject: VariedScenario, targets: Sequence[Varied]) -> None:
+        self.source = source
+        self.language = LANGUAGE
+        self.subject = subject
+        self.targets = targets
+
+    def number(self, name: DottedName) -> VariedNumber | Constant:
+        """A number of the scenario or its case: varied, or else as it is written."""
+        place = self.source.place(name.at)
+        return self._number(name.written, place)
+
+    def _number(self, written: str, place: Place) -> VariedNumber | Constant:
+        found = self.subject.target(written, place)
+        for column, varied in enumerate(self.targets):
+            if varied.number == found.number:
+                return VariedNumber(column)
+        return Constant(self.subject.written_number(found, place))
+
+    def table(self, read: TableName) -> Selection | VariedNumber | Constant:
+        """A table, or a part of it; or the duration."""
+        known = TABLES.get(read.name)
+        if known is None:
+            if read.name == "duration" and not read.subscripts:
+                return self._number(read.name, self.source.place(read.at))
+            raise self.source.error(self._no_table(read.name), read.at)
+        gear = None if along_time(read.name) else 0
+        subscripts = list(read.subscripts)
+        if known.kind == "number":
+            if subscripts:
+                message = f"`{read.name}` has no rows, expected it without `[`"
+                raise self.source.error(message, subscripts[0].at)
+            return Selection(read.name, gear, None, 0)
+        rows = self.rows(read.name)
+        if not rows:
+            message = f"there is no {known.kind}, so `{read.name}` is empty"
+            raise self.source.error(message, read.at)
+        row = self._row(subscripts.pop(0), rows, known.kind) if subscripts else None
+        if subscripts:
+            message = f"read one part too many, expected {read.name}[{known.kind}]"
+            raise self.source.error(message, subscripts[0].at)
+        return Selection(read.name, gear, row, len(rows))
+
+    def rows(self, table: str) -> Sequence[str]:
+        """The names of a table's rows; none if it has no rows."""
+        return self.subject.rows(TABLES[table].kind)
+
+    def written_rows(self, table: str) -> Sequence[str]:
+        """The same: all variants have the names of the scenario itself."""
+        return self.rows(table)
+
+    def row(self, table: str) -> str:
+        """What a row of a table is."""
+        return TABLES[table].kind
+
+    def _row(self, subscript: Subscript, rows: Sequence[str], kind: str) -> int | None:
+        """What a subscript stands for: by its name first, then by its number; None for all."""
+        written = subscript.written
+        if written == ":":
+            return None
+        name = written[1:-1] if written[0] in "\"'" else written
+        found = [] if written[0] == "#" else [n for n, row in enumerate(rows) if row == name]
+        if not found and kind == "target":  # the one speed that is asked for of a link
+            found = [n for n, row in enumerate(rows) if row.rpartition(" ")[0] == name]
+        number = None if found else typed_number(written.removeprefix("#"), len(rows))
+        if number is not None:
+            return number - 1
+        if len(found) == 1:
+            return found[0]
+        some = f"there are {len(found)}" if found else "there is no"
+        known = listed([quoted(row) for row in rows])
+        message = f"{some} {kind} {quoted(name)}, expected one of {known}"
+        raise self.source.error(message + nearest(name, rows), subscript.at)
+
+    def _no_table(self, name: str) -> str:
+        """What to say of a name that is no table."""
+        hint = ""
+        for table in ("speeds", "heat", "torques"):
+            if not hint and name in self.rows(table):
+                hint = f"; a name goes in brackets: {table}[{name}]"
+        hint = hint or nearest(name, (*TABLES, *FUNCTIONS, LAST))
+        hint = hint or f", expected one of {listed(list(TABLES), 30)}"
+        return f"a run has no table {quoted(name)}{hint}"

@@ -1,0 +1,169 @@
+"""What the names in an expression of a sweep mean: tables, rows, gears, numbers of the case."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import cached_property
+
+from vstatics.errors import quoted, typed_number
+from vstatics.model.transmission import Transmission
+from vstatics.readers.expressions.excerpt import Excerpt
+from vstatics.readers.expressions.grammar import Applied, Language
+from vstatics.readers.expressions.operands import Constant, DottedName, Subscript, TableName
+from vstatics.statics.physical import known_units, lacking_load
+from vstatics.statics.result_arrays import Rows
+from vstatics.sweep.frequencies import OMEGA, mode_names
+from vstatics.sweep.kept.evaluation import FUNCTIONS
+from vstatics.sweep.kept.meanings import Selection, VariedNumber
+from vstatics.sweep.variants.targets import Target, Varied, own_number, target
+from vstatics.tables.names import ROWS, nearest_quantity, no_row, rows_called, several, table_rows
+from vstatics.tables.quantities import BY_NAME
+
+LANGUAGE = Language(
+    FUNCTIONS,
+    "a number, a table such as ratio[1], a varied number such as D1.ratio, or a function",
+    example="ratio",
+    instead="; rows and gears of a table go in [ ]",
+)
+
+
+class SweepNames:
+    """Finds what names in a text mean, for a case and what is varied of it.
+
+    Examples
+    --------
+    >>> from vstatics.model.transmission import Gear, Mechanism, Transmission
+    >>> case = Transmission(3, [], [Mechanism(1, 2, 3, -2.5)], [Gear(), Gear()])
+    >>> names = SweepNames(Excerpt("losses[D1, :]", "--out"), case, [])
+    >>> names.table(TableName("losses", (Subscript("D1", 7), Subscript(":", 11)), 0))
+    Selection(table='losses', gear=None, row=0, rows=1)
+    """
+
+    def __init__(self, source: Excerpt, case: Transmission, targets: Sequence[Varied]) -> None:
+        self.source = source
+        self.language = LANGUAGE
+        self.case = case
+        self.targets = [one for one in targets if isinstance(one, Target)]
+        self.gears = [gear.name for gear in case.gears]
+
+    def number(self, name: DottedName) -> VariedNumber | Applied | Constant:
+        """A number of the case: varied, or else its own; a compliance by a varied stiffness."""
+        found = target(name.written, self.case, self.source.place(name.at))
+        for column, varied in enumerate(self.targets):
+            if varied.number == found.number:
+                number = VariedNumber(column)
+                same = varied.quantity == found.quantity
+                return number if same else Applied("/", (Constant(1.0), number), name.at, 1)
+        return Constant(own_number(self.case, found.owner, found.quantity))
+
+    def table(self, read: TableName) -> Selection:
+        """A table, or a part of it."""
+        if read.name == OMEGA:
+            return self._frequency(read)
+        known = BY_NAME.get(read.name)
+        if known is None:
+            raise self.source.error(self._no_table(read.name), read.at)
+        if known.columns != "gears":
+            message = f"`{read.name}` is not of a gear, so a sweep does not have it"
+            raise self.source.error(message, read.at)
+        if known.unit and known.unit not in known_units(self.case):
+            raise self.source.error(lacking_load(read.name, known.unit), read.at)
+        kind, subscripts, row = known.rows, list(read.subscripts), None
+        rows = self.rows(known.name)
+        if kind != "one":
+            if not rows:
+                message = f"the case has no {ROWS[kind].all}, so `{read.name}` is empty"
+                raise self.source.error(message, read.at)
+            row = self._index(subscripts.pop(0), rows, kind) if subscripts else None
+        gear = self._index(subscripts.pop(0), self.gears, "one") if subscripts else None
+        if subscripts:
+            parts = "[gear]" if kind == "one" else f"[{ROWS[kind].one}, gear]"
+            message = f"read one part too many, expected {read.name}{parts}"
+            raise self.source.error(message, subscripts[0].at)
+        return Selection(known.name, gear, row, len(rows))
+
+    def rows(self, table: str) -> Sequence[str]:
+        """The names of a table's rows in the case; none if it has one value per gear."""
+        return self._modes if table == OMEGA else table_rows(table, self.case)
+
+    def written_rows(self, table: str) -> Sequence[str]:
+        """The names of all rows that a table may have, also in a variant that has more modes."""
+        if table == OMEGA:
+            return [str(number) for number in range(1, len(self.case.link_names) + 1)]
+        return table_rows(table, self.case)
+
+    def row(self, table: str) -> str:
+        """What a row of a table is."""
+        return "mode" if table == OMEGA else ROWS[BY_NAME[table].rows].one
+
+    @cached_property
+    def _modes(self) -> list[str]:
+        return mode_names(self.case, self.targets)
+
+    def _frequency(self, read: TableName) -> Selection:
+        """Natural frequencies; a mode that the case has not may be one of a variant."""
+        if not self._modes:
+            message = "the case has no natural mode in any gear, so there is no `omega`: it takes "
+            message += "inertias, and springs or a stiffness between them"
+            raise self.source.error(message, read.at)
+        subscripts, mode = list(read.subscripts), None
+        if subscripts and subscripts[0].written != ":":
+            written, most = subscripts[0].written, self.written_rows(OMEGA)
+            number = typed_number(written.removeprefix("#"), len(most))
+            if number is None:
+                message = f"read {quoted(written)}, expected the number of a mode, 1 to {most[-1]}"
+                raise self.source.error(message, subscripts[0].at)
+            mode = number - 1
+        gear = self._index(subscripts[1], self.gears, "one") if len(subscripts) > 1 else None
+        if len(subscripts) > 2:
+            message = "read one part too many, expected omega[mode, gear]"
+            raise self.source.error(message, subscripts[2].at)
+        return Selection(OMEGA, gear, mode, len(self._modes))
+
+    def _index(self, subscript: Subscript, names: Sequence[str], kind: Rows) -> int | None:
+        """What a subscript stands for: by its name first, then by its number; None for all."""
+        written = subscript.written
+        if written == ":":
+            return None
+        in_quotes = written[0] in "\"'"
+        name = written[1:-1] if in_quotes else written
+        found = [] if written[0] == "#" else self._called(name, names, kind)
+        if len(found) == 1:
+            return found[0]
+        if found:
+            raise self.source.error(several(name, found, names), subscript.at)
+        number = typed_number(written.removeprefix("#"), len(names))
+        if number is not None:
+            return number - 1
+        raise self.source.error(self._no_row(written, name, names, kind), subscript.at)
+
+    def _called(self, name: str, names: Sequence[str], kind: Rows) -> list[int]:
+        """Indices of the rows or gears of a name."""
+        if kind != "one":
+            return rows_called(name, kind, self.case)
+        return [names.index(name)] if name in names else []
+
+    def _no_row(self, written: str, name: str, names: Sequence[str], kind: Rows) -> str:
+        """What to say of a row or a gear that there is not."""
+        if written[0] == "#":
+            what = ROWS[kind].one
+            return f"read `{written}`, expected the number of a {what}, #1 to #{len(names)}"
+        second = f"; a gear goes in the second place: [:,{written}]"
+        hint = second if kind != "one" and name in self.gears else ""
+        return no_row(name, kind, names, hint)
+
+    def _no_table(self, name: str) -> str:
+        """What to say of a name that is no table."""
+        case = self.case
+        if name in [mechanism.name for mechanism in case.mechanisms]:
+            hint = f"; `{name}` is a mechanism: {name}.ratio, or in brackets as in losses[{name}]"
+        elif name in case.link_names:
+            hint = f"; `{name}` is a link: in brackets, as in speeds[{name}]"
+        elif name in [element.name for element in case.shift_elements]:
+            hint = f"; `{name}` is a shift element: in brackets, as in torques[{name}]"
+        else:
+            hint = (
+                nearest_quantity(name, (*FUNCTIONS, OMEGA))
+                or "; such as ratio, efficiency, speeds[C1]"
+            )
+        return f"there is no table {quoted(name)}{hint}"

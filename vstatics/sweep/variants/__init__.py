@@ -1,0 +1,7 @@
+"""What is varied: numbered variants of a case or of a scenario.
+
+`subject` is a case or a scenario. `targets` tells which number of a case is meant,
+`scenario_numbers` which of a scenario; `variation` reads over which values it goes, `steps` are
+such values, `samples` points between bounds, `table` a file of variants. `numbered` gives any block
+of them at any time.
+"""

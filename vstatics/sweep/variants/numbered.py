@@ -1,0 +1,261 @@
+"""Numbered variants: any block of them at any time, always with the same numbers."""
+
+from __future__ import annotations
+
+import hashlib
+import math
+from collections.abc import Hashable, Iterable
+from typing import Protocol
+
+import numpy as np
+
+from vstatics.errors import CaseError, Problem, ReadError
+from vstatics.jobs.spool import Spool
+from vstatics.numerics.arrays import Floats
+from vstatics.simulation.scenario.distribution import Distribution
+from vstatics.sweep.variants.steps import Steps
+from vstatics.sweep.variants.targets import Varied
+from vstatics.sweep.variants.variation import MOST, Span, Variation
+
+
+class Variants(Protocol):
+    """What is varied, how many variants there are, and their numbers."""
+
+    @property
+    def targets(self) -> tuple[Varied, ...]:
+        """What the columns of a block stand for."""
+
+    @property
+    def count(self) -> int:
+        """How many variants there are."""
+
+    def block(self, start: int, stop: int) -> Floats:
+        """The varied numbers of the variants from `start` up to `stop`, counted from 0.
+
+        Shape (stop - start, len(targets)), each column contiguous. Any block may be asked
+        for at any time; the numbers of a variant are always the same.
+        """
+
+
+class VariantGrid:
+    """Every value with every other; the last variation runs fastest, like nested loops.
+
+    Parameters
+    ----------
+    variations : iterable of Variation
+        With lists or steps.
+
+    Raises
+    ------
+    ReadError
+        If a number is varied twice, or a variation has no values but a span.
+    CaseError
+        If there are 2**63 variants or more.
+
+    Examples
+    --------
+    >>> from vstatics.sweep.variants.targets import Target
+    >>> ratio, efficiency = Target("D1.ratio", 0, "ratio"), Target("D1.efficiency", 0, "efficiency")
+    >>> grid = VariantGrid([Variation(ratio, Steps(-3, -2, 3)),
+    ...              Variation(efficiency, np.array([0.95, 0.97]))])
+    >>> grid.count
+    6
+    >>> grid.block(1, 4)
+    array([[-3.  ,  0.97],
+           [-2.5 ,  0.95],
+           [-2.5 ,  0.97]])
+    """
+
+    def __init__(self, variations: Iterable[Variation]) -> None:
+        self.targets, self.values = _listed(list(variations))
+        self.count = math.prod(map(len, self.values))
+        if self.count > MOST:
+            message = f"the grid has {self.count} variants, expected fewer than 2**63: "
+            raise CaseError([Problem(message + "give fewer values, or take a sample")])
+
+    def block(self, start: int, stop: int) -> Floats:
+        """The numbers of a block of variants, as `Variants` says."""
+        block = empty_block(self, start, stop)
+        numbers = np.arange(start, stop)
+        for column, values in reversed(list(enumerate(self.values))):
+            numbers, indices = np.divmod(numbers, len(values))
+            block[:, column] = values[indices]
+        return block
+
+
+class Zip:
+    """The first values together, then the second, and so on.
+
+    Parameters
+    ----------
+    variations : iterable of Variation
+        With lists or steps of one length.
+
+    Raises
+    ------
+    ReadError
+        If a number is varied twice, a variation has no values but a span, or there are
+        more or fewer values than in the first.
+    """
+
+    def __init__(self, variations: Iterable[Variation]) -> None:
+        variations = list(variations)
+        self.targets, self.values = _listed(variations)
+        self.count = len(self.values[0]) if self.values else 0
+        problems = [
+            Problem(
+                f"{variation.target.name} has {len(values)} values, but "
+                f"{self.targets[0].name} has {self.count}: pairs need as many of each",
+                place=variation.place,
+            )
+            for variation, values in zip(variations, self.values, strict=True)
+            if len(values) != self.count
+        ]
+        if problems:
+            raise ReadError(problems)
+
+    def block(self, start: int, stop: int) -> Floats:
+        """The numbers of a block of variants, as `Variants` says."""
+        block = empty_block(self, start, stop)
+        numbers = np.arange(start, stop)
+        for column, values in enumerate(self.values):
+            block[:, column] = values[numbers]
+        return block
+
+
+class VariantTable:
+    """Variants of the user's own, a row each.
+
+    A table in a spool has a temporary file: `close` it in the end. Pickled copies are small
+    then, and read the same file.
+
+    Parameters
+    ----------
+    targets : iterable of Varied
+        What the columns stand for.
+    rows : ndarray, shape (variants, targets), or Spool
+        In memory, or in a temporary file.
+    digest : str, optional
+        Of the rows, so that a plan can tell one table from another; made here from an
+        array when not given.
+
+    Examples
+    --------
+    >>> from vstatics.sweep.variants.targets import Target
+    >>> table = VariantTable([Target("D1.ratio", 0, "ratio")], np.array([[-2.0], [-3.0]]))
+    >>> table.count, table.block(1, 2)
+    (2, array([[-3.]]))
+    """
+
+    def __init__(
+        self, targets: Iterable[Varied], rows: Floats | Spool, digest: str | None = None
+    ) -> None:
+        self.targets = tuple(targets)
+        self._rows: Floats | Spool
+        shape: tuple[int, ...]
+        if isinstance(rows, Spool):
+            if digest is None:
+                raise TypeError("a table in a spool needs the digest of its rows")
+            self._rows, shape = rows, (rows.rows, rows.columns)
+        else:
+            self._rows = np.array(rows, np.float64, order="F")
+            shape = self._rows.shape
+            digest = digest or hashlib.sha256(np.ascontiguousarray(self._rows).data).hexdigest()
+        if len(shape) != 2 or shape[1] != len(self.targets):
+            expected = f"(variants, {len(self.targets)})"
+            raise ValueError(f"read a table of shape {shape}, expected {expected}")
+        self.count = int(shape[0])
+        self.digest = digest
+
+    def block(self, start: int, stop: int) -> Floats:
+        """The numbers of a block of variants, as `Variants` says."""
+        block = empty_block(self, start, stop)
+        rows = self._rows
+        block[:] = rows.take(start, stop) if isinstance(rows, Spool) else rows[start:stop]
+        return block
+
+    def close(self) -> None:
+        """Remove the temporary file, if there is one and it was made by this process."""
+        if isinstance(self._rows, Spool):
+            self._rows.close()
+
+
+class VariantPart:
+    """A few of many variants, with their own numbers, for a machine that has not the rest.
+
+    >>> from vstatics.sweep.variants.targets import Target
+    >>> table = VariantTable([Target("D1.ratio", 0, "ratio")], np.array([[-2.0], [-3.0], [-4.0]]))
+    >>> VariantPart(table, 1, 3).block(2, 3)
+    array([[-4.]])
+    """
+
+    def __init__(self, whole: Variants, start: int, stop: int) -> None:
+        self.targets = whole.targets
+        self.count = whole.count
+        self.start = start
+        self.values = whole.block(start, stop)
+
+    def block(self, start: int, stop: int) -> Floats:
+        """The numbers of a block of variants within the part, as `Variants` says."""
+        end = self.start + len(self.values)
+        if not self.start <= start <= stop <= end:
+            raise IndexError(f"variants {start} to {stop} of a part from {self.start} to {end}")
+        return np.array(self.values[start - self.start : stop - self.start], order="F")
+
+
+def empty_block(variants: Variants, start: int, stop: int) -> Floats:
+    """An array for a block of variants, each column contiguous.
+
+    Raises
+    ------
+    IndexError
+        If there are no such variants.
+    """
+    if not 0 <= start <= stop <= variants.count:
+        raise IndexError(f"variants {start} to {stop} of {variants.count}")
+    return np.empty((stop - start, len(variants.targets)), order="F")
+
+
+def checked_targets(variations: Iterable[Variation]) -> tuple[Varied, ...]:
+    """What is varied.
+
+    Raises
+    ------
+    ReadError
+        If a number is varied twice or has no values.
+    """
+    seen: set[Hashable] = set()
+    problems = []
+    targets = []
+    for target, values, place in variations:
+        if target.number in seen:
+            message = f"{target.name} is varied twice, expected each number once"
+            problems.append(Problem(message, place=place))
+        if not isinstance(values, Span | Distribution) and not len(values):
+            message = f"{target.name} has no values, expected at least one"
+            problems.append(Problem(message, place=place))
+        seen.add(target.number)
+        targets.append(target)
+    if problems:
+        raise ReadError(problems)
+    return tuple(targets)
+
+
+def _listed(variations: list[Variation]) -> tuple[tuple[Varied, ...], tuple[Floats | Steps, ...]]:
+    """What is varied, and over which values; a span has none."""
+    targets = checked_targets(variations)
+    listed: list[Floats | Steps] = []
+    problems: list[Problem] = []
+    for target, values, place in variations:
+        if isinstance(values, Span):
+            span = f"{values.low:g}:{values.high:g}"
+            message = f"{target.name}={span} has no count, expected one such as {span}:201"
+            problems.append(Problem(f"{message}, or a sample", place=place))
+        elif isinstance(values, Distribution):
+            message = f"{target.name} has a distribution, expected values, or a sample"
+            problems.append(Problem(message, place=place))
+        else:
+            listed.append(values)
+    if problems:
+        raise ReadError(problems)
+    return targets, tuple(listed)

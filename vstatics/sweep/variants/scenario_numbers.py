@@ -1,0 +1,264 @@
+"""The numbers of a scenario and of its case, by their paths in the two documents."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Sequence
+from contextlib import suppress
+from typing import NamedTuple
+
+from vstatics.errors import Place, nearest, quoted
+from vstatics.readers.named.arithmetic import calculated
+from vstatics.readers.named.node_paths import (
+    Keys,
+    NoValueError,
+    PathPart,
+    WrittenNumber,
+    child,
+    found,
+    keys_of,
+    number_of,
+    number_text,
+    replaced,
+    split,
+    written,
+)
+from vstatics.readers.named.nodes import Listing, Mapping, Node, Scalar
+from vstatics.readers.named.si_units import UNIT_OF, in_any_unit
+from vstatics.sweep.variants.targets import refusal
+
+_UNIT = re.compile(r"\s*\[([^\]]*)\]\s*\Z")
+_SPELLED: dict[str, dict[type[Node], str]] = {
+    "controls": {Listing: "points", Scalar: "formula"},
+    "torques": {Listing: "points", Scalar: "formula"},
+    "shift_elements": {Listing: "links"},
+    "gears": {Listing: "engaged"},
+}
+"""What stands short for a mapping with one key: `controls.C.scale` where C is a formula."""
+_OF_A_CASE = {
+    "ratio": ("mechanisms", "elements"),
+    "efficiency": ("mechanisms", "elements"),
+    "stiffness": ("springs", "shift_elements", "mechanisms", "elements"),
+    "compliance": ("springs", "shift_elements", "mechanisms", "elements"),
+    "damping": ("springs", "shift_elements", "mechanisms", "elements"),
+}
+"""Where what a sweep of a case calls `D1.ratio` may stand."""
+
+
+class NumberPath(NamedTuple):
+    """A number of a scenario or of its case."""
+
+    keys: Keys
+    of_case: bool
+    """Whether it stands in the case."""
+    unit: str = ""
+    """In which its values are, as it is written behind them; nothing for bare numbers."""
+
+    @property
+    def name(self) -> str:
+        """As it is written: `shifts.1.overlap`, `start.speed [rpm]`."""
+        return f"{written(self.keys)} [{self.unit}]" if self.unit else written(self.keys)
+
+    @property
+    def number(self) -> tuple[bool, Keys]:
+        """What two have in common that vary the same."""
+        return self.of_case, self.keys
+
+
+class Trees(NamedTuple):
+    """The documents as trees of nodes; a case of another format has none."""
+
+    scenario: Node
+    case: Node | None
+
+    def root(self, path: NumberPath) -> Node:
+        """The tree in which a number stands."""
+        return (self.case or self.scenario) if path.of_case else self.scenario
+
+
+def number_path(text: str, trees: Trees, place: Place | None = None) -> NumberPath:
+    """The number that a text such as `shifts.1.overlap` speaks of.
+
+    Parameters
+    ----------
+    text : str
+        Keys, and numbers of items from 1, with points between; at its end perhaps `[rpm]`, the
+        unit of the values. It is looked for in the scenario, then in the case. `D1.ratio`,
+        `shaft.stiffness` and `engine.inertia` are understood as in a sweep of a case.
+    trees : Trees
+    place : Place, optional
+        Where the text begins, for messages.
+
+    Raises
+    ------
+    ReadError
+        If there is no such number; it names the nearest.
+    """
+    unit = _UNIT.search(text)
+    typed = text[: unit.start()] if unit else text
+    try:
+        parts = split(typed)
+        path = _path(parts, trees)
+        root = _spelled_out(trees.root(path), path.keys)
+        node = found(root, [PathPart(key, part.at) for key, part in _paired(path.keys, parts)])
+        if node is not None:
+            _check_number(node, path)
+    except NoValueError as error:
+        raise refusal(str(error), place, error.at) from None
+    return path._replace(unit=unit[1].strip() if unit else "")
+
+
+def _paired(keys: Keys, parts: Sequence[PathPart]) -> Iterable[tuple[str, PathPart]]:
+    """Each key with the part that was typed for it; keys that were put before have the first's."""
+    before = [parts[0]] * (len(keys) - len(parts))
+    return zip(keys, [*before, *parts], strict=True)
+
+
+def _check_number(node: Node, path: NumberPath) -> None:
+    try:
+        number_of(node)
+    except ValueError as error:
+        raise NoValueError(f"{quoted(written(path.keys))} {error}", 0) from None
+
+
+def _path(parts: Sequence[PathPart], trees: Trees) -> NumberPath:
+    """In which document it stands, and all of its keys."""
+    keys = tuple(part.name for part in parts)
+    own, case = keys_of(trees.scenario), keys_of(trees.case) if trees.case else []
+    if keys[0] in own:
+        return NumberPath(keys, of_case=False)
+    if keys[0] in case:
+        return NumberPath(keys, of_case=True)
+    for other in _spelled_of_a_case(keys):
+        if trees.case and _leads(trees.case, other):
+            return NumberPath(other, of_case=True)
+    known = [*own, *(key for key in case if key not in own)]
+    message = f"neither the scenario nor its case has a key {quoted(keys[0])}"
+    if trees.case is None:
+        known, message = own, f"the scenario has no key {quoted(keys[0])}"
+        message += "; numbers of a case vary where it is in YAML or JSON"
+    raise NoValueError(message + nearest(keys[0], known), parts[0].at)
+
+
+def _spelled_of_a_case(keys: Keys) -> list[Keys]:
+    """What `D1.ratio` may mean in a document."""
+    if len(keys) != 2:
+        return []
+    name, quantity = keys
+    if quantity == "inertia":
+        return [("inertias", name)]
+    return [(owner, name, quantity) for owner in _OF_A_CASE.get(quantity, ())]
+
+
+def _leads(root: Node, keys: Keys) -> bool:
+    """Whether all but the last key are there, and of inertias that one too."""
+    node: Node | None = root
+    for key in keys if keys[0] == "inertias" else keys[:-1]:
+        node = node and child(node, key)
+    return node is not None
+
+
+def _spelled_out(root: Node, keys: Keys) -> Node:
+    """The tree with a mapping where a path goes into what stands short for one."""
+    if len(keys) < 3 or keys[0] not in _SPELLED or not isinstance(root, Mapping):
+        return root
+    node = child(root, keys[0])
+    short = node and child(node, keys[1])
+    key = _SPELLED[keys[0]].get(type(short)) if short else None
+    if not (node and short and key):
+        return root
+    if isinstance(short, Listing) and keys[2].isdigit():
+        return root
+    whole = Mapping([(Scalar(key, short.line, short.column), short)], short.line, short.column)
+    return _with(_at(root), keys[0], _with(_at(node), keys[1], whole))
+
+
+def _at(node: Node) -> Mapping:
+    assert isinstance(node, Mapping)  # noqa: S101 - names lead into mappings
+    return node
+
+
+def _with(node: Mapping, name: str, value: Node) -> Mapping:
+    """A mapping with another value under a key."""
+    entries = [(key, value if key.text == name else old) for key, old in node.entries]
+    return node._replace(entries=entries)
+
+
+def written_number(path: NumberPath, trees: Trees) -> WrittenNumber | None:
+    """A number as its document has it; none if it has not the key."""
+    root = _spelled_out(trees.root(path), path.keys)
+    node = found(root, [PathPart(key, 0) for key in path.keys])
+    return None if node is None else number_of(node)
+
+
+def with_numbers(trees: Trees, paths: Sequence[NumberPath], values: Sequence[float]) -> Trees:
+    """The documents with other numbers at some paths."""
+    scenario, case = trees
+    for path, value in zip(paths, values, strict=True):
+        text = number_text(value, path.unit)
+        if path.of_case and case is not None:
+            case = replaced(_spelled_out(case, path.keys), path.keys, text)
+        else:
+            scenario = replaced(_spelled_out(scenario, path.keys), path.keys, text)
+    return Trees(scenario, case)
+
+
+def sample_unit(scenario: Node, text: str) -> str:
+    """The first unit in the distribution that `samples` has for a path; nothing if it has none."""
+    of_path = child(scenario, "samples")
+    nodes = [of_path and child(of_path, text)]
+    while nodes:
+        match nodes.pop():
+            case Mapping() as node:
+                nodes += [value for _, value in node.entries]
+            case Listing() as node:
+                nodes += node.items
+            case Scalar() as node:
+                with suppress(ValueError):
+                    if unit := number_of(node).unit:
+                        return unit
+    return ""
+
+
+def in_si(unit: str) -> str:
+    """The unit of SI for what another measures; that itself if it is not known.
+
+    >>> in_si("kN*m"), in_si("rpm")
+    ('N*m', 'rad/s')
+    """
+    with suppress(ValueError):
+        measure = in_any_unit(f"1 {unit}", tuple(UNIT_OF)).measure
+        return UNIT_OF[measure] if measure else unit
+    return unit
+
+
+def common_unit(text: str) -> tuple[str, str]:
+    """The values of `--vary` with blanks in place of their unit, and this unit.
+
+    Raises
+    ------
+    ValueError
+        If there are several.
+
+    Examples
+    --------
+    >>> common_unit("1000 rpm:2000 rpm:11"), common_unit(".1,.2")
+    (('1000    :2000    :11', 'rpm'), ('.1,.2', ''))
+    """
+    units: dict[str, None] = {}
+    bare = list(text)
+    at = 0
+    for cell in re.split(r"[:,]", text):
+        number = cell.rpartition("=")[2]
+        try:
+            unit = calculated(number.strip()).behind
+        except ValueError:
+            unit = ""
+        if unit:
+            units[unit] = None
+            begin = at + cell.rindex(unit)
+            bare[begin : begin + len(unit)] = " " * len(unit)
+        at += len(cell) + 1
+    if len(units) > 1:
+        raise ValueError(f"read values in {' and '.join(units)}, expected one unit for all")
+    return "".join(bare), next(iter(units), "")

@@ -1,0 +1,277 @@
+"""What a sweep is of: a case, or a scenario whose numbers are varied, those of its case too.
+
+A variant is the documents with other numbers in them, read again: so whatever they can say can
+vary, and what a number may not be is told by their reader.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, fields
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
+
+from vstatics.errors import Place, ReadError, quoted
+from vstatics.model.transmission import Transmission
+from vstatics.sweep.variants.targets import Varied, refusal, target
+
+if TYPE_CHECKING:
+    from vstatics.readers import Format
+    from vstatics.readers.named.nodes import Found, Node
+    from vstatics.readers.reading import Reading
+    from vstatics.simulation.record.motion import Motion
+    from vstatics.simulation.scenario.file import ScenarioFile
+    from vstatics.sweep.motion_tables import Kind
+    from vstatics.sweep.variants.scenario_numbers import NumberPath, Trees
+
+
+_PLAIN = (1.0, 0.5, 0.0, 100.0)
+"""One of these is a number that may stand where any may."""
+
+
+class Document(NamedTuple):
+    """What was read, and the name of its file."""
+
+    data: bytes
+    file: str
+
+
+@dataclass(frozen=True)
+class VariedScenario:
+    """A scenario and the case it is about.
+
+    Parameters
+    ----------
+    scenario : Document
+        In YAML or JSON.
+    case : Document
+        In any format; its numbers vary where that is YAML or JSON.
+    rtol : float
+        Accuracy of the runs, as of `simulate`. [-]
+    case_format : {"deck", "yaml", "json"}, optional
+        Told by the suffix, else by the content, when not given.
+    """
+
+    scenario: Document
+    case: Document
+    rtol: float = 1e-8
+    case_format: Format | None = None
+
+    def __getstate__(self) -> dict[str, Any]:
+        """What other processes get: they make their own trees."""
+        return {one.name: getattr(self, one.name) for one in fields(self)}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        """As of any object; it is written out for a frozen class."""
+        self.__dict__.update(state)
+
+    @cached_property
+    def trees(self) -> Trees:
+        """Both documents, read once.
+
+        Raises
+        ------
+        ReadError
+        """
+        from vstatics.readers.named.reader import case_tree
+        from vstatics.simulation.scenario.file import read_scenario
+        from vstatics.sweep.variants.scenario_numbers import Trees
+
+        return Trees(read_scenario(*self.scenario).root, case_tree(*self.case, self.case_format))
+
+    @cached_property
+    def own(self) -> ScenarioFile:
+        """The scenario as it is written.
+
+        Raises
+        ------
+        ReadError
+            With every problem of both documents.
+        """
+        return self._read(self.trees.scenario, self._own_case)
+
+    @cached_property
+    def _own_case(self) -> Reading:
+        from vstatics import readers
+
+        return readers.read(*self.case, self.case_format)
+
+    def variant(self, paths: Sequence[NumberPath], values: Sequence[float]) -> ScenarioFile:
+        """The scenario with other numbers.
+
+        Raises
+        ------
+        ReadError
+            If it can't be read with them.
+        """
+        from vstatics.readers.named.reader import read_case_tree
+        from vstatics.sweep.variants.scenario_numbers import with_numbers
+
+        trees = with_numbers(self.trees, paths, values)
+        reading = self._own_case
+        if trees.case is not None and trees.case is not self.trees.case:
+            reading = read_case_tree(trees.case, _nothing_found(self.case))
+        return self._read(trees.scenario, reading)
+
+    def run(self, paths: Sequence[NumberPath], values: Sequence[float]) -> Motion:
+        """What a variant does.
+
+        Raises
+        ------
+        ReadError
+            If it can't be read.
+        CaseError
+            If it can't begin.
+        """
+        from vstatics.simulation.run import simulate
+
+        return simulate(self.variant(paths, values).scenario, rtol=self.rtol)
+
+    def rows(self, kind: Kind) -> tuple[str, ...]:
+        """The names of what tables of a kind have a row for."""
+        from vstatics.sweep.motion_tables import rows_of_kind
+
+        return rows_of_kind(kind, self.own.scenario)
+
+    def target(self, text: str, place: Place | None = None) -> NumberPath:
+        """The number that a text speaks of; see `scenario_numbers.number_path`.
+
+        Raises
+        ------
+        ReadError
+        """
+        from vstatics.sweep.variants.scenario_numbers import number_path
+
+        return number_path(text, self.trees, place)
+
+    def in_unit(self, path: NumberPath, unit: str, place: Place | None) -> NumberPath:
+        """A number whose values are in a unit.
+
+        Raises
+        ------
+        ReadError
+            If they are bare, or in two units, where the document has a unit.
+        """
+        from vstatics.sweep.variants.scenario_numbers import written_number
+
+        if unit and path.unit and unit != path.unit:
+            raise refusal(f"read values in {unit}, expected them in {path.unit}", place)
+        known = written_number(path, self.trees)
+        path = path._replace(unit=unit or path.unit)
+        if known and known.unit and not path.unit:
+            message = f"{quoted(path.name)} is in {known.unit} in the document, so its values "
+            raise refusal(f"{message}need their unit, such as {known.value:g} {known.unit}", place)
+        return path
+
+    def sampled(self, text: str) -> NumberPath:
+        """The number that a distribution of `samples` is for, its values in a unit of SI.
+
+        They are bare where neither the number nor the distribution has a unit.
+
+        Raises
+        ------
+        ReadError
+        """
+        from vstatics.sweep.variants.scenario_numbers import in_si, sample_unit, written_number
+
+        path = self.target(text)
+        known = written_number(path, self.trees)
+        unit = sample_unit(self.trees.scenario, text) or (known.unit if known else "")
+        return path._replace(unit=in_si(unit)) if unit else path
+
+    def written_number(self, path: NumberPath, place: Place | None) -> float:
+        """A number as the document has it, in the unit there.
+
+        Raises
+        ------
+        ReadError
+            If the document has it not.
+        """
+        from vstatics.sweep.variants.scenario_numbers import written_number
+
+        known = written_number(path, self.trees)
+        if known is None:
+            raise refusal(f"{quoted(path.name)} is not written in the document", place)
+        return known.value
+
+    def check_new(self, paths: Sequence[NumberPath], values: Sequence[float]) -> None:
+        """Make sure that numbers which the documents have not may stand there.
+
+        Parameters
+        ----------
+        paths : sequence of NumberPath
+        values : sequence of float
+            Of a variant.
+
+        Raises
+        ------
+        ReadError
+            As the documents' reader says it.
+        """
+        from vstatics.sweep.variants.scenario_numbers import written_number
+
+        for path, value in zip(paths, values, strict=True):
+            if written_number(path, self.trees) is None:
+                self._check_new(path, value)
+
+    def _check_new(self, path: NumberPath, value: float) -> None:
+        """A number that may stand somewhere may be one of several there."""
+        first: ReadError | None = None
+        for one in (value, *_PLAIN):
+            try:
+                self.variant([path], [one])
+            except ReadError as error:
+                first = first or error
+            else:
+                return
+        if first:
+            raise first
+
+    def _read(self, root: Node, reading: Reading) -> ScenarioFile:
+        from vstatics.readers.named.nodes import Mapping
+        from vstatics.simulation.scenario.file import ScenarioDocument
+
+        assert isinstance(root, Mapping)  # noqa: S101 - as it was read
+        return ScenarioDocument(root, _nothing_found(self.scenario)).with_case(reading)
+
+
+def _nothing_found(document: Document) -> Found:
+    """The text of a document, in which no problem was found so far."""
+    from vstatics.readers.named.nodes import decode
+
+    return decode(*document)
+
+
+def load_varied(file: str, case: str | None = None) -> VariedScenario:
+    """Read a scenario whose numbers are to vary, for `vstatics.sweep`.
+
+    Parameters
+    ----------
+    file : str
+    case : str, optional
+        A case in place of that which the scenario names.
+
+    Raises
+    ------
+    ReadError
+        With every problem and its place.
+    OSError
+        If a file cannot be opened.
+    """
+    from vstatics.simulation.scenario.file import case_bytes, read_scenario
+
+    with open(file, "rb") as opened:  # noqa: PTH123
+        scenario = Document(opened.read(), file)
+    varied = VariedScenario(scenario, Document(*case_bytes(read_scenario(*scenario), case)))
+    varied.own  # noqa: B018 (faults are told now)
+    return varied
+
+
+Subject: TypeAlias = Transmission | VariedScenario
+
+
+def target_of(text: str, subject: Subject, place: Place | None = None) -> Varied:
+    """The number that a text speaks of; parameters and errors as of `targets.target`."""
+    if isinstance(subject, Transmission):
+        return target(text, subject, place)
+    return subject.target(text, place)

@@ -1,0 +1,272 @@
+"""The user's CSV of variants -> VariantTable."""
+
+from __future__ import annotations
+
+import hashlib
+import io
+import re
+from collections.abc import Iterator
+from itertools import chain
+from typing import IO, NamedTuple
+
+import numpy as np
+
+from vstatics.errors import Place, Problem, ReadError, nearest, of_file
+from vstatics.jobs.spool import Spool
+from vstatics.numerics.arrays import Floats
+from vstatics.readers.named.nodes import MOST_PROBLEMS
+from vstatics.sweep.variants.numbered import VariantTable
+from vstatics.sweep.variants.subject import Subject, target_of
+from vstatics.sweep.variants.targets import Varied, refusal, shown
+from vstatics.sweep.variants.variation import read_value
+from vstatics.tables.csv import unguarded
+
+NUMBER_COLUMN = "variant"
+"""A column that the program's own tables have; it is passed over."""
+
+_PIECE = 4 * 2**20
+_LONGEST = 16 * 2**20
+_IN_MEMORY = 2**17
+_BOM = b"\xef\xbb\xbf"
+
+
+class _Columns(NamedTuple):
+    """What the header says of the lines below it."""
+
+    file: str
+    separator: str
+    names: list[str]
+    targets: list[Varied]
+    chosen: list[int]
+    """Which column holds each target."""
+
+
+def load_table(path: str, subject: Subject) -> VariantTable:
+    """Read a table of variants from a file; see `read_table`.
+
+    Raises
+    ------
+    ReadError
+        With every problem and its place.
+    """
+    try:
+        with open(path, "rb") as opened:  # noqa: PTH123
+            return read_table(opened, path, subject)
+    except OSError as error:
+        raise ReadError([of_file(path, f"can't be read: {error.strerror or error}")]) from None
+
+
+def read_table(opened: IO[bytes], file: str, subject: Subject) -> VariantTable:
+    """Read a table of variants: CSV with names such as `D1.ratio` in its first line.
+
+    Columns stand in any order; one of the name `variant` is passed over. Commas or
+    semicolons separate; between semicolons a comma is a decimal one. An apostrophe that
+    keeps a spreadsheet from calculating a cell is passed over. UTF-8.
+
+    Parameters
+    ----------
+    opened : binary file
+        Read once, in pieces.
+    file : str
+        Its name, for messages.
+    subject : Transmission or VariedScenario
+
+    Returns
+    -------
+    VariantTable
+        A large one is kept in a temporary file, which `VariantTable.close` removes.
+
+    Raises
+    ------
+    ReadError
+        With every problem of the header, or of the first piece that has any.
+
+    Examples
+    --------
+    >>> from vstatics.model.transmission import Gear, Mechanism, Transmission
+    >>> case = Transmission(3, [], [Mechanism(1, 2, 3, -2.5)], [Gear()])
+    >>> text = b"variant,D1.efficiency,D1.ratio\\n0,0.96,-2.5\\n1,0.97,-96/39\\n"
+    >>> table = read_table(io.BytesIO(text), "own.csv", case)
+    >>> [target.name for target in table.targets], table.block(0, 2)[0]
+    (['D1.efficiency', 'D1.ratio'], array([ 0.96, -2.5 ]))
+    """
+    pieces = _pieces(opened, file)
+    head, _, first = next(pieces, b"").removeprefix(_BOM).partition(b"\n")
+    columns = _header(head, file, subject)
+    digest = hashlib.sha256()
+    kept: list[Floats] = []
+    spool: Spool | None = None
+    try:
+        for rows in _rows(first, pieces, columns):
+            digest.update(rows.data)
+            kept.append(rows)
+            if spool is None and sum(part.size for part in kept) > _IN_MEMORY:
+                spool = Spool(len(columns.targets))
+            if spool is not None:
+                for part in kept:
+                    spool.write(part)
+                kept.clear()
+    except BaseException:
+        if spool is not None:
+            spool.close()
+        raise
+    if spool is None and not kept:
+        message = "there is no variant, expected a line of numbers below the names"
+        raise ReadError([of_file(file, message)])
+    return VariantTable(columns.targets, spool or np.concatenate(kept), digest.hexdigest())
+
+
+def _pieces(opened: IO[bytes], file: str) -> Iterator[bytes]:
+    """The file in pieces of whole lines."""
+    rest = b""
+    line = 1
+    while data := opened.read(_PIECE):
+        end = data.rfind(b"\n") + 1
+        if end:
+            yield rest + data[:end]
+            line += data.count(b"\n")
+            rest = data[end:]
+        else:
+            rest += data
+        if len(rest) > _LONGEST:
+            message = f"the line is longer than {_LONGEST} bytes; is the file a table of numbers?"
+            raise refusal(message, Place(file, line, 1))
+    if rest:
+        yield rest
+
+
+def _header(head: bytes, file: str, subject: Subject) -> _Columns:
+    """The columns that the first line names."""
+    line = _text(head, file, 1)
+    if not line.strip():
+        raise refusal("read an empty line, expected names such as D1.ratio", Place(file, 1, 1))
+    separator = ";" if line.count(";") > line.count(",") else ","
+    names: list[str] = []
+    targets: list[Varied] = []
+    chosen: list[int] = []
+    problems: list[Problem] = []
+    for index, (name, column) in enumerate(_cells(line, separator)):
+        if len(problems) >= MOST_PROBLEMS:
+            break
+        name = unguarded(name)  # noqa: PLW2901 - without what a spreadsheet may ask for
+        names.append(name)
+        if name == NUMBER_COLUMN:
+            continue
+        place = Place(file, 1, column, line)
+        try:
+            varied = target_of(name, subject, place)
+        except ReadError as error:
+            hint = nearest(name, [NUMBER_COLUMN])
+            problems += [
+                problem._replace(message=problem.message + hint) for problem in error.problems
+            ]
+            continue
+        if varied.number in [one.number for one in targets]:
+            message = f"{varied.name} has a column already, expected each number once"
+            problems.append(Problem(message, place=place))
+        targets.append(varied)
+        chosen.append(index)
+    if not (targets or problems):
+        message = "no column is a number of the case, expected names such as D1.ratio"
+        problems.append(Problem(message, place=Place(file, 1, 1, line)))
+    if problems:
+        raise ReadError(problems)
+    return _Columns(file, separator, names, targets, chosen)
+
+
+def _rows(first: bytes, pieces: Iterator[bytes], columns: _Columns) -> Iterator[Floats]:
+    """The numbers of each piece, (lines, targets)."""
+    line = 2
+    for piece in chain([first], pieces):
+        if piece.strip():
+            rows = _fast(piece, columns)
+            if rows is None:
+                rows = _careful(piece, line, columns)
+            if len(rows):
+                yield rows
+        line += piece.count(b"\n")
+
+
+def _fast(piece: bytes, columns: _Columns) -> Floats | None:
+    """The numbers of a piece; none if anything in it is unusual."""
+    if columns.separator == ";":
+        piece = piece.replace(b",", b".")
+    try:
+        rows = np.loadtxt(
+            io.BytesIO(piece), delimiter=columns.separator, comments=None, ndmin=2, dtype=np.float64
+        )
+    except ValueError:
+        return None
+    if rows.shape[1] != len(columns.names) or np.isinf(rows).any():
+        return None
+    return np.ascontiguousarray(rows[:, columns.chosen])
+
+
+def _careful(piece: bytes, line: int, columns: _Columns) -> Floats:
+    """The numbers of a piece line by line, or what is wrong with it."""
+    rows: list[list[float]] = []
+    problems: list[Problem] = []
+    for number, data in enumerate(piece.split(b"\n"), line):
+        try:
+            text = _text(data, columns.file, number)
+            if text.strip():
+                rows.append(_row(text, Place(columns.file, number, 1, text), columns))
+        except ReadError as error:
+            problems += error.problems
+        if len(problems) >= MOST_PROBLEMS:
+            break
+    if problems:
+        raise ReadError(problems)
+    return np.array(rows).reshape(len(rows), len(columns.targets))
+
+
+def _row(text: str, place: Place, columns: _Columns) -> list[float]:
+    cells = _cells(text, columns.separator)
+    expected = len(columns.names)
+    if len(cells) != expected:
+        column = cells[expected][1] if len(cells) > expected else len(text) + 1
+        count = "1 number" if len(cells) == 1 else f"{len(cells)} numbers"
+        message = f"read {count}, expected {expected} as in the first line"
+        if columns.separator == "," and len(cells) > expected:
+            message += "; with decimal commas, semicolons have to separate the numbers"
+        raise refusal(message, place._replace(column=column))
+    row = []
+    problems = []
+    for index in columns.chosen:
+        cell, column = cells[index]
+        plain = unguarded(cell)
+        number = plain.replace(",", ".") if columns.separator == ";" else plain
+        try:
+            row.append(read_value(number))
+        except ValueError as error:
+            message = f"{columns.names[index]}: read {shown(cell)}, {error}"
+            problems.append(Problem(message, place=place._replace(column=column)))
+    if problems:
+        raise ReadError(problems)
+    return row
+
+
+def _text(data: bytes, file: str, line: int) -> str:
+    """A line without its end."""
+    data = data.removesuffix(b"\r")
+    try:
+        return data.decode()
+    except UnicodeDecodeError as error:
+        column = len(data[: error.start].decode()) + 1
+        place = Place(file, line, column, data.decode(errors="replace"))
+        raise refusal("the file is not UTF-8; save the table as CSV in UTF-8", place) from None
+
+
+def _cells(line: str, separator: str) -> list[tuple[str, int]]:
+    """The cells of a line without blanks and quotes, each with its column from 1."""
+    cell = re.compile(rf'\s*(?:"((?:[^"]|"")*)"\s*|([^{separator}]*))({separator}|\Z)')
+    cells = []
+    position = 0
+    while match := cell.match(line, position):
+        quoted, plain, end = match.groups()
+        text = plain.strip() if quoted is None else quoted.replace('""', '"')
+        cells.append((text, match.start(2 if quoted is None else 1) + 1))
+        if not end:
+            break
+        position = match.end()
+    return cells

@@ -1,0 +1,198 @@
+"""The text of --vary -> what is varied, and over which values."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import NamedTuple, TypeAlias
+
+import numpy as np
+
+from vstatics.errors import Place, Problem, ReadError
+from vstatics.model.transmission import Transmission
+from vstatics.numerics.arrays import Floats
+from vstatics.readers.named.nodes import MOST_PROBLEMS
+from vstatics.readers.named.scalars import number as finite_number
+from vstatics.simulation.scenario.distribution import Distribution
+from vstatics.sweep.variants.scenario_numbers import NumberPath, common_unit
+from vstatics.sweep.variants.steps import Steps, stepped
+from vstatics.sweep.variants.subject import Subject, target_of
+from vstatics.sweep.variants.targets import NAMES, Varied, behind, refusal, shown
+
+OPTION = "--vary"
+MOST = 2**63 - 1
+"""The largest number of values, or of variants."""
+FORMS = "START:STOP:COUNT, START:STOP:step=STEP or a list such as .95,.97"
+
+_ASSIGNED = re.compile(rf"(.*?\.(?:{'|'.join(NAMES)})\s*)=")
+_UNQUOTED = re.compile(r"(?:\"[^\"]*\"|'[^']*'|[^\"'=])*")
+_STEP = re.compile(r"\s*step\s*=")
+_COUNT = re.compile(r"[0-9]{1,19}")
+_NO_NUMBER = ("nan", "inf", "infinity")
+
+
+class Span(NamedTuple):
+    """All numbers between two; only a sample can be taken of it."""
+
+    low: float
+    high: float
+
+
+Values: TypeAlias = Floats | Steps | Span | Distribution
+"""A list, or what gives `len(values)` and `values[indices]` like one; what can only be drawn."""
+
+
+class Variation(NamedTuple):
+    """A number of the case, and the values that it takes."""
+
+    target: Varied
+    values: Values
+    place: Place | None = None
+    """Where it was read, for messages."""
+
+
+def read_variation(text: str, subject: Subject, place: Place | None = None) -> Variation:
+    """Read what is varied, and over which values.
+
+    Parameters
+    ----------
+    text : str
+        `D1.ratio=` and one of
+        `-0.9:-0.7:201` (start, stop and count; both ends included),
+        `-0.9:-0.7:step=0.001` (the end is included if a step hits it),
+        `.95,.97,-96/39` (a list),
+        `-0.9:-0.7` (any number between, for samples).
+    subject : Transmission or VariedScenario
+    place : Place, optional
+        Where the text begins; the first column of `--vary` when not given.
+
+    Raises
+    ------
+    ReadError
+        With the place within the text. Whether a value can be a ratio or an efficiency is
+        not asked here: a variant that is none is marked so in the result.
+
+    Examples
+    --------
+    >>> from vstatics.model.transmission import Gear, Mechanism, Transmission
+    >>> case = Transmission(3, [], [Mechanism(1, 2, 3, -2.5)], [Gear()])
+    >>> read_variation("D1.ratio=-3:-2:5", case).values
+    Steps(start=-3.0, stop=-2.0, number=5)
+    >>> read_variation("D1.efficiency=.95,.97", case).values
+    array([0.95, 0.97])
+    """
+    place = place or Place(OPTION, 1, 1, text)
+    end = _assigned(text, subject)
+    if end < 0:
+        name = target_of(text, subject, place).name
+        message = f"read {shown(text)} without values, expected {name}= and then {FORMS}"
+        raise refusal(message, place, len(text.rstrip()))
+    varied = target_of(text[:end], subject, place)
+    begin, values = behind(place, end + 1), text[end + 1 :]
+    if not values.strip():
+        raise refusal(f"read no values, expected {FORMS}", begin)
+    if isinstance(varied, NumberPath) and not isinstance(subject, Transmission):
+        try:
+            values, unit = common_unit(values)
+        except ValueError as error:
+            raise refusal(str(error), begin) from None
+        varied = subject.in_unit(varied, unit, begin)
+    read = _range(values, begin) if ":" in values else _list(values, begin)
+    return Variation(varied, read, place)
+
+
+def _assigned(text: str, subject: Subject) -> int:
+    """Where the `=` behind a name stands; -1 if there is none."""
+    if isinstance(subject, Transmission):
+        assigned = _ASSIGNED.match(text)
+        return assigned.end(1) if assigned else text.find("=")
+    end = _UNQUOTED.match(text)
+    return end.end() if end and end.end() < len(text) else -1
+
+
+def read_value(text: str) -> float:
+    """A number, a fraction, or nan and inf, which make a variant that is none.
+
+    Raises
+    ------
+    ValueError
+        With what was expected.
+
+    Examples
+    --------
+    >>> read_value("-96/39") == -96 / 39, read_value("nan")
+    (True, nan)
+    """
+    if text.lower().lstrip("+-") in _NO_NUMBER and text[1:2] not in ("+", "-"):
+        return float(text)
+    return finite_number(text)
+
+
+def _list(text: str, place: Place | None) -> Floats:
+    values, problems = [], []
+    for offset, cell in _cells(text, ","):
+        try:
+            values.append(read_value(cell))
+        except ValueError as error:
+            message = f"read {shown(cell)}, {error}"
+            problems.append(Problem(message, place=behind(place, offset)))
+            if len(problems) >= MOST_PROBLEMS:
+                break
+    if problems:
+        raise ReadError(problems)
+    return np.array(values)
+
+
+def _range(text: str, place: Place | None) -> Steps | Span:
+    cells = list(_cells(text, ":"))
+    if len(cells) > 3:
+        raise refusal(f"read a fourth part, expected {FORMS}", place, cells[3][0])
+    start, stop = (_end(cell, behind(place, offset)) for offset, cell in cells[:2])
+    if len(cells) == 2:
+        return Span(min(start, stop), max(start, stop))
+    offset, cell = cells[2]
+    third = behind(place, offset)
+    step = _STEP.match(cell)
+    if step:
+        blanks = len(cell[step.end() :]) - len(cell[step.end() :].lstrip())
+        return _steps(start, stop, cell[step.end() :], behind(third, step.end() + blanks))
+    return _counted(start, stop, cell, third)
+
+
+def _end(text: str, place: Place | None) -> float:
+    try:
+        return finite_number(text)
+    except ValueError as error:
+        raise refusal(f"read {shown(text)}, {error}", place) from None
+
+
+def _counted(start: float, stop: float, text: str, place: Place | None) -> Steps:
+    if not _COUNT.fullmatch(text) or int(text) > MOST:
+        expected = "how many values, such as 201, or a step, such as step=0.001"
+        raise refusal(f"read {shown(text)}, expected {expected}", place)
+    count = int(text)
+    if count < (1 if start == stop else 2):
+        message = f"read {count}, expected at least 2 values: both ends are included"
+        raise refusal(message, place)
+    return Steps(start, stop, count)
+
+
+def _steps(start: float, stop: float, text: str, place: Place | None) -> Steps:
+    step = _end(text.strip(), place)
+    steps = stepped(start, stop, step)
+    if steps is None:
+        expected = "a step other than 0" if step == 0 else f"step={-step:g}"
+        message = f"a step of {step:g} does not lead from {start:g} to {stop:g}"
+        raise refusal(f"{message}, expected {expected}", place)
+    if steps.number > MOST:
+        raise refusal(f"read {shown(text)}, expected a larger step: below 2**63 values", place)
+    return steps
+
+
+def _cells(text: str, separator: str) -> Iterator[tuple[int, str]]:
+    """The parts of a text without blanks around them, each with its offset."""
+    offset = 0
+    for part in text.split(separator):
+        blanks = len(part) - len(part.lstrip()) if part.strip() else 0
+        yield offset + blanks, part.strip()
+        offset += len(part) + len(separator)

@@ -1,0 +1,228 @@
+"""Found boxes side by side: those wanted, their order, families, the Pareto list."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping
+from types import MappingProxyType
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from vstatics.numerics.arrays import Booleans, Floats, Integers
+from vstatics.numerics.tolerances import SAME_RATIO
+from vstatics.synthesis.boxes.box import BoxSearch, FoundBox
+from vstatics.synthesis.boxes.figures import FIGURE_DECIMALS, BoxFigures, MeasuredBox
+from vstatics.synthesis.boxes.least_form import identity
+
+ALIKE = 1e-6
+"""Ratios of a gear that differ by less than this part are one: they are fitted."""
+EQUAL_FIGURES = 1e-7
+"""Figures that differ by less than this part, or as much, are equal: they follow from fits."""
+NUMBERS = BoxFigures._fields.index("single")
+"""So many figures are numbers."""
+ORDER = ("error", "loss", "torque", "clutches", "planet_speed")
+"""The figures by which boxes stand in order."""
+PARETO = ("loss", "planet_speed", "torque", "clutches")
+"""The figures of the Pareto list."""
+
+
+class RankedBox(NamedTuple):
+    """A found box in its place."""
+
+    found: MeasuredBox
+    family: int
+    """A number from 1; boxes of one family have equal ratios in all gears."""
+    pareto: bool
+    """Whether no other is better in one of `PARETO` and not worse in the others."""
+
+
+def ranked(
+    search: BoxSearch, boxes: Iterable[MeasuredBox], wanted: BoxFilter
+) -> tuple[RankedBox, ...]:
+    """The boxes that are wanted, each once, in their order.
+
+    Errors within the tolerance count as equal. Then by mean loss, largest torque, number of
+    clutches, planet speed and code. Families are numbered as they come.
+
+    Parameters
+    ----------
+    search : BoxSearch
+    boxes : iterable of MeasuredBox
+        In any order.
+    wanted : BoxFilter
+
+    Examples
+    --------
+    >>> from vstatics.synthesis.boxes.box import HELD, FoundBox
+    >>> from vstatics.synthesis.boxes.figures import measured
+    >>> from vstatics.synthesis.structures.scheme import SetScheme
+    >>> scheme, search = SetScheme.of_code("0-1-2"), BoxSearch(1, 2, 1, (3.0, 1.0))
+    >>> boxes = [
+    ...     FoundBox(scheme, None, 0, 1, ((2, HELD), clutch), (-2.0,), ((0,), (1,)), 0.0)
+    ...     for clutch in [(1, 2), (0, 2), (0, 1)]
+    ... ]
+    >>> found = ranked(search, [measured(search, box, 0.98) for box in boxes], BoxFilter())
+    >>> [(one.found.box.elements[1], one.family, one.pareto) for one in found]
+    [((0, 1), 1, True), ((0, 2), 1, True), ((1, 2), 1, True)]
+    """
+    there = (box for box in boxes if box.figures.error < math.inf)
+    chosen = list(_each_once(box for box in there if wanted.lets(box)))
+    if not chosen:
+        return ()
+    sizes = np.array([box.figures[:NUMBERS] for box in chosen], np.float64)
+    within = sizes[:, 0] <= search.tolerance * (1 + SAME_RATIO)
+    sizes[within, 0] = 0.0
+    places = dict(zip(BoxFigures._fields, map(_places, sizes.T), strict=False))
+    keys = (places[name].tolist() for name in ORDER)
+    order = sorted(zip(*keys, map(_name, chosen), range(len(chosen)), strict=True))
+    rows = [row for *_, row in order]
+    families = _families(np.array([[gear.ratio for gear in chosen[row].gears] for row in rows]))
+    best = pareto(np.array([places[name] for name in PARETO]).T[rows])
+    return tuple(
+        RankedBox(chosen[row], family, is_best)
+        for row, family, is_best in zip(rows, families, best.tolist(), strict=True)
+    )
+
+
+def family_count(boxes: Iterable[RankedBox]) -> int:
+    """The number of families among boxes."""
+    return len({box.family for box in boxes})
+
+
+def _each_once(boxes: Iterable[MeasuredBox]) -> Iterable[MeasuredBox]:
+    """Of those that are one up to renaming that with the least error."""
+    best: dict[tuple[Any, ...], MeasuredBox] = {}
+    for box in boxes:
+        key = identity(box.box)
+        if key not in best or _worth(box) < _worth(best[key]):
+            best[key] = box
+    return best.values()
+
+
+def _worth(box: MeasuredBox) -> tuple[Any, ...]:
+    """By which one of several fits is taken; the ratios settle it, whoever came first."""
+    return (
+        round(box.figures.error, FIGURE_DECIMALS),
+        round(box.figures.loss, FIGURE_DECIMALS),
+        box.box.ratios,
+    )
+
+
+def _name(box: MeasuredBox) -> tuple[Any, ...]:
+    """What puts boxes of equal figures in order."""
+    return identity(box.box)
+
+
+def _places(values: Floats) -> Integers:
+    """The place of each value among those that differ; one that does not exist is 0."""
+    known = np.nan_to_num(values)
+    order = np.argsort(known, kind="stable")
+    gaps = np.diff(known[order]) > EQUAL_FIGURES * (1 + np.abs(known[order][:-1]))
+    places = np.empty(len(values), np.int64)
+    places[order] = np.concatenate([[0], np.cumsum(gaps)])
+    return places
+
+
+def _families(ratios: Floats) -> list[int]:
+    """The family of each row of ratios, (boxes, gears), numbered as they come."""
+    groups = [np.arange(len(ratios))]
+    sizes = np.log(np.abs(ratios))
+    before = 0
+    while len(groups) > before:  # a box that goes may have filled a gap between others
+        before = len(groups)
+        for gear in sizes.T:
+            groups = [part for group in groups for part in _parted(group, gear)]
+    family = np.empty(len(ratios), np.intp)
+    for number, group in enumerate(sorted(groups, key=min), 1):
+        family[group] = number
+    found: list[int] = family.tolist()
+    return found
+
+
+def _parted(group: Any, sizes: Floats) -> list[Any]:
+    """A group of boxes, parted where the sizes of a gear have a gap."""
+    if len(group) == 1:
+        return [group]
+    ordered = group[np.argsort(sizes[group], kind="stable")]
+    gaps = np.flatnonzero(np.diff(sizes[ordered]) > ALIKE) + 1
+    return np.split(ordered, gaps)
+
+
+def pareto(figures: Floats | Integers) -> Booleans:
+    """Which rows no other row is better than in one column, and not worse in any.
+
+    Parameters
+    ----------
+    figures : ndarray, shape (boxes, figures)
+        The less the better.
+
+    Returns
+    -------
+    ndarray, shape (boxes,)
+
+    Examples
+    --------
+    >>> pareto(np.array([[1.0, 3.0], [2.0, 2.0], [2.0, 3.0], [2.0, 2.0], [3.0, 1.0]]))
+    array([ True,  True, False,  True,  True])
+    """
+    rows, which = np.unique(figures, axis=0, return_inverse=True)  # the less stand first
+    is_best = np.zeros(len(rows), np.bool_)
+    front = np.empty_like(rows)
+    size = 0
+    for number, own in enumerate(rows):  # whoever is better than a row stands before it
+        if not (front[:size] <= own).all(axis=1).any():
+            is_best[number] = True
+            front[size] = own
+            size += 1
+    return np.asarray(is_best[which.reshape(-1)])
+
+
+LIMITED = tuple(name for name in BoxFigures._fields if name not in ("single", "planar"))
+"""The figures that can have a limit."""
+
+
+class BoxFilter(NamedTuple):
+    """What a box has to be.
+
+    Examples
+    --------
+    >>> BoxFilter(brakes=(2, 3), limits={"loss": 0.05})
+    BoxFilter(single=False, planar=False, brakes=(2, 3), clutches=(), limits={'loss': 0.05})
+    """
+
+    single: bool = False
+    """One element changes between neighbours."""
+    planar: bool = False
+    brakes: tuple[int, ...] = ()
+    """It has one of these numbers of them; any when empty."""
+    clutches: tuple[int, ...] = ()
+    limits: Mapping[str, float] = MappingProxyType({})
+    """The largest value of a figure, one of `LIMITED`."""
+
+    def before(self, box: FoundBox) -> bool:
+        """Whether a box may be wanted, before its figures are known.
+
+        >>> from vstatics.synthesis.boxes.box import HELD
+        >>> from vstatics.synthesis.structures.scheme import SetScheme
+        >>> box = FoundBox(SetScheme.of_code("0-1-2"), None, 0, 1, ((2, HELD), (0, 1)), (-2.0,),
+        ...                ((1,), (0,)), 0.0)
+        >>> BoxFilter(brakes=(1,)).before(box), BoxFilter(limits={"clutches": 0}).before(box)
+        (True, False)
+        """
+        counts = {"brakes": len(list(box.brakes)), "clutches": len(list(box.clutches))}
+        allowed = {"brakes": self.brakes, "clutches": self.clutches}
+        return all(
+            (not allowed[name] or count in allowed[name]) and count <= self.limits.get(name, count)
+            for name, count in counts.items()
+        )
+
+    def lets(self, found: MeasuredBox) -> bool:
+        """Whether a box with its figures is wanted."""
+        figures = found.figures
+        return (
+            self.before(found.box)
+            and figures.single >= self.single
+            and figures.planar >= self.planar
+            and not any(getattr(figures, name) > most for name, most in self.limits.items())
+        )

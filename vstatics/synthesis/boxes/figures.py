@@ -1,0 +1,290 @@
+"""The figures of a found box: losses, speeds inside, torques of elements, whether it is planar."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from functools import cache
+from itertools import pairwise
+from typing import Any, NamedTuple, cast
+
+from vstatics.explain.bodies import on_own_links
+from vstatics.extras import require
+from vstatics.model.parts import HOUSING, Gear
+from vstatics.model.transmission import Transmission
+from vstatics.statics.freewheels import find_state
+from vstatics.statics.state import values_of
+from vstatics.synthesis.boxes.box import BoxSearch, FoundBox
+from vstatics.synthesis.boxes.case import (
+    box_case,
+    box_element_name,
+    element_links,
+    in_order,
+    target_names,
+)
+from vstatics.synthesis.boxes.chosen_gears import Engaged, chosen_sets, equal_sets, is_single
+from vstatics.synthesis.boxes.least_form import least_box
+from vstatics.synthesis.gears.case_of_scheme import set_name
+
+FIGURE_DECIMALS = 9
+"""Figures that agree in so many decimals are equal."""
+
+
+class BoxFigures(NamedTuple):
+    """By what boxes are compared: the less the better, and two that are so or not."""
+
+    error: float
+    """The largest |ln(i/target)|. [-]"""
+    loss: float
+    """The mean of 1 - efficiency of the forward gears; of all if there are none. [-]"""
+    planet_speed: float
+    """The largest |speed of a planet against its carrier|/input speed of all gears [-]; NaN where
+    all sets have meshed planets, whose teeth it would need."""
+    slip: float
+    """The largest |slip| of an open element/input speed. [-]"""
+    torque: float
+    """The largest |torque| of an engaged element/input torque, without losses. [-]"""
+    brakes: int
+    clutches: int
+    single: bool
+    """Whether one element changes between neighbours."""
+    planar: bool
+    """Whether it can be drawn without shafts that cross."""
+
+
+class BoxGear(NamedTuple):
+    """A gear of a found box."""
+
+    name: str
+    engaged: tuple[str, ...]
+    ratio: float
+    target: float
+
+
+class MeasuredBox(NamedTuple):
+    """A found box, in the form of `least_box`, with its figures."""
+
+    box: FoundBox
+    targets: tuple[float, ...]
+    efficiency: float
+    """Of each set with its carrier held. [-]"""
+    gears: tuple[BoxGear, ...]
+    """By descending ratio, those backward last."""
+    figures: BoxFigures
+
+    @property
+    def elements(self) -> dict[str, tuple[str, str]]:
+        """By the name of each shift element the links that it joins."""
+        return {box_element_name(one): element_links(one) for one in self.box.elements}
+
+    @property
+    def ratios(self) -> dict[str, float]:
+        """By the name of each set its internal ratio [-]."""
+        return {set_name(number): ratio for number, ratio in enumerate(self.box.ratios, 1)}
+
+    @property
+    def case(self) -> Transmission:
+        """The box as a case, made when it is asked for."""
+        return box_case(self.box, self.targets, self.efficiency)
+
+
+def measured(search: BoxSearch, box: FoundBox, efficiency: float) -> MeasuredBox:
+    """A found box with its figures, as the solver has them.
+
+    Where several sets of elements give the ratio of a gear, those are taken with which one element
+    changes between neighbours, then those with the least loss.
+
+    Parameters
+    ----------
+    search : BoxSearch
+    box : FoundBox
+    efficiency : float
+        Of each set with its carrier held, above 0 and up to 1. [-]
+
+    Examples
+    --------
+    >>> from vstatics.synthesis.boxes.box import HELD
+    >>> from vstatics.synthesis.structures.scheme import SetScheme
+    >>> box = FoundBox(SetScheme.of_code("0-1-2"), None, 0, 1, ((2, HELD), (0, 1)), (-2.0,),
+    ...                ((1,), (0,)), 0.0)
+    >>> found = measured(BoxSearch(1, 2, 1, (1.0, 3.02)), box, 0.98)
+    >>> for gear in found.gears:
+    ...     print(gear)
+    BoxGear(name='1', engaged=('T-L2',), ratio=3.0, target=3.02)
+    BoxGear(name='2', engaged=('F-L0-L1',), ratio=1.0, target=1.0)
+    >>> figures = found.figures
+    >>> round(figures.error, 6), round(figures.loss, 6), round(figures.planet_speed, 6)
+    (0.006645, 0.006667, 1.333333)
+    >>> figures.slip, figures.torque, figures.single, figures.planar
+    (1.0, 2.0, True, True)
+    """
+    least = least_box(box)
+    case = box_case(least, search.targets, efficiency)
+    gears = _chosen(least, search.targets, _solved(case))
+    names = target_names(search.targets)
+    told = tuple(
+        BoxGear(
+            names[gear.place],
+            tuple(box_element_name(least.elements[number]) for number in gear.engaged),
+            gear.values.ratio,
+            search.targets[gear.place],
+        )
+        for gear in gears
+    )
+    by_place = {gear.place: gear.engaged for gear in gears}
+    chosen = least._replace(
+        gears=tuple(by_place[place] for place in range(len(gears))), error=max(map(_error, told))
+    )
+    figures = _figures(chosen, case, search.targets, gears)
+    return MeasuredBox(chosen, search.targets, efficiency, told, figures)
+
+
+def _error(gear: BoxGear) -> float:
+    """``|ln(i/target)|``; infinite where the solver finds no ratio of this sign."""
+    part = gear.ratio / gear.target
+    return abs(math.log(part)) if part > 0 else math.inf
+
+
+class _GearValues(NamedTuple):
+    """What the solver has of a gear."""
+
+    ratio: float
+    loss: float
+    planet_speed: float
+    slip: float
+    torque: float
+
+
+class _ChosenGear(NamedTuple):
+    """The elements of a gear, with what they give."""
+
+    place: int
+    """Of its target."""
+    engaged: Engaged
+    values: _GearValues
+
+
+_Solved = Callable[[Engaged], _GearValues]
+
+
+def _solved(case: Transmission) -> _Solved:
+    """What the solver has of a gear of a case by its engaged elements, each calculated once."""
+    ratios = [one.ratio for one in case.mechanisms]
+    efficiencies = [one.efficiency for one in case.mechanisms]
+
+    @cache
+    def values(engaged: Engaged) -> _GearValues:
+        numbers = [number + 1 for number in engaged]
+        state = find_state(case, Gear(numbers), ratios, efficiencies)
+        found = cast("Mapping[str, Any]", values_of(state))  # floats, where nothing is traced
+        torques, slips, holds = (found[name] for name in ("torques", "slip_speeds", "holds"))
+        efficiency = found["efficiency"]
+        return _GearValues(
+            ratio=found["ratio"],
+            loss=1.0 if math.isnan(efficiency) else 1.0 - efficiency,  # nothing comes through
+            planet_speed=_largest(found["planet_speeds"]),
+            slip=_largest(slip for slip, held in zip(slips, holds, strict=True) if not held),
+            torque=_largest(one for one, held in zip(torques, holds, strict=False) if held),
+        )
+
+    return values
+
+
+def _largest(numbers: Iterable[float]) -> float:
+    """The largest one without its sign; NaN where there is none."""
+    return max((abs(one) for one in numbers if not math.isnan(one)), default=math.nan)
+
+
+def _chosen(box: FoundBox, targets: Sequence[float], solved: _Solved) -> list[_ChosenGear]:
+    """The gears in their order, each with one of the sets of elements that give its ratio."""
+    order, choices = in_order(targets), equal_sets(box)
+    ranges = [
+        [choices[index] for index in order if (targets[index] > 0) == forward]
+        for forward in (True, False)
+    ]
+
+    def cost(engaged: Engaged) -> tuple[float, float]:
+        found = solved(engaged)
+        return round(found.loss, FIGURE_DECIMALS), round(found.torque, FIGURE_DECIMALS)
+
+    sets = chosen_sets(ranges, len(box.elements), cost)
+    return [_ChosenGear(index, one, solved(one)) for index, one in zip(order, sets, strict=True)]
+
+
+def _figures(
+    box: FoundBox, case: Transmission, targets: Sequence[float], gears: Sequence[_ChosenGear]
+) -> BoxFigures:
+    """The figures of a box with the gears that are chosen."""
+    forward = [gear for gear in gears if targets[gear.place] > 0]
+    backward = gears[len(forward) :]
+    losses = [gear.values.loss for gear in forward or gears]
+    return BoxFigures(
+        error=box.error,
+        loss=math.fsum(losses) / len(losses),
+        planet_speed=_largest(gear.values.planet_speed for gear in gears),
+        slip=_largest(gear.values.slip for gear in gears),
+        torque=_largest(gear.values.torque for gear in gears),
+        brakes=sum(1 for _ in box.brakes),
+        clutches=sum(1 for _ in box.clutches),
+        single=all(is_single([gear.engaged for gear in part]) for part in (forward, backward)),
+        planar=box_is_planar(case),
+    )
+
+
+Edge = tuple[int, int]
+MOST_ENDS = 2
+"""Links that an elastic device joins; one of a single link stands on the housing."""
+
+
+def box_is_planar(case: Transmission) -> bool:
+    """Whether the graph of links and housing is planar.
+
+    Its edges are sun to carrier and carrier to ring of each set, each shift element, and the
+    input and each output to the housing. Two shafts that are one inside the other leave a case on
+    the same side, so ports count as edges. Of a pair of gears both links go to the housing, which
+    holds their shafts; wheels that share planets are sets of one carrier.
+
+    Parameters
+    ----------
+    case : Transmission
+        Any one.
+
+    Raises
+    ------
+    CaseError
+        If the library for it is missing.
+
+    Examples
+    --------
+    >>> from vstatics.model.transmission import Gear, Mechanism
+    >>> box_is_planar(Transmission(3, [], [Mechanism(1, 2, 3, -2.5)], [Gear()]))
+    True
+    """
+    own = on_own_links(case).case
+    ports = {own.input, own.output, *own.outputs}
+    for gear in own.gears:
+        ports |= {own.gear_input(gear), own.gear_output(gear)}
+    edges: list[Edge] = [(port, HOUSING) for port in ports]
+    for one in own.mechanisms:
+        edges += [(one.first, one.third), (one.third, one.second)]
+    edges += [element.links for element in own.shift_elements]
+    for spring in own.springs:
+        edges += pairwise([*spring.form, HOUSING][:MOST_ENDS])
+    return is_planar(edges)
+
+
+def is_planar(edges: Iterable[Edge]) -> bool:
+    """Whether a graph is planar; an edge may come twice, or have two equal ends.
+
+    Examples
+    --------
+    >>> five = range(5)
+    >>> is_planar((one, other) for one in five for other in five), is_planar([(0, 1), (1, 0)])
+    (False, True)
+    """
+    require("boxes", "whether a gearbox is planar")
+    import networkx as nx  # an extra
+
+    graph: nx.Graph[int] = nx.Graph()
+    graph.add_edges_from((one, other) for one, other in edges if one != other)
+    return bool(nx.check_planarity(graph)[0])

@@ -1,0 +1,122 @@
+"""One form for a box: boxes that are one up to renaming of sets and links get the same."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import Any, NamedTuple
+
+from vstatics.synthesis.boxes.box import HELD, FoundBox
+from vstatics.synthesis.structures.scheme import SetScheme
+
+
+class _Renaming(NamedTuple):
+    """Some sets in a new order, with the new numbers of their links."""
+
+    order: tuple[int, ...]
+    links: dict[int, int]
+
+
+def least_box(box: FoundBox) -> FoundBox:
+    """The box with its sets and links renamed so that its code is the least one.
+
+    Of the renamings with this code, that with the least input, then output, held link, meshed
+    sets, elements. So code and ports are those of `schemes`, where no set is meshed.
+
+    Parameters
+    ----------
+    box : FoundBox
+
+    Examples
+    --------
+    >>> box = FoundBox(SetScheme.of_code("0-1-2-3-0-1"), None, 1, 2, ((0, HELD), (3, 1)),
+    ...                (-2.0, -3.0), ((0,), (1,)), 0.0)
+    >>> least = least_box(box)
+    >>> least.scheme.code, least.input, least.output, least.ratios
+    ('0-1-2-1-2-3', 2, 3, (-3.0, -2.0))
+    >>> least.elements, least.gears
+    (((1, -1), (0, 2)), ((0,), (1,)))
+    """
+    return min((_renamed(box, one) for one in _least_codes(box.scheme.sets)), key=_place)
+
+
+def identity(box: FoundBox) -> tuple[Any, ...]:
+    """What two boxes in the form of `least_box` share if they are one.
+
+    >>> box = FoundBox(SetScheme.of_code("0-1-2"), None, 0, 1, ((2, HELD),), (-2.0,), ((0,),), 0.0)
+    >>> identity(box)
+    (((0, 1, 2),), 0, 1, -1, (False,), ((2, -1),))
+    """
+    held = HELD if box.held is None else box.held
+    meshed = tuple(ratio > 0 for ratio in box.ratios)
+    return box.scheme.sets, box.input, box.output, held, meshed, box.elements
+
+
+def _place(box: FoundBox) -> tuple[Any, ...]:
+    """By which the least is found; of symmetric ones that with the least ratios."""
+    return identity(box), box.ratios, box.gears
+
+
+def _least_codes(sets: Sequence[tuple[int, int, int]]) -> Iterator[_Renaming]:
+    """All renamings that give the least code: set by set, only the least go on."""
+    least = [_Renaming((), {})]
+    for _ in sets:
+        codes = [
+            (_numbers(before.links, sets[number]), number, before)
+            for before in least
+            for number in range(len(sets))
+            if number not in before.order
+        ]
+        best = min(code for code, _, _ in codes)
+        least = [
+            _Renaming((*before.order, number), _with(before.links, sets[number], code))
+            for code, number, before in codes
+            if code == best
+        ]
+    yield from least
+
+
+def _numbers(links: dict[int, int], one: tuple[int, int, int]) -> tuple[int, ...]:
+    """The new numbers of the links of a set, those that are new in turn."""
+    fresh = iter(range(len(links), len(links) + len(one)))
+    return tuple(links[link] if link in links else next(fresh) for link in one)
+
+
+def _with(
+    links: dict[int, int], one: tuple[int, int, int], code: tuple[int, ...]
+) -> dict[int, int]:
+    return links | dict(zip(one, code, strict=True))
+
+
+def _renamed(box: FoundBox, renaming: _Renaming) -> FoundBox:
+    """The box in other words; an input shaft of its own keeps its number."""
+    order, links = renaming
+    own = box.scheme.links
+    new = links | {own: own, HELD: HELD}
+    if box.held is not None:  # a clutch to what is held is a brake
+        new |= {box.held: HELD}
+    elements = [_element(new[first], new[second]) for first, second in box.elements]
+    in_order = sorted(range(len(elements)), key=lambda index: _element_place(elements[index]))
+    number = {index: place for place, index in enumerate(in_order)}
+    sets = (box.scheme.sets[index] for index in order)
+    return FoundBox(
+        scheme=SetScheme(tuple((links[a], links[h], links[b]) for a, h, b in sets)),
+        held=None if box.held is None else links[box.held],
+        input=new[box.input],
+        output=new[box.output],
+        elements=tuple(elements[index] for index in in_order),
+        ratios=tuple(box.ratios[index] for index in order),
+        gears=tuple(tuple(sorted(number[index] for index in one)) for one in box.gears),
+        error=box.error,
+    )
+
+
+def _element(first: int, second: int) -> tuple[int, int]:
+    """Its links in order; what is held stands last."""
+    low, high = sorted((first, second))
+    return (high, low) if low == HELD else (low, high)
+
+
+def _element_place(element: tuple[int, int]) -> tuple[bool, int, int]:
+    """Brakes first."""
+    first, second = element
+    return second != HELD, first, second

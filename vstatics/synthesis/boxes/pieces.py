@@ -1,0 +1,265 @@
+"""The search for boxes, cut into pieces that can be done apart, and how long they will take."""
+
+from __future__ import annotations
+
+import math
+import time
+from functools import cache, lru_cache
+from threading import get_ident
+from typing import NamedTuple
+
+import numpy as np
+
+from vstatics.numerics.arrays import Floats, Integers
+from vstatics.synthesis.boxes.box import HELD, BoxSearch, FoundBox
+from vstatics.synthesis.boxes.cells import cell_room
+from vstatics.synthesis.boxes.elements import PortGears, set_room
+from vstatics.synthesis.boxes.engaged import Combinations, combinations_table
+from vstatics.synthesis.boxes.kernel import Room, boxes_of_ports
+from vstatics.synthesis.boxes.minors import GearSpeeds, gear_speeds
+from vstatics.synthesis.boxes.ranges import lines
+from vstatics.synthesis.boxes.schemes import BoxScheme, SpeedBases, box_schemes, speed_bases
+from vstatics.synthesis.boxes.set_ratios import Asked
+
+PORTS_AT_ONCE = 500
+"""A piece has about so many choices of ports."""
+FIRST_ELEMENT_SETS = 4096
+"""So many sets of elements there is room for at first."""
+SAME_BOX_SPEED = 1e-9
+"""The same speeds differ by less; of the gears of one scheme no two agree so well by chance. [-]"""
+TARGET_MARGIN = 1e-9
+"""Targets are looked for that much further than the tolerance. [-]"""
+
+
+def prepare() -> None:
+    """Compile what searches need, which takes ten seconds or more where it has not been kept."""
+    found_in(BoxSearch(1, 2, 1, (3.0, 1.0)), 0)
+
+
+class FoundPiece(NamedTuple):
+    """What a piece of the search found."""
+
+    searched: int
+    """Boxes that there are in it."""
+    boxes: tuple[FoundBox, ...]
+    given_up: int = 0
+    """Sets of elements that may be boxes, too, but could not be looked at to the end."""
+
+
+def cut(search: BoxSearch) -> int:
+    """The number of pieces, each of schemes of its own.
+
+    >>> cut(BoxSearch(1, 2, 1, (3.0, 1.0)))
+    1
+    """
+    return len(_pieces(search))
+
+
+def found_in(search: BoxSearch, piece: int) -> FoundPiece:
+    """What is found in a piece.
+
+    Parameters
+    ----------
+    search : BoxSearch
+    piece : int
+        From 0.
+
+    Examples
+    --------
+    A set with its ring held, where p = 2 makes 3, and one that is locked:
+
+    >>> found = found_in(BoxSearch(1, 2, 1, (3.0, 1.0)), 0)
+    >>> found.searched, len(found.boxes)
+    (36, 3)
+    """
+    searched = given_up = 0
+    boxes: list[FoundBox] = []
+    for one in _pieces(search)[piece]:
+        ports = _PortSearch(search, one)
+        for first, last in one.ports:
+            boxes += ports.boxes(first, last)
+        searched += ports.searched
+        given_up += ports.given_up
+    return FoundPiece(searched, tuple(boxes), given_up)
+
+
+@lru_cache(maxsize=4)
+def _pieces(search: BoxSearch) -> list[list[BoxScheme]]:
+    """The schemes of each piece."""
+    pieces: list[list[BoxScheme]] = []
+    room = 0
+    for one in box_schemes(search):
+        if room <= 0:
+            pieces.append([])
+            room = PORTS_AT_ONCE
+        pieces[-1].append(one)
+        room -= len(one.ports)
+    return pieces
+
+
+class _PortSearch:
+    """The search in one scheme, for any of its ports."""
+
+    def __init__(self, search: BoxSearch, one: BoxScheme) -> None:
+        """Find the speeds in all gears that there may be."""
+        self.search = search
+        self.scheme = one
+        self.bases = speed_bases(search, one)
+        self.table = combinations_table(len(self.bases.moving), search.engaged, search.elements)
+        self.gears = _gears(self.bases, self.table)
+        self.searched = self.given_up = 0
+
+    def boxes(self, first: int, last: int) -> list[FoundBox]:
+        """All boxes with these links as input and output."""
+        search, table = self.search, self.table
+        ports = self.bases.moving.index(first), self.bases.moving.index(last)
+        ends = enumerate(table.ends.tolist())
+        there = [number for number, (one, other) in ends if other >= 0 or one not in ports]
+        self.searched += math.comb(len(there), search.elements)
+        bits, speeds = sum(1 << number for number in there), len(self.gears.speeds)
+        port = PortGears(*ports, bits, np.zeros(speeds, np.int64), np.zeros(speeds))
+        most = FIRST_ELEMENT_SETS
+        while True:
+            room = _room(search, most, get_ident())
+            found, count, given_up = boxes_of_ports(table, self.gears, port, _asked(search), room)
+            if count >= 0:
+                self.given_up += int(given_up)
+                return [self._box(room, row, first, last) for row in range(found)]
+            most *= 4
+
+    def _box(self, room: Room, row: int, first: int, last: int) -> FoundBox:
+        """A box of a row of the results; its brakes stand first."""
+        moving = self.bases.moving
+        signs = np.where(self.scheme.meshed, 1.0, -1.0)
+        numbers = room.sets.found[row].tolist()
+        elements = tuple(
+            (moving[one], moving[other] if other >= 0 else HELD)
+            for one, other in self.table.ends[numbers].tolist()
+        )
+        return FoundBox(
+            self.scheme.scheme,
+            self.scheme.held,
+            first,
+            last,
+            elements,
+            tuple((signs * np.exp(room.logs[row])).tolist()),
+            tuple(tuple(self.table.places[one].tolist()) for one in room.gears[row].tolist()),
+            float(room.errors[row]),
+        )
+
+
+def _gears(bases: SpeedBases, table: Combinations) -> GearSpeeds:
+    """The different speeds that gears can have, and which of them each combination gives.
+
+    They are compared at the point within; only the different ones are found at the corners.
+    """
+    points, links, _ = bases.speeds.shape
+    within = np.zeros((len(table.members), links, 1))
+    gear_speeds(bases.speeds[-1:], bases.factors[-1:], table.ends, table.members, within)
+    sizes = np.abs(within).max(axis=1)
+    sizes[sizes < SAME_BOX_SPEED] = np.inf
+    keys = np.round(np.abs(within[:, :, 0] / sizes @ _KEYS[:links]) / SAME_BOX_SPEED)
+    alike = keys[:, 0] + 1j * keys[:, 1]
+    _, which, way = np.unique(alike, return_index=True, return_inverse=True)
+    found = np.zeros((len(which), links, points))
+    gear_speeds(bases.speeds, bases.factors, table.ends, table.members[which], found)
+    found /= sizes[which, :, None]
+    still = _still(found[:, :, -1], table)
+    return GearSpeeds(found, way.astype(np.int64).reshape(-1), still)
+
+
+def _still(speeds: Floats, table: Combinations) -> Integers:
+    """Elements that do not slip at some speeds, as bits, shape (speeds,)."""
+    with_housing = np.column_stack([speeds, np.zeros(len(speeds))])  # HELD is the last column
+    slips = with_housing[:, table.ends[:, 0]] - with_housing[:, table.ends[:, 1]]
+    return np.asarray((np.abs(slips) < SAME_BOX_SPEED) @ (1 << np.arange(len(table.ends))))
+
+
+_KEYS = np.sqrt(np.arange(2, 66)).reshape(-1, 2) % 1 - 0.3
+"""Weights of links in two sums that tell speeds apart."""
+
+
+@cache
+def _asked(search: BoxSearch) -> Asked:
+    """What is asked, as arrays."""
+    targets = np.array(search.targets, dtype=float)
+    factor = math.exp(search.tolerance + TARGET_MARGIN)
+    ends = np.sort([targets / factor, targets * factor], axis=0)
+    return Asked(targets, ends[0], ends[1], search.tolerance, *search.bounds)
+
+
+@lru_cache(maxsize=32)
+def _room(search: BoxSearch, most: int, thread: int) -> Room:  # noqa: ARG001
+    """Room for the boxes of a choice of ports; each thread of a worker has its own."""
+    table = combinations_table(_moving(search), search.engaged, search.elements)
+    asked = _asked(search)
+    targets, sets = len(asked.targets), search.sets
+    all_of_them = len(table.places)
+    return Room(
+        sets=set_room(table, targets, most),
+        cells=cell_room(table, asked, sets),
+        gears=np.zeros((most, targets), np.int64),
+        logs=np.zeros((most, sets)),
+        errors=np.zeros(most),
+        lines=lines(sets),
+        parts=np.zeros((all_of_them, 2, 2**sets)),
+    )
+
+
+def _moving(search: BoxSearch) -> int:
+    """Moving links of every scheme, the input shaft among them."""
+    return search.links - bool(search.fixed) + search.own_input
+
+
+ENOUGH = 3.0
+"""So long pieces are tried. [s]"""
+GOLDEN = 0.6180339887498949
+"""Multiples of it are spread evenly: so pieces from everywhere come first."""
+
+
+class BoxEstimate(NamedTuple):
+    """What is known of a search before it."""
+
+    pieces: int
+    boxes: float
+    """That will be looked at."""
+    found: float
+    """Of them, boxes with the ratios."""
+    seconds: float
+    """In one process."""
+    exact: bool
+    """Whether all pieces were tried."""
+
+
+def box_estimate(search: BoxSearch, enough: float = ENOUGH) -> BoxEstimate:
+    """About how many boxes there are, and how long they take.
+
+    Parameters
+    ----------
+    search : BoxSearch
+        A sound one, see `check_box_search`.
+    enough : float
+        So long pieces are tried, one at least. [s]
+    """
+    pieces = cut(search)
+    prepare()
+    began = time.perf_counter()
+    searched = found = tried = 0
+    for piece in _spread(pieces):
+        one = found_in(search, piece)
+        searched, found, tried = searched + one.searched, found + len(one.boxes), tried + 1
+        if time.perf_counter() - began > enough:
+            break
+    seconds = time.perf_counter() - began
+    share = tried / max(pieces, 1) or 1.0
+    numbers = searched / share, found / share, seconds / share
+    return BoxEstimate(pieces, *numbers, exact=tried == pieces)
+
+
+def _spread(pieces: int) -> list[int]:
+    """All pieces, the first ones from everywhere.
+
+    >>> _spread(8)
+    [0, 5, 2, 7, 4, 1, 6, 3]
+    """
+    return sorted(range(pieces), key=lambda piece: (piece * GOLDEN) % 1.0)

@@ -1,0 +1,144 @@
+"""A scheme as a case: its sets, shift elements and the gears that these give."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+
+from vstatics.errors import plural
+from vstatics.model.parts import HOUSING, Gear, Mechanism, ShiftElement
+from vstatics.model.transmission import Transmission
+from vstatics.synthesis.gears.search import CombinationSearch
+from vstatics.synthesis.structures.arrays import LEAST_MOBILITY
+from vstatics.synthesis.structures.scheme import SetScheme, link_name
+
+FEW_COMBINATIONS = 60
+"""If clutches to all links gave more combinations the input has none but that to the output."""
+MOST_OF_SCHEME = 100
+"""So many gears has a case, those that are found first."""
+NEUTRAL = "N"
+"""The gear of a case that no combination gives a ratio."""
+INERTIA = 1.0
+"""Of input and output, so that the case can be in motion. [kg*m^2]"""
+
+
+def scheme_case(
+    scheme: SetScheme, input_link: int, output_link: int, ratios: Sequence[float]
+) -> Transmission:
+    """A case with brakes, clutches and all gears that they give.
+
+    Every link has a brake, but input and output; a clutch joins these two. Where more than one
+    element is engaged, clutches join the input to all other links too, unless that makes more
+    than `FEW_COMBINATIONS` combinations. Gears are the combinations with a ratio that no other
+    has, by descending ratio; direct drive is one of them.
+
+    Parameters
+    ----------
+    scheme : SetScheme
+    input_link, output_link : int
+        Links of the scheme, from 0.
+    ratios : sequence of float
+        Internal ratio of each set, sun to ring with the carrier held. [-]
+
+    Raises
+    ------
+    ValueError
+        If the scheme can't be a gearbox. One with `locked_sets` can be.
+    CaseError
+        If a ratio is none.
+
+    Examples
+    --------
+    >>> case = scheme_case(SetScheme.of_code("0-1-2"), 0, 1, [-2])
+    >>> [(gear.name, gear.engaged) for gear in case.gears]
+    [('1', (1,)), ('2', (2,))]
+    >>> [element.name for element in case.shift_elements]
+    ['T-L2', 'F-L0-L1']
+    """
+    _check(scheme, input_link, output_link)
+    elements = _elements(scheme, input_link, output_link)
+    case = Transmission(
+        links=scheme.links,
+        shift_elements=elements,
+        mechanisms=[
+            Mechanism(sun + 1, ring + 1, carrier + 1, ratio, name=set_name(number))
+            for number, ((sun, carrier, ring), ratio) in enumerate(
+                zip(scheme.sets, ratios, strict=True), 1
+            )
+        ],
+        gears=[Gear((), name=NEUTRAL)],
+        input=input_link + 1,
+        output=output_link + 1,
+        link_names=[link_name(link) for link in range(scheme.links)],
+        name=f"scheme {scheme.code}",
+        description=f"The inertias are in place of those of engine and load, {INERTIA:g} kg*m^2.",
+        inertias={input_link + 1: INERTIA, output_link + 1: INERTIA},
+    )
+    found = _gears(case, scheme.mobility - 1)
+    return case.replace(gears=found) if found else case
+
+
+def set_name(number: int) -> str:
+    """The name of a set in a case, by its number from 1.
+
+    >>> set_name(1)
+    'P1'
+    """
+    return f"P{number}"
+
+
+def _check(scheme: SetScheme, input_link: int, output_link: int) -> None:
+    """Refuse what can't be a gearbox.
+
+    Raises
+    ------
+    ValueError
+    """
+    if input_link == output_link:
+        raise ValueError(f"{link_name(input_link)} is input and output; expected two links")
+    if not scheme.is_connected:
+        raise ValueError("its sets share no link: these are several gearboxes, expected one")
+    if scheme.mobility < LEAST_MOBILITY:
+        sets = len(scheme.sets)
+        message = f"{sets} {plural('set', sets)} with {scheme.links} links turn as one body"
+        raise ValueError(f"{message}; expected {sets + LEAST_MOBILITY} links or more")
+
+
+def _elements(scheme: SetScheme, input_link: int, output_link: int) -> list[ShiftElement]:
+    """Its brakes and clutches."""
+    others = [link for link in range(scheme.links) if link not in (input_link, output_link)]
+    elements = [ShiftElement(link + 1, HOUSING, f"T-{link_name(link)}") for link in others]
+    clutches = [_clutch(input_link, output_link)]
+    engaged = scheme.mobility - 1
+    if engaged > 1:
+        more = [_clutch(input_link, link) for link in others]
+        if math.comb(len(elements) + 1 + len(more), engaged) <= FEW_COMBINATIONS:
+            clutches += more
+    return elements + clutches
+
+
+def _clutch(first: int, second: int) -> ShiftElement:
+    name = f"F-{link_name(first)}-{link_name(second)}"
+    return ShiftElement(first + 1, second + 1, name)
+
+
+def _gears(case: Transmission, engaged: int) -> list[Gear]:
+    """The combinations of so many elements that give ratios, each of these once."""
+    found: dict[str, tuple[float, tuple[int, ...]]] = {}
+    for batch in CombinationSearch(case, [engaged]).batches():
+        good = batch.where(batch.gears & ~batch.free)
+        for ratio, members in zip(good.ratios.tolist(), good.members.tolist(), strict=True):
+            found.setdefault(f"{ratio:.9e}", (ratio, tuple(index + 1 for index in members)))
+        if len(found) >= MOST_OF_SCHEME:
+            break
+    return list(_named(list(found.values())[:MOST_OF_SCHEME]))
+
+
+def _named(found: list[tuple[float, tuple[int, ...]]]) -> Iterator[Gear]:
+    """Gears forward from the slowest, then those backward."""
+    forward = sorted((one for one in found if one[0] > 0), key=lambda one: -one[0])
+    backward = sorted((one for one in found if one[0] < 0), key=lambda one: one[0])
+    for number, (_, engaged) in enumerate(forward, 1):
+        yield Gear(engaged, name=str(number))
+    for number, (_, engaged) in enumerate(backward, 1):
+        yield Gear(engaged, name=f"R{number}" if len(backward) > 1 else "R")

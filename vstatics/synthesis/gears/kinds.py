@@ -1,0 +1,208 @@
+"""What sets of engaged elements do with input and output: for many sets at once, and for one.
+
+The rows of many systems are eliminated as `numerics.elimination` does it with those of one:
+each value carries the size that tells when a difference is nothing but rounding, so rank needs
+no tolerance that somebody has to choose.
+
+It takes longer than `engaged_kinds`, but eliminates what is engaged together with the
+mechanisms, in the order that loses least: for sets in which that may lose too many digits.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from enum import IntEnum
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from vstatics.model.transmission import HOUSING, Transmission
+from vstatics.numerics.arrays import Booleans, Floats
+from vstatics.numerics.elimination import RIGHT, Equation, solve
+from vstatics.numerics.tolerances import TRACED_REAL, ZERO
+from vstatics.numerics.traced import plain
+from vstatics.statics.matrix import ON_ELEMENT, columns
+from vstatics.synthesis.gears.speed_forms import KEPT_PART, Pair, SpeedForms
+
+Indices = NDArray[np.intp]
+
+
+class EngagedKind(IntEnum):
+    """What a combination does, by all speeds of input and output that the equations allow."""
+
+    BLOCKED = 0
+    """The input can't turn."""
+    PARKING = 1
+    """The output stands, the input turns."""
+    NEUTRAL = 2
+    """Input and output turn independently of each other."""
+    GEAR = 3
+    """One ratio."""
+    DIRECT = 4
+    """The ratio 1, whatever the ratios of the mechanisms are."""
+
+    @property
+    def word(self) -> str:
+        """As it is written."""
+        return self.name.lower()
+
+
+class EngagedKinds(NamedTuple):
+    """What each set of elements does."""
+
+    kinds: NDArray[np.int8]
+    """(sets,), numbers of `EngagedKind`; a direct drive is not told from another gear."""
+    ratios: Floats
+    """(sets,), input speed by output speed; NaN where there is none. [-]"""
+    free: Booleans
+    """(sets,), whether links can turn while input and output stand."""
+    unity: Booleans
+    """(sets,), whether input and output turn alike, or both stand."""
+    doubtful: Booleans
+    """(sets,), whether too many digits are lost to believe this."""
+
+
+def engaged_kinds(forms: SpeedForms, members: Indices) -> EngagedKinds:
+    """What sets of engaged elements do.
+
+    Parameters
+    ----------
+    forms : SpeedForms
+        The slips of all elements, then the speeds of input and output, then their difference.
+    members : ndarray, shape (sets, elements)
+        Which elements each set engages.
+
+    Examples
+    --------
+    >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission
+    >>> from vstatics.synthesis.gears.speed_forms import FreeSpeeds
+    >>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)], [Gear([1])])
+    >>> forms = FreeSpeeds(case).forms([(2, 0), (2, 1), (1, 0), (3, 0), (1, 3)])
+    >>> found = engaged_kinds(forms, np.array([[0], [1]]))
+    >>> found.ratios.round(9), found.unity
+    (array([3.5, 1. ]), array([False,  True]))
+    """
+    with np.errstate(all="ignore"):  # what overflows is doubtful
+        return _eliminated(forms, members)
+
+
+def _eliminated(forms: SpeedForms, members: Indices) -> EngagedKinds:
+    sets, engaged = members.shape
+    ports = np.broadcast_to(np.arange(-3, 0), (sets, 3))
+    chosen = np.concatenate([members, ports], axis=1).T
+    rows = _SizedRows(forms, chosen)
+    rank = np.zeros(sets, dtype=int)
+    for row in range(engaged):
+        rank += rows.eliminate(row, slice(row + 1, None))[0]
+    of_input, of_output, of_difference = range(engaged, engaged + 3)
+    unity = ~rows.left(of_difference)
+    output_turns = rows.left(of_output)
+    input_turns, [by_input] = rows.eliminate(of_input, slice(of_output, of_output + 1))
+    apart = rows.left(of_output)
+    kinds = np.select(
+        [~input_turns, ~output_turns, apart],
+        [EngagedKind.BLOCKED, EngagedKind.PARKING, EngagedKind.NEUTRAL],
+        EngagedKind.GEAR,
+    )
+    ratios = np.where(kinds == EngagedKind.GEAR, 1 / by_input, np.nan)
+    moving = rank + input_turns + apart
+    free = moving < forms.free
+    return EngagedKinds(kinds.astype(np.int8), ratios, free, unity, rows.doubtful)
+
+
+class _SizedRows:
+    """Rows of many systems, (rows, unknowns, systems), which are eliminated in place."""
+
+    def __init__(self, forms: SpeedForms, chosen: Indices) -> None:
+        """Take of all rows those of `chosen`, (rows, systems)."""
+        self.values = np.ascontiguousarray(np.moveaxis(forms.values[chosen], 2, 1))
+        self.sizes = np.ascontiguousarray(np.moveaxis(forms.sizes[chosen], 2, 1))
+        self.systems = np.arange(chosen.shape[1])
+        self.doubtful: Booleans = np.full(chosen.shape[1], forms.doubtful)
+
+    def left(self, row: int) -> Booleans:
+        """In which systems anything is left of a row."""
+        turns: Booleans = self.values[row].any(axis=0)
+        return turns
+
+    def eliminate(self, row: int, others: slice) -> tuple[Booleans, Floats]:
+        """Take a row from others, so that these lose its largest entry.
+
+        Returns
+        -------
+        there : ndarray, shape (systems,)
+            Whether anything is left of the row.
+        factors : ndarray, shape (others, systems)
+            How much of it was taken.
+        """
+        mine, its_size = self.values[row], self.sizes[row]
+        if not len(mine):
+            taken = np.zeros((len(self.values[others]), len(self.systems)))
+            return np.zeros(len(self.systems), bool), taken
+        place = abs(mine).argmax(axis=0), self.systems
+        pivot = mine[place]
+        there: Booleans = pivot != 0
+        divisor = np.where(there, pivot, 1.0)
+        factors = np.where(there, self.values[others][:, *place] / divisor, 0.0)
+        of_factors = self.sizes[others][:, *place] + abs(factors) * its_size[place]
+        of_factors = np.where(there, of_factors / abs(divisor), 0.0)
+        self._subtract(others, factors[:, None], of_factors[:, None], row)
+        chosen = place[0][there], self.systems[there]
+        self.values[others][:, *chosen] = 0.0
+        return there, factors
+
+    def _subtract(self, others: slice, factors: Floats, of_factors: Floats, row: int) -> None:
+        """``less`` of the entries of `numerics`, on arrays."""
+        mine, its_size = self.values[row], self.sizes[row]
+        values, sizes = self.values[others], self.sizes[others]
+        products = factors * mine
+        sizes += of_factors * abs(mine) + abs(factors) * its_size
+        larger = TRACED_REAL * np.maximum(abs(values), abs(products))
+        known = (sizes * (KEPT_PART * TRACED_REAL) <= larger) & (sizes < np.inf)
+        lost = ~known & (larger != 0)
+        self.doubtful |= lost.any(axis=(0, 1))
+        values -= products
+        rounding = np.minimum(ZERO * sizes, larger)
+        values[(abs(values) <= rounding) & (rounding < np.inf)] = 0.0
+
+
+class KindAlone(NamedTuple):
+    """What a set of elements does; a direct drive is not told from another gear."""
+
+    kind: EngagedKind
+    ratio: float
+    """NaN where there is none. [-]"""
+    free: bool
+
+
+def kind_alone(case: Transmission, engaged: Iterable[Pair]) -> KindAlone:
+    """What a set of elements does, each given by the links that it joins.
+
+    Examples
+    --------
+    >>> from vstatics import Gear, Mechanism, ShiftElement
+    >>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)], [Gear([1])])
+    >>> kind_alone(case, [(2, 0)]).ratio, kind_alone(case, [(1, 0)]).kind.word
+    (3.5, 'blocked')
+    """
+    own = columns(case, [one.ratio for one in case.mechanisms])[len(case.shift_elements) :]
+    rows: list[Equation] = [{link - 1: part for link, part in column.items()} for column in own]
+    for pair in engaged:
+        joined = zip(pair, ON_ELEMENT, strict=True)
+        rows.append({link - 1: float(part) for link, part in joined if link != HOUSING})
+    of_input, of_output = case.input - 1, case.output - 1
+    turned = solve([*rows, {of_input: 1.0, RIGHT: 1.0}], case.links)
+    if not turned.consistent:
+        still: list[Equation] = [*rows, {of_input: 1.0}]
+        output_turns = solve([*still, {of_output: 1.0, RIGHT: 1.0}], case.links).consistent
+        missing = solve(still, case.links).missing
+        return KindAlone(EngagedKind.BLOCKED, math.nan, missing > output_turns)
+    speed = float(plain(turned.values[of_output]))
+    if math.isnan(speed):
+        return KindAlone(EngagedKind.NEUTRAL, math.nan, turned.missing > 1)
+    free = turned.missing > 0
+    if speed == 0:
+        return KindAlone(EngagedKind.PARKING, math.nan, free)
+    return KindAlone(EngagedKind.GEAR, 1 / speed, free)

@@ -1,0 +1,273 @@
+"""The search through all combinations of so many shift elements: how many, and what they do.
+
+What combinations of shift elements of a case do, one by one.
+"""
+
+from __future__ import annotations
+
+import math
+import random
+import time
+from collections.abc import Iterator, Sequence
+from functools import cached_property
+from itertools import chain, islice
+from itertools import combinations as subsets
+
+import numpy as np
+
+from vstatics.errors import CaseError, Problem, plural
+from vstatics.model.transmission import ShiftElement, Transmission
+from vstatics.numerics.arrays import Booleans
+from vstatics.summary.unused_sets import needed
+from vstatics.synthesis.gears.element_choice import AUTO, chosen_elements, count_all_elements
+from vstatics.synthesis.gears.engaged_sets import EngagedSet, EngagedSets
+from vstatics.synthesis.gears.kinds import (
+    EngagedKind,
+    EngagedKinds,
+    Indices,
+    engaged_kinds,
+    kind_alone,
+)
+from vstatics.synthesis.gears.speed_forms import FreeSpeeds, SpeedForms
+
+MOST_COMBINATIONS = 1_000_000
+"""So many combinations are tried unless more are asked for: about ten seconds."""
+ROW_NUMBERS_AT_ONCE = 500_000
+"""So many numbers have the rows of the combinations that are calculated together."""
+MOST_ROW_NUMBERS = 20_000_000
+"""So many numbers may have the rows of all elements."""
+DRAWS = 3
+"""So many times the ratios of all mechanisms are drawn, to tell direct drives."""
+WORK = 30_000
+"""So many steps of elimination a combination may take for each that may be tried, on average."""
+NEAR_ONE = 1e-6
+"""Only ratios so near to 1 are looked at for it."""
+
+
+class CombinationSearch:
+    """All combinations of some elements of a case; nothing is calculated before it is asked for.
+
+    Parameters
+    ----------
+    case : Transmission
+    engaged : sequence of int
+        How many elements are engaged; as many as leave one degree of freedom when not given.
+    elements : sequence of str
+        Those to choose from, by name or number, or ``auto``; all of the case when not given.
+
+    Raises
+    ------
+    CaseError
+        If there is no such element, or not as many of them.
+    """
+
+    def __init__(
+        self, case: Transmission, engaged: Sequence[int] = (), elements: Sequence[str] = ()
+    ) -> None:
+        """Only look at what is asked for."""
+        self.case = case
+        self._asked = elements
+        self.sizes = list(dict.fromkeys(engaged)) or [needed(case)]
+        self.are_own = list(elements) != [AUTO]
+        """Whether the elements are those of the case, or some of them."""
+        self.choice = (
+            len(chosen_elements(case, elements)) if self.are_own else count_all_elements(case)
+        )
+        """So many elements there are to choose from."""
+        for size in engaged:
+            if not 0 <= size <= self.choice:
+                message = (
+                    f"read {size} engaged elements, expected 0 to {self.choice}: there are "
+                    f"{self.choice} {plural('shift element', self.choice)} to choose from"
+                )
+                raise CaseError([Problem(message)])
+        if not engaged and self.sizes[0] > self.choice:
+            message = (
+                f"{self.sizes[0]} engaged elements leave one degree of freedom, but there are "
+                f"{self.choice} to choose from"
+            )
+            raise CaseError([Problem(message, ("shift_elements",))])
+
+    @cached_property
+    def count(self) -> float:
+        """How many combinations there are; infinite where nobody will count them."""
+        return sum(map(self._count, self.sizes))
+
+    def _count(self, size: int) -> float:
+        few = min(size, self.choice - size)
+        digits = math.lgamma(self.choice + 1) - math.lgamma(few + 1)
+        digits -= math.lgamma(self.choice - few + 1)
+        return math.comb(self.choice, few) if digits < 600 else math.inf
+
+    @cached_property
+    def elements(self) -> list[ShiftElement]:
+        """Those to choose from."""
+        return chosen_elements(self.case, self._asked)
+
+    def check(self, at_most: int | None = MOST_COMBINATIONS) -> None:
+        """Refuse more combinations than these, if any, or larger ones than memory has room for.
+
+        Raises
+        ------
+        CaseError
+        """
+        if at_most is not None and self.count > at_most:
+            message = (
+                f"{self.choice} shift elements have {count_text(self.count)} combinations, more "
+                f"than the {at_most} that may be tried"
+            )
+            raise CaseError([Problem(message, ("shift_elements",))])
+        room = (self.choice + 3) * (self.case.links + 1)
+        if room > MOST_ROW_NUMBERS or self._work() > WORK * (at_most or math.inf):
+            lacking = "the memory" if room > MOST_ROW_NUMBERS else "an hour"
+            message = (
+                f"{self.choice} shift elements between {self.case.links} links are too many for "
+                f"{lacking}; expected some of them, or fewer to engage"
+            )
+            raise CaseError([Problem(message, ("shift_elements",))])
+
+    def _work(self) -> float:
+        """How many steps of elimination there are, about."""
+        free = needed(self.case) + 1
+        return sum(size * (size + 3) * free * self._count(size) for size in self.sizes)
+
+    def batches(self) -> Iterator[EngagedSets]:
+        """All combinations in the order of the elements, some thousands at a time."""
+        for size in self.sizes:
+            chosen = subsets(range(self.choice), size)
+            while True:
+                members = _members(chosen, size, self._room(size))
+                if not len(members):
+                    break
+                yield self._found(members)
+                if not size:
+                    break
+
+    def samples(self) -> Iterator[EngagedSets]:
+        """The first combinations of each size."""
+        for size in self.sizes:
+            yield self._found(_members(subsets(range(self.choice), size), size, 100))
+
+    def seconds(self) -> float:
+        """About how long all of them take, by a piece of them [s]."""
+        self._found(_members(subsets(range(self.choice), self.sizes[0]), self.sizes[0], 1))
+        total = 0.0
+        for size in self.sizes:
+            few = min(self._room(size), 2000)
+            members = _members(subsets(range(self.choice), size), size, few)
+            began = time.perf_counter()
+            list(self._found(members).each())
+            total += (time.perf_counter() - began) / len(members) * self._count(size)
+        return total
+
+    def _room(self, size: int) -> int:
+        return max(ROW_NUMBERS_AT_ONCE // ((size + 3) * max(self._forms.free, 1)), 1)
+
+    @cached_property
+    def _forms(self) -> SpeedForms:
+        return self._forms_of(None)
+
+    @cached_property
+    def _drawn_forms(self) -> list[SpeedForms]:
+        """The same with other ratios of the mechanisms, drawn at random, but always alike."""
+        draw = random.Random(1)  # noqa: S311
+
+        def drawn() -> list[float]:
+            return [draw.choice((-1, 1)) * draw.uniform(1.4, 5) for _ in self.case.mechanisms]
+
+        return [self._forms_of(drawn()) for _ in range(DRAWS)]
+
+    def _forms_of(self, ratios: Sequence[float] | None) -> SpeedForms:
+        ports = (self.case.input, 0), (self.case.output, 0), (self.case.input, self.case.output)
+        pairs = [*(element.links for element in self.elements), *ports]
+        return FreeSpeeds(self.case, ratios).forms(pairs)
+
+    def _found(self, members: Indices) -> EngagedSets:
+        """What some combinations do."""
+        found = engaged_kinds(self._forms, members)
+        kinds, ratios, free = found.kinds.astype(np.intp), found.ratios, found.free
+        for index in np.flatnonzero(found.doubtful):
+            engaged = [self.elements[one].links for one in members[index]]
+            kinds[index], ratios[index], free[index] = kind_alone(self.case, engaged)
+        near = np.flatnonzero(abs(ratios - 1) < NEAR_ONE)
+        for forms in self._drawn_forms if len(near) else ():
+            near = near[_may_be_one(engaged_kinds(forms, members[near]))]
+        kinds[near], ratios[near] = EngagedKind.DIRECT, 1.0
+        return EngagedSets(self.elements, members, kinds, ratios, free)
+
+
+def _may_be_one(found: EngagedKinds) -> Booleans:
+    """Whether a ratio is 1; a set that loses digits says nothing."""
+    is_one: Booleans = (found.kinds == EngagedKind.GEAR) & found.unity
+    return is_one | found.doubtful
+
+
+def _members(chosen: Iterator[tuple[int, ...]], size: int, most: int) -> Indices:
+    """The next combinations as rows of an array."""
+    if not size:
+        return np.zeros((1, 0), dtype=np.intp)
+    flat = chain.from_iterable(islice(chosen, most))
+    return np.fromiter(flat, dtype=np.intp).reshape(-1, size)
+
+
+def count_text(count: float) -> str:
+    """A number of combinations as one says it.
+
+    >>> count_text(66), count_text(10**30), count_text(math.inf)
+    ('66', 'about 1e+30', 'more than 1e+200')
+    """
+    if count == math.inf:
+        return "more than 1e+200"
+    return f"about {count:.3g}" if count >= 1e15 else f"{count}"
+
+
+def combinations(
+    case: Transmission,
+    engaged: int | Sequence[int] = (),
+    elements: str | Sequence[str] = (),
+    at_most: int = MOST_COMBINATIONS,
+) -> list[EngagedSet]:
+    """All combinations of shift elements of a case, with their kinds and ratios.
+
+    The kind follows from all speeds of input and output that mechanisms, springs at mean
+    speeds and engaged elements allow:
+    ``blocked``: the input can't turn;
+    ``parking``: the output stands, while the input turns;
+    ``neutral``: they are independent of each other;
+    ``gear``: they have a fixed ratio; ``direct``: it is 1 whatever the ratios of the mechanisms.
+
+    Parameters
+    ----------
+    case : Transmission
+    engaged : int or sequence of int
+        How many elements; as many as leave one degree of freedom when not given.
+    elements : str or sequence of str
+        To choose from, by names or numbers; all of the case when not given. ``"auto"``: all
+        clutches and brakes that its scheme may have. A freewheel counts as one that holds.
+    at_most : int
+        So many combinations may be tried.
+
+    Raises
+    ------
+    CaseError
+        If there is no such element, or there are more combinations.
+
+    Source
+    ------
+    docs/synthesis.md.
+
+    Examples
+    --------
+    >>> from vstatics import Gear, Mechanism, ShiftElement
+    >>> case = Transmission(3, [ShiftElement(2), ShiftElement(1, 2)],
+    ...                     [Mechanism(1, 2, 3, -2.5)], [Gear([1])])
+    >>> for one in combinations(case):
+    ...     print(*one)
+    ['T1'] gear 3.5 False
+    ['F2'] direct 1.0 False
+    """
+    sizes = [engaged] if isinstance(engaged, int) else engaged
+    asked = [elements] if isinstance(elements, str) else elements
+    search = CombinationSearch(case, sizes, asked)
+    search.check(at_most)
+    return [one for batch in search.batches() for one in batch.each()]

@@ -1,0 +1,93 @@
+"""A fit as tables."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from vstatics.synthesis.ratios.fitting import Fit, deviation
+from vstatics.synthesis.ratios.problem import FitProblem
+from vstatics.tables.grid import Cell, Column, Grid, Row, exact, text, whole
+
+DEVIATION_DECIMALS = 9
+"""Digits of a deviation; what is below them is rounding."""
+TINY_RATIO = 1e-4
+"""A smaller ratio is told with a power of ten."""
+
+
+def fit_grids(found: Fit) -> Iterator[Grid]:
+    """What the gears have, then the mechanisms, then all solutions where there are several.
+
+    Examples
+    --------
+    >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission
+    >>> from vstatics.synthesis.ratios.fitting import fit
+    >>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)], [Gear([1])])
+    >>> gears, mechanisms = fit_grids(fit(case, {"1": 4.0}))
+    >>> gears.texts, mechanisms.texts
+    ([['1', '4.0000', '4.0000', '.000', 'met']], [['D1', '-3.0000', '-14.0000', '-1.0000', '']])
+    """
+    yield _gears(found)
+    yield _mechanisms(found)
+    if len(found.solutions) > 1:
+        yield _solutions(found)
+
+
+def number(value: float | None) -> Cell:
+    """A ratio as somebody gave it, which may be of any size, as a cell.
+
+    >>> number(-4.7).text, number(0.00125).text, number(1e-300).text, number(None).text
+    ('-4.7000', '.001250', '1e-300', '-')
+    """
+    if value is None or not 0 < abs(value) < TINY_RATIO:
+        return exact(value, 4)
+    return Cell(f"{value:.4g}", value, kind=float)
+
+
+def _gears(found: Fit) -> Grid:
+    problem = found.problem
+    rows: list[Row] = []
+    for index, gear in enumerate(problem.own.case.gears):
+        ratio, target = found.gears[gear.name], problem.targets.get(index)
+        row: Row = [gear.name, number(target), exact(ratio, 4)]
+        if target is None:
+            row += [exact(None), ""]
+        else:
+            met = "not met" if gear.name in found.unmet else "met"
+            row += [exact(100 * round(deviation(ratio, target), DEVIATION_DECIMALS)), met]
+        rows.append(row)
+    columns = [text("gear"), *map(Column, ("wanted", "ratio", "off [%]")), text("note")]
+    return Grid("Gears", columns, rows)
+
+
+def _mechanisms(found: Fit) -> Grid:
+    """The ratios of mechanisms with their bounds."""
+    problem = found.problem
+    rows: list[Row] = []
+    for index, (name, ratio) in enumerate(found.ratios.items()):
+        low, high = problem.bounds.low[index], problem.bounds.high[index]
+        numbers = (number(one) for one in (ratio, low, high))
+        rows.append([name, *numbers, mechanism_note(problem, index, ratio, found)])
+    columns = [text("mechanism"), *map(Column, ("ratio", "from", "to")), text("note")]
+    return Grid("Mechanisms", columns, rows)
+
+
+def mechanism_note(problem: FitProblem, index: int, ratio: float, found: Fit) -> str:
+    """What is to be said of the ratio of a mechanism, by its index."""
+    low, high = problem.bounds.low[index], problem.bounds.high[index]
+    if low == high:
+        return "given"
+    if index in problem.unused:
+        return "in no wanted ratio"
+    if ratio in (low, high):
+        return "at its bound"
+    return "free" if problem.own.case.mechanisms[index].name in found.free else ""
+
+
+def _solutions(found: Fit) -> Grid:
+    names = list(found.ratios)
+    rows: list[Row] = [
+        [whole(number), exact(one.residual, 6), *(exact(one.ratios[name], 4) for name in names)]
+        for number, one in enumerate(found.solutions, 1)
+    ]
+    columns = [Column("solution"), Column("residual"), *map(Column, names)]
+    return Grid("All solutions", columns, rows, key="solutions")

@@ -1,0 +1,250 @@
+"""What is asked of a fit, checked before anything is calculated at length."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from fractions import Fraction
+from typing import NamedTuple
+
+import numpy as np
+
+from vstatics.errors import CaseError, Problem, listed, nearest, plural, quoted
+from vstatics.explain.bodies import OwnLinks, on_own_links
+from vstatics.model.transmission import Transmission
+from vstatics.numerics.arrays import Floats
+from vstatics.statics.solve import solve
+from vstatics.statics.status import STATUSES
+from vstatics.summary.design_table import is_same
+from vstatics.synthesis.ratios.arrays import reach
+from vstatics.synthesis.ratios.bounds import Bounds, bounds_of
+from vstatics.synthesis.ratios.formula import GearFormula, gear_formula
+
+Advance = Callable[[int], None]
+"""Told how many steps more are done."""
+
+
+def untold(_steps: int) -> None:
+    """Tell nobody."""
+
+
+class FitProblem(NamedTuple):
+    """Ratios wanted of gears, and the ratios of mechanisms that may be varied for them."""
+
+    own: OwnLinks
+    """The case on its own links, each freewheel as it is with the case's own ratios."""
+    formulas: Sequence[GearFormula]
+    """By gear; those that are too long are asked of none that is wanted."""
+    targets: Mapping[int, float]
+    """Index of a gear -> the ratio wanted [-]."""
+    weights: Mapping[int, float]
+    """Index of a gear -> weight of the square of its deviation [-]."""
+    bounds: Bounds
+    tolerance: float
+
+    @property
+    def fitted(self) -> list[int]:
+        """The gears whose ratios can be fitted: of those wanted, all that are no constants."""
+        return [index for index in self.targets if self.formulas[index].kind == "ratio"]
+
+    @property
+    def varied(self) -> list[int]:
+        """The indices of mechanisms that matter for what is wanted, and are not fixed."""
+        matter = {ratio for index in self.fitted for ratio in self.formulas[index].ratios}
+        return [index for index in sorted(matter) if not self.bounds.is_fixed(index)]
+
+    @property
+    def unused(self) -> list[int]:
+        """The indices of mechanisms that matter for nothing that is wanted, and are not fixed."""
+        count = len(self.own.case.mechanisms)
+        fixed = [index for index in range(count) if self.bounds.is_fixed(index)]
+        return sorted({*range(count)} - {*self.varied, *fixed})
+
+    @property
+    def anchor(self) -> Floats:
+        """The case's own ratios, or the bounds nearest to them [-]."""
+        ratios = [mechanism.ratio for mechanism in self.own.case.mechanisms]
+        return np.clip(ratios, self.bounds.low, self.bounds.high)
+
+    def reach(self, index: int) -> tuple[float, float] | None:
+        """The least and the largest ratio of a gear within the bounds, where it has these [-]."""
+        formula = self.formulas[index]
+        if formula.kind == "constant":
+            return formula.constant, formula.constant
+        return reach(formula, np.array(self.bounds.low), np.array(self.bounds.high))
+
+
+def fit_problem(  # noqa: PLR0913 - what `fit` is given
+    case: Transmission,
+    ratios: Mapping[str, float],
+    bounds: Mapping[str, tuple[float, float]],
+    weights: Mapping[str, float],
+    tolerance: float,
+    *,
+    advance: Advance = untold,
+) -> FitProblem:
+    """What is asked, by `fit`, in numbers.
+
+    Raises
+    ------
+    CaseError
+        With all that can't be; each problem's path begins with the argument that it is about.
+    """
+    own = on_own_links(case)
+    if case.freewheels:
+        own = own._replace(case=solve(own.case).with_freewheels_engaged)
+    problems: list[Problem] = []
+    if not 0 < tolerance < math.inf:
+        message = f"read {tolerance:g}, expected a number above 0"
+        problems.append(Problem(message, ("tolerance",)))
+    limits = None
+    try:
+        limits = bounds_of(own, bounds)
+    except CaseError as error:
+        problems += error.problems
+    targets, wrong = _by_gear(case, "ratios", ratios)
+    problems += wrong
+    weighted, wrong = _by_gear(case, "weights", weights)
+    problems += [*wrong, *_wrong_numbers(case, targets, weighted)]
+    if not ratios:
+        problems.append(Problem("expected a ratio for one gear at least", ("ratios",)))
+    if limits is None or problems:
+        raise CaseError(problems)
+    fixed = {n: low for n, low in enumerate(limits.low) if limits.is_fixed(n)}
+    formulas = []
+    for index in range(len(case.gears)):
+        formulas.append(_formula(own, index, fixed, targets))
+        advance(1)
+    made = FitProblem(own, formulas, targets, weighted, limits, tolerance)
+    problems = [one for index in targets for one in _impossible(made, index)]
+    if problems:
+        problems += (Problem(text, ("bounds",)) for text in _other_signs(made))
+        raise CaseError(problems)
+    return made
+
+
+def _formula(
+    own: OwnLinks, index: int, fixed: Mapping[int, float], targets: Mapping[int, float]
+) -> GearFormula:
+    """The formula of a gear; of a gear that nobody asked for one that is too long is none.
+
+    Raises
+    ------
+    CaseError
+        If it is too long.
+    """
+    try:
+        return gear_formula(own, own.case.gears[index], fixed)
+    except CaseError as error:
+        if index not in targets:
+            return GearFormula("too long", {}, {})
+        raise CaseError(
+            [one._replace(path=("gears", index + 1)) for one in error.problems]
+        ) from None
+
+
+def _by_gear(
+    case: Transmission, argument: str, given: Mapping[str, float]
+) -> tuple[dict[int, float], list[Problem]]:
+    """Numbers by the index of the gear, and names that are none."""
+    found: dict[int, float] = {}
+    problems = []
+    names = [gear.name for gear in case.gears]
+    for name, number in given.items():
+        if name in names:
+            found[names.index(name)] = float(number)
+        else:  # a number is no place here: `9=-3.3` would be any gear
+            hint = f"{nearest(name, names)}; gears are {listed(names, 12)}"
+            problems.append(Problem(f"no gear {quoted(name)}{hint}", (argument, name)))
+    if problems and len(given) > len(case.gears):
+        count = len(case.gears)
+        message = f"{len(given)} are wanted, and the case has {count} {plural('gear', count)}"
+        problems.append(Problem(message, (argument,)))
+    return found, problems
+
+
+def _wrong_numbers(
+    case: Transmission, targets: Mapping[int, float], weights: Mapping[int, float]
+) -> Iterator[Problem]:
+    for index, target in targets.items():
+        if target == 0 or not math.isfinite(target):
+            message = f"gear {case.gears[index].name}: read {target:g}, expected a finite ratio"
+            yield Problem(f"{message} other than 0", ("ratios", index))
+    for index, weight in weights.items():
+        name = case.gears[index].name
+        if index not in targets:
+            yield Problem(f"gear {name}: no ratio is wanted of it", ("weights", index))
+        if not 0 < weight < math.inf:
+            message = f"gear {name}: read {weight:g}, expected a weight above 0"
+            yield Problem(message, ("weights", index))
+
+
+def _impossible(problem: FitProblem, index: int) -> Iterator[Problem]:
+    """Why a gear can't have a ratio at all, or none of the sign that is wanted."""
+    name, target = problem.own.case.gears[index].name, problem.targets[index]
+    formula, path = problem.formulas[index], ("ratios", index)
+    status = {one.name: one for one in STATUSES}.get(formula.kind)
+    if status is not None:
+        yield Problem(f"gear {name} has no ratio: {status.meaning}", path)
+        return
+    if formula.kind == "constant" and _is_constant(problem, index):
+        if not is_same(formula.constant, target):
+            constant = f"gear {name}: read {target:.12g}, but its ratio is {formula.constant:.12g}"
+            yield Problem(f"{constant} whatever the ratios of the mechanisms are", path)
+        return
+    limits = problem.reach(index)
+    if limits is not None and (limits[1] <= 0 < target or target < 0 <= limits[0]):
+        expected = "below" if target > 0 else "above"
+        read = f"gear {name}: read {target:g}, but {reach_text(*limits)}"
+        message = f"{read}: expected a ratio {expected} 0"
+        yield Problem(message, path)
+
+
+def doubts(problem: FitProblem) -> Iterator[str]:
+    """What may not be meant, and ratios that can't be met by themselves or together, in words."""
+    yield from _other_signs(problem)
+    names = [gear.name for gear in problem.own.case.gears]
+    alike: dict[tuple[frozenset[tuple[int, Fraction]], ...], int] = {}
+    for index, target in problem.targets.items():
+        limits = problem.reach(index)
+        if limits is not None and not _is_met(problem, limits, target):
+            yield f"gear {names[index]} can't have {target:g}: {reach_text(*limits)}"
+        _, *polynomials = problem.formulas[index]
+        first = alike.setdefault(tuple(frozenset(one.items()) for one in polynomials), index)
+        other = problem.targets[first]
+        if abs(math.log(target / other)) > 2 * problem.tolerance:
+            both = f"gears {names[first]} and {names[index]}"
+            yield f"{both} have the same ratio, but {other:g} and {target:g} are wanted"
+
+
+def _other_signs(problem: FitProblem) -> Iterator[str]:
+    """Mechanisms that are to have the other sign than in the case."""
+    limits = zip(problem.own.case.mechanisms, *problem.bounds, strict=True)
+    for mechanism, low, high in limits:
+        if high < 0 < mechanism.ratio or mechanism.ratio < 0 < low:
+            ratio = f"{mechanism.name} has the ratio {mechanism.ratio:.4g} in the case"
+            hint = f"{-high:g}:{-low:g}" if low != high else f"{-low:g}"
+            yield f"{ratio}, and bounds of the other sign; did you mean {hint}?"
+
+
+def _is_met(problem: FitProblem, limits: tuple[float, float], target: float) -> bool:
+    """Whether a wanted ratio is within limits, but for the tolerance."""
+    nearest = min(max(target, limits[0]), limits[1])
+    return nearest / target > 0 and abs(math.log(nearest / target)) <= problem.tolerance
+
+
+def reach_text(low: float, high: float) -> str:
+    """What a gear can have, in words.
+
+    >>> reach_text(2.5, 5.0), reach_text(5.0, 5.0)
+    ('within the bounds its ratio is 2.5 to 5', 'within the bounds its ratio is 5')
+    """
+    several = f" to {high:.4g}" if high != low else ""
+    return f"within the bounds its ratio is {low:.4g}{several}"
+
+
+def _is_constant(problem: FitProblem, index: int) -> bool:
+    """Whether a gear has one ratio also where no mechanism is given but those of ratio 1."""
+    own = problem.own
+    fixed = {n: 1.0 for n, one in enumerate(own.case.mechanisms) if one.ratio == 1}
+    return gear_formula(own, own.case.gears[index], fixed).kind == "constant"

@@ -1,0 +1,103 @@
+"""Schemes as lines of JSON, many at a time.
+
+They are put together from texts that many of them share: a writer of JSON would take ten times
+as long, and longer than the schemes take to be found.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+from itertools import permutations
+
+import numpy as np
+
+from vstatics.synthesis.structures.arrays import MEMBERS
+from vstatics.synthesis.structures.growth import SchemeBatch, StructureSearch, ports
+
+ZERO, TEN = np.uint8(ord("0")), np.uint8(10)
+
+
+def lines(search: StructureSearch, batch: SchemeBatch) -> bytes:
+    """A line for each scheme, or for each choice of its input and output.
+
+    Examples
+    --------
+    >>> from vstatics.synthesis.structures.growth import batches
+    >>> search = StructureSearch(1, "members", ports=True)
+    >>> [batch] = batches(search)
+    >>> print(lines(search, batch).decode(), end="")
+    {"code": "0-1-2", "links": 3, "input": 0, "output": 1}
+    {"code": "0-1-2", "links": 3, "input": 0, "output": 2}
+    {"code": "0-1-2", "links": 3, "input": 1, "output": 0}
+    """
+    return _with_ports(batch).encode() if search.ports else _without_ports(batch)
+
+
+def _without_ports(batch: SchemeBatch) -> bytes:
+    """All lines at once: each number has two places, and what stays empty is left out."""
+    places = "\0\0"
+    code = "-".join([places] * batch.codes.shape[1])
+    line = f'{{"code": "{code}", "links": {places}, "input": null, "output": null}}\n'
+    text = np.frombuffer(line.encode(), np.uint8)
+    tens, ones = np.flatnonzero(text == 0).reshape(-1, 2).T
+    numbers = np.column_stack([batch.codes, batch.links.astype(np.uint8)])
+    rows = np.tile(text, (len(numbers), 1))
+    rows[:, ones] = ZERO + numbers % TEN
+    rows[:, tens] = np.where(numbers < TEN, 0, ZERO + numbers // TEN)
+    data: bytes = rows[rows != 0].tobytes()
+    return data
+
+
+def _with_ports(batch: SchemeBatch) -> str:
+    """A line for each choice of a scheme, by the text that they share."""
+    heads = _heads(batch)
+    found = ports(batch)
+    pairs = found.input * int(batch.links.max()) + found.output
+    counts = np.bincount(found.which, minlength=len(heads))
+    stops = np.cumsum(counts).tolist()
+    parts = []
+    start = 0
+    for head, links, stop in zip(heads, batch.links.tolist(), stops, strict=True):
+        if stop - start == links * (links - 1):
+            ends = _all_ends(links)
+        else:
+            texts = _ends(int(batch.links.max()))
+            ends = [texts[pair] for pair in pairs[start:stop].tolist()]
+        parts.append(head + head.join(ends))
+        start = stop
+    return "".join(parts)
+
+
+def _heads(batch: SchemeBatch) -> list[str]:
+    """The code and the number of links of each scheme."""
+    base = int(batch.links.max(initial=0))
+    members = batch.codes.reshape(len(batch.codes), -1, MEMBERS).astype(np.intp)
+    keys = (members[..., 0] * base + members[..., 1]) * base + members[..., 2]
+    texts = _set_texts(base)
+    ends = [f'", "links": {links}, ' for links in range(base + 1)]
+    return [
+        '{"code": "' + "-".join([texts[key] for key in row]) + ends[links]
+        for row, links in zip(keys.tolist(), batch.links.tolist(), strict=True)
+    ]
+
+
+@cache
+def _set_texts(base: int) -> list[str]:
+    """The links of a set by their numbers, for so many links."""
+    numbers = range(base)
+    return [f"{one}-{two}-{three}" for one in numbers for two in numbers for three in numbers]
+
+
+@cache
+def _ends(base: int) -> list[str]:
+    """Input and output by their numbers, for so many links."""
+    return [_end(one, two) for one in range(base) for two in range(base)]
+
+
+@cache
+def _all_ends(links: int) -> list[str]:
+    return [_end(one, two) for one, two in permutations(range(links), 2)]
+
+
+def _end(first: int, second: int) -> str:
+    return f'"input": {first}, "output": {second}}}\n'

@@ -1,0 +1,128 @@
+"""A scheme of planetary sets: which of their members are one link, and its code."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Sequence
+from itertools import combinations
+from typing import NamedTuple
+
+import numpy as np
+
+from vstatics.errors import listed, quoted, spoken
+from vstatics.synthesis.structures.arrays import LEAST_MOBILITY, MEMBERS, are_connected
+from vstatics.synthesis.structures.growth import MOST_SETS
+
+MEMBER_NAMES = ("sun", "carrier", "ring")
+LONGEST = MEMBERS * 3 * MOST_SETS
+"""Characters of a code: a link has two figures and a hyphen."""
+
+
+class SetScheme(NamedTuple):
+    """The links of sun, carrier and ring of each set, from 0.
+
+    Examples
+    --------
+    >>> scheme = SetScheme.of_code("0-1-2-0-3-4")
+    >>> scheme.sets, scheme.links, scheme.code
+    (((0, 1, 2), (0, 3, 4)), 5, '0-1-2-0-3-4')
+    """
+
+    sets: tuple[tuple[int, int, int], ...]
+
+    @classmethod
+    def of_code(cls, code: str) -> SetScheme:
+        """The scheme of a code as `code` has it; its links may be numbered in any order.
+
+        Raises
+        ------
+        ValueError
+            If it is none.
+        """
+        return cls(_sets(_numbers(code)))
+
+    @property
+    def code(self) -> str:
+        """All links, joined by hyphens."""
+        return "-".join(str(link) for one in self.sets for link in one)
+
+    @property
+    def links(self) -> int:
+        """The number of links."""
+        return 1 + max(link for one in self.sets for link in one)
+
+    @property
+    def mobility(self) -> int:
+        """Links less sets, the degrees of freedom: so many speeds may be chosen."""
+        return self.links - len(self.sets)
+
+    @property
+    def is_connected(self) -> bool:
+        """Whether all sets hang together by links.
+
+        >>> SetScheme.of_code("0-1-2-3-4-5").is_connected
+        False
+        """
+        return bool(are_connected(np.array([self.sets], np.uint8).reshape(1, -1))[0])
+
+    @property
+    def locked_sets(self) -> tuple[int, ...]:
+        """The fewest sets, by numbers from 1, that turn as one body whatever their ratios.
+
+        They have fewer than two links more than they are. A sound scheme has none.
+
+        >>> of_code = SetScheme.of_code
+        >>> of_code("0-1-2-2-0-1").locked_sets, of_code("0-1-2-2-0-3").locked_sets
+        ((1, 2), ())
+        """
+        for size in range(2, len(self.sets) + 1):
+            for group in combinations(range(len(self.sets)), size):
+                links = {link for number in group for link in self.sets[number]}
+                if len(links) < size + LEAST_MOBILITY:
+                    return tuple(number + 1 for number in group)
+        return ()
+
+
+def link_name(link: int) -> str:
+    """The name of a link in a case; 0 stays the housing there.
+
+    >>> link_name(0)
+    'L0'
+    """
+    return f"L{link}"
+
+
+def _numbers(code: str) -> list[int]:
+    """The numbers of a code."""
+    if len(code) > LONGEST:
+        raise ValueError(f"read {quoted(code)}, expected at most {MOST_SETS} sets")
+    words = code.strip().split("-")
+    for word in words:
+        if not (word.isascii() and word.isdigit()):
+            expected = "expected numbers of links joined by `-`, such as 0-1-2-0-3-4"
+            raise ValueError(f"read {quoted(word) if word else 'nothing'} in the code, {expected}")
+    return [int(word) for word in words]
+
+
+def _sets(numbers: Sequence[int]) -> tuple[tuple[int, int, int], ...]:
+    """The sets with these links in turn."""
+    if len(numbers) % MEMBERS:
+        expected = "expected three for each set: sun, carrier, ring"
+        raise ValueError(f"read {len(numbers)} links in the code, {expected}")
+    if len(numbers) > MEMBERS * MOST_SETS:
+        raise ValueError(f"read {len(numbers) // MEMBERS} sets, expected at most {MOST_SETS}")
+    # so many links leave no more gaps than they are, however great the last one is
+    missing = sorted(set(range(min(max(numbers), 2 * len(numbers)))) - set(numbers))
+    if missing:
+        some = listed([str(link) for link in missing], 3)
+        last = f"the greatest is {max(numbers)}"
+        raise ValueError(f"no set has link {some}, but {last}; expected 0, 1, 2, ... without gaps")
+    parts = range(0, len(numbers), MEMBERS)
+    sets = [(numbers[one], numbers[one + 1], numbers[one + 2]) for one in parts]
+    for number, one in enumerate(sets, 1):
+        [(link, count)] = Counter(one).most_common(1)
+        if count > 1:
+            members = (name for name, of in zip(MEMBER_NAMES, one, strict=True) if of == link)
+            message = f"{spoken(members)} of set {number} are both link {link}"
+            raise ValueError(f"{message}; expected three links")
+    return tuple(sets)

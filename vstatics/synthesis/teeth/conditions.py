@@ -1,0 +1,240 @@
+"""The conditions on teeth as filters of candidates; the formulas are those of `elements.teeth`."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from vstatics.elements.teeth.conditions import (
+    INSIDE,
+    TIPS,
+    closes,
+    common_step,
+    crossing_distance,
+    lean,
+    neighbours_room,
+    passing_room,
+    seated,
+)
+from vstatics.numerics.arrays import Booleans, Floats, Integers
+from vstatics.numerics.tolerances import TIP_CLEARANCE
+from vstatics.synthesis.teeth.layout import TeethLayout
+from vstatics.synthesis.teeth.limits import AxisEquation, TeethLimits
+
+FOOT = 2.5
+"""What a ring is wider than its pitch circle: its teeth, and as much metal as makes it a body."""
+
+
+@dataclass(frozen=True)
+class TeethCandidates:
+    """Rows of teeth: of each wheel, then the number of planets, then the module by component.
+
+    Modules are numbers in `modules`.
+    """
+
+    layout: TeethLayout
+    modules: Floats
+    rows: Integers
+    """(candidates, wheels + 1 + components)."""
+
+    def teeth(self, wheel: int) -> Floats:
+        """Of a wheel."""
+        return self.rows[:, wheel].astype(np.float64)
+
+    @property
+    def counts(self) -> Integers:
+        """Numbers of planets."""
+        return self.rows[:, len(self.layout.wheels)]
+
+    def module(self, component: int) -> Floats:
+        """Of a component."""
+        return self.modules[self.rows[:, len(self.layout.wheels) + 1 + component]]
+
+    def span(self, rim: int) -> Floats:
+        """Twice the distance of a rim from the axis, in its own modules."""
+        axis = self.layout.axis(rim)
+        assert axis is not None  # noqa: S101 - no condition is made of others
+        wheel, other = axis
+        teeth = self.teeth(wheel), self.teeth(other)
+        span = teeth[0] - teeth[1] if self.layout.internal[wheel] else teeth[0] + teeth[1]
+        here, there = (self.layout.component[one] for one in (rim, other))
+        return span if here == there else span * self.module(there) / self.module(here)
+
+    def sides(self, pair: tuple[int, int]) -> tuple[Floats, Floats, Floats]:
+        """The radii of two axes of meshing planets, and their distance, in modules."""
+        one, other = pair
+        apart = (self.teeth(one) + self.teeth(other)) / 2
+        return self.span(one) / 2, self.span(other) / 2, apart
+
+
+Test = Callable[[TeethCandidates], Booleans]
+
+
+class TeethCondition(NamedTuple):
+    """What is asked of candidates."""
+
+    label: str
+    needs: frozenset[int]
+    """Columns that must be known."""
+    test: Test
+
+
+def teeth_conditions(layout: TeethLayout, limits: TeethLimits) -> Iterator[TeethCondition]:
+    """All conditions on the teeth of an element but for the equations of its axes."""
+    yield from _in_rings(layout)
+    if limits.largest_diameter is not None:
+        yield from _within(layout, limits.largest_diameter)
+    if not layout.planets:
+        return
+    every = range(len(layout.wheels), len(layout.wheels) + 1 + 1 + max(layout.component))
+    count, *modules = every
+    axes = {}
+    for rim in (rim for rims in layout.planets for rim in rims):
+        axis = layout.axis(rim)
+        if axis is not None:
+            axes[rim] = frozenset({rim, *axis, *modules})
+    for rim, needs in axes.items():
+        test = _neighbours(rim, limits.clearance)
+        yield TeethCondition("neighbouring planets", needs | {count}, test)
+    for rim, wheel in layout.passing:
+        test = _passing(layout, rim, wheel, limits.clearance)
+        yield TeethCondition("planets beside wheels", axes[rim] | {wheel}, test)
+    for pair in layout.meshes:
+        if set(pair) <= axes.keys():
+            needs = axes[pair[0]] | axes[pair[1]]
+            yield TeethCondition("triangle of the axes", needs, _triangle(pair))
+            test = _crossing(pair, limits.clearance)
+            yield TeethCondition("neighbouring planets", needs | {count}, test)
+    for train in layout.trains:
+        rims = {rim for planet in train for rim in layout.planets[planet]}
+        used = {*rims, *(wheel for wheel, rim in layout.around if rim in rims), count}
+        yield TeethCondition("assembly", frozenset(used), _assembly(layout, train))
+
+
+def _in_rings(layout: TeethLayout) -> Iterator[TeethCondition]:
+    for wheel, rim in layout.around:
+        if layout.internal[wheel]:
+            yield TeethCondition("interference", frozenset({wheel, rim}), _inside(wheel, rim))
+    if layout.element.kind == "internal_pair":
+
+        def apart(rows: TeethCandidates) -> Booleans:
+            return np.abs(rows.teeth(0) - rows.teeth(1)) >= INSIDE
+
+        yield TeethCondition("interference", frozenset({0, 1}), apart)
+
+
+def _inside(ring: int, rim: int) -> Test:
+    return lambda rows: rows.teeth(ring) - rows.teeth(rim) >= INSIDE
+
+
+def _within(layout: TeethLayout, largest: float) -> Iterator[TeethCondition]:
+    """Rings with their metal, tips of other wheels, tips of planets where they are farthest out."""
+    first = len(layout.wheels) + 1
+    for number in range(len(layout.wheels)):
+        column = first + layout.component[number]
+        needs, rim = frozenset({number, column}), False
+        if any(number in rims for rims in layout.planets):
+            axis = layout.axis(number)
+            if axis is None:
+                continue
+            rim, needs = True, needs | {*axis, first + layout.component[axis[1]]}
+        test = _wheel_within(layout, number, largest, is_rim=rim)
+        yield TeethCondition("largest diameter", needs, test)
+
+
+def _wheel_within(layout: TeethLayout, number: int, largest: float, *, is_rim: bool) -> Test:
+    more = FOOT if layout.internal[number] else TIPS
+
+    def test(rows: TeethCandidates) -> Booleans:
+        across = rows.teeth(number) + more
+        if is_rim:
+            across = across + rows.span(number)
+        found: Booleans = across * rows.module(layout.component[number]) <= largest + TIP_CLEARANCE
+        return found
+
+    return test
+
+
+def _alone(rows: TeethCandidates) -> Booleans:
+    """Where there is one planet, and nothing to touch it."""
+    found: Booleans = rows.counts < 2
+    return found
+
+
+def _neighbours(rim: int, clearance: float) -> Test:
+    def test(rows: TeethCandidates) -> Booleans:
+        room = neighbours_room(rows.span(rim), rows.teeth(rim), np.sin(np.pi / rows.counts))
+        return (room - clearance >= TIP_CLEARANCE) | _alone(rows)
+
+    return test
+
+
+def _passing(layout: TeethLayout, rim: int, wheel: int, clearance: float) -> Test:
+    internal = layout.internal[wheel]
+
+    def test(rows: TeethCandidates) -> Booleans:
+        teeth = rows.teeth(rim), rows.teeth(wheel)
+        room = passing_room(rows.span(rim), *teeth, internal=internal)
+        return (room > TIP_CLEARANCE) & (room >= 2 * clearance - TIP_CLEARANCE)
+
+    return test
+
+
+def _triangle(pair: tuple[int, int]) -> Test:
+    return lambda rows: np.asarray(closes(*rows.sides(pair)), dtype=np.bool_)
+
+
+def _crossing(pair: tuple[int, int], clearance: float) -> Test:
+    def test(rows: TeethCandidates) -> Booleans:
+        first, second, apart = rows.sides(pair)
+        turn = 2 * math.pi / rows.counts
+        room = crossing_distance(first, second, apart, turn) - apart - TIPS
+        return ((room - clearance >= TIP_CLEARANCE) & (lean(first, second, apart) < turn)) | _alone(
+            rows
+        )
+
+    return test
+
+
+def _assembly(layout: TeethLayout, train: list[int]) -> Test:
+    """Whether all planets of a train go in, at equal angles."""
+    column = {rim: place for place, planet in enumerate(train) for rim in layout.planets[planet]}
+
+    def test(rows: TeethCandidates) -> Booleans:
+        lines = []
+        for wheel, rim in layout.around:
+            if rim in column:
+                line = np.zeros((len(train) + 1, len(rows.rows)), np.int64)
+                line[column[rim]] = rows.rows[:, rim]
+                line[-1] = rows.rows[:, wheel] * (-1 if layout.internal[wheel] else 1)
+                lines.append(line)
+        for pair in layout.meshes:
+            if pair[0] in column:
+                line = np.zeros((len(train) + 1, len(rows.rows)), np.int64)
+                for rim in pair:
+                    line[column[rim]] += rows.rows[:, rim]
+                lines.append(line)
+        found: Booleans = seated(common_step(np.stack(lines), len(train)), rows.counts)
+        return found
+
+    return test
+
+
+def solved(
+    equation: AxisEquation, column: int, candidates: TeethCandidates
+) -> tuple[Floats, Floats]:
+    """The teeth of a wheel by an equation in which all others are known."""
+    rest = np.full(len(candidates.rows), -equation.value)
+    for wheel, (factor, component) in equation.terms.items():
+        if wheel != column:
+            rest = rest + factor * candidates.module(component) * candidates.teeth(wheel)
+    factor, component = equation.terms[column]
+    within, both = equation.tolerance
+    slack = within * (candidates.module(both[0]) + candidates.module(both[1])) / 2
+    by = factor * candidates.module(component)
+    ends = (-slack - rest) / by, (slack - rest) / by
+    return np.minimum(*ends), np.maximum(*ends)

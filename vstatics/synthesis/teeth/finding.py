@@ -1,0 +1,225 @@
+"""Integer teeth for wanted ratios of gears or sets, as `vstatics synth teeth` finds them."""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from vstatics.errors import CaseError, Problem
+from vstatics.model.transmission import Transmission
+from vstatics.numerics.arrays import Floats
+from vstatics.synthesis.ratios.problem import Advance, untold
+from vstatics.synthesis.teeth.layout import TeethLayout
+from vstatics.synthesis.teeth.limits import COAXIAL, TeethLimits
+from vstatics.synthesis.teeth.problem import TeethProblem, teeth_problem
+from vstatics.synthesis.teeth.reach import (
+    growing_limits,
+    least_possible,
+    narrowed,
+    reach,
+    reach_doubts,
+    refuse_signs,
+)
+from vstatics.synthesis.teeth.rows import LOOKED, TeethRows
+from vstatics.synthesis.teeth.search import EXACT, BestTeeth, best_teeth
+from vstatics.synthesis.teeth.solutions import MOST_TEETH_SOLUTIONS, TeethSolution, teeth_solutions
+from vstatics.synthesis.teeth.table import TeethTable, teeth_table
+from vstatics.synthesis.teeth.targets import TeethError
+
+MOST_LISTED_CANDIDATES = 8_000_000
+"""An element with more candidates has only those listed whose ratios are of use."""
+
+
+class NoTeethError(CaseError):
+    """No teeth of an element fulfil all conditions."""
+
+
+class FoundTeeth(NamedTuple):
+    """The best teeth, and what is proven of them."""
+
+    solutions: Sequence[TeethSolution]
+    """Each with other teeth, in the order of the error; the smaller first where it is equal."""
+    problem: TeethProblem
+    tables: Sequence[TeethTable]
+    bound: float
+    """All other teeth have an error that is no smaller [-]."""
+    is_proven: bool
+    """Whether no others are better than the last of the solutions."""
+    doubts: Sequence[str]
+    """Ratios that no teeth come to, in words."""
+
+
+def find_teeth(
+    case: Transmission,
+    ratios: Mapping[str, float],
+    limits: TeethLimits | None = None,
+    *,
+    error: TeethError = "ln",
+    advance: Advance = untold,
+) -> FoundTeeth:
+    """Integer teeth with which gears, or elements, have ratios as near as may be to those wanted.
+
+    Parameters
+    ----------
+    case : Transmission
+        The teeth and ratios that it has do not matter, but for their signs.
+    ratios : mapping of str to float
+        By the name of a gear, or else of an element or one of its mechanisms. [-]
+    limits : TeethLimits, optional
+    error : {"ln", "absolute"}
+        What is least in its largest value.
+    advance : callable
+        Told how many regions of the search more are done.
+
+    Raises
+    ------
+    NoTeethError
+        If no teeth fulfil the conditions: which one excludes most.
+    CaseError
+        If nothing can be looked for; the path of each problem begins with the option that it is
+        about.
+
+    Examples
+    --------
+    >>> from vstatics import Gear, Mechanism, ShiftElement
+    >>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)], [Gear([1])])
+    >>> found = find_teeth(case, {"1": 3.6})
+    >>> best = found.solutions[0]
+    >>> dict(best.teeth["D1"]), best.error < 1e-12, found.is_proven
+    ({'sun': 25, 'ring': 65, 'planet': 20}, True, True)
+    """
+    problem = teeth_problem(case, ratios, limits or TeethLimits(), error)
+    rows = [TeethRows(layout, problem.limits) for layout in problem.layouts]
+    tables: list[TeethTable | None] = []
+    for one in rows:
+        tables.append(_whole_table(one))
+        advance(1)
+    full = [table for table in tables if table is not None]
+    ends = reach(rows, tables)
+    refuse_signs(problem, *ends)
+    if len(full) == len(tables):
+        best = best_teeth(full, problem.targets, MOST_TEETH_SOLUTIONS, advance=advance)
+    else:
+        full, best = _by_limits(problem, rows, tables, ends, advance)
+    solutions = [*teeth_solutions(problem, full, best)]
+    last = solutions[-1].error if solutions else math.inf
+    is_proven = best.bound >= last * (1 - EXACT) - EXACT
+    doubts = [*reach_doubts(problem, *ends)]
+    return FoundTeeth(solutions, problem, full, best.bound, is_proven, doubts)
+
+
+def _whole_table(rows: TeethRows) -> TeethTable | None:
+    """All teeth of an element; None if they are too many to list.
+
+    Raises
+    ------
+    NoTeethError
+        If there are none, with the condition that excludes most.
+    """
+    told: Counter[str] = Counter()
+    found = teeth_table(rows.layout, rows.found({}, told, MOST_LISTED_CANDIDATES), _counts(rows))
+    if not found.is_whole:
+        return None
+    if not found.total:
+        raise NoTeethError([none_fits(rows.layout, told)])
+    return found
+
+
+def _counts(rows: TeethRows) -> tuple[int, ...]:
+    return rows.limits.counts(rows.layout)
+
+
+def none_fits(layout: TeethLayout, told: Counter[str]) -> Problem:
+    """That no teeth fulfil all conditions, and which of these excludes most.
+
+    Of all teeth most are not coaxial: that counts where none are.
+    """
+    message = f"no teeth of {layout.name} fulfil all conditions"
+    left = {label: count for label, count in told.items() if count and label != LOOKED}
+    on_one_axis = {label: count for label, count in left.items() if label != COAXIAL}
+    left = on_one_axis or left
+    if left:
+        label = max(left, key=lambda one: left[one])
+        of = "" if label == COAXIAL else f" ({left[label]} of {sum(left.values())})"
+        message += f"; most are excluded by: {label}{of}"
+    return Problem(message)
+
+
+def _by_limits(
+    problem: TeethProblem,
+    rows: Sequence[TeethRows],
+    tables: Sequence[TeethTable | None],
+    ends: tuple[Floats, Floats],
+    advance: Advance,
+) -> tuple[list[TeethTable], BestTeeth]:
+    """The best teeth where some elements have too many: below limits of errors that grow.
+
+    Where too many are below a limit, as many as may be are looked at.
+
+    Raises
+    ------
+    CaseError
+        If no teeth are found.
+    """
+    targets = problem.targets
+    proven = least_possible(targets, *ends)
+    best: tuple[list[TeethTable], BestTeeth] | None = None
+    told: Counter[str] = Counter()
+    for most in growing_limits(proven):
+        between = narrowed(targets, *ends, most)
+        if between is None:
+            continue
+        listed = list(_in_windows(rows, tables, between, told))
+        is_whole = all(table.is_whole for table in listed)
+        if all(table.total for table in listed):
+            within = most if is_whole else math.inf
+            found = best_teeth(listed, targets, MOST_TEETH_SOLUTIONS, most=within, advance=advance)
+            if len(found.errors) and (is_whole or best is None):
+                best = listed, found._replace(bound=min(found.bound, most if is_whole else proven))
+            if _different(listed, found) >= MOST_TEETH_SOLUTIONS:
+                break
+        if not is_whole:
+            break
+        proven = most
+    if best is not None:
+        return best
+    first = tables.index(None)
+    if is_whole:
+        raise NoTeethError([none_fits(rows[first].layout, told)])
+    message = f"{rows[first].layout.name}: too many teeth to be looked at"
+    hint = "expected narrower ranges, or fewer numbers of planets or modules"
+    raise CaseError([Problem(f"{message}; {hint}", ("range",))])
+
+
+def _in_windows(
+    rows: Sequence[TeethRows],
+    tables: Sequence[TeethTable | None],
+    between: tuple[Floats, Floats],
+    told: Counter[str],
+) -> Iterator[TeethTable]:
+    """The tables of all elements, of those with too many only with ratios that are of use."""
+    column = 0
+    for one, table in zip(rows, tables, strict=True):
+        columns = range(column, column + len(one.layout.ratios))
+        column = columns.stop
+        if table is not None:
+            yield table
+            continue
+        windows = {
+            number: tuple(sorted(abs(float(end[place])) for end in between))
+            for number, place in enumerate(columns)
+        }
+        pairs = {number: (window[0], window[1]) for number, window in windows.items()}
+        yield teeth_table(one.layout, one.found(pairs, told), _counts(one))
+
+
+def _different(tables: Sequence[TeethTable], best: BestTeeth) -> float:
+    """How many different teeth there are in what was found."""
+    pairs = zip(tables, best.places.T, strict=True)
+    return float(
+        np.prod([table.different[own].astype(float) for table, own in pairs], axis=0).sum()
+    )

@@ -1,0 +1,112 @@
+"""Found teeth as tables."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from vstatics.synthesis.ratios.grids import number
+from vstatics.synthesis.teeth.finding import FoundTeeth
+from vstatics.synthesis.teeth.limits import TeethLimits
+from vstatics.synthesis.teeth.problem import TeethProblem
+from vstatics.synthesis.teeth.solutions import TeethSolution
+from vstatics.tables.grid import Cell, Column, Grid, Row, exact, text, whole
+
+
+def teeth_grids(found: FoundTeeth) -> Iterator[Grid]:
+    """What the best teeth give, the teeth, all solutions, and what they were chosen from.
+
+    Examples
+    --------
+    >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission
+    >>> from vstatics.synthesis.teeth.finding import find_teeth
+    >>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)], [Gear([1])])
+    >>> gears, teeth, *_ = teeth_grids(find_teeth(case, {"1": 4.0}))
+    >>> gears.texts, teeth.texts
+    ([['1', '4.0000', '4.0000', '0']], [['D1', 'sun 17, ring 51, planet 17', '4', '-3.0000']])
+    """
+    best = found.solutions[0]
+    yield _wanted(found.problem, best)
+    yield _teeth(found.problem, best)
+    yield _solutions(found)
+    yield _choice(found)
+
+
+def _error(value: float) -> Cell:
+    """An error, which may be of any size."""
+    return Cell(f"{value:.3g}" if value else "0", value, kind=float)
+
+
+def _wanted(problem: TeethProblem, best: TeethSolution) -> Grid:
+    targets = {target.name: target for target in problem.targets}
+    rows: list[Row] = []
+    for name, ratio in {**best.gears, **_of_sets(problem, best)}.items():
+        target = targets.get(name)
+        row: Row = [name, number(target.wanted if target else None), exact(ratio, 4)]
+        row.append(_error(target.apart_from(ratio)) if target else exact(None))
+        rows.append(row)
+    return Grid("Gears", [text("gear"), *map(Column, ("wanted", "ratio", "error"))], rows)
+
+
+def _of_sets(problem: TeethProblem, best: TeethSolution) -> dict[str, float]:
+    """The ratios of sets that are wanted."""
+    found = {}
+    for layout in problem.layouts:
+        for ratio in layout.ratios:
+            for name in {ratio.name, layout.name if len(layout.ratios) == 1 else ratio.name}:
+                if any(target.name == name for target in problem.targets):
+                    found[name] = best.ratios[ratio.name]
+    return {name: one for name, one in found.items() if name not in best.gears}
+
+
+def _teeth(problem: TeethProblem, best: TeethSolution) -> Grid:
+    rows: list[Row] = []
+    for layout in problem.layouts:
+        teeth = ", ".join(f"{wheel} {count}" for wheel, count in best.teeth[layout.name].items())
+        planets = best.planets.get(layout.name)
+        row: Row = [layout.name, teeth, exact(None) if planets is None else whole(planets)]
+        row.append(", ".join(f"{best.ratios[one.name]:.4f}" for one in layout.ratios))
+        if best.modules:
+            of_wheels = best.modules.get(layout.name, {})
+            row.append(", ".join(f"{wheel} {module:g}" for wheel, module in of_wheels.items()))
+        rows.append(row)
+    columns = [text("element"), text("teeth"), Column("planets"), text("ratio")]
+    if best.modules:
+        columns.append(text("modules [mm]"))
+    return Grid("Teeth", columns, rows)
+
+
+def _solutions(found: FoundTeeth) -> Grid:
+    names = [layout.name for layout in found.problem.layouts]
+    rows: list[Row] = []
+    for place, one in enumerate(found.solutions, 1):
+        teeth = ["/".join(map(str, one.teeth[name].values())) for name in names]
+        rows.append([whole(place), _error(one.error), *teeth])
+    columns = [Column("solution"), Column("error"), *map(text, names)]
+    return Grid("Solutions", columns, rows)
+
+
+def _choice(found: FoundTeeth) -> Grid:
+    """How many teeth fulfil the conditions of each element by itself."""
+    rows: list[Row] = [
+        [table.layout.name, whole(table.total), whole(len(table.rows)), whole(len(table.ratios))]
+        for table in found.tables
+    ]
+    heads = ("teeth and planets", "teeth", "ratios")
+    return Grid("Choice", [text("element"), *map(Column, heads)], rows)
+
+
+def asked_grids(problem: TeethProblem) -> Iterator[Grid]:
+    """What is looked for, before it is: the ranges of all wheels, and of what kind each element is.
+
+    A mechanism has the kind that it is taken for.
+    """
+    limits: TeethLimits = problem.limits
+    rows: list[Row] = []
+    for layout in problem.layouts:
+        planets = ", ".join(map(str, sorted(limits.counts(layout)))) if layout.planets else "-"
+        for wheel, (low, high) in zip(layout.wheels, limits.of_wheels(layout), strict=True):
+            row: Row = [f"{layout.name}.{wheel}", whole(low), whole(high), planets]
+            row.append(layout.element.kind)
+            rows.append(row)
+    columns = [text("wheel"), Column("from"), Column("to"), text("planets"), text("kind")]
+    yield Grid("Ranges", columns, rows)

@@ -1,0 +1,226 @@
+"""What is asked of teeth, checked before any are looked for."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from vstatics.elements.group_checks import LARGEST_WHEEL
+from vstatics.elements.teeth.conditions import SHIFT
+from vstatics.errors import CaseError, Problem, listed, nearest, quoted
+from vstatics.explain.bodies import OwnLinks, on_own_links
+from vstatics.model.transmission import Transmission
+from vstatics.statics.solve import solve
+from vstatics.statics.status import STATUSES
+from vstatics.summary.design_table import is_same
+from vstatics.synthesis.ratios.formula import ONE, GearFormula, gear_formula
+from vstatics.synthesis.teeth.layout import TeethLayout, TeethRatio, teeth_layouts
+from vstatics.synthesis.teeth.limits import TeethLimits
+from vstatics.synthesis.teeth.targets import TeethError, TeethTarget
+
+MOST_RATIOS = 8
+"""So many ratios of teeth may be in that of one gear: regions have 2 to the power of it corners."""
+MOST_PLANETS = 12
+"""So many planets may be around an axis."""
+MOST_MODULES = 20
+
+
+class TeethProblem(NamedTuple):
+    """What is asked."""
+
+    own: OwnLinks
+    """The case on its own links, each freewheel as it is with the case's own ratios."""
+    layouts: Sequence[TeethLayout]
+    """The elements whose teeth matter for what is wanted."""
+    targets: Sequence[TeethTarget]
+    """Their columns are the ratios of the elements in turn."""
+    limits: TeethLimits
+    unused: Sequence[str]
+    """Elements with teeth that matter for nothing that is wanted."""
+
+
+def teeth_problem(
+    case: Transmission, ratios: Mapping[str, float], limits: TeethLimits, error: TeethError = "ln"
+) -> TeethProblem:
+    """What is asked, by `find_teeth`, in numbers.
+
+    Raises
+    ------
+    CaseError
+        With all that can't be; each problem's path begins with the option that it is about.
+    """
+    own = on_own_links(case)
+    if case.freewheels:
+        own = own._replace(case=solve(own.case).with_freewheels_engaged)
+    layouts = teeth_layouts(own)
+    problems = [*_wrong_limits(limits, layouts)]
+    if not ratios:
+        problems.append(Problem("expected a ratio for one gear or set at least", ("ratios",)))
+    formulas: dict[str, GearFormula] = {}
+    asked = _AskedByName(own, layouts)
+    for name, wanted in ratios.items():
+        try:
+            formulas[name] = asked.formula(name, wanted)
+        except CaseError as failed:
+            problems += failed.problems
+    if problems:
+        raise CaseError(problems)
+    occurring = {index for formula in formulas.values() for index in formula.ratios}
+    used = [one for one in layouts if any(own.mechanism in occurring for own in one.ratios)]
+    if not used:
+        message = "no teeth that can be looked for are in what is wanted"
+        raise CaseError([Problem(f"{message}{_searched(layouts)}", ("ratios",))])
+    columns: dict[int, int] = {}
+    for layout in used:
+        for ratio in layout.ratios:
+            columns[ratio.mechanism] = len(columns)
+    targets = [
+        TeethTarget(name, float(ratios[name]), formula, columns, error)
+        for name, formula in formulas.items()
+        if formula.kind == "ratio"
+    ]
+    unused = [layout.name for layout in layouts if layout not in used]
+    return TeethProblem(own, used, targets, limits, unused)
+
+
+def own_ratios(case: Transmission) -> dict[str, float]:
+    """The ratios of the gears of a case, of those that have one [-].
+
+    >>> from vstatics import Gear, Mechanism, ShiftElement
+    >>> own_ratios(Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)], [Gear([1])]))
+    {'1': 3.5}
+    """
+    ratios = zip(case.gears, solve(case).ratio.tolist(), strict=True)
+    return {gear.name: ratio for gear, ratio in ratios if math.isfinite(ratio) and ratio}
+
+
+def _searched(layouts: Sequence[TeethLayout]) -> str:
+    names = [layout.name for layout in layouts]
+    return f"; they can be for {listed(names, 12)}" if names else ""
+
+
+@dataclass(frozen=True)
+class _AskedByName:
+    """A case of which ratios are asked for by name."""
+
+    own: OwnLinks
+    layouts: Sequence[TeethLayout]
+
+    @property
+    def of_sets(self) -> dict[str, TeethRatio]:
+        """Ratios of elements by their names; of an element with several each has its own."""
+        found: dict[str, TeethRatio] = {}
+        for layout in self.layouts:
+            found |= {ratio.name: ratio for ratio in layout.ratios}
+            if len(layout.ratios) == 1:
+                found[layout.name] = layout.ratios[0]
+        return found
+
+    def formula(self, name: str, wanted: float) -> GearFormula:
+        """Of a gear, else of a ratio of an element.
+
+        Raises
+        ------
+        CaseError
+        """
+        path = ("ratios", name)
+        gears = [gear.name for gear in self.own.case.gears]
+        what = f"gear {name}" if name in gears else name
+        if wanted == 0 or not math.isfinite(wanted):
+            message = f"{what}: read {wanted:g}, expected a finite ratio other than 0"
+            raise CaseError([Problem(message, path)])
+        if name in gears:
+            return self._of_gear(gears.index(name), wanted)
+        if name not in self.of_sets:
+            known = [*gears, *self.of_sets]
+            hint = f"{nearest(name, known)}; gears are {listed(gears, 12)}"
+            if self.of_sets:
+                hint += f"; sets are {listed([*self.of_sets], 12)}"
+            raise CaseError([Problem(f"no gear or set {quoted(name)}{hint}", path)])
+        ratio = self.of_sets[name]
+        if wanted * ratio.sign < 0:
+            side = "below" if ratio.sign < 0 else "above"
+            message = (
+                f"{name}: read {wanted:g}, expected a ratio {side} 0: did you mean {-wanted:g}?"
+            )
+            raise CaseError([Problem(message, path)])
+        return GearFormula("ratio", {1 << ratio.mechanism: ONE}, {0: ONE})
+
+    def _of_gear(self, index: int, wanted: float) -> GearFormula:
+        case = self.own.case
+        name, path = case.gears[index].name, ("ratios", case.gears[index].name)
+        with_teeth = {ratio.mechanism for layout in self.layouts for ratio in layout.ratios}
+        fixed = {
+            number: mechanism.ratio
+            for number, mechanism in enumerate(case.mechanisms)
+            if number not in with_teeth
+        }
+        try:
+            formula = gear_formula(self.own, case.gears[index], fixed)
+        except CaseError as failed:
+            raise CaseError([one._replace(path=path) for one in failed.problems]) from None
+        status = {one.name: one for one in STATUSES}.get(formula.kind)
+        if status is not None:
+            raise CaseError([Problem(f"gear {name} has no ratio: {status.meaning}", path)])
+        if formula.kind == "constant" and not is_same(formula.constant, wanted):
+            constant = f"gear {name}: read {wanted:.12g}, but its ratio is {formula.constant:.12g}"
+            raise CaseError([Problem(f"{constant} whatever the teeth are", path)])
+        if len(formula.ratios) > MOST_RATIOS:
+            message = f"gear {name}: {len(formula.ratios)} ratios are in its own"
+            raise CaseError([Problem(f"{message}, expected no more than {MOST_RATIOS}", path)])
+        return formula
+
+
+def _wrong_limits(limits: TeethLimits, layouts: Sequence[TeethLayout]) -> Iterator[Problem]:
+    """What can't be meant."""
+    yield from _wrong_ranges(limits, layouts)
+    for count in limits.planets:
+        if not 1 <= count <= MOST_PLANETS:
+            message = f"read {count}, expected numbers of planets from 1 to {MOST_PLANETS}"
+            yield Problem(message, ("planets",))
+    if not 0 <= limits.clearance < math.inf:
+        message = f"read {limits.clearance:g}, expected modules of 0 or more"
+        yield Problem(message, ("clearance",))
+    pairs = [one.name for one in layouts if one.element.kind == "gear_pair"]
+    for name, distance in limits.centre.items():
+        if name not in pairs:
+            hint = nearest(name, pairs) + (f"; pairs are {listed(pairs, 12)}" if pairs else "")
+            yield Problem(f"no external gear pair {quoted(name)}{hint}", ("centre", name))
+        elif not 0 < distance < LARGEST_WHEEL:
+            yield Problem(f"{name}: read {distance:g}, expected modules above 0", ("centre", name))
+    yield from _wrong_sizes(limits)
+
+
+def _wrong_ranges(limits: TeethLimits, layouts: Sequence[TeethLayout]) -> Iterator[Problem]:
+    """Wheels that there are not, and what is no range."""
+    wheels = [*dict.fromkeys(wheel for layout in layouts for wheel in layout.wheels)]
+    special = [f"{layout.name}.{wheel}" for layout in layouts for wheel in layout.wheels]
+    names = ["all", *wheels, *special]
+    for name, (low, high) in limits.ranges.items():
+        if name not in names:
+            hint = f"{nearest(name, names)}; wheels are {listed(wheels, 12)}"
+            yield Problem(f"no wheel {quoted(name)}{hint}", ("range", name))
+        elif not 1 <= low <= high < LARGEST_WHEEL:
+            message = f"{name}: read {low}:{high}, expected two numbers of teeth"
+            yield Problem(f"{message}, the least first, below {LARGEST_WHEEL}", ("range", name))
+
+
+def _wrong_sizes(limits: TeethLimits) -> Iterator[Problem]:
+    if any(not 0 < module < math.inf for module in limits.modules):
+        yield Problem("expected modules above 0", ("modules",))
+    if len(limits.modules) > MOST_MODULES:
+        message = f"read {len(limits.modules)}, expected at most {MOST_MODULES} modules"
+        yield Problem(message, ("modules",))
+    if limits.largest_diameter is not None:
+        if not 0 < limits.largest_diameter < math.inf:
+            message = f"read {limits.largest_diameter:g}, expected a length above 0"
+            yield Problem(message, ("largest-diameter",))
+        if not limits.modules:
+            yield Problem(
+                "teeth have a size by their module: give --modules", ("largest-diameter",)
+            )
+    if not 0 <= limits.shift <= SHIFT:
+        message = f"read {limits.shift}, expected 0 to {SHIFT} teeth"
+        yield Problem(f"{message}: shifted profiles make up for no more", ("shift",))

@@ -1,0 +1,232 @@
+"""The best teeth of several elements together: branch and bound over halves of their tables.
+
+A region is a node of the table of each element: all teeth whose ratios lie in it. Its least error
+follows from its corners. What can't be better than the best that are known is left out; the rest
+is halved, until few are left, or all but one element are chosen and its ratios are solved for.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from vstatics.numerics.arrays import Floats, Integers
+from vstatics.synthesis.ratios.problem import Advance, untold
+from vstatics.synthesis.teeth.table import TeethTable
+from vstatics.synthesis.teeth.targets import TeethTarget, largest_errors, least_errors
+
+TOGETHER, AT_FIRST = 1 << 14, 1 << 8
+"""So many regions are halved together; fewer as long as nothing is found."""
+FEW_CHOICES = 32
+"""Regions of so many choices are tried out."""
+CHOICES_AT_ONCE = 200_000
+"""So many choices are tried together."""
+MOST_REGIONS = 30_000_000
+"""After so many regions the search ends with what it has proven."""
+EXACT = 1e-12
+"""An error of no more is rounding: there is nothing better."""
+
+
+class BestTeeth(NamedTuple):
+    """What a search has found."""
+
+    errors: Floats
+    """In ascending order, (found,)."""
+    places: Integers
+    """In the tables, (found, elements)."""
+    bound: float
+    """No others have a smaller error; infinite where there are no others."""
+
+
+def best_teeth(
+    tables: Sequence[TeethTable],
+    targets: Sequence[TeethTarget],
+    wanted: int,
+    *,
+    most: float = math.inf,
+    advance: Advance = untold,
+) -> BestTeeth:
+    """The places of tables with the least errors, as many as give so many different teeth.
+
+    Parameters
+    ----------
+    tables : sequence of TeethTable
+        By element; the columns of targets are their ratios in turn.
+    targets : sequence of TeethTarget
+    wanted : int
+        So many different teeth.
+    most : float
+        Errors above it are of no use.
+    advance : callable
+        Told how many regions more are done.
+    """
+    search = _Halving(tables, targets, wanted, most)
+    start: Integers = np.zeros((1, len(tables)), np.int64)
+    waiting: list[tuple[Floats, Integers]] = (
+        [(search.least(start), start)] if all(len(one.ratios) for one in tables) else []
+    )
+    done = 0
+    while waiting and search.most > EXACT and done < MOST_REGIONS:
+        least, regions = waiting.pop()
+        hopeful = least < search.most
+        least, regions = least[hopeful], regions[hopeful]
+        together = TOGETHER if search.is_full else AT_FIRST
+        if len(regions) > together:
+            waiting.append((least[together:], regions[together:]))
+            regions = regions[:together]
+        if len(regions):
+            waiting += search.halved(regions)
+            done += len(regions)
+            advance(len(regions))
+    left = [float(least.min()) for least, _ in waiting if len(least)]
+    bound = min([search.most if search.is_full else math.inf, *left])
+    return BestTeeth(search.errors, search.places, bound)
+
+
+class _Halving:
+    """A search with the best that it has met."""
+
+    def __init__(
+        self,
+        tables: Sequence[TeethTable],
+        targets: Sequence[TeethTarget],
+        wanted: int,
+        most: float,
+    ) -> None:
+        self.tables = tables
+        self.targets = targets
+        self.wanted = wanted
+        self.most = most
+        self.is_full = False
+        self.errors: Floats = np.zeros(0)
+        self.places: Integers = np.zeros((0, len(tables)), np.int64)
+        widths = [one.ratios.shape[1] for one in tables]
+        self.columns = [sum(widths[:number]) for number in range(len(widths))]
+        self.sizes = [np.log(one.high / one.low) for one in tables]
+        self.widest = [np.abs(one).max(axis=1, initial=0.0) for one in self.sizes]
+
+    def ends(self, regions: Integers) -> tuple[Floats, Floats]:
+        """The least and largest ratios of regions, (regions, columns)."""
+        pairs = list(zip(self.tables, regions.T, strict=True))
+        low = np.concatenate([table.low[nodes] for table, nodes in pairs], axis=1)
+        return low, np.concatenate([table.high[nodes] for table, nodes in pairs], axis=1)
+
+    def least(self, regions: Integers) -> Floats:
+        """The least error that regions may have."""
+        return least_errors(self.targets, *self.ends(regions))
+
+    def halved(self, regions: Integers) -> Iterator[tuple[Floats, Integers]]:
+        """What is left of regions, halved, the best first; small ones are tried out."""
+        starts, ends = (
+            np.stack(
+                [one.nodes[own, side] for one, own in zip(self.tables, regions.T, strict=True)],
+                axis=1,
+            )
+            for side in (0, 1)
+        )
+        sizes = ends - starts
+        few = sizes.astype(np.float64).prod(axis=1) <= FEW_CHOICES
+        self._try(starts[few], sizes[few])
+        regions, starts, sizes = regions[~few], starts[~few], sizes[~few]
+        if self.is_full:
+            for number, table in enumerate(self.tables):
+                if table.ratios.shape[1] == 1:
+                    others = np.delete(sizes, number, axis=1)
+                    alone = (others == 1).all(axis=1)
+                    self._solve(number, regions[alone], starts[alone], sizes[alone])
+                    regions, starts, sizes = regions[~alone], starts[~alone], sizes[~alone]
+        if len(regions):
+            yield self._left(self._children(regions, sizes))
+
+    def _children(self, regions: Integers, sizes: Integers) -> Integers:
+        """Both halves of regions, by the element whose ratios lie farthest apart."""
+        widths = np.stack(
+            [one[nodes] for one, nodes in zip(self.widest, regions.T, strict=True)], axis=1
+        )
+        element = np.where(sizes > 1, widths, -1.0).argmax(axis=1)
+        children = []
+        for half in (2, 3):
+            one = regions.copy()
+            for number, table in enumerate(self.tables):
+                chosen = element == number
+                one[chosen, number] = table.nodes[regions[chosen, number], half]
+            children.append(one)
+        return np.concatenate(children)
+
+    def _left(self, both: Integers) -> tuple[Floats, Integers]:
+        """What may be better than the best of regions, with its least error, best first."""
+        low, high = self.ends(both)
+        least = least_errors(self.targets, low, high)
+        hopeful = least < self.most
+        both, least = both[hopeful], least[hopeful]
+        order = least
+        if not self.is_full:
+            order = least + 1e-3 * np.minimum(
+                largest_errors(self.targets, ((low + high) / 2)[hopeful]), 1e3
+            )
+        by_least = np.argsort(order, kind="stable")
+        return least[by_least], both[by_least]
+
+    def _solve(self, number: int, regions: Integers, starts: Integers, sizes: Integers) -> None:
+        """Try what one element may still have for an error below the best, all others chosen."""
+        if not len(regions):
+            return
+        table, column = self.tables[number], self.columns[number]
+        points, _ = self.ends(regions)
+        low, high = np.full(len(regions), -np.inf), np.full(len(regions), np.inf)
+        for target in self.targets:
+            if column in target.used:
+                ends = target.within(points, column, self.most)
+                low = np.maximum(low, np.where(ends[2], ends[0], -np.inf))
+                high = np.minimum(high, np.where(ends[2], ends[1], np.inf))
+        amounts = np.abs(table.ratios[:, 0])
+        if table.ratios[0, 0] < 0:
+            low, high = -high, -low
+        first = np.searchsorted(amounts, low - EXACT * np.abs(low), "left")
+        end = np.searchsorted(amounts, high + EXACT * np.abs(high), "right")
+        first = np.maximum(first, starts[:, number])
+        count = np.minimum(end, starts[:, number] + sizes[:, number]) - first
+        starts, sizes = starts.copy(), sizes.copy()
+        starts[:, number], sizes[:, number] = first, np.maximum(count, 0)
+        self._try(starts, sizes)
+
+    def _try(self, starts: Integers, sizes: Integers) -> None:
+        """All choices of regions, from their first places and how many there are."""
+        counts = sizes.prod(axis=1)
+        ends = np.cumsum(counts)
+        start = 0
+        while start < len(counts):
+            done = ends[start - 1] if start else 0
+            end = max(int(np.searchsorted(ends, done + CHOICES_AT_ONCE, "right")), start + 1)
+            some = counts[start:end]
+            of_region = np.repeat(np.arange(start, end), some)
+            number = np.arange(some.sum()) - np.repeat(np.cumsum(some) - some, some)
+            places = np.empty((len(number), len(self.tables)), np.int64)
+            for element in range(len(self.tables)):
+                number, rest = np.divmod(number, sizes[of_region, element])
+                places[:, element] = starts[of_region, element] + rest
+            self._keep(places)
+            start = end
+
+    def _keep(self, places: Integers) -> None:
+        """Keep the best of choices and of what was there."""
+        pairs = zip(self.tables, places.T, strict=True)
+        points = np.concatenate([table.ratios[own] for table, own in pairs], axis=1)
+        errors = largest_errors(self.targets, points)
+        better = errors < self.most if self.is_full else errors <= self.most
+        better &= np.isfinite(errors)
+        if not better.any():
+            return
+        errors = np.concatenate([self.errors, errors[better]])
+        places = np.concatenate([self.places, places[better]])
+        order = np.argsort(errors, kind="stable")
+        errors, places = errors[order], places[order]
+        pairs = zip(self.tables, places.T, strict=True)
+        different = np.prod([table.different[own].astype(float) for table, own in pairs], axis=0)
+        enough = int(np.searchsorted(np.cumsum(different), self.wanted)) + 1
+        self.errors, self.places = errors[:enough], places[:enough]
+        if enough <= len(errors):
+            self.is_full, self.most = True, float(errors[enough - 1])

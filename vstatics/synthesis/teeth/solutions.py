@@ -1,0 +1,159 @@
+"""Solutions of a search for teeth: each place of the tables with all its teeth; their JSON."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from vstatics.numerics.arrays import Integers
+from vstatics.statics.solve import solve
+from vstatics.synthesis.teeth.problem import TeethProblem
+from vstatics.synthesis.teeth.rows import TeethRows
+from vstatics.synthesis.teeth.search import BestTeeth
+from vstatics.synthesis.teeth.table import TeethTable, of_rows
+from vstatics.writers.documents import documents
+from vstatics.writers.plain_json import plain_data
+from vstatics.writers.record_schema import Schema, list_of, record, schema_of
+
+MOST_TEETH_SOLUTIONS = 20
+"""So many solutions are given."""
+ERROR_DECIMALS = 14
+"""Decimals of an error; what is below them is rounding."""
+
+
+class TeethSolution(NamedTuple):
+    """Teeth of the elements that matter for what is wanted."""
+
+    teeth: Mapping[str, Mapping[str, int]]
+    """By element, by wheel or rim."""
+    planets: Mapping[str, int]
+    """How many planets an element has, or pairs of meshed ones."""
+    gears: Mapping[str, float]
+    """The ratio of every gear of the case [-]; NaN where it has none."""
+    error: float
+    """The largest of what is wanted: `|ln(i/target)|`, or `|i - target|` [-]."""
+    modules: Mapping[str, Mapping[str, float]]
+    """By element, by wheel, where modules are chosen [mm]."""
+    ratios: Mapping[str, float]
+    """Of the mechanisms of the case on its own links [-]."""
+
+
+def teeth_solutions(
+    problem: TeethProblem, tables: Sequence[TeethTable], best: BestTeeth
+) -> Iterator[TeethSolution]:
+    """The first of what was found, each place with all its teeth, small ones first."""
+    chosen: list[tuple[float, int, tuple[Integers, ...]]] = []
+    for error, places in zip(best.errors.tolist(), best.places.tolist(), strict=True):
+        alike = [_smallest(table, place) for table, place in zip(tables, places, strict=True)]
+        for rows in itertools.islice(_by_size(alike), MOST_TEETH_SOLUTIONS):
+            total = sum(
+                int(_teeth(table, row).sum()) for table, row in zip(tables, rows, strict=True)
+            )
+            chosen.append((round(error, ERROR_DECIMALS), total, rows))
+    chosen.sort(key=_in_order)
+    for _, _, rows in chosen[:MOST_TEETH_SOLUTIONS]:
+        yield _solution(problem, tables, rows)
+
+
+def _in_order(one: tuple[float, int, tuple[Integers, ...]]) -> tuple[float, int, list[list[int]]]:
+    return one[0], one[1], [row.tolist() for row in one[2]]
+
+
+def _teeth(table: TeethTable, row: Integers) -> Integers:
+    return row[: len(table.layout.wheels)]
+
+
+def _smallest(table: TeethTable, place: int) -> list[Integers]:
+    """The rows of a place with the fewest teeth."""
+    rows = table.rows[table.starts[place] : table.starts[place + 1]]
+    order = np.argsort(rows[:, : len(table.layout.wheels)].sum(axis=1), kind="stable")
+    return list(rows[order[:MOST_TEETH_SOLUTIONS]])
+
+
+def _by_size(alike: Sequence[Sequence[Integers]]) -> Iterator[tuple[Integers, ...]]:
+    """Choices of a row each, those with the fewest places down the lists first."""
+    total = sum(len(rows) - 1 for rows in alike)
+    for depth in range(total + 1):
+        for steps in _steps(depth, [len(rows) for rows in alike]):
+            yield tuple(rows[step] for rows, step in zip(alike, steps, strict=True))
+
+
+def _steps(depth: int, lengths: Sequence[int]) -> Iterator[tuple[int, ...]]:
+    """All ways to go down so many steps in lists."""
+    if not lengths:
+        if not depth:
+            yield ()
+        return
+    for step in range(min(depth, lengths[0] - 1) + 1):
+        yield from ((step, *others) for others in _steps(depth - step, lengths[1:]))
+
+
+def _solution(
+    problem: TeethProblem, tables: Sequence[TeethTable], rows: Sequence[Integers]
+) -> TeethSolution:
+    """What rows of all elements give."""
+    case = problem.own.case
+    ratios = np.array([mechanism.ratio for mechanism in case.mechanisms])
+    teeth: dict[str, dict[str, int]] = {}
+    planets: dict[str, int] = {}
+    modules: dict[str, dict[str, float]] = {}
+    points: list[float] = []
+    for table, row in zip(tables, rows, strict=True):
+        layout, wheels = table.layout, len(table.layout.wheels)
+        teeth[layout.name] = dict(zip(layout.wheels, row.tolist(), strict=False))
+        if layout.planets:
+            planets[layout.name] = int(row[wheels])
+        limits = problem.limits
+        has_sizes = max(layout.component) > 0 or limits.largest_diameter is not None
+        if limits.modules and has_sizes:
+            sizes = TeethRows(layout, limits).modules[row[wheels + 1 :]].tolist()
+            pairs = zip(layout.wheels, layout.component, strict=True)
+            modules[layout.name] = {wheel: sizes[component] for wheel, component in pairs}
+        of_row = of_rows(layout, row[np.newaxis])[0].tolist()
+        for ratio, value in zip(layout.ratios, of_row, strict=True):
+            ratios[ratio.mechanism] = value
+        points += of_row
+    of_gears = solve(case, ratios=ratios).ratio.tolist()
+    gears = dict(zip((gear.name for gear in case.gears), of_gears, strict=True))
+    errors = [float(target.errors(np.array([points]))[0]) for target in problem.targets]
+    error = round(max(errors), ERROR_DECIMALS)
+    named = dict(zip((one.name for one in case.mechanisms), ratios.tolist(), strict=True))
+    return TeethSolution(teeth, planets, gears, error, modules, named)
+
+
+def teeth_document(solutions: Sequence[TeethSolution]) -> dict[str, Any]:
+    """Solutions as plain data; modules where they were chosen."""
+    found = []
+    for one in solutions:
+        data = {name: getattr(one, name) for name in ("teeth", "planets", "gears", "error")}
+        if one.modules:
+            data["modules"] = one.modules
+        found.append(plain_data(data))
+    return {"solutions": found}
+
+
+def teeth_schema() -> Schema:
+    """The schema of ``vstatics synth teeth -f json``."""
+    full = schema_of(TeethSolution)["properties"]
+    names = ("teeth", "planets", "gears", "error", "modules")
+    solution = record({name: full[name] for name in names}, optional=["modules"])
+    found = record({"solutions": list_of(solution)})
+    return documents("teeth", "Teeth for wanted ratios, of vstatics synth teeth", found)
+
+
+def asked_document(problem: TeethProblem) -> dict[str, Any]:
+    """What is looked for: ranges of wheels, numbers of planets, the kinds of the elements."""
+    limits = problem.limits
+    ranges = {
+        layout.name: {
+            wheel: {"from": low, "to": high}
+            for wheel, (low, high) in zip(layout.wheels, limits.of_wheels(layout), strict=True)
+        }
+        for layout in problem.layouts
+    }
+    planets = {one.name: sorted(limits.counts(one)) for one in problem.layouts if one.planets}
+    kinds = {one.name: one.element.kind for one in problem.layouts}
+    return {"ranges": ranges, "planets": planets, "kinds": kinds}

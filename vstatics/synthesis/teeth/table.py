@@ -1,0 +1,178 @@
+"""The ratios that the teeth of an element can make, each once, and halves of halves of them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from vstatics.numerics.arrays import Floats, Integers
+from vstatics.synthesis.teeth.layout import TeethLayout
+from vstatics.synthesis.teeth.rows import TooManyError
+
+MOST_TEETH_ROWS = 1_000_000
+"""So many rows of teeth of an element are kept in memory."""
+
+
+class TeethTable(NamedTuple):
+    """Rows of teeth of an element by the ratios that they make.
+
+    The places of `ratios` are in such an order that the halves of any node stand side by side.
+    """
+
+    layout: TeethLayout
+    is_whole: bool
+    """Whether all rows are here that there are."""
+    total: int
+    """How many choices of teeth, numbers of planets and modules there are."""
+    rows: Integers
+    """Different teeth, (rows, wheels + 1 + components), those of equal ratios side by side."""
+    starts: Integers
+    """The first row of each place, and the end, (places + 1,)."""
+    ratios: Floats
+    """(places, ratios of the element) [-]."""
+    nodes: Integers
+    """Of each node its first place and its end, and its halves; -1 of one place, (nodes, 4)."""
+    low: Floats
+    """Least ratios in a node, (nodes, ratios) [-]."""
+    high: Floats
+    """Largest ratios in a node, (nodes, ratios) [-]."""
+
+    @property
+    def different(self) -> Integers:
+        """How many rows a place has, (places,)."""
+        return np.diff(self.starts)
+
+
+def teeth_table(
+    layout: TeethLayout, pieces: Iterable[Integers], counts: Sequence[int]
+) -> TeethTable:
+    """A table of rows of teeth that come in pieces.
+
+    Parameters
+    ----------
+    layout : TeethLayout
+    pieces : iterable of ndarray
+        As `TeethRows` finds them.
+    counts : sequence of int
+        Numbers of planets: of rows with equal teeth that with the first of them is kept.
+    """
+    kept: list[Integers] = []
+    total = 0
+    is_whole = True
+    try:
+        for piece in pieces:
+            kept.append(piece)
+            total += len(piece)
+            if total > MOST_TEETH_ROWS:
+                is_whole = False
+                break
+    except TooManyError:
+        is_whole = False
+    width = len(layout.wheels) + 2 + max(layout.component)
+    rows = _different(np.concatenate([np.zeros((0, width), np.int32), *kept]), layout, counts)
+    ratios = of_rows(layout, rows)
+    place = _places(ratios)
+    order = np.argsort(place, kind="stable")
+    sizes = np.bincount(place, minlength=int(place.max(initial=-1)) + 1)
+    firsts = np.cumsum(sizes) - sizes
+    unique = ratios[order][firsts]
+    in_halves, nodes, low, high = _halves(unique)
+    moved, sizes = firsts[in_halves], sizes[in_halves]
+    moved = np.repeat(moved, sizes)
+    starts = np.concatenate([[0], np.cumsum(sizes)])
+    within = np.arange(len(rows)) - np.repeat(starts[:-1], sizes)
+    rows = rows[order][moved + within]
+    nodes_of = (unique[in_halves], nodes, low, high)
+    return TeethTable(layout, is_whole, total, rows, starts, *nodes_of)
+
+
+def _different(rows: Integers, layout: TeethLayout, counts: Sequence[int]) -> Integers:
+    """Rows of different teeth, each with the best liked number of planets."""
+    wheels = len(layout.wheels)
+    liked = np.zeros(max(counts) + 1, np.int64)
+    liked[list(counts)] = range(len(counts))
+    keys = [liked[rows[:, wheels]], *rows[:, :wheels].T[::-1]]
+    rows = rows[np.lexsort(keys)]
+    is_new = np.ones(len(rows), np.bool_)
+    is_new[1:] = (np.diff(rows[:, :wheels], axis=0) != 0).any(axis=1)
+    return rows[is_new]
+
+
+def of_rows(layout: TeethLayout, rows: Integers) -> Floats:
+    """The ratios of rows: equal ones are the same number, as each is rounded once."""
+    found = np.empty((len(rows), len(layout.ratios)))
+    for number, ratio in enumerate(layout.ratios):
+        above, below = np.ones(len(rows)), np.ones(len(rows))
+        for wheel, power in ratio.powers.items():
+            if power > 0:
+                above = above * rows[:, wheel].astype(np.float64) ** power
+            else:
+                below = below * rows[:, wheel].astype(np.float64) ** -power
+        found[:, number] = ratio.sign * above / below
+    return found
+
+
+def _places(ratios: Floats) -> Integers:
+    """Numbers of the different rows of an array, from 0."""
+    place: Integers = np.zeros(len(ratios), np.int64)
+    for column in ratios.T:
+        _, one = np.unique(column, return_inverse=True)
+        both = place * (one.max(initial=0) + 1) + one
+        place = np.unique(both, return_inverse=True)[1].astype(np.int64)
+    return place
+
+
+def _halves(ratios: Floats) -> tuple[Integers, Integers, Floats, Floats]:
+    """An order of the places, nodes, and their ends: each is halved where it is widest.
+
+    >>> order, nodes, low, high = _halves(np.array([[3.0], [1.0], [2.0]]))
+    >>> order.tolist(), nodes.tolist()
+    ([1, 2, 0], [[0, 3, 1, 2], [0, 2, 3, 4], [2, 3, -1, -1], [0, 1, -1, -1], [1, 2, -1, -1]])
+    """
+    order: Integers = np.arange(len(ratios))
+    sizes = np.log(np.abs(ratios))
+    level: Integers = (
+        np.array([[0, len(ratios)]], np.int64) if len(ratios) else np.zeros((0, 2), np.int64)
+    )
+    nodes, lows, highs, made = [], [], [], 0
+    while len(level):
+        starts = level[:, 0]
+        lows.append(_reduced(np.minimum, ratios[order], level))
+        highs.append(_reduced(np.maximum, ratios[order], level))
+        widths = _reduced(np.maximum, sizes[order], level) - _reduced(
+            np.minimum, sizes[order], level
+        )
+        split = level[:, 1] - starts > 1
+        widest = widths.argmax(axis=1) if len(widths) else starts
+        order = _sorted_within(order, sizes, level, widest)
+        middle = (level.sum(axis=1) + 1) // 2
+        first = made + len(level) + 2 * (np.cumsum(split) - split)
+        children = np.where(split[:, np.newaxis], np.stack([first, first + 1], axis=1), -1)
+        nodes.append(np.concatenate([level, children], axis=1))
+        made += len(level)
+        below = np.stack([starts, middle, middle, level[:, 1]], axis=1)[split]
+        level = below.reshape(-1, 2)
+    if not nodes:
+        empty = np.zeros((0, ratios.shape[1]))
+        return order, np.zeros((0, 4), np.int64), empty, empty
+    return order, np.concatenate(nodes), np.concatenate(lows), np.concatenate(highs)
+
+
+def _reduced(function: np.ufunc, values: Floats, level: Integers) -> Floats:
+    """Least or largest values between starts and ends, which do not overlap."""
+    bounds = level.ravel()
+    inside = np.concatenate([values, values[-1:]])
+    found: Floats = function.reduceat(inside, bounds, axis=0)[::2]
+    return found
+
+
+def _sorted_within(order: Integers, sizes: Floats, level: Integers, widest: Integers) -> Integers:
+    """An order in which each part of a level is sorted by its widest ratio."""
+    sorted_order = order.copy()
+    places = np.concatenate([np.arange(start, end) for start, end in level])
+    of_part = np.repeat(np.arange(len(level)), level[:, 1] - level[:, 0])
+    key = sizes[order[places], widest[of_part]]
+    sorted_order[places] = order[places][np.lexsort((key, of_part))]
+    return sorted_order

@@ -1,0 +1,247 @@
+"""A clutch that is dumped in the gears of a case: reduced to one link, and the largest torques.
+
+Source: I. S. Tsitovich, V. B. Algin, Vehicle dynamics (1981), 3.3: all is reduced to one shaft,
+best to that whose torque is asked for, the propshaft or the half-shafts.
+
+How far links turn under a torque while others are held: the compliance of what is between.
+
+On the way of the power every elastic device has its part, wherever it stands in it: shafts,
+the mounting of a casing that takes a reaction, shafts side by side.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import NamedTuple
+
+import numpy as np
+from scipy import linalg
+
+from vstatics.errors import CaseError, Problem, spoken
+from vstatics.model.clutch_dump import NEEDED, ClutchDump
+from vstatics.model.transmission import Gear, Transmission
+from vstatics.numerics.motions import free_motions
+from vstatics.statics.result_arrays import Message
+from vstatics.torsion.clutch.dumped import DumpTorque, dump
+from vstatics.torsion.clutch.given import Dump
+from vstatics.torsion.reduction.reduced_values import scales
+from vstatics.torsion.system.coordinates import rows
+from vstatics.torsion.system.gear_system import TorsionalSystem
+from vstatics.torsion.system.state import vibrating
+
+
+class GearDump(NamedTuple):
+    """A clutch that is dumped in a gear."""
+
+    name: str
+    """Of the gear."""
+    to: str
+    """Name of the link to which all is reduced."""
+    given: Dump | None = None
+    """On that link."""
+    made: DumpTorque | None = None
+    """Likewise."""
+    error: str = ""
+    """Why there is neither."""
+
+
+def gear_dumps(
+    case: Transmission, gears: Sequence[int | str] | None = None, rate: float | None = None
+) -> list[GearDump]:
+    """The largest torques when the clutch of a case is dumped, gear by gear.
+
+    Parameters
+    ----------
+    case : Transmission
+        With a `dump`.
+    gears : sequence of int or str, optional
+        Numbers from 1 or names; all gears when not given.
+    rate : float, optional
+        As of `dump`. [1/s]
+
+    Raises
+    ------
+    ValueError
+        If there is no such gear.
+    CaseError
+        If the case has no `dump`.
+
+    Examples
+    --------
+    A ВАЗ-2101 in gear I, on the propshaft; the book has 683 N*m in case A3.
+
+    >>> from vstatics import ClutchDump, Mechanism, Spring, Transmission
+    >>> case = Transmission(
+    ...     5, [], [Mechanism(1, 2, 0, 1.0), Mechanism(2, 3, 0, 3.753)], [],
+    ...     inertias={1: 0.1358, 2: 0.004395, 3: 0.0239, 4: 0.091, 5: 5.68},
+    ...     springs=[
+    ...         Spring({3: 1, 4: -1}, compliance=4000e-6),
+    ...         Spring({4: 1, 5: -1}, compliance=290e-6),
+    ...     ],
+    ...     dump=ClutchDump([1], [2], [3], [4], [5], M_C0=141.8, omega1=586, M_phi=335, to=3),
+    ... )
+    >>> [gear] = gear_dumps(case)
+    >>> round(gear.given.J1, 3), round(gear.given.E, 5), round(gear.given.omega1)
+    (1.913, 0.00429, 156)
+    >>> gear.made.case, round(gear.made.max_torque)
+    ('A3', 682)
+    """
+    if case.dump is None:
+        message = "there is no `dump`, expected the links of `J1` to `J5`, `M_C0` and `omega1`"
+        raise CaseError([Problem(message, ("dump",))])
+    numbers = [case.gear_number(one) for one in gears or range(1, len(case.gears) + 1)]
+    return [_gear_dump(case, case.gears[number - 1], case.dump, rate) for number in numbers]
+
+
+def _gear_dump(case: Transmission, gear: Gear, asked: ClutchDump, rate: float | None) -> GearDump:
+    to = case.link_name(asked.link)
+    system = vibrating(case, gear)
+    if isinstance(system, str):
+        return GearDump(gear.name, to, error=system)
+    ends = case.gear_input(gear) - 1, case.gear_output(gear) - 1
+    found = scales(system, asked.link - 1, ends)
+    if isinstance(found, str):
+        return GearDump(gear.name, to, error=found)
+    masses = _masses(case, system, asked, found.speeds)
+    given = _reduced(case, system, masses.inertias, found.speeds)
+    if isinstance(given, str):
+        return GearDump(gear.name, to, error=given)
+    try:
+        made = dump(given, rate)
+    except CaseError as error:
+        return GearDump(gear.name, to, given, error=spoken(map(str, error.problems)))
+    if masses.left_out:
+        message = f"in none of J1 to J5, though turning with {to}: {', '.join(masses.left_out)}"
+        made = made._replace(messages=(*made.messages, Message("note", message)))
+    return GearDump(gear.name, to, given, made)
+
+
+def _reduced(
+    case: Transmission,
+    system: TorsionalSystem,
+    inertias: Mapping[str, float],
+    speeds: Sequence[float | None],
+) -> Dump | str:
+    """What is given, on one link, or why it can't be."""
+    asked = case.dump
+    assert asked is not None  # noqa: S101 - for mypy
+    by_link: dict[int, float] = {}
+    for name, links in asked.masses.items():
+        for link in links:
+            speed = speeds[link - 1]
+            if not speed:
+                hint = "; is the clutch engaged in this gear?" if name == "J1" else ""
+                still = f"{case.link_name(link)} of {name} does not turn with"
+                return f"{still} {case.link_name(asked.link)}{hint}"
+            by_link[link] = speed
+    without = [name for name in NEEDED if not inertias[name]]
+    if without:
+        return f"the links of {spoken(without)} have no inertia"
+    compliance = asked.E or _compliance(system, asked, by_link)
+    if not compliance:
+        why = "nothing elastic is" if compliance == 0 else "no device is"
+        return f"{why} between J2 and J5; give a device a compliance, or `dump` its `E`"
+    tyres = asked.J4[0] if asked.J4 else asked.J5[0]
+    return Dump(
+        **inertias,
+        E=compliance,
+        M_C0=asked.M_C0 * abs(by_link[asked.J2[0]]),
+        M_phi=asked.M_phi * abs(by_link[tyres]),
+        omega1=asked.omega1 / abs(by_link[asked.J1[0]]),
+    )
+
+
+def _compliance(
+    system: TorsionalSystem, asked: ClutchDump, speeds: Mapping[int, float]
+) -> float | None:
+    """Between J2 and J5, on the reference shaft [rad/(N*m)]."""
+    near, far = ([link - 1 for link in links] for links in (asked.J2, asked.J5))
+    return path_compliance(system, near, [speeds[link] for link in asked.J2], far)
+
+
+class _Masses(NamedTuple):
+    """What J1 to J5 add up to."""
+
+    inertias: dict[str, float]
+    """On the reference shaft. [kg*m^2]"""
+    left_out: list[str]
+    """What turns with it and belongs to none of them."""
+
+
+def _masses(
+    case: Transmission, system: TorsionalSystem, asked: ClutchDump, speeds: Sequence[float | None]
+) -> _Masses:
+    """The inertias of J1 to J5; planets go with a link of their set, the carrier before others."""
+    owners = {link: name for name, links in asked.masses.items() for link in links}
+    totals = dict.fromkeys(asked.masses, 0.0)
+    left_out: dict[str, None] = {}
+    for index, body in enumerate(system.bodies):
+        links = [index + 1] if index < system.own else _links_of_set(case, body.name)
+        owner = next((owners[link] for link in links if link in owners), None)
+        parts = [(part, speeds[link]) for link, part in body.form.items()]
+        speed = sum(part * one for part, one in parts if one is not None)
+        if owner is not None:
+            totals[owner] += body.inertia * speed**2
+        elif body.inertia * speed:
+            left_out[body.name] = None
+    return _Masses(totals, [*left_out])
+
+
+def _links_of_set(case: Transmission, planet: str) -> list[int]:
+    """The links of the set that a planet belongs to, its carrier first."""
+    name = planet.rpartition(".")[0]
+    members = next(one.members for one in case.own_devices if one.name == name)
+    ordered = sorted(members, key=lambda member: member.name != "carrier")
+    return [member.link for member in ordered]
+
+
+def path_compliance(
+    system: TorsionalSystem, near: Sequence[int], speeds: Sequence[float], far: Sequence[int]
+) -> float | None:
+    """The compliance from some links to others that are held, on the reference shaft.
+
+    Elastic torques M that balance a torque of 1 there have the least ``sum E M^2``, which is
+    the compliance (Castigliano). In a chain it is the sum of the reduced compliances.
+
+    Parameters
+    ----------
+    near : sequence of int
+        Indices of links that turn as one, the first with the torque.
+    speeds : sequence of float
+        Theirs by that of the reference shaft. [-]
+    far : sequence of int
+        Indices of links that are held.
+
+    Returns
+    -------
+    float or None
+        [rad/(N*m)]; none where nothing resists.
+
+    Examples
+    --------
+    Two shafts with a gear pair of ratio -2 between them, on the first: ``E_1 + 4 E_2``.
+
+    >>> from vstatics import Mechanism, Spring, Transmission
+    >>> from vstatics.torsion.system.gear_system import torsional_system
+    >>> shafts = [Spring({1: 1, 2: -1}, compliance=0.1), Spring({3: 1, 4: -1}, compliance=0.2)]
+    >>> case = Transmission(4, [], [Mechanism(2, 3, 0, -2.0)], [], springs=shafts)
+    >>> round(path_compliance(torsional_system(case, case.gears[0]), [0], [1.0], [3]), 6)
+    0.9
+    """
+    held = [{link: 1.0} for link in far]
+    together = [
+        {near[0]: speed, link: -speeds[0]} for link, speed in zip(near[1:], speeds[1:], strict=True)
+    ]
+    fixed = [*(device.twist for device in system.rigid), *held, *together]
+    elastic = [device.twist for device in system.elastic]
+    links = len(system.names)
+    if free_motions([*fixed, *elastic], links)[near[0]].any():
+        return None
+    free = free_motions(fixed, links)
+    acting = free[near[0]] / speeds[0]
+    if not acting.any():
+        return 0.0
+    roots = np.sqrt([device.stiffness or 0.0 for device in system.elastic])
+    twists = np.asarray(roots)[:, None] * (rows(elastic, system) @ free)
+    weighted, *_ = linalg.lstsq(twists.T, acting)
+    return float(weighted @ weighted)

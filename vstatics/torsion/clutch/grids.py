@@ -1,0 +1,125 @@
+"""The tables of a clutch that is dumped."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING
+
+from vstatics.tables.grid import Column, Grid, Row, exact, text
+from vstatics.torsion.clutch.dumped import DumpCase, DumpTorque
+from vstatics.torsion.clutch.given import Dump
+
+if TYPE_CHECKING:  # it needs scipy, which a file of numbers does not
+    from vstatics.torsion.clutch.gear_dump import GearDump
+
+HAPPENS: Mapping[DumpCase, str] = {
+    "A1": "the clutch slips, the wheels are clamped",
+    "A2": "the clutch slips, the tyres grip",
+    "A3": "the clutch slips, the wheels break away",
+    "B1": "the clutch grabs, the wheels are clamped",
+    "B2": "the clutch grabs, the tyres grip",
+    "B3": "the clutch grabs, the wheels break away",
+    "V1": "the clutch grabs and breaks away, the tyres grip",
+    "V2": "the clutch grabs and breaks away, then the wheels",
+    "V3": "the clutch grabs, the wheels break away, then the clutch",
+}
+
+
+def grids(given: Dump, made: DumpTorque) -> Iterator[Grid]:
+    """The largest torques, and what is to be known of them.
+
+    Units are those of what is given: it may be in relative ones.
+    """
+    torques = {
+        "largest torque": made.max_torque,
+        "largest torque, simplified": made.max_torque_simplified,
+        "at the input shaft": made.input_shaft_torque,
+        "at the input shaft, simplified": made.input_shaft_torque_simplified,
+        "the clutch breaks away at": given.clutch_limit,
+        "the wheels break away at": given.grip_limit,
+    }
+    rows: list[Row] = [["case", made.case, ""]]
+    rows += [[name, exact(torque), "as M_C0"] for name, torque in torques.items()]
+    rows.append(["the clutch grabs below a speed of", exact(given.boundary_speed), "as omega1"])
+    rows.append(["dynamic factor", exact(made.dynamic_factor), "-"])
+    if made.engagement is not None:
+        name = f"dynamic factor, engaged at a rate of {made.engagement.rate:g}"
+        rows.append([name, exact(made.engagement.factor), "-"])
+    title = f"Clutch dump: {HAPPENS[made.case]}"
+    yield Grid(title, [text(""), Column("value"), text("unit")], rows, key="dump")
+    if made.messages:
+        yield Grid("Messages", [text("")], [[str(one)] for one in made.messages], key="messages")
+
+
+_UNITS = {
+    **dict.fromkeys(("J1", "J2", "J3", "J4", "J5"), "kg*m^2"),
+    "E": "rad/(N*m)",
+    "M_C0": "N*m",
+    "M_phi": "N*m",
+    "omega1": "rad/s",
+}
+
+
+_TORQUES = {
+    "max_torque": "largest torque [N*m]",
+    "max_torque_simplified": "largest torque, simplified [N*m]",
+    "input_shaft_torque": "at the input shaft [N*m]",
+    "input_shaft_torque_simplified": "at the input shaft, simplified [N*m]",
+    "dynamic_factor": "dynamic factor",
+}
+
+
+def gear_grids(gear: GearDump) -> Iterator[Grid]:
+    """As `grids`, then what was reduced; of a gear that failed, why."""
+    if gear.made is not None and gear.given is not None:
+        yield from grids(gear.given, gear.made)
+    yield from _reduced([gear])
+    yield from _failed([gear])
+
+
+def gears_grids(gears: Sequence[GearDump]) -> Iterator[Grid]:
+    """The largest torques by gears, what was reduced, what is to be known.
+
+    Examples
+    --------
+    >>> from vstatics.torsion.clutch.dumped import dump
+    >>> from vstatics.torsion.clutch.gear_dump import GearDump
+    >>> given = Dump(1.913, 0.0619, 0.0239, 0.091, 5.68, 429e-5, 532, 335, 156)
+    >>> for grid in gears_grids([GearDump("1", "propshaft", given, dump(given))]):
+    ...     print(grid.title, grid.texts[0][:2])
+    Clutch dump, on propshaft ['case', 'A3']
+    Reduced to propshaft ['J1 [kg*m^2]', '1.913']
+    """
+    made = [(gear.name, gear.made) for gear in gears if gear.made is not None]
+    rows: list[Row] = [["case", *(one.case for _, one in made)]]
+    rows += [
+        [told, *(exact(getattr(one, name)) for _, one in made)] for name, told in _TORQUES.items()
+    ]
+    if any(one.engagement for _, one in made):
+        factors = [one.engagement.factor if one.engagement else None for _, one in made]
+        rows.append(["dynamic factor, engaged at the rate", *map(exact, factors)])
+    columns = [text("gear"), *(Column(name) for name, _ in made)]
+    yield Grid(f"Clutch dump, on {gears[0].to}", columns, rows, key="dump")
+    yield from _reduced(gears)
+    messages: list[Row] = [[name, str(message)] for name, one in made for message in one.messages]
+    if messages:
+        yield Grid("Messages", [text("gear"), text("")], messages, key="messages")
+    yield from _failed(gears)
+
+
+def _reduced(gears: Sequence[GearDump]) -> Iterator[Grid]:
+    """What was reduced, a column for each gear."""
+    given = [(gear.name, gear.given) for gear in gears if gear.given is not None]
+    if given:
+        rows: list[Row] = [
+            [f"{name} [{unit}]", *(exact(getattr(one, name)) for _, one in given)]
+            for name, unit in _UNITS.items()
+        ]
+        columns = [text("gear"), *(Column(name) for name, _ in given)]
+        yield Grid(f"Reduced to {gears[0].to}", columns, rows, key="reduced")
+
+
+def _failed(gears: Sequence[GearDump]) -> Iterator[Grid]:
+    failed: list[Row] = [[gear.name, gear.error] for gear in gears if gear.error]
+    if failed:
+        yield Grid("No such torque", [text("gear"), text("why")], failed, key="errors")

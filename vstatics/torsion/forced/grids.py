@@ -1,0 +1,107 @@
+"""Forced vibration as tables: what is largest, for people, or every speed, for programs."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+
+import numpy as np
+
+from vstatics.numerics.arrays import Floats
+from vstatics.tables.grid import Cell, Column, Grid, Row, exact, text, whole
+from vstatics.torsion.forced.cycle import summed
+from vstatics.torsion.forced.harmonic_torques import Complex, GearResponse
+
+
+def largest_grids(gears: Sequence[GearResponse]) -> Iterator[Grid]:
+    """Resonances, and the largest amplitudes and torques over the speeds, with their speed.
+
+    Examples
+    --------
+    >>> one = GearResponse("1", np.array([600.0]))
+    >>> [grid.title for grid in largest_grids([one])]
+    ['Resonances: none at these speeds']
+    """
+    yield _resonances(gears)
+    yield from _faults(gears)
+    for gear in gears:
+        for title, by_name in _quantities(gear):
+            orders = [f"{one.order:g}" for one in gear.orders]
+            columns = [
+                Column(part) for one in orders for part in (f"order {one}", f"{one} at [rpm]")
+            ]
+            rows: list[Row] = []
+            for name in by_name[0] if by_name else ():
+                cells = [_largest(gear.speeds, one[name]) for one in by_name]
+                rows.append([name, *(cell for pair in cells for cell in pair)])
+            if rows:
+                yield Grid(f"Gear {gear.name}: largest {title}", [text("name"), *columns], rows)
+
+
+def speed_grids(gears: Sequence[GearResponse]) -> Iterator[Grid]:
+    """A line for each speed, a column for each link or device, order by order."""
+    yield _resonances(gears)
+    yield from _faults(gears)
+    for gear in gears:
+        for title, by_name in _quantities(gear):
+            for order, values in zip(gear.orders, by_name, strict=True):
+                columns = [Column("speed [rpm]"), *map(Column, values)]
+                sizes = np.abs(np.array([gear.speeds, *values.values()]))
+                rows: list[Row] = [list(map(exact, line)) for line in sizes.T.tolist()]
+                name = f"Gear {gear.name}, order {order.order:g}: {title}"
+                yield Grid(name, columns, rows, group=title.partition(" [")[0])
+
+
+def _quantities(
+    gear: GearResponse,
+) -> Iterator[tuple[str, Sequence[Mapping[str, Complex]]]]:
+    yield "amplitudes of links [rad]", [one.amplitudes for one in gear.orders]
+    yield "torques of devices [N*m]", [one.torques for one in gear.orders]
+
+
+def _largest(speeds: Floats, values: Floats | Complex) -> tuple[Cell, Cell]:
+    sizes = np.abs(values)
+    if not np.isfinite(sizes).any():
+        return exact(math.nan), exact(math.nan)
+    at = int(np.nanargmax(sizes))
+    return exact(float(sizes[at]), 4), exact(float(speeds[at]), 1)
+
+
+def _resonances(gears: Sequence[GearResponse]) -> Grid:
+    rows: list[Row] = [
+        [gear.name, _as_asked(one.order), whole(one.mode), exact(one.speed, 1)]
+        for gear in gears
+        for one in gear.resonances
+    ]
+    columns = [text("gear"), Column("order"), Column("mode"), Column("speed [rpm]")]
+    title = "Resonances" if rows else "Resonances: none at these speeds"
+    return Grid(title, columns, rows, key="resonances")
+
+
+def _as_asked(order: float) -> Cell:
+    """An order as people write it: 2, 4.5."""
+    return Cell(f"{order:g}", order, kind=float)
+
+
+def sum_grids(gears: Sequence[GearResponse]) -> Iterator[Grid]:
+    """All orders together: the largest over the speeds of the largest over a cycle, and of RMS."""
+    for gear in gears:
+        orders = [one.order for one in gear.orders]
+        for title, by_name in _quantities(gear):
+            rows: list[Row] = []
+            for name in by_name[0] if by_name else ():
+                largest, rms = summed(orders, [one[name] for one in by_name])
+                cells = _largest(gear.speeds, largest), _largest(gear.speeds, rms)
+                rows.append([name, *cells[0], *cells[1]])
+            headings = "largest over a cycle", "at [rpm]", "RMS", "at [rpm]"
+            columns = [text("name"), *map(Column, headings)]
+            if rows:
+                name = f"Gear {gear.name}, all orders: {title}"
+                yield Grid(name, columns, rows, group=f"all orders, {title.partition(' of ')[0]}")
+
+
+def _faults(gears: Sequence[GearResponse]) -> Iterator[Grid]:
+    """Why gears have no response."""
+    rows: list[Row] = [[gear.name, gear.error] for gear in gears if gear.error]
+    if rows:
+        yield Grid("Notes", [text("gear"), text("note")], rows, key="notes")

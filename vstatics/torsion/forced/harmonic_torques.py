@@ -1,0 +1,243 @@
+"""Forced vibration: amplitudes of links and torques of devices under harmonic torques."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from vstatics.model.parts import damping
+from vstatics.model.transmission import Gear, Transmission
+from vstatics.numerics.arrays import Booleans, Floats
+from vstatics.numerics.tolerances import NO_POWER
+from vstatics.torsion.system.coordinates import Coordinates, coordinates, form_values, rows
+from vstatics.torsion.system.gear_system import TorsionalSystem
+from vstatics.torsion.system.state import vibrating
+from vstatics.torsion.vibration.natural import NaturalModes, natural_modes
+from vstatics.torsion.vibration.torques import balance, own_torques, with_rigid
+
+Complex = NDArray[np.complex128]
+RAD_PER_RPM = math.pi / 30
+ENTRIES = 1_000_000
+"""Of the matrices that are solved at once."""
+
+
+class Harmonic(NamedTuple):
+    """A part of the torque that excites.
+
+    Attributes
+    ----------
+    order : float
+        Its frequency by that of a revolution of the link that it acts on. [-]
+    amplitude : float
+        [N*m]
+    phase : float
+        [rad]
+    """
+
+    order: float
+    amplitude: float = 1.0
+    phase: float = 0.0
+
+
+class OrderResponse(NamedTuple):
+    """The response to one order; arrays of shape (speeds,), complex, NaN where there is none.
+
+    Attributes
+    ----------
+    order : float
+    amplitudes : mapping
+        Of the case's own links. [rad]
+    torques : mapping
+        On the first links of devices, by the rows of `torques` in results. [N*m]
+    """
+
+    order: float
+    amplitudes: Mapping[str, Complex]
+    torques: Mapping[str, Complex]
+
+
+class Resonance(NamedTuple):
+    """A speed at which an order meets a natural frequency."""
+
+    order: float
+    mode: int
+    """Its number from 1, as in `modes`."""
+    speed: float
+    """[rpm]"""
+
+
+class GearResponse(NamedTuple):
+    """The response of a gear."""
+
+    name: str
+    speeds: Floats
+    """[rpm]"""
+    orders: Sequence[OrderResponse] = ()
+    resonances: Sequence[Resonance] = ()
+    error: str = ""
+
+
+def response(
+    case: Transmission,
+    at: int | str,
+    harmonics: Sequence[Harmonic],
+    speeds: Sequence[float] | Floats,
+    gears: Sequence[int | str] | None = None,
+) -> list[GearResponse]:
+    """The forced vibration of the gears of a case.
+
+    ``(K + i omega D - omega^2 M) q = Q``; a loss factor adds ``i loss_factor K``, at any
+    frequency.
+
+    Parameters
+    ----------
+    at : int or str
+        Number or name of the link on which the torque acts.
+    harmonics : sequence of Harmonic
+    speeds : array_like
+        Of the link `at`. [rpm]
+    gears : sequence of int or str, optional
+        Numbers from 1 or names; all gears when not given.
+
+    Raises
+    ------
+    ValueError
+        If there is no such link or gear.
+
+    Examples
+    --------
+    A mass of 2 kg*m^2 on 200 N*m/rad at omega = 8 rad/s: ``1/|200 - 2*64|`` rad.
+
+    >>> from vstatics import Spring, Transmission
+    >>> spring = Spring({1: 1}, stiffness=200.0, name="mount")
+    >>> case = Transmission(1, [], [], [], springs=[spring], inertias={1: 2.0})
+    >>> [gear] = response(case, 1, [Harmonic(2.0)], [4.0 / RAD_PER_RPM])
+    >>> abs(gear.orders[0].amplitudes["1"]).round(6), gear.resonances
+    (array([0.013889]), [])
+    """
+    numbers = [case.gear_number(one) for one in gears or range(1, len(case.gears) + 1)]
+    link, given = case.link_number(at) - 1, np.asarray(speeds, dtype=np.float64)
+    return [_gear_response(case, case.gears[n - 1], link, harmonics, given) for n in numbers]
+
+
+def _gear_response(
+    case: Transmission, gear: Gear, at: int, harmonics: Sequence[Harmonic], speeds: Floats
+) -> GearResponse:
+    system = vibrating(case, gear)
+    if isinstance(system, str):
+        return GearResponse(gear.name, speeds, error=system)
+    split = coordinates(system)
+    if split.undetermined[at] or not split.free[at].any():
+        why = "has no inertia and no resistance" if split.undetermined[at] else "stands still"
+        return GearResponse(gear.name, speeds, error=f"link {system.names[at]} {why}")
+    natural = natural_modes(system, split)
+    undamped = natural.omegas[_are_undamped(system, natural)]
+    found = []
+    nothing = np.zeros(speeds.shape, np.complex128)
+    for one in harmonics:
+        with np.errstate(over="ignore", invalid="ignore"):  # of absurd speeds: there is no value
+            excited = one.order * RAD_PER_RPM * speeds
+            amplitudes = _amplitudes(system, split, at, excited, undamped)
+            amplitudes *= one.amplitude * np.exp(1j * one.phase)
+            by_device = _torques(system, at, excited, amplitudes, one)
+        amplitudes[split.undetermined] = np.nan
+        links = dict(zip(system.names[: system.own], amplitudes, strict=False))
+        found.append(OrderResponse(one.order, links, own_torques(case, by_device, nothing)))
+    return GearResponse(gear.name, speeds, found, _resonances(natural.omegas, harmonics, speeds))
+
+
+def _are_undamped(system: TorsionalSystem, natural: NaturalModes) -> Booleans:
+    """Of each mode, whether nothing takes energy from it."""
+    resisted = np.zeros(natural.omegas.shape)
+    stored = np.zeros(natural.omegas.shape)
+    for device in system.elastic:
+        energy = form_values(device.twist, natural.shapes) ** 2
+        stored += (device.stiffness or 0.0) * energy
+        resisted += (device.stiffness or 0.0) * energy * bool(device.damping)
+    return resisted <= NO_POWER * stored
+
+
+def _resonances(omegas: Floats, harmonics: Sequence[Harmonic], speeds: Floats) -> list[Resonance]:
+    """Where natural frequencies are met within the range of speeds."""
+    low, high = speeds.min(initial=math.inf), speeds.max(initial=-math.inf)
+    met = [
+        Resonance(one.order, mode, float(omega / one.order / RAD_PER_RPM))
+        for one in harmonics
+        for mode, omega in enumerate(omegas, 1)
+    ]
+    return [one for one in met if low * (1 - NO_POWER) <= one.speed <= high * (1 + NO_POWER)]
+
+
+def _amplitudes(
+    system: TorsionalSystem, split: Coordinates, at: int, excited: Floats, undamped: Floats
+) -> Complex:
+    """Of all links under 1 N*m, of shape (links, speeds) [rad].
+
+    There is none where an undamped mode is hit, or all turn as one at a speed of 0.
+    """
+    hit = np.any(np.abs(excited[:, None] - undamped) <= NO_POWER * undamped, axis=1)
+    hit |= (excited == 0) & (split.rigid.shape[1] > 0)
+    asked = np.flatnonzero(~hit)
+    matrices = _matrices(system, split.free)
+    found = np.full((len(system.names), len(excited)), np.nan, complex)
+    pieces = math.ceil(len(asked) * split.free.shape[1] ** 2 / ENTRIES)
+    for part in np.array_split(asked, max(1, pieces)):
+        found[:, part] = split.free @ _solved(matrices, split.free[at], excited[part]).T
+    return found
+
+
+def _solved(
+    matrices: tuple[Floats, Floats, Floats, Floats], forces: Floats, omegas: Floats
+) -> Complex:
+    """Amplitudes of free motions, of shape (speeds, motions)."""
+    mass, stiffness, resistance, hysteresis = matrices
+    omega = omegas[:, None, None]
+    dynamic = stiffness + 1j * (omega * resistance + np.sign(omega) * hysteresis) - omega**2 * mass
+    sizes = np.diag(stiffness) + omegas[:, None] ** 2 * np.diag(mass)
+    scale = 1 / np.sqrt(np.where(sizes, sizes, 1.0))
+    scaled = dynamic * scale[:, :, None] * scale[:, None, :]
+    forced = (forces * scale)[:, :, None].astype(complex)
+    try:
+        solved: Complex = np.linalg.solve(scaled, forced)
+    except np.linalg.LinAlgError:  # one of them is singular
+        if len(omegas) == 1:
+            return np.full(scale.shape, np.nan, complex)
+        each = [_solved(matrices, forces, omegas[[n]]) for n in range(len(omegas))]
+        return np.concatenate(each)
+    return solved[:, :, 0] * scale
+
+
+def _matrices(system: TorsionalSystem, free: Floats) -> tuple[Floats, Floats, Floats, Floats]:
+    """M, K, D and the part of K that is lost by loss factors, by free motions."""
+    bodies = rows([body.form for body in system.bodies], system) @ free
+    inertia = np.array([body.inertia for body in system.bodies])
+    twists = rows([device.twist for device in system.elastic], system) @ free
+    rates = np.array([device.stiffness or 0.0 for device in system.elastic])
+    dampings = [damping(device.damping) for device in system.elastic]
+    viscous = np.array([one.viscous for one in dampings])
+    lost = rates * np.array([one.loss_factor for one in dampings])
+    return (
+        bodies.T @ (inertia[:, None] * bodies),
+        twists.T @ (rates[:, None] * twists),
+        twists.T @ (viscous[:, None] * twists),
+        twists.T @ (lost[:, None] * twists),
+    )
+
+
+def _torques(
+    system: TorsionalSystem, at: int, excited: Floats, amplitudes: Complex, given: Harmonic
+) -> dict[str, Complex]:
+    """On the first links of devices, of shape (speeds,) each [N*m]."""
+    acting = np.asarray(system.link_inertias)[:, None] * amplitudes * excited**2
+    acting[at] += given.amplitude * np.exp(1j * given.phase)
+    elastic: dict[str, Complex] = {}
+    for device in system.elastic:
+        own = damping(device.damping)
+        rate = device.stiffness or 0.0
+        resisted = excited * own.viscous + np.sign(excited) * rate * own.loss_factor
+        elastic[device.name] = (rate + 1j * resisted) * form_values(device.twist, amplitudes)
+    return with_rigid(system, balance(system), acting, elastic)

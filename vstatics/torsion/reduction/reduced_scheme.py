@@ -1,0 +1,196 @@
+"""The scheme of a gear on its input shaft: masses and springs, no rigid devices left."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from scipy import linalg
+
+from vstatics.model.parts import damping
+from vstatics.model.transmission import Gear, Transmission
+from vstatics.numerics.arrays import Floats
+from vstatics.numerics.motions import free_motions
+from vstatics.numerics.tolerances import TIE
+from vstatics.torsion.reduction.reduced_values import Scales, joined_links, scales
+from vstatics.torsion.reduction.scheme import SchemeSpring, TorsionScheme
+from vstatics.torsion.system.bodies import Body
+from vstatics.torsion.system.coordinates import form_values
+from vstatics.torsion.system.gear_system import TorsionalDevice, TorsionalSystem
+from vstatics.torsion.system.state import vibrating
+
+STIFFER = 1e9
+"""A rigid set by the stiffest device of the gear."""
+
+
+def gear_scheme(case: Transmission, gear: Gear) -> TorsionScheme | str:
+    """The scheme of a gear reduced to its input, or why it has none.
+
+    Rigidly joined links are one mass, under the name of the first. A rigid set whose links all
+    have inertia and can move is taken as a spring that is stiffer than all others by far: its
+    partial frequency is the highest, so that simplification takes it out first. What does not
+    turn with the input is left out, and so is a reaction where the ratio is 1.
+
+    Examples
+    --------
+    >>> from vstatics import Mechanism, Spring, Transmission
+    >>> case = Transmission(
+    ...     3, [], [Mechanism(1, 2, 0, 2.0)], [], inertias={1: 0.1, 3: 8.0},
+    ...     springs=[Spring({2: 1, 3: -1}, compliance=0.01, name="shaft")],
+    ... )
+    >>> scheme = gear_scheme(case, case.gears[0])
+    >>> scheme.names, scheme.inertias, scheme.springs[0].twist, scheme.springs[0].compliance
+    (('1', '3'), (0.1, 2.0), {0: 1.0, 1: -1.0}, 0.04)
+    """
+    system = vibrating(case, gear)
+    if isinstance(system, str):
+        return system
+    ends = case.gear_input(gear) - 1, case.gear_output(gear) - 1
+    scheme = _scheme(system, ends)
+    if isinstance(scheme, list):
+        scheme = _scheme(_with_stiff_sets(system), ends)
+    if isinstance(scheme, list) or (
+        isinstance(scheme, TorsionScheme) and min(scheme.inertias, default=0.0) < 0
+    ):
+        return (
+            "rigid devices make bodies follow several links that can move apart, so they are no "
+            "masses by themselves; leave out their inertia, or give a device a stiffness"
+        )
+    return scheme
+
+
+def _with_stiff_sets(system: TorsionalSystem) -> TorsionalSystem:
+    """The system with springs in place of rigid devices of three links that can move apart.
+
+    Planets are shared by the links of their set, as these have speeds of their own then.
+    """
+    group = {link: one[0] for one in joined_links(system) for link in one}
+    free = free_motions([device.twist for device in system.rigid], len(system.names))
+    stiffness = STIFFER * max((one.stiffness or 0.0 for one in system.elastic), default=1.0)
+
+    def is_set(device: TorsionalDevice) -> bool:
+        return len({group.get(link, link) for link in device.twist if free[link].any()}) > 2
+
+    return system._replace(
+        bodies=tuple(
+            Body(name, {link: 1.0}, inertia)
+            for link, (name, inertia) in enumerate(
+                zip(system.names, system.link_inertias, strict=True)
+            )
+        ),
+        devices=tuple(
+            one._replace(stiffness=stiffness) if one.stiffness is None and is_set(one) else one
+            for one in system.devices
+        ),
+    )
+
+
+def _scheme(system: TorsionalSystem, ends: tuple[int, int]) -> TorsionScheme | str | list[str]:
+    """The scheme, why there is none, or the bodies that rigid devices make follow several."""
+    found = scales(system, ends[0], ends)
+    if isinstance(found, str):
+        return found
+    free = free_motions([device.twist for device in system.rigid], len(system.names))
+    groups = [group for group in joined_links(system) if found.scales[group[0]]]
+    masses = _independent(system, groups, free)
+    following = _others_with_inertia(system, groups, masses)
+    if following:
+        return following
+    firsts = [group[0] for group in masses]
+    own = np.array([found.scales[link] or np.nan for link in firsts])
+    springs = [
+        spring
+        for device in system.elastic
+        if (spring := _spring(device, free, firsts, own, found)) is not None
+    ]
+    return TorsionScheme(
+        tuple(system.names[link] for link in firsts),
+        tuple(_inertia(system, group, found) for group in masses),
+        tuple(springs),
+    )
+
+
+def _independent(
+    system: TorsionalSystem, groups: Sequence[Sequence[int]], free: Floats
+) -> list[Sequence[int]]:
+    """Groups of links by whose angles all others are known: those with inertia before others."""
+    heavy = [group for group in groups if _has_inertia(system, group)]
+    light = [group for group in groups if not _has_inertia(system, group)]
+    chosen: list[Sequence[int]] = []
+    basis = np.zeros((0, free.shape[1]))
+    for group in (*heavy, *light):
+        if len(chosen) == free.shape[1]:
+            break
+        row = free[group[0]]
+        with_it = np.vstack([basis, row / np.linalg.norm(row)])
+        if np.linalg.svd(with_it, compute_uv=False)[-1] > TIE:
+            basis = with_it
+            chosen.append(group)
+    return [group for group in groups if group in chosen]
+
+
+def _has_inertia(system: TorsionalSystem, group: Sequence[int]) -> bool:
+    return any(body.inertia > 0 and set(body.form) <= set(group) for body in system.bodies)
+
+
+def _others_with_inertia(
+    system: TorsionalSystem, groups: Sequence[Sequence[int]], masses: Sequence[Sequence[int]]
+) -> list[str]:
+    """Bodies that are of no mass, though the scheme has what they consist of."""
+    turning = {link for group in groups for link in group}
+    of_masses = [set(group) for group in masses]
+    return list(
+        dict.fromkeys(
+            body.name
+            for body in system.bodies
+            if body.inertia > 0
+            and turning.intersection(body.form)
+            and not any(_is_of(body.form, group, turning) for group in of_masses)
+        )
+    )
+
+
+def _is_of(form: object, group: set[int], turning: set[int]) -> bool:
+    assert isinstance(form, dict)  # noqa: S101 - for mypy
+    return turning.intersection(form) <= group
+
+
+def _inertia(system: TorsionalSystem, group: Sequence[int], found: Scales) -> float:
+    """Of all bodies of a group, on the reference shaft [kg*m^2]."""
+    total = 0.0
+    for body in system.bodies:
+        if body.inertia > 0 and any(link in group for link in body.form):
+            speed = sum(
+                part / scale for link, part in body.form.items() if (scale := found.scales[link])
+            )
+            total += body.inertia * speed**2
+    return total
+
+
+def _spring(
+    device: TorsionalDevice, free: Floats, firsts: Sequence[int], own: Floats, found: Scales
+) -> SchemeSpring | None:
+    """An elastic device by the angles of masses on the reference shaft; none if it twists none."""
+    twist = form_values(device.twist, free)
+    by_mass, *_ = linalg.lstsq(free[firsts].T, twist)
+    by_mass = by_mass / own
+    largest = np.abs(by_mass).max(initial=0.0)
+    terms = {n: float(a) for n, a in enumerate(by_mass) if abs(a) > TIE * largest}
+    if not terms or any(found.scales[link] is None for link in device.twist):
+        return None
+    first = next(iter(terms.values()))
+    lead = found.scales[next(iter(device.twist))]
+    factor = next(iter(device.twist.values())) / lead if lead else first
+    scaled = {n: _whole(a / factor) for n, a in terms.items()}
+    stiffness = device.stiffness or 0.0
+    return SchemeSpring(
+        device.name,
+        scaled,
+        1 / (stiffness * factor**2),
+        damping(device.damping).viscous * factor**2,
+    )
+
+
+def _whole(coefficient: float) -> float:
+    """A coefficient that is 1 or -1 but for rounding, as that of a shaft."""
+    return float(round(coefficient)) if abs(coefficient - round(coefficient)) < TIE else coefficient

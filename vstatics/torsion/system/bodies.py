@@ -1,0 +1,82 @@
+"""What is heavy in a torsional system: bodies, and what stands for the planets of drawn sets.
+
+Source: Tarasik, Puzanova, Kurstak, 2018, as checked: with a planet's speed ``w_q = w_h + alpha
+(w_a - w_h)`` and ``w_a - w_h = K (w_b - w_h)`` its energy goes exactly to three links.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import NamedTuple
+
+from vstatics.elements.drawing import drawing_of
+from vstatics.elements.kinds import Planetary
+from vstatics.elements.planet_inertia import PlanetInertia, planet_inertias
+from vstatics.model.parts import HOUSING, Mechanism
+from vstatics.model.transmission import Transmission
+from vstatics.numerics.motions import Form
+
+
+class Body(NamedTuple):
+    """What is heavy: a link, or the planets of a set."""
+
+    name: str
+    form: Form
+    """Its speed by those of links (indices from 0). [-]"""
+    inertia: float
+    """[kg*m^2]"""
+
+
+Shares = Mapping[int, float]
+"""Index of a link -> its share of an inertia, which may be below 0. [kg*m^2]"""
+
+
+def planet_bodies(case: Transmission) -> Iterator[tuple[Body, Shares]]:
+    """The planets that have a mass or an inertia: their spin, then their orbit with the carrier.
+
+    Each with the inertias that stand for it on the links: these are what the equation of a
+    mechanism with constant links has, so torques of mechanisms follow from them.
+    """
+    drawing = drawing_of(case)
+    for motion in planet_inertias(drawing) if drawing else ():
+        if len(motion.speed) == 1 and 1.0 in motion.speed.values():  # with its carrier
+            shares: Mapping[int, float] = motion.speed
+        elif motion.name in case.link_names:  # the planet is a link itself
+            link = case.link_names.index(motion.name) + 1
+            motion = motion._replace(speed={link: 1.0})  # noqa: PLW2901
+            shares = motion.speed
+        else:
+            shares = _shares(case, motion)
+        form = {link - 1: part for link, part in motion.speed.items()}
+        by_link = {link - 1: motion.inertia * part for link, part in shares.items() if link}
+        yield Body(motion.name, form, motion.inertia), by_link
+
+
+def _shares(case: Transmission, motion: PlanetInertia) -> dict[int, float]:
+    """The shares of the first, second and third link of a set in the inertia of a planet."""
+    drawing = drawing_of(case)
+    assert drawing is not None  # noqa: S101 - it has planets
+    name = motion.name.rpartition(".")[0]
+    element = next(one for one in drawing.elements if one.name == name)
+    index = next(one.mechanisms[0] for one in case.own_devices if one.name == name)
+    mechanism = case.mechanisms[index]
+    carried = 1.0 if isinstance(element.shape, Planetary) else 0.0
+    alpha = _by_first(mechanism, motion.speed, carried)
+    ratio = mechanism.ratio
+    of_second = ratio**2 * alpha * (carried - alpha) / (ratio - 1)
+    of_first = carried * alpha - of_second / ratio
+    shares = dict.fromkeys(mechanism.links, 0.0)
+    for link, share in zip(
+        mechanism.links, (of_first, of_second, carried**2 - of_first - of_second), strict=True
+    ):
+        shares[link] += share
+    return shares
+
+
+def _by_first(mechanism: Mechanism, speed: Mapping[int, float], carried: float) -> float:
+    """``alpha``: the planet's speed by that of the first link, both against the third."""
+    if mechanism.first in speed and mechanism.first != HOUSING:
+        return speed[mechanism.first]
+    if mechanism.second in speed and mechanism.second != HOUSING:
+        return speed[mechanism.second] / mechanism.ratio
+    return carried - speed.get(mechanism.third, 0.0)

@@ -1,0 +1,45 @@
+"""The gears of a case that can vibrate, and why others can't."""
+
+from __future__ import annotations
+
+from vstatics.errors import spoken
+from vstatics.model.transmission import Gear, Transmission
+from vstatics.numerics.elimination import RIGHT, dependencies
+from vstatics.statics.freewheels import find_state
+from vstatics.statics.status import CONFLICT, TIED_UP
+from vstatics.torsion.system.gear_system import TorsionalSystem, torsional_system
+
+
+def vibrating(case: Transmission, gear: Gear) -> TorsionalSystem | str:
+    """The torsional system of a gear, or why it has none.
+
+    Freewheels hold where they do at mean speeds. Springs and elastic devices can't tie a gear
+    up.
+
+    Examples
+    --------
+    >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission
+    >>> brake, pair = ShiftElement(2, name="B"), Mechanism(1, 2, 0, -2.0, name="pair")
+    >>> case = Transmission(2, [brake], [pair], [Gear([1])])
+    >>> vibrating(case, case.gears[0]).partition(";")[0]
+    'tied up: B and pair let the input not turn'
+    """
+    if case.freewheels:
+        ratios = [mechanism.ratio for mechanism in case.mechanisms]
+        efficiencies = [mechanism.efficiency for mechanism in case.mechanisms]
+        state = find_state(case, gear, ratios, efficiencies)
+        if state.conflict:
+            return f"{CONFLICT.english}: {CONFLICT.meaning}"
+        gear = state.gear
+    system = torsional_system(case, gear)
+    rigid = system.rigid
+    turning = {case.gear_input(gear) - 1: 1.0, RIGHT: 1.0}
+    for involved, agrees in dependencies([*(device.twist for device in rigid), turning]):
+        if not agrees:
+            names = [rigid[index].name for index in involved if index < len(rigid)]
+            let = "lets" if len(names) == 1 else "let"
+            return (
+                f"{TIED_UP.english}: {spoken(names)} {let} the input not turn; release one of the "
+                "engaged elements, or give a device a stiffness"
+            )
+    return system

@@ -1,0 +1,319 @@
+"""The modes of a gear by names of links and devices, with shares of energy and their nodes."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from vstatics.errors import CaseError, Problem, plural, spoken
+from vstatics.model.transmission import Gear, Transmission
+from vstatics.numerics.arrays import Booleans, Floats
+from vstatics.numerics.elimination import dependencies
+from vstatics.numerics.motions import Form
+from vstatics.numerics.tolerances import NO_POWER, TIE
+from vstatics.torsion.system.coordinates import Coordinates, coordinates, form_values
+from vstatics.torsion.system.gear_system import TorsionalSystem, torsional_system
+from vstatics.torsion.system.state import vibrating
+from vstatics.torsion.vibration.damped import DampedModes, damped_modes
+from vstatics.torsion.vibration.natural import NaturalModes, lowest_modes, natural_modes
+from vstatics.torsion.vibration.torques import Balance, balance, own_torques, torques
+
+Named = Mapping[str, float]
+"""By the name of a link or a device; NaN where there is no value."""
+SOME_LINKS, SOME_MODES = 50, 20
+"""Of a case with more links so many modes are told, if nobody says how many."""
+
+
+class Mode(NamedTuple):
+    """A natural mode that is not rigid.
+
+    Attributes
+    ----------
+    omega : float
+        Without damping. [rad/s]
+    damping_ratio : float
+        [-]
+    damped_frequency : float
+        [Hz]
+    shape : mapping
+        Amplitudes of the case's own links, the largest is +1. [rad]
+    torques : mapping
+        Of devices, at that amplitude, signs as in the results of a gear. [N*m]
+    kinetic, elastic : mapping
+        Shares of the bodies and of the elastic devices in the energy. [-]
+    nodes : int
+        Places that stand still: within elastic devices, and links between them.
+    """
+
+    omega: float
+    damping_ratio: float
+    damped_frequency: float
+    shape: Named
+    torques: Named
+    kinetic: Named
+    elastic: Named
+    nodes: int
+
+    @property
+    def frequency(self) -> float:
+        """Without damping [Hz]."""
+        return self.omega / (2 * math.pi)
+
+    @property
+    def by_stiffness(self) -> dict[str, float]:
+        """Relative change of the frequency per relative change of each stiffness [-]."""
+        return {name: share / 2 for name, share in self.elastic.items()}
+
+    @property
+    def by_inertia(self) -> dict[str, float]:
+        """Relative change of the frequency per relative change of each inertia [-]."""
+        return {name: -share / 2 for name, share in self.kinetic.items()}
+
+
+class GearModes(NamedTuple):
+    """The modes of a gear.
+
+    Attributes
+    ----------
+    name : str
+        Of the gear.
+    rigid_modes : int
+        Motions that twist nothing.
+    modes : sequence of Mode
+        By ascending frequency.
+    damped : sequence of complex
+        All eigenvalues with an imaginary part of 0 or more, without those of rigid modes; none
+        where nothing is damped. [1/s]
+    warnings : sequence of str
+    error : str
+        Why the gear has no modes.
+    """
+
+    name: str
+    rigid_modes: int = 0
+    modes: Sequence[Mode] = ()
+    damped: Sequence[complex] = ()
+    warnings: Sequence[str] = ()
+    error: str = ""
+
+
+def modes(
+    case: Transmission,
+    gears: Sequence[int | str] | None = None,
+    *,
+    count: int | None = None,
+    coast: bool | None = None,
+) -> list[GearModes]:
+    """The natural modes of the gears of a case.
+
+    Given speeds hold mean speeds, no vibrations; losses and drag are left out.
+
+    Parameters
+    ----------
+    case : Transmission
+        With `inertias` and what is elastic.
+    gears : sequence of int or str, optional
+        Numbers from 1 or names; all gears when not given.
+    count : int, optional
+        The first so many modes that are not rigid; all when not given, of a case with more than
+        50 links the first 20.
+    coast : bool, optional
+        Whether power enters at the output, on which freewheels depend; else as the case says.
+
+    Raises
+    ------
+    ValueError
+        If there is no such gear.
+    CaseError
+        If nothing has an inertia.
+
+    Examples
+    --------
+    An engine of 0.1 kg*m^2 on a shaft of 9000 N*m/rad, a gear pair of ratio -3 behind it:
+
+    >>> from vstatics import Mechanism, Spring, Transmission
+    >>> case = Transmission(
+    ...     3, [], [Mechanism(2, 3, 0, -3.0)], [], inertias={1: 0.1, 3: 0.9},
+    ...     springs=[Spring({1: 1, 2: -1}, stiffness=9000, name="shaft")],
+    ... )
+    >>> [gear] = modes(case)
+    >>> gear.rigid_modes, len(gear.modes), round(gear.modes[0].omega, 6)
+    (1, 1, 424.264069)
+    >>> {name: round(x, 9) for name, x in gear.modes[0].shape.items()}
+    {'1': 1.0, '2': -1.0, '3': 0.333333333}
+    """
+    numbers = [case.gear_number(one) for one in gears or range(1, len(case.gears) + 1)]
+    if not any(body.inertia for body in torsional_system(case, case.gears[0]).bodies):
+        message = "nothing has an inertia, so nothing vibrates; expected `inertias` of links"
+        raise CaseError([Problem(message, ("inertias",))])
+    if coast is not None and coast != case.coast:
+        case = replace(case, coast=coast)
+    if count is None and case.own_links > SOME_LINKS:
+        count = SOME_MODES
+    return [_gear_modes(case, case.gears[number - 1], count) for number in numbers]
+
+
+def _gear_modes(case: Transmission, gear: Gear, count: int | None) -> GearModes:
+    system = vibrating(case, gear)
+    if isinstance(system, str):
+        return GearModes(gear.name, error=system)
+    split, held = coordinates(system), balance(system)
+    natural = _natural(system, split, count)
+    damped = None
+    if any(device.damping for device in system.elastic):
+        damped = damped_modes(system, split, natural)
+    warnings = list(_warnings(system, split, held))
+    if damped and len(natural.omegas) < split.modes:
+        part = f"the first {len(natural.omegas)} of {split.modes} modes"
+        warnings.append(f"the damped vibration is calculated from {part} alone")
+    told = NaturalModes(natural.omegas[:count], natural.shapes[:, :count])
+    return GearModes(
+        gear.name,
+        split.rigid.shape[1],
+        list(_named(case, system, split, held, told, damped)),
+        [] if damped is None else [complex(one) for one in damped.eigenvalues],
+        warnings,
+    )
+
+
+def _natural(system: TorsionalSystem, split: Coordinates, count: int | None) -> NaturalModes:
+    if count is not None and split.has_many_more(count):
+        return lowest_modes(system, split, count)
+    return natural_modes(system, split)
+
+
+def _named(  # noqa: PLR0913, PLR0917
+    case: Transmission,
+    system: TorsionalSystem,
+    split: Coordinates,
+    held: Balance,
+    natural: NaturalModes,
+    damped: DampedModes | None,
+) -> Iterator[Mode]:
+    """The modes by names, each with its largest amplitude 1."""
+    shapes = natural.shapes / _largest(natural.shapes[: system.own])
+    by_device = own_torques(
+        case, torques(system, held, shapes, natural.omegas), np.zeros_like(natural.omegas)
+    )
+    kinetic = _shares(
+        [body.name for body in system.bodies],
+        [body.inertia for body in system.bodies],
+        [form_values(body.form, shapes) for body in system.bodies],
+    )
+    elastic = _shares(
+        [device.name for device in system.elastic],
+        [device.stiffness or 0.0 for device in system.elastic],
+        [form_values(device.twist, shapes) for device in system.elastic],
+    )
+    nodes = count_nodes(system, split, shapes)
+    shapes[split.undetermined] = math.nan
+    links = system.names[: system.own]
+    for index, omega in enumerate(natural.omegas.tolist()):
+        s = complex(0, omega) if damped is None else complex(damped.of_modes[index])
+        yield Mode(
+            omega=omega,
+            damping_ratio=-s.real / abs(s) + 0.0 if s else 1.0,
+            damped_frequency=s.imag / (2 * math.pi),
+            shape=_of_mode(dict(zip(links, shapes, strict=False)), index),
+            torques=_of_mode(by_device, index),
+            kinetic=_of_mode(kinetic, index),
+            elastic=_of_mode(elastic, index),
+            nodes=int(nodes[index]),
+        )
+
+
+def _largest(amplitudes: Floats) -> Floats:
+    """In each mode the largest amplitude, with its sign; at a tie the first."""
+    sizes = np.abs(amplitudes)
+    first = np.argmax(sizes >= sizes.max(axis=0) * (1 - TIE), axis=0)
+    largest = amplitudes[first, np.arange(amplitudes.shape[1])]
+    return np.where(largest, largest, 1.0)
+
+
+def _shares(
+    names: Sequence[str], sizes: Sequence[float], values: Sequence[Floats]
+) -> dict[str, Floats]:
+    """Parts of the energy by name; a name may stand for several parts."""
+    energies = [size * value**2 for size, value in zip(sizes, values, strict=True)]
+    total = np.sum(energies, axis=0)
+    shares: dict[str, Floats] = {}
+    for name, energy in zip(names, energies, strict=True):
+        shares[name] = shares.get(name, 0.0) + energy / np.where(total, total, 1.0)
+    return shares
+
+
+def _of_mode(by_name: Mapping[str, Floats], mode: int) -> dict[str, float]:
+    return {name: float(values[mode]) + 0.0 for name, values in by_name.items()}
+
+
+def _warnings(system: TorsionalSystem, split: Coordinates, held: Balance) -> Iterator[str]:
+    if not system.elastic:
+        yield "nothing is elastic; expected `springs`, or a `stiffness` of a device that takes part"
+    names = [name for name, loose in zip(system.names, split.undetermined, strict=True) if loose]
+    if names:
+        verb = "has" if len(names) == 1 else "have"
+        yield (
+            f"{spoken(names)} {verb} neither an inertia nor a device that resists: left out; give "
+            "an inertia, or join the link"
+        )
+    rigid = [device.name for device in system.rigid]
+    unknown = [name for name, known in zip(rigid, held.determined, strict=True) if not known]
+    if unknown:
+        sets = [involved for involved, _ in dependencies([one.twist for one in system.rigid])]
+        what = "; ".join(spoken([rigid[index] for index in involved]) for involved in sets)
+        devices = f"{len(sets)} {plural('device', len(sets))} {'is' if len(sets) == 1 else 'are'}"
+        yield (
+            f"{what}: {devices} in excess; the speeds agree, the torque of {spoken(unknown)} is "
+            "not determined"
+        )
+
+
+def count_nodes(system: TorsionalSystem, split: Coordinates, shapes: Floats) -> NDArray[np.intp]:
+    """How many places stand still in each mode.
+
+    An elastic device has a node in it where all terms of its twist pull the same way: of a
+    shaft, where its ends turn against each other. Of a device that a link with the reaction
+    takes part in, such as a casing, the links count that turn when nothing vibrates. Links that
+    stand, though they could move, are one node together with those that devices join to them,
+    if there are links on two sides of them that move.
+
+    Parameters
+    ----------
+    shapes : ndarray, shape (links, modes)
+        The largest amplitude of each is about 1.
+    """
+    nodes = np.zeros(shapes.shape[1], np.intp)
+    stands = np.abs(shapes) <= NO_POWER
+    moving = np.where(stands, 0.0, shapes)
+    turning = np.any(split.rigid != 0, axis=1)
+    for device in system.elastic:
+        own = [link for link in device.twist if turning[link]]
+        links = own if len(own) > 1 else device.twist
+        terms = np.array([device.twist[link] * moving[link] for link in links])
+        same = np.all(terms >= 0, axis=0) | np.all(terms <= 0, axis=0)
+        nodes += same & (np.count_nonzero(terms, axis=0) > 1)
+    movable = np.any(split.free != 0, axis=1)
+    twists = [device.twist for device in system.devices]
+    for mode in np.flatnonzero(stands[movable].any(axis=0)):
+        nodes[mode] += _standing_groups(twists, stands[:, mode] & movable, ~stands[:, mode])
+    return nodes
+
+
+def _standing_groups(twists: list[Form], stands: Booleans, moves: Booleans) -> int:
+    """How many groups of links stand, each joined by devices, between links that move."""
+    group = list(range(len(stands)))
+    for twist in twists:
+        joined = {group[link] for link in twist if stands[link]}
+        if len(joined) > 1:
+            group = [min(joined) if one in joined else one for one in group]
+    sides: dict[int, int] = {}
+    for twist in twists:
+        held = {group[link] for link in twist if stands[link]}
+        for one in held if any(moves[link] for link in twist) else ():
+            sides[one] = sides.get(one, 0) + 1
+    return sum(count > 1 for count in sides.values())

@@ -1,0 +1,163 @@
+"""Modes, and what follows from one that was measured, as tables."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Mapping, Sequence
+
+from vstatics.tables.grid import Cell, Column, Grid, Row, exact, text, whole
+from vstatics.tables.numbers import fixed
+from vstatics.torsion.vibration.gear_modes import GearModes, Mode
+from vstatics.torsion.vibration.measured import Damped, Identified
+
+LEAST_SHOWN_PART = 0.0005
+"""Parts of 1 that are below are not told apart from 0, but with all digits in JSON and CSV."""
+
+
+def modes_grids(gears: Sequence[GearModes]) -> Iterator[Grid]:
+    """Frequencies of all gears, then shapes, torques and shares of energy of each.
+
+    Examples
+    --------
+    >>> from vstatics import Spring, Transmission
+    >>> from vstatics.torsion.vibration.gear_modes import modes
+    >>> shaft = Spring({1: 1, 2: -1}, stiffness=100.0, name="shaft")
+    >>> case = Transmission(2, [], [], [], springs=[shaft], inertias={1: 2.0, 2: 2.0})
+    >>> tables = list(modes_grids(modes(case)))
+    >>> [table.title for table in tables[:3]]
+    ['Rigid modes', 'Natural frequencies', 'Where most of the energy is']
+    >>> tables[1].texts
+    [['1', '1', '10.000', '1.592', '.000', '1.592', '1']]
+    >>> [table.title for table in tables[3:]]
+    ['Gear 1: amplitudes of links', ..., 'Gear 1: shares of elastic energy']
+    """
+    yield _rigid(gears)
+    if any(gear.modes for gear in gears):
+        yield _frequencies(gears)
+        yield _most(gears)
+    yield from _damped(gears)
+    for gear in gears:
+        if gear.modes:
+            yield _by_mode(gear, "link", "amplitudes of links", lambda mode: mode.shape, _part)
+            torques = "torques of devices at these amplitudes [N*m/rad]"
+            yield _by_mode(gear, "torque of", torques, lambda mode: mode.torques)
+            yield _by_mode(gear, "link", "shares of kinetic energy", lambda m: m.kinetic, _part)
+            yield _by_mode(gear, "device", "shares of elastic energy", lambda m: m.elastic, _part)
+
+
+def _damped(gears: Sequence[GearModes]) -> Iterator[Grid]:
+    """The eigenvalues of damped gears."""
+    rows: list[Row] = [
+        [gear.name, exact(one.real), exact(one.imag)] for gear in gears for one in gear.damped
+    ]
+    if rows:
+        columns = [text("gear"), Column("real [1/s]"), Column("imaginary [rad/s]")]
+        yield Grid("Eigenvalues of damped vibration", columns, rows, key="damped")
+
+
+def _rigid(gears: Sequence[GearModes]) -> Grid:
+    """How many modes are rigid, or why there is none."""
+    rows: list[Row] = [
+        [gear.name, whole(math.nan if gear.error else gear.rigid_modes)] for gear in gears
+    ]
+    columns = [text("gear"), Column("rigid modes")]
+    if any(gear.error for gear in gears):
+        rows = [[*row, gear.error] for row, gear in zip(rows, gears, strict=True)]
+        columns.append(text("note"))
+    return Grid("Rigid modes", columns, rows, key="rigid")
+
+
+_HEADINGS = ("mode", "omega [rad/s]", "frequency [Hz]", "damping [-]", "damped [Hz]", "nodes")
+
+
+def _frequencies(gears: Sequence[GearModes]) -> Grid:
+    rows: list[Row] = []
+    for gear in gears:
+        for number, mode in enumerate(gear.modes, 1):
+            numbers = mode.omega, mode.frequency, mode.damping_ratio, mode.damped_frequency
+            rows.append([gear.name, whole(number), *map(exact, numbers), whole(mode.nodes)])
+    columns = [text("gear"), *map(Column, _HEADINGS)]
+    return Grid("Natural frequencies", columns, rows, key="frequencies")
+
+
+def _most(gears: Sequence[GearModes]) -> Grid:
+    """The device and the link with the largest shares in each mode."""
+    rows: list[Row] = [
+        [gear.name, whole(number), *_largest(mode.elastic), *_largest(mode.kinetic)]
+        for gear in gears
+        for number, mode in enumerate(gear.modes, 1)
+    ]
+    columns = [text("gear"), Column("mode")]
+    columns += [text("device"), Column("share"), text("link"), Column("share")]
+    return Grid("Where most of the energy is", columns, rows, key="energy")
+
+
+def _largest(shares: Mapping[str, float]) -> Row:
+    name = max(shares, key=lambda one: shares[one], default="")
+    return [name, exact(shares.get(name))]
+
+
+def _by_mode(
+    gear: GearModes,
+    heading: str,
+    what: str,
+    values: Callable[[Mode], Mapping[str, float]],
+    cell: Callable[[float], Cell] = exact,
+) -> Grid:
+    """A row for each link or device, a column for each mode."""
+    by_mode = [values(mode) for mode in gear.modes]
+    headings = [f"{number}: {mode.omega:.4g}" for number, mode in enumerate(gear.modes, 1)]
+    rows: list[Row] = [[name, *(cell(one[name]) for one in by_mode)] for name in by_mode[0]]
+    columns = [text(heading), *map(Column, headings)]
+    return Grid(f"Gear {gear.name}: {what}", columns, rows, group=what.partition(" at ")[0])
+
+
+def _part(value: float) -> Cell:
+    """A part of 1: what is small beside it is .000."""
+    cell = exact(value)
+    return cell._replace(text=fixed(value)) if abs(value) < LEAST_SHOWN_PART else cell
+
+
+_DAMPING = "damping [N*m*s/rad]"
+
+
+def identified_grids(omega: float, made: Identified) -> Iterator[Grid]:
+    """Compliances, and dampings if there are any, for a measured frequency [rad/s].
+
+    Examples
+    --------
+    >>> [grid] = identified_grids(20.0, Identified(22.0, {"shaft": 0.0121}, {"shaft": 3.5}))
+    >>> grid.title, grid.texts
+    ('Calculated 22 rad/s, measured 20: all compliances by 1.21', [['shaft', '.01210', '3.500']])
+    """
+    columns = [text("device"), Column("compliance [rad/(N*m)]")]
+    columns += [Column(_DAMPING)] * bool(made.dampings)
+    rows: list[Row] = [
+        [name, exact(one), *(exact(by[name]) for by in (made.dampings,) if by)]
+        for name, one in made.compliances.items()
+    ]
+    title = f"Calculated {made.omega:.5g} rad/s, measured {omega:.5g}: "
+    title += f"all compliances by {(made.omega / omega) ** 2:.5g}"
+    yield Grid(title, columns, rows, key="identified")
+
+
+def damped_grids(decrements: Mapping[str, float], made: Damped) -> Iterator[Grid]:
+    """Dampings of devices, and the decrement of the mode.
+
+    Examples
+    --------
+    >>> made = Damped(10.0, {"shaft": 0.5}, 0.03, {"shaft": 0.75})
+    >>> [grid] = damped_grids({"shaft": 0.04}, made)
+    >>> grid.title, grid.texts
+    ('Dampings at 10 rad/s', [['shaft', '.04000', '.750', '.500'], ['mode', '.03000', '', '']])
+    """
+    rows: list[Row] = [
+        [name, exact(one), exact(made.shares[name]), exact(made.dampings[name])]
+        for name, one in decrements.items()
+    ]
+    rows.append(["mode", exact(made.decrement), "", ""])
+    headings = ["decrement", "share of elastic energy", _DAMPING]
+    columns = [text("device"), *map(Column, headings)]
+    yield Grid(f"Dampings at {made.omega:.5g} rad/s", columns, rows, key="dampings")
+    if made.notes:
+        yield Grid("Messages", [text("")], [[one] for one in made.notes], key="messages")

@@ -1,0 +1,146 @@
+"""Natural frequencies and shapes without damping, accurate over any range of stiffness.
+
+With twists ``B z`` and speeds of bodies ``L z`` for coordinates z, both weighted by the roots of
+stiffness and inertia, the frequencies are the generalized singular values of the two: squares,
+in which soft springs beside stiff ones would drown, are never formed.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from scipy import linalg, sparse
+from scipy.sparse.linalg import eigsh
+
+from vstatics.numerics.arrays import Floats
+from vstatics.torsion.system.coordinates import Coordinates, rows
+from vstatics.torsion.system.gear_system import TorsionalSystem
+
+
+class NaturalModes(NamedTuple):
+    """The modes of a system that are not rigid, by ascending frequency.
+
+    Attributes
+    ----------
+    omegas : ndarray, shape (modes,)
+        Circular natural frequencies. [rad/s]
+    shapes : ndarray, shape (links, modes)
+        Amplitudes of all links, with a modal mass of 1.
+    """
+
+    omegas: Floats
+    shapes: Floats
+
+
+def natural_modes(system: TorsionalSystem, split: Coordinates) -> NaturalModes:
+    """All modes of a system; infinite ones, of what has no inertia, are left out.
+
+    Examples
+    --------
+    Two masses on a shaft: ``omega^2 = c (1/J_1 + 1/J_2)``.
+
+    >>> from vstatics import Spring, Transmission
+    >>> from vstatics.torsion.system.coordinates import coordinates
+    >>> from vstatics.torsion.system.gear_system import torsional_system
+    >>> shaft = Spring({1: 1, 2: -1}, stiffness=100.0)
+    >>> case = Transmission(2, [], [], [], springs=[shaft], inertias={1: 2.0, 2: 2.0})
+    >>> system = torsional_system(case, case.gears[0])
+    >>> natural_modes(system, coordinates(system)).omegas
+    array([10.])
+    """
+    basis = elastic_basis(system, split)
+    twists = weighted_twists(system) @ basis
+    if not twists.size:
+        return NaturalModes(np.zeros(0), basis)
+    _, omegas, vectors = linalg.svd(twists, full_matrices=True, lapack_driver="gesvd")
+    count = basis.shape[1]
+    every = np.zeros(count)
+    every[: len(omegas)] = omegas[:count]
+    shapes = basis @ vectors.T
+    return NaturalModes(every[::-1], shapes[:, ::-1])
+
+
+def elastic_basis(system: TorsionalSystem, split: Coordinates) -> Floats:
+    """Motions of modal mass 1, orthogonal in M to each other and to all rigid motions.
+
+    Massless motions follow them in balance of the elastic torques.
+
+    Returns
+    -------
+    ndarray, shape (links, modes)
+    """
+    following = split.heavy - split.massless @ _followed(system, split)
+    speeds = weighted_bodies(system)
+    if not following.shape[1] or not system.elastic:
+        return following[:, :0]
+    _, triangle = linalg.qr(speeds @ following, mode="economic")
+    inverse, _ = linalg.lapack.dtrtri(triangle)
+    apart: Floats = inverse
+    rigid, *_ = linalg.lstsq(following, split.rigid) if split.rigid.size else (None,)
+    if rigid is None:
+        return following @ apart
+    turned, _ = linalg.qr(triangle @ rigid)
+    basis: Floats = following @ (apart @ turned[:, rigid.shape[1] :])
+    return basis
+
+
+def _followed(system: TorsionalSystem, split: Coordinates) -> Floats:
+    """How massless motions follow those with inertia, by the elastic torques on them."""
+    counts = split.massless.shape[1], split.heavy.shape[1]
+    if 0 in counts:
+        return np.zeros(counts)
+    twists = weighted_twists(system)
+    order = np.argsort(-np.abs(twists).max(axis=1), kind="stable")  # stiff rows first, for QR
+    found, *_ = linalg.lstsq(
+        (twists @ split.massless)[order], (twists @ split.heavy)[order], lapack_driver="gelsy"
+    )
+    followed: Floats = found
+    return followed
+
+
+def weighted_twists(system: TorsionalSystem) -> Floats:
+    """Twists of elastic devices by angles of links, each by the root of its stiffness."""
+    elastic = system.elastic
+    roots = np.sqrt([device.stiffness or 0.0 for device in elastic])
+    return np.asarray(roots)[:, None] * rows([device.twist for device in elastic], system)
+
+
+def weighted_bodies(system: TorsionalSystem) -> Floats:
+    """Speeds of bodies by those of links, each by the root of its inertia."""
+    roots = np.sqrt([body.inertia for body in system.bodies])
+    return np.asarray(roots)[:, None] * rows([body.form for body in system.bodies], system)
+
+
+def lowest_modes(system: TorsionalSystem, split: Coordinates, count: int) -> NaturalModes:
+    """The lowest modes that are not rigid, by Lanczos iteration about a point below 0.
+
+    Examples
+    --------
+    A shaft of 400 equal masses, free at its ends: ``omega_k = 2 sin(k pi/800)``.
+
+    >>> from vstatics import Spring, Transmission
+    >>> from vstatics.torsion.system.coordinates import coordinates
+    >>> from vstatics.torsion.system.gear_system import torsional_system
+    >>> springs = [Spring({n: 1, n + 1: -1}, stiffness=1.0) for n in range(1, 400)]
+    >>> case = Transmission(400, [], [], [], springs=springs,
+    ...                     inertias=dict.fromkeys(range(1, 401), 1.0))
+    >>> system = torsional_system(case, case.gears[0])
+    >>> omegas = lowest_modes(system, coordinates(system), 2).omegas
+    >>> np.allclose(omegas, 2*np.sin(np.pi*np.array([1, 2])/800), rtol=1e-9)
+    True
+    """
+    free = sparse.csc_matrix(split.free)
+    twists = sparse.csc_matrix(weighted_twists(system)) @ free
+    speeds = sparse.csc_matrix(weighted_bodies(system)) @ free
+    stiffness, mass = (twists.T @ twists).tocsc(), (speeds.T @ speeds).tocsc()
+    # about the square of the lowest frequency: a mean of all, by the square of their number
+    mean = float(stiffness.diagonal().sum() / mass.diagonal().sum())
+    below = -1e-3 * mean / free.shape[1] ** 2
+    rigid = split.rigid.shape[1]
+    start = np.random.default_rng(1).standard_normal(free.shape[1])
+    found, all_vectors = eigsh(stiffness, rigid + count, mass, sigma=below, v0=start)
+    vectors = all_vectors[:, np.argsort(found)[rigid:]]
+    sizes = np.linalg.norm(np.asarray(speeds @ vectors), axis=0)
+    omegas = np.linalg.norm(np.asarray(twists @ vectors), axis=0) / sizes
+    return NaturalModes(omegas, np.asarray(free @ vectors) / sizes)

@@ -1,0 +1,134 @@
+"""Torques of the devices in a vibration at an amplitude of 1, by the names that results have."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from vstatics.model.transmission import Transmission
+from vstatics.numerics.arrays import Booleans, Floats
+from vstatics.numerics.elimination import dependencies
+from vstatics.numerics.tolerances import NO_POWER
+from vstatics.statics.matrix import column
+from vstatics.torsion.system.coordinates import Values, form_values, rows
+from vstatics.torsion.system.gear_system import TorsionalSystem
+
+
+class Balance(NamedTuple):
+    """How the torques of rigid devices follow from those of inertias and springs.
+
+    Attributes
+    ----------
+    columns : ndarray, shape (links, rigid devices)
+        Of the structural-distribution matrix.
+    determined : ndarray, shape (rigid devices,)
+        Whether statics tells the torque; of redundant devices it does not.
+    """
+
+    columns: Floats
+    determined: Booleans
+
+
+def balance(system: TorsionalSystem) -> Balance:
+    """The balance of the links of a system, ``A_rigid M_rigid = -J q'' - A_elastic M_elastic``.
+
+    Examples
+    --------
+    Two clutches that hold the same two links share a torque in a way that nobody knows:
+
+    >>> from vstatics import ShiftElement, Spring, Transmission
+    >>> from vstatics.torsion.system.gear_system import torsional_system
+    >>> twice = [ShiftElement(1, 2), ShiftElement(1, 2)]
+    >>> case = Transmission(2, twice, [], [], springs=[Spring({2: 1}, stiffness=1.0)])
+    >>> gear = case.gears[0]._replace(engaged=(1, 2))
+    >>> balance(torsional_system(case, gear)).determined
+    array([False, False])
+    """
+    rigid = system.rigid
+    determined = np.ones(len(rigid), np.bool_)
+    for involved, _ in dependencies([device.twist for device in rigid]):
+        determined[involved] = False
+    return Balance(rows([device.twist for device in rigid], system).T, determined)
+
+
+def torques(
+    system: TorsionalSystem, balance: Balance, shapes: Floats, omegas: Floats
+) -> dict[str, Floats]:
+    """Torques on the first links of all devices, by their names; NaN where not determined.
+
+    Parameters
+    ----------
+    shapes : ndarray, shape (links, modes)
+        [rad]
+    omegas : ndarray, shape (modes,)
+        [rad/s]
+
+    Returns
+    -------
+    dict of str to ndarray, shape (modes,)
+        [N*m]
+    """
+    acting = np.asarray(system.link_inertias)[:, None] * shapes * omegas**2
+    own = {
+        device.name: (device.stiffness or 0.0) * form_values(device.twist, shapes)
+        for device in system.elastic
+    }
+    found = with_rigid(system, balance, acting, own)
+    sizes = [np.nan_to_num(np.abs(torque)) for torque in found.values()]
+    largest = np.max(sizes, axis=0) if sizes else 0.0
+    return {
+        name: np.where(np.abs(torque) <= NO_POWER * largest, 0.0, torque)
+        for name, torque in found.items()
+    }
+
+
+def with_rigid(
+    system: TorsionalSystem, balance: Balance, acting: Values, elastic: Mapping[str, Values]
+) -> dict[str, Values]:
+    """Torques of all devices in their order, those of rigid ones from the balance of the links.
+
+    Parameters
+    ----------
+    acting : ndarray, shape (links, ...)
+        Torques of inertias and from outside, real or complex. [N*m]
+    elastic : mapping of str to ndarray
+        Torques of elastic devices. [N*m]
+    """
+    left = acting.copy()
+    for device in system.elastic:
+        for link, part in device.twist.items():
+            left[link] -= part * elastic[device.name]
+    found = dict(elastic)
+    if system.rigid:
+        solved: Any = np.linalg.pinv(balance.columns) @ left
+        solved[~balance.determined] = np.nan
+        found |= dict(zip((device.name for device in system.rigid), solved, strict=True))
+    return {device.name: found[device.name] for device in system.devices}
+
+
+def own_torques(
+    case: Transmission, by_device: Mapping[str, Values], nothing: Any
+) -> dict[str, Values]:
+    """Torques of devices by the rows of `torques` in results; an open element has 0.
+
+    Parameters
+    ----------
+    by_device : mapping
+        On the first link of each engaged element, mechanism and spring, by its name. [N*m]
+    nothing : ndarray
+        That of an open element: zeros.
+    """
+    named = {one.name: by_device.get(one.name, nothing) for one in case.shift_elements}
+    springs = {spring.name: by_device[spring.name] for spring in case.springs}
+    if case.drawing is None:
+        return named | {one.name: by_device[one.name] for one in case.mechanisms} | springs
+    for device in case.own_devices:
+        for member in device.members:
+            parts = [
+                column(case.mechanisms[index].ratio)[place] * by_device[case.mechanisms[index].name]
+                for index, place in member.places
+            ]
+            named[f"{device.name}.{member.name}"] = np.sum(parts, axis=0)
+    return named | springs

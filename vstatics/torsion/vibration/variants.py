@@ -1,0 +1,282 @@
+"""Natural frequencies of many variants of a system, other in stiffnesses and inertias.
+
+What the forms of links decide, free and rigid motions, is found once for all variants. Where one
+stiffness alone varies its secular equation is solved for all of them (`secular`), else stacks
+of small matrices (`normed`).
+
+A system without one of its elastic devices, as its secular equation has it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Literal, NamedTuple
+
+import numpy as np
+
+from vstatics.numerics.arrays import Floats, Integers
+from vstatics.numerics.motions import Form, free_motions
+from vstatics.torsion.system.coordinates import Coordinates, coordinates
+from vstatics.torsion.system.gear_system import TorsionalSystem
+from vstatics.torsion.vibration.modal_masses import (
+    NormedTwists,
+    natural_frequencies,
+    normed_twists,
+    triangular,
+)
+from vstatics.torsion.vibration.secular import Poles, squares_with_device
+
+NUMBERS = 2**17
+"""Of the matrices that are solved at once, so that they stay near the processor."""
+SOME = 20
+"""All modes of many links, which a secular equation takes, cost as much as the lowest of so many
+times fewer variants than there are links."""
+
+Varied = Mapping[int, Floats]
+"""By the place of a device, or of a body: its numbers, of shape (variants,)."""
+
+
+def variant_frequencies(
+    system: TorsionalSystem,
+    modes: Sequence[int],
+    *,
+    stiffnesses: Varied,
+    inertias: Varied,
+    variants: int,
+) -> Floats:
+    """Natural frequencies of a system with other stiffnesses and inertias.
+
+    Parameters
+    ----------
+    system : TorsionalSystem
+    modes : sequence of int
+        Which, from 0, of those that are not rigid.
+    stiffnesses : mapping of int to ndarray, shape (variants,)
+        Of elastic devices, by their places in `TorsionalSystem.elastic`; above 0. [N*m/rad]
+    inertias : mapping of int to ndarray, shape (variants,)
+        Of bodies, by their places in `TorsionalSystem.bodies`; 0 or more. [kg*m^2]
+    variants : int
+        Their number.
+
+    Returns
+    -------
+    ndarray, shape (variants, len(modes))
+        NaN where there are fewer modes. [rad/s]
+
+    Examples
+    --------
+    Two masses of 2 on a shaft, ``omega^2 = c (1/2 + 1/J)``:
+
+    >>> from vstatics import Spring, Transmission
+    >>> from vstatics.torsion.system.gear_system import torsional_system
+    >>> shaft = Spring({1: 1, 2: -1}, stiffness=100.0)
+    >>> case = Transmission(2, [], [], [], springs=[shaft], inertias={1: 2.0, 2: 2.0})
+    >>> system = torsional_system(case, case.gears[0])
+    >>> c, inertia = np.array([100.0, 200.0]), np.array([2.0, 0.5])
+    >>> variant_frequencies(system, [0, 1], stiffnesses={0: c}, inertias={1: inertia}, variants=2)
+    array([[10.        ,         nan],
+           [22.36067977,         nan]])
+    """
+    found = np.full((variants, len(modes)), np.nan)
+    for rows in _alike(inertias, variants):
+        some = {place: numbers[rows] for place, numbers in inertias.items()}
+        others = {place: numbers[rows] for place, numbers in stiffnesses.items()}
+        found[rows] = _of_one_structure(system, modes, others, some, len(rows))
+    return found
+
+
+def _alike(inertias: Varied, variants: int) -> Iterator[Integers]:
+    """Variants in which the same bodies have an inertia: their motions split alike."""
+    every = np.arange(variants)
+    if all(numbers.all() for numbers in inertias.values()):
+        yield every
+        return
+    patterns = np.column_stack([numbers > 0 for numbers in inertias.values()])
+    _, kinds = np.unique(patterns, axis=0, return_inverse=True)
+    for kind in range(int(kinds.max()) + 1):
+        yield every[kinds.reshape(-1) == kind]
+
+
+def _of_one_structure(
+    system: TorsionalSystem,
+    modes: Sequence[int],
+    stiffnesses: Varied,
+    inertias: Varied,
+    variants: int,
+) -> Floats:
+    """The frequencies of variants in which the same bodies have an inertia."""
+    stiff = _VariedNumbers([device.stiffness or 0.0 for device in system.elastic], stiffnesses)
+    heavy = _VariedNumbers([body.inertia for body in system.bodies], inertias)
+    bodies = [
+        body._replace(inertia=inertia)
+        for body, inertia in zip(system.bodies, heavy.first.tolist(), strict=True)
+    ]
+    alike = _Alike(system._replace(bodies=tuple(bodies)), stiff, heavy)
+    existing = [mode for mode in modes if mode < alike.split.modes]
+    found = np.full((variants, len(modes)), np.nan)
+    if existing:
+        places = [index for index, mode in enumerate(modes) if mode in existing]
+        found[:, places] = alike.frequencies(existing, variants)
+    return found
+
+
+class _VariedNumbers:
+    """Numbers of devices or bodies: those of the first variant, and what is other in others."""
+
+    def __init__(self, own: Sequence[float], varied: Varied) -> None:
+        self.first = np.array(own)
+        for place, numbers in varied.items():
+            self.first[place] = numbers[0]
+        self.varied = {p: numbers for p, numbers in varied.items() if (numbers != numbers[0]).any()}
+
+    def of(self, variant: int) -> list[float]:
+        """All numbers of a variant."""
+        numbers: list[float] = self.rows(variant, variant + 1)[0].tolist()
+        return numbers
+
+    def rows(self, start: int, stop: int) -> Floats:
+        """All numbers of some variants: of one, if they are the same for all."""
+        if not self.varied:
+            return self.first[None]
+        rows = np.tile(self.first, (stop - start, 1))
+        for place, numbers in self.varied.items():
+            rows[:, place] = numbers[start:stop]
+        return rows
+
+
+class _Alike:
+    """Variants of a system that split alike."""
+
+    def __init__(
+        self, system: TorsionalSystem, stiff: _VariedNumbers, heavy: _VariedNumbers
+    ) -> None:
+        self.system, self.stiff, self.heavy = system, stiff, heavy
+        self.split = coordinates(system)
+
+    def frequencies(self, modes: Sequence[int], variants: int) -> Floats:
+        """Of shape (variants, modes), or (1, modes) if they are the same in all."""
+        variants = variants if self.heavy.varied or self.stiff.varied else 1
+        alone = not self.heavy.varied and len(self.stiff.varied) == 1
+        if self.split.has_many_more(max(modes) + 1) and not (
+            alone and variants * SOME > len(self.system.names)
+        ):
+            return np.array([self._lowest(variant, modes) for variant in range(variants)])
+        if alone:
+            [(device, numbers)] = self.stiff.varied.items()
+            base = without(self.system, self.split, self.stiff.first, device)
+            if base is None:  # the device carries no torque
+                return self._of_matrices(modes, 1)
+            squares = [
+                squares_with_device(base.poles, 1 / numbers + base.slack, mode) for mode in modes
+            ]
+            return np.sqrt(squares).T
+        return self._of_matrices(modes, variants)
+
+    def _lowest(self, variant: int, modes: Sequence[int]) -> Floats:
+        """Those of one variant of many links, by sparse matrices."""
+        from vstatics.torsion.vibration.natural import lowest_modes  # which imports scipy
+
+        system = self.system
+        stiff, heavy = (iter(one.of(variant)) for one in (self.stiff, self.heavy))
+        devices = [
+            one if one.stiffness is None else one._replace(stiffness=next(stiff))
+            for one in system.devices
+        ]
+        bodies = [one._replace(inertia=next(heavy)) for one in system.bodies]
+        system = system._replace(devices=tuple(devices), bodies=tuple(bodies))
+        omegas: Floats = lowest_modes(system, self.split, max(modes) + 1).omegas[modes]
+        return omegas
+
+    def _of_matrices(self, modes: Sequence[int], variants: int) -> Floats:
+        """A few thousand matrices at a time."""
+        system, split, heavy = self.system, self.split, self.heavy
+        same = None if heavy.varied else normed_twists(system, split, heavy.first)
+        step = max(NUMBERS // (len(self.stiff.first) * split.free.shape[1]), 1)
+        found = []
+        for start in range(0, variants, step):
+            stop = min(start + step, variants)
+            twists = same or normed_twists(system, split, heavy.rows(start, stop))
+            omegas = natural_frequencies(twists, self.stiff.rows(start, stop), min(modes))
+            found.append(omegas[:, modes])
+        return np.concatenate(found)
+
+
+class WithoutDevice(NamedTuple):
+    """What the frequencies of a system with the device follow from.
+
+    Attributes
+    ----------
+    poles : Poles
+        The modes without the device.
+    slack : float
+        Compliance behind that of the device: of links without inertia, which give way in
+        balance of the other devices. [rad/(N*m)]
+    """
+
+    poles: Poles
+    slack: float
+
+
+def without(
+    system: TorsionalSystem, split: Coordinates, stiffnesses: Floats, device: int
+) -> WithoutDevice | None:
+    """The system without a device; None where the device carries no torque in any mode.
+
+    Parameters
+    ----------
+    system : TorsionalSystem
+    split : Coordinates
+        Of the system with the device.
+    stiffnesses : ndarray, shape (devices,)
+        Of all elastic devices. [N*m/rad]
+    device : int
+        Its place among them.
+
+    Examples
+    --------
+    A mass of 2 on a spring of 8, a shaft from there to a link without inertia, and from there
+    a second shaft of 5 to a mass of 1: without the first shaft the second one is behind it.
+
+    >>> from vstatics import Spring, Transmission
+    >>> from vstatics.torsion.system.coordinates import coordinates
+    >>> from vstatics.torsion.system.gear_system import torsional_system
+    >>> twists = {1: 1}, {1: 1, 2: -1}, {2: 1, 3: -1}
+    >>> springs = [Spring(twist, stiffness=c) for twist, c in zip(twists, (8, 3, 5))]
+    >>> case = Transmission(3, [], [], [], springs=springs, inertias={1: 2.0, 3: 1.0})
+    >>> system = torsional_system(case, case.gears[0])
+    >>> poles, slack = without(system, coordinates(system), np.array([8.0, 3.0, 5.0]), 1)
+    >>> poles.squares.round(9), poles.weights.round(9), round(slack, 9)
+    (array([0., 4.]), array([1. , 0.5]), 0.2)
+    """
+    alone = _held_alone(system, device)
+    if alone == "massless":
+        return None
+    own = normed_twists(system, split, np.array([body.inertia for body in system.bodies]))
+    others = NormedTwists(*(np.delete(part, device, axis=0) for part in own))
+    [rows] = triangular(others, np.delete(stiffnesses, device)[None])
+    count = own.massless.shape[1]
+    of_massless, aside = rows[:count, :count], rows[:count, count:]
+    against = np.linalg.solve(of_massless.T, own.massless[device])
+    twists = own.heavy[device] - against @ aside
+    _, sizes, vectors = np.linalg.svd(rows[count:, count:] if count else rows)
+    squares = np.zeros(len(vectors))
+    squares[: len(sizes)] = sizes**2
+    if alone == "heavy":
+        squares[-1] = 0.0
+    weights = (vectors @ twists) ** 2
+    return WithoutDevice(Poles(squares[::-1], weights[::-1]), float(against @ against))
+
+
+def _held_alone(system: TorsionalSystem, device: int) -> Literal["", "heavy", "massless"]:
+    """Whether a device resists a motion that no other resists, and whether that has inertia."""
+    links = len(system.names)
+    rigid = [one.twist for one in system.rigid]
+    elastic = [one.twist for one in system.elastic]
+    others = [*elastic[:device], *elastic[device + 1 :]]
+    bodies = [body.form for body in system.bodies if body.inertia > 0]
+
+    def is_held(*forms: Form) -> bool:
+        free = [free_motions([*rigid, *some, *forms], links) for some in (others, elastic)]
+        return bool(free[0].shape[1] > free[1].shape[1])
+
+    return "massless" if is_held(*bodies) else "heavy" if is_held() else ""
