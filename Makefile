@@ -21,23 +21,29 @@ test-slow: ## the slow tests: test-beside, then test-alone
 	$(MAKE) test-beside
 	$(MAKE) test-alone
 
+# Only files with a mark are collected for it, without doctests, which are all fast.
+MARKED = $(BIN)/pytest -q -o addopts="--strict-markers --strict-config"
+with_mark = $$(grep -rl --include='test_*.py' 'mark\.$(1)' tests)
 test-beside: .venv/dev.stamp ## the slow tests that others do not disturb, on all cores
-	$(BIN)/pytest -q -n $(TEST_JOBS) -m "slow and not alone"
+	$(MARKED) -n $(TEST_JOBS) -m "slow and not alone" $(call with_mark,slow)
 
 test-alone: .venv/dev.stamp ## the slow tests that disturb or time processes, one by one
-	$(BIN)/pytest -q -n 0 -m "slow and alone"
+	$(MARKED) -n 0 -m "slow and alone" $(call with_mark,alone)
 
-# Without the rooms that ask nothing of other packages but arithmetic of NumPy.
-PLAIN_ROOMS := statics elements published oracle flow explain
+# ALL=1: also the rooms that ask nothing of other packages but arithmetic of NumPy.
+PLAIN_ROOMS := model statics elements flow summary
+PLAIN_TESTS := $(PLAIN_ROOMS:%=tests/%) $(PLAIN_ROOMS:%=vstatics/%) tests/published tests/oracle
 test-oldest: .venv-oldest/stamp ## the fast tests with the oldest versions allowed (Python 3.11)
-	$(OLDEST)/pytest -q -n $(TEST_JOBS) -m "not slow" -p no:cacheprovider $(PLAIN_ROOMS:%=--ignore=tests/%)
+	$(OLDEST)/pytest -q -n $(TEST_JOBS) -m "not slow" -p no:cacheprovider \
+	$(if $(ALL),,$(PLAIN_TESTS:%=--ignore=%))
 
 # Other processors: other kernels of OpenBLAS, and NumPy without what it has for this processor.
 PROCESSORS := Haswell Zen Nehalem
 NUMPY_EXTENSIONS = $(shell $(BIN)/python -c "from numpy._core._multiarray_umath import __cpu_dispatch__ as own; print(*own)")
-nightly: .venv/dev.stamp ## the fast tests as other processors calculate them
+nightly: .venv/dev.stamp ## the fast tests on other processors, and all with the oldest versions
 	$(foreach kind,$(PROCESSORS),OPENBLAS_CORETYPE=$(kind) $(MAKE) test &&) true
 	NPY_DISABLE_CPU_FEATURES="$(NUMPY_EXTENSIONS)" OPENBLAS_CORETYPE=Nehalem $(MAKE) test
+	$(MAKE) test-oldest ALL=1
 
 coverage: .venv/dev.stamp ## the fast tests, with the lines that they miss
 	$(BIN)/pytest -q -m "not slow" --cov=vstatics --cov-report=term-missing

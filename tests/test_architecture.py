@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import re
 from functools import cache
 from graphlib import TopologicalSorter
 from pathlib import Path
@@ -129,3 +130,19 @@ def test_folders_of_tests_are_rooms() -> None:
     others = {"published", "oracle", "golden", "bad", "__pycache__"}
     folders = {path.name for path in Path(__file__).parent.iterdir() if path.is_dir()}
     assert folders - others <= set(ROOMS)
+
+
+def test_slow_tests_are_found_by_their_files() -> None:
+    """`make test-beside` and `test-alone` collect the files with a mark, by its text."""
+    tests = Path(__file__).parent
+    marked = {
+        path
+        for path in tests.rglob("*.py")
+        if re.search(r"mark\.(slow|alone)", path.read_text("utf-8"))
+    }
+    assert all(path.name.startswith("test_") for path in marked), marked
+    for path in marked:
+        names = re.findall(
+            r"(?!test_)\b(\w+)\s*=\s*pytest\.mark\.(?:slow|alone)", path.read_text("utf-8")
+        )
+        assert {*names} <= {"marks", "pytestmark"}, f"{path}: other files could take {names}"
