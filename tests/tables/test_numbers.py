@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from vstatics.readers.deck.numbers import real
-from vstatics.tables.numbers import exponent, fixed, fixed_rows
+from vstatics.tables.numbers import exponent, fixed, fixed_rows, rounded, short
 
 FINITE = st.floats(allow_nan=False, allow_infinity=False)
 
@@ -91,3 +91,16 @@ def test_a_table_has_each_number_as_it_is_alone(rows: list[list[float]], decimal
 def test_a_table_has_numbers_at_the_ends_of_a_field_as_they_are_alone(value: float) -> None:
     text = fixed(value)
     assert fixed_rows([[value, 0.0]], 7) == [f"{text:>7} {'.000':>{max(7, len(text))}}"]
+
+
+@given(st.integers(-9999, 9999), st.integers(-8, 8))
+def test_the_last_bits_of_a_number_choose_none_of_its_digits(digits: int, power: int) -> None:
+    """What another processor calculates a few units in the last place off looks the same."""
+    value = float(f"{digits}e{power}")
+    nearby = [value * (1 + n * 2.0**-50) for n in (-1, 1)]
+    assert {len(rounded(one)) for one in nearby} == {len(rounded(value))}
+    if digits % 5:  # no digits end in the middle of two others
+        assert {rounded(one) for one in nearby} == {rounded(value)}
+    assert {short(one) for one in nearby} == {short(value)}
+    if value == round(value):
+        assert {short(one, 2) for one in nearby} == {short(value, 2)}

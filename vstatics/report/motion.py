@@ -13,6 +13,7 @@ from vstatics.simulation.record.motion import Motion
 from vstatics.statics.results import Results
 from vstatics.tables.grid import Cell, Column, Grid, exact
 from vstatics.tables.html import Markup, tables, tag
+from vstatics.tables.numbers import certain
 
 TIME, FIGURES = 4, 5
 """Digits of a time in s after the point; significant ones of the largest in a column."""
@@ -92,7 +93,7 @@ def _column(column: Column, cells: Sequence[Cell]) -> tuple[Column, Sequence[Cel
     if "[J" in column.heading and largest >= KILO:
         heading = column.heading.replace("[J", "[kJ")
         return column._replace(heading=heading), [_rounded(one, 1e-3, 3) for one in cells]
-    places = FIGURES - 1 - math.floor(math.log10(largest)) if largest else 3
+    places = FIGURES - 1 - math.floor(math.log10(certain(largest))) if largest else 3
     decimals = TIME if "[s]" in column.heading else min(max(places, 1), TIME)
     return column, [_rounded(one, 1.0, decimals) for one in cells]
 

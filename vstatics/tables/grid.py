@@ -10,7 +10,7 @@ import math
 from collections.abc import Sequence
 from typing import Any, NamedTuple
 
-from vstatics.tables.numbers import rounded
+from vstatics.tables.numbers import certain, rounded
 
 NOTHING = "-"
 """Stands for a number that does not exist, and for a list of nothing."""
@@ -135,7 +135,7 @@ def exact(value: float | None, decimals: int = 3, *, digits: int | None = None) 
     known = math.nan if value is None else value
     if not math.isfinite(known):
         return Cell(NOTHING, math.nan, kind=float)
-    if abs(known) >= LARGE_CELL:
+    if abs(certain(known)) >= LARGE_CELL:
         text = f"{known:.6g}" if digits is None else f"{known:.{digits}e}"
     else:
         text = rounded(known, decimals, digits)

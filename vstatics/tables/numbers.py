@@ -19,6 +19,17 @@ ROUNDED_NUMBER = 1e-12
 """... unless it is nothing but rounding."""
 
 
+def certain(value: float) -> float:
+    """A number to twelve significant digits: the last bits are the processor's.
+
+    What chooses the digits of a number, a scale, or the largest of some looks at this.
+
+    >>> certain(0.1 + 0.2), certain(99.99999999999999), certain(float("nan"))
+    (0.3, 100.0, nan)
+    """
+    return float(f"{value:.12g}")
+
+
 def fixed(value: float, width: int = 0, decimals: int = 3) -> str:
     """A number in F format, without the zero before the point.
 
@@ -105,9 +116,9 @@ def places(value: float, decimals: int = 3, digits: int | None = None) -> int:
     """
     if digits is not None:
         return digits
-    if not decimals or not ROUNDED_NUMBER < abs(value) < SMALL:
+    if not decimals or not ROUNDED_NUMBER < abs(certain(value)) < SMALL:
         return decimals
-    return SIGNIFICANT - 1 - int(f"{value:.{SIGNIFICANT - 1}e}".partition("e")[2])
+    return SIGNIFICANT - 1 - int(f"{certain(value):.{SIGNIFICANT - 1}e}".partition("e")[2])
 
 
 def rounded(value: float, decimals: int = 3, digits: int | None = None) -> str:
@@ -115,6 +126,8 @@ def rounded(value: float, decimals: int = 3, digits: int | None = None) -> str:
 
     >>> [rounded(value) for value in (-1 / 96.354, 0.5, 3e-17, 0.099999)]
     ['-.01038', '.500', '.000', '.1000']
+    >>> rounded(0.1), rounded(0.09999999999999999)
+    ('.100', '.100')
     """
     return fixed(value, decimals=places(value, decimals, digits))
 
@@ -150,12 +163,12 @@ def short(value: float, digits: int | None = None) -> str:
     --------
     >>> [short(value) for value in (-73 / 35, 3.5, 1.0, -0.0, 2.5e-7, float("nan"))]
     ['-2.0857', '3.5', '1', '0', '2.5e-07', 'not determined']
-    >>> short(-73 / 35, 2), short(1.0, 2)
-    ('-2.09', '1')
+    >>> short(-73 / 35, 2), short(1.0, 2), short(0.9999999999999999, 2)
+    ('-2.09', '1', '1')
     """
     if not isfinite(value):
         return "not determined"
-    if digits is None or value == int(value):
+    if digits is None or certain(value) == int(certain(value)):
         return f"{value + 0.0:.5g}"
     return f"{value:.{digits}f}"
 

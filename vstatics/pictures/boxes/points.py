@@ -13,6 +13,7 @@ from vstatics.pictures.sheet.labels import Paper, Point
 from vstatics.pictures.sheet.style import TITLE, Style
 from vstatics.pictures.sheet.svg import told
 from vstatics.synthesis.boxes.listing import BoxListing, ListedBox
+from vstatics.tables.numbers import certain
 
 MARKERS = "os^Dv"
 """Of families, by turns, as their colours."""
@@ -111,7 +112,7 @@ def _ends(values: Sequence[float]) -> tuple[float, float]:
     """
     if not values:
         return 0.0, 1.0
-    low, high = min(values), max(values)
+    low, high = certain(min(values)), certain(max(values))
     room = max(AXIS_ROOM * (high - low), LEAST_ROOM * max(abs(low), abs(high))) or LEAST_ROOM
     return low - room, high + room
 

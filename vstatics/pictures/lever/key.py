@@ -13,6 +13,7 @@ from vstatics.pictures.lever.points import Lever
 from vstatics.pictures.sheet import labels
 from vstatics.pictures.sheet.labels import Paper, Point
 from vstatics.pictures.sheet.style import Style, number
+from vstatics.tables.numbers import certain
 
 KEY_ROW_HEIGHT = 15.0
 """Height of a row of the key."""
@@ -82,7 +83,7 @@ def key_of(
     drawn: Sequence[Lever], gears: Sequence[LeverGear], style: Style, wide: float, per_torque: float
 ) -> LeverKey:
     """The key to what occurs in some gears; an arrow of a round torque tells their scale."""
-    length, unit = _unit(per_torque)
+    length, unit = _unit(certain(per_torque))
     text = style.text
     meanings = {
         "in": text("input, and what is joined to it", "вход и соединённое с ним"),

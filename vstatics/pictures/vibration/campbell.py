@@ -20,6 +20,7 @@ from vstatics.pictures.sheet.svg import halo, told
 from vstatics.pictures.sheet.words import gear_title, title
 from vstatics.pictures.vibration.shown_modes import modes_of, why_none
 from vstatics.statics.results import Results
+from vstatics.tables.numbers import certain
 
 if TYPE_CHECKING:
     from vstatics.torsion.vibration.gear_modes import GearModes
@@ -95,7 +96,7 @@ def _diagrams(
         _CampbellDiagram(gear_title(gear.name, style), modes, case.link_name(case.gear_input(gear)))
         for gear, modes in zip(own, found, strict=True)
     ]
-    frequencies = [mode.frequency for gear in found for mode in gear.modes]
+    frequencies = [certain(mode.frequency) for gear in found for mode in gear.modes]
     return diagrams, order_range(highest_speed(case, own, frequencies), frequencies)
 
 

@@ -9,6 +9,7 @@ from vstatics.pictures.sheet import labels
 from vstatics.pictures.sheet.chart import Chart
 from vstatics.pictures.sheet.style import Style
 from vstatics.pictures.sheet.svg import told
+from vstatics.tables.numbers import certain
 
 FULL_BAR = 64.0
 """Length of a bar of 100 %. [pt]"""
@@ -55,8 +56,8 @@ def largest(
     >>> [one[:2] for one in largest(shares, {"engine": "1"}, {}, Style())]
     [('1 engine', 0.99), ('others', 0.01)]
     """
-    order = sorted(shares, key=lambda name: -shares[name])
-    shown = [name for name in order if shares[name] >= LEAST_SHARE]
+    order = sorted(shares, key=lambda name: -certain(shares[name]))
+    shown = [name for name in order if certain(shares[name]) >= LEAST_SHARE]
     if len(shown) > MOST_BARS + 1:
         shown = shown[:MOST_BARS]
     found = []

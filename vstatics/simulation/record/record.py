@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.errors import Problem
-from vstatics.numerics.arrays import Floats
+from vstatics.numerics.arrays import LAST_BITS, Floats, first_largest
 from vstatics.simulation.events.impacts import kinetic_energy
 from vstatics.simulation.events.instants import Instant, Jump
 from vstatics.simulation.events.margins import Margins
@@ -112,7 +112,7 @@ class Record:
         if len(times) < 3:
             return
         sizes = np.abs(torques)
-        top = sizes.argmax(axis=0)
+        top = first_largest(sizes)
         inner = (top > 0) & (top < len(times) - 1)
         for device in np.flatnonzero(inner & (sizes.max(axis=0) >= np.abs(self.peaks) * 0.999)):
             place = int(top[device])
@@ -135,10 +135,10 @@ class Record:
     ) -> Floats:
         """Note torques that are larger than before."""
         torques = device_torques(equations, margins, times, states).T
-        top = np.abs(torques).argmax(axis=0)
+        top = first_largest(np.abs(torques))
         columns = np.arange(torques.shape[1])
         largest = torques[top, columns]
-        larger = np.abs(largest) > np.abs(self.peaks) * (1 + 1e-12)
+        larger = np.abs(largest) > np.abs(self.peaks) * (1 + LAST_BITS)
         self.peaks[larger] = largest[larger]
         self.peak_times[larger] = times[top][larger]
         return torques

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
 
-from vstatics.numerics.arrays import Floats
+from vstatics.numerics.arrays import Floats, first_largest
 from vstatics.tables.grid import Cell, Column, Grid, Row, exact, text, whole
 from vstatics.torsion.forced.cycle import summed
 from vstatics.torsion.forced.harmonic_torques import Complex, GearResponse
@@ -63,7 +63,7 @@ def _largest(speeds: Floats, values: Floats | Complex) -> tuple[Cell, Cell]:
     sizes = np.abs(values)
     if not np.isfinite(sizes).any():
         return exact(math.nan), exact(math.nan)
-    at = int(np.nanargmax(sizes))
+    at = int(first_largest(sizes))
     return exact(float(sizes[at]), 4), exact(float(speeds[at]), 1)
 
 

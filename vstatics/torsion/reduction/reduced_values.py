@@ -17,6 +17,7 @@ from vstatics.model.transmission import Gear, Transmission
 from vstatics.numerics.arrays import Floats
 from vstatics.numerics.motions import free_motions
 from vstatics.numerics.tolerances import TIE
+from vstatics.tables.numbers import certain
 from vstatics.torsion.system.gear_system import TorsionalDevice, TorsionalSystem
 from vstatics.torsion.system.state import vibrating
 
@@ -236,7 +237,7 @@ def _reaction(
         if motions[link].any():
             ratio = _by(motions[to], motions[link])
             found += [] if ratio is None else [ratio]
-    return max(found, key=abs, default=None)
+    return max(found, key=lambda ratio: certain(abs(ratio)), default=None)
 
 
 def joined_links(system: TorsionalSystem) -> list[list[int]]:

@@ -26,6 +26,7 @@ from typing import Literal, NamedTuple, get_args
 
 from vstatics.errors import CaseError, Problem, listed, nearest, spoken
 from vstatics.numerics.tolerances import TIE
+from vstatics.tables.numbers import certain
 from vstatics.torsion.reduction.chain import (
     Chain,
     ChainSpring,
@@ -231,7 +232,7 @@ def _warnings(steps: Sequence[SimplificationStep]) -> Iterator[Problem]:
     """A kept frequency is too near to one that was taken out, (П1.8)."""
     if not steps:
         return
-    lowest = min(steps, key=lambda step: step.partial_frequency)
+    lowest = min(steps, key=lambda step: certain(step.partial_frequency))
     kept, partial = steps[-1].omegas[-1], lowest.partial_frequency
     if kept > ACCURATE * partial:
         yield Problem(

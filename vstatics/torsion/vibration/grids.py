@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 
 from vstatics.tables.grid import Cell, Column, Grid, Row, exact, text, whole
-from vstatics.tables.numbers import fixed
+from vstatics.tables.numbers import certain, fixed
 from vstatics.torsion.vibration.gear_modes import GearModes, Mode
 from vstatics.torsion.vibration.measured import Damped, Identified
 
@@ -93,7 +93,7 @@ def _most(gears: Sequence[GearModes]) -> Grid:
 
 
 def _largest(shares: Mapping[str, float]) -> Row:
-    name = max(shares, key=lambda one: shares[one], default="")
+    name = max(shares, key=lambda one: certain(shares[one]), default="")
     return [name, exact(shares.get(name))]
 
 
