@@ -27,7 +27,7 @@ BESIDES = {"boxes": ("networkx",)}
 
 
 @cache
-def build(holding: bytes = b"") -> str:
+def build(*holding: bytes) -> str:
     """A hash of all files of this package: two that calculate differently have two of them.
 
     It reads every file, so it is asked for only where builds meet: what `--resume` takes
@@ -35,8 +35,8 @@ def build(holding: bytes = b"") -> str:
 
     Parameters
     ----------
-    holding : bytes
-        Only of the files in which this stands.
+    *holding : bytes
+        Only of the files in which one of these stands.
 
     Examples
     --------
@@ -53,7 +53,7 @@ def build(holding: bytes = b"") -> str:
             path = os.path.join(folder, name)  # noqa: PTH118
             with open(path, "rb") as file:  # noqa: PTH123
                 content = file.read()
-            if holding in content:
+            if not holding or any(words in content for words in holding):
                 label = os.path.relpath(path, top).replace(os.sep, "/")
                 digest.update(f"{label} {len(content)}\n".encode() + content)
     return digest.hexdigest()[:12]

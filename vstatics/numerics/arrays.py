@@ -4,12 +4,11 @@ from typing import Any
 
 import numpy as np
 
+from vstatics.numerics.tolerances import LAST_BITS
+
 Floats = np.ndarray[Any, np.dtype[np.float64]]
 Integers = np.ndarray[Any, np.dtype[np.integer[Any]]]
 Booleans = np.ndarray[Any, np.dtype[np.bool_]]
-
-LAST_BITS = 1e-12
-"""Numbers that differ by this part may differ by the processor alone."""
 
 
 def first_largest(sizes: Floats) -> Integers:

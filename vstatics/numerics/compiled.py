@@ -17,10 +17,11 @@ Compiled = TypeVar("Compiled", bound=Callable[..., Any])
 def _cache() -> str:
     """Where machine code lasts: a folder that nobody else can write, or none.
 
-    It is by the files that are compiled: machine code of other ones could be taken for theirs.
+    It is by the files that are compiled and the tolerances in them: machine code of other ones
+    could be taken for theirs.
     """
     home = os.environ.get("XDG_CACHE_HOME") or os.path.expanduser("~/.cache")  # noqa: PTH111
-    folder = os.path.join(home, "vstatics", build(b"import compiled"))  # noqa: PTH118
+    folder = os.path.join(home, "vstatics", build(b"import compiled", b"Tolerances of"))  # noqa: PTH118
     try:
         os.makedirs(folder, mode=0o700, exist_ok=True)  # noqa: PTH103
         is_own = not os.stat(folder).st_mode & 0o022  # noqa: PTH116

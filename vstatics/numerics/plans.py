@@ -24,6 +24,7 @@ from vstatics.numerics.memory import Rows
 from vstatics.numerics.replay import Replay, replay
 from vstatics.numerics.signed import Signed, Truth
 from vstatics.numerics.tape import Residual, Tape, Untraceable
+from vstatics.numerics.tolerances import LEAST_INPUT
 from vstatics.numerics.traced import Magnitude, Number, Traced
 
 FEW_VARIANTS = 4
@@ -169,8 +170,6 @@ SIGNED_WIDENING = (1.005, 2.0)
 """The bounds of a plan of any sign are so much wider than the numbers that it is made for: less
 for the first one and numbers of one sign, so that efficiencies stay below 1."""
 
-LEAST_INPUT = 1e-20
-"""A plan of any sign is for no smaller magnitudes, nor for larger ones than its inverse."""
 
 Function = Callable[[Sequence[Number]], Sequence[Number | Residual | Truth]]
 """The calculation for one variant: its numbers -> its results."""

@@ -12,6 +12,7 @@ from __future__ import annotations
 import math
 
 from vstatics.numerics.tape import HUGE, NEGATIONS, Operand, Plain, Tape, Untraceable, ordered
+from vstatics.numerics.tolerances import SURE_BOUNDS
 
 
 class Signed:
@@ -311,8 +312,6 @@ Interval = tuple[float, float]
 """The least and the largest number."""
 
 OPEN = -math.inf, math.inf
-SURE_BOUNDS = 1e-9
-"""Bounds settle a comparison only beyond this part of them, their own rounding."""
 
 
 def bounds_of_product(one: Interval, other: Interval) -> Interval:

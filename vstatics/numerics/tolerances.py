@@ -46,3 +46,13 @@ SAME_RATIO = 1e-9
 """Numbers of gears, or rays of a plan, that differ by no more than this part are the same."""
 TIP_CLEARANCE = 1e-9
 """Room between wheels, in modules, that is lost in rounding."""
+
+# arrays of variants
+LAST_BITS = 1e-12
+"""Numbers that differ by this part may differ by the processor alone."""
+LEAST_INPUT = 1e-20
+"""A plan of any sign is for no smaller magnitudes, nor for larger ones than its inverse."""
+SURE_BOUNDS = 1e-9
+"""Bounds settle a comparison only beyond this part of them, their own rounding."""
+SURE_MAGNITUDES = 1 + 1e-9
+"""Bounds settle a comparison only beyond their own rounding."""

@@ -37,9 +37,7 @@ from vstatics.numerics.tape import (
     Untraceable,
     ordered,
 )
-
-SURE_MAGNITUDES = 1 + 1e-9
-"""Bounds settle a comparison only beyond their own rounding."""
+from vstatics.numerics.tolerances import SURE_MAGNITUDES
 
 
 class Magnitude(NamedTuple):

@@ -22,21 +22,14 @@ from vstatics import solve
 from vstatics.readers import from_dict
 from vstatics.synthesis import StructureSearch, schemes
 from vstatics.synthesis.boxes.box import HELD, FoundBox
-from vstatics.synthesis.boxes.choice import (
-    ALIKE,
-    LIMITED,
-    PARETO,
-    BoxFilter,
-    RankedBox,
-    pareto,
-    ranked,
-)
+from vstatics.synthesis.boxes.choice import LIMITED, PARETO, BoxFilter, RankedBox, pareto, ranked
 from vstatics.synthesis.boxes.document import box_document, box_schema
 from vstatics.synthesis.boxes.figures import MeasuredBox, measured
 from vstatics.synthesis.boxes.grids import box_grids
 from vstatics.synthesis.boxes.least_form import identity, least_box
 from vstatics.synthesis.structures.growth import FoundScheme
 from vstatics.synthesis.structures.scheme import SetScheme
+from vstatics.synthesis.tolerances import SAME_FITTED_RATIO
 
 FAST = measured(SIMPSON_SEARCH, SIMPSON, 0.98)
 EIGHT = measured(ZF_8HP_SEARCH, ZF_8HP, 0.98)
@@ -110,7 +103,9 @@ def with_figures(found: MeasuredBox, number: int, **figures: Any) -> MeasuredBox
 def test_families_have_equal_ratios_in_all_gears() -> None:
     def other(number: int, *parts: float) -> MeasuredBox:
         pairs = zip(FAST.gears, parts, strict=True)
-        gears = tuple(gear._replace(ratio=gear.ratio * (1 + ALIKE * part)) for gear, part in pairs)
+        gears = tuple(
+            gear._replace(ratio=gear.ratio * (1 + SAME_FITTED_RATIO * part)) for gear, part in pairs
+        )
         return with_figures(FAST, number, loss=number)._replace(gears=gears)
 
     boxes = [

@@ -11,7 +11,8 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.errors import Problem
-from vstatics.numerics.arrays import LAST_BITS, Floats, first_largest
+from vstatics.numerics.arrays import Floats, first_largest
+from vstatics.numerics.tolerances import LAST_BITS
 from vstatics.simulation.events.impacts import kinetic_energy
 from vstatics.simulation.events.instants import Instant, Jump
 from vstatics.simulation.events.margins import Margins

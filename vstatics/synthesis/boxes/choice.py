@@ -14,11 +14,8 @@ from vstatics.numerics.tolerances import SAME_RATIO
 from vstatics.synthesis.boxes.box import BoxSearch, FoundBox
 from vstatics.synthesis.boxes.figures import FIGURE_DECIMALS, BoxFigures, MeasuredBox
 from vstatics.synthesis.boxes.least_form import identity
+from vstatics.synthesis.tolerances import EQUAL_FIGURES, SAME_FITTED_RATIO
 
-ALIKE = 1e-6
-"""Ratios of a gear that differ by less than this part are one: they are fitted."""
-EQUAL_FIGURES = 1e-7
-"""Figures that differ by less than this part, or as much, are equal: they follow from fits."""
 NUMBERS = BoxFigures._fields.index("single")
 """So many figures are numbers."""
 ORDER = ("error", "loss", "torque", "clutches", "planet_speed")
@@ -145,7 +142,7 @@ def _parted(group: Any, sizes: Floats) -> list[Any]:
     if len(group) == 1:
         return [group]
     ordered = group[np.argsort(sizes[group], kind="stable")]
-    gaps = np.flatnonzero(np.diff(sizes[ordered]) > ALIKE) + 1
+    gaps = np.flatnonzero(np.diff(sizes[ordered]) > SAME_FITTED_RATIO) + 1
     return np.split(ordered, gaps)
 
 

@@ -9,15 +9,10 @@ import numpy as np
 
 from vstatics.numerics.arrays import Floats
 from vstatics.synthesis.boxes.box import HELD, FoundBox
+from vstatics.synthesis.tolerances import SAME_BOX_RATIO, SECOND_MOTION, STILL_SPEED
 
 Engaged = tuple[int, ...]
 """Numbers of elements from 0, ascending."""
-EQUAL = 1e-9
-"""Ratios of the same numbers that differ by less than this part are one."""
-SINGULAR = 1e-9
-"""Elements that leave more than one motion have a singular value below this."""
-STANDS = 1e-9
-"""A speed below this part of the largest is none."""
 
 
 def equal_sets(box: FoundBox) -> tuple[tuple[Engaged, ...], ...]:
@@ -46,7 +41,7 @@ def equal_sets(box: FoundBox) -> tuple[tuple[Engaged, ...], ...]:
     place = {one: number for number, one in enumerate(sets)}
     found = []
     for one in own:
-        equal = np.abs(ratios - ratios[place[one]]) <= EQUAL * np.abs(ratios[place[one]])
+        equal = np.abs(ratios - ratios[place[one]]) <= SAME_BOX_RATIO * np.abs(ratios[place[one]])
         equal[place[one]] = True
         found.append(tuple(sets[number] for number in np.flatnonzero(equal).tolist()))
     return tuple(found)
@@ -84,8 +79,8 @@ def set_ratios(box: FoundBox, sets: Sequence[Engaged]) -> Floats:
     _, sizes, turned = np.linalg.svd(engaged)
     speeds = turned[:, -1] @ basis
     inputs, outputs = speeds[:, box.input], speeds[:, box.output]
-    turns = np.minimum(np.abs(inputs), np.abs(outputs)) > STANDS * np.abs(speeds).max(axis=1)
-    is_one = sizes[:, -1] > SINGULAR  # of rows no longer than 2, on an orthonormal basis
+    turns = np.minimum(np.abs(inputs), np.abs(outputs)) > STILL_SPEED * np.abs(speeds).max(axis=1)
+    is_one = sizes[:, -1] > SECOND_MOTION  # of rows no longer than 2, on an orthonormal basis
     with np.errstate(all="ignore"):
         return np.asarray(np.where(turns & is_one, inputs / outputs, np.nan))
 

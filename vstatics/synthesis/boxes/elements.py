@@ -15,9 +15,7 @@ from vstatics.numerics.arrays import Floats, Integers
 from vstatics.numerics.compiled import compiled, put
 from vstatics.synthesis.boxes.engaged import Combinations, number_of
 from vstatics.synthesis.boxes.minors import GearSpeeds
-
-SAME_BOX_RATIO = 1e-9
-"""Ratios that differ by less, at a point within, are one: no chance makes them so. [-]"""
+from vstatics.synthesis.tolerances import SAME_BOX_RATIO
 
 
 @compiled

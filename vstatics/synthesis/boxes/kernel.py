@@ -8,15 +8,13 @@ from typing import NamedTuple
 from vstatics.numerics.arrays import Floats, Integers
 from vstatics.numerics.compiled import compiled, put
 from vstatics.synthesis.boxes.cells import CellRoom
-from vstatics.synthesis.boxes.elements import SAME_BOX_RATIO, PortGears, SetRoom, element_sets
+from vstatics.synthesis.boxes.elements import PortGears, SetRoom, element_sets
 from vstatics.synthesis.boxes.engaged import Combinations, number_of
 from vstatics.synthesis.boxes.minors import GearSpeeds
 from vstatics.synthesis.boxes.ranges import divide, has_one_sign, reached
 from vstatics.synthesis.boxes.set_ratios import Asked
 from vstatics.synthesis.boxes.solving import solved
-
-ZERO = 1e-11
-"""What is smaller, in terms of the largest speed in a gear, is nothing. [-]"""
+from vstatics.synthesis.tolerances import NO_BOX_SPEED, SAME_BOX_RATIO
 
 
 class Room(NamedTuple):
@@ -81,7 +79,7 @@ def _find_reach(speeds: Floats, port: PortGears, asked: Asked, room: Room) -> No
     for which in range(len(speeds)):
         first, last = speeds[which, port.input], speeds[which, port.output]
         port.reach[which] = 0
-        if abs(first[corners]) > ZERO and abs(last[corners]) > ZERO:
+        if abs(first[corners]) > NO_BOX_SPEED and abs(last[corners]) > NO_BOX_SPEED:
             port.ratios[which] = first[corners] / last[corners]
             above, below = first[:corners], last[:corners]
             if not (has_one_sign(above) or has_one_sign(below)):

@@ -20,15 +20,12 @@ from vstatics.synthesis.boxes.minors import GearSpeeds, gear_speeds
 from vstatics.synthesis.boxes.ranges import lines
 from vstatics.synthesis.boxes.schemes import BoxScheme, SpeedBases, box_schemes, speed_bases
 from vstatics.synthesis.boxes.set_ratios import Asked
+from vstatics.synthesis.tolerances import SAME_BOX_SPEED, TARGET_MARGIN
 
 PORTS_AT_ONCE = 500
 """A piece has about so many choices of ports."""
 FIRST_ELEMENT_SETS = 4096
 """So many sets of elements there is room for at first."""
-SAME_BOX_SPEED = 1e-9
-"""The same speeds differ by less; of the gears of one scheme no two agree so well by chance. [-]"""
-TARGET_MARGIN = 1e-9
-"""Targets are looked for that much further than the tolerance. [-]"""
 
 
 def prepare() -> None:

@@ -11,9 +11,7 @@ import numpy as np
 
 from vstatics.numerics.arrays import Floats
 from vstatics.numerics.compiled import compiled
-
-INDEPENDENT_RATIO = 1e-10
-"""A quotient does not depend on a ratio if it is as equal at both its ends. [-]"""
+from vstatics.synthesis.tolerances import INDEPENDENT_RATIO
 
 
 @compiled

@@ -15,18 +15,18 @@ import numpy as np
 
 from vstatics.numerics.arrays import Floats, Integers
 from vstatics.numerics.compiled import compiled, put
+from vstatics.synthesis.tolerances import (
+    FIRST_DAMPING,
+    LEAST_BOX_DAMPING,
+    LEAST_BOX_STEP,
+    LEAST_DIAGONAL,
+    LEAST_GAIN,
+    LEAST_SUM_OF_SQUARES,
+)
 
 MOST_BOX_STEPS = 60
-LEAST_STEP = 1e-12
-"""Of a logarithm: a shorter step changes nothing. [-]"""
-LEAST_GAIN = 1e-14
-"""Part of the sum of squares: a step that gains less was the last one. [-]"""
-LEAST_SUM_OF_SQUARES = 1e-20
-"""A sum of squares that can't be less. [-]"""
 GIVEN_UP = 1e8
 """No step is tried with more damping. [-]"""
-DIAGONAL = 1e-12
-"""Added to the diagonal, for ratios that no gear depends on. [-]"""
 
 
 class Asked(NamedTuple):
@@ -111,7 +111,7 @@ def fitted(parts: Floats, chosen: Integers, asked: Asked, room: FitRoom) -> floa
     if best == math.inf:
         return best
     _slopes(parts, chosen, room)
-    damping = 1e-3
+    damping = FIRST_DAMPING
     for _ in range(MOST_BOX_STEPS):
         _step(room, least, most, damping)
         step = 0.0
@@ -119,7 +119,7 @@ def fitted(parts: Floats, chosen: Integers, asked: Asked, room: FitRoom) -> floa
             wanted = min(max(room.logs[number] + room.tried[number], least), most)
             step = max(step, abs(wanted - room.logs[number]))
             room.tried[number] = wanted
-        if step < LEAST_STEP:
+        if step < LEAST_BOX_STEP:
             return best
         _weigh(room.tried, asked, room)
         value = _errors(parts, chosen, asked, room, room.trial)
@@ -134,7 +134,7 @@ def fitted(parts: Floats, chosen: Integers, asked: Asked, room: FitRoom) -> floa
         put(room.trial, room.errors)
         if is_last:
             return best
-        damping = max(damping * 0.1, 1e-12)
+        damping = max(damping * 0.1, LEAST_BOX_DAMPING)
         _slopes(parts, chosen, room)
     return best
 
@@ -233,4 +233,4 @@ def _find_system(room: FitRoom, least: float, most: float, damping: float) -> No
                 total += room.jacobian[target, row] * room.jacobian[target, column]
             system[row, column] = total * moves[row] * moves[column]
         system[row, row] *= 1 + damping
-        system[row, row] += DIAGONAL if moves[row] else 1.0
+        system[row, row] += LEAST_DIAGONAL if moves[row] else 1.0

@@ -17,7 +17,8 @@ from vstatics.synthesis.boxes.cells import CellRoom, halve, longest, spread_of
 from vstatics.synthesis.boxes.elements import matched
 from vstatics.synthesis.boxes.engaged import Combinations, all_used
 from vstatics.synthesis.boxes.ranges import reached
-from vstatics.synthesis.boxes.set_ratios import LEAST_SUM_OF_SQUARES, Asked, fitted
+from vstatics.synthesis.boxes.set_ratios import Asked, fitted
+from vstatics.synthesis.tolerances import LEAST_SUM_OF_SQUARES
 
 SPREADS = np.array([0.5, 0.2, 0.06])
 """A fit is tried when ln(i) of all gears chosen spreads by less than the first in a cell, again

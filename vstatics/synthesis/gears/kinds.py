@@ -24,7 +24,8 @@ from vstatics.numerics.elimination import RIGHT, Equation, solve
 from vstatics.numerics.tolerances import TRACED_REAL, ZERO
 from vstatics.numerics.traced import plain
 from vstatics.statics.matrix import ON_ELEMENT, columns
-from vstatics.synthesis.gears.speed_forms import KEPT_PART, Pair, SpeedForms
+from vstatics.synthesis.gears.speed_forms import Pair, SpeedForms
+from vstatics.synthesis.tolerances import KEPT_PART
 
 Indices = NDArray[np.intp]
 

@@ -29,6 +29,7 @@ from vstatics.synthesis.gears.kinds import (
     kind_alone,
 )
 from vstatics.synthesis.gears.speed_forms import FreeSpeeds, SpeedForms
+from vstatics.synthesis.tolerances import NEAR_DIRECT
 
 MOST_COMBINATIONS = 1_000_000
 """So many combinations are tried unless more are asked for: about ten seconds."""
@@ -40,8 +41,6 @@ DRAWS = 3
 """So many times the ratios of all mechanisms are drawn, to tell direct drives."""
 WORK = 30_000
 """So many steps of elimination a combination may take for each that may be tried, on average."""
-NEAR_ONE = 1e-6
-"""Only ratios so near to 1 are looked at for it."""
 
 
 class CombinationSearch:
@@ -189,7 +188,7 @@ class CombinationSearch:
         for index in np.flatnonzero(found.doubtful):
             engaged = [self.elements[one].links for one in members[index]]
             kinds[index], ratios[index], free[index] = kind_alone(self.case, engaged)
-        near = np.flatnonzero(abs(ratios - 1) < NEAR_ONE)
+        near = np.flatnonzero(abs(ratios - 1) < NEAR_DIRECT)
         for forms in self._drawn_forms if len(near) else ():
             near = near[_may_be_one(engaged_kinds(forms, members[near]))]
         kinds[near], ratios[near] = EngagedKind.DIRECT, 1.0

@@ -17,12 +17,11 @@ from vstatics.numerics.arrays import Floats
 from vstatics.numerics.elimination import EXACTLY_ONE, FLOATS, Entry, Equation, Row, row_of
 from vstatics.numerics.traced import absolute, plain
 from vstatics.statics.matrix import columns
+from vstatics.synthesis.tolerances import KEPT_PART
 
 Pair = tuple[int, int]
 """Two links, whose difference of speeds is asked for; the housing is 0."""
 NOTHING: Entry = (0.0, 0.0)
-KEPT_PART = 2.0**-12
-"""A number that is less than this part of its size has lost too many digits."""
 
 
 class SpeedForms(NamedTuple):

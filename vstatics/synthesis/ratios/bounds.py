@@ -9,11 +9,10 @@ from typing import NamedTuple
 from vstatics.errors import CaseError, Problem, listed, nearest, quoted, spoken, typed_number
 from vstatics.explain.bodies import OwnLinks
 from vstatics.model.transmission import HOUSING
+from vstatics.synthesis.tolerances import PART_FOR_ZERO_BOUND
 
 LARGEST_SET_RATIO = 14.0
 """The ratio of a planetary set with three planets is below 13.93, as they must not touch."""
-PART_FOR_ZERO_BOUND = 1e-3
-"""A bound of 0, which no ratio has, stands for this part of the other bound."""
 SMALLEST, LARGEST = 1e-9, 1e9
 """No bound is smaller or larger: products of ratios are to be numbers."""
 ALL = "all"

@@ -6,12 +6,11 @@ from collections.abc import Iterator
 
 from vstatics.synthesis.ratios.fitting import Fit, deviation
 from vstatics.synthesis.ratios.problem import FitProblem
+from vstatics.synthesis.tolerances import TINY_RATIO
 from vstatics.tables.grid import Cell, Column, Grid, Row, exact, text, whole
 
 DEVIATION_DECIMALS = 9
 """Digits of a deviation; what is below them is rounding."""
-TINY_RATIO = 1e-4
-"""A smaller ratio is told with a power of ten."""
 
 
 def fit_grids(found: Fit) -> Iterator[Grid]:

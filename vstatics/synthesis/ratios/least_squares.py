@@ -8,20 +8,18 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.numerics.arrays import Booleans, Floats, Integers
+from vstatics.synthesis.tolerances import (
+    EQUAL_SUM_OF_SQUARES,
+    LEAST_DAMPING,
+    LEAST_FIT_STEP,
+    LEAST_SCALE,
+    NO_SQUARES,
+)
 
 MOST_FIT_STEPS = 300
 """So many steps a start may take."""
-NONE = 1e-30
-"""Squares whose sum is below this are rounding."""
-STILL = 1e-13
-"""A step is nothing below this, and no step helps where the damping is the inverse of it."""
-EQUAL_SUM_OF_SQUARES = 1e-14
-"""By this part a sum of squares may grow: so near to its minimum it says nothing more, but
-steps still lead there."""
 LAST_STEPS = 10
 """So many such steps are taken."""
-LEAST_DAMPING = 1e-13
-"""So much damping there is at least, by which the equations of a step are never singular."""
 LONGEST_STEP = 1.0
 """No unknown changes by more in a step: their logarithms are asked for."""
 
@@ -92,7 +90,7 @@ def _minimized(
         downhill = np.where(free, downhill, 0.0)
         normal = np.einsum("srk,srl->skl", steep, steep)
         normal *= free[:, :, np.newaxis] & free[:, np.newaxis, :]
-        scale = np.maximum(normal.max(axis=(1, 2)), 1e-300)
+        scale = np.maximum(normal.max(axis=(1, 2)), LEAST_SCALE)
         diagonal = damping[going, np.newaxis] * scale[:, np.newaxis] + ~free
         normal[:, range(count), range(count)] += diagonal
         step = np.linalg.solve(normal, downhill[:, :, np.newaxis])[:, :, 0]
@@ -106,11 +104,11 @@ def _minimized(
         values[going[better]], slopes[going[better]] = (one[better] for one in found)
         damping[going] *= np.where(better, 0.1, 8.0)
         np.maximum(damping, LEAST_DAMPING, out=damping)
-        stays = np.abs(there - here).max(axis=1) <= STILL
+        stays = np.abs(there - here).max(axis=1) <= LEAST_FIT_STEP
         done = (
-            (squares[going] < NONE)
+            (squares[going] < NO_SQUARES)
             | stays
-            | (damping[going] > 1 / STILL)
+            | (damping[going] > 1 / LEAST_FIT_STEP)
             | (flat[going] > LAST_STEPS)
         )
         settled[going[done]] = True

@@ -11,18 +11,11 @@ from vstatics.numerics.arrays import Booleans, Floats
 from vstatics.synthesis.ratios.least_squares import Minima
 from vstatics.synthesis.ratios.problem import Advance, FitProblem, untold
 from vstatics.synthesis.ratios.space import FitPoints, FitSpace, fit_space
+from vstatics.synthesis.tolerances import AT_BOUND, DEPENDENT_RATIOS, MET_RATIOS, SAME_SOLUTION
 
 ANCHORED = (0.1, 0.01)
 """Weights of the case's own ratios, one after the other, where the wanted ones leave a choice;
 at last they are let go."""
-MET_RATIOS = 1e-20
-"""Sums of squares below this are all the same: nothing is left but rounding."""
-SAME_SOLUTION = 1e-5
-"""Solutions whose ratios differ by less than this part are one."""
-AT_BOUND = 1e-14
-"""A ratio that differs from a bound by less than this part stands at it."""
-DEPENDENT = 1e-9
-"""Directions in which the ratios change by less than this part, of the most, are free."""
 
 
 class FoundRatios(NamedTuple):
@@ -68,10 +61,10 @@ def _free(space: FitSpace, points: FitPoints) -> list[int]:
     if not len(slopes):
         return []
     _, parts, rows = np.linalg.svd(slopes)
-    ranks = (parts > DEPENDENT * parts[:, :1]).sum(axis=1)
+    ranks = (parts > DEPENDENT_RATIOS * parts[:, :1]).sum(axis=1)
     where = int(np.argmax(ranks))
     loose = np.abs(rows[where, ranks[where] :]).max(axis=0, initial=0.0)
-    return [index for index, one in zip(space.varied, loose, strict=True) if one > DEPENDENT]
+    return [index for index, one in zip(space.varied, loose, strict=True) if one > DEPENDENT_RATIOS]
 
 
 def _distinct(space: FitSpace, signs: Floats, minima: Minima) -> list[int]:

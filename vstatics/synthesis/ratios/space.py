@@ -14,9 +14,7 @@ from vstatics.numerics.arrays import Booleans, Floats, Integers
 from vstatics.synthesis.ratios.arrays import RatioArrays, ratio_arrays
 from vstatics.synthesis.ratios.least_squares import MOST_FIT_STEPS, Minima, minimize
 from vstatics.synthesis.ratios.problem import Advance, FitProblem, untold
-
-NARROWEST_RATIO = 1e-3
-"""Where bounds have 0 between them, a ratio is no smaller than this part of the larger one."""
+from vstatics.synthesis.tolerances import NARROWEST_RATIO
 
 
 class FitPoints(NamedTuple):

@@ -25,10 +25,11 @@ from vstatics.synthesis.teeth.reach import (
     refuse_signs,
 )
 from vstatics.synthesis.teeth.rows import LOOKED, TeethRows
-from vstatics.synthesis.teeth.search import EXACT, BestTeeth, best_teeth
+from vstatics.synthesis.teeth.search import BestTeeth, best_teeth
 from vstatics.synthesis.teeth.solutions import MOST_TEETH_SOLUTIONS, TeethSolution, teeth_solutions
 from vstatics.synthesis.teeth.table import TeethTable, teeth_table
 from vstatics.synthesis.teeth.targets import TeethError
+from vstatics.synthesis.tolerances import ROUNDED_ERROR
 
 MOST_LISTED_CANDIDATES = 8_000_000
 """An element with more candidates has only those listed whose ratios are of use."""
@@ -107,7 +108,7 @@ def find_teeth(
         full, best = _by_limits(problem, rows, tables, ends, advance)
     solutions = [*teeth_solutions(problem, full, best)]
     last = solutions[-1].error if solutions else math.inf
-    is_proven = best.bound >= last * (1 - EXACT) - EXACT
+    is_proven = best.bound >= last * (1 - ROUNDED_ERROR) - ROUNDED_ERROR
     doubts = [*reach_doubts(problem, *ends)]
     return FoundTeeth(solutions, problem, full, best.bound, is_proven, doubts)
 

@@ -18,9 +18,7 @@ from vstatics.synthesis.teeth.problem import TeethProblem
 from vstatics.synthesis.teeth.rows import TeethRows
 from vstatics.synthesis.teeth.table import TeethTable
 from vstatics.synthesis.teeth.targets import TeethTarget, least_errors
-
-MET_ERROR = 1e-9
-"""An error of no more is rounding."""
+from vstatics.synthesis.tolerances import FIRST_ERROR_LIMIT, MET_ERROR, NARROW_WINDOW
 
 
 def reach(rows: Sequence[TeethRows], tables: Sequence[TeethTable | None]) -> tuple[Floats, Floats]:
@@ -79,8 +77,6 @@ def doubts_before(problem: TeethProblem) -> Iterator[str]:
 
 MOST_WINDOWS = 4096
 """The ranges of ratios are halved until so many parts of them are left."""
-NARROW_WINDOW = 1e-4
-"""Parts of which no ratio lies farther apart, in logarithms, are narrow enough."""
 LARGEST_ERROR_LIMIT = 20.0
 """Larger limits of errors are none."""
 HALVINGS = 30
@@ -153,7 +149,7 @@ def growing_limits(least: float) -> Iterator[float]:
     >>> [round(limit, 6) for limit in growing_limits(0.5)][:3]
     [0.50001, 0.50004, 0.50016]
     """
-    more = 1e-5
+    more = FIRST_ERROR_LIMIT
     while least + more < LARGEST_ERROR_LIMIT:
         yield least + more
         more *= 4

@@ -25,11 +25,10 @@ from vstatics.synthesis.teeth.conditions import (
 )
 from vstatics.synthesis.teeth.layout import TeethLayout
 from vstatics.synthesis.teeth.limits import AxisEquation, TeethLimits, axis_equations
+from vstatics.synthesis.tolerances import ROUNDED_TEETH
 
 CANDIDATES_AT_ONCE = 300_000
 """So many candidates are looked at together."""
-ROUNDED_TEETH = 1e-6
-"""What rounding may take from a number of teeth."""
 
 LARGEST_LOGARITHM = 50.0
 """Of logarithms: no number of teeth is near it."""

@@ -17,6 +17,7 @@ from vstatics.numerics.arrays import Floats, Integers
 from vstatics.synthesis.ratios.problem import Advance, untold
 from vstatics.synthesis.teeth.table import TeethTable
 from vstatics.synthesis.teeth.targets import TeethTarget, largest_errors, least_errors
+from vstatics.synthesis.tolerances import LARGEST_ERROR_WEIGHT, ROUNDED_ERROR
 
 TOGETHER, AT_FIRST = 1 << 14, 1 << 8
 """So many regions are halved together; fewer as long as nothing is found."""
@@ -26,8 +27,6 @@ CHOICES_AT_ONCE = 200_000
 """So many choices are tried together."""
 MOST_REGIONS = 30_000_000
 """After so many regions the search ends with what it has proven."""
-EXACT = 1e-12
-"""An error of no more is rounding: there is nothing better."""
 
 
 class BestTeeth(NamedTuple):
@@ -69,7 +68,7 @@ def best_teeth(
         [(search.least(start), start)] if all(len(one.ratios) for one in tables) else []
     )
     done = 0
-    while waiting and search.most > EXACT and done < MOST_REGIONS:
+    while waiting and search.most > ROUNDED_ERROR and done < MOST_REGIONS:
         least, regions = waiting.pop()
         hopeful = least < search.most
         least, regions = least[hopeful], regions[hopeful]
@@ -164,7 +163,7 @@ class _Halving:
         both, least = both[hopeful], least[hopeful]
         order = least
         if not self.is_full:
-            order = least + 1e-3 * np.minimum(
+            order = least + LARGEST_ERROR_WEIGHT * np.minimum(
                 largest_errors(self.targets, ((low + high) / 2)[hopeful]), 1e3
             )
         by_least = np.argsort(order, kind="stable")
@@ -185,8 +184,8 @@ class _Halving:
         amounts = np.abs(table.ratios[:, 0])
         if table.ratios[0, 0] < 0:
             low, high = -high, -low
-        first = np.searchsorted(amounts, low - EXACT * np.abs(low), "left")
-        end = np.searchsorted(amounts, high + EXACT * np.abs(high), "right")
+        first = np.searchsorted(amounts, low - ROUNDED_ERROR * np.abs(low), "left")
+        end = np.searchsorted(amounts, high + ROUNDED_ERROR * np.abs(high), "right")
         first = np.maximum(first, starts[:, number])
         count = np.minimum(end, starts[:, number] + sizes[:, number]) - first
         starts, sizes = starts.copy(), sizes.copy()
