@@ -8,7 +8,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from vstatics.errors import CaseError, Problem
-from vstatics.numerics.arrays import Floats, largest
+from vstatics.numerics.arrays import largest
 from vstatics.simulation.events.impacts import impact
 from vstatics.simulation.events.instants import Instant, break_times, instant_of, large_sizes
 from vstatics.simulation.events.location import Finder, MarginEnd
@@ -125,11 +125,12 @@ class EventRun:
         equations = selected.margins.equations
         if end <= equations.time:
             return MarginEnd(end, selected.state, ()), length
+        tolerances = self._tolerances(equations)
         equations.ports.until = math.nextafter(end, -math.inf)
         self.record.begin(selected.margins, selected.state)
         finder = Finder(selected.margins, self.scales, self.record.sample)
         try:
-            for step in self._steps(equations, selected.state, end, length):
+            for step in self._steps(selected, end, tolerances, length):
                 found = finder.event_in(step)
                 if found is not None:
                     self.record.step(step, found.time, found.state)
@@ -141,9 +142,10 @@ class EventRun:
         return MarginEnd(end, step.last, ()), length
 
     def _steps(
-        self, equations: Equations, state: Floats, end: float, length: float | None
+        self, selected: Selected, end: float, tolerances: StepTolerances, length: float | None
     ) -> Iterator[TimeStep]:
         """Steps up to a time: in closed form where all is straight, or something can swing."""
+        equations, state = selected.margins.equations, selected.state
         time = equations.time
         if equations.ports.is_affine or equations.springs:
             try:
@@ -154,7 +156,7 @@ class EventRun:
                 length = None
             else:
                 return
-        yield from steps(equations, (time, state), end, self._tolerances(equations), length)
+        yield from steps(equations, (time, state), end, tolerances, length)
 
     def _too_small(self, equations: Equations) -> Problem:
         """Why no step is small enough: a torque that is no number, or that jumps."""

@@ -7,10 +7,10 @@ from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
 
-from vstatics.numerics.arrays import Floats
+from vstatics.numerics.arrays import Complex, Floats
 from vstatics.tables.grid import Cell, Column, Grid, Row, exact, text, whole
 from vstatics.torsion.forced.cycle import summed
-from vstatics.torsion.forced.harmonic_torques import Complex, GearResponse
+from vstatics.torsion.forced.harmonic_torques import GearResponse
 
 
 def largest_grids(gears: Sequence[GearResponse]) -> Iterator[Grid]:
@@ -69,18 +69,18 @@ def _largest(speeds: Floats, values: Floats | Complex) -> tuple[Cell, Cell]:
 
 def _resonances(gears: Sequence[GearResponse]) -> Grid:
     rows: list[Row] = [
-        [gear.name, _as_asked(one.order), whole(one.mode), exact(one.speed, 1)]
+        [
+            gear.name,
+            Cell(f"{one.order:g}", one.order, kind=float),  # as people write it: 2, 4.5
+            whole(one.mode),
+            exact(one.speed, 1),
+        ]
         for gear in gears
         for one in gear.resonances
     ]
     columns = [text("gear"), Column("order"), Column("mode"), Column("speed [rpm]")]
     title = "Resonances" if rows else "Resonances: none at these speeds"
     return Grid(title, columns, rows, key="resonances")
-
-
-def _as_asked(order: float) -> Cell:
-    """An order as people write it: 2, 4.5."""
-    return Cell(f"{order:g}", order, kind=float)
 
 
 def sum_grids(gears: Sequence[GearResponse]) -> Iterator[Grid]:

@@ -263,7 +263,7 @@ def without_mass(chain: Chain, mass: int) -> Chain:
     around = slice(max(mass - 1, 0), mass + 1)
     match chain.springs[around]:
         case [left, right]:
-            joined = [_joined(left, right)]
+            joined = [_longer(left, right)._replace(name=f"{left.name}+{right.name}")]
             inertias[mass - 1] += inertias[mass] * right.compliance / joined[0].compliance
             inertias[mass + 1] += inertias[mass] * left.compliance / joined[0].compliance
         case _:
@@ -296,9 +296,9 @@ def with_masses_merged(chain: Chain, left: int) -> Chain:
     one, two = chain.inertias[left : left + 2]
     between, springs = chain.springs[left], list(chain.springs)
     if left > 0:
-        springs[left - 1] = _longer(springs[left - 1], between, two / (one + two))
+        springs[left - 1] = _longer(springs[left - 1], between, two / (one + two), 0.5)
     if left + 1 < len(springs):
-        springs[left + 1] = _longer(springs[left + 1], between, one / (one + two))
+        springs[left + 1] = _longer(springs[left + 1], between, one / (one + two), 0.5)
     del springs[left]
     rest = slice(left + 2, None)
     return Chain(
@@ -308,23 +308,18 @@ def with_masses_merged(chain: Chain, left: int) -> Chain:
     )
 
 
-def _joined(left: ChainSpring, right: ChainSpring) -> ChainSpring:
-    """Two springs in a row, which carry one torque; damping by (П1.14)."""
-    compliance = left.compliance + right.compliance
-    damping = left.damping * (left.compliance / compliance) ** 2
-    damping += right.damping * (right.compliance / compliance) ** 2
-    return ChainSpring(f"{left.name}+{right.name}", compliance, damping)
+def _longer(
+    spring: ChainSpring, other: ChainSpring, part: float = 1.0, damped: float = 1.0
+) -> ChainSpring:
+    """A spring in a row with a part of another one, which carry one torque; damping by (П1.14).
 
-
-def _longer(spring: ChainSpring, divided: ChainSpring, part: float) -> ChainSpring:
-    """A spring in a row with a part of another one, whose damping is divided by (П1.15).
-
-    Both parts of it dissipate the same at the same torque: (П1.15) in (П1.16) leaves K/2 of
-    it, times the square of its own compliance by that of the sum, however small the part is.
+    Where the other is divided, by (П1.15), both parts of it dissipate the same at the same torque:
+    (П1.15) in (П1.16) leaves K/2 of it, times the square of its own compliance by that of the sum,
+    however small the part is.
     """
-    compliance = spring.compliance + part * divided.compliance
+    compliance = spring.compliance + part * other.compliance
     damping = spring.damping * (spring.compliance / compliance) ** 2
-    damping += divided.damping / 2 * (divided.compliance / compliance) ** 2
+    damping += damped * other.damping * (other.compliance / compliance) ** 2
     return ChainSpring(spring.name, compliance, damping)
 
 
