@@ -82,8 +82,8 @@ class ModeChoices:
         if capacity == 0:  # it may begin to rise here
             capacity = capacity_at(contact, at.time + self.within, slip)
         if contact.while_open is not None:
-            times = now, at.time + self.within
-            if any(self._programme_of(contact.while_open, time) for time in times):
+            programme = self.system.by_element[contact.while_open].programme
+            if any(programme_at(programme, time) for time in (now, at.time + self.within)):
                 return "open"
         if capacity == 0 and not contact.one_way:
             return "open"
@@ -98,16 +98,6 @@ class ModeChoices:
             signs = ("+",)
         choices.append(("contacts", index, ("stick", *signs)))
         return "stick"
-
-    def _programme_of(self, element: int, time: float) -> float:
-        """Capacity of a shift element, wherever it stands."""
-        for contact in self.system.contacts:
-            if contact.element == element:
-                return programme_at(contact.programme, time)
-        for spring in self.system.springs:
-            if spring.element == element:
-                return programme_at(spring.limit, time)
-        return 0.0
 
     def _mesh(
         self,
@@ -131,10 +121,10 @@ class ModeChoices:
 
     def _spring(self, index: int, at: Instant, scales: LargeSizes, choices: list[Choice]) -> str:
         spring = self.system.springs[index]
-        limit = programme_at(spring.limit, math.nextafter(at.time, math.inf))
+        limit = programme_at(spring.programme, math.nextafter(at.time, math.inf))
         if math.isinf(limit):
             return "stick"
-        if limit == 0 == programme_at(spring.limit, at.time + self.within):
+        if limit == 0 == programme_at(spring.programme, at.time + self.within):
             return "open"
         torque = spring.stiffness * float(at.twists[index])
         if spring.viscous:

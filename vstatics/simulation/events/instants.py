@@ -97,10 +97,8 @@ def start_instant(system: MotionSystem, speeds: Floats, twists: Floats) -> Insta
 def break_times(system: MotionSystem) -> list[float]:
     """Times at which something bends or jumps, in order [s]."""
     times: set[float] = set()
-    for contact in system.contacts:
-        times.update(contact.programme.breaks())
-    for spring in system.springs:
-        times.update(spring.limit.breaks())
+    for device in system.may_slip:
+        times.update(device.programme.breaks())
     for one in system.outside:
         if isinstance(one.law, Points) and one.law.over == "time":
             times.update(one.law.x)
@@ -117,7 +115,7 @@ def large_sizes(system: MotionSystem, at: Instant) -> LargeSizes:
         held = [abs(capacity_at(contact, time)) for time in times]
         torque = max([torque, *(one for one in held if math.isfinite(one))])
     for spring in system.springs:
-        limit = abs(programme_at(spring.limit, at.time))
+        limit = abs(programme_at(spring.programme, at.time))
         torque = max(torque, limit if math.isfinite(limit) else 0.0)
     for one in system.outside:
         if isinstance(one.law, Points):

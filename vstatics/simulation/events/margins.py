@@ -107,7 +107,9 @@ class Margins:
         self.bending: list[int] = []
         self.gripping: list[tuple[int, float]] = []
         for index, (spring, state) in enumerate(zip(system.springs, states.springs, strict=True)):
-            if state == "stick" and math.isfinite(programme_at(spring.limit, self.equations.time)):
+            if state == "stick" and math.isfinite(
+                programme_at(spring.programme, self.equations.time)
+            ):
                 self.bending.append(index)
                 self._watch("limit", index)
         for index, (spring, state) in enumerate(zip(system.springs, states.springs, strict=True)):
@@ -262,13 +264,13 @@ class Margins:
         springs = equations.system.springs
         made = []
         for index in self.bending:
-            limit = programme_along(springs[index].limit, times)
+            limit = programme_along(springs[index].programme, times)
             made.append((limit - np.abs(torques[first + index]))[None, :])
         for index, sign in self.gripping:
             spring, rate = springs[index], rates[first + index]
             if spring.viscous:
                 trial = spring.stiffness * states[equations.twists][index] + spring.viscous * rate
-                made.append((sign * trial - programme_along(spring.limit, times))[None, :])
+                made.append((sign * trial - programme_along(spring.programme, times))[None, :])
             else:
                 slopes = [
                     equations.limit_slopes(time, rates[:, n], states[:, n])[index]

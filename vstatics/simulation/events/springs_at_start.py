@@ -55,7 +55,7 @@ def _lowest_frequency(system: MotionSystem, speeds: Floats) -> float:
         if closed and abs(float(contact.row @ speeds)) <= STANDING * scale:
             rows.append(contact.row)
     free = null(system.rows(rows))
-    bent = [one for one in system.springs if programme_at(one.limit, 0.0) > 0]
+    bent = [one for one in system.springs if programme_at(one.programme, 0.0) > 0]
     if not bent or not free.shape[1]:
         return 0.0
     forms = np.array([one.row for one in bent]) @ free
@@ -85,7 +85,9 @@ def settled_twists(system: MotionSystem, speeds: Floats) -> Floats:
     """
     stiff = Programme(constant(math.inf), is_dog=True)
     bent = [
-        (index, one) for index, one in enumerate(system.springs) if programme_at(one.limit, 0.0) > 0
+        (index, one)
+        for index, one in enumerate(system.springs)
+        if programme_at(one.programme, 0.0) > 0
     ]
     rigid = tuple(Contact(one.name, one.row, stiff) for _, one in bent)
     other = replace(system, contacts=(*system.contacts, *rigid), springs=())
@@ -101,6 +103,6 @@ def settled_twists(system: MotionSystem, speeds: Floats) -> Floats:
     for row, multiplier in enumerate(structure.multipliers):
         if multiplier.kind == "contact" and multiplier.of >= first:
             index, spring = bent[multiplier.of - first]
-            limit = programme_at(spring.limit, 0.0)
+            limit = programme_at(spring.programme, 0.0)
             twists[index] = max(-limit, min(limit, float(held[row]))) / spring.stiffness
     return twists

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from vstatics.errors import CaseError, Problem, listed
+from vstatics.errors import CaseError, Problem, case_error, listed
 from vstatics.model.transmission import Gear
 from vstatics.numerics.arrays import Floats, largest
 from vstatics.simulation.scenario.parts import Scenario
@@ -31,7 +31,7 @@ def start_gear(scenario: Scenario) -> Gear | None:
     try:
         number = case.gear_number(name)
     except ValueError as error:
-        raise CaseError([Problem(str(error), ("start", "gear"))]) from None
+        raise case_error(str(error), "start", "gear") from None
     gear = case.gears[number - 1]
     if not case.freewheels:
         return gear
@@ -53,11 +53,7 @@ def start_speeds(system: MotionSystem, gear: Gear | None) -> Floats:
     links = len(system.names)
     held = [*start.engaged, *(gear.engaged if gear else ())]
     rows = [mesh.row for mesh in system.meshes]
-    elastic = {spring.element: spring for spring in system.springs if spring.element is not None}
-    by_element = {one.element: one for one in system.contacts if one.element is not None}
-    for number in held:
-        device = by_element.get(number - 1) or elastic[number - 1]
-        rows.append(device.row)
+    rows += [system.by_element[number - 1].row for number in held]
     given = dict(start.speeds)
     if gear is not None:
         given.setdefault(case.gear_input(gear), start.speed)
@@ -113,7 +109,7 @@ def _by_springs(system: MotionSystem, speeds: Floats, free: Floats, scale: float
 def _left_open(system: MotionSystem, motions: Floats, hint: str) -> CaseError:
     moving = np.flatnonzero(np.abs(motions).max(axis=1) > MOVING_LINK)
     names = listed([system.names[index] for index in moving], 6)
-    return CaseError([Problem(f"the start leaves the speed of {names} open{hint}", ("start",))])
+    return case_error(f"the start leaves the speed of {names} open{hint}", "start")
 
 
 def _contradiction(

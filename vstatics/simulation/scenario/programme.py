@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from vstatics.errors import CaseError, Problem
+from vstatics.errors import CaseError, Problem, case_error
 from vstatics.model.parts import Friction, OfLoad, ShiftElement
 from vstatics.model.transmission import Gear, Transmission
 from vstatics.simulation.scenario.laws import Curve, Points, constant
@@ -164,7 +164,7 @@ class _Shifted:
                     f"{name} has no capacity in the case, so it can't change over "
                     f"{overlap:g} s: give it a `capacity` there, or an overlap of 0"
                 )
-                raise CaseError([Problem(message, ("shifts", index))])
+                raise case_error(message, "shifts", index)
             moment = at + overlap if target else at
             return [*kept, (at, now), (moment, now), (moment, target)]
         return [*kept, (at, now), (at + overlap, target)]
@@ -186,4 +186,4 @@ def _gear(case: Transmission, name: str, index: int) -> Gear:
     try:
         return case.gears[case.gear_number(name) - 1]
     except ValueError as error:
-        raise CaseError([Problem(str(error), ("shifts", index, "to"))]) from None
+        raise case_error(str(error), "shifts", index, "to") from None

@@ -54,8 +54,14 @@ class ScenarioValues:
             self._start(values["start"], radii),
             None if controls is None else dict(self._controls(controls)),
             torques,
-            tuple(_converter(name, one) for name, one in converters.items()),
-            None if shifts is None else tuple(_shift(one) for one in shifts),
+            tuple(
+                Converter(name, pump, turbine, tuple(map(_floats, one["points"])))
+                for name, one in converters.items()
+                for pump, turbine in [one["links"]]
+            ),
+            None
+            if shifts is None
+            else tuple(Shift(float(one["at"]), one["to"], float(one["overlap"])) for one in shifts),
             {
                 link: tuple(self._speeds(given, ("targets", link), radii.get(link)))
                 for link, given in values.get("targets", {}).items()
@@ -161,12 +167,3 @@ def _plain(value: Any) -> Any:
     if isinstance(value, tuple):
         return _floats(value)
     return None if value is None else float(value)
-
-
-def _converter(name: str, given: Mapping[str, Any]) -> Converter:
-    pump, turbine = given["links"]
-    return Converter(name, pump, turbine, tuple(map(_floats, given["points"])))
-
-
-def _shift(given: Mapping[str, Any]) -> Shift:
-    return Shift(float(given["at"]), given["to"], float(given["overlap"]))

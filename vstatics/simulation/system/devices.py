@@ -8,12 +8,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.errors import CaseError, Problem
+from vstatics.errors import CaseError, Problem, case_error
 from vstatics.model.parts import Mechanism, OfLoad, ShiftElement, damping
 from vstatics.model.springs import Spring
 from vstatics.model.transmission import Gear, Transmission
 from vstatics.numerics.arrays import Floats
-from vstatics.simulation.scenario.laws import Resistance, Road, TorqueLaw, constant
+from vstatics.simulation.scenario.laws import Resistance, Road, constant
 from vstatics.simulation.scenario.parts import Scenario
 from vstatics.simulation.scenario.programme import Programme, friction_at, newton_metres
 from vstatics.simulation.system.matrices import (
@@ -57,7 +57,7 @@ def motion_system(
             bodies.append((combination(by_number, case.links), body.inertia))
     if not bodies:
         message = "the case has no `inertias`, so nothing can be in motion: give those of its links"
-        raise CaseError([Problem(f"{message} in kg*m^2", ("case",))])
+        raise case_error(f"{message} in kg*m^2", "case")
     contacts, outside = _loads(scenario)
     dragging = list(drags(case, gear))
     rows = np.ascontiguousarray(distribution_matrix(case).T)
@@ -86,7 +86,7 @@ def _meshes(case: Transmission, rows: Floats) -> list[RigidMechanism]:
         back = one.efficiency if one.back_efficiency is None else one.back_efficiency
         if back == 0:
             message = f"{one.name} is self-locking, which a scenario can't have yet"
-            raise CaseError([Problem(message, ("case",))])
+            raise case_error(message, "case")
         u = one.ratio
         found.append(
             RigidMechanism(
@@ -173,7 +173,7 @@ def _slipping_torque(element: ShiftElement, capacity: Programme) -> Programme:
             f"{element.name} is elastic, so it slips at one torque: leave out `static` and give "
             "one coefficient of friction, or a spring beside it in place of `stiffness`"
         )
-        raise CaseError([Problem(message, ("case",))])
+        raise case_error(message, "case")
     return capacity._replace(factor=capacity.factor * friction_at(pack))
 
 
@@ -181,7 +181,11 @@ def _loads(scenario: Scenario) -> tuple[list[Contact], list[OutsideTorque]]:
     """Outside torques: what of them is dry friction, and what is not."""
     contacts, outside = [], []
     for link, law in scenario.torques:
-        friction = _dry(law)
+        friction = 0.0
+        if isinstance(law, Resistance):
+            friction = law.torque
+        elif isinstance(law, Road):
+            friction = law.rolling_torque
         if friction:
             name = scenario.case.link_name(link)
             row = unit(link - 1, scenario.case.links)
@@ -189,15 +193,6 @@ def _loads(scenario: Scenario) -> tuple[list[Contact], list[OutsideTorque]]:
         if not isinstance(law, Resistance):
             outside.append(OutsideTorque(link - 1, law))
     return contacts, outside
-
-
-def _dry(law: TorqueLaw) -> float:
-    """The dry friction of a load [N*m]."""
-    if isinstance(law, Resistance):
-        return law.torque
-    if isinstance(law, Road):
-        return law.rolling_torque
-    return 0.0
 
 
 class DragTorque(NamedTuple):

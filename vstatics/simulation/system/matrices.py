@@ -8,7 +8,7 @@ gives its rate, and a torque along the same row.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple
@@ -76,8 +76,8 @@ class Elastic(NamedTuple):
     viscous: float
     """[N*m*s/rad]"""
     loss_factor: float
-    limit: Programme
-    """Within which its torque stays. [N*m]"""
+    programme: Programme
+    """Of the limit within which its torque stays. [N*m]"""
     element: int | None = None
 
 
@@ -142,6 +142,16 @@ class MotionSystem:
     def case(self) -> Transmission:
         """The case."""
         return self.scenario.case
+
+    @property
+    def may_slip(self) -> tuple[Contact | Elastic, ...]:
+        """What has a programme of its capacity."""
+        return (*self.contacts, *self.springs)
+
+    @cached_property
+    def by_element(self) -> Mapping[int, Contact | Elastic]:
+        """What stands for each shift element, by its index."""
+        return {one.element: one for one in self.may_slip if one.element is not None}
 
     @cached_property
     def layout(self) -> PortLayout:

@@ -91,7 +91,7 @@ class Ports:
                 self.by_rate[port] = spring.viscous
                 self.senses_rate[port] = spring.viscous != 0
             elif state != "open":
-                self._programme(port, spring.limit, SIGNS[state], time)
+                self._programme(port, spring.programme, SIGNS[state], time)
         self.senses_rate[layout.pumps :] = True
         self.bending = sorted(
             {port for port, _, _ in self.special}

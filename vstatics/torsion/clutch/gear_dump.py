@@ -17,7 +17,7 @@ from typing import NamedTuple
 import numpy as np
 from scipy import linalg
 
-from vstatics.errors import CaseError, Problem, spoken
+from vstatics.errors import CaseError, case_error, spoken
 from vstatics.model.clutch_dump import NEEDED, ClutchDump
 from vstatics.model.transmission import Gear, Transmission
 from vstatics.statics.result_arrays import Message
@@ -86,7 +86,7 @@ def gear_dumps(
     """
     if case.dump is None:
         message = "there is no `dump`, expected the links of `J1` to `J5`, `M_C0` and `omega1`"
-        raise CaseError([Problem(message, ("dump",))])
+        raise case_error(message, "dump")
     return [_gear_dump(case, gear, case.dump, rate) for gear in asked_gears(case, gears)]
 
 
@@ -98,16 +98,16 @@ def _gear_dump(case: Transmission, gear: Gear, asked: ClutchDump, rate: float | 
     found = scales(system, asked.link - 1)
     if isinstance(found, str):
         return GearDump(gear.name, to, error=found)
-    masses = _masses(case, system, asked, found.speeds)
-    given = _reduced(case, system, asked, masses.inertias, found.speeds)
+    inertias, left_out = _masses(case, system, asked, found.speeds)
+    given = _reduced(case, system, asked, inertias, found.speeds)
     if isinstance(given, str):
         return GearDump(gear.name, to, error=given)
     try:
         made = dump(given, rate)
     except CaseError as error:
         return GearDump(gear.name, to, given, error=spoken(map(str, error.problems)))
-    if masses.left_out:
-        message = f"in none of J1 to J5, though turning with {to}: {', '.join(masses.left_out)}"
+    if left_out:
+        message = f"in none of J1 to J5, though turning with {to}: {', '.join(left_out)}"
         made = made._replace(messages=(*made.messages, Message("note", message)))
     return GearDump(gear.name, to, given, made)
 
@@ -148,19 +148,13 @@ def _reduced(
     )
 
 
-class _Masses(NamedTuple):
-    """What J1 to J5 add up to."""
-
-    inertias: dict[str, float]
-    """On the reference shaft. [kg*m^2]"""
-    left_out: list[str]
-    """What turns with it and belongs to none of them."""
-
-
 def _masses(
     case: Transmission, system: TorsionalSystem, asked: ClutchDump, speeds: Sequence[float | None]
-) -> _Masses:
-    """The inertias of J1 to J5; planets go with a link of their set, the carrier before others."""
+) -> tuple[dict[str, float], list[str]]:
+    """The inertias of J1 to J5 on the reference shaft, and what turns but is in none of them.
+
+    Planets go with a link of their set, the carrier before others.
+    """
     owners = {link: name for name, links in asked.masses.items() for link in links}
     totals = dict.fromkeys(asked.masses, 0.0)
     left_out: dict[str, None] = {}
@@ -173,7 +167,7 @@ def _masses(
             totals[owner] += body.inertia * speed**2
         elif body.inertia * speed:
             left_out[body.name] = None
-    return _Masses(totals, [*left_out])
+    return totals, [*left_out]
 
 
 def _links_of_set(case: Transmission, planet: str) -> list[int]:

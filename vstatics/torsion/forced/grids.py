@@ -30,11 +30,7 @@ def largest_grids(gears: Sequence[GearResponse]) -> Iterator[Grid]:
             columns = [
                 Column(part) for one in orders for part in (f"order {one}", f"{one} at [rpm]")
             ]
-            rows: list[Row] = []
-            for name in by_name[0] if by_name else ():
-                cells = [_largest(gear.speeds, one[name]) for one in by_name]
-                rows.append([name, *(cell for pair in cells for cell in pair)])
-            if rows:
+            if rows := _largest_rows(gear.speeds, by_name):
                 yield Grid(f"Gear {gear.name}: largest {title}", [text("name"), *columns], rows)
 
 
@@ -57,6 +53,14 @@ def _quantities(
 ) -> Iterator[tuple[str, Sequence[Mapping[str, Complex]]]]:
     yield "amplitudes of links [rad]", [one.amplitudes for one in gear.orders]
     yield "torques of devices [N*m]", [one.torques for one in gear.orders]
+
+
+def _largest_rows(speeds: Floats, by_name: Sequence[Mapping[str, Complex]]) -> list[Row]:
+    """A row for each name, with the largest value of each column and its speed."""
+    return [
+        [name, *(cell for one in by_name for cell in _largest(speeds, one[name]))]
+        for name in (by_name[0] if by_name else ())
+    ]
 
 
 def _largest(speeds: Floats, values: Floats | Complex) -> tuple[Cell, Cell]:

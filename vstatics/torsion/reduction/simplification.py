@@ -24,7 +24,7 @@ import math
 from collections.abc import Callable, Iterator, Sequence
 from typing import Literal, NamedTuple, get_args
 
-from vstatics.errors import CaseError, Problem, listed, nearest, spoken
+from vstatics.errors import CaseError, Problem, case_error, listed, nearest, spoken
 from vstatics.numerics.tolerances import TIE
 from vstatics.torsion.reduction.chain import (
     Chain,
@@ -73,11 +73,8 @@ class Simplification(NamedTuple):
     warnings: tuple[Problem, ...]
 
 
-class _SchemeReached(NamedTuple):
-    """A scheme on the way, and how it came about."""
-
-    system: PartialSystem
-    scheme: TorsionScheme
+_SchemeReached = tuple[PartialSystem, TorsionScheme]
+"""A system that is taken out, and the scheme then."""
 
 
 def simplify(
@@ -130,9 +127,9 @@ def simplify(
         stages = [*_by_partial_systems(chain, steps, remove)]
     else:
         message = f"read rule `partial`, expected r, b or u: the scheme is no chain, {chain}"
-        raise CaseError([Problem(message)])
+        raise case_error(message)
     found = tuple(_step(stage, rule, is_chain=is_chain) for stage in stages)
-    left = without_massless(stages[-1].scheme if stages else given)
+    left = without_massless(stages[-1][1] if stages else given)
     return Simplification(rule, found, left, tuple(_warnings(found)))
 
 
@@ -147,7 +144,7 @@ def _by_partial_systems(
             system = _highest(partial_systems(chain))
         one, *other = system.masses
         chain = with_masses_merged(chain, one) if other else without_mass(chain, one)
-        yield _SchemeReached(system, scheme_of(chain))
+        yield system, scheme_of(chain)
 
 
 def _by_masses(
@@ -163,9 +160,9 @@ def _by_masses(
         [mass] = system.masses
         if not system.frequency:
             message = f"`{system.names[0]}` can't be removed: no device acts on it"
-            raise CaseError([Problem(message)])
+            raise case_error(message)
         scheme = without_branch_mass(scheme, mass, rule)
-        yield _SchemeReached(system, scheme)
+        yield system, scheme
 
 
 def _inner(scheme: TorsionScheme, systems: Sequence[PartialSystem]) -> list[PartialSystem]:
@@ -176,7 +173,7 @@ def _inner(scheme: TorsionScheme, systems: Sequence[PartialSystem]) -> list[Part
             "no link is left that a rule removes: one device alone acts on each of "
             f"{listed([one.names[0] for one in systems])}; name those to remove"
         )
-        raise CaseError([Problem(message)])
+        raise case_error(message)
     return inner
 
 
