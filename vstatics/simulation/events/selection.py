@@ -160,7 +160,8 @@ class ModeSelection:
             failing = self._failing(margins, at.time, state, scales)
             if not failing:
                 return Selected(margins, state, jump), []
-            states = _turned(states, failing) or states
+            only = all(watch.kind in ("flow", "piece") for watch in failing)
+            states = turned(states, [one for one in failing if only or one.kind == "flow"])
         return None, failing
 
     def _caught(
@@ -208,13 +209,6 @@ def _failed(margins: Margins, time: float, state: Floats, failing: Booleans) -> 
         watch = margins.watches[index]
         found += margins.tight(time, state) if watch.kind == "split" else [watch]
     return found
-
-
-def _turned(states: States, failing: Sequence[Watch]) -> States | None:
-    """The states with other flows of meshes and on other pieces; None if more than that fails."""
-    if any(watch.kind not in ("flow", "piece") for watch in failing):
-        failing = [watch for watch in failing if watch.kind == "flow"]
-    return turned(states, failing) if failing else None
 
 
 def turned(states: States, watches: Sequence[Watch]) -> States:

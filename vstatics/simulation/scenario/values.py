@@ -116,10 +116,10 @@ class ScenarioValues:
         """A capacity over time; a pressure where the element has friction."""
         measure: Measure = "pressure" if element.friction else "si_torque"
         why = f", since {element.name} has {'' if element.friction else 'no '}`friction`"
-        return self._curve(given, (), measure, path, why)
+        return self._curve(given, measure, path, why)
 
     def _curve(
-        self, given: Any, over: Sequence[Over], measure: Measure, path: Path, why: str = ""
+        self, given: Any, measure: Measure, path: Path, why: str = "", along: Over = "time"
     ) -> Points | Formula:
         """Points, a formula, or a number."""
         if isinstance(given, Formula):
@@ -127,7 +127,6 @@ class ScenarioValues:
         if not isinstance(given, Sequence):
             self._check_unit(given, measure, path, why)
             return constant(given or 0.0)
-        along: Over = over[0] if over else "time"
         for number, (x, y) in enumerate(given, 1):
             self._check_unit(x, _OVER[along], (*path, number, 1), f": the points are over {along}")
             self._check_unit(y, measure, (*path, number, 2), why)
@@ -148,14 +147,14 @@ class ScenarioValues:
 
     def _law(self, given: Any, path: Path) -> TorqueLaw:
         if not isinstance(given, GivenLaw):
-            return self._curve(given, (), "si_torque", path)
+            return self._curve(given, "si_torque", path)
         if given.resistance is not None:
             return Resistance(float(given.resistance))
         if given.road is not None:
             return Road(*map(float, given.road))
-        over: Any = given.over or "time"
+        along: Any = given.over or "time"
         key = "formula" if given.points is None else "points"
-        return self._curve(getattr(given, key), (over,), "si_torque", (*path, key))
+        return self._curve(getattr(given, key), "si_torque", (*path, key), along=along)
 
 
 def _floats(values: Iterable[float]) -> tuple[Any, ...]:
