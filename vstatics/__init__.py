@@ -26,7 +26,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 from vstatics.errors import CaseError, Place, Problem, ReadError, VstaticsError
-from vstatics.extras import __version__
+from vstatics.extras import __version__, later
 from vstatics.model.parts import Damping, Load
 from vstatics.model.springs import Spring
 from vstatics.model.transmission import Gear, Mechanism, ShiftElement, Transmission
@@ -115,7 +115,7 @@ _METHODS = (
 """Methods that come from rooms of which the room of results must know nothing."""
 
 
-def _later(module: str, function: str) -> Any:
+def _method_of(module: str, function: str) -> Any:
     """A method that is imported when it is called."""
 
     def method(*given: Any, **named: Any) -> Any:
@@ -126,14 +126,11 @@ def _later(module: str, function: str) -> Any:
 
 
 for _of, _method, _module, _function in _METHODS:
-    setattr(_of, _method, _later(_module, _function))
+    setattr(_of, _method, _method_of(_module, _function))
 Transmission.from_dict = staticmethod(from_dict)  # type: ignore[method-assign]
 
 
-def __getattr__(name: str) -> Any:
-    if name in _LATER:
-        return getattr(import_module(_LATER[name]), name)
-    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+__getattr__ = later(__name__, _LATER)
 
 
 def __dir__() -> list[str]:

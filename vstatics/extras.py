@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Callable, Mapping
 from functools import cache
+from importlib import import_module
+from typing import Any
 
 from vstatics.errors import CaseError, Problem
 
@@ -24,6 +27,28 @@ EXTRAS = {
 """By extra: the package that it brings."""
 BESIDES = {"boxes": ("networkx",)}
 """Further packages of an extra."""
+
+
+def later(package: str, modules: Mapping[str, str]) -> Callable[[str], Any]:
+    """A `__getattr__` of a package, by which names are imported when somebody asks for them.
+
+    Parameters
+    ----------
+    modules : mapping
+        Of each name the module that has it.
+
+    Examples
+    --------
+    >>> later("shapes", {"sqrt": "math"})("sqrt")(9)
+    3.0
+    """
+
+    def attribute(name: str) -> Any:
+        if name in modules:
+            return getattr(import_module(modules[name]), name)
+        raise AttributeError(f"module {package!r} has no attribute {name!r}")
+
+    return attribute
 
 
 @cache

@@ -7,6 +7,7 @@ import numpy as np
 from vstatics.numerics.tolerances import LAST_BITS
 
 Floats = np.ndarray[Any, np.dtype[np.float64]]
+Complex = np.ndarray[Any, np.dtype[np.complex128]]
 Integers = np.ndarray[Any, np.dtype[np.integer[Any]]]
 Booleans = np.ndarray[Any, np.dtype[np.bool_]]
 
@@ -30,3 +31,14 @@ def first_largest(sizes: Floats) -> Integers:
     """
     known = np.where(np.isnan(sizes), -1.0, sizes)
     return np.asarray(np.argmax(known >= known.max(axis=0) * (1 - LAST_BITS), axis=0))
+
+
+def largest(values: Floats | Complex) -> float:
+    """The largest magnitude of an array; 0 of an empty one, NaN if any is.
+
+    Examples
+    --------
+    >>> largest(np.array([1.0, -3.0])), largest(np.zeros(0))
+    (3.0, 0.0)
+    """
+    return float(np.abs(values).max(initial=0.0))

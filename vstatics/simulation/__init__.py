@@ -24,8 +24,9 @@ Vehicle dynamics, Minsk, 1981 (chapters 1.3 to 1.5 and 3).
 
 from __future__ import annotations
 
-from importlib import import_module
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
+
+from vstatics.extras import later
 
 if TYPE_CHECKING:
     from vstatics.simulation.record.motion import Motion
@@ -36,20 +37,20 @@ if TYPE_CHECKING:
     from vstatics.simulation.scenario.parts import Capacity, Converter, Dog, Scenario, Shift, Start
 
 _LATER = {
-    "Capacity": "scenario.parts",
-    "Converter": "scenario.parts",
-    "Dog": "scenario.parts",
-    "Formula": "scenario.formula",
-    "Motion": "record.motion",
-    "Points": "scenario.laws",
-    "Resistance": "scenario.laws",
-    "Road": "scenario.laws",
-    "Scenario": "scenario.parts",
-    "Shift": "scenario.parts",
-    "Start": "scenario.parts",
-    "constant": "scenario.laws",
-    "load_scenario": "scenario.file",
-    "simulate": "run",
+    "Capacity": "vstatics.simulation.scenario.parts",
+    "Converter": "vstatics.simulation.scenario.parts",
+    "Dog": "vstatics.simulation.scenario.parts",
+    "Formula": "vstatics.simulation.scenario.formula",
+    "Motion": "vstatics.simulation.record.motion",
+    "Points": "vstatics.simulation.scenario.laws",
+    "Resistance": "vstatics.simulation.scenario.laws",
+    "Road": "vstatics.simulation.scenario.laws",
+    "Scenario": "vstatics.simulation.scenario.parts",
+    "Shift": "vstatics.simulation.scenario.parts",
+    "Start": "vstatics.simulation.scenario.parts",
+    "constant": "vstatics.simulation.scenario.laws",
+    "load_scenario": "vstatics.simulation.scenario.file",
+    "simulate": "vstatics.simulation.run",
 }
 """Names that are imported when somebody asks for them."""
 
@@ -71,10 +72,7 @@ __all__ = [
 ]
 
 
-def __getattr__(name: str) -> Any:
-    if name in _LATER:
-        return getattr(import_module(f"vstatics.simulation.{_LATER[name]}"), name)
-    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+__getattr__ = later(__name__, _LATER)
 
 
 def __dir__() -> list[str]:

@@ -3,24 +3,27 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 
 import numpy as np
 
-from vstatics.errors import CaseError, Problem
+from vstatics.errors import CaseError, Problem, case_error
+from vstatics.numerics.arrays import largest
 from vstatics.simulation.events.impacts import impact
 from vstatics.simulation.events.instants import Instant, break_times, instant_of, large_sizes
-from vstatics.simulation.events.location import Finder, MarginEnd, NoCapacity
+from vstatics.simulation.events.location import Finder, MarginEnd
 from vstatics.simulation.events.margins import LargeSizes, Watch
 from vstatics.simulation.events.pieces import StepTolerances, TimeStep, TooSmall, steps
+from vstatics.simulation.events.search import KIND_OF, Kind
 from vstatics.simulation.events.selection import ModeSelection, NoChoice, Selected, turned
 from vstatics.simulation.events.stretches import Closed, NoFit
 from vstatics.simulation.record.motion import Event, EventKind
 from vstatics.simulation.record.record import Record
 from vstatics.simulation.system.curves import capacity_at
 from vstatics.simulation.system.equations import Equations
-from vstatics.simulation.system.matrices import MotionSystem
-from vstatics.simulation.system.ports import PortLayout, States
+from vstatics.simulation.system.matrices import SIGNS, MotionSystem
+from vstatics.simulation.system.ports import States
+from vstatics.simulation.tolerances import AHEAD_OF_STOP, LEAST_RTOL, SAME_INSTANT, STANDING
 
 _MOST_AT_ONCE = 60
 """Events within a moment, before it is told that there is no way on."""
@@ -28,21 +31,12 @@ _LOOSEST = 4096.0
 _MOST_EVENTS = 100_000
 
 
-class RunStop(Exception):  # noqa: N818 - it never leaves the room
-    """A run that can't go on."""
-
-    def __init__(self, problem: Problem) -> None:
-        super().__init__(problem.message)
-        self.problem = problem
-
-
 class EventRun:
     """A run."""
 
     def __init__(self, system: MotionSystem, record: Record, rtol: float) -> None:
         self.system, self.record = system, record
-        self.layout = PortLayout(system)
-        self.selection = ModeSelection(system, self.layout)
+        self.selection = ModeSelection(system)
         self.rtol = rtol
         self.duration = system.scenario.duration
         self.breaks = break_times(system)
@@ -66,11 +60,12 @@ class EventRun:
         length: float | None = None
         while True:
             selected = self._selected(at, before, left, met)
-            states = selected.equations.states
+            equations = selected.margins.equations
+            states = equations.states
             self._tell(at.time, before, states)
             end = next((time for time in self.breaks if time > at.time), self.duration)
             found, length = self._to_event(selected, min(end, self.duration), length)
-            at = instant_of(selected.equations, found.time, found.state)
+            at = instant_of(equations, found.time, found.state)
             if found.time >= self.duration:
                 return
             before, met = states, []
@@ -82,13 +77,11 @@ class EventRun:
                 # nothing is taken up again at the instant at which it has ended
                 left = [*left, states] if self.at_once else [states]
                 met = [watch.of for watch in found.watches if watch.kind == "slip"]
-            self.scales = self.scales._replace(
-                speed=max(self.scales.speed, float(np.abs(at.speeds).max()))
-            )
+            self.scales = self.scales._replace(speed=max(self.scales.speed, largest(at.speeds)))
             at = self._joined(at, before)
 
     def _count(self, found: MarginEnd) -> None:
-        close = found.time - self.latest <= 1e-11 * self.duration
+        close = found.time - self.latest <= SAME_INSTANT * self.duration
         self.at_once = self.at_once + 1 if close else 0
         self.latest = found.time
         if self.at_once > _MOST_AT_ONCE or len(self.record.events) > _MOST_EVENTS:
@@ -97,7 +90,7 @@ class EventRun:
                 f"at {found.time:.9g} s {name} changes without end between sticking and slipping: "
                 "there is no state in which the run can go on"
             )
-            raise RunStop(Problem(message))
+            raise case_error(message)
 
     def _selected(
         self, at: Instant, before: States | None, left: list[States], met: list[int]
@@ -117,12 +110,10 @@ class EventRun:
                 f"at {at.time:.9g} s there is no admissible state: neither sticking nor slipping "
                 f"fits for {', '.join(names) or 'the speeds as they are'}"
             )
-            raise RunStop(Problem(message)) from None
-        except CaseError as error:
-            raise RunStop(error.problems[0]) from None
+            raise case_error(message) from None
         except np.linalg.LinAlgError:
             message = f"at {at.time:.9g} s the equations of motion are singular"
-            raise RunStop(Problem(message)) from None
+            raise case_error(message) from None
         if selected.jump is not None:
             self.record.jumps(at.time, selected.jump)
         return selected
@@ -131,13 +122,13 @@ class EventRun:
         self, selected: Selected, end: float, length: float | None
     ) -> tuple[MarginEnd, float | None]:
         """Integrate to the next event, or to an end."""
-        equations, margins = selected.equations, selected.margins
+        equations = selected.margins.equations
         if end <= equations.time:
             return MarginEnd(end, selected.state, ()), length
         tolerances = self._tolerances(equations)
         equations.ports.until = math.nextafter(end, -math.inf)
-        self.record.begin(equations, margins, selected.state)
-        finder = Finder(equations, margins, self.scales, self.record.sample)
+        self.record.begin(selected.margins, selected.state)
+        finder = Finder(selected.margins, self.scales, self.record.sample)
         try:
             for step in self._steps(selected, end, tolerances, length):
                 found = finder.event_in(step)
@@ -146,17 +137,15 @@ class EventRun:
                     return found, step.end - step.start
                 self.record.step(step, step.end, step.last)
                 length = step.end - step.start
-        except NoCapacity as fault:
-            raise RunStop(Problem(str(fault), ("controls", fault.contact.name))) from None
         except TooSmall:
-            raise RunStop(self._too_small(equations)) from None
+            raise CaseError([self._too_small(equations)]) from None
         return MarginEnd(end, step.last, ()), length
 
     def _steps(
         self, selected: Selected, end: float, tolerances: StepTolerances, length: float | None
     ) -> Iterator[TimeStep]:
         """Steps up to a time: in closed form where all is straight, or something can swing."""
-        equations, state = selected.equations, selected.state
+        equations, state = selected.margins.equations, selected.state
         time = equations.time
         if equations.ports.is_affine or equations.springs:
             try:
@@ -172,9 +161,9 @@ class EventRun:
     def _too_small(self, equations: Equations) -> Problem:
         """Why no step is small enough: a torque that is no number, or that jumps."""
         time, state = self.record.time, self.record.kept[-1].state
-        for ahead in (0.0, 1e-9, 1e-6, 1e-3):
+        for ahead in AHEAD_OF_STOP:
             at = time + ahead * self.duration
-            torques = equations.torques(at, state, equations.rates(at, state)[0])
+            _, torques = equations.acting(at, state)
             for one, torque in zip(self.system.outside, torques.tolist(), strict=False):
                 if not math.isfinite(torque):
                     name = self.system.names[one.link]
@@ -186,7 +175,7 @@ class EventRun:
         )
 
     def _tolerances(self, equations: Equations) -> StepTolerances:
-        relative = max(0.01 * self.rtol, 3e-14)
+        relative = max(0.01 * self.rtol, LEAST_RTOL)
         absolute = np.empty(equations.size)
         speed, torque = self.scales
         absolute[: equations.motions] = relative * speed
@@ -206,7 +195,7 @@ class EventRun:
             if math.isinf(capacity_at(contact, at.time)):
                 rigid.append(index)
                 slip = abs(float(contact.row @ at.speeds))
-                if slip > 1e-9 * self.scales.speed and (
+                if slip > STANDING * self.scales.speed and (
                     before is None or before.contacts[index] != "rigid"
                 ):
                     joining.append(index)
@@ -225,48 +214,35 @@ class EventRun:
         """List what changed."""
         if before is not None:
             for index, contact in enumerate(self.system.contacts):
-                if contact.is_drag or index in self.record.joined:
-                    continue
-                kind = _change(before.contacts[index], states.contacts[index])
-                if kind is not None:
-                    self.record.events.append(Event(time, contact.name, kind))
+                if not (contact.is_drag or index in self.record.joined):
+                    change = before.contacts[index], states.contacts[index]
+                    self._tell_change(time, contact.name, *change)
             for index, spring in enumerate(self.system.springs):
-                kind = _change(before.springs[index], states.springs[index])
-                if kind is not None:
-                    self.record.events.append(Event(time, spring.name, kind))
+                self._tell_change(time, spring.name, before.springs[index], states.springs[index])
         self.record.joined.clear()
 
-    def _name_of(self, kind: str, index: int) -> str:
-        parts: dict[str, Sequence[object]] = {
-            "contact": self.system.contacts,
-            "mesh": self.system.meshes,
-            "spring": self.system.springs,
-        }
-        return str(getattr(parts[kind][index], "name", ""))
+    def _name_of(self, kind: Kind, index: int) -> str:
+        return str(getattr(self.system, kind)[index].name)
 
     def _name(self, watch: Watch) -> str:
         if watch.kind == "split":
             return "what sticks"
-        if watch.kind in ("slip", "hold"):
-            return self._name_of("contact", watch.of)
-        if watch.kind in ("mesh", "flow", "cone"):
-            return self._name_of("mesh", watch.of)
-        if watch.kind in ("limit", "grip"):
-            return self._name_of("spring", watch.of)
-        if watch.of >= self.layout.outside:
-            return self.system.converters[watch.of - self.layout.outside].name
+        kind: Kind | None = "meshes" if watch.kind == "flow" else KIND_OF.get(watch.kind)
+        if kind is not None:
+            return self._name_of(kind, watch.of)
+        outside = self.system.layout.outside
+        if watch.of >= outside:
+            return self.system.converters[watch.of - outside].name
         return f"the torque on {self.system.names[self.system.outside[watch.of].link]}"
 
-
-def _change(before: str, after: str) -> EventKind | None:
-    """What an event is called."""
-    sticks = ("stick", "rigid")
-    if before in sticks and after not in sticks:
-        return "slips"
-    if before in ("+", "-") and after in sticks:
-        return "locks"
-    if before == "open" and after == "rigid":
-        return "locks"
-    if {before, after} == {"+", "-"}:
-        return "reverses"
-    return None
+    def _tell_change(self, time: float, name: str, before: str, after: str) -> None:
+        sticks = ("stick", "rigid")
+        kind: EventKind | None = None
+        if before in sticks and after not in sticks:
+            kind = "slips"
+        elif (before in SIGNS and after in sticks) or (before == "open" and after == "rigid"):
+            kind = "locks"
+        elif {before, after} == {*SIGNS}:
+            kind = "reverses"
+        if kind is not None:
+            self.record.events.append(Event(time, name, kind))

@@ -7,34 +7,30 @@ from typing import Literal
 
 import numpy as np
 
-from vstatics.errors import CaseError, Problem
+from vstatics.errors import CaseError, Problem, case_error
 from vstatics.numerics.arrays import Floats
-from vstatics.simulation.course import EventRun, RunStop
-from vstatics.simulation.events.instants import Instant
+from vstatics.simulation.course import EventRun
+from vstatics.simulation.events.instants import start_instant
 from vstatics.simulation.events.selection import NoChoice
 from vstatics.simulation.events.springs_at_start import settled_twists, with_viscous_damping
 from vstatics.simulation.events.start import start_gear, start_speeds
-from vstatics.simulation.record.motion import Energy, Motion
+from vstatics.simulation.record.motion import Motion
 from vstatics.simulation.record.record import Record
 from vstatics.simulation.scenario.checks import check_scenario
 from vstatics.simulation.scenario.parts import Scenario
 from vstatics.simulation.scenario.programme import programmes
 from vstatics.simulation.system.devices import motion_system
 from vstatics.simulation.system.matrices import MotionSystem
-from vstatics.simulation.system.ports import PortLayout
+from vstatics.simulation.tolerances import CLOSED_ENERGY, NO_ENERGY, RTOL
 
 Method = Literal["events", "tarasik"]
-BALANCE = 1e-8
-"""A run closes that leaves no more than this part of the largest energy."""
-_NO_ENERGY = 1e-12
-"""An energy that is none. [J]"""
 
 
 def simulate(
     scenario: Scenario,
     *,
     step: float | None = None,
-    rtol: float = 1e-8,
+    rtol: float = RTOL,
     method: Method = "events",
 ) -> Motion:
     """The motion of a case by a scenario.
@@ -82,20 +78,17 @@ def simulate(
     gear = start_gear(scenario)
     engaged = (*scenario.start.engaged, *(gear.engaged if gear else ()))
     system = motion_system(scenario, programmes(scenario, engaged), gear)
-    layout = PortLayout(system)
     speeds = start_speeds(system, gear)
-    size = layout.ports + 2 * len(system.springs) + len(system.meshes)
     system, messages = with_viscous_damping(system, speeds)
-    twists = _twists(system, speeds)
-    start = Instant(0.0, speeds, twists, np.zeros(len(layout.angles)), np.zeros(size))
+    start = start_instant(system, speeds, _twists(system, speeds))
     record = Record(system, start, step)
     record.messages += messages
     stopped: Problem | None = None
     try:
         with np.errstate(all="ignore"):
             EventRun(system, record, rtol).run(start)
-    except RunStop as stop:
-        stopped = stop.problem
+    except CaseError as stop:
+        stopped = stop.problems[0]
     if not record.kept:
         assert stopped is not None  # noqa: S101 - it can't end without a start
         raise CaseError([stopped])
@@ -111,23 +104,18 @@ def _twists(system: MotionSystem, speeds: Floats) -> Floats:
         return settled_twists(system, speeds)
     except NoChoice:
         message = "there is no settled state at t = 0: leave out `settled`"
-        raise CaseError([Problem(message, ("start", "settled"))]) from None
+        raise case_error(message, "start", "settled") from None
 
 
 def _closed(motion: Motion) -> Motion:
     """The motion, marked where its energy does not close."""
     energy = motion.energy
-    largest = _largest(energy)
-    if abs(energy.balance) <= max(BALANCE * largest, _NO_ENERGY):
+    heat = math.fsum(energy.heat.values())
+    largest = max(abs(energy.work), heat, abs(energy.kinetic), abs(energy.elastic), energy.impact)
+    if abs(energy.balance) <= max(CLOSED_ENERGY * largest, NO_ENERGY):
         return motion
     message = (
         f"the energy does not close: {energy.balance:.3g} J are left of {largest:.3g} J; a smaller "
         "--rtol may help"
     )
     return motion._replace(stopped=Problem(message))
-
-
-def _largest(energy: Energy) -> float:
-    """The largest of work, heat and changes of energies [J]."""
-    heat = math.fsum(energy.heat.values())
-    return max(abs(energy.work), heat, abs(energy.kinetic), abs(energy.elastic), energy.impact)

@@ -19,8 +19,9 @@ Source: Tsitovich, Algin, Vehicle dynamics, Minsk, 1981 (chapters 1 to 3, append
 
 from __future__ import annotations
 
-from importlib import import_module
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
+
+from vstatics.extras import later
 
 if TYPE_CHECKING:
     from vstatics.torsion.clutch.dumped import dump
@@ -46,24 +47,21 @@ __all__ = [
 ]
 
 _LATER = {
-    "Harmonic": "forced.harmonic_torques",
-    "damping": "vibration.measured",
-    "dump": "clutch.dumped",
-    "gear_dumps": "clutch.gear_dump",
-    "gear_scheme": "reduction.reduced_scheme",
-    "identify": "vibration.measured",
-    "modes": "vibration.gear_modes",
-    "reduce": "reduction.reduced_values",
-    "response": "forced.harmonic_torques",
-    "simplify": "reduction.simplification",
+    "Harmonic": "vstatics.torsion.forced.harmonic_torques",
+    "damping": "vstatics.torsion.vibration.measured",
+    "dump": "vstatics.torsion.clutch.dumped",
+    "gear_dumps": "vstatics.torsion.clutch.gear_dump",
+    "gear_scheme": "vstatics.torsion.reduction.reduced_scheme",
+    "identify": "vstatics.torsion.vibration.measured",
+    "modes": "vstatics.torsion.vibration.gear_modes",
+    "reduce": "vstatics.torsion.reduction.reduced_values",
+    "response": "vstatics.torsion.forced.harmonic_torques",
+    "simplify": "vstatics.torsion.reduction.simplification",
 }
 """Names that are imported when somebody asks for them: most need scipy."""
 
 
-def __getattr__(name: str) -> Any:
-    if name in _LATER:
-        return getattr(import_module(f"vstatics.torsion.{_LATER[name]}"), name)
-    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+__getattr__ = later(__name__, _LATER)
 
 
 def __dir__() -> list[str]:

@@ -7,9 +7,9 @@ import random
 import numpy as np
 import pytest
 
+from vstatics.numerics.arrays import Floats
 from vstatics.torsion.reduction.condensation import tidied, without_massless
 from vstatics.torsion.reduction.scheme import (
-    Array,
     SchemeSpring,
     TorsionScheme,
     natural_frequencies,
@@ -28,11 +28,11 @@ def light(inertias: list[float], *springs: tuple[Twist, float]) -> TorsionScheme
     )
 
 
-def schur(scheme: TorsionScheme) -> Array:
+def schur(scheme: TorsionScheme) -> Floats:
     """K of the masses with inertia by static condensation."""
     whole, heavy = stiffness_matrix(scheme), np.array(scheme.inertias) > 0
     outer, mixed, inner = whole[heavy][:, heavy], whole[heavy][:, ~heavy], whole[~heavy][:, ~heavy]
-    left: Array = outer - mixed @ np.linalg.solve(inner, mixed.T)
+    left: Floats = outer - mixed @ np.linalg.solve(inner, mixed.T)
     return left
 
 

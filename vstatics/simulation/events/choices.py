@@ -3,18 +3,22 @@
 from __future__ import annotations
 
 import math
+from bisect import bisect_right
 from collections.abc import Sequence
+from itertools import repeat
 
 import numpy as np
 
-from vstatics.simulation.events.instants import STANDING, Instant
+from vstatics.simulation.events.instants import Instant
 from vstatics.simulation.events.margins import LargeSizes
 from vstatics.simulation.events.search import Choice
 from vstatics.simulation.scenario.laws import Points
+from vstatics.simulation.scenario.parts import Converter
 from vstatics.simulation.system.curves import capacity_at, programme_at
-from vstatics.simulation.system.matrices import MotionSystem
-from vstatics.simulation.system.ports import PortLayout, States, converter_piece
-from vstatics.simulation.system.structure import Structures
+from vstatics.simulation.system.matrices import MotionSystem, OutsideTorque, sign
+from vstatics.simulation.system.ports import States
+from vstatics.simulation.system.structure import MotionStructure
+from vstatics.simulation.tolerances import AHEAD, STANDING
 
 
 class ModeChoices:
@@ -27,13 +31,9 @@ class ModeChoices:
     structures : Structures
     """
 
-    def __init__(self, system: MotionSystem, layout: PortLayout, structures: Structures) -> None:
-        self.system, self.layout = system, layout
-        loose = structures.of(
-            (False,) * len(system.contacts),
-            tuple("" for _ in system.meshes),
-        )
-        rows = np.array([one.row for one in system.contacts]).reshape(-1, len(system.names))
+    def __init__(self, system: MotionSystem, loose: MotionStructure) -> None:
+        self.system, self.layout = system, system.layout
+        rows = system.rows(one.row for one in system.contacts)
         touched = np.abs(rows @ loose.light) if loose.light.size else np.zeros((len(rows), 1))
         self.touched = touched.max(axis=1, initial=0.0) > STANDING
         """Contacts whose slip can jump, since something without inertia moves along."""
@@ -44,7 +44,7 @@ class ModeChoices:
             bool((np.abs(mesh.slip @ loose.light) > STANDING).any()) for mesh in system.meshes
         ]
         """Mechanisms whose speeds can jump in the same way."""
-        self.within = 1e-7 * system.scenario.duration
+        self.within = AHEAD * system.scenario.duration
         """How far it is looked ahead. [s]"""
 
     def at(
@@ -56,22 +56,21 @@ class ModeChoices:
     ) -> tuple[States, list[Choice]]:
         """What is fixed by speeds and capacities, and what has a choice."""
         choices: list[Choice] = []
+        system = self.system
         contacts = [
             self._contact(index, at, scales, choices, met=index in met)
-            for index in range(len(self.touched))
+            for index in range(len(system.contacts))
         ]
         meshes = [
-            self._mesh(index, at, before, scales, choices)
-            for index in range(len(self.system.meshes))
+            self._mesh(index, at, before, scales, choices) for index in range(len(system.meshes))
         ]
-        springs = [
-            self._spring(index, at, scales, choices) for index in range(len(self.system.springs))
+        springs = [self._spring(index, at, scales, choices) for index in range(len(system.springs))]
+        last = before.pieces if before else [None] * (self.layout.outside + self.layout.converters)
+        pieces = [
+            *map(self._piece, repeat(at), system.outside, last),
+            *map(_converter_piece, repeat(at), system.converters, last[self.layout.outside :]),
         ]
-        pieces = tuple(self._piece(index, at, before) for index in range(len(self.system.outside)))
-        pieces += tuple(
-            self._converter_piece(index, at, before) for index in range(self.layout.converters)
-        )
-        return States(tuple(contacts), tuple(meshes), tuple(springs), pieces), choices
+        return States(tuple(contacts), tuple(meshes), tuple(springs), tuple(pieces)), choices
 
     def _contact(
         self, index: int, at: Instant, scales: LargeSizes, choices: list[Choice], *, met: bool
@@ -83,8 +82,8 @@ class ModeChoices:
         if capacity == 0:  # it may begin to rise here
             capacity = capacity_at(contact, at.time + self.within, slip)
         if contact.while_open is not None:
-            times = now, at.time + self.within
-            if any(self._programme_of(contact.while_open, time) for time in times):
+            programme = self.system.by_element[contact.while_open].programme
+            if any(programme_at(programme, time) for time in (now, at.time + self.within)):
                 return "open"
         if capacity == 0 and not contact.one_way:
             return "open"
@@ -92,25 +91,13 @@ class ModeChoices:
             return "rigid"
         if math.isinf(capacity) and not contact.one_way:
             return "rigid"
-        sign = "+" if slip > 0 else "-"
         if abs(slip) > STANDING * scales.speed and not (met or self.touched[index]):
-            return sign
-        if contact.one_way:
-            states = ("stick", "+") if math.isinf(capacity) else ("stick", "+", "-")
-        else:
-            states = ("stick", "+", "-") if sign == "+" else ("stick", "-", "+")
-        choices.append(("contact", index, states))
+            return sign(slip)
+        signs: tuple[str, ...] = ("+", "-") if slip > 0 or contact.one_way else ("-", "+")
+        if contact.one_way and math.isinf(capacity):
+            signs = ("+",)
+        choices.append(("contacts", index, ("stick", *signs)))
         return "stick"
-
-    def _programme_of(self, element: int, time: float) -> float:
-        """Capacity of a shift element, wherever it stands."""
-        for contact in self.system.contacts:
-            if contact.element == element:
-                return programme_at(contact.programme, time)
-        for spring in self.system.springs:
-            if spring.element == element:
-                return programme_at(spring.limit, time)
-        return 0.0
 
     def _mesh(
         self,
@@ -127,29 +114,27 @@ class ModeChoices:
         last = before.meshes[index] if before else ""
         torque = last[1] if last not in ("", "stick") else "+"
         if abs(speed) > STANDING * scales.speed and not self.carried[index]:
-            return ("+" if speed > 0 else "-") + torque
+            return sign(speed) + torque
         signs = ("-", "+") if speed < 0 else ("+", "-")
-        choices.append(("mesh", index, ("stick", *(sign + torque for sign in signs))))
+        choices.append(("meshes", index, ("stick", *(one + torque for one in signs))))
         return "stick"
 
     def _spring(self, index: int, at: Instant, scales: LargeSizes, choices: list[Choice]) -> str:
         spring = self.system.springs[index]
-        limit = programme_at(spring.limit, math.nextafter(at.time, math.inf))
+        limit = programme_at(spring.programme, math.nextafter(at.time, math.inf))
         if math.isinf(limit):
             return "stick"
-        if limit == 0 == programme_at(spring.limit, at.time + self.within):
+        if limit == 0 == programme_at(spring.programme, at.time + self.within):
             return "open"
         torque = spring.stiffness * float(at.twists[index])
-        near = limit - STANDING * scales.torque
         if spring.viscous:
-            choices.append(("spring", index, ("stick", "+", "-")))
-        elif abs(torque) >= near:
-            choices.append(("spring", index, ("stick", "+" if torque > 0 else "-")))
+            choices.append(("springs", index, ("stick", "+", "-")))
+        elif abs(torque) >= limit - STANDING * scales.torque:
+            choices.append(("springs", index, ("stick", sign(torque))))
         return "stick"
 
-    def _piece(self, index: int, at: Instant, before: States | None) -> int:
-        """The piece of points over a speed or an angle; at a corner it may be either side's."""
-        one = self.system.outside[index]
+    def _piece(self, at: Instant, one: OutsideTorque, last: int | None) -> int:
+        """The piece of points over a speed or an angle."""
         law = one.law
         if not isinstance(law, Points) or law.over == "time":
             return 0
@@ -157,27 +142,22 @@ class ModeChoices:
             value = float(at.speeds[one.link])
         else:
             value = float(at.angles[self.layout.angles.index(one.link)])
-        piece = law.piece_at(value)
-        if before is not None:
-            last = before.pieces[index]
-            low = -math.inf if last == 0 else law.x[last - 1]
-            high = math.inf if last == len(law.x) else law.x[last]
-            small = STANDING * max(1.0, abs(value))
-            if low - small <= value <= high + small:
-                return last
-        return piece
+        return _piece_at(value, law.x, last, STANDING * max(1.0, abs(value)))
 
-    def _converter_piece(self, index: int, at: Instant, before: States | None) -> int:
-        """The piece of the points of a converter; at a corner it may be either side's."""
-        converter = self.system.converters[index]
-        pump, turbine = (float(at.speeds[link - 1]) for link in converter[1:3])
-        last = None if before is None else before.pieces[self.layout.outside + index]
-        if pump == 0 or max(abs(pump), abs(turbine)) <= STANDING:
-            # no ratio; what follows tells, piece by piece
-            return len(converter.points) if last is None else last
-        ratio = turbine / pump
-        if last is not None:
-            ratios = [-math.inf, *(point[0] for point in converter.points), math.inf]
-            if ratios[last] - STANDING <= ratio <= ratios[last + 1] + STANDING:
-                return last
-        return converter_piece(converter, ratio)
+
+def _converter_piece(at: Instant, converter: Converter, last: int | None) -> int:
+    """The piece of the points of a converter."""
+    pump, turbine = (float(at.speeds[link - 1]) for link in converter[1:3])
+    if pump == 0 or max(abs(pump), abs(turbine)) <= STANDING:
+        # no ratio; what follows tells, piece by piece
+        return len(converter.points) if last is None else last
+    return _piece_at(turbine / pump, [ratio for ratio, _, _ in converter.points], last, STANDING)
+
+
+def _piece_at(value: float, corners: Sequence[float], last: int | None, near: float) -> int:
+    """The piece that holds from a value on; at a corner it may be either side's."""
+    if last is not None:
+        ends = (-math.inf, *corners, math.inf)
+        if ends[last] - near <= value <= ends[last + 1] + near:
+            return last
+    return bisect_right(corners, value)

@@ -13,9 +13,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.numerics.arrays import Floats
+from vstatics.numerics.arrays import Floats, largest
 from vstatics.simulation.system.matrices import MotionSystem
-from vstatics.simulation.system.structure import null
+from vstatics.simulation.system.structure import null, solved
+from vstatics.simulation.tolerances import LIGHT_MOTION, STANDING
 
 
 class Impact(NamedTuple):
@@ -45,7 +46,7 @@ def impact(
     """
     wheels = [index for index, one in enumerate(system.contacts) if one.one_way]
     held = [system.contacts[index].row for index in rigid]
-    small = 1e-9 * max(1.0, float(np.abs(speeds).max()))
+    small = STANDING * max(1.0, largest(speeds))
     best: Impact | None = None
     for count in range(len(wheels), -1, -1):
         for stopped in combinations(wheels, count):
@@ -53,8 +54,7 @@ def impact(
             rows += [system.contacts[index].row for index in stopped]
             after, impulses = _projected(system, speeds, np.array(rows))
             first = len(rows) - len(stopped)
-            scale = 1e-9 * float(np.abs(impulses).max(initial=0.0))
-            pushed = (impulses[first:] <= scale).all()
+            pushed = (impulses[first:] <= STANDING * largest(impulses)).all()
             free = [index for index in wheels if index not in stopped]
             overrun = all(system.contacts[index].row @ after >= -small for index in free)
             if best is None or (pushed and overrun):
@@ -71,10 +71,9 @@ def _projected(system: MotionSystem, speeds: Floats, rows: Floats) -> tuple[Floa
     mass = system.mass
     free = null(rows)
     reduced = free.T @ mass @ free
-    motions = np.linalg.lstsq(reduced, free.T @ mass @ speeds, rcond=1e-13)[0]
+    motions = np.linalg.lstsq(reduced, free.T @ mass @ speeds, rcond=LIGHT_MOTION)[0]
     after: Floats = free @ motions
-    impulses = np.asarray(np.linalg.lstsq(rows.T, mass @ (speeds - after), rcond=1e-12)[0], float)
-    return after, impulses
+    return after, solved(rows.T, mass @ (speeds - after))
 
 
 def _energies(

@@ -7,16 +7,14 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.numerics.arrays import Floats
+from vstatics.numerics.arrays import Floats, largest
 from vstatics.simulation.events.margins import LargeSizes
 from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.scenario.laws import Points
 from vstatics.simulation.system.curves import capacity_at, programme_at
 from vstatics.simulation.system.equations import Equations
 from vstatics.simulation.system.matrices import MotionSystem
-
-STANDING = 1e-9
-"""A speed or torque that is 0 but for rounding, by the largest of its kind."""
+from vstatics.simulation.tolerances import STANDING
 
 
 class Instant(NamedTuple):
@@ -46,18 +44,17 @@ def consistent(
     """The state with the twists that balance the torques where nothing heavy moves."""
     if not equations.light or not equations.by_slope.shape[1]:
         return state, None
-    time = equations.time
-    rates, _ = equations.rates(time, state)
-    torques = equations.torques(time, state, rates)
+    _, torques = equations.acting(equations.time, state)
     rest = equations.by_slope.T @ (equations.structure.balances @ torques)
-    if np.abs(rest).max() <= STANDING * scales.torque:
+    if largest(rest) <= STANDING * scales.torque:
         return state, None
     motion = equations.along @ -np.linalg.solve(equations.stiff, rest)
     turned = equations.structure.light_rates @ motion
     made = state.copy()
-    made[equations.twists] += np.where(equations.ports.bends, turned[equations.spring_ports], 0.0)
+    springs = equations.layout.spring_ports
+    made[equations.twists] += np.where(equations.ports.bends, turned[springs], 0.0)
     given = torques * turned
-    given[equations.spring_ports] = 0.0
+    given[springs] = 0.0
     made[equations.works] += given
     before, after = (equations.elastic_energy(one) for one in (state, made))
     signs = np.ones(len(given))
@@ -91,13 +88,17 @@ def instant_of(equations: Equations, time: float, state: Floats) -> Instant:
     )
 
 
+def start_instant(system: MotionSystem, speeds: Floats, twists: Floats) -> Instant:
+    """The instant t = 0, up to which nothing has turned or worked."""
+    accounts = np.zeros(system.layout.ports + 2 * len(system.springs) + len(system.meshes))
+    return Instant(0.0, speeds, twists, np.zeros(len(system.layout.angles)), accounts)
+
+
 def break_times(system: MotionSystem) -> list[float]:
     """Times at which something bends or jumps, in order [s]."""
     times: set[float] = set()
-    for contact in system.contacts:
-        times.update(contact.programme.breaks())
-    for spring in system.springs:
-        times.update(spring.limit.breaks())
+    for device in system.may_slip:
+        times.update(device.programme.breaks())
     for one in system.outside:
         if isinstance(one.law, Points) and one.law.over == "time":
             times.update(one.law.x)
@@ -108,16 +109,15 @@ def break_times(system: MotionSystem) -> list[float]:
 
 def large_sizes(system: MotionSystem, at: Instant) -> LargeSizes:
     """Speeds and torques that are large at the start."""
-    speed = max(1.0, float(np.abs(at.speeds).max(initial=0.0)))
     torque = 1.0
     times = [at.time, *break_times(system)]
     for contact in system.contacts:
         held = [abs(capacity_at(contact, time)) for time in times]
         torque = max([torque, *(one for one in held if math.isfinite(one))])
     for spring in system.springs:
-        limit = abs(programme_at(spring.limit, at.time))
+        limit = abs(programme_at(spring.programme, at.time))
         torque = max(torque, limit if math.isfinite(limit) else 0.0)
     for one in system.outside:
         if isinstance(one.law, Points):
             torque = max(torque, *map(abs, one.law.y))
-    return LargeSizes(speed, torque)
+    return LargeSizes(max(1.0, largest(at.speeds)), torque)

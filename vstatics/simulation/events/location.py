@@ -8,16 +8,20 @@ from typing import NamedTuple
 
 import numpy as np
 
+from vstatics.errors import case_error
 from vstatics.numerics.arrays import Floats
 from vstatics.simulation.events.margins import LargeSizes, Margins, Watch
 from vstatics.simulation.events.pieces import TimeStep
 from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.system.curves import programme_at
-from vstatics.simulation.system.equations import Equations
-from vstatics.simulation.system.matrices import Contact
-
-_NO_MARGIN = 1e-10
-"""A margin is below 0 by more than this part of what is large."""
+from vstatics.simulation.tolerances import (
+    AHEAD,
+    MADE_CAPACITY,
+    NO_MARGIN,
+    ROOT_PART,
+    ROOT_TIME,
+    SAME_INSTANT,
+)
 
 _NODES = 0.5 - 0.5 * np.cos(np.pi * np.arange(9) / 8)
 _TO_POWERS = np.asarray(np.linalg.inv(np.vander(_NODES)), float)
@@ -25,7 +29,7 @@ _TO_POWERS = np.asarray(np.linalg.inv(np.vander(_NODES)), float)
 _NEAR: Floats = np.append(2.0 ** np.arange(-32, 0), 1.0)
 """Parts of an interval at whose beginning a margin may be 0."""
 
-Sample = Callable[[TimeStep, Floats, Floats, Equations, Margins], None]
+Sample = Callable[[TimeStep, Floats, Floats], None]
 """Takes instants of a step and their states."""
 
 
@@ -37,39 +41,25 @@ class MarginEnd(NamedTuple):
     watches: tuple[Watch, ...]
 
 
-class NoCapacity(Exception):  # noqa: N818 - it never leaves the room
-    """A control that gives no capacity at an instant."""
-
-    def __init__(self, message: str, contact: Contact) -> None:
-        super().__init__(message)
-        self.contact = contact
-
-
 class Finder:
     """Finds the events of a piece.
 
     Parameters
     ----------
-    equations, margins
+    margins : Margins
         Of the piece.
     scales : LargeSizes
     sample : callable
         Is told of all instants that are looked at before an event.
     """
 
-    def __init__(
-        self,
-        equations: Equations,
-        margins: Margins,
-        scales: LargeSizes,
-        sample: Sample,
-    ) -> None:
-        self.equations, self.margins = equations, margins
+    def __init__(self, margins: Margins, scales: LargeSizes, sample: Sample) -> None:
+        self.equations, self.margins = margins.equations, margins
         self.sample = sample
-        self.noise = _NO_MARGIN * margins.units(scales)
+        self.noise = NO_MARGIN * margins.units(scales)
         self.by_formula = [
             contact
-            for contact in equations.system.contacts
+            for contact in self.equations.system.contacts
             if isinstance(contact.programme.curve, Formula)
         ]
 
@@ -77,16 +67,14 @@ class Finder:
         """The first event in a step."""
         self._check_capacities(step)
         times, states = step.times, step.states
-        if not self.margins.watches:
-            self._tell(step, times, states)
-            return None
-        margins = self.margins.along(times, states)
+        margins = np.zeros((0, len(times)))
+        if self.margins.watches:
+            margins = self.margins.along(times, states)
         ends = np.flatnonzero((margins < -self.noise[:, None]).any(axis=0))
+        first = int(ends[0]) if len(ends) else len(times)
+        self.sample(step, times[:first], states[:, :first])
         if not len(ends):
-            self._tell(step, times, states)
             return None
-        first = int(ends[0])
-        self._tell(step, times[:first], states[:, :first])
         under = float(times[first]), margins[:, first]
         if first:
             return self._located(step, (float(times[first - 1]), margins[:, first - 1]), under)
@@ -99,17 +87,14 @@ class Finder:
             capacity = programme_at(contact.programme, step.end)
             capacity /= pack.per_pressure if pack else 1.0
             most = contact.programme.largest
-            if not capacity >= 0 or (most is not None and capacity > most * (1 + 1e-9)):
+            if not capacity >= 0 or (most is not None and capacity > most * (1 + MADE_CAPACITY)):
                 expected = "0 or more" if most is None else f"0 to {most:g}"
                 unit = "Pa" if pack else "N*m"
-                raise NoCapacity(
+                message = (
                     f"at {step.end:.6g} s the control of {contact.name} gives {capacity:g} {unit}, "
-                    f"expected {expected}",
-                    contact,
+                    f"expected {expected}"
                 )
-
-    def _tell(self, step: TimeStep, times: Floats, states: Floats) -> None:
-        self.sample(step, times, states, self.equations, self.margins)
+                raise case_error(message, "controls", contact.name)
 
     def _located(
         self, step: TimeStep, above: tuple[float, Floats], under: tuple[float, Floats]
@@ -126,7 +111,7 @@ class Finder:
         state = step.exact(time)
         if time > step.start:
             time, state = self._refined(step, time, state, index)
-        close = 1e-11 * self.equations.system.scenario.duration
+        close = SAME_INSTANT * self.equations.system.scenario.duration
         watches = [self.margins.watches[other] for at, other in places if at <= time + close]
         return MarginEnd(float(time), state, tuple(watches) or (self.margins.watches[index],))
 
@@ -161,21 +146,21 @@ class Finder:
                 return reduce(lambda total, power: total * part + power, powers)
 
             if near(0.0) > 0 > near(1.0):
-                return first + (last - first) * float(brentq(near, 0.0, 1.0, xtol=1e-14))
-        return float(brentq(margin, first, last, xtol=1e-15 * max(1.0, last), rtol=1e-15))
+                return first + (last - first) * float(brentq(near, 0.0, 1.0, xtol=ROOT_PART))
+        return float(brentq(margin, first, last, xtol=ROOT_TIME * max(1.0, last), rtol=ROOT_TIME))
 
     def _refined(
         self, step: TimeStep, time: float, state: Floats, index: int
     ) -> tuple[float, Floats]:
         """The place by the state as it is at the end of a step, not between."""
         length = step.end - step.start
-        near = 1e-7 * length
+        near = AHEAD * length
         for _ in range(2):
             now = float(self.margins.at(time, state)[index])
             ahead = state + near * self.equations.derivative(time, state)
             slope = (float(self.margins.at(time + near, ahead)[index]) - now) / near
             better = time - now / slope if slope < 0 else time
-            if abs(better - time) < 1e-15 * max(1.0, time):
+            if abs(better - time) < ROOT_TIME * max(1.0, time):
                 break
             if not step.start < better <= step.end or abs(better - time) > 0.1 * length:
                 break

@@ -3,26 +3,24 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator, Sequence
 from typing import Literal, NamedTuple
 
 import numpy as np
 
-from vstatics.numerics.arrays import Floats
+from vstatics.numerics.arrays import Floats, largest
 from vstatics.simulation.events.split import least, widest, widest_place
 from vstatics.simulation.scenario.laws import Points
 from vstatics.simulation.scenario.programme import friction_at
 from vstatics.simulation.system.curves import capacity_at, programme_along, programme_at
 from vstatics.simulation.system.equations import Equations
-from vstatics.simulation.system.matrices import Contact
+from vstatics.simulation.system.matrices import SIGNS, Contact
+from vstatics.simulation.tolerances import PASSED_LIMIT, TIGHT_SLACK
 
 Watched = Literal["slip", "hold", "split", "mesh", "flow", "cone", "limit", "grip", "piece"]
 """A slip that may end; what sticks may slip, alone or together; a mesh may stand still, its flow
 turn, or it may begin to move; a spring may reach its limit, or grip again; points over a speed may
 have a corner; a capacity may lie above that of the case, or below 0."""
-
-
-_PASSED_LIMIT = 1e-10
-"""A limit is passed by more than this part of the largest torque."""
 
 
 class Watch(NamedTuple):
@@ -58,8 +56,8 @@ class Margins:
         self.holding: list[tuple[Contact, int, int]] = []
         """Contact, its multiplier, and the side: +1 its upper limit, -1 its lower one."""
         for index, state in enumerate(states.contacts):
-            if state in ("+", "-"):
-                self.slipping.append((layout.contacts + index, 1.0 if state == "+" else -1.0))
+            if state in SIGNS:
+                self.slipping.append((layout.contacts + index, SIGNS[state]))
                 self._watch("slip", index, torque=False)
         for index, (contact, state) in enumerate(
             zip(system.contacts, states.contacts, strict=True)
@@ -93,7 +91,7 @@ class Margins:
         self.cones: list[tuple[int, int, float, float]] = []
         for index, state in enumerate(states.meshes):
             if state not in ("", "stick"):
-                speed, torque = (1.0 if sign == "+" else -1.0 for sign in state)
+                speed, torque = (SIGNS[sign] for sign in state)
                 self.moving.append((index, speed, torque))
                 self._watch("mesh", index, torque=False)
                 self._watch("flow", index)
@@ -109,12 +107,14 @@ class Margins:
         self.bending: list[int] = []
         self.gripping: list[tuple[int, float]] = []
         for index, (spring, state) in enumerate(zip(system.springs, states.springs, strict=True)):
-            if state == "stick" and math.isfinite(programme_at(spring.limit, self.equations.time)):
+            if state == "stick" and math.isfinite(
+                programme_at(spring.programme, self.equations.time)
+            ):
                 self.bending.append(index)
                 self._watch("limit", index)
         for index, (spring, state) in enumerate(zip(system.springs, states.springs, strict=True)):
-            if state in ("+", "-"):
-                self.gripping.append((index, 1.0 if state == "+" else -1.0))
+            if state in SIGNS:
+                self.gripping.append((index, SIGNS[state]))
                 self._watch("grip", index, torque=spring.viscous > 0)
 
     def _pieces(self) -> None:
@@ -125,26 +125,24 @@ class Margins:
             law = one.law
             if not isinstance(law, Points) or law.over == "time":
                 continue
-            piece = equations.states.pieces[index]
             by_angle = law.over == "angle"
             port = equations.layout.angles.index(one.link) if by_angle else index
-            if piece > 0:
-                self.corners.append((port, by_angle, law.x[piece - 1], 1.0))
-                self._watch("piece", index, -1, torque=False)
-            if piece < len(law.x):
-                self.corners.append((port, by_angle, law.x[piece], -1.0))
-                self._watch("piece", index, 1, torque=False)
+            for corner, side in self._ends(index, law.x):
+                self.corners.append((port, by_angle, corner, side))
         self.ratios: list[tuple[int, float, float]] = []
         """Converter, ratio of speeds at a corner, side."""
         for place, converter in enumerate(equations.system.converters):
-            index = equations.layout.outside + place
-            piece = equations.states.pieces[index]
-            if piece > 0:
-                self.ratios.append((place, converter.points[piece - 1][0], 1.0))
-                self._watch("piece", index, -1, torque=False)
-            if piece < len(converter.points):
-                self.ratios.append((place, converter.points[piece][0], -1.0))
-                self._watch("piece", index, 1, torque=False)
+            ratios = [ratio for ratio, _, _ in converter.points]
+            for corner, side in self._ends(equations.layout.outside + place, ratios):
+                self.ratios.append((place, corner, side))
+
+    def _ends(self, index: int, corners: Sequence[float]) -> Iterator[tuple[float, float]]:
+        """The corners between which a law is, and on which side of each."""
+        piece = self.equations.states.pieces[index]
+        for place, step in ((piece - 1, -1), (piece, 1)):
+            if 0 <= place < len(corners):
+                self._watch("piece", index, step, torque=False)
+                yield corners[place], float(-step)
 
     def _straight_limits(self) -> Floats | None:
         """Limits of what sticks as ``c0 + c1 t``; None where one is a formula."""
@@ -180,8 +178,7 @@ class Margins:
     def along(self, times: Floats, states: Floats) -> Floats:
         """All margins at several times, shape (margins, times)."""
         equations = self.equations
-        rates = equations.rates_at(times, states)
-        torques = equations.torques_at(times, states, rates)
+        rates, torques = equations.acting_at(times, states)
         held: Floats = equations.structure.torques @ torques
         layout = equations.layout
         times = equations.ports.inside(times)
@@ -211,16 +208,12 @@ class Margins:
 
     def _slack(self, times: Floats, held: Floats) -> Floats:
         """Of contacts that stick, then of meshes, shape (slacks, times)."""
-        if self.holding:
-            slack = self.limits(times) - self.sides[:, None] * held[self.held_rows]
-        else:
-            slack = np.zeros((0, len(times)))
-        cones = []
+        cones = [self.limits(times) - self.sides[:, None] * held[self.held_rows]]
         for mesh, friction, less, more in self.cones:
             torque, taken = held[mesh], held[friction]
             sign = np.where(torque >= 0, 1.0, -1.0)
-            cones += [sign * (taken + less * torque), sign * (more * torque - taken)]
-        return np.vstack([slack, *cones])
+            cones.append(sign * np.array([taken + less * torque, more * torque - taken]))
+        return np.vstack(cones)
 
     def _directions(self, held: Floats) -> Floats:
         """Changes of the slacks along redundant directions."""
@@ -234,21 +227,20 @@ class Margins:
 
     def _together(self, slack: Floats, held: Floats) -> float:
         smallest = float(slack.min())
-        if smallest >= -_PASSED_LIMIT * float(np.abs(held).max(initial=0.0)):
+        if smallest >= -PASSED_LIMIT * largest(held):
             return max(smallest, 0.0)
         return widest(slack, self._directions(held))
 
     def tight(self, time: float, state: Floats) -> list[Watch]:
         """What is at its limit in the split that leaves most room."""
-        equations, at = self.equations, np.array([time])
-        rates = equations.rates_at(at, state[:, None])
-        torques = equations.torques_at(at, state[:, None], rates)
-        held = (equations.structure.torques @ torques)[:, 0]
+        at = np.array([time])
+        _, torques = self.equations.acting_at(at, state[:, None])
+        held = (self.equations.structure.torques @ torques)[:, 0]
         slack = self._slack(at, held[:, None])[:, 0]
-        best = slack + self._directions(held) @ widest_place(slack, self._directions(held))
-        near = best <= best.min() + 1e-6 * float(np.abs(slack).max())
-        watches = [one for one in self.watches if one.kind == "hold"]
-        watches += [one for one in self.watches if one.kind == "cone"]
+        directions = self._directions(held)
+        best = slack + directions @ widest_place(slack, directions)
+        near = best <= best.min() + TIGHT_SLACK * largest(slack)
+        watches = [one for kind in ("hold", "cone") for one in self.watches if one.kind == kind]
         return [watch for watch, tight in zip(watches, near.tolist(), strict=True) if tight]
 
     def split(self, times: Floats, held: Floats) -> Floats:
@@ -257,7 +249,7 @@ class Margins:
             return held
         slack = self._slack(times, held)
         made = held.copy()
-        rounding = _PASSED_LIMIT * np.abs(held).max(axis=0, initial=0.0)
+        rounding = PASSED_LIMIT * np.abs(held).max(axis=0, initial=0.0)
         for column in np.flatnonzero(slack.min(axis=0) < -rounding):
             change = least(slack[:, column], self._directions(held[:, column]))
             if change is not None:
@@ -272,13 +264,13 @@ class Margins:
         springs = equations.system.springs
         made = []
         for index in self.bending:
-            limit = programme_along(springs[index].limit, times)
+            limit = programme_along(springs[index].programme, times)
             made.append((limit - np.abs(torques[first + index]))[None, :])
         for index, sign in self.gripping:
             spring, rate = springs[index], rates[first + index]
             if spring.viscous:
                 trial = spring.stiffness * states[equations.twists][index] + spring.viscous * rate
-                made.append((sign * trial - programme_along(spring.limit, times))[None, :])
+                made.append((sign * trial - programme_along(spring.programme, times))[None, :])
             else:
                 slopes = [
                     equations.limit_slopes(time, rates[:, n], states[:, n])[index]

@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from functools import partial
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from vstatics.numerics.arrays import Booleans, Floats
 from vstatics.simulation.system.equations import Equations
+
+if TYPE_CHECKING:
+    from scipy.integrate import DOP853
 
 _SAMPLES = 8
 """Instants of a step that are looked at."""
@@ -62,33 +65,22 @@ def steps(
     ------
     TooSmall
     """
-    from scipy.integrate import DOP853
-
-    time, state = begin
+    longest = equations.longest if equations.ports.timed else np.inf
     if first is not None:
-        first = min(first, end - time, equations.longest if equations.ports.timed else np.inf)
-    solver = DOP853(
-        equations.derivative,
-        time,
-        state,
-        end,
-        rtol=tolerances.relative,
-        atol=tolerances.absolute,  # type: ignore[arg-type] # it takes arrays
-        first_step=first,
-        max_step=equations.longest if equations.ports.timed else np.inf,
-    )
+        first = min(first, end - begin[0], longest)
+    solver = _solver(equations, begin, end, tolerances, first, longest)
     while solver.status == "running":
-        start, before = solver.t, solver.y
+        start = solver.t, solver.y
         solver.step()
         if str(solver.status) == "failed" or not np.isfinite(solver.y).all():
             raise TooSmall
         between = solver.dense_output()
-        times = np.linspace(start, solver.t, _SAMPLES + 1)[1:]
+        times = np.linspace(start[0], solver.t, _SAMPLES + 1)[1:]
         states = between(times)
         states[:, -1] = solver.y
         marks = np.arange(_SAMPLES) == _SAMPLES - 1
-        exact = partial(_exactly, equations, (start, before), tolerances)
-        yield TimeStep(start, solver.t, before, solver.y, between, exact, times, states, marks)
+        exact = partial(_exactly, equations, start, tolerances)
+        yield TimeStep(start[0], solver.t, start[1], solver.y, between, exact, times, states, marks)
 
 
 def _exactly(
@@ -97,16 +89,28 @@ def _exactly(
     """The state at a time within a step, as accurate as a step's end."""
     if time <= start[0]:
         return start[1]
-    from scipy.integrate import DOP853
-
-    solver = DOP853(
-        equations.derivative,
-        *start,
-        time,
-        rtol=tolerances.relative,
-        atol=tolerances.absolute,  # type: ignore[arg-type] # it takes arrays
-        first_step=time - start[0],
-    )
+    solver = _solver(equations, start, time, tolerances, time - start[0])
     while solver.status == "running":
         solver.step()
     return solver.y
+
+
+def _solver(  # noqa: PLR0913, PLR0917
+    equations: Equations,
+    begin: tuple[float, Floats],
+    end: float,
+    tolerances: StepTolerances,
+    first: float | None,
+    longest: float = np.inf,
+) -> DOP853[np.float64]:
+    from scipy.integrate import DOP853
+
+    return DOP853(
+        equations.derivative,
+        *begin,
+        end,
+        rtol=tolerances.relative,
+        atol=tolerances.absolute,  # type: ignore[arg-type] # it takes arrays
+        first_step=first,
+        max_step=longest,
+    )

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from heapq import heappop, heappush
 from itertools import combinations, product
+from typing import Literal
 
 from vstatics.simulation.events.margins import Watch
 from vstatics.simulation.system.ports import States
@@ -13,8 +14,12 @@ _MOST_TRIED = 2000
 """Choices, before it is told that there is none."""
 
 
-Choice = tuple[str, int, tuple[str, ...]]
-"""`contact`, `mesh` or `spring`, its index, its states: the one that sticks first."""
+Kind = Literal["contacts", "meshes", "springs"]
+"""What may stick or slip, as systems and their states call it."""
+Choice = tuple[Kind, int, tuple[str, ...]]
+"""Its kind, its index, its states: the one that sticks first."""
+Changed = tuple[tuple[int, str], ...]
+"""Numbers of choices, and what is chosen in place of their first states."""
 
 
 class ModeSearch:
@@ -25,32 +30,30 @@ class ModeSearch:
 
     def __init__(self, base: States, choices: Sequence[Choice], before: States | None) -> None:
         self.base, self.choices, self.before = base, choices, before
-        self.place = {choice[:2]: number for number, choice in enumerate(choices)}
-        self.seen: set[tuple[tuple[int, str], ...]] = {()}
-        self.waiting: list[tuple[tuple[int, ...], tuple[tuple[int, str], ...]]] = [((0,), ())]
-        self.changed: tuple[tuple[int, str], ...] = ()
+        self.place: dict[tuple[Kind | None, int], int] = {
+            choice[:2]: number for number, choice in enumerate(choices)
+        }
+        self.seen: set[Changed] = {()}
+        self.waiting: list[tuple[tuple[int, ...], Changed]] = [((0,), ())]
+        self.changed: Changed = ()
 
     def __iter__(self) -> Iterator[States]:
         """Choices, as they are to be tried."""
         others = (changed for changed in self._all() if changed not in self.seen)
         for _ in range(_MOST_TRIED):
-            if self.waiting:
-                changed = heappop(self.waiting)[-1]
-            else:
-                following = next(others, None)
-                if following is None:
-                    return
-                changed = following
+            changed = heappop(self.waiting)[-1] if self.waiting else next(others, None)
+            if changed is None:
+                return
             self.seen.add(changed)
             self.changed = changed
-            yield _with(self.base, self.choices, dict(changed))
+            yield self._with(changed)
 
     def fails(self, states: States, failing: Sequence[Watch], released: States | None) -> None:
         """Note what fails in the choice that was tried last."""
         if released is not None:
             changes = dict(self.changed)
             for number, (kind, index, _) in enumerate(self.choices):
-                if kind == "mesh" and released.meshes[index] != states.meshes[index]:
+                if kind == "meshes" and released.meshes[index] != states.meshes[index]:
                     changes[number] = released.meshes[index]
             self._push(changes, single=False)
         for watch in failing:
@@ -66,16 +69,22 @@ class ModeSearch:
         if changed in self.seen:
             return
         self.seen.add(changed)
-        meshes = sum(self.choices[number][0] == "mesh" for number in changes)
-        made = _with(self.base, self.choices, changes)
+        meshes = sum(self.choices[number][0] == "meshes" for number in changes)
         slipping = len(changes) - meshes + min(meshes, 1)
-        rank = slipping, int(single), _distance(made, self.before), len(self.seen)
+        rank = slipping, int(single), _distance(self._with(changed), self.before), len(self.seen)
         heappush(self.waiting, (rank, changed))
+
+    def _with(self, changed: Changed) -> States:
+        made = self.base._asdict()
+        for number, state in changed:
+            kind, index, _ = self.choices[number]
+            made[kind] = (*made[kind][:index], state, *made[kind][index + 1 :])
+        return States(**made)
 
     def _others(self, watch: Watch) -> Iterator[tuple[int, str]]:
         """Other states of what fails."""
-        number = self.place.get((KIND_OF[watch.kind], watch.of), -1)
-        if number < 0:
+        number = self.place.get((KIND_OF.get(watch.kind), watch.of))
+        if number is None:
             return
         options = self.choices[number][2]
         if watch.kind == "hold":
@@ -84,7 +93,7 @@ class ModeSearch:
         now = dict(self.changed).get(number, options[0])
         yield from ((number, option) for option in options if option != now)
 
-    def _all(self) -> Iterator[tuple[tuple[int, str], ...]]:
+    def _all(self) -> Iterator[Changed]:
         """All choices, most sticking first."""
         for count in range(len(self.choices) + 1):
             for slipping in combinations(range(len(self.choices)), count):
@@ -92,31 +101,15 @@ class ModeSearch:
                     yield tuple(zip(slipping, signs, strict=True))
 
 
-KIND_OF = {
-    "slip": "contact",
-    "hold": "contact",
-    "mesh": "mesh",
-    "cone": "mesh",
-    "limit": "spring",
-    "grip": "spring",
-    "flow": "",
-    "piece": "",
-    "split": "",
+KIND_OF: Mapping[str, Kind | None] = {
+    "slip": "contacts",
+    "hold": "contacts",
+    "mesh": "meshes",
+    "cone": "meshes",
+    "limit": "springs",
+    "grip": "springs",
 }
-"""What a margin is of."""
-
-
-def _with(base: States, choices: Sequence[Choice], changed: dict[int, str]) -> States:
-    parts = {
-        "contact": list(base.contacts),
-        "mesh": list(base.meshes),
-        "spring": list(base.springs),
-    }
-    for number, state in changed.items():
-        kind, index, _ = choices[number]
-        parts[kind][index] = state
-    contacts, meshes, springs = (tuple(parts[kind]) for kind in ("contact", "mesh", "spring"))
-    return States(contacts, meshes, springs, base.pieces)
+"""What has a choice where a margin ends."""
 
 
 def _distance(states: States, before: States | None) -> int:

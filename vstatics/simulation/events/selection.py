@@ -8,20 +8,22 @@ where no margin is below 0, and none that is 0 falls.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import lru_cache, partial
 from typing import NamedTuple
 
 import numpy as np
 
 from vstatics.errors import CaseError
-from vstatics.numerics.arrays import Booleans, Floats
+from vstatics.numerics.arrays import Booleans, Floats, largest
 from vstatics.simulation.events.choices import ModeChoices
-from vstatics.simulation.events.instants import STANDING, Instant, Jump, consistent, state_of
+from vstatics.simulation.events.instants import Instant, Jump, consistent, state_of
 from vstatics.simulation.events.margins import LargeSizes, Margins, Watch
 from vstatics.simulation.events.search import KIND_OF, Choice, ModeSearch
 from vstatics.simulation.system.equations import Equations
-from vstatics.simulation.system.matrices import MotionSystem
-from vstatics.simulation.system.ports import PortLayout, States
-from vstatics.simulation.system.structure import MotionStructure, Structures
+from vstatics.simulation.system.matrices import MotionSystem, sign
+from vstatics.simulation.system.ports import States
+from vstatics.simulation.system.structure import MotionStructure
+from vstatics.simulation.tolerances import FALLING_MARGIN, STANDING
 
 _AMPLE = 1e300
 
@@ -31,9 +33,8 @@ class NoChoice(Exception):  # noqa: N818 - it never leaves the room
 
 
 class Selected(NamedTuple):
-    """A choice, with the equations and the state that follow."""
+    """A choice, with the margins of its equations, and the state that follows."""
 
-    equations: Equations
     margins: Margins
     state: Floats
     jump: Jump | None = None
@@ -42,10 +43,11 @@ class Selected(NamedTuple):
 class ModeSelection:
     """Chooses what sticks and what slips in a system."""
 
-    def __init__(self, system: MotionSystem, layout: PortLayout) -> None:
-        self.system, self.layout = system, layout
-        self.structures = Structures(system)
-        self.choices = ModeChoices(system, layout, self.structures)
+    def __init__(self, system: MotionSystem) -> None:
+        self.system = system
+        self.structure = lru_cache(maxsize=512)(partial(MotionStructure, system))
+        loose = self.structure((False,) * len(system.contacts), ("",) * len(system.meshes))
+        self.choices = ModeChoices(system, loose)
         self.within = self.choices.within
 
     def select(
@@ -84,7 +86,7 @@ class ModeSelection:
                 fault, found, failing = fault or error, None, []
             except np.linalg.LinAlgError:
                 found, failing = None, []
-            if found is not None and found.equations.states not in left:
+            if found is not None and found.margins.equations.states not in left:
                 return found
             failing = [watch for watch in failing if self._may_change(watch, states, choices)]
             search.fails(states, failing, self._released(states, at, choices))
@@ -94,12 +96,12 @@ class ModeSelection:
 
     def _may_change(self, watch: Watch, states: States, choices: Sequence[Choice]) -> bool:
         """Whether a mesh that fails could move at all, with what sticks besides meshes."""
-        if KIND_OF[watch.kind] != "mesh":
+        if KIND_OF.get(watch.kind) != "meshes":
             return True
-        free = {index for kind, index, _ in choices if kind == "mesh"}
+        free = {index for kind, index, _ in choices if kind == "meshes"}
         meshes = tuple("" if index in free else one for index, one in enumerate(states.meshes))
         try:
-            motions = self.structures.of(states.held, meshes)
+            motions = self.structure(states.held, meshes)
         except np.linalg.LinAlgError:
             return True
         slip = self.system.meshes[watch.of].slip
@@ -111,7 +113,7 @@ class ModeSelection:
         held = [
             index
             for kind, index, _ in choices
-            if kind == "mesh" and states.meshes[index] == "stick"
+            if kind == "meshes" and states.meshes[index] == "stick"
         ]
         if not held:
             return None
@@ -120,21 +122,23 @@ class ModeSelection:
             meshes[index] = ""
         loose = states._replace(meshes=tuple(meshes))
         try:
-            structure = self.structures.of(loose.held, loose.meshes)
-            equations = Equations(self.system, self.layout, structure, loose, at.time)
-            state = state_of(equations, at)
-            rates, _ = equations.rates(at.time, state)
-            torques = equations.torques(at.time, state, rates)
+            equations = self._equations(loose, at)
+            _, torques = equations.acting(at.time, state_of(equations, at))
         except (CaseError, np.linalg.LinAlgError):
             return None
+        structure = equations.structure
         turning = structure.free @ (structure.accelerations @ torques)
         carried = structure.torques @ torques
-        slips = np.array([self.system.meshes[index].slip @ turning for index in held])
-        least = STANDING * float(np.abs(turning).max(initial=0.0))
-        for index, slip in zip(held, slips.tolist(), strict=True):
+        least = STANDING * largest(turning)
+        for index in held:
+            slip = float(self.system.meshes[index].slip @ turning)
             flow = "+" if carried[index] >= 0 else "-"
-            meshes[index] = ("+" if slip > 0 else "-") + flow if abs(slip) > least else "stick"
+            meshes[index] = sign(slip) + flow if abs(slip) > least else "stick"
         return states._replace(meshes=tuple(meshes))
+
+    def _equations(self, states: States, at: Instant) -> Equations:
+        structure = self.structure(states.held, states.meshes)
+        return Equations(self.system, structure, states, at.time)
 
     def _tried(
         self, states: States, at: Instant, scales: LargeSizes
@@ -147,17 +151,17 @@ class ModeSelection:
         failing: list[Watch] = []
         while states not in tried:
             tried.add(states)
-            structure = self.structures.of(states.held, states.meshes)
-            equations = Equations(self.system, self.layout, structure, states, at.time)
+            equations = self._equations(states, at)
             state = state_of(equations, at)
-            if caught := self._caught(structure, at, state, scales):
+            if caught := self._caught(equations.structure, at, state, scales):
                 return None, caught
             state, jump = consistent(equations, state, scales)
             margins = Margins(equations)
             failing = self._failing(margins, at.time, state, scales)
             if not failing:
-                return Selected(equations, margins, state, jump), []
-            states = _turned(states, failing) or states
+                return Selected(margins, state, jump), []
+            only = all(watch.kind in ("flow", "piece") for watch in failing)
+            states = turned(states, [one for one in failing if only or one.kind == "flow"])
         return None, failing
 
     def _caught(
@@ -166,7 +170,7 @@ class ModeSelection:
         """What can't stick, since something heavy would have to change its speed at once."""
         heavy = self.system.heavy
         speeds = heavy @ (structure.free @ state[: structure.free.shape[1]])
-        if np.abs(speeds - heavy @ at.speeds).max() <= 100 * STANDING * scales.speed:
+        if largest(speeds - heavy @ at.speeds) <= 100 * STANDING * scales.speed:
             return []
         slips = {
             index: float(contact.row @ at.speeds)
@@ -194,7 +198,7 @@ class ModeSelection:
             return []
         ahead = state + self.within * margins.equations.derivative(time, state)
         then = margins.at(time + self.within, ahead)
-        falls = near & (then - now < -1e-12 * units)
+        falls = near & (then - now < -FALLING_MARGIN * units)
         return _failed(margins, time + self.within, ahead, falls)
 
 
@@ -205,13 +209,6 @@ def _failed(margins: Margins, time: float, state: Floats, failing: Booleans) -> 
         watch = margins.watches[index]
         found += margins.tight(time, state) if watch.kind == "split" else [watch]
     return found
-
-
-def _turned(states: States, failing: Sequence[Watch]) -> States | None:
-    """The states with other flows of meshes and on other pieces; None if more than that fails."""
-    if any(watch.kind not in ("flow", "piece") for watch in failing):
-        failing = [watch for watch in failing if watch.kind == "flow"]
-    return turned(states, failing) if failing else None
 
 
 def turned(states: States, watches: Sequence[Watch]) -> States:

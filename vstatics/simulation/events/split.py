@@ -7,7 +7,8 @@ from itertools import combinations
 
 import numpy as np
 
-from vstatics.numerics.arrays import Floats
+from vstatics.numerics.arrays import Floats, largest
+from vstatics.simulation.tolerances import NO_SPLIT, REGULAR_CORNER, WITHIN_LIMITS
 
 _MOST_TORQUE_CORNERS = 3000
 
@@ -58,11 +59,11 @@ def _corners(slack: Floats, directions: Floats) -> Floats | None:
     chosen = np.array(list(combinations(range(limits), count + 1)), dtype=int)
     if not len(chosen):
         return np.zeros((count, 1))
-    steep = float(np.abs(directions).max()) or 1.0
+    steep = largest(directions) or 1.0
     ones = np.ones((*chosen.shape, 1))
     matrices = np.concatenate([directions[chosen] / steep, -ones], axis=2)
     sizes = np.abs(np.linalg.det(matrices))
-    regular = sizes > 1e-9
+    regular = sizes > REGULAR_CORNER
     if not regular.any():
         return np.zeros((count, 1))
     found = np.linalg.solve(matrices[regular], -slack[chosen[regular]][..., None])
@@ -77,8 +78,8 @@ def _by_programming(slack: Floats, directions: Floats) -> Floats:
     count = directions.shape[1]
     goal = np.zeros(count + 1)
     goal[-1] = -1.0
-    scale = float(np.abs(slack).max()) or 1.0
-    steep = float(np.abs(directions).max()) or 1.0
+    scale = largest(slack) or 1.0
+    steep = largest(directions) or 1.0
     limits = np.hstack([-directions / steep, np.ones((len(slack), 1))])
     bounds = [(None, None)] * count + [(None, 10.0)]
     made = linprog(goal, A_ub=limits, b_ub=slack / scale, bounds=bounds)
@@ -101,16 +102,16 @@ def least(slack: Floats, directions: Floats) -> Floats | None:
         return np.zeros(count)
     from scipy.optimize import nnls
 
-    scale = float(np.abs(slack).max())
-    steep = float(np.abs(directions).max()) or 1.0
+    scale = largest(slack)
+    steep = largest(directions) or 1.0
     needed = -slack / scale
     stacked = np.vstack([directions.T / steep, needed[None, :]])
     goal = np.zeros(count + 1)
     goal[-1] = 1.0
     found, _ = nnls(stacked, goal)
     rest = stacked @ found - goal
-    if abs(rest[-1]) < 1e-12:
+    if abs(rest[-1]) < NO_SPLIT:
         return None
     change: Floats = -rest[:-1] / rest[-1] * scale / steep
-    fits = (slack + directions @ change).min() >= -1e-6 * scale
+    fits = (slack + directions @ change).min() >= -WITHIN_LIMITS * scale
     return change if fits else None

@@ -7,20 +7,17 @@ from dataclasses import replace
 
 import numpy as np
 
-from vstatics.numerics.arrays import Floats
-from vstatics.simulation.events.instants import Instant
+from vstatics.numerics.arrays import Floats, largest
+from vstatics.simulation.events.instants import start_instant
 from vstatics.simulation.events.margins import LargeSizes
 from vstatics.simulation.events.selection import ModeSelection
 from vstatics.simulation.scenario.laws import constant
 from vstatics.simulation.scenario.programme import Programme
 from vstatics.simulation.system.curves import programme_at
 from vstatics.simulation.system.matrices import Contact, MotionSystem
-from vstatics.simulation.system.ports import PortLayout
 from vstatics.simulation.system.structure import null
+from vstatics.simulation.tolerances import DEPENDENT, LIGHT_MOTION, RIGID_SQUARE, STANDING
 from vstatics.statics.result_arrays import Message
-
-_AT_REST = 1e-9
-"""Of a slip by the largest speed."""
 
 
 def with_viscous_damping(
@@ -51,28 +48,28 @@ def with_viscous_damping(
 
 def _lowest_frequency(system: MotionSystem, speeds: Floats) -> float:
     """The lowest natural frequency while everything sticks that has no slip [rad/s]; 0: none."""
-    scale = max(1.0, float(np.abs(speeds).max(initial=0.0)))
+    scale = max(1.0, largest(speeds))
     rows = [mesh.row for mesh in system.meshes]
     for contact in system.contacts:
         closed = contact.one_way or programme_at(contact.programme, 0.0) > 0
-        if closed and abs(float(contact.row @ speeds)) <= _AT_REST * scale:
+        if closed and abs(float(contact.row @ speeds)) <= STANDING * scale:
             rows.append(contact.row)
-    free = null(np.array(rows).reshape(-1, len(system.names)))
-    bent = [one for one in system.springs if programme_at(one.limit, 0.0) > 0]
+    free = null(system.rows(rows))
+    bent = [one for one in system.springs if programme_at(one.programme, 0.0) > 0]
     if not bent or not free.shape[1]:
         return 0.0
     forms = np.array([one.row for one in bent]) @ free
     stiffness = (forms.T * [one.stiffness for one in bent]) @ forms
     mass = free.T @ system.mass @ free
     sizes, axes = np.linalg.eigh(mass)
-    heavy = sizes > 1e-13 * sizes[-1]
+    heavy = sizes > LIGHT_MOTION * sizes[-1]
     light = axes[:, ~heavy]
     if light.shape[1]:
-        inner = np.linalg.pinv(light.T @ stiffness @ light, rcond=1e-12)
+        inner = np.linalg.pinv(light.T @ stiffness @ light, rcond=DEPENDENT)
         stiffness = stiffness - stiffness @ light @ inner @ light.T @ stiffness
     scaled = axes[:, heavy] / np.sqrt(sizes[heavy])
     squares = np.linalg.eigvalsh(scaled.T @ stiffness @ scaled)
-    above = squares[squares > 1e-10 * squares[-1]] if len(squares) else squares
+    above = squares[squares > RIGID_SQUARE * squares[-1]] if len(squares) else squares
     return math.sqrt(float(above[0])) if len(above) and above[0] > 0 else 0.0
 
 
@@ -88,25 +85,24 @@ def settled_twists(system: MotionSystem, speeds: Floats) -> Floats:
     """
     stiff = Programme(constant(math.inf), is_dog=True)
     bent = [
-        (index, one) for index, one in enumerate(system.springs) if programme_at(one.limit, 0.0) > 0
+        (index, one)
+        for index, one in enumerate(system.springs)
+        if programme_at(one.programme, 0.0) > 0
     ]
     rigid = tuple(Contact(one.name, one.row, stiff) for _, one in bent)
     other = replace(system, contacts=(*system.contacts, *rigid), springs=())
-    layout = PortLayout(other)
-    size = layout.ports + len(other.meshes)
-    nothing = np.zeros(0)
-    at = Instant(0.0, speeds, nothing, np.zeros(len(layout.angles)), np.zeros(size))
-    scales = LargeSizes(max(1.0, float(np.abs(speeds).max(initial=0.0))), 1.0)
-    selected = ModeSelection(other, layout).select(at, None, scales)
-    equations, state = selected.equations, selected.state
-    rates, _ = equations.rates(0.0, state)
-    held = equations.multipliers(equations.torques(0.0, state, rates))
-    held = selected.margins.split(np.zeros(1), held[:, None])[:, 0]
+    at = start_instant(other, speeds, np.zeros(0))
+    scales = LargeSizes(max(1.0, largest(speeds)), 1.0)
+    selected = ModeSelection(other).select(at, None, scales)
+    equations = selected.margins.equations
+    structure = equations.structure
+    _, torques = equations.acting(0.0, selected.state)
+    held = selected.margins.split(np.zeros(1), (structure.torques @ torques)[:, None])[:, 0]
     twists = np.zeros(len(system.springs))
     first = len(system.contacts)
-    for row, multiplier in enumerate(equations.structure.multipliers):
+    for row, multiplier in enumerate(structure.multipliers):
         if multiplier.kind == "contact" and multiplier.of >= first:
             index, spring = bent[multiplier.of - first]
-            limit = programme_at(spring.limit, 0.0)
+            limit = programme_at(spring.programme, 0.0)
             twists[index] = max(-limit, min(limit, float(held[row]))) / spring.stiffness
     return twists

@@ -7,16 +7,14 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from vstatics.errors import CaseError, Problem, listed
+from vstatics.errors import CaseError, Problem, case_error, listed
 from vstatics.model.transmission import Gear
-from vstatics.numerics.arrays import Floats
+from vstatics.numerics.arrays import Floats, largest
 from vstatics.simulation.scenario.parts import Scenario
 from vstatics.simulation.system.curves import capacity_at
 from vstatics.simulation.system.matrices import MotionSystem
-from vstatics.simulation.system.structure import null
-
-_FITS = 1e-9
-"""Speeds contradict each other by more than this part of the largest."""
+from vstatics.simulation.system.structure import null, solved
+from vstatics.simulation.tolerances import MOVING_LINK, STANDING
 
 
 def start_gear(scenario: Scenario) -> Gear | None:
@@ -33,7 +31,7 @@ def start_gear(scenario: Scenario) -> Gear | None:
     try:
         number = case.gear_number(name)
     except ValueError as error:
-        raise CaseError([Problem(str(error), ("start", "gear"))]) from None
+        raise case_error(str(error), "start", "gear") from None
     gear = case.gears[number - 1]
     if not case.freewheels:
         return gear
@@ -55,11 +53,7 @@ def start_speeds(system: MotionSystem, gear: Gear | None) -> Floats:
     links = len(system.names)
     held = [*start.engaged, *(gear.engaged if gear else ())]
     rows = [mesh.row for mesh in system.meshes]
-    elastic = {spring.element: spring for spring in system.springs if spring.element is not None}
-    by_element = {one.element: one for one in system.contacts if one.element is not None}
-    for number in held:
-        device = by_element.get(number - 1) or elastic[number - 1]
-        rows.append(device.row)
+    rows += [system.by_element[number - 1].row for number in held]
     given = dict(start.speeds)
     if gear is not None:
         given.setdefault(case.gear_input(gear), start.speed)
@@ -67,10 +61,10 @@ def start_speeds(system: MotionSystem, gear: Gear | None) -> Floats:
     for link, speed in given.items():
         rows.append(np.eye(links)[link - 1])
         values.append(speed)
-    matrix, wanted = np.array(rows).reshape(-1, links), np.array(values)
-    speeds = np.linalg.lstsq(matrix, wanted, rcond=1e-12)[0] if rows else np.zeros(links)
-    scale = max(1.0, float(np.abs(wanted).max(initial=0.0)))
-    if rows and np.abs(matrix @ speeds - wanted).max() > _FITS * scale:
+    matrix, wanted = system.rows(rows), np.array(values)
+    speeds = solved(matrix, wanted) if rows else np.zeros(links)
+    scale = max(1.0, largest(wanted))
+    if largest(matrix @ speeds - wanted) > STANDING * scale:
         raise CaseError([_contradiction(system, matrix, wanted, given)])
     open_still = null(matrix)
     if open_still.shape[1]:
@@ -84,7 +78,7 @@ def _backward(system: MotionSystem, speeds: Floats, scale: float) -> Iterator[Pr
     """Freewheels that hold anything, and turn in the way in which they hold."""
     for contact in system.contacts:
         slip = float(contact.row @ speeds)
-        if contact.one_way and slip < -_FITS * scale and math.isinf(capacity_at(contact, 0.0)):
+        if contact.one_way and slip < -STANDING * scale and math.isinf(capacity_at(contact, 0.0)):
             message = (
                 f"{contact.name} slips by {slip:g} rad/s at the start, but a freewheel holds in "
                 "this direction: expected a slip of 0 or more"
@@ -94,31 +88,28 @@ def _backward(system: MotionSystem, speeds: Floats, scale: float) -> Iterator[Pr
 
 def _by_springs(system: MotionSystem, speeds: Floats, free: Floats, scale: float) -> Floats:
     """What is open still, with springs that do not twist."""
-    springs = [one.row for one in system.springs if one.element is None]
-    rows = np.array(springs).reshape(-1, len(system.names))
+    rows = system.rows(one.row for one in system.springs if one.element is None)
     bent = rows @ free
-    moved = np.abs(bent).max(axis=1, initial=0.0) > 1e-9
+    moved = np.abs(bent).max(axis=1, initial=0.0) > MOVING_LINK
     bent, rest = bent[moved], -(rows @ speeds)[moved]
     left = null(bent) if len(bent) else np.eye(free.shape[1])
     if left.shape[1]:
-        loose = np.abs(free @ left).max(axis=1)
-        names = [system.names[index] for index in np.flatnonzero(loose > 1e-9)]
-        message = (
-            f"the start leaves the speed of {listed(names, 6)} open: give the speed of one more "
-            "link, or an element that is engaged"
+        hint = ": give the speed of one more link, or an element that is engaged"
+        raise _left_open(system, free @ left, hint)
+    part = solved(bent, rest)
+    if largest(bent @ part - rest) > STANDING * scale:
+        hint = (
+            ", and springs on both sides turn at different speeds: give the speed of one more link"
         )
-        raise CaseError([Problem(message, ("start",))])
-    part = np.linalg.lstsq(bent, rest, rcond=1e-12)[0]
-    if np.abs(bent @ part - rest).max() > _FITS * scale:
-        moving = np.abs(free).max(axis=1)
-        names = [system.names[index] for index in np.flatnonzero(moving > 1e-9)]
-        message = (
-            f"the start leaves the speed of {listed(names, 6)} open, and springs on both sides "
-            "turn at different speeds: give the speed of one more link"
-        )
-        raise CaseError([Problem(message, ("start",))])
+        raise _left_open(system, free, hint)
     made: Floats = speeds + free @ part
     return made
+
+
+def _left_open(system: MotionSystem, motions: Floats, hint: str) -> CaseError:
+    moving = np.flatnonzero(np.abs(motions).max(axis=1) > MOVING_LINK)
+    names = listed([system.names[index] for index in moving], 6)
+    return case_error(f"the start leaves the speed of {names} open{hint}", "start")
 
 
 def _contradiction(
@@ -129,10 +120,10 @@ def _contradiction(
     names = list(given)
     for count in range(first + 1, len(wanted) + 1):
         rows, values = matrix[:count], wanted[:count]
-        found = np.linalg.lstsq(rows, values, rcond=1e-12)[0]
-        if np.abs(rows @ found - values).max() > _FITS * max(1.0, np.abs(values).max()):
+        found = solved(rows, values)
+        if largest(rows @ found - values) > STANDING * max(1.0, largest(values)):
             link = names[count - 1 - first]
-            others = np.linalg.lstsq(rows[:-1], values[:-1], rcond=1e-12)[0]
+            others = solved(rows[:-1], values[:-1])
             name = system.case.link_name(link)
             message = (
                 f"read a speed of {given[link]:g} rad/s of {name}, but the other speeds and what "

@@ -11,15 +11,22 @@ three radians.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from functools import lru_cache
+from functools import lru_cache, partial
 from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.numerics.arrays import Booleans, Floats
+from vstatics.numerics.arrays import Booleans, Floats, largest
 from vstatics.simulation.events.pieces import TimeStep
-from vstatics.simulation.system.affine import Affine
-from vstatics.simulation.system.equations import Equations
+from vstatics.simulation.system.equations import Affine, Equations
+from vstatics.simulation.tolerances import (
+    FITTING_TORQUE,
+    LEAST_MASS,
+    NOT_ZERO,
+    SAME_END,
+    SAME_TIME,
+    SHORTEST_PART,
+)
 
 _NONE = np.zeros(0)
 _TERMS = 22
@@ -37,7 +44,7 @@ class Exponential:
     """
 
     def __init__(self, matrix: Floats, nodes: Floats = _NONE) -> None:
-        norm = float(np.abs(matrix).sum(axis=0).max(initial=0.0))
+        norm = largest(np.abs(matrix).sum(axis=0))
         self.halvings = max(0, int(np.ceil(np.log2(norm / 2.0)))) if norm > 2.0 else 0
         step = matrix / 2.0**self.halvings
         terms = [np.eye(len(matrix))]
@@ -121,10 +128,6 @@ _MOST_HALVINGS = 256
 _GONE = 40.0
 """A motion has died away after so many of its time constants."""
 _MOST_STRETCH_PARTS = 300_000
-_SHORTEST = 2.0**-14
-"""By which a part may be shortened, where torques bend."""
-_FIT = 1e-12
-"""How near polynomials come to torques, by the largest torque."""
 _FIRST_PARTS = 4
 """Parts of a stretch to begin with, where torques bend."""
 _SMOOTH = 4
@@ -212,7 +215,7 @@ class Closed:
         factors[equations.twists] = np.sqrt(equations.ports.stiffness)
         free = equations.structure.free
         mass = ((free.T @ equations.system.mass) * free.T).sum(axis=1)
-        factors[: equations.motions] = np.sqrt(np.maximum(mass, 1e-30))
+        factors[: equations.motions] = np.sqrt(np.maximum(mass, LEAST_MASS))
         return factors
 
     def stretches(self, state: Floats, end: float) -> Iterator[TimeStep]:
@@ -236,7 +239,7 @@ class Closed:
                     continue
                 smooth = 0
                 most, shorter = (count // 2, shorter) if count > 1 else (1, shorter / 2)
-                if shorter < _SHORTEST:
+                if shorter < SHORTEST_PART:
                     raise NoFit
             left -= count
             if left < 0:
@@ -259,7 +262,7 @@ class Closed:
         if most * length < left:
             return length, most
         count = 1  # to the end, in a power of 2 of equal parts
-        while count * length < left * (1 - 1e-12):
+        while count * length < left * (1 - SAME_TIME):
             count *= 2
         return left / count, count
 
@@ -283,8 +286,7 @@ class Closed:
             rows = np.arange(first, first + DEGREE)
             made[rows, rows + 1] = 1.0
         # torques in units in which they push no more than x itself does
-        pushes = float(np.abs(made[:size, size:]).sum(axis=0).max(initial=0.0))
-        unit = max(pushes, 1e-300)
+        unit = max(largest(np.abs(made[:size, size:]).sum(axis=0)), NOT_ZERO)
         made[:size, size:] /= unit
         exponential = Exponential(made, NODES), unit
         self.exponentials[length] = exponential
@@ -294,36 +296,26 @@ class Closed:
         """A stretch from a state on; None where torques bend too much for it."""
         times = parts.times.reshape(-1)
         to_series, to_powers, to_values = fitting(parts.number)
-        if self.equations.ports.is_affine:
-            return self._given(parts, state)
+        is_given = self.equations.ports.is_affine  # what is not straight is so by the time alone
         given = np.zeros((len(self.bending), _ORDERS))
         given[:, 0] = self.latest
-        before = np.zeros((len(self.bending), len(times)))
-        for number in range(_RELAXATION_ROUNDS):
-            stretch = self._followed(parts, state, given, to_powers)
-            at = self._states(stretch)
-            now = self._bent(times, at.reshape(len(at), -1), given, to_values)
+        before: Floats | None = None
+        for _ in range(_RELAXATION_ROUNDS):
+            if is_given:
+                now = before = self.affine.given_at(times)[0][self.bending]
+            else:
+                at = self._states(self._followed(parts, state, given, to_powers))
+                now = self._bent(times, at.reshape(len(at), -1), given, to_values)
             if not np.isfinite(now).all():
                 return None
             given = now @ to_series
-            limit = _FIT * max(self.large, float(np.abs(now).max()))
-            if number and np.abs(now - before).max() <= limit:
+            limit = FITTING_TORQUE * max(self.large, largest(now))
+            if before is not None and largest(now - before) <= limit:
                 self.latest = now[:, -1]
-                fits = np.abs(given @ to_values - now).max() <= 4 * limit
+                fits = largest(given @ to_values - now) <= 4 * limit
                 return self._followed(parts, state, given, to_powers) if fits else None
             before = now
         return None
-
-    def _given(self, parts: Parts, state: Floats) -> TimeStretch | None:
-        """The same where all torques that are not straight are given by the time."""
-        to_series, to_powers, to_values = fitting(parts.number)
-        if not len(self.bending):
-            return self._followed(parts, state, np.zeros((0, _ORDERS)), to_powers)
-        now = self.affine.given_at(parts.times.reshape(-1))[0][self.bending]
-        given = now @ to_series
-        limit = _FIT * max(self.large, float(np.abs(now).max()))
-        fits = np.abs(given @ to_values - now).max() <= 4 * limit
-        return self._followed(parts, state, given, to_powers) if fits else None
 
     def _followed(
         self, parts: Parts, state: Floats, given: Floats, to_powers: Floats
@@ -347,8 +339,8 @@ class Closed:
     def _bent(self, times: Floats, states: Floats, given: Floats, to_values: Floats) -> Floats:
         """The torques that bend, less what of them stands in the matrix."""
         equations, affine = self.equations, self.affine
-        all_given, slopes = affine.straight_at(times)
-        all_given[self.bending] += given @ to_values
+        all_given, slopes = affine.given_at(times)
+        all_given[self.bending] = given @ to_values
         rates = affine.rates.by_state @ states + affine.rates.by_given @ all_given
         rates += affine.rates.by_slope @ slopes
         whole = np.zeros((equations.works.start, len(times)))
@@ -361,27 +353,21 @@ class Closed:
         """A stretch as a step, with works and losses."""
         parts = stretch.parts
         times = parts.times
-        if abs(end - times[-1, -1]) <= 1e-13 * abs(end):
+        if abs(end - times[-1, -1]) <= SAME_END * abs(end):
             times[-1, -1] = end
         states = np.zeros((self.equations.size, parts.number, len(NODES)))
         states[: self.size] = self._states(stretch)
         self._account(states, times, state, parts.length)
         flat = states.reshape(self.equations.size, -1)
         befores = np.column_stack([state, states[:, :-1, -1]])
-
-        def exact(time: float) -> Floats:
-            return self._inside(stretch, time, befores)
-
-        def between(asked: Floats) -> Floats:
-            return self._among(stretch, asked, befores)
-
+        between, exact = (partial(one, stretch, befores) for one in (self._among, self._inside))
         marks: Booleans = np.tile(np.arange(len(NODES)) == len(WEIGHTS), parts.number)
         last = float(times[-1, -1]), flat[:, -1].copy()
         return TimeStep(
             parts.begin, last[0], state, last[1], between, exact, times.reshape(-1), flat, marks
         )
 
-    def _among(self, stretch: TimeStretch, times: Floats, befores: Floats) -> Floats:
+    def _among(self, stretch: TimeStretch, befores: Floats, times: Floats) -> Floats:
         """X at any times of a stretch, with the works and losses up to the part they are in."""
         parts = stretch.parts
         passed = (times - parts.begin) / parts.length
@@ -392,7 +378,7 @@ class Closed:
         made[: self.size] /= self.balance[:, None]
         return made
 
-    def _inside(self, stretch: TimeStretch, time: float, befores: Floats) -> Floats:
+    def _inside(self, stretch: TimeStretch, befores: Floats, time: float) -> Floats:
         """The state at any time of a stretch; works by Gauss points up to there."""
         parts = stretch.parts
         passed = (time - parts.begin) / parts.length

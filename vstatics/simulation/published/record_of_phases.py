@@ -10,6 +10,7 @@ from vstatics.errors import Problem
 from vstatics.numerics.arrays import Floats
 from vstatics.simulation.record.motion import Energy, Event, Motion, Peak
 from vstatics.simulation.system.matrices import MotionSystem
+from vstatics.simulation.tolerances import CLOSED_ENERGY
 from vstatics.statics.result_arrays import Message
 
 
@@ -84,7 +85,7 @@ class TarasikRecord:
         energy = Energy(self.work, heat, {}, {}, kinetic, 0.0, 0.0, balance)
         text = f"the published equations leave {balance:.6g} J of the energy over"
         largest = max(abs(self.work), math.fsum(self.heat), abs(kinetic))
-        closes = abs(balance) <= 1e-8 * largest
+        closes = abs(balance) <= CLOSED_ENERGY * largest
         return Motion(
             time=np.array(self.times),
             links=tuple(case.link_names),

@@ -36,16 +36,15 @@ from vstatics.simulation.scenario.programme import programmes
 from vstatics.simulation.system.curves import capacity_at
 from vstatics.simulation.system.devices import motion_system
 from vstatics.simulation.system.matrices import Contact, MotionSystem
+from vstatics.simulation.tolerances import PUBLISHED_RTOL, RTOL, STANDING
 
 _FINER = 1e-2
 """Tolerance of the integration by what is asked for."""
 _CHANGES = 1000
 """Of the clutch between two stops, at most."""
-_AT_REST = 1e-9
-"""Slips below this part of the largest speed are 0."""
 
 
-def tarasik(scenario: Scenario, *, step: float | None = None, rtol: float = 1e-8) -> Motion:
+def tarasik(scenario: Scenario, *, step: float | None = None, rtol: float = RTOL) -> Motion:
     """The motion of a scenario by the published equations.
 
     Parameters
@@ -149,7 +148,7 @@ class _Run:
         slips = {n: float(contacts[n].row @ self.speeds) for n in active if n not in self.stuck}
         largest = max(1.0, float(np.abs(self.speeds).max()))
         for n, slip in slips.items():
-            if abs(slip) <= _AT_REST * largest:
+            if abs(slip) <= STANDING * largest:
                 self.stuck.append(n)
                 if time > 0:
                     self._tell(time, n, "locks")
@@ -202,7 +201,7 @@ class _Run:
             self.state,
             "DOP853",
             events=None if phase.clutch is None else event,
-            rtol=max(self.rtol, 1e-12),
+            rtol=max(self.rtol, PUBLISHED_RTOL),
             atol=self.rtol * size,
         )
         if not run.success or not np.isfinite(run.y).all():
@@ -240,7 +239,7 @@ class _Run:
         self.stuck.remove(phase.clutch)
         self._tell(time, phase.clutch, "slips")
         drift = self.state[0] - phase.masses.ratio * self.state[1]
-        if abs(drift) > _AT_REST * np.abs(self.state[:2]).max():  # with losses (12) drifts
+        if abs(drift) > STANDING * np.abs(self.state[:2]).max():  # with losses (12) drifts
             return phase._replace(locked=False, direction=math.copysign(1.0, drift))
         self.state[0] = phase.masses.ratio * self.state[1]
         passed = equations.passed(time, self.state)

@@ -16,9 +16,7 @@ from vstatics.model.transmission import Gear
 from vstatics.numerics.arrays import Floats
 from vstatics.simulation.system.matrices import MotionSystem
 from vstatics.simulation.system.structure import null
-
-_NO_COEFFICIENT = 1e-9
-"""Coefficients below this part of the largest are 0."""
+from vstatics.simulation.tolerances import NO_COEFFICIENT
 
 
 class TwoMasses(NamedTuple):
@@ -76,28 +74,27 @@ def two_masses(
         Saying why the box has no such form.
     """
     rows = [mesh.row for mesh in system.meshes] + [system.contacts[n].row for n in held]
-    links = len(system.names)
-    free = null(np.array(rows).reshape(len(rows), links))
+    free = null(system.rows(rows))
     names = " and ".join(system.contacts[n].name for n in held) or "nothing"
     if free.shape[1] != 2:
         count = free.shape[1]
         degrees = plural("degree", count)
         raise NotTwoError(f"with {names} held the box has {count} {degrees} of freedom, not 2")
     seen = free[list(ends)]
-    if abs(np.linalg.det(seen)) < _NO_COEFFICIENT:
+    if abs(np.linalg.det(seen)) < NO_COEFFICIENT:
         raise NotTwoError(f"with {names} held input and output do not turn apart")
     speeds: Floats = free @ np.linalg.inv(seen)
-    speeds[np.abs(speeds) < _NO_COEFFICIENT * np.abs(speeds).max()] = 0.0
+    speeds[np.abs(speeds) < NO_COEFFICIENT * np.abs(speeds).max()] = 0.0
     slip, ratio, efficiency = 0.0, 1.0, 1.0
     if clutch is not None:
         contact = system.contacts[clutch]
         of_in, of_out = map(float, contact.row @ speeds)
-        if abs(of_in) < _NO_COEFFICIENT or abs(of_out) < _NO_COEFFICIENT:
+        if abs(of_in) < NO_COEFFICIENT or abs(of_out) < NO_COEFFICIENT:
             raise NotTwoError(f"{contact.name} does not join input and output")
         slip, ratio = of_in, -of_out / of_in
         efficiency = _efficiency(system, ends, (*held, clutch))
     bodies: Floats = system.heavy @ speeds
-    on_output = np.abs(bodies[:, 0]) < _NO_COEFFICIENT * np.abs(bodies).max(axis=1)
+    on_output = np.abs(bodies[:, 0]) < NO_COEFFICIENT * np.abs(bodies).max(axis=1)
     output = float(system.inertias[on_output] @ bodies[on_output, 1] ** 2)
     if not output:
         raise NotTwoError("nothing heavy turns with the output alone")

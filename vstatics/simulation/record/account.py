@@ -11,7 +11,6 @@ from vstatics.simulation.events.impacts import kinetic_energy
 from vstatics.simulation.events.instants import Instant
 from vstatics.simulation.record.motion import Energy
 from vstatics.simulation.scenario.laws import Points
-from vstatics.simulation.scenario.programme import Programme
 from vstatics.simulation.system.equations import Equations
 
 
@@ -78,7 +77,8 @@ def _heat_and_losses(
     for index, spring in enumerate(system.springs):
         if spring.viscous:
             _add(losses, spring.name, state[equations.damped][index])
-        if not _unlimited(spring.limit):
+        curve = spring.programme.curve
+        if not isinstance(curve, Points) or {*curve.y} != {math.inf}:  # it may slip
             _add(heat, spring.name, state[equations.slipped][index])
     for index, converter in enumerate(system.converters):
         taken = works[layout.pumps + index] + works[layout.turbines + index]
@@ -91,8 +91,3 @@ def _heat_and_losses(
 
 def _add(energies: dict[str, float], name: str, energy: float) -> None:
     energies[name] = energies.get(name, 0.0) + float(energy)
-
-
-def _unlimited(limit: Programme) -> bool:
-    """Whether a spring never slips."""
-    return isinstance(limit.curve, Points) and all(map(math.isinf, limit.curve.y))

@@ -8,10 +8,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from vstatics.simulation.record.motion import Motion
+from vstatics.simulation.tolerances import CLOSED_BALANCE
 from vstatics.tables.grid import Column, Grid, Row, exact, text
-
-CLOSED_BALANCE = 5e-4
-"""A balance below it is 0 to three decimals. [J]"""
 
 
 def motion_grids(motion: Motion) -> Iterator[Grid]:

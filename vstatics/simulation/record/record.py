@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections import Counter
 from collections.abc import Iterable
 from itertools import groupby
 from typing import NamedTuple
@@ -11,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.errors import Problem
-from vstatics.numerics.arrays import Floats, first_largest
+from vstatics.numerics.arrays import Floats, first_largest, largest
 from vstatics.numerics.tolerances import LAST_BITS
 from vstatics.simulation.events.impacts import kinetic_energy
 from vstatics.simulation.events.instants import Instant, Jump
@@ -22,7 +21,12 @@ from vstatics.simulation.record.motion import Event, Motion, Peak, Reached
 from vstatics.simulation.scenario.laws import Road
 from vstatics.simulation.system.equations import Equations
 from vstatics.simulation.system.matrices import MotionSystem, between
-from vstatics.simulation.system.ports import PortLayout
+from vstatics.simulation.tolerances import (
+    LEAST_SPREAD,
+    SAME_TIME,
+    SAME_VALUES,
+    SHARED_TORQUE,
+)
 from vstatics.statics.result_arrays import Message
 
 
@@ -30,7 +34,6 @@ class Kept(NamedTuple):
     """An instant that is kept."""
 
     time: float
-    equations: Equations
     margins: Margins
     state: Floats
 
@@ -40,7 +43,6 @@ class Record:
 
     def __init__(self, system: MotionSystem, start: Instant, step: float | None) -> None:
         self.system, self.start, self.every = system, start, step
-        self.layout = PortLayout(system)
         self.events: list[Event] = []
         self.impact = 0.0
         self.joined: set[int] = set()
@@ -59,7 +61,6 @@ class Record:
             for speed in speeds
         ]
         self.reached: dict[tuple[int, float], tuple[float, float]] = {}
-        self._current: tuple[Equations, Margins] | None = None
 
     def jumps(self, time: float, jump: Jump) -> None:
         """Twists that changed at once."""
@@ -70,46 +71,43 @@ class Record:
         )
         self.messages.append(Message("warning", text))
 
-    def begin(self, equations: Equations, margins: Margins, state: Floats) -> None:
+    def begin(self, margins: Margins, state: Floats) -> None:
         """A piece begins."""
-        self._current = equations, margins
-        self.kept.append(Kept(equations.time, equations, margins, state))
+        equations = margins.equations
+        self.kept.append(Kept(equations.time, margins, state))
         self.time = equations.time
         scale = max(
             kinetic_energy(self.system, equations.speeds(equations.time, state)),
-            float(np.abs(state[equations.works]).max(initial=0.0)),
+            largest(state[equations.works]),
         )
         self.energy_scale = max(self.energy_scale, scale)
-        self._peak(np.array([equations.time]), state[:, None], equations, margins)
+        self._peak(np.array([equations.time]), state[:, None])
 
     def step(self, step: TimeStep, end: float, state: Floats) -> None:
         """A step, or the part of it up to an event."""
-        assert self._current is not None  # noqa: S101 - a piece has begun
-        equations, margins = self._current
-        first = len(self.kept)
+        margins = self.kept[-1].margins
+        made = []
         if self.every:
-            number = math.floor(step.start / self.every * (1 + 1e-12)) + 1
-            while number * self.every < end * (1 - 1e-12):
+            number = math.floor(step.start / self.every * (1 + SAME_TIME)) + 1
+            while number * self.every < end * (1 - SAME_TIME):
                 time = number * self.every
-                self.kept.append(Kept(time, equations, margins, step.exact(time)))
+                made.append(Kept(time, margins, step.exact(time)))
                 number += 1
-        for place in np.flatnonzero(step.marks & (step.times < end)).tolist():
-            at = step.states[:, place]
-            self.kept.append(Kept(float(step.times[place]), equations, margins, at))
-        if self.every:
-            self.kept[first:] = sorted(self.kept[first:], key=lambda one: one.time)
-        self.kept.append(Kept(end, equations, margins, state))
+        made += [
+            Kept(float(step.times[place]), margins, step.states[:, place])
+            for place in np.flatnonzero(step.marks & (step.times < end))
+        ]
+        self.kept += sorted(made, key=lambda one: one.time)
+        self.kept.append(Kept(end, margins, state))
         self.time = end
-        self._peak(np.array([end]), state[:, None], equations, margins)
-        self._targets(step, end, state, equations)
+        self._peak(np.array([end]), state[:, None])
+        self._targets(step, end, state, margins.equations)
 
-    def sample(
-        self, step: TimeStep, times: Floats, states: Floats, equations: Equations, margins: Margins
-    ) -> None:
+    def sample(self, step: TimeStep, times: Floats, states: Floats) -> None:
         """Instants within a step, for peaks."""
         if not len(times):
             return
-        torques = self._peak(times, states, equations, margins)
+        torques = self._peak(times, states)
         if len(times) < 3:
             return
         sizes = np.abs(torques)
@@ -121,26 +119,23 @@ class Record:
 
     def _refine(self, step: TimeStep, time: float, width: float, device: int) -> None:
         """Note the top of a torque near an instant, by parabolas through three."""
-        assert self._current is not None  # noqa: S101 - a piece has begun
-        for spread in (0.5 * width, 0.02 * width, 0.001 * width):
+        for spread in (0.5 * width, 0.02 * width, LEAST_SPREAD * width):
             near = np.clip(time + spread * np.array([-1.0, 0.0, 1.0]), step.start, step.end)
-            sizes = np.abs(self._peak(near, step.between(near), *self._current)[:, device])
+            sizes = np.abs(self._peak(near, step.between(near))[:, device])
             bend = sizes[0] - 2 * sizes[1] + sizes[2]
             if bend >= 0:
                 return
             time = float(near[1] + 0.5 * (sizes[0] - sizes[2]) / bend * spread)
             time = min(max(time, step.start), step.end)
 
-    def _peak(
-        self, times: Floats, states: Floats, equations: Equations, margins: Margins
-    ) -> Floats:
+    def _peak(self, times: Floats, states: Floats) -> Floats:
         """Note torques that are larger than before."""
-        torques = device_torques(equations, margins, times, states).T
+        torques = device_torques(self.kept[-1].margins, times, states).T
         top = first_largest(np.abs(torques))
         columns = np.arange(torques.shape[1])
-        largest = torques[top, columns]
-        larger = np.abs(largest) > np.abs(self.peaks) * (1 + LAST_BITS)
-        self.peaks[larger] = largest[larger]
+        highest = torques[top, columns]
+        larger = np.abs(highest) > np.abs(self.peaks) * (1 + LAST_BITS)
+        self.peaks[larger] = highest[larger]
         self.peak_times[larger] = times[top][larger]
         return torques
 
@@ -160,32 +155,29 @@ class Record:
 
                 time = step.start if first == 0 else float(brentq(short, step.start, end))
                 at = step.between(np.array([time]))[:, 0]
-                angle = float(at[equations.angles][self.layout.angles.index(link)])
+                angle = float(at[equations.angles][equations.layout.angles.index(link)])
                 self.reached[link, speed] = time, angle
 
     def motion(self, stopped: Problem | None) -> Motion:
         """All of it."""
         system = self.system
         elements = system.case.shift_elements
-        rows = np.array(
-            [between(one.first, one.second, len(system.names)) for one in elements]
-        ).reshape(len(elements), len(system.names))
+        rows = system.rows(between(one.first, one.second, len(system.names)) for one in elements)
         times, speeds, torques, heat = [], [], [], []
-        for equations, group in groupby(self.kept, key=lambda one: one.equations):
+        for margins, group in groupby(self.kept, key=lambda one: one.margins):
             same = list(group)
             at = np.array([one.time for one in same])
             states = np.array([one.state for one in same]).T
             times.append(at)
-            speeds.append(equations.speeds_at(at, states).T)
-            torques.append(device_torques(equations, same[0].margins, at, states).T)
-            heat.append(element_heat(equations, states).T)
+            speeds.append(margins.equations.speeds_at(at, states).T)
+            torques.append(device_torques(margins, at, states).T)
+            heat.append(element_heat(margins.equations, states).T)
         all_times, all_speeds, all_torques, all_heat = map(
             np.concatenate, (times, speeds, torques, heat)
         )
         kept = _different(all_times, all_speeds, all_torques)
         at_links = all_speeds[kept]
-        pieces = [(one.equations, one.margins) for one in self.kept]
-        counted = Counter([*self.messages, *shared_torques(pieces)])
+        shared = shared_torques(one.margins for one in self.kept)
         last = self.kept[-1]
         return Motion(
             all_times[kept],
@@ -197,7 +189,7 @@ class Record:
             all_torques[kept],
             all_heat[kept],
             tuple(self.events),
-            energy_account(self.start, self.time, last.equations, last.state, self.impact),
+            energy_account(self.start, self.time, last.margins.equations, last.state, self.impact),
             {
                 name: Peak(float(torque), float(time))
                 for name, torque, time in zip(
@@ -205,7 +197,7 @@ class Record:
                 )
             },
             tuple(self._reached()),
-            tuple(counted),
+            tuple(dict.fromkeys([*self.messages, *shared])),
             stopped,
         )
 
@@ -228,17 +220,17 @@ def _different(times: Floats, speeds: Floats, torques: Floats) -> Floats:
     kept = np.ones(len(times), dtype=bool)
     for number in np.flatnonzero(np.diff(times) == 0) + 1:
         same = all(
-            np.allclose(one[number - 1], one[number], rtol=1e-9, atol=1e-9)
+            np.allclose(one[number - 1], one[number], rtol=SAME_VALUES, atol=SAME_VALUES)
             for one in (speeds, torques)
         )
         kept[number] = not same
     return kept
 
 
-def device_torques(equations: Equations, margins: Margins, times: Floats, states: Floats) -> Floats:
+def device_torques(margins: Margins, times: Floats, states: Floats) -> Floats:
     """Torques of all devices at several times, shape (devices, times) [N*m]."""
-    rates = equations.rates_at(times, states)
-    ports = equations.torques_at(times, states, rates)
+    equations = margins.equations
+    _, ports = equations.acting_at(times, states)
     held = margins.split(times, equations.structure.torques @ ports)
     system, layout = equations.system, equations.layout
     count = len(system.case.devices)
@@ -261,20 +253,21 @@ def device_torques(equations: Equations, margins: Margins, times: Floats, states
     return made
 
 
-def shared_torques(pieces: Iterable[tuple[Equations, Margins]]) -> list[Message]:
+def shared_torques(pieces: Iterable[Margins]) -> list[Message]:
     """What shares a torque that nothing determines, each set of elements once."""
     found = []
     seen: set[tuple[int, ...]] = set()
-    for equations, margins in pieces:
+    for margins in pieces:
         if not margins.shared:
             continue
+        equations = margins.equations
         structure, contacts = equations.structure, equations.system.contacts
         sharing = tuple(
             one.of
             for row, one in enumerate(structure.multipliers)
             if one.kind == "contact"
             and contacts[one.of].element is not None
-            and np.abs(structure.redundant[row]).max() > 1e-6
+            and largest(structure.redundant[row]) > SHARED_TORQUE
         )
         if len(sharing) < 2 or sharing in seen:
             continue

@@ -8,7 +8,7 @@ speeds that contradict each other, is told there.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise
 from typing import Any
 
@@ -21,6 +21,7 @@ from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.scenario.laws import Points, Resistance, Road, TorqueLaw
 from vstatics.simulation.scenario.parts import Capacity, Control, Converter, Scenario, Start
 from vstatics.simulation.scenario.programme import largest_control
+from vstatics.simulation.tolerances import GIVEN_CAPACITY, MADE_CAPACITY, MISSING_MASS
 
 _TRIED_TIMES = 1001
 
@@ -52,8 +53,7 @@ def scenario_problems(scenario: Scenario) -> Iterator[Problem]:
     duration: read 0, expected a time above 0
     controls.F1: read -30, expected a capacity of 0 or more
     """
-    if not 0 < scenario.duration < math.inf:
-        yield Problem(f"read {scenario.duration:g}, expected a time above 0", ("duration",))
+    yield from _of_range(scenario.duration, "a time", ("duration",), above_0=True)
     yield from _of_start(scenario.start, scenario.case)
     yield from _of_controls(scenario.controls or {}, scenario.case, scenario.duration)
     yield from _of_torques(scenario)
@@ -71,7 +71,7 @@ def scenario_doubts(scenario: Scenario) -> Iterator[Problem]:
     for link, law in scenario.torques:
         if isinstance(law, Road) and 0 < link <= case.links:
             mass, inertia = law.mass * law.radius**2, case.inertias.get(link, 0.0)
-            if inertia < mass * (1 - 1e-3):
+            if inertia < mass * (1 - MISSING_MASS):
                 yield Problem(
                     f"the case has an inertia of {inertia:g} kg*m^2 on this link, and `road` adds "
                     f"none: a mass of {law.mass:g} kg on wheels of {law.radius:g} m has {mass:g}",
@@ -138,10 +138,9 @@ def _tried(
         return
     times = np.linspace(0.0, duration, _TRIED_TIMES)
     values = law.along(times) * control.scale
-    most = math.inf if largest is None else largest * (1 + 1e-9)
-    wrong = np.flatnonzero(
-        ~((values >= -1e-9 * np.nan_to_num(np.abs(values)).max()) & (values <= most))
-    )
+    most = math.inf if largest is None else largest * (1 + MADE_CAPACITY)
+    least = -MADE_CAPACITY * np.nan_to_num(np.abs(values)).max()
+    wrong = np.flatnonzero(~((values >= least) & (values <= most)))
     if len(wrong):
         first = int(wrong[0])
         expected = "0 or more" if largest is None else f"0 to {largest:g}, the capacity of the case"
@@ -154,8 +153,7 @@ def _of_capacity(
 ) -> Iterator[Problem]:
     """A capacity, or a pressure, that is never negative and at most what the case says."""
     law, scale = control
-    if not 0 <= scale < math.inf:
-        yield Problem(f"read {scale:g}, expected a scale of 0 or more", (*path, "scale"))
+    yield from _of_range(scale, "a scale", (*path, "scale"))
     if isinstance(law, Formula):
         yield from of_formula(law, ["t"], path)
         return
@@ -166,7 +164,7 @@ def _of_capacity(
         place = (*path, number, 2) if len(law.y) > 1 else path
         if value < 0:
             yield Problem(f"read {value:g}, expected a {kind} of 0 or more", place)
-        elif largest is not None and value * scale > largest * (1 + 1e-12):
+        elif largest is not None and value * scale > largest * (1 + GIVEN_CAPACITY):
             unit = "Pa" if kind == "pressure" else "N*m"
             read = f"{value:g} {unit}" if scale == 1 else f"{value:g} {unit} times {scale:g}"
             message = f"read {read}, expected at most {largest:g} {unit}, the capacity in the case"
@@ -204,15 +202,19 @@ def _of_shifts(scenario: Scenario) -> Iterator[Problem]:
     for number, shift in enumerate(scenario.shifts or (), 1):
         path = ("shifts", number)
         yield from _of_gear(shift.to, scenario.case, (*path, "to"))
-        if not 0 <= shift.at < math.inf:
-            yield Problem(f"read {shift.at:g}, expected a time of 0 or more", (*path, "at"))
-        elif shift.at < before:
+        yield from _of_range(shift.at, "a time", (*path, "at"))
+        if 0 <= shift.at < before:
             message = f"read {shift.at:g} behind {before:g}, expected shifts in their order"
             yield Problem(message, (*path, "at"))
         before = max(before, shift.at)
-        if not 0 <= shift.overlap < math.inf:
-            message = f"read {shift.overlap:g}, expected a time of 0 or more"
-            yield Problem(message, (*path, "overlap"))
+        yield from _of_range(shift.overlap, "a time", (*path, "overlap"))
+
+
+def _of_range(value: float, what: str, path: Path, *, above_0: bool = False) -> Iterator[Problem]:
+    """Of a number that may not be below 0 nor infinite."""
+    if not (0 < value < math.inf or (value == 0 and not above_0)):
+        least = "above 0" if above_0 else "of 0 or more"
+        yield Problem(f"read {value:g}, expected {what} {least}", path)
 
 
 def _of_link(link: int, case: Transmission, path: Path) -> Iterator[Problem]:
@@ -250,25 +252,16 @@ def of_law(law: TorqueLaw, path: Path) -> Iterator[Problem]:
         case Points():
             yield from of_points(law, path)
         case Resistance():
-            if not 0 <= law.torque < math.inf:
-                message = f"read {law.torque:g}, expected a torque of 0 or more"
-                yield Problem(message, (*path, "resistance"))
+            yield from _of_range(law.torque, "a torque", (*path, "resistance"))
         case Road():
-            yield from _of_road(law, (*path, "road"))
-
-
-def _of_road(road: Road, path: Path) -> Iterator[Problem]:
-    limits: dict[str, tuple[Callable[[float], bool], str]] = {
-        "mass": (lambda value: value > 0, "a mass above 0"),
-        "radius": (lambda value: value > 0, "a radius above 0"),
-        "rolling": (lambda value: value >= 0, "a coefficient of 0 or more"),
-        "drag_area": (lambda value: value >= 0, "an area of 0 or more"),
-        "slope": (lambda value: -1 <= value <= 1, "the sine of an angle, from -1 to 1"),
-    }
-    for name, (holds, expected) in limits.items():
-        value = getattr(road, name)
-        if not (holds(value) and math.isfinite(value)):
-            yield Problem(f"read {value:g}, expected {expected}", (*path, name))
+            road = (*path, "road")
+            yield from _of_range(law.mass, "a mass", (*road, "mass"), above_0=True)
+            yield from _of_range(law.radius, "a radius", (*road, "radius"), above_0=True)
+            yield from _of_range(law.rolling, "a coefficient", (*road, "rolling"))
+            yield from _of_range(law.drag_area, "an area", (*road, "drag_area"))
+            if not -1 <= law.slope <= 1:
+                expected = "expected the sine of an angle, from -1 to 1"
+                yield Problem(f"read {law.slope:g}, {expected}", (*road, "slope"))
 
 
 def of_characteristic(

@@ -10,6 +10,7 @@ import numpy as np
 
 from vstatics.errors import Path, Problem
 from vstatics.numerics.arrays import Floats
+from vstatics.simulation.tolerances import LEAST_PROBABILITY
 
 
 class Distribution(NamedTuple):
@@ -56,16 +57,12 @@ class Distribution(NamedTuple):
 
             mean, deviation = self.normal or self.lognormal or (0.0, 0.0)
             numbers = mean + deviation * ndtri(
-                np.clip(parts, _LEAST_PROBABILITY, 1 - _LEAST_PROBABILITY)
+                np.clip(parts, LEAST_PROBABILITY, 1 - LEAST_PROBABILITY)
             )
             numbers = np.exp(numbers) if self.normal is None else numbers
         least = -np.inf if self.min is None else self.min
         clipped: Floats = np.clip(numbers, least, np.inf if self.max is None else self.max)
         return clipped
-
-
-_LEAST_PROBABILITY = 2.0**-53
-"""A normal distribution has no number for a part of 0."""
 
 
 def distribution_problems(one: Distribution, path: Path) -> Iterator[Problem]:

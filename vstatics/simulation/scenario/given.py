@@ -39,16 +39,6 @@ class GivenLaw(NamedTuple):
     road: Road | None = None
 
 
-class GivenSamples(NamedTuple):
-    """A distribution."""
-
-    normal: tuple[float, float] | None = None
-    lognormal: tuple[float, float] | None = None
-    uniform: tuple[float, float] | None = None
-    min: float | None = None
-    max: float | None = None
-
-
 def exactly_one(*names: str, with_points: Sequence[str] = ()) -> Callable[..., str]:
     """Whether one of some keys is given, and others beside `points` alone."""
 

@@ -21,6 +21,7 @@ from vstatics.model.shape import (
     OneOrMany,
     RowOf,
 )
+from vstatics.simulation.scenario.distribution import Distribution
 from vstatics.simulation.scenario.given import (
     ABSCISSA,
     ANYTHING,
@@ -30,7 +31,6 @@ from vstatics.simulation.scenario.given import (
     TORQUE_CURVE,
     GivenControl,
     GivenLaw,
-    GivenSamples,
     exactly_one,
 )
 from vstatics.simulation.scenario.laws import Road
@@ -196,7 +196,7 @@ SAMPLES = ByKey(
         KeyShape("min", ANYTHING, "Numbers below are this one."),
         KeyShape("max", ANYTHING, "Numbers above are this one."),
     ),
-    GivenSamples,
+    Distribution,
     exactly_one("normal", "lognormal", "uniform"),
 )
 

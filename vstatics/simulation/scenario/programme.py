@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from vstatics.errors import CaseError, Problem
+from vstatics.errors import CaseError, Problem, case_error
 from vstatics.model.parts import Friction, OfLoad, ShiftElement
 from vstatics.model.transmission import Gear, Transmission
 from vstatics.simulation.scenario.laws import Curve, Points, constant
@@ -62,9 +62,8 @@ def programmes(scenario: Scenario, engaged: tuple[int, ...]) -> list[Programme]:
         elif control is not None:
             found.append(_controlled(control, element, scenario.case))
         elif by_gear:
-            shifted = _Shifted(number, element, scenario)
             try:
-                found.append(shifted.programme(engaged=number in engaged))
+                found.append(_shifted(number, element, scenario, engaged=number in engaged))
             except CaseError as error:
                 problems += error.problems
         else:
@@ -118,56 +117,39 @@ def _controlled(control: object, element: ShiftElement, case: Transmission) -> P
         held += [before, math.inf if closed else 0.0]
     if not times:
         return OPEN
-    if times[0] > 0:
-        return Programme(Points(tuple(times), tuple(held)), is_dog=True)
-    return Programme(Points(tuple(times[1:]), tuple(held[1:])), is_dog=True)
+    first = 0 if times[0] > 0 else 1
+    return Programme(Points(tuple(times[first:]), tuple(held[first:])), is_dog=True)
 
 
-class _Shifted:
-    """A shift element that is moved by shifts."""
-
-    def __init__(self, number: int, element: ShiftElement, scenario: Scenario) -> None:
-        self.number, self.element, self.scenario = number, element, scenario
-        held = newton_metres(element.capacity, scenario.case)
-        self.anything = held is None or element.kind == "dog_clutch"
-        self.capacity = math.inf if held is None or self.anything else held
-        self.factor = 1.0 if self.anything else 1 / friction_at(element.friction)
-        """The capacity of the case is that at the begin of slip, whatever the pack."""
-
-    def programme(self, *, engaged: bool) -> Programme:
-        """Its capacity over time."""
-        points = [(0.0, self.capacity if engaged else 0.0)]
-        for index, shift in enumerate(sorted(self.scenario.shifts or ()), 1):
-            gear = _gear(self.scenario.case, shift.to, index)
-            target = self.capacity if self.number in gear.engaged else 0.0
-            points = self._moved(points, shift.at, shift.overlap, target, index)
-        times, held = zip(*points, strict=True)
-        return Programme(Points(times, held), self.factor, is_dog=self.anything)
-
-    def _moved(
-        self,
-        points: list[tuple[float, float]],
-        at: float,
-        overlap: float,
-        target: float,
-        index: int,
-    ) -> list[tuple[float, float]]:
-        """The points with another shift; what is on its way is taken from where it is."""
+def _shifted(number: int, element: ShiftElement, scenario: Scenario, *, engaged: bool) -> Programme:
+    """Of an element that is moved by shifts; what is on its way is taken from where it is."""
+    held = newton_metres(element.capacity, scenario.case)
+    anything = held is None or element.kind == "dog_clutch"
+    capacity = math.inf if held is None or anything else held
+    points = [(0.0, capacity if engaged else 0.0)]
+    for index, (at, name, overlap) in enumerate(sorted(scenario.shifts or ()), 1):
+        gear = _gear(scenario.case, name, index)
+        target = capacity if number in gear.engaged else 0.0
         now = _at(points, at)
         kept = [point for point in points if point[0] < at]
+        moment = at + overlap
         if now == target and all(value == target for time, value in points if time >= at):
-            return points if not kept else [*kept, (at, now)]
-        if self.anything:
-            if overlap and self.element.kind != "dog_clutch":
-                name = self.element.name
-                message = (
-                    f"{name} has no capacity in the case, so it can't change over "
-                    f"{overlap:g} s: give it a `capacity` there, or an overlap of 0"
-                )
-                raise CaseError([Problem(message, ("shifts", index))])
-            moment = at + overlap if target else at
-            return [*kept, (at, now), (moment, now), (moment, target)]
-        return [*kept, (at, now), (at + overlap, target)]
+            points = [*kept, (at, now)] if kept else points
+        elif not anything:
+            points = [*kept, (at, now), (moment, target)]
+        elif overlap and element.kind != "dog_clutch":
+            message = (
+                f"{element.name} has no capacity in the case, so it can't change over "
+                f"{overlap:g} s: give it a `capacity` there, or an overlap of 0"
+            )
+            raise case_error(message, "shifts", index)
+        else:
+            moment = moment if target else at
+            points = [*kept, (at, now), (moment, now), (moment, target)]
+    # the capacity of the case is that at the begin of slip, whatever the pack
+    factor = 1.0 if anything else 1 / friction_at(element.friction)
+    times, capacities = zip(*points, strict=True)
+    return Programme(Points(times, capacities), factor, is_dog=anything)
 
 
 def _at(points: list[tuple[float, float]], time: float) -> float:
@@ -186,4 +168,4 @@ def _gear(case: Transmission, name: str, index: int) -> Gear:
     try:
         return case.gears[case.gear_number(name) - 1]
     except ValueError as error:
-        raise CaseError([Problem(str(error), ("shifts", index, "to"))]) from None
+        raise case_error(str(error), "shifts", index, "to") from None

@@ -54,8 +54,14 @@ class ScenarioValues:
             self._start(values["start"], radii),
             None if controls is None else dict(self._controls(controls)),
             torques,
-            tuple(_converter(name, one) for name, one in converters.items()),
-            None if shifts is None else tuple(_shift(one) for one in shifts),
+            tuple(
+                Converter(name, pump, turbine, tuple(map(_floats, one["points"])))
+                for name, one in converters.items()
+                for pump, turbine in [one["links"]]
+            ),
+            None
+            if shifts is None
+            else tuple(Shift(float(one["at"]), one["to"], float(one["overlap"])) for one in shifts),
             {
                 link: tuple(self._speeds(given, ("targets", link), radii.get(link)))
                 for link, given in values.get("targets", {}).items()
@@ -110,10 +116,10 @@ class ScenarioValues:
         """A capacity over time; a pressure where the element has friction."""
         measure: Measure = "pressure" if element.friction else "si_torque"
         why = f", since {element.name} has {'' if element.friction else 'no '}`friction`"
-        return self._curve(given, (), measure, path, why)
+        return self._curve(given, measure, path, why)
 
     def _curve(
-        self, given: Any, over: Sequence[Over], measure: Measure, path: Path, why: str = ""
+        self, given: Any, measure: Measure, path: Path, why: str = "", along: Over = "time"
     ) -> Points | Formula:
         """Points, a formula, or a number."""
         if isinstance(given, Formula):
@@ -121,7 +127,6 @@ class ScenarioValues:
         if not isinstance(given, Sequence):
             self._check_unit(given, measure, path, why)
             return constant(given or 0.0)
-        along: Over = over[0] if over else "time"
         for number, (x, y) in enumerate(given, 1):
             self._check_unit(x, _OVER[along], (*path, number, 1), f": the points are over {along}")
             self._check_unit(y, measure, (*path, number, 2), why)
@@ -142,14 +147,14 @@ class ScenarioValues:
 
     def _law(self, given: Any, path: Path) -> TorqueLaw:
         if not isinstance(given, GivenLaw):
-            return self._curve(given, (), "si_torque", path)
+            return self._curve(given, "si_torque", path)
         if given.resistance is not None:
             return Resistance(float(given.resistance))
         if given.road is not None:
             return Road(*map(float, given.road))
-        over: Any = given.over or "time"
+        along: Any = given.over or "time"
         key = "formula" if given.points is None else "points"
-        return self._curve(getattr(given, key), (over,), "si_torque", (*path, key))
+        return self._curve(getattr(given, key), "si_torque", (*path, key), along=along)
 
 
 def _floats(values: Iterable[float]) -> tuple[Any, ...]:
@@ -161,12 +166,3 @@ def _plain(value: Any) -> Any:
     if isinstance(value, tuple):
         return _floats(value)
     return None if value is None else float(value)
-
-
-def _converter(name: str, given: Mapping[str, Any]) -> Converter:
-    pump, turbine = given["links"]
-    return Converter(name, pump, turbine, tuple(map(_floats, given["points"])))
-
-
-def _shift(given: Mapping[str, Any]) -> Shift:
-    return Shift(float(given["at"]), given["to"], float(given["overlap"]))

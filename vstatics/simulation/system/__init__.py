@@ -2,6 +2,6 @@
 
 `devices` makes rows of a scenario: what is heavy, rigid, sticks, drags or acts from outside;
 `matrices` has them as matrices. `curves` and `ports` give capacities and torques at an instant.
-`structure` has the constant matrices of what sticks, `equations` what a solver integrates, `affine`
-the same where all torques are straight.
+`structure` has the constant matrices of what sticks, `equations` what a solver integrates, as maps
+too where all torques are straight.
 """

@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 from collections import deque
+from collections.abc import Callable
 
 import numpy as np
 
 from vstatics.numerics.arrays import Floats
-from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.scenario.laws import Curve, Points
 from vstatics.simulation.scenario.programme import Programme, friction_at
 from vstatics.simulation.system.matrices import Contact
+
+Torque = Callable[[float, float, float], float]
+"""By time [s], rate [rad/s] and angle [rad]."""
 
 
 def capacity_at(contact: Contact, time: float, slip: float = 0.0) -> float:
@@ -51,8 +54,9 @@ def curve_along(curve: Curve, times: Floats) -> Floats:
     return made
 
 
-def slope_of(formula: Formula, time: float, within: float) -> float:
-    """Change of a formula with time, looking forward only."""
-    function = formula.function
-    now, middle, later = (function(time + part * within, 0.0, 0.0) for part in (0.0, 0.5, 1.0))
+def slope_of(
+    function: Torque, time: float, within: float, rate: float = 0.0, angle: float = 0.0
+) -> float:
+    """Change of a torque with time, looking forward only."""
+    now, middle, later = (function(time + part * within, rate, angle) for part in (0.0, 0.5, 1.0))
     return (4 * middle - 3 * now - later) / within

@@ -8,10 +8,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.errors import CaseError, Problem
-from vstatics.model.parts import OfLoad, ShiftElement, damping
+from vstatics.errors import CaseError, Problem, case_error
+from vstatics.model.parts import Mechanism, OfLoad, ShiftElement, damping
+from vstatics.model.springs import Spring
 from vstatics.model.transmission import Gear, Transmission
-from vstatics.simulation.scenario.laws import Resistance, Road, TorqueLaw, constant
+from vstatics.numerics.arrays import Floats
+from vstatics.simulation.scenario.laws import Resistance, Road, constant
 from vstatics.simulation.scenario.parts import Scenario
 from vstatics.simulation.scenario.programme import Programme, friction_at, newton_metres
 from vstatics.simulation.system.matrices import (
@@ -24,7 +26,7 @@ from vstatics.simulation.system.matrices import (
     combination,
     unit,
 )
-from vstatics.statics.matrix import column
+from vstatics.statics.matrix import distribution_matrix
 from vstatics.torsion.system.bodies import planet_bodies
 
 
@@ -55,42 +57,42 @@ def motion_system(
             bodies.append((combination(by_number, case.links), body.inertia))
     if not bodies:
         message = "the case has no `inertias`, so nothing can be in motion: give those of its links"
-        raise CaseError([Problem(f"{message} in kg*m^2", ("case",))])
+        raise case_error(f"{message} in kg*m^2", "case")
     contacts, outside = _loads(scenario)
     dragging = list(drags(case, gear))
+    rows = np.ascontiguousarray(distribution_matrix(case).T)
     return MotionSystem(
         scenario=scenario,
         names=tuple(case.link_names),
         heavy=np.array([row for row, _ in bodies]),
         inertias=np.array([inertia for _, inertia in bodies]),
-        meshes=tuple(_meshes(case)),
+        meshes=tuple(_meshes(case, rows)),
         contacts=(
-            *_elements(case, capacities, dragging),
+            *_elements(case, capacities, dragging, rows),
             *contacts,
-            *_drag_contacts(case, dragging),
+            *_drag_contacts(case, dragging, rows),
         ),
-        springs=tuple(_springs(case, capacities)),
+        springs=tuple(_springs(case, capacities, rows)),
         outside=tuple(outside),
         converters=scenario.converters,
     )
 
 
-def _meshes(case: Transmission) -> list[RigidMechanism]:
-    start = len(case.shift_elements)
+def _meshes(case: Transmission, rows: Floats) -> list[RigidMechanism]:
     found = []
-    for index, one in enumerate(case.mechanisms):
+    for index, one in enumerate(case.mechanisms, len(case.shift_elements)):
         if one.stiffness is not None:
             continue
         back = one.efficiency if one.back_efficiency is None else one.back_efficiency
         if back == 0:
             message = f"{one.name} is self-locking, which a scenario can't have yet"
-            raise CaseError([Problem(message, ("case",))])
+            raise case_error(message, "case")
         u = one.ratio
         found.append(
             RigidMechanism(
                 one.name,
-                start + index,
-                combination(zip(one.links, column(u), strict=True), case.links),
+                index,
+                rows[index],
                 between(one.first, one.third, case.links),
                 combination([(one.second, -u), (one.third, u)], case.links),
                 one.efficiency,
@@ -101,7 +103,7 @@ def _meshes(case: Transmission) -> list[RigidMechanism]:
 
 
 def _elements(
-    case: Transmission, capacities: list[Programme], dragging: list[DragTorque]
+    case: Transmission, capacities: list[Programme], dragging: list[DragTorque], rows: Floats
 ) -> list[Contact]:
     """The shift elements that do not bend."""
     overrun = {one.number: one.torque for one in dragging if one.is_element}
@@ -113,7 +115,7 @@ def _elements(
         found.append(
             Contact(
                 element.name,
-                between(element.first, element.second, case.links),
+                rows[index],
                 programme,
                 element.friction,
                 element.static,
@@ -125,7 +127,7 @@ def _elements(
     return found
 
 
-def _drag_contacts(case: Transmission, dragging: list[DragTorque]) -> list[Contact]:
+def _drag_contacts(case: Transmission, dragging: list[DragTorque], rows: Floats) -> list[Contact]:
     """What drags, but freewheels, whose drag acts while they overrun."""
     found = []
     for is_element, number, torque in dragging:
@@ -134,39 +136,32 @@ def _drag_contacts(case: Transmission, dragging: list[DragTorque]) -> list[Conta
             element = case.shift_elements[number - 1]
             if element.is_freewheel:
                 continue
-            row = between(element.first, element.second, case.links)
-            open_of = number - 1
-            found.append(Contact(element.name, row, programme, is_drag=True, while_open=open_of))
+            at = number - 1
+            found.append(Contact(element.name, rows[at], programme, is_drag=True, while_open=at))
         else:
             row = unit(number - 1, case.links)
             found.append(Contact(case.link_name(number), row, programme, is_drag=True))
     return found
 
 
-def _springs(case: Transmission, capacities: list[Programme]) -> list[Elastic]:
-    links, found = case.links, []
-    unlimited = Programme(constant(math.inf))
-    for index, element in enumerate(case.shift_elements):
-        if element.stiffness is not None and not element.is_freewheel:
-            row = between(element.first, element.second, links)
-            damped = damping(element.damping)
-            limit = _slipping_torque(element, capacities[index])
-            found.append(
-                Elastic(element.name, index, row, element.stiffness, *damped, limit, index)
-            )
-    start = len(case.shift_elements)
-    for index, mechanism in enumerate(case.mechanisms, start):
-        if mechanism.stiffness is not None:
-            row = combination(zip(mechanism.links, column(mechanism.ratio), strict=True), links)
-            damped = damping(mechanism.damping)
-            found.append(
-                Elastic(mechanism.name, index, row, mechanism.stiffness, *damped, unlimited)
-            )
-    for index, spring in enumerate(case.springs, start + len(case.mechanisms)):
-        row = combination(spring.form.items(), links)
-        limit = unlimited if spring.limit is None else Programme(constant(spring.limit))
-        damped = damping(spring.damping)
-        found.append(Elastic(spring.name, index, row, spring.rate, *damped, limit))
+def _springs(case: Transmission, capacities: list[Programme], rows: Floats) -> list[Elastic]:
+    found = []
+    bending: list[ShiftElement | Mechanism | Spring] = [
+        *case.shift_elements,
+        *case.mechanisms,
+        *case.springs,
+    ]
+    for index, one in enumerate(bending):
+        limit, element = Programme(constant(math.inf)), None
+        stiffness = one.rate if isinstance(one, Spring) else one.stiffness
+        if stiffness is None or (isinstance(one, ShiftElement) and one.is_freewheel):
+            continue
+        if isinstance(one, ShiftElement):
+            limit, element = _slipping_torque(one, capacities[index]), index
+        elif isinstance(one, Spring) and one.limit is not None:
+            limit = Programme(constant(one.limit))
+        damped = damping(one.damping)
+        found.append(Elastic(one.name, index, rows[index], stiffness, *damped, limit, element))
     return found
 
 
@@ -178,7 +173,7 @@ def _slipping_torque(element: ShiftElement, capacity: Programme) -> Programme:
             f"{element.name} is elastic, so it slips at one torque: leave out `static` and give "
             "one coefficient of friction, or a spring beside it in place of `stiffness`"
         )
-        raise CaseError([Problem(message, ("case",))])
+        raise case_error(message, "case")
     return capacity._replace(factor=capacity.factor * friction_at(pack))
 
 
@@ -186,7 +181,11 @@ def _loads(scenario: Scenario) -> tuple[list[Contact], list[OutsideTorque]]:
     """Outside torques: what of them is dry friction, and what is not."""
     contacts, outside = [], []
     for link, law in scenario.torques:
-        friction = _dry(law)
+        friction = 0.0
+        if isinstance(law, Resistance):
+            friction = law.torque
+        elif isinstance(law, Road):
+            friction = law.rolling_torque
         if friction:
             name = scenario.case.link_name(link)
             row = unit(link - 1, scenario.case.links)
@@ -194,15 +193,6 @@ def _loads(scenario: Scenario) -> tuple[list[Contact], list[OutsideTorque]]:
         if not isinstance(law, Resistance):
             outside.append(OutsideTorque(link - 1, law))
     return contacts, outside
-
-
-def _dry(law: TorqueLaw) -> float:
-    """The dry friction of a load [N*m]."""
-    if isinstance(law, Resistance):
-        return law.torque
-    if isinstance(law, Road):
-        return law.rolling_torque
-    return 0.0
 
 
 class DragTorque(NamedTuple):

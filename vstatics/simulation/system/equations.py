@@ -8,16 +8,27 @@ are no state: their speeds are those at which the torques along them balance.
 from __future__ import annotations
 
 from functools import cached_property
+from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.errors import CaseError, Problem
-from vstatics.numerics.arrays import Booleans, Floats
-from vstatics.simulation.system.affine import Affine
+from vstatics.errors import case_error
+from vstatics.numerics.arrays import Booleans, Floats, largest
+from vstatics.simulation.system.curves import curve_along, slope_of
 from vstatics.simulation.system.matrices import MotionSystem
-from vstatics.simulation.system.ports import PortLayout, Ports, States
+from vstatics.simulation.system.ports import Ports, States
 from vstatics.simulation.system.structure import MotionStructure, null
+from vstatics.simulation.tolerances import (
+    AHEAD,
+    DIFFERENCE_STEP,
+    LEAST_DURATION,
+    LEAST_SENSE,
+    NEWTON_STEP,
+    NO_SENSE,
+    STRAIGHT_BALANCE,
+)
 
+_NONE = np.zeros(0)
 _MOST_CONVERTER_STEPS = 100
 _NEWTON = 30
 """So many steps at most."""
@@ -33,17 +44,13 @@ class Equations:
     """
 
     def __init__(
-        self,
-        system: MotionSystem,
-        layout: PortLayout,
-        structure: MotionStructure,
-        states: States,
-        time: float,
+        self, system: MotionSystem, structure: MotionStructure, states: States, time: float
     ) -> None:
-        self.system, self.layout, self.structure, self.states = system, layout, structure, states
+        layout = self.layout = system.layout
+        self.system, self.structure, self.states = system, structure, states
         self.time = time
         """From when on they hold. [s]"""
-        self.ports = Ports(system, layout, states, time)
+        self.ports = Ports(system, states, time)
         self.motions = structure.free.shape[1]
         self.springs = len(system.springs)
         self.twists = slice(self.motions, self.motions + self.springs)
@@ -53,51 +60,45 @@ class Equations:
         self.slipped = slice(self.damped.stop, self.damped.stop + self.springs)
         self.meshed = slice(self.slipped.stop, self.slipped.stop + len(system.meshes))
         self.size = self.meshed.stop
-        self.spring_ports = slice(layout.springs, layout.springs + self.springs)
         self.viscous = np.array([one.viscous for one in system.springs])
-        slips = np.array([state != "stick" for state in states.springs], dtype=bool)
+        slips = ~self.ports.bends
         self.creeps: Booleans = slips & (self.viscous > 0)
         self.limited: Booleans = slips & (self.viscous == 0)
         self.angle_rows = np.array([structure.free[link] for link in layout.angles])
         self.light = structure.light.shape[1]
         self.longest = system.scenario.duration / _MOST_CONVERTER_STEPS
         """Of a step where a torque is a formula of time, which may have a pulse. [s]"""
-        self.within = 1e-7 * max(system.scenario.duration, 1e-9)
+        self.within = AHEAD * max(system.scenario.duration, LEAST_DURATION)
         if self.light:
             self._split_light()
 
     def _split_light(self) -> None:
         """Which motions without inertia are found by torques, which by slopes of torques."""
         structure, ports = self.structure, self.ports
-        sensed = np.where(ports.senses_rate, np.maximum(np.abs(ports.by_rate), 1e-30), 0.0)
+        sensed = np.where(ports.senses_rate, np.maximum(np.abs(ports.by_rate), NO_SENSE), 0.0)
         scale = sensed.max(initial=0.0) or 1.0
-        sensed = np.where(ports.senses_rate, np.maximum(sensed / scale, 1e-6), 0.0)
+        sensed = np.where(ports.senses_rate, np.maximum(sensed / scale, LEAST_SENSE), 0.0)
         by_speed = structure.balances @ (sensed[:, None] * structure.light_rates)
         self.by_slope = null(by_speed.T)
         """Combinations of balances that no speed changes, as columns."""
-        kept = null(self.by_slope.T) if self.by_slope.size else np.eye(self.light)
-        self.by_torque = kept
+        self.by_torque = null(self.by_slope.T) if self.by_slope.size else np.eye(self.light)
         if self.by_slope.shape[1]:
-            elastic = np.zeros(self.layout.ports)
-            elastic[self.spring_ports] = ports.elastic
-            along = null(by_speed)
-            changes = structure.balances @ (elastic[:, None] * structure.light_rates)
-            stiff = self.by_slope.T @ changes @ along
-            self._check_determined(stiff, along)
-            self.along = along
-            self.stiff = stiff
+            self.along = null(by_speed)
+            changes = structure.balances @ (ports.all_elastic[:, None] * structure.light_rates)
+            self.stiff = self.by_slope.T @ changes @ self.along
+            self._check_determined()
 
-    def _check_determined(self, stiff: Floats, along: Floats) -> None:
-        scale = np.abs(stiff).max(initial=0.0)
-        undetermined = null(stiff / scale) if scale else np.eye(along.shape[1])
+    def _check_determined(self) -> None:
+        scale = largest(self.stiff)
+        undetermined = null(self.stiff / scale) if scale else np.eye(self.along.shape[1])
         if undetermined.shape[1]:
-            speeds = np.abs(self.structure.light @ along @ undetermined).max(axis=1)
+            speeds = np.abs(self.structure.light @ self.along @ undetermined).max(axis=1)
             name = self.system.names[int(speeds.argmax())]
             message = (
                 f"link {name} has no inertia, and nothing determines its speed at "
                 f"{self.time:g} s: give it an inertia, or hold it"
             )
-            raise CaseError([Problem(message, ("case", "inertias", name))])
+            raise case_error(message, "case", "inertias", name)
 
     def light_motions(self, time: float, rates: Floats, twists: Floats, angles: Floats) -> Floats:
         """Speeds of the motions without inertia, by the rates that those with inertia give."""
@@ -115,7 +116,7 @@ class Equations:
         speeds = np.zeros(self.light)
         left = rest(speeds)
         for _ in range(_NEWTON):
-            step = 1e-6 * max(1.0, float(np.abs(speeds).max()))
+            step = DIFFERENCE_STEP * max(1.0, largest(speeds))
             changes = np.empty((self.light, self.light))
             for index in range(self.light):
                 moved = speeds.copy()
@@ -127,7 +128,7 @@ class Equations:
                 return np.full(self.light, np.nan)
             speeds = speeds - change
             left = rest(speeds)
-            if np.abs(change).max() <= 1e-13 * max(1.0, float(np.abs(speeds).max())):
+            if largest(change) <= NEWTON_STEP * max(1.0, largest(speeds)):
                 break
         return speeds
 
@@ -149,39 +150,45 @@ class Equations:
             speeds = speeds + self.structure.light @ self.rates(time, state)[1]
         return speeds
 
-    def rates_at(self, times: Floats, states: Floats) -> Floats:
-        """Rates of ports at several times, shape (ports, times)."""
-        if self.light and not self.light_is_straight:
-            columns = [self.rates(float(time), states[:, n])[0] for n, time in enumerate(times)]
-            return np.array(columns).T
+    def acting(self, time: float, state: Floats) -> tuple[Floats, Floats]:
+        """Rates and torques of ports in a state [rad/s, N*m]."""
+        rates, _ = self.rates(time, state)
+        return rates, self.torques(time, state, rates)
+
+    def _light_at(self, times: Floats, states: Floats) -> Floats:
+        """Speeds of the motions without inertia at several times, shape (motions, times)."""
+        if self.light_is_straight:
+            return self.affine.light_at(times, states)
+        columns = [self.rates(time, states[:, n])[1] for n, time in enumerate(times.tolist())]
+        return np.array(columns).T
+
+    def acting_at(self, times: Floats, states: Floats) -> tuple[Floats, Floats]:
+        """Rates and torques of ports at several times, shape (ports, times)."""
         rates: Floats = self.structure.rates @ states[: self.motions]
         if self.light:
-            rates += self.structure.light_rates @ self.affine.light_at(times, states)
-        return rates
+            rates += self.structure.light_rates @ self._light_at(times, states)
+        return rates, self.torques_at(times, states, rates)
 
     def powers_at(self, times: Floats, states: Floats) -> Floats:
         """Changes of the works and losses of a state at several times, of straight equations."""
         structure = self.structure
-        rates = self.rates_at(times, states)
-        torques = self.torques_at(times, states, rates)
+        rates, torques = self.acting_at(times, states)
         made = np.zeros((self.size - self.works.start, len(times)))
         made[: self.layout.ports] = torques * rates
         if self.springs:
-            sprung, twisting = torques[self.spring_ports], rates[self.spring_ports]
-            growing = twisting.copy()
-            creeps, limited = self.creeps, self.limited
-            elastic = self.ports.stiffness[creeps, None] * states[self.twists][creeps]
-            growing[creeps] = (sprung[creeps] - elastic) / self.viscous[creeps, None]
-            if limited.any():
-                slopes = self.affine.given_at(times)[1][self.spring_ports][limited]
-                growing[limited] = slopes / self.ports.stiffness[limited, None]
+            at = self.layout.spring_ports
+            sprung, twisting = torques[at], rates[at]
+            growing = twisting
+            if not self.ports.bends.all():
+                slopes = self.affine.given_at(times)[1][at] if self.limited.any() else twisting
+                growing = self._growing(twisting.T, sprung.T, states[self.twists].T, slopes.T).T
             first = self.layout.ports
             made[first : first + self.springs] = self.viscous[:, None] * growing**2
             made[first + self.springs : first + 2 * self.springs] = sprung * (twisting - growing)
         if structure.loses:
             lost = structure.mesh_rates @ states[: self.motions]
             if self.light:
-                lost += structure.mesh_light_rates @ self.affine.light_at(times, states)
+                lost += structure.mesh_light_rates @ self._light_at(times, states)
             made[self.meshed.start - self.works.start :] = (structure.torques @ torques)[
                 : len(lost)
             ] * lost
@@ -193,24 +200,21 @@ class Equations:
 
     def speeds_at(self, times: Floats, states: Floats) -> Floats:
         """Of links at several times, shape (links, times) [rad/s]."""
-        if self.light and not self.light_is_straight:
-            columns = [self.speeds(float(time), states[:, n]) for n, time in enumerate(times)]
-            return np.array(columns).T
         speeds: Floats = self.structure.free @ states[: self.motions]
         if self.light:
-            speeds += self.structure.light @ self.affine.light_at(times, states)
+            speeds += self.structure.light @ self._light_at(times, states)
         return speeds
 
     @cached_property
     def light_is_straight(self) -> bool:
         """Whether no torque that bends acts along the motions without inertia."""
         along = np.abs(self.structure.balances[:, self.ports.bending])
-        return bool((along <= 1e-12).all())
+        return bool((along <= STRAIGHT_BALANCE).all())
 
     def slopes_by_rate(self, time: float, state: Floats) -> Floats:
         """Change of each torque with its rate, in a state [N*m*s/rad]."""
         rates, _ = self.rates(time, state)
-        step = 1e-6 * max(1.0, float(np.abs(rates).max(initial=0.0)))
+        step = DIFFERENCE_STEP * max(1.0, largest(rates))
         slopes = self.ports.by_rate.copy()
         for port in self.ports.bending:
             near = [rates.copy(), rates.copy()]
@@ -238,15 +242,12 @@ class Equations:
         change[: self.motions] = structure.accelerations @ torques
         change[self.works] = torques * rates
         if self.springs:
-            sprung, twisting = torques[self.spring_ports], rates[self.spring_ports]
+            at = self.layout.spring_ports
+            sprung, twisting = torques[at], rates[at]
             growing = twisting
-            if self.creeps.any() or self.limited.any():
-                growing = twisting.copy()
-                creeps, limited = self.creeps, self.limited
-                elastic = self.ports.stiffness[creeps] * state[self.twists][creeps]
-                growing[creeps] = (sprung[creeps] - elastic) / self.viscous[creeps]
+            if not self.ports.bends.all():
                 slopes = self.limit_slopes(time, rates, state)
-                growing[limited] = slopes[limited] / self.ports.stiffness[limited]
+                growing = self._growing(twisting, sprung, state[self.twists], slopes)
             change[self.twists] = growing
             change[self.damped] = self.viscous * growing * growing
             change[self.slipped] = sprung * (twisting - growing)
@@ -269,16 +270,138 @@ class Equations:
         slopes = self.ports.c1
         if self.ports.timed:
             slopes = self.ports.slopes(time, rates, state[self.angles], self.within)
-        return slopes[self.spring_ports]
+        return slopes[self.layout.spring_ports]
+
+    def _growing(self, twisting: Floats, sprung: Floats, twists: Floats, slopes: Floats) -> Floats:
+        """How twists grow where springs slip: by their dampers, or with their limits.
+
+        The last axis of all is that of the springs.
+        """
+        growing = twisting.copy()
+        creeps, limited, stiffness = self.creeps, self.limited, self.ports.stiffness
+        elastic = stiffness[creeps] * twists[..., creeps]
+        growing[..., creeps] = (sprung[..., creeps] - elastic) / self.viscous[creeps]
+        growing[..., limited] = slopes[..., limited] / stiffness[limited]
+        return growing
 
     def elastic_energy(self, state: Floats) -> float:
         """Of all springs [J]."""
         return float(self.ports.stiffness @ state[self.twists] ** 2) / 2
 
-    def multipliers(self, torques: Floats) -> Floats:
-        """Torques of what holds, by those of ports; of redundant ones the least [N*m]."""
-        made: Floats = self.structure.torques @ torques
-        return made
+
+class Map(NamedTuple):
+    """What follows from x, from c and from dc/dt."""
+
+    by_state: Floats
+    by_given: Floats
+    by_slope: Floats
+
+    def plus(self, other: Map) -> Map:
+        """The sum of two."""
+        return Map(*(one + two for one, two in zip(self, other, strict=True)))
+
+    def times(self, matrix: Floats) -> Map:
+        """A matrix applied to it."""
+        return Map(*(matrix @ one for one in self))
 
 
-_NONE = np.zeros(0)
+class Affine:
+    """Equations whose torques are straight in rates, twists and angles, as maps.
+
+    ``dx/dt = A x + B c + D dc/dt`` for x = [q, e, phi] and the torques c of ports that are given by
+    the time alone; rates of ports and speeds of motions without inertia are such maps too.
+
+    Parameters
+    ----------
+    equations : Equations
+    by_rate : ndarray, shape (ports,), optional
+        Slopes of torques by their rates, where other than those that are straight.
+        [N*m*s/rad]
+    """
+
+    def __init__(self, equations: Equations, by_rate: Floats | None = None) -> None:
+        self.equations = equations
+        self.by_rate: Floats = equations.ports.by_rate if by_rate is None else by_rate
+        structure, ports, layout = equations.structure, equations.ports, equations.layout
+        size, count = equations.works.start, layout.ports
+        identity = np.eye(count)
+        moved = np.zeros((equations.motions, size))
+        moved[:, : equations.motions] = np.eye(equations.motions)
+        still = np.zeros((equations.motions, count))
+        motions = Map(moved, still, still)
+        elastic = np.zeros((count, size))
+        elastic[layout.spring_ports, equations.twists] = np.diag(ports.elastic)
+        for port, place, slope in ports.by_angle:
+            elastic[port, equations.angles.start + place] += slope
+        given = Map(elastic, identity, np.zeros((count, count)))
+        rates = motions.times(structure.rates)
+        if equations.light:
+            self.light = self._light(rates, given)
+            rates = rates.plus(self.light.times(structure.light_rates))
+        self.rates = rates
+        torques = given.plus(rates.times(np.diag(self.by_rate)))
+        parts = [torques.times(structure.accelerations)]
+        if equations.springs:
+            parts.append(self._twisting(torques, rates))
+        if layout.angles:
+            turning = motions.times(equations.angle_rows)
+            if equations.light:
+                rows = structure.light[list(layout.angles)]
+                turning = turning.plus(self.light.times(rows))
+            parts.append(turning)
+        self.change = Map(*(np.vstack(one) for one in zip(*parts, strict=True)))
+
+    def _light(self, rates: Map, given: Map) -> Map:
+        """Speeds of the motions without inertia, from what balances along them."""
+        equations = self.equations
+        structure, ports = equations.structure, equations.ports
+        balance = equations.by_torque.T @ structure.balances
+        damped = np.diag(self.by_rate)
+        by_speeds = [balance @ damped @ structure.light_rates]
+        rest = [given.plus(rates.times(damped)).times(balance)]
+        if equations.by_slope.shape[1]:
+            steep = equations.by_slope.T @ structure.balances
+            elastic = ports.all_elastic
+            by_speeds.append(steep @ (elastic[:, None] * structure.light_rates))
+            slopes = rates.times(np.diag(elastic))
+            identity = np.eye(len(elastic))
+            rest.append(slopes._replace(by_slope=slopes.by_slope + identity).times(steep))
+        matrix = np.vstack(by_speeds)
+        stacked = Map(*(np.vstack(one) for one in zip(*rest, strict=True)))
+        return Map(*(-np.linalg.solve(matrix, one) for one in stacked))
+
+    def _twisting(self, torques: Map, rates: Map) -> Map:
+        """How twists grow."""
+        equations = self.equations
+        ports, at = equations.ports, equations.layout.spring_ports
+        grown = [part[at].copy() for part in rates]
+        stiffness = ports.stiffness
+        for index in np.flatnonzero(equations.creeps):
+            viscous = equations.viscous[index]
+            for part, torque in zip(grown, torques, strict=True):
+                part[index] = torque[at][index] / viscous
+            grown[0][index, equations.twists.start + index] -= stiffness[index] / viscous
+        for index in np.flatnonzero(equations.limited):
+            for part in grown:
+                part[index] = 0.0
+            grown[2][index, at.start + index] = 1 / stiffness[index]
+        return Map(*grown)
+
+    def light_at(self, times: Floats, states: Floats) -> Floats:
+        """Speeds of the motions without inertia at several times, shape (motions, times)."""
+        given, slopes = self.given_at(times)
+        made: Floats = self.light.by_state @ states[: self.equations.works.start]
+        return made + self.light.by_given @ given + self.light.by_slope @ slopes
+
+    def given_at(self, times: Floats) -> tuple[Floats, Floats]:
+        """Torques that are given by the time alone, and their slopes, shape (ports, times)."""
+        ports, within = self.equations.ports, self.equations.within
+        times = ports.inside(times)
+        given: Floats = ports.c0[:, None] + ports.c1[:, None] * times
+        slopes = np.repeat(ports.c1[:, None], len(times), axis=1)
+        for port, formula, factor in ports.timed:
+            given[port] = factor * curve_along(formula, times)
+            if self.equations.light or self.change.by_slope.any():  # they count
+                made = [slope_of(formula.function, time, within) for time in times.tolist()]
+                slopes[port] = factor * np.array(made)
+        return given, slopes

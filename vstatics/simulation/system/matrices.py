@@ -8,8 +8,9 @@ gives its rate, and a torque along the same row.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
@@ -75,8 +76,8 @@ class Elastic(NamedTuple):
     viscous: float
     """[N*m*s/rad]"""
     loss_factor: float
-    limit: Programme
-    """Within which its torque stays. [N*m]"""
+    programme: Programme
+    """Of the limit within which its torque stays. [N*m]"""
     element: int | None = None
 
 
@@ -86,6 +87,38 @@ class OutsideTorque(NamedTuple):
     link: int
     """Index."""
     law: Points | Formula | Road
+
+    @property
+    def needs_angle(self) -> bool:
+        """Whether it changes with the angle of its link."""
+        if isinstance(self.law, Points):
+            return self.law.over == "angle"
+        return isinstance(self.law, Formula) and "angle" in self.law.variables
+
+
+SIGNS = {"+": 1.0, "-": -1.0}
+"""Of what slips, or of a torque at its limit."""
+
+
+def sign(value: float) -> str:
+    """The sign of a number; that of 0 is -."""
+    return "+" if value > 0 else "-"
+
+
+class PortLayout:
+    """Which port is where, and what is integrated beside speeds."""
+
+    def __init__(self, system: MotionSystem) -> None:
+        self.outside = self.contacts = len(system.outside)
+        self.springs = self.contacts + len(system.contacts)
+        self.pumps = self.springs + len(system.springs)
+        self.spring_ports = slice(self.springs, self.pumps)
+        self.converters = len(system.converters)
+        self.turbines = self.pumps + self.converters
+        self.ports = self.turbines + self.converters
+        angles = {one.link for one in system.outside if one.needs_angle}
+        self.angles = tuple(sorted(angles | {link - 1 for link in system.scenario.targets}))
+        """Indices of the links whose angles are followed."""
 
 
 @dataclass(frozen=True)
@@ -111,10 +144,29 @@ class MotionSystem:
         return self.scenario.case
 
     @property
+    def may_slip(self) -> tuple[Contact | Elastic, ...]:
+        """What has a programme of its capacity."""
+        return (*self.contacts, *self.springs)
+
+    @cached_property
+    def by_element(self) -> Mapping[int, Contact | Elastic]:
+        """What stands for each shift element, by its index."""
+        return {one.element: one for one in self.may_slip if one.element is not None}
+
+    @cached_property
+    def layout(self) -> PortLayout:
+        """Which of its ports is where."""
+        return PortLayout(self)
+
+    @cached_property
     def mass(self) -> Floats:
         """Inertia matrix of the links [kg*m^2]."""
         mass: Floats = (self.heavy.T * self.inertias) @ self.heavy
         return mass
+
+    def rows(self, rows: Iterable[Floats]) -> Floats:
+        """Rows as a matrix, of shape (rows, links)."""
+        return np.array([*rows]).reshape(-1, len(self.names))
 
     def port_rows(self) -> Floats:
         """Rows of outside torques, contacts, springs, pumps, turbines: their rates by speeds."""
@@ -124,7 +176,7 @@ class MotionSystem:
         rows += [spring.row for spring in self.springs]
         rows += [unit(one.pump - 1, links) for one in self.converters]
         rows += [unit(one.turbine - 1, links) for one in self.converters]
-        return np.array(rows).reshape(len(rows), links)
+        return self.rows(rows)
 
 
 def unit(index: int, links: int) -> Floats:

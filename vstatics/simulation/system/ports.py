@@ -7,7 +7,6 @@ What is straight in time and rate stands in arrays, ``u = c0 + c1 t + s rate``; 
 from __future__ import annotations
 
 import math
-from bisect import bisect_right
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
@@ -18,11 +17,8 @@ from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.scenario.laws import Points, Road
 from vstatics.simulation.scenario.parts import Converter
 from vstatics.simulation.scenario.programme import Programme, friction_at
-from vstatics.simulation.system.curves import capacity_at, curve_along, slope_of
-from vstatics.simulation.system.matrices import Contact, MotionSystem
-
-Torque = Callable[[float, float, float], float]
-"""By time [s], rate [rad/s] and angle [rad]."""
+from vstatics.simulation.system.curves import Torque, capacity_at, curve_along, slope_of
+from vstatics.simulation.system.matrices import SIGNS, Contact, MotionSystem
 
 
 class States(NamedTuple):
@@ -45,44 +41,19 @@ class States(NamedTuple):
         return tuple(state in ("stick", "rigid") for state in self.contacts)
 
 
-class PortLayout:
-    """Which port is where, and what is integrated beside speeds."""
-
-    def __init__(self, system: MotionSystem) -> None:
-        self.outside = len(system.outside)
-        self.contacts = self.outside
-        self.springs = self.contacts + len(system.contacts)
-        self.pumps = self.springs + len(system.springs)
-        self.turbines = self.pumps + len(system.converters)
-        self.converters = len(system.converters)
-        self.ports = self.turbines + self.converters
-        angles = {one.link for one in system.outside if _needs_angle(one.law)}
-        self.angles = tuple(sorted(angles | {link - 1 for link in system.scenario.targets}))
-        """Indices of the links whose angles are followed."""
-
-
-def _needs_angle(law: object) -> bool:
-    if isinstance(law, Points):
-        return law.over == "angle"
-    return isinstance(law, Formula) and "angle" in law.variables
-
-
 class Ports:
     """The torques of all ports while nothing changes its state, on one piece of time.
 
     Parameters
     ----------
     system : MotionSystem
-    layout : PortLayout
     states : States
     time : float
         At which the piece of time begins. [s]
     """
 
-    def __init__(
-        self, system: MotionSystem, layout: PortLayout, states: States, time: float
-    ) -> None:
-        self.layout = layout
+    def __init__(self, system: MotionSystem, states: States, time: float) -> None:
+        layout = self.layout = system.layout
         self.c0 = np.zeros(layout.ports)
         self.c1 = np.zeros(layout.ports)
         self.by_rate = np.zeros(layout.ports)
@@ -106,6 +77,9 @@ class Ports:
         self.stiffness = np.array([one.stiffness for one in system.springs])
         self.bends = np.array([state == "stick" for state in states.springs], dtype=bool)
         self.elastic = np.where(self.bends, self.stiffness, 0.0)
+        self.all_elastic = np.zeros(layout.ports)
+        """The same of all ports. [N*m/rad]"""
+        self.all_elastic[layout.spring_ports] = self.elastic
         for index, one in enumerate(system.outside):
             place = layout.angles.index(one.link) if one.link in layout.angles else -1
             self._outside(index, one.law, states.pieces[index], place, time)
@@ -117,9 +91,8 @@ class Ports:
                 self.by_rate[port] = spring.viscous
                 self.senses_rate[port] = spring.viscous != 0
             elif state != "open":
-                self._programme(port, spring.limit, 1.0 if state == "+" else -1.0, time)
-        for ports in (layout.pumps, layout.turbines):
-            self.senses_rate[ports : ports + len(system.converters)] = True
+                self._programme(port, spring.programme, SIGNS[state], time)
+        self.senses_rate[layout.pumps :] = True
         self.bending = sorted(
             {port for port, _, _ in self.special}
             | {port for port, _ in self.roads}
@@ -135,7 +108,7 @@ class Ports:
         torques = self.c0 + self.c1 * time + self.by_rate * rates
         layout = self.layout
         if len(twists):
-            torques[layout.springs : layout.pumps] += self.elastic * twists
+            torques[layout.spring_ports] += self.elastic * twists
         for port, place, slope in self.by_angle:
             torques[port] += slope * angles[place]
         for port, formula, factor in self.timed:
@@ -161,7 +134,7 @@ class Ports:
             torques += self.c1[:, None] * times
         layout = self.layout
         if len(twists):
-            torques[layout.springs : layout.pumps] += self.elastic[:, None] * twists
+            torques[layout.spring_ports] += self.elastic[:, None] * twists
         for port, place, slope in self.by_angle:
             torques[port] += slope * angles[place]
         for port, formula, factor in self.timed:
@@ -188,17 +161,13 @@ class Ports:
     def slopes(self, time: float, rates: Floats, angles: Floats, within: float) -> Floats:
         """Change of the torques with time alone, and of springs with their rates [N*m/s]."""
         slopes = self.c1.copy()
-        layout = self.layout
-        springs = slice(layout.springs, layout.pumps)
+        springs = self.layout.spring_ports
         slopes[springs] += self.elastic * rates[springs]
         for port, formula, factor in self.timed:
-            slopes[port] = factor * slope_of(formula, time, within)
+            slopes[port] = factor * slope_of(formula.function, time, within)
         for port, place, function in self.special:
             angle = angles[place] if place >= 0 else 0.0
-            rate = float(rates[port])
-            later, now = (function(time + part * within, rate, angle) for part in (1.0, 0.0))
-            middle = function(time + 0.5 * within, rate, angle)
-            slopes[port] = (4 * middle - 3 * now - later) / within
+            slopes[port] = slope_of(function, time, within, float(rates[port]), angle)
         return slopes
 
     def _outside(
@@ -227,19 +196,18 @@ class Ports:
                 self.by_angle.append((port, place, slope))
 
     def _contact(self, port: int, contact: Contact, state: str, time: float) -> None:
-        if state not in ("+", "-"):
+        if state not in SIGNS:
             return
-        sign = 1.0 if state == "+" else -1.0
         if contact.one_way and state == "+":
             self.c0[port] = contact.overrun_drag
             return
         if contact.friction is None or len(contact.friction.coefficient) == 1:
             mu = friction_at(contact.friction)
-            self._programme(port, contact.programme, sign * mu, time)
+            self._programme(port, contact.programme, SIGNS[state] * mu, time)
             return
 
         def torque(at: float, slip: float, _angle: float) -> float:
-            return sign * capacity_at(contact, at, slip)
+            return SIGNS[state] * capacity_at(contact, at, slip)
 
         self.special.append((port, -1, torque))
 
@@ -277,11 +245,6 @@ def converter_torques_at(
     factor, coefficient = _on_piece(converter, piece, ratios)
     taken = np.where(turns, coefficient * pumps * np.abs(pumps), 0.0)
     return taken, -factor * taken
-
-
-def converter_piece(converter: Converter, ratio: float) -> int:
-    """The piece of the points that holds from a ratio of speeds on; piece 0 is before the first."""
-    return bisect_right([point[0] for point in converter.points], ratio)
 
 
 def _on_piece(converter: Converter, piece: int, ratio: Any) -> tuple[Any, Any]:

@@ -8,13 +8,19 @@ along these the torques balance, ``L0' F = 0``.
 
 from __future__ import annotations
 
-from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.numerics.arrays import Booleans, Floats
+from vstatics.numerics.arrays import Booleans, Floats, largest
 from vstatics.simulation.system.matrices import MotionSystem
+from vstatics.simulation.tolerances import (
+    BEARING_MOTION,
+    DEPENDENT,
+    INDEPENDENT_MOTION,
+    NOT_ZERO,
+    ROUNDED_MOTION,
+)
 
 Held = tuple[bool, ...]
 """Of each contact, whether it sticks."""
@@ -22,10 +28,6 @@ MeshStates = tuple[str, ...]
 """Of each rigid mechanism: `""` lossless; `stick`; else the signs of the speed of its first link
 against the third and of the torque on its first link, as `+-`."""
 
-_INDEPENDENT_MOTION = 1e-9
-"""A direction counts that is above this part of the largest."""
-_ROUNDED_MOTION = 1e-12
-"""Parts of a motion below this are rounding."""
 _LAST_PREFERENCE = 1e2
 _FIRST = 1e-2
 """Weights in the norm of redundant torques: drags and meshes take a part last."""
@@ -121,27 +123,25 @@ def _constraints(
     system: MotionSystem, held: Held, meshes: MeshStates
 ) -> tuple[Floats, Floats, list[Multiplier]]:
     """Rows and columns of what holds, both as columns; the same array where nothing is lost."""
-    rows, columns, multipliers = [], [], []
-    for index, (mesh, state) in enumerate(zip(system.meshes, meshes, strict=True)):
-        factor = mesh_factor(mesh.efficiency, mesh.back, state)
-        rows.append(mesh.row)
-        columns.append(mesh.row + (factor - 1) * mesh.friction)
-        multipliers.append(Multiplier("mesh", index))
-    for index, (mesh, state) in enumerate(zip(system.meshes, meshes, strict=True)):
-        if state == "stick":
-            rows.append(mesh.friction)
-            columns.append(mesh.friction)
-            multipliers.append(Multiplier("friction", index))
-    for index, (contact, sticks) in enumerate(zip(system.contacts, held, strict=True)):
-        if sticks:
-            rows.append(contact.row)
-            columns.append(contact.row)
-            multipliers.append(Multiplier("contact", index))
-    links = len(system.names)
-    made = np.array(rows).reshape(len(rows), links).T
+    own = list(zip(system.meshes, meshes, strict=True))
+    held_rows = {
+        Multiplier("friction", index): mesh.friction
+        for index, (mesh, state) in enumerate(own)
+        if state == "stick"
+    } | {
+        Multiplier("contact", index): contact.row
+        for index, (contact, sticks) in enumerate(zip(system.contacts, held, strict=True))
+        if sticks
+    }
+    made = system.rows([*(mesh.row for mesh in system.meshes), *held_rows.values()]).T
+    multipliers = [*(Multiplier("mesh", index) for index in range(len(own))), *held_rows]
     if all(state in ("", "stick") for state in meshes):
         return made, made, multipliers
-    return made, np.array(columns).T, multipliers
+    columns = [
+        mesh.row + (mesh_factor(mesh.efficiency, mesh.back, state) - 1) * mesh.friction
+        for mesh, state in own
+    ]
+    return made, np.array([*columns, *held_rows.values()]).T, multipliers
 
 
 def null(matrix: Floats) -> Floats:
@@ -151,9 +151,18 @@ def null(matrix: Floats) -> Floats:
     norms = np.linalg.norm(matrix, axis=1, keepdims=True)
     scaled = matrix / np.where(norms > 0, norms, 1.0)
     _, sizes, right = np.linalg.svd(scaled)
-    rank = int((sizes > _INDEPENDENT_MOTION * max(sizes[0], 1e-300)).sum()) if len(sizes) else 0
-    basis: Floats = right[rank:].T
+    basis: Floats = right[_counting(sizes, sizes.max(initial=NOT_ZERO)) :].T
     return basis
+
+
+def solved(matrix: Floats, values: Floats) -> Floats:
+    """The least of the solutions of equations, or of what comes nearest to one."""
+    return np.asarray(np.linalg.lstsq(matrix, values, rcond=DEPENDENT)[0], float)
+
+
+def _counting(sizes: Floats, large: float) -> int:
+    """How many singular values are more than rounding of what is large."""
+    return int((sizes > INDEPENDENT_MOTION * large).sum())
 
 
 def _motions(heavy: Floats, columns: Floats) -> tuple[Floats, Floats]:
@@ -162,11 +171,9 @@ def _motions(heavy: Floats, columns: Floats) -> tuple[Floats, Floats]:
     if not free.shape[1]:
         return free, free
     _, sizes, right = np.linalg.svd(heavy @ free)
-    rank = (
-        int((sizes > _INDEPENDENT_MOTION * sizes[0]).sum()) if sizes[0] > _INDEPENDENT_MOTION else 0
-    )
+    rank = _counting(sizes, sizes[0]) if sizes[0] > INDEPENDENT_MOTION else 0
     light = free @ right[rank:].T
-    light[np.abs(light) < _ROUNDED_MOTION] = 0.0  # or a law of a heavy link would seem to sense it
+    light[np.abs(light) < ROUNDED_MOTION] = 0.0  # or a law of a heavy link would seem to sense it
     return free @ right[:rank].T, light
 
 
@@ -181,8 +188,7 @@ def _circulating(rows: Floats, columns: Floats) -> Floats:
     if not spare.shape[1]:
         return spare
     _, sizes, right = np.linalg.svd(columns @ spare)
-    rank = int((sizes > _INDEPENDENT_MOTION * np.abs(columns).max()).sum())
-    circulating: Floats = spare @ right[:rank].T
+    circulating: Floats = spare @ right[: _counting(sizes, largest(columns))].T
     return circulating
 
 
@@ -205,7 +211,7 @@ def _multipliers(columns: Floats, weights: Floats, residual: Floats) -> tuple[Fl
             found += int(bearing[index])
     scaled = columns[:, bearing] / weights[bearing]
     left, sizes, right = np.linalg.svd(scaled, full_matrices=False)
-    used = sizes > _INDEPENDENT_MOTION * 1e-3 * sizes[0]
+    used = sizes > BEARING_MOTION * sizes[0]
     made = np.zeros((count, residual.shape[1]))
     least = (right[used].T / sizes[used]) @ left[:, used].T @ residual
     made[bearing] = least / weights[bearing, None]
@@ -217,16 +223,5 @@ def _multipliers(columns: Floats, weights: Floats, residual: Floats) -> tuple[Fl
 
 
 def _rank(columns: Floats) -> int:
-    sizes = np.linalg.svd(columns, compute_uv=False)
-    return int((sizes > _INDEPENDENT_MOTION * sizes[0]).sum()) if len(sizes) else 0
-
-
-class Structures:
-    """Structures of a system, each made once."""
-
-    def __init__(self, system: MotionSystem) -> None:
-        self.system = system
-        self.of = lru_cache(maxsize=512)(self._made)
-
-    def _made(self, held: Held, meshes: MeshStates) -> MotionStructure:
-        return MotionStructure(self.system, held, meshes)
+    sizes = np.asarray(np.linalg.svd(columns, compute_uv=False), float)
+    return _counting(sizes, sizes.max(initial=0.0))

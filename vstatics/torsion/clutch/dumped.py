@@ -19,7 +19,7 @@ import math
 from collections.abc import Iterator, Mapping
 from typing import Literal, NamedTuple
 
-from vstatics.errors import CaseError, Problem
+from vstatics.errors import CaseError, case_error
 from vstatics.statics.result_arrays import Message
 from vstatics.torsion.clutch.engagement import Engagement, engagement, rate_problems
 from vstatics.torsion.clutch.given import Dump, dump_problems
@@ -135,7 +135,7 @@ def dump(given: Dump, rate: float | None = None) -> DumpTorque:
         None if rate is None else engagement(rate, given.J2 + given.J3, given.E),
     )
     if not all(math.isfinite(one) for one in made[1:6]):
-        raise CaseError([Problem("numbers so large or so small give no torque")])
+        raise case_error("numbers so large or so small give no torque")
     return made._replace(messages=tuple(_messages(given, made, course)))
 
 

@@ -14,11 +14,10 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from vstatics.errors import CaseError, Problem
+from vstatics.torsion.tolerances import LEAST_RATE, SAME_ANGLE
 
 GROWN = 3.0
 """Rate by time from which on the clutch is taken to have its torque. [-]"""
-SAME_ANGLE = 1e-15
-"""Angles as near as that are the same. [rad]"""
 
 
 class Engagement(NamedTuple):
@@ -73,7 +72,7 @@ def _factor(k: float) -> float:
     a = atan(1/k), and there (3.70) is ``1 - cos x``. From x = 3/k on the right side is less
     than .05, so there is one maximum in each turn, a little behind ``x - a = pi``.
     """
-    k = min(max(k, 1e-99), 1e99)  # beyond, nothing changes
+    k = min(max(k, LEAST_RATE), 1e99)  # beyond, nothing changes
     ahead, size = math.atan2(1, k), math.hypot(1, k)
     first = GROWN / k - math.asin(math.exp(-GROWN) / size)
     turns = math.ceil((first - ahead - math.pi) / math.tau)

@@ -17,17 +17,15 @@ from typing import NamedTuple
 import numpy as np
 from scipy import linalg
 
-from vstatics.errors import CaseError, Problem, spoken
+from vstatics.errors import CaseError, case_error, spoken
 from vstatics.model.clutch_dump import NEEDED, ClutchDump
 from vstatics.model.transmission import Gear, Transmission
-from vstatics.numerics.motions import free_motions
 from vstatics.statics.result_arrays import Message
 from vstatics.torsion.clutch.dumped import DumpTorque, dump
 from vstatics.torsion.clutch.given import Dump
 from vstatics.torsion.reduction.reduced_values import scales
-from vstatics.torsion.system.coordinates import rows
 from vstatics.torsion.system.gear_system import TorsionalSystem
-from vstatics.torsion.system.state import vibrating
+from vstatics.torsion.system.state import asked_gears, vibrating
 
 
 class GearDump(NamedTuple):
@@ -88,9 +86,8 @@ def gear_dumps(
     """
     if case.dump is None:
         message = "there is no `dump`, expected the links of `J1` to `J5`, `M_C0` and `omega1`"
-        raise CaseError([Problem(message, ("dump",))])
-    numbers = [case.gear_number(one) for one in gears or range(1, len(case.gears) + 1)]
-    return [_gear_dump(case, case.gears[number - 1], case.dump, rate) for number in numbers]
+        raise case_error(message, "dump")
+    return [_gear_dump(case, gear, case.dump, rate) for gear in asked_gears(case, gears)]
 
 
 def _gear_dump(case: Transmission, gear: Gear, asked: ClutchDump, rate: float | None) -> GearDump:
@@ -98,20 +95,19 @@ def _gear_dump(case: Transmission, gear: Gear, asked: ClutchDump, rate: float | 
     system = vibrating(case, gear)
     if isinstance(system, str):
         return GearDump(gear.name, to, error=system)
-    ends = case.gear_input(gear) - 1, case.gear_output(gear) - 1
-    found = scales(system, asked.link - 1, ends)
+    found = scales(system, asked.link - 1)
     if isinstance(found, str):
         return GearDump(gear.name, to, error=found)
-    masses = _masses(case, system, asked, found.speeds)
-    given = _reduced(case, system, masses.inertias, found.speeds)
+    inertias, left_out = _masses(case, system, asked, found.speeds)
+    given = _reduced(case, system, asked, inertias, found.speeds)
     if isinstance(given, str):
         return GearDump(gear.name, to, error=given)
     try:
         made = dump(given, rate)
     except CaseError as error:
         return GearDump(gear.name, to, given, error=spoken(map(str, error.problems)))
-    if masses.left_out:
-        message = f"in none of J1 to J5, though turning with {to}: {', '.join(masses.left_out)}"
+    if left_out:
+        message = f"in none of J1 to J5, though turning with {to}: {', '.join(left_out)}"
         made = made._replace(messages=(*made.messages, Message("note", message)))
     return GearDump(gear.name, to, given, made)
 
@@ -119,12 +115,11 @@ def _gear_dump(case: Transmission, gear: Gear, asked: ClutchDump, rate: float | 
 def _reduced(
     case: Transmission,
     system: TorsionalSystem,
+    asked: ClutchDump,
     inertias: Mapping[str, float],
     speeds: Sequence[float | None],
 ) -> Dump | str:
     """What is given, on one link, or why it can't be."""
-    asked = case.dump
-    assert asked is not None  # noqa: S101 - for mypy
     by_link: dict[int, float] = {}
     for name, links in asked.masses.items():
         for link in links:
@@ -137,7 +132,9 @@ def _reduced(
     without = [name for name in NEEDED if not inertias[name]]
     if without:
         return f"the links of {spoken(without)} have no inertia"
-    compliance = asked.E or _compliance(system, asked, by_link)
+    near, far = ([link - 1 for link in links] for links in (asked.J2, asked.J5))
+    turning = [by_link[link] for link in asked.J2]
+    compliance = asked.E or path_compliance(system, near, turning, far)
     if not compliance:
         why = "nothing elastic is" if compliance == 0 else "no device is"
         return f"{why} between J2 and J5; give a device a compliance, or `dump` its `E`"
@@ -151,27 +148,13 @@ def _reduced(
     )
 
 
-def _compliance(
-    system: TorsionalSystem, asked: ClutchDump, speeds: Mapping[int, float]
-) -> float | None:
-    """Between J2 and J5, on the reference shaft [rad/(N*m)]."""
-    near, far = ([link - 1 for link in links] for links in (asked.J2, asked.J5))
-    return path_compliance(system, near, [speeds[link] for link in asked.J2], far)
-
-
-class _Masses(NamedTuple):
-    """What J1 to J5 add up to."""
-
-    inertias: dict[str, float]
-    """On the reference shaft. [kg*m^2]"""
-    left_out: list[str]
-    """What turns with it and belongs to none of them."""
-
-
 def _masses(
     case: Transmission, system: TorsionalSystem, asked: ClutchDump, speeds: Sequence[float | None]
-) -> _Masses:
-    """The inertias of J1 to J5; planets go with a link of their set, the carrier before others."""
+) -> tuple[dict[str, float], list[str]]:
+    """The inertias of J1 to J5 on the reference shaft, and what turns but is in none of them.
+
+    Planets go with a link of their set, the carrier before others.
+    """
     owners = {link: name for name, links in asked.masses.items() for link in links}
     totals = dict.fromkeys(asked.masses, 0.0)
     left_out: dict[str, None] = {}
@@ -184,7 +167,7 @@ def _masses(
             totals[owner] += body.inertia * speed**2
         elif body.inertia * speed:
             left_out[body.name] = None
-    return _Masses(totals, [*left_out])
+    return totals, [*left_out]
 
 
 def _links_of_set(case: Transmission, planet: str) -> list[int]:
@@ -232,16 +215,12 @@ def path_compliance(
     together = [
         {near[0]: speed, link: -speeds[0]} for link, speed in zip(near[1:], speeds[1:], strict=True)
     ]
-    fixed = [*(device.twist for device in system.rigid), *held, *together]
-    elastic = [device.twist for device in system.elastic]
-    links = len(system.names)
-    if free_motions([*fixed, *elastic], links)[near[0]].any():
+    if system.free(*held, *together, *system.elastic_twists)[near[0]].any():
         return None
-    free = free_motions(fixed, links)
+    free = system.free(*held, *together)
     acting = free[near[0]] / speeds[0]
     if not acting.any():
         return 0.0
-    roots = np.sqrt([device.stiffness or 0.0 for device in system.elastic])
-    twists = np.asarray(roots)[:, None] * (rows(elastic, system) @ free)
+    twists = np.sqrt(system.rates)[:, None] * (system.twists @ free)
     weighted, *_ = linalg.lstsq(twists.T, acting)
     return float(weighted @ weighted)

@@ -8,11 +8,10 @@ from fractions import Fraction
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-from vstatics.numerics.arrays import Floats
+from vstatics.numerics.arrays import Complex, Floats
+from vstatics.torsion.tolerances import SAME_ORDER
 
-Complex = NDArray[np.complex128]
 MOST_REVOLUTIONS = 720
 """Revolutions of a cycle; orders that have no such cycle in common meet in every phase."""
 POINTS_PER_PERIOD = 32
@@ -66,7 +65,8 @@ def _cycle(orders: Sequence[float]) -> float | None:
     """Revolutions until all orders are as before; None if it takes too long."""
     parts = [Fraction(order).limit_denominator(MOST_REVOLUTIONS) for order in orders]
     if any(
-        abs(float(part) - order) > 1e-12 * order for part, order in zip(parts, orders, strict=True)
+        abs(float(part) - order) > SAME_ORDER * order
+        for part, order in zip(parts, orders, strict=True)
     ):
         return None
     least = math.lcm(*(part.denominator for part in parts))

@@ -7,10 +7,10 @@ from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
 
-from vstatics.numerics.arrays import Floats, first_largest
+from vstatics.numerics.arrays import Complex, Floats, first_largest
 from vstatics.tables.grid import Cell, Column, Grid, Row, exact, text, whole
 from vstatics.torsion.forced.cycle import summed
-from vstatics.torsion.forced.harmonic_torques import Complex, GearResponse
+from vstatics.torsion.forced.harmonic_torques import GearResponse
 
 
 def largest_grids(gears: Sequence[GearResponse]) -> Iterator[Grid]:
@@ -30,11 +30,7 @@ def largest_grids(gears: Sequence[GearResponse]) -> Iterator[Grid]:
             columns = [
                 Column(part) for one in orders for part in (f"order {one}", f"{one} at [rpm]")
             ]
-            rows: list[Row] = []
-            for name in by_name[0] if by_name else ():
-                cells = [_largest(gear.speeds, one[name]) for one in by_name]
-                rows.append([name, *(cell for pair in cells for cell in pair)])
-            if rows:
+            if rows := _largest_rows(gear.speeds, by_name):
                 yield Grid(f"Gear {gear.name}: largest {title}", [text("name"), *columns], rows)
 
 
@@ -59,6 +55,14 @@ def _quantities(
     yield "torques of devices [N*m]", [one.torques for one in gear.orders]
 
 
+def _largest_rows(speeds: Floats, by_name: Sequence[Mapping[str, Complex]]) -> list[Row]:
+    """A row for each name, with the largest value of each column and its speed."""
+    return [
+        [name, *(cell for one in by_name for cell in _largest(speeds, one[name]))]
+        for name in (by_name[0] if by_name else ())
+    ]
+
+
 def _largest(speeds: Floats, values: Floats | Complex) -> tuple[Cell, Cell]:
     sizes = np.abs(values)
     if not np.isfinite(sizes).any():
@@ -69,18 +73,18 @@ def _largest(speeds: Floats, values: Floats | Complex) -> tuple[Cell, Cell]:
 
 def _resonances(gears: Sequence[GearResponse]) -> Grid:
     rows: list[Row] = [
-        [gear.name, _as_asked(one.order), whole(one.mode), exact(one.speed, 1)]
+        [
+            gear.name,
+            Cell(f"{one.order:g}", one.order, kind=float),  # as people write it: 2, 4.5
+            whole(one.mode),
+            exact(one.speed, 1),
+        ]
         for gear in gears
         for one in gear.resonances
     ]
     columns = [text("gear"), Column("order"), Column("mode"), Column("speed [rpm]")]
     title = "Resonances" if rows else "Resonances: none at these speeds"
     return Grid(title, columns, rows, key="resonances")
-
-
-def _as_asked(order: float) -> Cell:
-    """An order as people write it: 2, 4.5."""
-    return Cell(f"{order:g}", order, kind=float)
 
 
 def sum_grids(gears: Sequence[GearResponse]) -> Iterator[Grid]:

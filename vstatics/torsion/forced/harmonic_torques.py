@@ -7,19 +7,16 @@ from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-from vstatics.model.parts import damping
 from vstatics.model.transmission import Gear, Transmission
-from vstatics.numerics.arrays import Booleans, Floats
+from vstatics.numerics.arrays import Booleans, Complex, Floats
 from vstatics.numerics.tolerances import NO_POWER
-from vstatics.torsion.system.coordinates import Coordinates, coordinates, form_values, rows
+from vstatics.torsion.system.coordinates import Coordinates, coordinates, form_values
 from vstatics.torsion.system.gear_system import TorsionalSystem
-from vstatics.torsion.system.state import vibrating
+from vstatics.torsion.system.state import asked_gears, vibrating
 from vstatics.torsion.vibration.natural import NaturalModes, natural_modes
 from vstatics.torsion.vibration.torques import balance, own_torques, with_rigid
 
-Complex = NDArray[np.complex128]
 RAD_PER_RPM = math.pi / 30
 ENTRIES = 1_000_000
 """Of the matrices that are solved at once."""
@@ -119,9 +116,9 @@ def response(
     >>> abs(gear.orders[0].amplitudes["1"]).round(6), gear.resonances
     (array([0.013889]), [])
     """
-    numbers = [case.gear_number(one) for one in gears or range(1, len(case.gears) + 1)]
+    asked = asked_gears(case, gears)
     link, given = case.link_number(at) - 1, np.asarray(speeds, dtype=np.float64)
-    return [_gear_response(case, case.gears[n - 1], link, harmonics, given) for n in numbers]
+    return [_gear_response(case, gear, link, harmonics, given) for gear in asked]
 
 
 def _gear_response(
@@ -155,9 +152,9 @@ def _are_undamped(system: TorsionalSystem, natural: NaturalModes) -> Booleans:
     resisted = np.zeros(natural.omegas.shape)
     stored = np.zeros(natural.omegas.shape)
     for device in system.elastic:
-        energy = form_values(device.twist, natural.shapes) ** 2
-        stored += (device.stiffness or 0.0) * energy
-        resisted += (device.stiffness or 0.0) * energy * bool(device.damping)
+        energy = device.rate * form_values(device.twist, natural.shapes) ** 2
+        stored += energy
+        resisted += energy * bool(device.damping)
     return resisted <= NO_POWER * stored
 
 
@@ -213,19 +210,15 @@ def _solved(
 
 def _matrices(system: TorsionalSystem, free: Floats) -> tuple[Floats, Floats, Floats, Floats]:
     """M, K, D and the part of K that is lost by loss factors, by free motions."""
-    bodies = rows([body.form for body in system.bodies], system) @ free
-    inertia = np.array([body.inertia for body in system.bodies])
-    twists = rows([device.twist for device in system.elastic], system) @ free
-    rates = np.array([device.stiffness or 0.0 for device in system.elastic])
-    dampings = [damping(device.damping) for device in system.elastic]
-    viscous = np.array([one.viscous for one in dampings])
-    lost = rates * np.array([one.loss_factor for one in dampings])
-    return (
-        bodies.T @ (inertia[:, None] * bodies),
-        twists.T @ (rates[:, None] * twists),
-        twists.T @ (viscous[:, None] * twists),
-        twists.T @ (lost[:, None] * twists),
+    bodies, twists = system.speeds @ free, system.twists @ free
+    rates = system.rates
+    viscous = np.array([device.damping.viscous for device in system.elastic])
+    lost = rates * np.array([device.damping.loss_factor for device in system.elastic])
+    stiffness, resistance, hysteresis = (
+        twists.T @ (by_device[:, None] * twists) for by_device in (rates, viscous, lost)
     )
+    mass = bodies.T @ (system.inertias[:, None] * bodies)
+    return mass, stiffness, resistance, hysteresis
 
 
 def _torques(
@@ -236,8 +229,7 @@ def _torques(
     acting[at] += given.amplitude * np.exp(1j * given.phase)
     elastic: dict[str, Complex] = {}
     for device in system.elastic:
-        own = damping(device.damping)
-        rate = device.stiffness or 0.0
+        own, rate = device.damping, device.rate
         resisted = excited * own.viscous + np.sign(excited) * rate * own.loss_factor
         elastic[device.name] = (rate + 1j * resisted) * form_values(device.twist, amplitudes)
     return with_rigid(system, balance(system), acting, elastic)

@@ -51,10 +51,11 @@ def read_torque_table(data: bytes, file: str) -> list[Harmonic]:
     problems: list[Problem] = []
     found: dict[float, Harmonic] = {}
     for number, cells in others[: MOST_ORDERS + 1]:
-        values = _values(cells, columns, number, source, problems)
-        if values is None:
+        try:
+            one = _harmonic(cells, columns)
+        except ValueError as error:
+            problems.append(_at(source, number, str(error)))
             continue
-        one = Harmonic(**values)
         if one.order in found:
             problems.append(_at(source, number, f"order {one.order:g} is given twice"))
         found[one.order] = one
@@ -80,18 +81,10 @@ def _columns(headings: list[str], number: int, source: Source) -> list[tuple[str
     return columns
 
 
-def _values(
-    cells: list[str],
-    columns: list[tuple[str, float]],
-    number: int,
-    source: Source,
-    problems: list[Problem],
-) -> dict[str, float] | None:
-    """The numbers of a line, in SI; none where one can't be read, which is told."""
+def _harmonic(cells: list[str], columns: list[tuple[str, float]]) -> Harmonic:
+    """The numbers of a line, in SI; a ValueError says which can't be read."""
     if len(cells) != len(columns):
-        message = f"read {len(cells)} cells, expected {len(columns)}, as the headings"
-        problems.append(_at(source, number, message))
-        return None
+        raise ValueError(f"read {len(cells)} cells, expected {len(columns)}, as the headings")
     values = {}
     for cell, (part, unit) in zip(cells, columns, strict=True):
         try:
@@ -101,10 +94,9 @@ def _values(
         if not math.isfinite(value) or (part == "order" and value <= 0):
             above = " above 0" * (part == "order")
             message = f"{part}: read '{cell.strip()[:40]}', expected a number{above}"
-            problems.append(_at(source, number, message))
-            return None
+            raise ValueError(message)
         values[part] = value
-    return values
+    return Harmonic(**values)
 
 
 def _at(source: Source, line: int, message: str) -> Problem:

@@ -7,10 +7,8 @@ from collections.abc import Sequence
 import numpy as np
 from scipy import linalg
 
-from vstatics.model.parts import damping
 from vstatics.model.transmission import Gear, Transmission
 from vstatics.numerics.arrays import Floats
-from vstatics.numerics.motions import free_motions
 from vstatics.numerics.tolerances import TIE
 from vstatics.torsion.reduction.reduced_values import Scales, joined_links, scales
 from vstatics.torsion.reduction.scheme import SchemeSpring, TorsionScheme
@@ -45,13 +43,8 @@ def gear_scheme(case: Transmission, gear: Gear) -> TorsionScheme | str:
     system = vibrating(case, gear)
     if isinstance(system, str):
         return system
-    ends = case.gear_input(gear) - 1, case.gear_output(gear) - 1
-    scheme = _scheme(system, ends)
-    if isinstance(scheme, list):
-        scheme = _scheme(_with_stiff_sets(system), ends)
-    if isinstance(scheme, list) or (
-        isinstance(scheme, TorsionScheme) and min(scheme.inertias, default=0.0) < 0
-    ):
+    scheme = _scheme(system) or _scheme(_with_stiff_sets(system))
+    if scheme is None or (not isinstance(scheme, str) and min(scheme.inertias, default=0.0) < 0):
         return (
             "rigid devices make bodies follow several links that can move apart, so they are no "
             "masses by themselves; leave out their inertia, or give a device a stiffness"
@@ -65,8 +58,8 @@ def _with_stiff_sets(system: TorsionalSystem) -> TorsionalSystem:
     Planets are shared by the links of their set, as these have speeds of their own then.
     """
     group = {link: one[0] for one in joined_links(system) for link in one}
-    free = free_motions([device.twist for device in system.rigid], len(system.names))
-    stiffness = STIFFER * max((one.stiffness or 0.0 for one in system.elastic), default=1.0)
+    free = system.free()
+    stiffness = STIFFER * max((one.rate for one in system.elastic), default=1.0)
 
     def is_set(device: TorsionalDevice) -> bool:
         return len({group.get(link, link) for link in device.twist if free[link].any()}) > 2
@@ -85,17 +78,19 @@ def _with_stiff_sets(system: TorsionalSystem) -> TorsionalSystem:
     )
 
 
-def _scheme(system: TorsionalSystem, ends: tuple[int, int]) -> TorsionScheme | str | list[str]:
-    """The scheme, why there is none, or the bodies that rigid devices make follow several."""
-    found = scales(system, ends[0], ends)
+def _scheme(system: TorsionalSystem) -> TorsionScheme | str | None:
+    """The scheme, or why there is none; None where rigid devices make a body follow several."""
+    found = scales(system, system.ends[0])
     if isinstance(found, str):
         return found
-    free = free_motions([device.twist for device in system.rigid], len(system.names))
+    free = system.free()
     groups = [group for group in joined_links(system) if found.scales[group[0]]]
     masses = _independent(system, groups, free)
-    following = _others_with_inertia(system, groups, masses)
-    if following:
-        return following
+    turning = {link for group in groups for link in group}
+    for body in system.bodies:
+        of_scheme = turning.intersection(body.form)
+        if body.inertia > 0 and of_scheme and not any(of_scheme.issubset(one) for one in masses):
+            return None
     firsts = [group[0] for group in masses]
     own = np.array([found.scales[link] or np.nan for link in firsts])
     springs = [
@@ -114,11 +109,11 @@ def _independent(
     system: TorsionalSystem, groups: Sequence[Sequence[int]], free: Floats
 ) -> list[Sequence[int]]:
     """Groups of links by whose angles all others are known: those with inertia before others."""
-    heavy = [group for group in groups if _has_inertia(system, group)]
-    light = [group for group in groups if not _has_inertia(system, group)]
+    heavy = [set(body.form) for body in system.bodies if body.inertia > 0]
+    by_inertia = sorted(groups, key=lambda group: not any(one.issubset(group) for one in heavy))
     chosen: list[Sequence[int]] = []
     basis = np.zeros((0, free.shape[1]))
-    for group in (*heavy, *light):
+    for group in by_inertia:
         if len(chosen) == free.shape[1]:
             break
         row = free[group[0]]
@@ -127,32 +122,6 @@ def _independent(
             basis = with_it
             chosen.append(group)
     return [group for group in groups if group in chosen]
-
-
-def _has_inertia(system: TorsionalSystem, group: Sequence[int]) -> bool:
-    return any(body.inertia > 0 and set(body.form) <= set(group) for body in system.bodies)
-
-
-def _others_with_inertia(
-    system: TorsionalSystem, groups: Sequence[Sequence[int]], masses: Sequence[Sequence[int]]
-) -> list[str]:
-    """Bodies that are of no mass, though the scheme has what they consist of."""
-    turning = {link for group in groups for link in group}
-    of_masses = [set(group) for group in masses]
-    return list(
-        dict.fromkeys(
-            body.name
-            for body in system.bodies
-            if body.inertia > 0
-            and turning.intersection(body.form)
-            and not any(_is_of(body.form, group, turning) for group in of_masses)
-        )
-    )
-
-
-def _is_of(form: object, group: set[int], turning: set[int]) -> bool:
-    assert isinstance(form, dict)  # noqa: S101 - for mypy
-    return turning.intersection(form) <= group
 
 
 def _inertia(system: TorsionalSystem, group: Sequence[int], found: Scales) -> float:
@@ -182,13 +151,8 @@ def _spring(
     lead = found.scales[next(iter(device.twist))]
     factor = next(iter(device.twist.values())) / lead if lead else first
     scaled = {n: _whole(a / factor) for n, a in terms.items()}
-    stiffness = device.stiffness or 0.0
-    return SchemeSpring(
-        device.name,
-        scaled,
-        1 / (stiffness * factor**2),
-        damping(device.damping).viscous * factor**2,
-    )
+    compliance = 1 / (device.rate * factor**2)
+    return SchemeSpring(device.name, scaled, compliance, device.damping.viscous * factor**2)
 
 
 def _whole(coefficient: float) -> float:

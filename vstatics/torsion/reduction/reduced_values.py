@@ -19,7 +19,7 @@ from vstatics.numerics.motions import free_motions
 from vstatics.numerics.tolerances import TIE
 from vstatics.tables.numbers import certain
 from vstatics.torsion.system.gear_system import TorsionalDevice, TorsionalSystem
-from vstatics.torsion.system.state import vibrating
+from vstatics.torsion.system.state import asked_gears, vibrating
 
 NO_REACTION = "no reaction"
 """Of a link that stands beside a train of ratio 1."""
@@ -88,17 +88,16 @@ def reduce(
     >>> gear.inertias, gear.compliances, gear.ratios, gear.merged
     ({'1': 0.1, '3': 2.0}, {'shaft': 0.04}, {'1': 1.0, '3': 2.0}, {'1': ['2']})
     """
-    numbers = [case.gear_number(one) for one in gears or range(1, len(case.gears) + 1)]
+    asked = asked_gears(case, gears)
     link = case.link_number(to) - 1
-    return [_gear_reduction(case, case.gears[number - 1], link) for number in numbers]
+    return [_gear_reduction(case, gear, link) for gear in asked]
 
 
 def _gear_reduction(case: Transmission, gear: Gear, to: int) -> GearReduction:
     system = vibrating(case, gear)
     if isinstance(system, str):
         return GearReduction(gear.name, error=system)
-    ends = case.gear_input(gear) - 1, case.gear_output(gear) - 1
-    found = scales(system, to, ends)
+    found = scales(system, to)
     if isinstance(found, str):
         return GearReduction(gear.name, error=found)
     groups = joined_links(system)
@@ -143,7 +142,7 @@ def _of_planets(system: TorsionalSystem, found: Scales) -> dict[str, float | Non
 def reduced_compliance(device: TorsionalDevice, scale: float | None) -> float | None:
     """By the first link of its twist, whose coefficient is made 1 [rad/(N*m)]."""
     coefficient = next(iter(device.twist.values()))
-    return scale**2 / coefficient**2 / (device.stiffness or 0.0) if scale else None
+    return scale**2 / coefficient**2 / device.rate if scale else None
 
 
 class Scales(NamedTuple):
@@ -161,7 +160,7 @@ class Scales(NamedTuple):
     scales: Sequence[float | None]
 
 
-def scales(system: TorsionalSystem, to: int, ends: tuple[int, int]) -> Scales | str:
+def scales(system: TorsionalSystem, to: int) -> Scales | str:
     """By what each link is scaled, or why it can't be told.
 
     Parameters
@@ -171,17 +170,15 @@ def scales(system: TorsionalSystem, to: int, ends: tuple[int, int]) -> Scales | 
     ends : tuple of int
         Indices of the input and the output link.
     """
-    links = len(system.names)
-    forms = [device.twist for device in system.devices]
-    rigid = free_motions(forms, links)
-    free = free_motions([device.twist for device in system.rigid], links)
+    rigid = free_motions([device.twist for device in system.devices], len(system.names))
+    free = system.free()
     own = rigid[to]
     if not own.any():
         return f"link {system.names[to]} does not turn: nothing can be reduced to it"
     speeds = [_by(row, own) for row in rigid]
     standing = {link for link, speed in enumerate(speeds) if speed == 0 and free[link].any()}
     by_link = [
-        _reaction(system, link, to, ends, standing)
+        _reaction(system, link, to, standing)
         if link in standing
         else (1 / speed if speed else None)
         for link, speed in enumerate(speeds)
@@ -216,9 +213,7 @@ def _by(row: Floats, own: Floats) -> float | None:
     return factor
 
 
-def _reaction(
-    system: TorsionalSystem, link: int, to: int, ends: tuple[int, int], standing: set[int]
-) -> float | None:
+def _reaction(system: TorsionalSystem, link: int, to: int, standing: set[int]) -> float | None:
     """How far the link `to` turns with one that stands, when that is let go and an end is held.
 
     What is rigidly joined to it is let go with it, as a ring gear that is held by the casing.
@@ -232,7 +227,7 @@ def _reaction(
         or (device.stiffness is None and group.issuperset(device.twist))
     ]
     found = []
-    for end in ends:
+    for end in system.ends:
         motions = free_motions([*kept, {end: 1.0}], len(system.names))
         if motions[link].any():
             ratio = _by(motions[to], motions[link])
@@ -245,7 +240,7 @@ def joined_links(system: TorsionalSystem) -> list[list[int]]:
 
     A link that is held for good is by itself.
     """
-    free = free_motions([device.twist for device in system.rigid], len(system.names))
+    free = system.free()
     groups: list[list[int]] = []
     for link in range(system.own):
         row = free[link]

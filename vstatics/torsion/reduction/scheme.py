@@ -8,18 +8,18 @@ has this one shape (Tsitovich, Algin, Vehicle dynamics, 1981, chapter 1).
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
 from vstatics.model.springs import Spring
 from vstatics.model.transmission import Gear, Transmission
+from vstatics.numerics.arrays import Floats
+from vstatics.numerics.motions import values_of
 from vstatics.torsion.system.bodies import Body
 from vstatics.torsion.system.coordinates import coordinates
 from vstatics.torsion.system.gear_system import TorsionalDevice, TorsionalSystem
 from vstatics.torsion.vibration.natural import natural_modes
-
-Array = np.ndarray[Any, np.dtype[np.float64]]
 
 
 class SchemeSpring(NamedTuple):
@@ -43,16 +43,12 @@ class TorsionScheme(NamedTuple):
     springs: tuple[SchemeSpring, ...]
 
 
-def twists(scheme: TorsionScheme) -> Array:
+def twists(scheme: TorsionScheme) -> Floats:
     """A row for each spring with its coefficients [-], a column for each mass."""
-    rows = np.zeros((len(scheme.springs), len(scheme.names)))
-    for row, spring in zip(rows, scheme.springs, strict=True):
-        for mass, coefficient in spring.twist.items():
-            row[mass] = coefficient
-    return rows
+    return values_of([spring.twist for spring in scheme.springs], len(scheme.names))
 
 
-def stiffness_matrix(scheme: TorsionScheme) -> Array:
+def stiffness_matrix(scheme: TorsionScheme) -> Floats:
     """K, the sum of a a^T/E over all springs [N*m/rad].
 
     >>> shaft = SchemeSpring("shaft", {0: 1.0, 1: -1.0}, 0.5)
@@ -61,7 +57,7 @@ def stiffness_matrix(scheme: TorsionScheme) -> Array:
     """
     rows = twists(scheme)
     compliances = np.array([spring.compliance for spring in scheme.springs])
-    stiffness: Array = rows.T @ (rows / compliances[:, None])
+    stiffness: Floats = rows.T @ (rows / compliances[:, None])
     return stiffness
 
 

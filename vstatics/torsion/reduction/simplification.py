@@ -24,7 +24,7 @@ import math
 from collections.abc import Callable, Iterator, Sequence
 from typing import Literal, NamedTuple, get_args
 
-from vstatics.errors import CaseError, Problem, listed, nearest, spoken
+from vstatics.errors import CaseError, Problem, case_error, listed, nearest, spoken
 from vstatics.numerics.tolerances import TIE
 from vstatics.tables.numbers import certain
 from vstatics.torsion.reduction.chain import (
@@ -74,11 +74,8 @@ class Simplification(NamedTuple):
     warnings: tuple[Problem, ...]
 
 
-class _SchemeReached(NamedTuple):
-    """A scheme on the way, and how it came about."""
-
-    system: PartialSystem
-    scheme: TorsionScheme
+_SchemeReached = tuple[PartialSystem, TorsionScheme]
+"""A system that is taken out, and the scheme then."""
 
 
 def simplify(
@@ -131,9 +128,9 @@ def simplify(
         stages = [*_by_partial_systems(chain, steps, remove)]
     else:
         message = f"read rule `partial`, expected r, b or u: the scheme is no chain, {chain}"
-        raise CaseError([Problem(message)])
+        raise case_error(message)
     found = tuple(_step(stage, rule, is_chain=is_chain) for stage in stages)
-    left = without_massless(stages[-1].scheme if stages else given)
+    left = without_massless(stages[-1][1] if stages else given)
     return Simplification(rule, found, left, tuple(_warnings(found)))
 
 
@@ -148,7 +145,7 @@ def _by_partial_systems(
             system = _highest(partial_systems(chain))
         one, *other = system.masses
         chain = with_masses_merged(chain, one) if other else without_mass(chain, one)
-        yield _SchemeReached(system, scheme_of(chain))
+        yield system, scheme_of(chain)
 
 
 def _by_masses(
@@ -164,9 +161,9 @@ def _by_masses(
         [mass] = system.masses
         if not system.frequency:
             message = f"`{system.names[0]}` can't be removed: no device acts on it"
-            raise CaseError([Problem(message)])
+            raise case_error(message)
         scheme = without_branch_mass(scheme, mass, rule)
-        yield _SchemeReached(system, scheme)
+        yield system, scheme
 
 
 def _inner(scheme: TorsionScheme, systems: Sequence[PartialSystem]) -> list[PartialSystem]:
@@ -177,7 +174,7 @@ def _inner(scheme: TorsionScheme, systems: Sequence[PartialSystem]) -> list[Part
             "no link is left that a rule removes: one device alone acts on each of "
             f"{listed([one.names[0] for one in systems])}; name those to remove"
         )
-        raise CaseError([Problem(message)])
+        raise case_error(message)
     return inner
 
 
@@ -264,7 +261,7 @@ def without_mass(chain: Chain, mass: int) -> Chain:
     around = slice(max(mass - 1, 0), mass + 1)
     match chain.springs[around]:
         case [left, right]:
-            joined = [_joined(left, right)]
+            joined = [_longer(left, right)._replace(name=f"{left.name}+{right.name}")]
             inertias[mass - 1] += inertias[mass] * right.compliance / joined[0].compliance
             inertias[mass + 1] += inertias[mass] * left.compliance / joined[0].compliance
         case _:
@@ -297,9 +294,9 @@ def with_masses_merged(chain: Chain, left: int) -> Chain:
     one, two = chain.inertias[left : left + 2]
     between, springs = chain.springs[left], list(chain.springs)
     if left > 0:
-        springs[left - 1] = _longer(springs[left - 1], between, two / (one + two))
+        springs[left - 1] = _longer(springs[left - 1], between, two / (one + two), 0.5)
     if left + 1 < len(springs):
-        springs[left + 1] = _longer(springs[left + 1], between, one / (one + two))
+        springs[left + 1] = _longer(springs[left + 1], between, one / (one + two), 0.5)
     del springs[left]
     rest = slice(left + 2, None)
     return Chain(
@@ -309,23 +306,18 @@ def with_masses_merged(chain: Chain, left: int) -> Chain:
     )
 
 
-def _joined(left: ChainSpring, right: ChainSpring) -> ChainSpring:
-    """Two springs in a row, which carry one torque; damping by (П1.14)."""
-    compliance = left.compliance + right.compliance
-    damping = left.damping * (left.compliance / compliance) ** 2
-    damping += right.damping * (right.compliance / compliance) ** 2
-    return ChainSpring(f"{left.name}+{right.name}", compliance, damping)
+def _longer(
+    spring: ChainSpring, other: ChainSpring, part: float = 1.0, damped: float = 1.0
+) -> ChainSpring:
+    """A spring in a row with a part of another one, which carry one torque; damping by (П1.14).
 
-
-def _longer(spring: ChainSpring, divided: ChainSpring, part: float) -> ChainSpring:
-    """A spring in a row with a part of another one, whose damping is divided by (П1.15).
-
-    Both parts of it dissipate the same at the same torque: (П1.15) in (П1.16) leaves K/2 of
-    it, times the square of its own compliance by that of the sum, however small the part is.
+    Where the other is divided, by (П1.15), both parts of it dissipate the same at the same torque:
+    (П1.15) in (П1.16) leaves K/2 of it, times the square of its own compliance by that of the sum,
+    however small the part is.
     """
-    compliance = spring.compliance + part * divided.compliance
+    compliance = spring.compliance + part * other.compliance
     damping = spring.damping * (spring.compliance / compliance) ** 2
-    damping += divided.damping / 2 * (divided.compliance / compliance) ** 2
+    damping += damped * other.damping * (other.compliance / compliance) ** 2
     return ChainSpring(spring.name, compliance, damping)
 
 

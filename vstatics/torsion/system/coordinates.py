@@ -11,7 +11,7 @@ from typing import Any, NamedTuple, TypeVar
 import numpy as np
 
 from vstatics.numerics.arrays import Booleans, Floats
-from vstatics.numerics.motions import Form, free_motions, values_of
+from vstatics.numerics.motions import Form
 from vstatics.torsion.system.gear_system import TorsionalSystem
 
 MANY = 300
@@ -70,19 +70,15 @@ def coordinates(system: TorsionalSystem) -> Coordinates:
     >>> split.heavy.shape, split.massless.T, split.rigid.T
     ((3, 2), array([[0., 1., 0.]]), array([[1., 1., 1.]]))
     """
-    links = len(system.names)
-    rigid = [device.twist for device in system.rigid]
-    elastic = [device.twist for device in system.elastic]
+    elastic = system.elastic_twists
     bodies = [body.form for body in system.bodies if body.inertia > 0]
-    loose = free_motions([*rigid, *elastic, *bodies], links)
-    undetermined = np.any(loose != 0, axis=1)
+    loose = system.free(*elastic, *bodies)
     held: list[Form] = [{pinned: 1.0} for pinned in _own_places(loose)]
-    rigid = [*rigid, *held]
     return Coordinates(
-        free=free_motions(rigid, links),
-        massless=free_motions([*rigid, *bodies], links),
-        rigid=free_motions([*rigid, *elastic], links),
-        undetermined=undetermined,
+        free=system.free(*held),
+        massless=system.free(*held, *bodies),
+        rigid=system.free(*held, *elastic),
+        undetermined=np.any(loose != 0, axis=1),
     )
 
 
@@ -106,8 +102,3 @@ def form_values(form: Form, shapes: Values) -> Values:
     for link, part in form.items():
         total += part * shapes[link]
     return total  # type: ignore[return-value] # of the same kind
-
-
-def rows(forms: list[Form], system: TorsionalSystem) -> Floats:
-    """Forms as rows of a matrix of shape (forms, links)."""
-    return values_of(forms, len(system.names))

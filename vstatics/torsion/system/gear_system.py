@@ -9,13 +9,17 @@ row is its twist).
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
-from vstatics.model.parts import NO_DAMPING, Damping, damping
+import numpy as np
+
+from vstatics.model.parts import NO_DAMPING, Damping, Mechanism, ShiftElement, damping
+from vstatics.model.springs import Spring
 from vstatics.model.transmission import Gear, Transmission
-from vstatics.numerics.motions import Form
-from vstatics.statics.matrix import Column, columns, value
+from vstatics.numerics.arrays import Floats
+from vstatics.numerics.motions import Form, free_motions, values_of
+from vstatics.statics.matrix import columns, value
 from vstatics.torsion.system.bodies import Body, planet_bodies
 
 
@@ -28,6 +32,11 @@ class TorsionalDevice(NamedTuple):
     stiffness: float | None = None
     """[N*m/rad]; None: it is rigid, its twist is 0."""
     damping: Damping = NO_DAMPING
+
+    @property
+    def rate(self) -> float:
+        """Its stiffness, 0 where it is rigid [N*m/rad]."""
+        return self.stiffness or 0.0
 
 
 class TorsionalSystem(NamedTuple):
@@ -45,6 +54,8 @@ class TorsionalSystem(NamedTuple):
         Engaged shift elements, mechanisms, springs.
     link_inertias : sequence of float
         Of all links, with the shares that they have of planets; some may be below 0. [kg*m^2]
+    ends : tuple of int
+        Indices of the input and the output of the gear.
     """
 
     names: tuple[str, ...]
@@ -52,6 +63,7 @@ class TorsionalSystem(NamedTuple):
     bodies: tuple[Body, ...]
     devices: tuple[TorsionalDevice, ...]
     link_inertias: tuple[float, ...]
+    ends: tuple[int, int] = (0, 0)
 
     @property
     def elastic(self) -> list[TorsionalDevice]:
@@ -62,6 +74,44 @@ class TorsionalSystem(NamedTuple):
     def rigid(self) -> list[TorsionalDevice]:
         """The devices without."""
         return [device for device in self.devices if device.stiffness is None]
+
+    @property
+    def rigid_twists(self) -> list[Form]:
+        """What the rigid devices keep at 0."""
+        return [device.twist for device in self.rigid]
+
+    @property
+    def elastic_twists(self) -> list[Form]:
+        """What the elastic devices resist."""
+        return [device.twist for device in self.elastic]
+
+    @property
+    def rates(self) -> Floats:
+        """Stiffnesses of the elastic devices, shape (devices,) [N*m/rad]."""
+        return np.array([device.rate for device in self.elastic], float)
+
+    @property
+    def inertias(self) -> Floats:
+        """Of the bodies, shape (bodies,) [kg*m^2]."""
+        return np.array([body.inertia for body in self.bodies], float)
+
+    def rows(self, forms: Sequence[Form]) -> Floats:
+        """Forms of the angles of links as rows, shape (forms, links)."""
+        return values_of(forms, len(self.names))
+
+    @property
+    def twists(self) -> Floats:
+        """Those of the elastic devices as rows, shape (devices, links)."""
+        return self.rows(self.elastic_twists)
+
+    @property
+    def speeds(self) -> Floats:
+        """Those of the bodies by speeds of links, shape (bodies, links)."""
+        return self.rows([body.form for body in self.bodies])
+
+    def free(self, *others: Form) -> Floats:
+        """What the rigid devices, and other forms that are 0, leave free: motions as columns."""
+        return free_motions([*self.rigid_twists, *others], len(self.names))
 
 
 def torsional_system(case: Transmission, gear: Gear) -> TorsionalSystem:
@@ -94,24 +144,16 @@ def torsional_system(case: Transmission, gear: Gear) -> TorsionalSystem:
         (*links, *planets),
         tuple(_devices(case, gear)),
         tuple(inertias),
+        (case.gear_input(gear) - 1, case.gear_output(gear) - 1),
     )
 
 
 def _devices(case: Transmission, gear: Gear) -> Iterator[TorsionalDevice]:
     by_device = columns(case, [mechanism.ratio for mechanism in case.mechanisms])
-    engaged = set(gear.engaged)
-    for number, element in enumerate(case.shift_elements, 1):
-        if number in engaged:
-            twist = _form(by_device[number - 1])
-            yield TorsionalDevice(element.name, twist, element.stiffness, damping(element.damping))
-    for mechanism, column in zip(case.mechanisms, by_device[case.among_devices], strict=True):
-        twist = _form(column)
-        yield TorsionalDevice(
-            mechanism.name, twist, mechanism.stiffness, damping(mechanism.damping)
-        )
-    for spring, column in zip(case.springs, by_device[case.among_devices.stop :], strict=True):
-        yield TorsionalDevice(spring.name, _form(column), spring.rate, damping(spring.damping))
-
-
-def _form(column: Column) -> dict[int, float]:
-    return {link - 1: float(value(part)) for link, part in column.items()}
+    devices: list[ShiftElement | Mechanism | Spring] = [*case.shift_elements, *case.mechanisms]
+    devices += case.springs
+    for number, (one, column) in enumerate(zip(devices, by_device, strict=True), 1):
+        if number in gear.engaged or not isinstance(one, ShiftElement):
+            twist = {link - 1: float(value(part)) for link, part in column.items()}
+            stiffness = one.rate if isinstance(one, Spring) else one.stiffness
+            yield TorsionalDevice(one.name, twist, stiffness, damping(one.damping))

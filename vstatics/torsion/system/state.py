@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from vstatics.errors import spoken
 from vstatics.model.transmission import Gear, Transmission
 from vstatics.numerics.elimination import RIGHT, dependencies
@@ -33,8 +35,8 @@ def vibrating(case: Transmission, gear: Gear) -> TorsionalSystem | str:
         gear = state.gear
     system = torsional_system(case, gear)
     rigid = system.rigid
-    turning = {case.gear_input(gear) - 1: 1.0, RIGHT: 1.0}
-    for involved, agrees in dependencies([*(device.twist for device in rigid), turning]):
+    turning = {system.ends[0]: 1.0, RIGHT: 1.0}
+    for involved, agrees in dependencies([*system.rigid_twists, turning]):
         if not agrees:
             names = [rigid[index].name for index in involved if index < len(rigid)]
             let = "lets" if len(names) == 1 else "let"
@@ -43,3 +45,15 @@ def vibrating(case: Transmission, gear: Gear) -> TorsionalSystem | str:
                 "engaged elements, or give a device a stiffness"
             )
     return system
+
+
+def asked_gears(case: Transmission, gears: Sequence[int | str] | None) -> list[Gear]:
+    """Gears by their numbers from 1 or their names; all when none is given.
+
+    Raises
+    ------
+    ValueError
+        If there is no such gear.
+    """
+    numbers = [case.gear_number(one) for one in gears or range(1, len(case.gears) + 1)]
+    return [case.gears[number - 1] for number in numbers]

@@ -8,15 +8,11 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy import linalg
 
-from vstatics.model.parts import damping
-from vstatics.numerics.arrays import Floats
-from vstatics.torsion.system.coordinates import Coordinates, rows
+from vstatics.numerics.arrays import Complex, Floats
+from vstatics.torsion.system.coordinates import Coordinates
 from vstatics.torsion.system.gear_system import TorsionalSystem
+from vstatics.torsion.tolerances import REAL_EIGENVALUE, SAME_MODULUS
 from vstatics.torsion.vibration.natural import NaturalModes, weighted_twists
-
-Complex = NDArray[np.complex128]
-REAL_EIGENVALUE = 1e-12
-"""An imaginary part below this part of the modulus is rounding of a real eigenvalue."""
 
 
 class DampedModes(NamedTuple):
@@ -55,22 +51,17 @@ def damped_modes(system: TorsionalSystem, split: Coordinates, modes: NaturalMode
     >>> damped_modes(system, split, natural_modes(system, split)).eigenvalues.round(9)
     array([-6.+8.j])
     """
-    dampings = [damping(device.damping) for device in system.elastic]
+    dampings = [device.damping for device in system.elastic]
     viscous = np.array([one.viscous for one in dampings])
     if not any(one.loss_factor for one in dampings):
         found = _eigenvalues(system, split, modes, viscous)
-        nearest = [found.eigenvalues[_nearest(found.shapes, k)] for k in range(len(modes.omegas))]
+        nearest = [_nearest(found, number) for number in range(len(modes.omegas))]
         return DampedModes(found.eigenvalues, np.array(nearest, complex))
-    lost = np.array(
-        [
-            one.loss_factor * (device.stiffness or 0.0)
-            for one, device in zip(dampings, system.elastic, strict=True)
-        ]
-    )
-    of_modes = []
-    for number, omega in enumerate(modes.omegas):
-        found = _eigenvalues(system, split, modes, viscous + lost / omega)
-        of_modes.append(found.eigenvalues[_nearest(found.shapes, number)])
+    lost = np.array([one.loss_factor for one in dampings]) * system.rates
+    of_modes = [
+        _nearest(_eigenvalues(system, split, modes, viscous + lost / omega), number)
+        for number, omega in enumerate(modes.omegas)
+    ]
     chosen = np.array(of_modes, complex)
     return DampedModes(chosen[_order(chosen)], chosen)
 
@@ -89,8 +80,7 @@ def _eigenvalues(
     In natural modes M is 1 and K is diagonal. A massless motion y that is damped follows by
     its own rate: ``D_yy y' = -K_yy y - (K_yq q + D_yq q')``, where q are the modal coordinates.
     """
-    twists = rows([device.twist for device in system.elastic], system)
-    stiff, damped = weighted_twists(system), np.sqrt(viscous)[:, None] * twists
+    stiff, damped = weighted_twists(system), np.sqrt(viscous)[:, None] * system.twists
     slow = _damped_massless(split, damped, stiff)
     count = len(modes.omegas)
     basis = np.hstack([modes.shapes, slow])
@@ -148,10 +138,11 @@ def _damped_massless(split: Coordinates, damped: Floats, stiff: Floats) -> Float
     return slow
 
 
-def _nearest(shapes: Complex, mode: int) -> int:
+def _nearest(found: _EigenPairs, mode: int) -> complex:
     """The eigenvalue whose shape has the largest part in a natural mode; at a tie the first."""
-    parts = np.abs(shapes[mode])
-    return int(np.flatnonzero(parts >= parts.max() * (1 - 1e-9))[0])
+    parts = np.abs(found.shapes[mode])
+    first = np.flatnonzero(parts >= parts.max() * (1 - SAME_MODULUS))[0]
+    return complex(found.eigenvalues[first])
 
 
 def _order(values: Complex) -> NDArray[np.intp]:
@@ -161,7 +152,7 @@ def _order(values: Complex) -> NDArray[np.intp]:
     rank = np.empty(len(values))
     level, last = 0.0, -1.0
     for index in order:
-        if moduli[index] > last * (1 + 1e-9):
+        if moduli[index] > last * (1 + SAME_MODULUS):
             level, last = level + 1, moduli[index]
         rank[index] = level
     return np.lexsort((values.imag, rank))

@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from vstatics.errors import CaseError, Problem, plural, spoken
+from vstatics.errors import case_error, plural, spoken
 from vstatics.model.transmission import Gear, Transmission
 from vstatics.numerics.arrays import Booleans, Floats
 from vstatics.numerics.elimination import dependencies
@@ -18,7 +18,7 @@ from vstatics.numerics.motions import Form
 from vstatics.numerics.tolerances import NO_POWER, TIE
 from vstatics.torsion.system.coordinates import Coordinates, coordinates, form_values
 from vstatics.torsion.system.gear_system import TorsionalSystem, torsional_system
-from vstatics.torsion.system.state import vibrating
+from vstatics.torsion.system.state import asked_gears, vibrating
 from vstatics.torsion.vibration.damped import DampedModes, damped_modes
 from vstatics.torsion.vibration.natural import NaturalModes, lowest_modes, natural_modes
 from vstatics.torsion.vibration.torques import Balance, balance, own_torques, torques
@@ -147,15 +147,15 @@ def modes(
     >>> {name: round(x, 9) for name, x in gear.modes[0].shape.items()}
     {'1': 1.0, '2': -1.0, '3': 0.333333333}
     """
-    numbers = [case.gear_number(one) for one in gears or range(1, len(case.gears) + 1)]
+    asked = asked_gears(case, gears)
     if not any(body.inertia for body in torsional_system(case, case.gears[0]).bodies):
         message = "nothing has an inertia, so nothing vibrates; expected `inertias` of links"
-        raise CaseError([Problem(message, ("inertias",))])
+        raise case_error(message, "inertias")
     if coast is not None and coast != case.coast:
         case = replace(case, coast=coast)
     if count is None and case.own_links > SOME_LINKS:
         count = SOME_MODES
-    return [_gear_modes(case, case.gears[number - 1], count) for number in numbers]
+    return [_gear_modes(case, gear, count) for gear in asked]
 
 
 def _gear_modes(case: Transmission, gear: Gear, count: int | None) -> GearModes:
@@ -163,7 +163,10 @@ def _gear_modes(case: Transmission, gear: Gear, count: int | None) -> GearModes:
     if isinstance(system, str):
         return GearModes(gear.name, error=system)
     split, held = coordinates(system), balance(system)
-    natural = _natural(system, split, count)
+    if count is not None and split.has_many_more(count):
+        natural = lowest_modes(system, split, count)
+    else:
+        natural = natural_modes(system, split)
     damped = None
     if any(device.damping for device in system.elastic):
         damped = damped_modes(system, split, natural)
@@ -181,12 +184,6 @@ def _gear_modes(case: Transmission, gear: Gear, count: int | None) -> GearModes:
     )
 
 
-def _natural(system: TorsionalSystem, split: Coordinates, count: int | None) -> NaturalModes:
-    if count is not None and split.has_many_more(count):
-        return lowest_modes(system, split, count)
-    return natural_modes(system, split)
-
-
 def _named(  # noqa: PLR0913, PLR0917
     case: Transmission,
     system: TorsionalSystem,
@@ -200,16 +197,8 @@ def _named(  # noqa: PLR0913, PLR0917
     by_device = own_torques(
         case, torques(system, held, shapes, natural.omegas), np.zeros_like(natural.omegas)
     )
-    kinetic = _shares(
-        [body.name for body in system.bodies],
-        [body.inertia for body in system.bodies],
-        [form_values(body.form, shapes) for body in system.bodies],
-    )
-    elastic = _shares(
-        [device.name for device in system.elastic],
-        [device.stiffness or 0.0 for device in system.elastic],
-        [form_values(device.twist, shapes) for device in system.elastic],
-    )
+    kinetic = _shares(shapes, [(one.name, one.inertia, one.form) for one in system.bodies])
+    elastic = _shares(shapes, [(one.name, one.rate, one.twist) for one in system.elastic])
     nodes = count_nodes(system, split, shapes)
     shapes[split.undetermined] = math.nan
     links = system.names[: system.own]
@@ -235,14 +224,12 @@ def _largest(amplitudes: Floats) -> Floats:
     return np.where(largest, largest, 1.0)
 
 
-def _shares(
-    names: Sequence[str], sizes: Sequence[float], values: Sequence[Floats]
-) -> dict[str, Floats]:
+def _shares(shapes: Floats, parts: Sequence[tuple[str, float, Form]]) -> dict[str, Floats]:
     """Parts of the energy by name; a name may stand for several parts."""
-    energies = [size * value**2 for size, value in zip(sizes, values, strict=True)]
+    energies = [size * form_values(form, shapes) ** 2 for _, size, form in parts]
     total = np.sum(energies, axis=0)
     shares: dict[str, Floats] = {}
-    for name, energy in zip(names, energies, strict=True):
+    for (name, _, _), energy in zip(parts, energies, strict=True):
         shares[name] = shares.get(name, 0.0) + energy / np.where(total, total, 1.0)
     return shares
 
@@ -264,7 +251,7 @@ def _warnings(system: TorsionalSystem, split: Coordinates, held: Balance) -> Ite
     rigid = [device.name for device in system.rigid]
     unknown = [name for name, known in zip(rigid, held.determined, strict=True) if not known]
     if unknown:
-        sets = [involved for involved, _ in dependencies([one.twist for one in system.rigid])]
+        sets = [involved for involved, _ in dependencies(system.rigid_twists)]
         what = "; ".join(spoken([rigid[index] for index in involved]) for involved in sets)
         devices = f"{len(sets)} {plural('device', len(sets))} {'is' if len(sets) == 1 else 'are'}"
         yield (

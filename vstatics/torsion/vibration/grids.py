@@ -7,11 +7,9 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 
 from vstatics.tables.grid import Cell, Column, Grid, Row, exact, text, whole
 from vstatics.tables.numbers import certain, fixed
+from vstatics.torsion.tolerances import LEAST_SHOWN_PART
 from vstatics.torsion.vibration.gear_modes import GearModes, Mode
 from vstatics.torsion.vibration.measured import Damped, Identified
-
-LEAST_SHOWN_PART = 0.0005
-"""Parts of 1 that are below are not told apart from 0, but with all digits in JSON and CSV."""
 
 
 def modes_grids(gears: Sequence[GearModes]) -> Iterator[Grid]:

@@ -10,8 +10,7 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
-from vstatics.errors import CaseError, Problem, listed, nearest, quoted, spoken
-from vstatics.model.parts import damping as damping_of
+from vstatics.errors import case_error, listed, nearest, quoted, spoken
 from vstatics.model.transmission import Transmission
 from vstatics.torsion.system.gear_system import TorsionalDevice
 from vstatics.torsion.system.state import vibrating
@@ -181,10 +180,10 @@ def _of_mode(
         raise ValueError(f"mode: read {number}, expected a number from 1")
     [found] = modes(case, [at], count=number)
     if found.error:
-        raise CaseError([Problem(found.error, ("gears", at))])
+        raise case_error(found.error, "gears", at)
     if not found.modes:
         message = "nothing elastic joins inertias, so there is no mode"
-        raise CaseError([Problem(message, ("gears", at))])
+        raise case_error(message, "gears", at)
     if number > len(found.modes):
         raise ValueError(f"no mode {number} in gear {found.name}; it has {len(found.modes)}")
     system = vibrating(case, case.gears[at - 1])
@@ -210,10 +209,9 @@ def _others(
     """What the case's own dampings of further devices add."""
     own: dict[str, float] = {}
     for device in elastic:
-        resists = damping_of(device.damping)
-        if resists and device.name not in given:
-            viscous = resists.viscous * mode.omega / (device.stiffness or math.inf)
-            own[device.name] = math.pi * (viscous + resists.loss_factor)
+        if device.damping and device.name not in given:
+            viscous = device.damping.viscous * mode.omega / (device.stiffness or math.inf)
+            own[device.name] = math.pi * (viscous + device.damping.loss_factor)
     if own:
         added = formulas.decrement(own, mode.elastic)
         yield f"by its damping in the case {spoken(own)} adds {added:.4g} to the decrement"
@@ -221,9 +219,13 @@ def _others(
 
 def _check(what: str, number: float, *, above_0: bool = False) -> None:
     """Refuse a number that is no measured one."""
-    if not (0 < number < math.inf or (number == 0 and not above_0)):
+    if not _is_measured(number, above_0=above_0):
         least = "above 0" if above_0 else "of 0 or more"
         raise ValueError(f"{what}: read {number:g}, expected a number {least}")
+
+
+def _is_measured(number: float, *, above_0: bool) -> bool:
+    return 0 < number < math.inf or (number == 0 and not above_0)
 
 
 def _dampings(decrements: ByDevice, compliances: ByDevice, omega: float) -> dict[str, float]:
@@ -238,5 +240,5 @@ def _dampings(decrements: ByDevice, compliances: ByDevice, omega: float) -> dict
 def _check_made(made: ByDevice, *, above_0: bool = False) -> None:
     """Refuse results that no case could have."""
     for name, one in made.items():
-        if not (0 < one < math.inf or (one == 0 and not above_0)):
+        if not _is_measured(one, above_0=above_0):
             raise ValueError(f"numbers so large or so small give no value of {quoted(name)}")

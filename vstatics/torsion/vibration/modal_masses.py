@@ -12,12 +12,9 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.numerics.arrays import Floats
-from vstatics.numerics.motions import values_of
 from vstatics.torsion.system.coordinates import Coordinates
 from vstatics.torsion.system.gear_system import TorsionalSystem
-
-LOST_SQUARE = 1e-4
-"""A square below this part of the largest one has lost digits that its root has not."""
+from vstatics.torsion.tolerances import LOST_SQUARE
 
 
 class Split(NamedTuple):
@@ -80,14 +77,13 @@ def normed_twists(system: TorsionalSystem, split: Coordinates, inertias: Floats)
     <BLANKLINE>
            [[2.5]]])
     """
-    heavy, links = split.heavy, len(system.names)
-    devices = values_of([device.twist for device in system.elastic], links)
+    heavy, twists = split.heavy, system.twists
     every = np.hstack([heavy, split.massless])
     by_every: Floats = np.asarray(np.linalg.lstsq(every, split.rigid, rcond=None)[0])
     parts = Split(
-        values_of([body.form for body in system.bodies], links) @ heavy,
-        devices @ heavy,
-        devices @ split.massless,
+        system.speeds @ heavy,
+        twists @ heavy,
+        twists @ split.massless,
         by_every[: heavy.shape[1]],
     )
     return of_split(parts, inertias)

@@ -14,8 +14,9 @@ from scipy import linalg, sparse
 from scipy.sparse.linalg import eigsh
 
 from vstatics.numerics.arrays import Floats
-from vstatics.torsion.system.coordinates import Coordinates, rows
+from vstatics.torsion.system.coordinates import Coordinates
 from vstatics.torsion.system.gear_system import TorsionalSystem
+from vstatics.torsion.tolerances import BELOW_SQUARES
 
 
 class NaturalModes(NamedTuple):
@@ -77,12 +78,11 @@ def elastic_basis(system: TorsionalSystem, split: Coordinates) -> Floats:
     _, triangle = linalg.qr(speeds @ following, mode="economic")
     inverse, _ = linalg.lapack.dtrtri(triangle)
     apart: Floats = inverse
-    rigid, *_ = linalg.lstsq(following, split.rigid) if split.rigid.size else (None,)
-    if rigid is None:
-        return following @ apart
-    turned, _ = linalg.qr(triangle @ rigid)
-    basis: Floats = following @ (apart @ turned[:, rigid.shape[1] :])
-    return basis
+    if split.rigid.size:
+        rigid, *_ = linalg.lstsq(following, split.rigid)
+        turned, _ = linalg.qr(triangle @ rigid)
+        apart = apart @ turned[:, rigid.shape[1] :]
+    return following @ apart
 
 
 def _followed(system: TorsionalSystem, split: Coordinates) -> Floats:
@@ -101,15 +101,12 @@ def _followed(system: TorsionalSystem, split: Coordinates) -> Floats:
 
 def weighted_twists(system: TorsionalSystem) -> Floats:
     """Twists of elastic devices by angles of links, each by the root of its stiffness."""
-    elastic = system.elastic
-    roots = np.sqrt([device.stiffness or 0.0 for device in elastic])
-    return np.asarray(roots)[:, None] * rows([device.twist for device in elastic], system)
+    return np.asarray(np.sqrt(system.rates)[:, None] * system.twists)
 
 
 def weighted_bodies(system: TorsionalSystem) -> Floats:
     """Speeds of bodies by those of links, each by the root of its inertia."""
-    roots = np.sqrt([body.inertia for body in system.bodies])
-    return np.asarray(roots)[:, None] * rows([body.form for body in system.bodies], system)
+    return np.asarray(np.sqrt(system.inertias)[:, None] * system.speeds)
 
 
 def lowest_modes(system: TorsionalSystem, split: Coordinates, count: int) -> NaturalModes:
@@ -136,7 +133,7 @@ def lowest_modes(system: TorsionalSystem, split: Coordinates, count: int) -> Nat
     stiffness, mass = (twists.T @ twists).tocsc(), (speeds.T @ speeds).tocsc()
     # about the square of the lowest frequency: a mean of all, by the square of their number
     mean = float(stiffness.diagonal().sum() / mass.diagonal().sum())
-    below = -1e-3 * mean / free.shape[1] ** 2
+    below = -BELOW_SQUARES * mean / free.shape[1] ** 2
     rigid = split.rigid.shape[1]
     start = np.random.default_rng(1).standard_normal(free.shape[1])
     found, all_vectors = eigsh(stiffness, rigid + count, mass, sigma=below, v0=start)

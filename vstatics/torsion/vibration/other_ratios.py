@@ -13,19 +13,16 @@ the variant has to be looked at alone.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
 from vstatics.numerics.arrays import Booleans, Floats, Integers
-from vstatics.numerics.motions import values_of
 from vstatics.torsion.system.coordinates import Coordinates, coordinates
 from vstatics.torsion.system.gear_system import TorsionalSystem
+from vstatics.torsion.tolerances import LOST_PIVOT, NO_ROW, RESIDUE
 from vstatics.torsion.vibration.modal_masses import Split, natural_frequencies, of_split
-from vstatics.torsion.vibration.variants import NUMBERS, Varied
-
-if TYPE_CHECKING:
-    from numpy.typing import ArrayLike
+from vstatics.torsion.vibration.variants import NUMBERS, Varied, varied_numbers
 
 
 class VariedSystem(NamedTuple):
@@ -98,19 +95,15 @@ def frequencies_of_ratios(
 def _block(varied: VariedSystem, split: Coordinates, variants: Integers) -> tuple[Floats, Booleans]:
     """All frequencies of a few variants, the first of all before them."""
     system = varied.system
-    forms = _table(values_of([one.twist for one in system.devices], len(system.names)), variants)
-    for place, rows in varied.twists.items():
-        forms[:, place] = rows[variants]
-    stiffnesses = _table([one.stiffness or 0.0 for one in system.elastic], variants)
-    inertias = _table([body.inertia for body in system.bodies], variants)
-    for table, given in ((stiffnesses, varied.stiffnesses), (inertias, varied.inertias)):
-        for place, numbers in given.items():
-            table[:, place] = numbers[variants]
+    every = system.rows([one.twist for one in system.devices])
+    forms = varied_numbers(every, varied.twists, variants)
+    stiffnesses = varied_numbers(system.rates, varied.stiffnesses, variants)
+    inertias = varied_numbers(system.inertias, varied.inertias, variants)
     rigid = np.array([one.stiffness is None for one in system.devices])
     heavy = inertias > 0
 
     free = followed_motions(forms[:, rigid], split.free.shape[1])
-    bodies = values_of([body.form for body in system.bodies], len(system.names)) @ free.motions
+    bodies = system.speeds @ free.motions
     still = followed_motions(bodies[:, heavy[0]], split.massless.shape[1])
     twists = forms[:, ~rigid] @ free.motions
     together = followed_motions(twists, split.rigid.shape[1])
@@ -129,11 +122,6 @@ def _block(varied: VariedSystem, split: Coordinates, variants: Integers) -> tupl
     return omegas, safe
 
 
-def _table(numbers: ArrayLike, variants: Integers) -> Floats:
-    """The same numbers for each of some variants, to be changed."""
-    return np.repeat(np.array(numbers, np.float64)[None], len(variants), axis=0)
-
-
 def _resisted(massless: Floats) -> Booleans:
     """Whether devices resist all massless motions, as in the first variant."""
     if not massless.shape[2]:
@@ -142,12 +130,6 @@ def _resisted(massless: Floats) -> Booleans:
     shares = sizes[:, -1] / sizes[:, 0]
     resisted: Booleans = shares > LOST_PIVOT * shares[0]
     return resisted
-
-
-LOST_PIVOT = 1e-6
-"""A pivot below this part of that of the first variant may be one that is zero."""
-RESIDUE = 1e-11
-"""A sum below this part of the largest coefficient times the largest unknown is zero."""
 
 
 class FollowedMotions(NamedTuple):
@@ -211,7 +193,7 @@ def followed_motions(equations: Floats, free: int) -> FollowedMotions:
 
 def _pivots(matrix: Floats, rank: int) -> tuple[Integers, Integers]:
     """Equations and unknowns of a regular block, by elimination with the largest pivot."""
-    left = matrix / np.maximum(np.abs(matrix).max(axis=1, keepdims=True, initial=0.0), 1e-300)
+    left = matrix / np.maximum(np.abs(matrix).max(axis=1, keepdims=True, initial=0.0), NO_ROW)
     rows, columns = [], []
     for _ in range(rank):
         row, column = np.unravel_index(int(np.argmax(np.abs(left))), left.shape)

@@ -18,15 +18,16 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.numerics.arrays import Floats
+from vstatics.torsion.tolerances import (
+    AT_NEXT_POLE,
+    AT_POLE,
+    LAST_STEP,
+    LOST_WEIGHT,
+    SAME_SQUARE,
+)
 
 MOST_ITERATIONS = 60
 """Iterations; each gains more digits than the last, or halves the interval."""
-LAST_STEP = 1e-13
-"""A step below this part of the root is the last: the next would be its square."""
-SAME_SQUARE = 1e-14
-"""Squares that differ by less than this part of them are one."""
-LOST_WEIGHT = 1e-32
-"""Part of the sum of weights: less is rounding of the twists."""
 
 
 class Poles(NamedTuple):
@@ -120,8 +121,8 @@ def _between(below: _Terms, above: _Terms, compliances: Floats, pole: float) -> 
     rest = _value(below[0][:-1], below[1][:-1], middle)
     rest = rest - _value(above[0][1:], above[1][1:], -middle)
     x = _of_two_poles(rest - compliances, below[1][-1], above[1][0], gap)
-    low, high = np.full_like(x, gap * 1e-200), np.full_like(x, gap)
-    x = np.clip(x, gap * 1e-200, gap * (1 - 1e-16))
+    low, high = np.full_like(x, gap * AT_POLE), np.full_like(x, gap)
+    x = np.clip(x, gap * AT_POLE, gap * (1 - AT_NEXT_POLE))
     for _ in range(MOST_ITERATIONS):
         value, slope = _sums(below, x)
         against, its_slope = _sums(above, -x)

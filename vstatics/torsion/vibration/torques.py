@@ -12,7 +12,7 @@ from vstatics.numerics.arrays import Booleans, Floats
 from vstatics.numerics.elimination import dependencies
 from vstatics.numerics.tolerances import NO_POWER
 from vstatics.statics.matrix import column
-from vstatics.torsion.system.coordinates import Values, form_values, rows
+from vstatics.torsion.system.coordinates import Values, form_values
 from vstatics.torsion.system.gear_system import TorsionalSystem
 
 
@@ -46,11 +46,11 @@ def balance(system: TorsionalSystem) -> Balance:
     >>> balance(torsional_system(case, gear)).determined
     array([False, False])
     """
-    rigid = system.rigid
+    rigid = system.rigid_twists
     determined = np.ones(len(rigid), np.bool_)
-    for involved, _ in dependencies([device.twist for device in rigid]):
+    for involved, _ in dependencies(rigid):
         determined[involved] = False
-    return Balance(rows([device.twist for device in rigid], system).T, determined)
+    return Balance(system.rows(rigid).T, determined)
 
 
 def torques(
@@ -72,8 +72,7 @@ def torques(
     """
     acting = np.asarray(system.link_inertias)[:, None] * shapes * omegas**2
     own = {
-        device.name: (device.stiffness or 0.0) * form_values(device.twist, shapes)
-        for device in system.elastic
+        device.name: device.rate * form_values(device.twist, shapes) for device in system.elastic
     }
     found = with_rigid(system, balance, acting, own)
     sizes = [np.nan_to_num(np.abs(torque)) for torque in found.values()]

@@ -15,7 +15,7 @@ from typing import Literal, NamedTuple
 import numpy as np
 
 from vstatics.numerics.arrays import Floats, Integers
-from vstatics.numerics.motions import Form, free_motions
+from vstatics.numerics.motions import Form
 from vstatics.torsion.system.coordinates import Coordinates, coordinates
 from vstatics.torsion.system.gear_system import TorsionalSystem
 from vstatics.torsion.vibration.modal_masses import (
@@ -105,8 +105,8 @@ def _of_one_structure(
     variants: int,
 ) -> Floats:
     """The frequencies of variants in which the same bodies have an inertia."""
-    stiff = _VariedNumbers([device.stiffness or 0.0 for device in system.elastic], stiffnesses)
-    heavy = _VariedNumbers([body.inertia for body in system.bodies], inertias)
+    stiff = _VariedNumbers(system.rates, stiffnesses)
+    heavy = _VariedNumbers(system.inertias, inertias)
     bodies = [
         body._replace(inertia=inertia)
         for body, inertia in zip(system.bodies, heavy.first.tolist(), strict=True)
@@ -120,28 +120,26 @@ def _of_one_structure(
     return found
 
 
+def varied_numbers(own: Floats, varied: Varied, variants: Integers) -> Floats:
+    """Numbers, or rows of them, for each of some variants, of shape (variants, ...)."""
+    made: Floats = np.repeat(own[None], len(variants), axis=0)
+    for place, numbers in varied.items():
+        made[:, place] = numbers[variants]
+    return made
+
+
 class _VariedNumbers:
     """Numbers of devices or bodies: those of the first variant, and what is other in others."""
 
-    def __init__(self, own: Sequence[float], varied: Varied) -> None:
-        self.first = np.array(own)
-        for place, numbers in varied.items():
-            self.first[place] = numbers[0]
+    def __init__(self, own: Floats, varied: Varied) -> None:
+        self.first: Floats = varied_numbers(own, varied, np.arange(1))[0]
         self.varied = {p: numbers for p, numbers in varied.items() if (numbers != numbers[0]).any()}
-
-    def of(self, variant: int) -> list[float]:
-        """All numbers of a variant."""
-        numbers: list[float] = self.rows(variant, variant + 1)[0].tolist()
-        return numbers
 
     def rows(self, start: int, stop: int) -> Floats:
         """All numbers of some variants: of one, if they are the same for all."""
         if not self.varied:
             return self.first[None]
-        rows = np.tile(self.first, (stop - start, 1))
-        for place, numbers in self.varied.items():
-            rows[:, place] = numbers[start:stop]
-        return rows
+        return varied_numbers(self.first, self.varied, np.arange(start, stop))
 
 
 class _Alike:
@@ -177,7 +175,8 @@ class _Alike:
         from vstatics.torsion.vibration.natural import lowest_modes  # which imports scipy
 
         system = self.system
-        stiff, heavy = (iter(one.of(variant)) for one in (self.stiff, self.heavy))
+        each = (one.rows(variant, variant + 1)[0].tolist() for one in (self.stiff, self.heavy))
+        stiff, heavy = map(iter, each)
         devices = [
             one if one.stiffness is None else one._replace(stiffness=next(stiff))
             for one in system.devices
@@ -251,7 +250,7 @@ def without(
     alone = _held_alone(system, device)
     if alone == "massless":
         return None
-    own = normed_twists(system, split, np.array([body.inertia for body in system.bodies]))
+    own = normed_twists(system, split, system.inertias)
     others = NormedTwists(*(np.delete(part, device, axis=0) for part in own))
     [rows] = triangular(others, np.delete(stiffnesses, device)[None])
     count = own.massless.shape[1]
@@ -269,14 +268,12 @@ def without(
 
 def _held_alone(system: TorsionalSystem, device: int) -> Literal["", "heavy", "massless"]:
     """Whether a device resists a motion that no other resists, and whether that has inertia."""
-    links = len(system.names)
-    rigid = [one.twist for one in system.rigid]
-    elastic = [one.twist for one in system.elastic]
+    elastic = system.elastic_twists
     others = [*elastic[:device], *elastic[device + 1 :]]
     bodies = [body.form for body in system.bodies if body.inertia > 0]
 
     def is_held(*forms: Form) -> bool:
-        free = [free_motions([*rigid, *some, *forms], links) for some in (others, elastic)]
+        free = [system.free(*some, *forms) for some in (others, elastic)]
         return bool(free[0].shape[1] > free[1].shape[1])
 
     return "massless" if is_held(*bodies) else "heavy" if is_held() else ""

@@ -1,0 +1,109 @@
+"""Tolerances of a simulation, by what they compare; parts of the largest where nothing is said."""
+
+from __future__ import annotations
+
+# a run
+RTOL = 1e-8
+"""Of the integration, if nobody says otherwise: so much is left of the energy at most, too."""
+LEAST_RTOL = 3e-14
+"""The solver refuses less: it would be rounding."""
+CLOSED_ENERGY = 1e-8
+"""A run closes that leaves no more than this part of the largest energy."""
+NO_ENERGY = 1e-12
+"""An energy that is none. [J]"""
+CLOSED_BALANCE = 5e-4
+"""A balance below it is 0 to three decimals. [J]"""
+
+# times
+SAME_INSTANT = 1e-11
+"""Events as near as this part of the duration come at one instant."""
+SAME_TIME = 1e-12
+"""Times that differ by this part are the same but for rounding."""
+SAME_END = 1e-13
+"""A stretch that ends so near to the end of a piece ends there."""
+AHEAD = 1e-7
+"""Part of a duration or a step by which it is looked ahead, and over which slopes are taken."""
+LEAST_DURATION = 1e-9
+"""Slopes are taken over a part of no shorter one. [s]"""
+AHEAD_OF_STOP = (0.0, 1e-9, 1e-6, 1e-3)
+"""Parts of the duration behind a stop at which a torque may be no number."""
+ROOT_PART = 1e-14
+"""A root of a polynomial, by the interval: nearer there is nothing but rounding."""
+ROOT_TIME = 1e-15
+"""A root by the margin itself, as a part of the time."""
+LEAST_SPREAD = 1e-3
+"""The last of the intervals by which a peak is refined, by the first."""
+
+# speeds, torques, margins
+STANDING = 1e-9
+"""A speed, torque or impulse that is 0 but for rounding, by the largest of its kind."""
+NO_MARGIN = 1e-10
+"""A margin is below 0 by more than this part of what is large."""
+PASSED_LIMIT = 1e-10
+"""A limit is passed by more than this part of the largest torque."""
+FALLING_MARGIN = 1e-12
+"""A margin that changes less while it is looked ahead stays."""
+TIGHT_SLACK = 1e-6
+"""Slacks as near to the least, by the largest, are at their limit with it."""
+REGULAR_CORNER = 1e-9
+"""Limits whose determinant is less do not meet in a corner."""
+NO_SPLIT = 1e-12
+"""What is left of the goal where no split lies within all limits."""
+WITHIN_LIMITS = 1e-6
+"""A split may pass limits by this part of the largest slack: so far least squares are accurate."""
+SHARED_TORQUE = 1e-6
+"""A torque takes part in a redundant direction that has more of it."""
+SAME_VALUES = 1e-9
+"""Values at one instant that differ by less do not jump."""
+GIVEN_CAPACITY = 1e-12
+"""A number that is given may be above the capacity of the case by this part, ..."""
+MADE_CAPACITY = 1e-9
+"""... and one by a formula, or below 0, by this part."""
+MISSING_MASS = 1e-3
+"""Part of the mass of a vehicle that its inertia may lack."""
+LEAST_PROBABILITY = 2.0**-53
+"""A normal distribution has no number for a part of 0."""
+
+# matrices
+INDEPENDENT_MOTION = 1e-9
+"""A direction counts that is above this part of the largest."""
+BEARING_MOTION = INDEPENDENT_MOTION * 1e-3
+"""The same among weighted torques, whose weights differ."""
+ROUNDED_MOTION = 1e-12
+"""Parts of a motion below this are rounding."""
+MOVING_LINK = 1e-9
+"""Links whose speeds in a motion are below stand still in it."""
+DEPENDENT = 1e-12
+"""Singular values below this part of the largest are rounding, in least squares."""
+LIGHT_MOTION = 1e-13
+"""An inertia of a motion below this part of the largest is none."""
+RIGID_SQUARE = 1e-10
+"""A square of a frequency below this part of the largest belongs to a rigid motion."""
+LEAST_MASS = 1e-30
+"""In place of the mass of a motion that has none, under a root. [kg*m^2]"""
+NOT_ZERO = 1e-300
+"""In place of 0, by which something is divided."""
+
+# slopes
+DIFFERENCE_STEP = 1e-6
+"""Step of a difference in place of a slope, by the largest speed."""
+NEWTON_STEP = 1e-13
+"""A step of Newton's rule that is smaller is the last."""
+LEAST_SENSE = 1e-6
+"""A torque senses its rate by this part of the largest slope at least, whatever its own is, ..."""
+NO_SENSE = 1e-30
+"""... and by this where all are 0. [N*m*s/rad]"""
+STRAIGHT_BALANCE = 1e-12
+"""A torque that bends does not act along a motion if it does so by less."""
+
+# stretches in closed form
+SHORTEST_PART = 2.0**-14
+"""By which a part may be shortened, where torques bend."""
+FITTING_TORQUE = 1e-12
+"""How near polynomials come to torques, by the largest torque."""
+
+# the published method
+PUBLISHED_RTOL = 1e-12
+"""The finest tolerance of its integration."""
+NO_COEFFICIENT = 1e-9
+"""Coefficients of a motion below this part of the largest are 0."""
