@@ -53,8 +53,7 @@ class Cell(NamedTuple):
         if self.kind is str:
             return None if self.text in ("", NOTHING) else self.text
         known = self.value is not None and not math.isnan(self.value)
-        datum: Datum = self.kind(self.value) if known else None
-        return datum
+        return self.kind(self.value) if known else None
 
 
 Row = list[Cell | str]

@@ -136,8 +136,7 @@ def _families(ratios: Floats) -> list[int]:
     family = np.empty(len(ratios), np.intp)
     for number, group in enumerate(sorted(groups, key=min), 1):
         family[group] = number
-    found: list[int] = family.tolist()
-    return found
+    return family.tolist()
 
 
 def _parted(group: Any, sizes: Floats) -> list[Any]:

@@ -137,8 +137,7 @@ def _turning(space: FitSpace, points: FitPoints) -> FitPoints:
 def turns(space: FitSpace, points: FitPoints) -> Booleans:
     """Whether gears turn as wanted, (points, gears)."""
     quotients = space.quotients(points)
-    right: Booleans = (quotients > 0) & np.isfinite(quotients)
-    return right
+    return (quotients > 0) & np.isfinite(quotients)
 
 
 def _sampled(space: FitSpace, random: np.random.Generator, *, own: bool) -> FitPoints:

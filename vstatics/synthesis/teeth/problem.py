@@ -16,7 +16,7 @@ from vstatics.statics.solve import solve
 from vstatics.statics.status import STATUSES
 from vstatics.summary.design_table import is_same
 from vstatics.synthesis.ratios.formula import ONE, GearFormula, gear_formula
-from vstatics.synthesis.teeth.layout import TeethLayout, TeethRatio, teeth_layouts
+from vstatics.synthesis.teeth.layout import TeethLayout, named_ratios, teeth_layouts
 from vstatics.synthesis.teeth.limits import TeethLimits
 from vstatics.synthesis.teeth.targets import TeethError, TeethTarget
 
@@ -71,7 +71,9 @@ def teeth_problem(
     used = [one for one in layouts if any(own.mechanism in occurring for own in one.ratios)]
     if not used:
         message = "no teeth that can be looked for are in what is wanted"
-        raise CaseError([Problem(f"{message}{_searched(layouts)}", ("ratios",))])
+        if layouts:
+            message += f"; they can be for {listed([layout.name for layout in layouts], 12)}"
+        raise CaseError([Problem(message, ("ratios",))])
     columns: dict[int, int] = {}
     for layout in used:
         for ratio in layout.ratios:
@@ -96,27 +98,12 @@ def own_ratios(case: Transmission) -> dict[str, float]:
     return {gear.name: ratio for gear, ratio in ratios if math.isfinite(ratio) and ratio}
 
 
-def _searched(layouts: Sequence[TeethLayout]) -> str:
-    names = [layout.name for layout in layouts]
-    return f"; they can be for {listed(names, 12)}" if names else ""
-
-
 @dataclass(frozen=True)
 class _AskedByName:
     """A case of which ratios are asked for by name."""
 
     own: OwnLinks
     layouts: Sequence[TeethLayout]
-
-    @property
-    def of_sets(self) -> dict[str, TeethRatio]:
-        """Ratios of elements by their names; of an element with several each has its own."""
-        found: dict[str, TeethRatio] = {}
-        for layout in self.layouts:
-            found |= {ratio.name: ratio for ratio in layout.ratios}
-            if len(layout.ratios) == 1:
-                found[layout.name] = layout.ratios[0]
-        return found
 
     def formula(self, name: str, wanted: float) -> GearFormula:
         """Of a gear, else of a ratio of an element.
@@ -133,13 +120,13 @@ class _AskedByName:
             raise CaseError([Problem(message, path)])
         if name in gears:
             return self._of_gear(gears.index(name), wanted)
-        if name not in self.of_sets:
-            known = [*gears, *self.of_sets]
-            hint = f"{nearest(name, known)}; gears are {listed(gears, 12)}"
-            if self.of_sets:
-                hint += f"; sets are {listed([*self.of_sets], 12)}"
+        of_sets = named_ratios(self.layouts)
+        if name not in of_sets:
+            hint = f"{nearest(name, [*gears, *of_sets])}; gears are {listed(gears, 12)}"
+            if of_sets:
+                hint += f"; sets are {listed([*of_sets], 12)}"
             raise CaseError([Problem(f"no gear or set {quoted(name)}{hint}", path)])
-        ratio = self.of_sets[name]
+        ratio = of_sets[name]
         if wanted * ratio.sign < 0:
             side = "below" if ratio.sign < 0 else "above"
             message = (
