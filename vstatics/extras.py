@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from functools import cache
 
-from vstatics.errors import CaseError, Problem
+from vstatics.errors import CaseError
 
 __version__ = "0.1.0"
 
@@ -84,4 +84,4 @@ def require(extra: str, purpose: str) -> None:
     """
     message = missing(extra, purpose)
     if message:
-        raise CaseError([Problem(message)])
+        raise CaseError(message)

@@ -55,7 +55,10 @@ def framed(
     """
     links = (tag("a", name, href=f"#{_id(name)}") for name, _ in parts)
     contents = tag("nav", *links, class_="contents", aria_label="Contents")
-    shown = tag("main", *(_section(name, inner) for name, inner in parts))
+    shown = tag(
+        "main",
+        *(tag("section", tag("h2", name), *inner, id=_id(name)) for name, inner in parts),
+    )
     main, looks = shared(printed(shown, _names(document.get("case"))))
     body = tag(
         "body",
@@ -86,10 +89,6 @@ def _about(material: Material) -> Iterator[Markup]:
         yield tag("p", case.description, class_="told")
     if case.source:
         yield tag("p", "Source: ", case.source, class_="told source")
-
-
-def _section(name: str, inner: Sequence[Markup]) -> Markup:
-    return tag("section", tag("h2", name), *inner, id=_id(name))
 
 
 def _names(data: Any) -> Iterator[str]:

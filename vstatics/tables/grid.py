@@ -93,6 +93,11 @@ class Grid(NamedTuple):
             for row, data in zip(self.cells, rows, strict=True)
         ]
 
+    def with_columns(self, chosen: Sequence[int]) -> Grid:
+        """The same with some of its columns."""
+        rows = [[row[place] for place in chosen] for row in self.rows]
+        return self._replace(columns=[self.columns[place] for place in chosen], rows=rows)
+
     def with_digits(self, digits: int | None) -> Grid:
         """The same with so many digits after the point; None: with those that suit a number.
 

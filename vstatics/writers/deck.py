@@ -6,7 +6,6 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from vstatics.model.parts import element_name, mechanism_name
-from vstatics.model.springs import Spring
 from vstatics.model.transmission import SpeedOf, Transmission
 from vstatics.statics.results import Language
 from vstatics.tables.numbers import exponent
@@ -158,13 +157,9 @@ def _structure(case: Transmission) -> Iterator[str]:
     if case.springs:
         yield SPRINGS
         yield f"KSPR= {len(case.springs)}"
-        yield from map(_spring, case.springs)
-
-
-def _spring(spring: Spring) -> str:
-    """A line of its coefficients by links, and its name: `SPRING .1000E+01*1 -.1000E+01*2: S`."""
-    form = (f"{exponent(part)}*{link}" for link, part in spring.form.items())
-    return f"SPRING {' '.join(form)}: {spring.name}"
+        for spring in case.springs:  # `SPRING .1000E+01*1 -.1000E+01*2: S`
+            form = (f"{exponent(part)}*{link}" for link, part in spring.form.items())
+            yield f"SPRING {' '.join(form)}: {spring.name}"
 
 
 def _gears(case: Transmission) -> Iterator[str]:

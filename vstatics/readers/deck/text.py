@@ -308,7 +308,7 @@ def texts(data: bytes, file: str) -> Iterator[tuple[str, list[Problem]]]:
 
 
 def _unreadable(file: str, message: str) -> ReadError:
-    return ReadError([Problem(message, place=Place(file, 1, 1))])
+    return ReadError(message, place=Place(file, 1, 1))
 
 
 def _damaged(data: bytes, start: int, file: str) -> tuple[str, list[Problem]]:

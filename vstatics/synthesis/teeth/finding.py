@@ -189,7 +189,7 @@ def _by_limits(
         raise NoTeethError([none_fits(rows[first].layout, told)])
     message = f"{rows[first].layout.name}: too many teeth to be looked at"
     hint = "expected narrower ranges, or fewer numbers of planets or modules"
-    raise CaseError([Problem(f"{message}; {hint}", ("range",))])
+    raise CaseError(f"{message}; {hint}", ("range",))
 
 
 def _in_windows(

@@ -73,7 +73,7 @@ def teeth_problem(
         message = "no teeth that can be looked for are in what is wanted"
         if layouts:
             message += f"; they can be for {listed([layout.name for layout in layouts], 12)}"
-        raise CaseError([Problem(message, ("ratios",))])
+        raise CaseError(message, ("ratios",))
     columns: dict[int, int] = {}
     for layout in used:
         for ratio in layout.ratios:
@@ -117,7 +117,7 @@ class _AskedByName:
         what = f"gear {name}" if name in gears else name
         if wanted == 0 or not math.isfinite(wanted):
             message = f"{what}: read {wanted:g}, expected a finite ratio other than 0"
-            raise CaseError([Problem(message, path)])
+            raise CaseError(message, path)
         if name in gears:
             return self._of_gear(gears.index(name), wanted)
         of_sets = named_ratios(self.layouts)
@@ -125,14 +125,14 @@ class _AskedByName:
             hint = f"{nearest(name, [*gears, *of_sets])}; gears are {listed(gears, 12)}"
             if of_sets:
                 hint += f"; sets are {listed([*of_sets], 12)}"
-            raise CaseError([Problem(f"no gear or set {quoted(name)}{hint}", path)])
+            raise CaseError(f"no gear or set {quoted(name)}{hint}", path)
         ratio = of_sets[name]
         if wanted * ratio.sign < 0:
             side = "below" if ratio.sign < 0 else "above"
             message = (
                 f"{name}: read {wanted:g}, expected a ratio {side} 0: did you mean {-wanted:g}?"
             )
-            raise CaseError([Problem(message, path)])
+            raise CaseError(message, path)
         return GearFormula("ratio", {1 << ratio.mechanism: ONE}, {0: ONE})
 
     def _of_gear(self, index: int, wanted: float) -> GearFormula:
@@ -150,13 +150,13 @@ class _AskedByName:
             raise CaseError([one._replace(path=path) for one in failed.problems]) from None
         status = {one.name: one for one in STATUSES}.get(formula.kind)
         if status is not None:
-            raise CaseError([Problem(f"gear {name} has no ratio: {status.meaning}", path)])
+            raise CaseError(f"gear {name} has no ratio: {status.meaning}", path)
         if formula.kind == "constant" and not is_same(formula.constant, wanted):
             constant = f"gear {name}: read {wanted:.12g}, but its ratio is {formula.constant:.12g}"
-            raise CaseError([Problem(f"{constant} whatever the teeth are", path)])
+            raise CaseError(f"{constant} whatever the teeth are", path)
         if len(formula.ratios) > MOST_RATIOS:
             message = f"gear {name}: {len(formula.ratios)} ratios are in its own"
-            raise CaseError([Problem(f"{message}, expected no more than {MOST_RATIOS}", path)])
+            raise CaseError(f"{message}, expected no more than {MOST_RATIOS}", path)
         return formula
 
 
