@@ -10,12 +10,11 @@ from typing import NamedTuple
 from vstatics.elements.group_checks import LARGEST_WHEEL
 from vstatics.elements.teeth.conditions import SHIFT
 from vstatics.errors import CaseError, Problem, listed, nearest, quoted
-from vstatics.explain.bodies import OwnLinks, on_own_links
+from vstatics.explain.bodies import OwnLinks
 from vstatics.model.transmission import Transmission
 from vstatics.statics.solve import solve
-from vstatics.statics.status import STATUSES
-from vstatics.summary.design_table import is_same
 from vstatics.synthesis.ratios.formula import ONE, GearFormula, gear_formula
+from vstatics.synthesis.ratios.problem import on_engaged_links, ratio_fault
 from vstatics.synthesis.teeth.layout import TeethLayout, named_ratios, teeth_layouts
 from vstatics.synthesis.teeth.limits import TeethLimits
 from vstatics.synthesis.teeth.targets import TeethError, TeethTarget
@@ -51,9 +50,7 @@ def teeth_problem(
     CaseError
         With all that can't be; each problem's path begins with the option that it is about.
     """
-    own = on_own_links(case)
-    if case.freewheels:
-        own = own._replace(case=solve(own.case).with_freewheels_engaged)
+    own = on_engaged_links(case)
     layouts = teeth_layouts(own)
     problems = [*_wrong_limits(limits, layouts)]
     if not ratios:
@@ -148,12 +145,8 @@ class _AskedByName:
             formula = gear_formula(self.own, case.gears[index], fixed)
         except CaseError as failed:
             raise CaseError([one._replace(path=path) for one in failed.problems]) from None
-        status = {one.name: one for one in STATUSES}.get(formula.kind)
-        if status is not None:
-            raise CaseError(f"gear {name} has no ratio: {status.meaning}", path)
-        if formula.kind == "constant" and not is_same(formula.constant, wanted):
-            constant = f"gear {name}: read {wanted:.12g}, but its ratio is {formula.constant:.12g}"
-            raise CaseError(f"{constant} whatever the teeth are", path)
+        if fault := ratio_fault(name, formula, wanted, "teeth"):
+            raise CaseError(fault, path)
         if len(formula.ratios) > MOST_RATIOS:
             message = f"gear {name}: {len(formula.ratios)} ratios are in its own"
             raise CaseError(f"{message}, expected no more than {MOST_RATIOS}", path)
