@@ -60,12 +60,14 @@ def framed(
         *(tag("section", tag("h2", name), *inner, id=_id(name)) for name, inner in parts),
     )
     main, looks = shared(printed(shown, _names(document.get("case"))))
+    data = json.dumps(document, ensure_ascii=False, allow_nan=False)
+    data = data.replace("<", "\\u003c")  # no text of the case ends the script that it stands in
     body = tag(
         "body",
         tag("header", tag("h1", title), *about, contents),
         choice,
         main,
-        _data(document),
+        tag("script", Markup(data), type="application/json", id="result"),
         tag("script", _resource("script.js")),
     )
     head = tag(
@@ -108,12 +110,6 @@ def _names(data: Any) -> Iterator[str]:
 
 def _id(name: str) -> str:
     return name.lower().replace(" ", "-")
-
-
-def _data(document: dict[str, Any]) -> Markup:
-    """The result in JSON; a text of the case cannot end the script that it stands in."""
-    text = json.dumps(document, ensure_ascii=False, allow_nan=False).replace("<", "\\u003c")
-    return tag("script", Markup(text), type="application/json", id="result")
 
 
 def _resource(name: str) -> Markup:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 from vstatics.flow.grids import power_grid, remarks
 from vstatics.flow.power_flow import GearFlow
@@ -47,9 +47,10 @@ def sections(material: Material) -> Iterator[Part]:
     """Each section with its name; those that would be empty are left out."""
     pictures = material.pictures.of_all
     gears, *others = (one.with_digits(material.digits) for one in summary_grids(material.summary))
-    every = {
+    conventions = material.document["conventions"]
+    every: dict[str, Iterable[Markup]] = {
         "Overview": _overview(material),
-        RUN: _run(material),
+        RUN: shown_run(material.run, material.digits) if material.run else (),
         "Gears": _gears(material, gears),
         NAMES["flow"]: _flows(material),
         NAMES["lever"]: _of_gears(material, "lever"),
@@ -59,11 +60,15 @@ def sections(material: Material) -> Iterator[Part]:
             for kind in ("efficiency", "plan")
             if kind in pictures
         },
-        "Vibration": _vibration(material),
+        "Vibration": (
+            shown_vibration(material.vibration, material.digits) if material.vibration else ()
+        ),
         "Shifts": tables(without_missing(one) for one in others if one.key in SHIFTS),
         "Input": given(material.results.case, material.document["case"], material.digits),
         "Tables": _tables(material, others),
-        "Conventions": _conventions(material),
+        "Conventions": [
+            terms((name.replace("_", " "), text) for name, text in conventions.items())
+        ],
     }
     for name, parts in every.items():
         inner = list(parts)
@@ -191,18 +196,3 @@ def _well(by_gear: Grid) -> list[str]:
             for cell in cells
         )
     ]
-
-
-def _vibration(material: Material) -> Iterator[Markup]:
-    if material.vibration:
-        yield from shown_vibration(material.vibration, material.digits)
-
-
-def _run(material: Material) -> Iterator[Markup]:
-    if material.run:
-        yield from shown_run(material.run, material.digits)
-
-
-def _conventions(material: Material) -> Iterator[Markup]:
-    said = material.document["conventions"].items()
-    yield terms((name.replace("_", " "), text) for name, text in said)

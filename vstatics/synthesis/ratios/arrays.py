@@ -76,8 +76,7 @@ class RatioArrays(NamedTuple):
         """
         with np.errstate(all="ignore"):
             products = self.products(of_mechanisms)
-            found: Floats = self._part(products, self.above) - self._part(products, self.below)
-        return found
+            return self._part(products, self.above) - self._part(products, self.below)
 
     def products(self, of_mechanisms: Floats) -> Floats:
         """The products of ratios, (variants, products)."""

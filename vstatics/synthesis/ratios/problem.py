@@ -229,8 +229,10 @@ def doubts(problem: FitProblem) -> Iterator[str]:
     alike: dict[tuple[frozenset[tuple[int, Fraction]], ...], int] = {}
     for index, target in problem.targets.items():
         limits = problem.reach(index)
-        if limits is not None and not _is_met(problem, limits, target):
-            yield f"gear {names[index]} can't have {target:g}: {reach_text(*limits)}"
+        if limits is not None:
+            part = min(max(target, limits[0]), limits[1]) / target
+            if not (part > 0 and abs(math.log(part)) <= problem.tolerance):
+                yield f"gear {names[index]} can't have {target:g}: {reach_text(*limits)}"
         _, *polynomials = problem.formulas[index]
         first = alike.setdefault(tuple(frozenset(one.items()) for one in polynomials), index)
         other = problem.targets[first]
@@ -247,12 +249,6 @@ def _other_signs(problem: FitProblem) -> Iterator[str]:
             ratio = f"{mechanism.name} has the ratio {mechanism.ratio:.4g} in the case"
             hint = f"{-high:g}:{-low:g}" if low != high else f"{-low:g}"
             yield f"{ratio}, and bounds of the other sign; did you mean {hint}?"
-
-
-def _is_met(problem: FitProblem, limits: tuple[float, float], target: float) -> bool:
-    """Whether a wanted ratio is within limits, but for the tolerance."""
-    nearest = min(max(target, limits[0]), limits[1])
-    return nearest / target > 0 and abs(math.log(nearest / target)) <= problem.tolerance
 
 
 def reach_text(low: float, high: float) -> str:

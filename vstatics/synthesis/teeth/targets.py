@@ -65,8 +65,7 @@ class TeethTarget:
         own = points[:, self.used]
         with np.errstate(all="ignore"):
             above, below = (at_corners(one, own, own)[..., 0] for one in self._factors)
-            found: Floats = above / below
-        return found
+            return np.asarray(above / below)
 
     def errors(self, points: Floats) -> Floats:
         """The error at points, (points, columns) [-]."""
