@@ -57,9 +57,16 @@ class VstaticsError(Exception):
 class CaseError(VstaticsError):
     """A transmission that cannot be; `problems` tells all that is wrong with it."""
 
-    def __init__(self, problems: Iterable[Problem]) -> None:
-        """Keep the problems; the text of the exception is one line for each."""
-        self.problems = list(problems)
+    def __init__(
+        self, problems: Iterable[Problem] | str, path: Path = (), place: Place | None = None
+    ) -> None:
+        """Keep the problems, or the one of a message; the text is one line for each.
+
+        >>> CaseError("read 0, expected a ratio", ("mechanisms", 1, "ratio"))
+        CaseError('mechanisms[1].ratio: read 0, expected a ratio')
+        """
+        given = [Problem(problems, path, place)] if isinstance(problems, str) else problems
+        self.problems = list(given)
         super().__init__("\n".join(map(str, self.problems)))
 
     def __reduce__(self) -> tuple[type[CaseError], tuple[list[Problem]]]:

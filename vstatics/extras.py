@@ -8,7 +8,7 @@ from functools import cache
 from importlib import import_module
 from typing import Any
 
-from vstatics.errors import CaseError, Problem
+from vstatics.errors import CaseError
 
 __version__ = "0.1.0"
 
@@ -109,4 +109,4 @@ def require(extra: str, purpose: str) -> None:
     """
     message = missing(extra, purpose)
     if message:
-        raise CaseError([Problem(message)])
+        raise CaseError(message)

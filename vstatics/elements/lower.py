@@ -60,13 +60,10 @@ def parts(drawing: DrawingFields) -> list[DrawnPart]:
         part = part_of(element, drawing, last)
         last += len(part.planet_links)
         drawn.append(part)
-    return [*drawn, *map(_given, drawing.mechanisms)]
-
-
-def _given(mechanism: Mechanism) -> DrawnPart:
-    """A mechanism that was given as such."""
-    members = ("first", "second", "third" if mechanism.third else "")
-    return DrawnPart(mechanism.name, None, (Lowered(mechanism, members),), {})
+    for mechanism in drawing.mechanisms:
+        members = ("first", "second", "third" if mechanism.third else "")
+        drawn.append(DrawnPart(mechanism.name, None, (Lowered(mechanism, members),), {}))
+    return drawn
 
 
 def at_meshes(element: Element, group: PlanetGroup, drawing: DrawingFields) -> bool:

@@ -52,7 +52,9 @@ def planet_inertias(drawing: DrawingFields) -> Iterator[PlanetInertia]:
         for planet, one in element.planet_masses.items():
             name, count = f"{element.name}.{planet}", element.planets or 0
             if one.inertia:
-                yield PlanetInertia(name, count * one.inertia, _turning(_spin(element, planet)))
+                spin = _spin(element, planet).items()
+                speed = {link: float(part) for link, part in spin if link != HOUSING}
+                yield PlanetInertia(name, count * one.inertia, speed)
             if one.mass and carrier != HOUSING:
                 yield PlanetInertia(name, count * one.mass * one.radius**2, {carrier: 1.0})
 
@@ -69,8 +71,3 @@ def _spin(element: Element, planet: str) -> dict[int, Fraction]:
     wheel = group.wheels_of(train)[0]
     ratio = train[planet] / group.relative(wheel, train)
     return {wheel.link: ratio, carrier: 1 - ratio}
-
-
-def _turning(speed: Mapping[int, Fraction]) -> dict[int, float]:
-    """Without the housing."""
-    return {link: float(part) for link, part in speed.items() if link != HOUSING}

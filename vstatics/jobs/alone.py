@@ -10,7 +10,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable, Iterator
 from typing import Any, NamedTuple, Self, TypeVar
 
-from vstatics.errors import CaseError, Problem
+from vstatics.errors import CaseError
 
 Item = TypeVar("Item")
 Result = TypeVar("Result")
@@ -91,7 +91,7 @@ def call(function: Work[Item, Result], state: object, item: Item, describe: Desc
 
 def failure(describe: Describe, item: object, error: BaseException) -> CaseError:
     """The error that an item could not be done."""
-    return CaseError([Problem(f"{describe(item)}: {type(error).__name__}: {error}")])
+    return CaseError(f"{describe(item)}: {type(error).__name__}: {error}")
 
 
 class Alone(Workers):

@@ -10,7 +10,7 @@ from collections.abc import Iterable, Iterator
 from importlib import import_module
 from typing import Any, NamedTuple, Self
 
-from vstatics.errors import CaseError, Problem, ReadError, of_file
+from vstatics.errors import CaseError, ReadError, of_file
 from vstatics.extras import __version__, build
 from vstatics.jobs.alone import Describe, Item, Result, Work, Workers, failure
 
@@ -153,7 +153,7 @@ class Cluster(Workers):
             self._check_builds()
             if type(error).__name__ == "KilledWorker":
                 message = "the workers that were at it died, one after the other"
-                raise CaseError([Problem(f"{self.describe(item)}: {message}")]) from None
+                raise CaseError(f"{self.describe(item)}: {message}") from None
             raise failure(self.describe, item, error) from error
 
 

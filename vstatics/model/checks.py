@@ -39,7 +39,8 @@ def problems(case: TransmissionFields) -> Iterator[Problem]:
     yield from _freewheels(case)
     for number, mechanism in enumerate(case.mechanisms, 1):
         yield from of_mechanism(mechanism, ("mechanisms", number), case.links)
-    if _is_torsional(case):
+    parts: list[ShiftElement | Mechanism] = [*case.shift_elements, *case.mechanisms]
+    if _moves(case) or any(part.stiffness is not None or part.damping for part in parts):
         from vstatics.model.torsional_checks import of_torsion  # costs start-up time
 
         yield from of_torsion(case)
@@ -55,13 +56,6 @@ def problems(case: TransmissionFields) -> Iterator[Problem]:
             yield from of_load(case.gear_load(gear), path)
     if case.idle not in ("exact", "published"):
         yield Problem(f"read {case.idle!r}, expected `exact` or `published`", ("idle",))
-
-
-def _is_torsional(case: TransmissionFields) -> bool:
-    """Whether anything is there for vibration."""
-    parts: list[ShiftElement | Mechanism] = [*case.shift_elements, *case.mechanisms]
-    elastic = (part.stiffness is not None or part.damping for part in parts)
-    return _moves(case) or any(elastic)
 
 
 def _moves(case: TransmissionFields) -> bool:

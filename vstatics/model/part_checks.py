@@ -55,20 +55,16 @@ def of_element(case: TransmissionFields, element: ShiftElement, path: Path) -> I
     elif element.kind:
         yield from _kind(element, (*path, "kind"))
     yield from of_drag(element.drag, element, (*path, "drag"))
-    if element.capacity is not None and not 0 < _given_torque(element.capacity) < math.inf:
-        message = f"read {element.capacity:g}, expected a torque above 0"
-        yield Problem(message, (*path, "capacity"))
+    if (capacity := element.capacity) is not None:
+        given = capacity.given if isinstance(capacity, OfLoad) else capacity
+        if not 0 < given < math.inf:
+            yield Problem(f"read {capacity:g}, expected a torque above 0", (*path, "capacity"))
     if not 1 <= element.static < math.inf:
         yield Problem(f"read {element.static:g}, expected 1 or more", (*path, "static"))
     if element.friction is not None:
         from vstatics.model.friction import of_friction  # others do without
 
         yield from of_friction(element.friction, (*path, "friction"))
-
-
-def _given_torque(torque: float) -> float:
-    """A torque as it was given."""
-    return torque.given if isinstance(torque, OfLoad) else torque
 
 
 def of_drag(torque: float, element: ShiftElement | None, path: Path) -> Iterator[Problem]:

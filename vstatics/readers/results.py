@@ -10,7 +10,7 @@ import os
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from vstatics.errors import Problem, ReadError
+from vstatics.errors import ReadError
 from vstatics.model.transmission import Transmission
 from vstatics.readers import Format, read
 from vstatics.readers.deck.text import decode, head
@@ -38,7 +38,7 @@ def read_results(data: bytes, file: str) -> list[WrittenResult]:
 
 
 def _fail(message: str, file: str, line: int = 0, column: int = 1) -> ReadError:
-    return ReadError([Problem(message, place=Source(file, "").place(line, column))])
+    return ReadError(message, place=Source(file, "").place(line, column))
 
 
 def _read_json(text: str, file: str) -> list[WrittenResult]:
@@ -227,13 +227,13 @@ def read_csv(text: str, file: str) -> list[WrittenResult]:
             raise _fail_in_csv(f"read {value!r}, expected a number", file, lines) from None
         results.setdefault(case, {}).setdefault(table, {}).setdefault(name, {})[gear] = figure
     if not results:
-        raise ReadError([Problem("no result in it", place=Source(file, "").place(0))])
+        raise ReadError("no result in it", place=Source(file, "").place(0))
     return [_result(case, cells) for case, cells in results.items()]
 
 
 def _fail_in_csv(message: str, file: str, lines: object) -> ReadError:
     number = getattr(lines, "line_num", 0)
-    return ReadError([Problem(message, place=Source(file, "").place(number))])
+    return ReadError(message, place=Source(file, "").place(number))
 
 
 def _result(file: str, tables: _Cells) -> WrittenResult:

@@ -9,7 +9,7 @@ import math
 from collections.abc import Iterable, Mapping
 from typing import Any
 
-from vstatics.errors import Problem, ReadError, of_file
+from vstatics.errors import ReadError, of_file
 from vstatics.extras import missing
 from vstatics.tables.csv import unguarded
 from vstatics.tables.written_results import WrittenSweep
@@ -63,7 +63,7 @@ def _npz(data: bytes) -> dict[str, Any]:
 
 def _parquet(data: bytes) -> dict[str, Any]:
     if message := missing("parquet", "Parquet"):
-        raise ReadError([Problem(message)])
+        raise ReadError(message)
     import pyarrow as pa  # type: ignore[import-untyped]
     import pyarrow.parquet as pq  # type: ignore[import-untyped]
 

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from vstatics.errors import CaseError, Problem
+from vstatics.errors import CaseError
 from vstatics.extras import missing
 from vstatics.pictures.sheet.style import Style
 from vstatics.report.box_parts import all_grid, box_link, family_grid, shown_box
@@ -63,7 +63,7 @@ def boxes_page(listing: BoxListing, document: Mapping[str, Any], digits: int | N
         If the case of one that is drawn is none.
     """
     if not listing.boxes:
-        raise CaseError([Problem("no box was found, so there is nothing to show")])
+        raise CaseError("no box was found, so there is nothing to show")
     without = missing("plot", "a picture")
     parts = [
         ("Overview", list(_overview(listing, without))),

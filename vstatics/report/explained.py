@@ -36,14 +36,10 @@ def _gear(one: Explanation, digits: int | None) -> Iterator[Markup]:
         one = one._replace(reason="")
     parts = sorted(sections(one, digits), key=lambda part: part.heading not in RATIO)
     for part in parts:
-        is_matrix = part.heading == MATRIX
-        yield _part(part.heading, _matrix(one, digits) if is_matrix else _lines(part.lines))
-
-
-def _part(heading: str, shown: Markup) -> Markup:
-    name, colon, rest = heading.partition(":")
-    note = [tag("span", f"{colon}{_typeset(rest)}", class_="note")] * bool(rest)
-    return tag("div", tag("h4", name, *note), scrolled(shown, name), class_="explained")
+        shown = _matrix(one, digits) if part.heading == MATRIX else _lines(part.lines)
+        name, colon, rest = part.heading.partition(":")
+        note = [tag("span", f"{colon}{_typeset(rest)}", class_="note")] * bool(rest)
+        yield tag("div", tag("h4", name, *note), scrolled(shown, name), class_="explained")
 
 
 def _matrix(one: Explanation, digits: int | None) -> Markup:

@@ -100,7 +100,7 @@ def _shift_elements(case: Transmission) -> Grid:
     rows = [
         [
             Cell(one.name),
-            Cell(_kind(one)),
+            Cell((one.kind or ("brake" if HOUSING in one.links else "clutch")).replace("_", " ")),
             *(Cell(case.link_name(link)) for link in (one.first, one.second)),
             *[exact(one.drag, 4)] * drag,
             *[exact(one.capacity)] * capacity,
@@ -121,11 +121,6 @@ def _friction(elements: Sequence[ShiftElement]) -> dict[Column, list[Cell]]:
         said = [_said(one._asdict()) if one else "" for one in packs]
         found[text("friction pack, SI")] = list(map(Cell, said))
     return found
-
-
-def _kind(element: ShiftElement) -> str:
-    by_links = "brake" if HOUSING in (element.first, element.second) else "clutch"
-    return (element.kind or by_links).replace("_", " ")
 
 
 def _gears(gears: Mapping[str, Mapping[str, Any]]) -> Grid:

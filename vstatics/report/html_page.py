@@ -55,14 +55,19 @@ def framed(
     """
     links = (tag("a", name, href=f"#{_id(name)}") for name, _ in parts)
     contents = tag("nav", *links, class_="contents", aria_label="Contents")
-    shown = tag("main", *(_section(name, inner) for name, inner in parts))
+    shown = tag(
+        "main",
+        *(tag("section", tag("h2", name), *inner, id=_id(name)) for name, inner in parts),
+    )
     main, looks = shared(printed(shown, _names(document.get("case"))))
+    data = json.dumps(document, ensure_ascii=False, allow_nan=False)
+    data = data.replace("<", "\\u003c")  # no text of the case ends the script that it stands in
     body = tag(
         "body",
         tag("header", tag("h1", title), *about, contents),
         choice,
         main,
-        _data(document),
+        tag("script", Markup(data), type="application/json", id="result"),
         tag("script", _resource("script.js")),
     )
     head = tag(
@@ -88,10 +93,6 @@ def _about(material: Material) -> Iterator[Markup]:
         yield tag("p", "Source: ", case.source, class_="told source")
 
 
-def _section(name: str, inner: Sequence[Markup]) -> Markup:
-    return tag("section", tag("h2", name), *inner, id=_id(name))
-
-
 def _names(data: Any) -> Iterator[str]:
     """All texts of plain data, among which are the names.
 
@@ -109,12 +110,6 @@ def _names(data: Any) -> Iterator[str]:
 
 def _id(name: str) -> str:
     return name.lower().replace(" ", "-")
-
-
-def _data(document: dict[str, Any]) -> Markup:
-    """The result in JSON; a text of the case cannot end the script that it stands in."""
-    text = json.dumps(document, ensure_ascii=False, allow_nan=False).replace("<", "\\u003c")
-    return tag("script", Markup(text), type="application/json", id="result")
 
 
 def _resource(name: str) -> Markup:

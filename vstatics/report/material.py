@@ -69,14 +69,18 @@ def gather(
         drawn = pictures(results)
     except CaseError as error:
         without = str(error)
-    others = (one for one in problems if not _is_among(one, results.messages))
+    told = []
+    for one in problems:
+        if not _is_among(one, results.messages):  # with its line, but not its file
+            line = one.place.line if one.place else 0
+            told.append(f"{one.severity}: {f'line {line}: ' if line else ''}{one.message}")
     return Material(
         results,
         result_json.document(results),
         summarize(results),
         flows(results),
         drawn,
-        [*map(_told, others), *map(str, results.messages)],
+        [*told, *map(str, results.messages)],
         without,
         vibration(results, has_pictures=not without),
         digits,
@@ -92,10 +96,3 @@ def _is_among(problem: Problem, messages: Iterable[Message]) -> bool:
         said.endswith(f": {one.text}" if one.gear else one.text.partition(": ")[2])
         for one in messages
     )
-
-
-def _told(problem: Problem) -> str:
-    """A problem with its line, but not its file."""
-    line = problem.place.line if problem.place else 0
-    where = f"line {line}: " if line else ""
-    return f"{problem.severity}: {where}{problem.message}"

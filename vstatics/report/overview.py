@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from vstatics.report.material import Material
 from vstatics.report.parts import gear_link
-from vstatics.summary.extremes import LOSSY_TORQUES, TORQUES, Largest, overall, quantity
+from vstatics.summary.extremes import LOSSY_TORQUES, TORQUES, overall, quantity
 from vstatics.tables.html import Markup, joined, tag
 from vstatics.tables.numbers import rounded
 from vstatics.tables.quantities import UNITS
@@ -68,12 +68,9 @@ def _torque(material: Material) -> Iterator[tuple[str, str]]:
             if found is not None and found.gear:
                 unit = f" {UNITS[shown.unit].en}" if shown.unit else " × input"
                 value = rounded(abs(found.value), shown.decimals, material.digits)
-                yield "largest element torque", _of_element(value + unit, found)
+                said = _in_gear(f"{value}{unit}, {found.row}", found.gear)
+                yield "largest element torque", said
                 return
-
-
-def _of_element(said: str, found: Largest) -> Markup:
-    return _in_gear(f"{said}, {found.row}", found.gear)
 
 
 def _circulation(material: Material) -> Iterator[tuple[str, str]]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 from vstatics.flow.grids import power_grid, remarks
 from vstatics.flow.power_flow import GearFlow
@@ -47,23 +47,28 @@ def sections(material: Material) -> Iterator[Part]:
     """Each section with its name; those that would be empty are left out."""
     pictures = material.pictures.of_all
     gears, *others = (one.with_digits(material.digits) for one in summary_grids(material.summary))
-    every = {
+    conventions = material.document["conventions"]
+    every: dict[str, Iterable[Markup]] = {
         "Overview": _overview(material),
-        RUN: _run(material),
+        RUN: shown_run(material.run, material.digits) if material.run else (),
         "Gears": _gears(material, gears),
         NAMES["flow"]: _flows(material),
         NAMES["lever"]: _of_gears(material, "lever"),
         "Equations": _equations(material),
         **{
-            NAMES[kind]: _whole(material, kind)
+            NAMES[kind]: figures(pictures[kind], NAMES[kind], captioned=False)
             for kind in ("efficiency", "plan")
             if kind in pictures
         },
-        "Vibration": _vibration(material),
-        "Shifts": _shifts(others),
-        "Input": _given(material),
+        "Vibration": (
+            shown_vibration(material.vibration, material.digits) if material.vibration else ()
+        ),
+        "Shifts": tables(without_missing(one) for one in others if one.key in SHIFTS),
+        "Input": given(material.results.case, material.document["case"], material.digits),
         "Tables": _tables(material, others),
-        "Conventions": _conventions(material),
+        "Conventions": [
+            terms((name.replace("_", " "), text) for name, text in conventions.items())
+        ],
     }
     for name, parts in every.items():
         inner = list(parts)
@@ -129,11 +134,6 @@ def _differ(drawn: Sequence[Drawn]) -> bool:
     return any(one.sheets for one in drawn) or len({one.why for one in drawn}) > 1
 
 
-def _whole(material: Material, kind: str) -> Iterator[Markup]:
-    """A picture of all gears, which has the name of its section."""
-    yield from figures(material.pictures.of_all[kind], NAMES[kind], captioned=False)
-
-
 def _flows(material: Material) -> Iterator[Markup]:
     """Of each gear the picture of its power, and the numbers."""
     drawn = material.pictures.of_gears.get("flow", ())
@@ -166,10 +166,6 @@ def _equations(material: Material) -> Iterator[Markup]:
         yield of_gear("equations", flow.gear, shown)
 
 
-def _given(material: Material) -> Iterator[Markup]:
-    return given(material.results.case, material.document["case"], material.digits)
-
-
 def _tables(material: Material, summary: Sequence[Grid]) -> Iterator[Markup]:
     """What the summary has besides the gears, then all results, each number once."""
     results = of_results(material.results, blanks=True)
@@ -179,7 +175,10 @@ def _tables(material: Material, summary: Sequence[Grid]) -> Iterator[Markup]:
     well = _well(by_gear)
     if well:
         yield tag("p", f"In all gears: {', '.join(WELL[one][1] for one in well)}.")
-    besides = _without(by_gear, (*ALREADY, *well))
+    told_of = (*ALREADY, *well)
+    besides = by_gear.with_columns(
+        [n for n, one in enumerate(by_gear.columns) if one.heading not in told_of]
+    )
     with_columns = [besides] * (len(besides.columns) > 1)
     told = (without_zeros(one) if one.key == "sensitivity" else one for one in told)
     yield from tables([*told, *with_columns, *rest])
@@ -191,36 +190,9 @@ def _well(by_gear: Grid) -> list[str]:
     return [
         column.heading
         for column, cells in found
-        if column.heading in WELL and all(_is_well(column.heading, cell.value) for cell in cells)
+        if column.heading in WELL
+        and all(
+            cell.value is not None and abs(cell.value - WELL[column.heading][0]) < ROUNDED_NUMBER
+            for cell in cells
+        )
     ]
-
-
-def _is_well(heading: str, value: float | None) -> bool:
-    return value is not None and abs(value - WELL[heading][0]) < ROUNDED_NUMBER
-
-
-def _without(grid: Grid, headings: Sequence[str]) -> Grid:
-    """A table without some of its columns."""
-    kept = [n for n, column in enumerate(grid.columns) if column.heading not in headings]
-    rows = [[row[n] for n in kept] for row in grid.rows]
-    return grid._replace(columns=[grid.columns[n] for n in kept], rows=rows)
-
-
-def _vibration(material: Material) -> Iterator[Markup]:
-    if material.vibration:
-        yield from shown_vibration(material.vibration, material.digits)
-
-
-def _shifts(summary: Sequence[Grid]) -> Iterator[Markup]:
-    """What each shift releases and engages, and the margins; of open elements there are none."""
-    return tables(without_missing(one) for one in summary if one.key in SHIFTS)
-
-
-def _run(material: Material) -> Iterator[Markup]:
-    if material.run:
-        yield from shown_run(material.run, material.digits)
-
-
-def _conventions(material: Material) -> Iterator[Markup]:
-    said = material.document["conventions"].items()
-    yield terms((name.replace("_", " "), text) for name, text in said)

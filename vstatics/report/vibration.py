@@ -130,10 +130,5 @@ def _gear(gear: GearModes, pictures: Sequence[Drawn], digits: int | None) -> Ite
     for drawn in pictures:
         yield from figures(drawn, NAMES[drawn.kind])
     shown = (grid for grid in modes_grids([gear]) if grid.key in OF_GEAR)
-    yield from tables(_without_gear(grid).with_digits(digits) for grid in shown)
-
-
-def _without_gear(grid: Grid) -> Grid:
-    """A table without its first column, which names the gear in all rows."""
-    rows = [row[1:] for row in grid.rows]
-    return grid._replace(columns=grid.columns[1:], rows=rows)
+    for_one = (grid.with_columns(range(1, len(grid.columns))) for grid in shown)
+    yield from tables(grid.with_digits(digits) for grid in for_one)

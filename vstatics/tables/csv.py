@@ -7,7 +7,7 @@ import io
 import re
 from collections.abc import Iterable, Iterator, Sequence
 
-from vstatics.tables.grid import Datum, Grid
+from vstatics.tables.grid import Grid
 
 NUMBER = re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?", re.ASCII)
 FORMULA = re.compile(r"'*[=+\-@\t\r]")
@@ -76,11 +76,7 @@ def write(
                 rows.append(headings)
             before = headings
             front = [file] * several + [grid.key or grid.title]
-            rows += ([*front, *map(_text, row)] for row in grid.data)
+            for row in grid.data:
+                plain = (int(one) if isinstance(one, bool) else one for one in row)
+                rows.append([*front, *("" if one is None else str(one) for one in plain)])
         yield lines(rows, raw=raw)
-
-
-def _text(datum: Datum) -> str:
-    if datum is None:
-        return ""
-    return str(int(datum)) if isinstance(datum, bool) else str(datum)

@@ -53,8 +53,7 @@ class Cell(NamedTuple):
         if self.kind is str:
             return None if self.text in ("", NOTHING) else self.text
         known = self.value is not None and not math.isnan(self.value)
-        datum: Datum = self.kind(self.value) if known else None
-        return datum
+        return self.kind(self.value) if known else None
 
 
 Row = list[Cell | str]
@@ -93,6 +92,11 @@ class Grid(NamedTuple):
             [row[0].text, *data[1:]] if named else data
             for row, data in zip(self.cells, rows, strict=True)
         ]
+
+    def with_columns(self, chosen: Sequence[int]) -> Grid:
+        """The same with some of its columns."""
+        rows = [[row[place] for place in chosen] for row in self.rows]
+        return self._replace(columns=[self.columns[place] for place in chosen], rows=rows)
 
     def with_digits(self, digits: int | None) -> Grid:
         """The same with so many digits after the point; None: with those that suit a number.

@@ -8,7 +8,7 @@ import numpy as np
 
 from vstatics.numerics.arrays import Booleans
 from vstatics.statics.results import Results
-from vstatics.statics.roles import Role, roles
+from vstatics.statics.roles import roles
 from vstatics.tables.grid import NO, NOTHING, Cell, Column, Grid, exact, sign, text, whole
 from vstatics.tables.names import ROWS
 from vstatics.tables.quantities import Table
@@ -53,14 +53,16 @@ def _with_roles(grid: Grid, results: Results) -> Grid:
     """Marks of what transmits no power, as the word for it."""
     by_gear = [roles(results, number) for number in range(len(results.case.gears))]
     rows = [
-        [row[0], *map(_with_role, row[1:], of_row)]
+        [
+            row[0],
+            *(
+                cell if cell.text == NOTHING else cell._replace(text=role or NO, says="")
+                for cell, role in zip(row[1:], of_row, strict=True)
+            ),
+        ]
         for row, of_row in zip(grid.cells, zip(*by_gear, strict=True), strict=True)
     ]
     return grid._replace(rows=rows)
-
-
-def _with_role(cell: Cell, role: Role) -> Cell:
-    return cell if cell.text == NOTHING else cell._replace(text=role or NO, says="")
 
 
 def of_messages(results: Results) -> Grid:

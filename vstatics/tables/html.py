@@ -137,13 +137,12 @@ def bare(grid: Grid) -> Markup:
 def _over(grid: Grid) -> Iterator[Markup]:
     """What stands over columns, if any has something: the last row has their names."""
     if any(one.over for one in grid.columns):
-        groups = [(over, len([*one])) for over, one in groupby(grid.columns, lambda one: one.over)]
-        yield tag("tr", *(_head_over(over, count) for over, count in groups), class_="over")
-
-
-def _head_over(over: str, count: int) -> Markup:
-    spans = {"colspan": count} if count > 1 else {}
-    return tag("th", over, scope="colgroup", **spans) if over else tag("td", **spans)
+        heads = []
+        for over, columns in groupby(grid.columns, lambda one: one.over):
+            count = len([*columns])
+            spans = {"colspan": count} if count > 1 else {}
+            heads.append(tag("th", over, scope="colgroup", **spans) if over else tag("td", **spans))
+        yield tag("tr", *heads, class_="over")
 
 
 NARROW_TABLE = 72

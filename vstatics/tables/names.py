@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, NamedTuple
 
-from vstatics.errors import Place, Problem, ReadError, listed, nearest, quoted, typed_number
+from vstatics.errors import Place, ReadError, listed, nearest, quoted, typed_number
 from vstatics.model.transmission import Transmission
 from vstatics.statics.matrix import distribution_matrix
 from vstatics.statics.result_arrays import Rows, row_names
@@ -42,7 +42,7 @@ def quantity_named(name: str, place: Place | None = None) -> Quantity:
     if name in BY_NAME:
         return BY_NAME[name]
     message = f"there is no table {quoted(name)}{nearest_quantity(name)}"
-    raise ReadError([Problem(message, place=place)])
+    raise ReadError(message, place=place)
 
 
 def nearest_quantity(name: str, others: Iterable[str] = ()) -> str:
@@ -95,7 +95,7 @@ def row_named(name: str, kind: Rows, case: Transmission, place: Place | None = N
     if number is not None:
         return number - 1
     message = several(name, found, names) if found else no_row(name, kind, names)
-    raise ReadError([Problem(message, place=place)])
+    raise ReadError(message, place=place)
 
 
 def rows_called(name: str, kind: Rows, case: Transmission) -> list[int]:

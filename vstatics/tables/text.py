@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 
-from vstatics.tables.grid import Column, Grid
+from vstatics.tables.grid import Grid
 
 TABLE_WIDTH = 80
 """A table that is wider goes on below, if its columns are numbers, or numbers and words in turn."""
@@ -18,6 +18,7 @@ def write(titles: Sequence[str], tables: Iterable[Grid]) -> str:
 
     Examples
     --------
+    >>> from vstatics.tables.grid import Column
     >>> grid = Grid("Gears", [Column("gear", is_number=False), Column("ratio")], [["1", "3.500"]])
     >>> print(write(["box"], [grid]), end="")
     box
@@ -62,12 +63,13 @@ def lines(
             if len(row[0]) > widths[0]:
                 yield f"{indent}{row[0]}".rstrip()
                 row = ["", *row[1:]]  # noqa: PLW2901 - the rest of it
-            padded = (_padded(row[place], grid.columns[place], widths[place]) for place in chosen)
+            padded = (
+                (str.rjust if grid.columns[place].is_number else str.ljust)(
+                    row[place], widths[place]
+                )
+                for place in chosen
+            )
             yield f"{indent}{gap.join(padded)}".rstrip()
-
-
-def _padded(cell: str, column: Column, width: int) -> str:
-    return cell.rjust(width) if column.is_number else cell.ljust(width)
 
 
 def _pieces(grid: Grid, widths: Sequence[int], room: int, gap: int) -> Iterator[list[int]]:

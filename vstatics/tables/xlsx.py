@@ -8,7 +8,7 @@ import zipfile
 from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Any
 
-from vstatics.errors import CaseError, Problem
+from vstatics.errors import CaseError
 from vstatics.tables.grid import Datum, Grid
 
 if TYPE_CHECKING:
@@ -108,7 +108,7 @@ class _Worksheet:
         self.rows += len(rows) + new
         if self.rows > MOST_ROWS or len(headings) > MOST_COLUMNS:
             message = f"a sheet has {MOST_ROWS} rows and {MOST_COLUMNS} columns at most"
-            raise CaseError([Problem(f"{message}: expected another format, such as CSV")])
+            raise CaseError(f"{message}: expected another format, such as CSV")
         if new:
             self.sheet.append([self._cell(one, bold) for one in headings])
             self.headings = headings

@@ -6,8 +6,8 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from vstatics.model.parts import element_name, mechanism_name
-from vstatics.model.springs import Spring
 from vstatics.model.transmission import SpeedOf, Transmission
+from vstatics.readers.deck.table import FIELDS
 from vstatics.statics.results import Language
 from vstatics.tables.numbers import exponent
 
@@ -133,22 +133,8 @@ def _structure(case: Transmission) -> Iterator[str]:
     yield "STRUCTURE"
     yield f"KJG= {case.links} KL= {len(elements)} KG= {len(mechanisms)} KNM= {len(planets)}"
     if elements:
-        yield "Shift elements, first links:"
-        yield _row("NZF(I,1),I=1,KL:", (element.first for element in elements))
-        yield "Shift elements, second links (0 is the housing):"
-        yield _row("NZF(I,2),I=1,KL:", (element.second for element in elements))
-    yield "Mechanisms, first links (suns):"
-    yield _row("NZD(I,1),I=1,KG:", (mechanism.first for mechanism in mechanisms))
-    yield "Mechanisms, second links (rings):"
-    yield _row("NZD(I,2),I=1,KG:", (mechanism.second for mechanism in mechanisms))
-    yield "Mechanisms, third links (carriers; 0 if there is none):"
-    yield _row("NZD(I,3),I=1,KG:", (mechanism.third for mechanism in mechanisms))
-    yield "Ratios, third link held:"
-    yield "IAB(I),I=1,KG:"
-    yield _row("", (exponent(mechanism.ratio) for mechanism in mechanisms))
-    yield "Efficiencies, third link held:"
-    yield "ETAI(I),I=1,KG:"
-    yield _row("", (exponent(mechanism.efficiency) for mechanism in mechanisms))
+        yield from _lists("shift_elements", elements)
+    yield from _lists("mechanisms", mechanisms)
     if planets:
         yield "Mechanisms with a planet ratio of their own:"
         yield _row("NNM(K),K=1,KNM:", planets)
@@ -158,13 +144,22 @@ def _structure(case: Transmission) -> Iterator[str]:
     if case.springs:
         yield SPRINGS
         yield f"KSPR= {len(case.springs)}"
-        yield from map(_spring, case.springs)
+        for spring in case.springs:  # `SPRING .1000E+01*1 -.1000E+01*2: S`
+            form = (f"{exponent(part)}*{link}" for link, part in spring.form.items())
+            yield f"SPRING {' '.join(form)}: {spring.name}"
 
 
-def _spring(spring: Spring) -> str:
-    """A line of its coefficients by links, and its name: `SPRING .1000E+01*1 -.1000E+01*2: S`."""
-    form = (f"{exponent(part)}*{link}" for link, part in spring.form.items())
-    return f"SPRING {' '.join(form)}: {spring.name}"
+def _lists(part: str, parts: Sequence[object]) -> Iterator[str]:
+    """The lists that say what parts are; of gears only what says anything."""
+    for key, field in FIELDS.items():
+        values = [getattr(one, field.member) or 0 for one in parts if field.part == part]
+        if field.part == part and (part != "gears" or any(values)):
+            yield field.heading
+            heading = f"{key}{'' if '(' in key else '(I)'},I=1,{field.size}:"
+            if field.kind is float:
+                yield heading
+                heading, values = "", [*map(exponent, values)]
+            yield _row(heading, values)
 
 
 def _gears(case: Transmission) -> Iterator[str]:
@@ -210,12 +205,7 @@ def _conditions(case: Transmission) -> Iterator[str]:
     if any(conditions.values()):
         yield "Further conditions:"
         yield from (line for line, holds in conditions.items() if holds)
-    if any(gear.input for gear in case.gears):
-        yield "Input link in each gear (0: that of the case):"
-        yield _row("INP(I),I=1,NP:", (gear.input or 0 for gear in case.gears))
-    if any(gear.output for gear in case.gears):
-        yield "Output link in each gear (0: that of the case):"
-        yield _row("IOUT(I),I=1,NP:", (gear.output or 0 for gear in case.gears))
+    yield from _lists("gears", case.gears)
 
 
 def _names(case: Transmission) -> Iterator[str]:

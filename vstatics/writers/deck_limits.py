@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from vstatics.elements.drawing import drawing_of
-from vstatics.errors import CaseError, Problem, listed
+from vstatics.errors import CaseError, listed
 from vstatics.model.transmission import Mechanism, ShiftElement, Transmission
 
 SHOWN = 20
@@ -35,7 +35,7 @@ def check_deck(case: Transmission) -> None:
         found.insert(0, f"the spring{plural} {listed(springs, SHOWN)}")
     if found:
         message = f"a deck can't hold {', '.join(found)}; expected YAML or JSON, which hold them"
-        raise CaseError([Problem(message)])
+        raise CaseError(message)
 
 
 def _unheld(case: Transmission) -> Iterator[tuple[str, list[str]]]:

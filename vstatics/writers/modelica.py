@@ -45,6 +45,7 @@ def write(case: Transmission) -> str:
     gearbox.fill()
     package = class_name(case.name)
     own = (own_model(name, links) for name, links in sorted(gearbox.used))
+    info = "\n".join(["<html>", *_told(case), "</html>"])
     return "".join(
         [
             f"package {package} {string(case.name or 'A transmission')}\n",
@@ -53,7 +54,7 @@ def write(case: Transmission) -> str:
             *(f"    {line}\n" for line in gearbox.declarations),
             "  equation\n",
             *(f"    {line}\n" for line in gearbox.equations),
-            f"    annotation(Documentation(info = {string(_info(case))}));\n",
+            f"    annotation(Documentation(info = {string(info)}));\n",
             f"  end {MODEL};\n",
             '  annotation(uses(Modelica(version = "4.0.0")));\n',
             f"end {package};\n",
@@ -217,12 +218,8 @@ def _capacity(case: Transmission, one: ShiftElement) -> float:
     return one.capacity * abs(torque) if one.capacity is not None and torque else 1.0
 
 
-def _info(case: Transmission) -> str:
-    """What the case says of itself, and what its gears engage, in HTML."""
-    return "\n".join(["<html>", *_told(case), "</html>"])
-
-
 def _told(case: Transmission) -> Iterator[str]:
+    """What the case says of itself, and what its gears engage, in HTML."""
     for text in (case.description, case.source):
         if text:
             yield f"<p>{escape(text.strip())}</p>"

@@ -45,7 +45,8 @@ def rows(file: str | None, results: Results, *, raw: bool = False) -> str:
         for row, values in zip(table.rows, table.values.tolist(), strict=True):
             for column, value in zip(table.columns, values, strict=True):
                 place = [f"{row}:{column}", ""] if quantity.columns == "devices" else [row, column]
-                shown = "" if math.isnan(value) else _number(value, quantity.kind)
+                kind = float if quantity.kind is float else int  # a mark is a whole number
+                shown = "" if math.isnan(value) else repr(kind(value))
                 cells.append([*front, quantity.key, *place, shown])
     return csv.lines(cells, raw=raw)
 
@@ -55,8 +56,3 @@ def tail(*, several: bool) -> str:
     return csv.lines(
         [""] * several + ["conventions", convention, "", ""] for convention in CONVENTIONS
     )
-
-
-def _number(value: float, kind: type) -> str:
-    """A number in full; what is whole or a mark without a decimal point."""
-    return repr(float(value)) if kind is float else str(int(value))

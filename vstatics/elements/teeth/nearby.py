@@ -146,7 +146,8 @@ def space_of(group: PlanetGroup, given_rims: Sequence[str]) -> Space:
             moves.append(turned)
     given: dict[Key, int] = {place: wheel.teeth for place, wheel in enumerate(group.wheels)}
     given |= {rim: int(group.teeth(rim)) for rim in given_rims if rim in group.planet_of}
-    return Space(given, start, moves, _ratios(group))
+    ratios = [ratio_powers(group, one, last) for one, last in ratio_pairs(group)]
+    return Space(given, start, moves, ratios)
 
 
 def _axis_steps(spans: Mapping[str, int]) -> dict[str, int]:
@@ -166,11 +167,6 @@ def _axis_steps(spans: Mapping[str, int]) -> dict[str, int]:
 def _around(group: PlanetGroup, rim: str) -> list[tuple[int, CentralWheel]]:
     """The wheels that mesh with a rim, with their positions."""
     return [(place, wheel) for place, wheel in enumerate(group.wheels) if wheel.rim == rim]
-
-
-def _ratios(group: PlanetGroup) -> list[Teeth]:
-    """The ratios of a group as products of powers of teeth; what cancels is left out."""
-    return [ratio_powers(group, one, last) for one, last in ratio_pairs(group)]
 
 
 def ratio_powers(group: PlanetGroup, one: CentralWheel, last: CentralWheel) -> dict[Key, int]:

@@ -8,7 +8,8 @@ from typing import Generic, NamedTuple
 
 from vstatics.errors import Path, Problem, nearest
 from vstatics.readers.deck.numbers import Number, integer, loose_count
-from vstatics.readers.deck.places import PARTS, Places, label_in
+from vstatics.readers.deck.places import Places, label_in
+from vstatics.readers.deck.table import FIELDS
 from vstatics.readers.deck.text import Scan
 from vstatics.readers.deck.values import (
     Values,
@@ -146,9 +147,9 @@ class Fields:
             if need:
                 self._missing(key, f"{values_in_words(need)} ({why})")
         self.unreadable.update(map(label, values.unreadable))
-        if key in PARTS:
-            part, name = PARTS[key]
-            self.hidden += [(part, position + 1, name) for position in values.unreadable]
+        if key in FIELDS:
+            part, member, *_ = FIELDS[key]
+            self.hidden += [(part, position + 1, member) for position in values.unreadable]
         return values
 
     def _scalar(self, key: str) -> int | None:

@@ -6,22 +6,12 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 
 from vstatics.errors import Path, Problem
+from vstatics.readers.deck.table import FIELDS
 from vstatics.readers.deck.values import Spot
 from vstatics.readers.reading import Source
 
-PARTS = {
-    "NZF(I,1)": ("shift_elements", "first"),
-    "NZF(I,2)": ("shift_elements", "second"),
-    "NZD(I,1)": ("mechanisms", "first"),
-    "NZD(I,2)": ("mechanisms", "second"),
-    "NZD(I,3)": ("mechanisms", "third"),
-    "IAB": ("mechanisms", "ratio"),
-    "ETAI": ("mechanisms", "efficiency"),
-    "INP(I)": ("gears", "input"),
-    "IOUT(I)": ("gears", "output"),
-}
-"""What the values of a list are in the model, where each is a part of its own."""
-LISTS = {part: key for key, part in PARTS.items()}
+LISTS = {(field.part, field.member): key for key, field in FIELDS.items()}
+"""Lists by what their values are in the model."""
 WHOLE = {
     "links": "KJG",
     "link_names": "KJG",

@@ -20,6 +20,8 @@ from vstatics.model.checks import doubts
 from vstatics.model.transmission import Gear, Mechanism, ShiftElement, Transmission
 from vstatics.readers.deck.fields import Fields
 from vstatics.readers.deck.numbers import integer, plain_numbers, real, value_lines
+from vstatics.readers.deck.places import KINDS
+from vstatics.readers.deck.table import FIELDS
 from vstatics.readers.deck.text import SPRINGS, Scan, scan, texts
 from vstatics.readers.reading import Reading, Source, finish
 
@@ -81,7 +83,7 @@ def _read_lines(source: Source, damage: Iterable[Problem]) -> Reading:
         message = "no field of a deck found, expected `KJG=` first"
         if not text.strip():
             message = "the file is empty, expected a deck that starts with `KJG=`"
-        raise ReadError([Problem(message, place=Place(source.file, 1, 1))])
+        raise ReadError(message, place=Place(source.file, 1, 1))
     found.problems.extend(damage)
     fields = Fields(found, len(text))
     parts = _parts(fields)
@@ -106,7 +108,9 @@ def _parts(fields: Fields) -> dict[str, Any]:
     mechanisms = fields.or_guess(sizes["D"], "NZD(I,1)", "mechanisms")
     gears = fields.or_guess(sizes["P"], "KFRI", "gears")
     parts: dict[str, Any] = {
-        "shift_elements": _elements(fields, elements, names),
+        "shift_elements": [
+            ShiftElement(**one) for one in _members(fields, "shift_elements", elements, names)
+        ],
         "mechanisms": _mechanisms(fields, mechanisms, names),
         "gears": _gears(fields, gears, names),
         "input": _port(fields, "INP", 1),
@@ -127,29 +131,26 @@ def _parts(fields: Fields) -> dict[str, Any]:
     return parts
 
 
-def _elements(fields: Fields, count: int, names: dict[str, str]) -> list[ShiftElement]:
-    first, second = (fields.numbers(f"NZF(I,{part})", count, "KL", integer) for part in (1, 2))
-    return [
-        ShiftElement(*links, name=names.get(f"F{number}", ""))
-        for number, links in enumerate(zip(first, second, strict=True), 1)
+def _members(fields: Fields, part: str, count: int, names: dict[str, str]) -> list[dict[str, Any]]:
+    """What the lists of a deck, and the lines of names, say of each of some parts."""
+    made: list[dict[str, Any]] = [
+        {"name": names.get(f"{KINDS[part]}{number}", "")} for number in range(1, count + 1)
     ]
+    for key, field in FIELDS.items():
+        if field.part == part and (part != "gears" or key in fields.found.fields):
+            parse = real if field.kind is float else integer
+            for one, number in zip(
+                made, fields.numbers(key, count, field.size, parse), strict=True
+            ):
+                one[field.member] = number
+    return made
 
 
 def _mechanisms(fields: Fields, count: int, names: dict[str, str]) -> list[Mechanism]:
-    first, second, third = (
-        fields.numbers(f"NZD(I,{part})", count, "KG", integer) for part in (1, 2, 3)
-    )
-    ratios, efficiencies = (fields.numbers(key, count, "KG", real) for key in ("IAB", "ETAI"))
+    members = _members(fields, "mechanisms", count, names)
     planets = _planets(fields, count)
     return [
-        Mechanism(
-            *links,
-            ratio=ratios[number - 1],
-            efficiency=efficiencies[number - 1],
-            planet_ratio=planets.get(number),
-            name=names.get(f"D{number}", ""),
-        )
-        for number, links in enumerate(zip(first, second, third, strict=True), 1)
+        Mechanism(**one, planet_ratio=planets.get(number)) for number, one in enumerate(members, 1)
     ]
 
 
@@ -183,20 +184,10 @@ def _gears(fields: Fields, count: int, names: dict[str, str]) -> list[Gear]:
     engaged = _engaged(fields, count)
     speeds = _given(fields, count, "speeds", ("KWZ", "NWZ", "WZ"))
     torques = _given(fields, count, "torques", ("KMZ", "NMZ", "AMZ"))
-    inputs, outputs = (
-        fields.numbers(key, count, "NP", integer) if key in fields.found.fields else [0] * count
-        for key in ("INP(I)", "IOUT(I)")
-    )
+    members = _members(fields, "gears", count, names)
     return [
-        Gear(
-            engaged[gear],
-            speeds=speeds[gear],
-            torques=torques[gear],
-            input=inputs[gear] or None,
-            output=outputs[gear] or None,
-            name=names.get(f"P{gear + 1}", ""),
-        )
-        for gear in range(count)
+        Gear(engaged[n], speeds[n], torques[n], **{key: one[key] for key in one if one[key]})
+        for n, one in enumerate(members)
     ]
 
 

@@ -252,8 +252,10 @@ def _list(line: str, start: int, name: str) -> tuple[str, Any]:
         match = INDEX_LIST.match(line, start)
         if match is not None:
             value, index = match.end(), _squeezed(match)
-        if match is None or not match[2]:
-            value = _past_colon(line, value)
+        if match is None or not match[2]:  # there is no colon, or the index list is broken
+            colon = line.find(":", value)
+            starts_value = line[value:].lstrip(" \t,").startswith(tuple("-+.0123456789"))
+            value = value if colon < 0 or starts_value else colon + 1
     if name in PARTS:
         parts = PARTS[name]
         part = index.partition(",")[2]
@@ -263,13 +265,6 @@ def _list(line: str, start: int, name: str) -> tuple[str, Any]:
             return "broken", (name, column, f"{name}: read '{read}', expected {expected}")
         key = f"{name}(I,{part})"
     return "fields", ((key, column, value, None),)
-
-
-def _past_colon(line: str, value: int) -> int:
-    """Where values start when the index list has no colon, or is broken before it."""
-    colon = line.find(":", value)
-    starts_value = line[value:].lstrip(" \t,").startswith(tuple("-+.0123456789"))
-    return value if colon < 0 or starts_value else colon + 1
 
 
 def _name_line(line: str) -> tuple[str, str, str] | None:
@@ -308,7 +303,7 @@ def texts(data: bytes, file: str) -> Iterator[tuple[str, list[Problem]]]:
 
 
 def _unreadable(file: str, message: str) -> ReadError:
-    return ReadError([Problem(message, place=Place(file, 1, 1))])
+    return ReadError(message, place=Place(file, 1, 1))
 
 
 def _damaged(data: bytes, start: int, file: str) -> tuple[str, list[Problem]]:

@@ -158,12 +158,11 @@ def _plain(
             counts.append(len(row))
     if len(numbers) != need:
         return None
-    return Values(numbers, partial(_spots, found, field, need), set()), counts
 
+    def spots() -> list[Spot]:
+        return [token.spot for tokens in token_lines(found, field) for token in tokens][:need]
 
-def _spots(found: Scan, field: Field, need: int) -> list[Spot]:
-    """Where the values of a field of plain numbers stand."""
-    return [token.spot for tokens in token_lines(found, field) for token in tokens][:need]
+    return Values(numbers, spots, set()), counts
 
 
 def _rows(found: Scan, field: Field, expected: int) -> list[list[Token]]:

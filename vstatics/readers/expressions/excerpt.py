@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from typing import NamedTuple
 
-from vstatics.errors import Place, Problem, ReadError
+from vstatics.errors import Place, ReadError
 
 
 class Excerpt(NamedTuple):
@@ -38,7 +38,7 @@ class Excerpt(NamedTuple):
 
     def error(self, message: str, at: int) -> ReadError:
         """An error at an offset into the text, from 0."""
-        return ReadError([Problem(message, place=self.place(at))])
+        return ReadError(message, place=self.place(at))
 
     def place(self, at: int) -> Place:
         """The place of an offset into the text."""

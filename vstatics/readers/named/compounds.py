@@ -132,12 +132,10 @@ def read_form(walk: ReadsShapes, spot: Spot, shape: ByForm) -> Any:
 def read_one_or_many(walk: ReadsShapes, spot: Spot, shape: OneOrMany) -> Any:
     """A list of items, of one where it stands alone."""
     node = spot.node
-    if not isinstance(node, Listing) or all(map(_is_row, node.items)):
+    if not isinstance(node, Listing) or all(
+        isinstance(row, Listing) and all(isinstance(item, Scalar) for item in row.items)
+        for row in node.items
+    ):
         return [walk.read(spot, shape.item)]
     items = enumerate(node.items, 1)
     return [walk.read(spot.item(number, number, item), shape.item) for number, item in items]
-
-
-def _is_row(node: object) -> bool:
-    """Whether it is a list of single values, as a point is."""
-    return isinstance(node, Listing) and all(isinstance(item, Scalar) for item in node.items)

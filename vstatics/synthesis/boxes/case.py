@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from vstatics.model.parts import HOUSING, Gear, Mechanism, ShiftElement
 from vstatics.model.transmission import Transmission
 from vstatics.synthesis.boxes.box import HELD, FoundBox
-from vstatics.synthesis.gears.case_of_scheme import INERTIA, set_name
+from vstatics.synthesis.gears.case_of_scheme import INERTIA, gear_names, set_name
 from vstatics.synthesis.structures.scheme import link_name
 
 
@@ -117,16 +117,9 @@ def target_names(targets: Sequence[float]) -> tuple[str, ...]:
     >>> target_names([1, -2.5, 3.2]), target_names([-2, 1, -4])
     (('2', 'R', '1'), ('R2', '1', 'R1'))
     """
-    return tuple(_name(place, targets) for place in range(len(targets)))
-
-
-def _name(place: int, targets: Sequence[float]) -> str:
-    own = targets[place]
-    alike = sorted((abs(one) for one in targets if (one > 0) == (own > 0)), reverse=True)
-    number = alike.index(abs(own)) + 1
-    if own > 0:
-        return str(number)
-    return f"R{number}" if len(alike) > 1 else "R"
+    forward = sum(target > 0 for target in targets)
+    names = gear_names(forward, len(targets) - forward)
+    return tuple(name for _, name in sorted(zip(in_order(targets), names, strict=True)))
 
 
 def in_order(targets: Sequence[float]) -> list[int]:

@@ -10,7 +10,7 @@ import numpy as np
 from vstatics.numerics.arrays import Booleans, Floats, Integers
 from vstatics.numerics.compiled import compiled, put
 from vstatics.synthesis.boxes.engaged import Combinations
-from vstatics.synthesis.boxes.ranges import has_one_sign
+from vstatics.synthesis.boxes.ranges import extremes, has_one_sign
 from vstatics.synthesis.boxes.set_ratios import Asked, FitRoom, fit_room
 
 NARROW_CELL = 1.05
@@ -82,11 +82,7 @@ def spread_of(cell: Floats, chosen: Integers) -> float:
     for ratio in chosen:
         if not (has_one_sign(cell[ratio, 0]) and has_one_sign(cell[ratio, 1])):
             return math.inf
-        least = most = cell[ratio, 0, 0] / cell[ratio, 1, 0]
-        for corner in range(1, cell.shape[2]):
-            value = cell[ratio, 0, corner] / cell[ratio, 1, corner]
-            least = min(least, value)
-            most = max(most, value)
+        least, most = extremes(cell[ratio, 0], cell[ratio, 1])
         found = max(found, abs(math.log(most / least)))
     return found
 

@@ -72,7 +72,8 @@ def ranked(
     sizes[within, 0] = 0.0
     places = dict(zip(BoxFigures._fields, map(_places, sizes.T), strict=False))
     keys = (places[name].tolist() for name in ORDER)
-    order = sorted(zip(*keys, map(_name, chosen), range(len(chosen)), strict=True))
+    names = [identity(box.box) for box in chosen]
+    order = sorted(zip(*keys, names, range(len(chosen)), strict=True))
     rows = [row for *_, row in order]
     families = _families(np.array([[gear.ratio for gear in chosen[row].gears] for row in rows]))
     best = pareto(np.array([places[name] for name in PARETO]).T[rows])
@@ -92,23 +93,14 @@ def _each_once(boxes: Iterable[MeasuredBox]) -> Iterable[MeasuredBox]:
     best: dict[tuple[Any, ...], MeasuredBox] = {}
     for box in boxes:
         key = identity(box.box)
-        if key not in best or _worth(box) < _worth(best[key]):
-            best[key] = box
+        best[key] = min(best.get(key, box), box, key=_worth)
     return best.values()
 
 
 def _worth(box: MeasuredBox) -> tuple[Any, ...]:
     """By which one of several fits is taken; the ratios settle it, whoever came first."""
-    return (
-        round(box.figures.error, FIGURE_DECIMALS),
-        round(box.figures.loss, FIGURE_DECIMALS),
-        box.box.ratios,
-    )
-
-
-def _name(box: MeasuredBox) -> tuple[Any, ...]:
-    """What puts boxes of equal figures in order."""
-    return identity(box.box)
+    error, loss = (round(one, FIGURE_DECIMALS) for one in box.figures[:2])
+    return error, loss, box.box.ratios
 
 
 def _places(values: Floats) -> Integers:
@@ -133,8 +125,7 @@ def _families(ratios: Floats) -> list[int]:
     family = np.empty(len(ratios), np.intp)
     for number, group in enumerate(sorted(groups, key=min), 1):
         family[group] = number
-    found: list[int] = family.tolist()
-    return found
+    return family.tolist()
 
 
 def _parted(group: Any, sizes: Floats) -> list[Any]:

@@ -40,8 +40,9 @@ def combinations_table(links: int, engaged: int, size: int) -> Combinations:
     """All brakes, clutches and their combinations, with so many moving links."""
     ends = [(link, HELD) for link in range(links)] + list(combinations(range(links), 2))
     members = _ascending(len(ends), engaged)
+    number = {one: place for place, one in enumerate(_ascending(len(ends), engaged - 1))}
     rests = [
-        [_number(one[:place] + one[place + 1 :]) for place in range(engaged)] for one in members
+        [number[one[:place] + one[place + 1 :]] for place in range(engaged)] for one in members
     ]
     ranks = [[math.comb(one, place) for place in range(engaged + 1)] for one in range(len(ends))]
     starts = [math.comb(place, engaged) for place in range(size + 1)]
@@ -53,11 +54,6 @@ def combinations_table(links: int, engaged: int, size: int) -> Combinations:
 def _ascending(number: int, size: int) -> list[tuple[int, ...]]:
     """All choices of so many of a number, ordered by the last, then the one before."""
     return sorted(combinations(range(number), size), key=lambda one: one[::-1])
-
-
-def _number(chosen: tuple[int, ...]) -> int:
-    """Where a choice stands among all."""
-    return sum(math.comb(one, place) for place, one in enumerate(chosen, 1))
 
 
 @compiled

@@ -132,17 +132,13 @@ def measured(search: BoxSearch, box: FoundBox, efficiency: float) -> MeasuredBox
         for gear in gears
     )
     by_place = {gear.place: gear.engaged for gear in gears}
+    parts = [gear.ratio / gear.target for gear in told]  # the solver may find another sign
+    error = max(abs(math.log(part)) if part > 0 else math.inf for part in parts)
     chosen = least._replace(
-        gears=tuple(by_place[place] for place in range(len(gears))), error=max(map(_error, told))
+        gears=tuple(by_place[place] for place in range(len(gears))), error=error
     )
     figures = _figures(chosen, case, search.targets, gears)
     return MeasuredBox(chosen, search.targets, efficiency, told, figures)
-
-
-def _error(gear: BoxGear) -> float:
-    """``|ln(i/target)|``; infinite where the solver finds no ratio of this sign."""
-    part = gear.ratio / gear.target
-    return abs(math.log(part)) if part > 0 else math.inf
 
 
 class _GearValues(NamedTuple):

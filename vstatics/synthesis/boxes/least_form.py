@@ -36,7 +36,8 @@ def least_box(box: FoundBox) -> FoundBox:
     >>> least.elements, least.gears
     (((1, -1), (0, 2)), ((0,), (1,)))
     """
-    return min((_renamed(box, one) for one in _least_codes(box.scheme.sets)), key=_place)
+    found = (_renamed(box, one) for one in _least_codes(box.scheme.sets))
+    return min(found, key=lambda one: (identity(one), one.ratios, one.gears))  # some are symmetric
 
 
 def identity(box: FoundBox) -> tuple[Any, ...]:
@@ -51,11 +52,6 @@ def identity(box: FoundBox) -> tuple[Any, ...]:
     return box.scheme.sets, box.input, box.output, held, meshed, box.elements
 
 
-def _place(box: FoundBox) -> tuple[Any, ...]:
-    """By which the least is found; of symmetric ones that with the least ratios."""
-    return identity(box), box.ratios, box.gears
-
-
 def _least_codes(sets: Sequence[tuple[int, int, int]]) -> Iterator[_Renaming]:
     """All renamings that give the least code: set by set, only the least go on."""
     least = [_Renaming((), {})]
@@ -68,7 +64,10 @@ def _least_codes(sets: Sequence[tuple[int, int, int]]) -> Iterator[_Renaming]:
         ]
         best = min(code for code, _, _ in codes)
         least = [
-            _Renaming((*before.order, number), _with(before.links, sets[number], code))
+            _Renaming(
+                (*before.order, number),
+                before.links | dict(zip(sets[number], code, strict=True)),
+            )
             for code, number, before in codes
             if code == best
         ]
@@ -81,12 +80,6 @@ def _numbers(links: dict[int, int], one: tuple[int, int, int]) -> tuple[int, ...
     return tuple(links[link] if link in links else next(fresh) for link in one)
 
 
-def _with(
-    links: dict[int, int], one: tuple[int, int, int], code: tuple[int, ...]
-) -> dict[int, int]:
-    return links | dict(zip(one, code, strict=True))
-
-
 def _renamed(box: FoundBox, renaming: _Renaming) -> FoundBox:
     """The box in other words; an input shaft of its own keeps its number."""
     order, links = renaming
@@ -94,29 +87,22 @@ def _renamed(box: FoundBox, renaming: _Renaming) -> FoundBox:
     new = links | {own: own, HELD: HELD}
     if box.held is not None:  # a clutch to what is held is a brake
         new |= {box.held: HELD}
-    elements = [_element(new[first], new[second]) for first, second in box.elements]
-    in_order = sorted(range(len(elements)), key=lambda index: _element_place(elements[index]))
-    number = {index: place for place, index in enumerate(in_order)}
+    elements = []  # the links of each in order; what is held stands last
+    for first, second in box.elements:
+        low, high = sorted((new[first], new[second]))
+        elements.append((high, low) if low == HELD else (low, high))
+    brakes_first = sorted(
+        range(len(elements)), key=lambda index: (elements[index][1] != HELD, elements[index])
+    )
+    number = {index: place for place, index in enumerate(brakes_first)}
     sets = (box.scheme.sets[index] for index in order)
     return FoundBox(
         scheme=SetScheme(tuple((links[a], links[h], links[b]) for a, h, b in sets)),
         held=None if box.held is None else links[box.held],
         input=new[box.input],
         output=new[box.output],
-        elements=tuple(elements[index] for index in in_order),
+        elements=tuple(elements[index] for index in brakes_first),
         ratios=tuple(box.ratios[index] for index in order),
         gears=tuple(tuple(sorted(number[index] for index in one)) for one in box.gears),
         error=box.error,
     )
-
-
-def _element(first: int, second: int) -> tuple[int, int]:
-    """Its links in order; what is held stands last."""
-    low, high = sorted((first, second))
-    return (high, low) if low == HELD else (low, high)
-
-
-def _element_place(element: tuple[int, int]) -> tuple[bool, int, int]:
-    """Brakes first."""
-    first, second = element
-    return second != HELD, first, second

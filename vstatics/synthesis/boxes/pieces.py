@@ -10,7 +10,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.numerics.arrays import Floats, Integers
 from vstatics.synthesis.boxes.box import HELD, BoxSearch, FoundBox
 from vstatics.synthesis.boxes.cells import cell_room
 from vstatics.synthesis.boxes.elements import PortGears, set_room
@@ -161,15 +160,10 @@ def _gears(bases: SpeedBases, table: Combinations) -> GearSpeeds:
     found = np.zeros((len(which), links, points))
     gear_speeds(bases.speeds, bases.factors, table.ends, table.members[which], found)
     found /= sizes[which, :, None]
-    still = _still(found[:, :, -1], table)
+    speeds = np.pad(found[:, :, -1], ((0, 0), (0, 1)))  # HELD is the last column
+    slips = np.abs(speeds[:, table.ends[:, 0]] - speeds[:, table.ends[:, 1]])
+    still = (slips < SAME_BOX_SPEED) @ (1 << np.arange(len(table.ends)))
     return GearSpeeds(found, way.astype(np.int64).reshape(-1), still)
-
-
-def _still(speeds: Floats, table: Combinations) -> Integers:
-    """Elements that do not slip at some speeds, as bits, shape (speeds,)."""
-    with_housing = np.column_stack([speeds, np.zeros(len(speeds))])  # HELD is the last column
-    slips = with_housing[:, table.ends[:, 0]] - with_housing[:, table.ends[:, 1]]
-    return np.asarray((np.abs(slips) < SAME_BOX_SPEED) @ (1 << np.arange(len(table.ends))))
 
 
 _KEYS = np.sqrt(np.arange(2, 66)).reshape(-1, 2) % 1 - 0.3
@@ -188,7 +182,8 @@ def _asked(search: BoxSearch) -> Asked:
 @lru_cache(maxsize=32)
 def _room(search: BoxSearch, most: int, thread: int) -> Room:  # noqa: ARG001
     """Room for the boxes of a choice of ports; each thread of a worker has its own."""
-    table = combinations_table(_moving(search), search.engaged, search.elements)
+    moving = search.links - bool(search.fixed) + search.own_input
+    table = combinations_table(moving, search.engaged, search.elements)
     asked = _asked(search)
     targets, sets = len(asked.targets), search.sets
     all_of_them = len(table.places)
@@ -201,11 +196,6 @@ def _room(search: BoxSearch, most: int, thread: int) -> Room:  # noqa: ARG001
         lines=lines(sets),
         parts=np.zeros((all_of_them, 2, 2**sets)),
     )
-
-
-def _moving(search: BoxSearch) -> int:
-    """Moving links of every scheme, the input shaft among them."""
-    return search.links - bool(search.fixed) + search.own_input
 
 
 ENOUGH = 3.0

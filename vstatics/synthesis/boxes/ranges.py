@@ -35,17 +35,8 @@ def reached(numerator: Floats, denominator: Floats, low: Floats, high: Floats) -
     """
     if has_one_sign(denominator):
         return _within(numerator, denominator, low, high)
-    found = 0
     if has_one_sign(numerator):
-        least = most = denominator[0] / numerator[0]
-        for corner in range(1, len(numerator)):
-            inverse = denominator[corner] / numerator[corner]
-            least = min(least, inverse)
-            most = max(most, inverse)
-        for target in range(len(low)):
-            if 1.0 / high[target] <= most and 1.0 / low[target] >= least:
-                found |= 1 << target
-        return found
+        return _within(denominator, numerator, 1.0 / high, 1.0 / low)
     return (1 << len(low)) - 1
 
 
@@ -60,13 +51,20 @@ def has_one_sign(values: Floats) -> bool:
 
 
 @compiled
-def _within(numerator: Floats, denominator: Floats, low: Floats, high: Floats) -> int:
-    """The targets between the least and the greatest quotient at a corner."""
+def extremes(numerator: Floats, denominator: Floats) -> tuple[float, float]:
+    """The least and the greatest quotient at a corner."""
     least = most = numerator[0] / denominator[0]
     for corner in range(1, len(numerator)):
         ratio = numerator[corner] / denominator[corner]
         least = min(least, ratio)
         most = max(most, ratio)
+    return least, most
+
+
+@compiled
+def _within(numerator: Floats, denominator: Floats, low: Floats, high: Floats) -> int:
+    """The targets between the least and the greatest quotient at a corner."""
+    least, most = extremes(numerator, denominator)
     found = 0
     for target in range(len(low)):
         if least <= high[target] and most >= low[target]:

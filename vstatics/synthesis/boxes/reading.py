@@ -57,7 +57,7 @@ def read_document(data: bytes, file: str) -> tuple[BoxListing, dict[str, Any]]:
     except json.JSONDecodeError as error:
         place = Source(file, data.decode("utf-8-sig")).place(error.lineno, error.colno)
         message = f"not JSON: {error.msg}; expected {ASKED}"
-        raise ReadError([Problem(message, place=place)]) from None
+        raise ReadError(message, place=place) from None
     except (ValueError, RecursionError) as error:
         raise ReadError([of_file(file, f"not JSON that can be read: {error}")]) from None
     try:
@@ -84,7 +84,7 @@ def listing_of(document: Any) -> BoxListing:
     BoxListing(searched=10, boxes=())
     """
     if not isinstance(document, dict) or not isinstance(document.get("boxes"), list):
-        raise ReadError([Problem(f"expected {ASKED}: an object with `searched` and `boxes`")])
+        raise ReadError(f"expected {ASKED}: an object with `searched` and `boxes`")
     boxes: list[ListedBox] = []
     problems: list[Problem] = []
     searched = _whole(document.get("searched"), "searched", problems)

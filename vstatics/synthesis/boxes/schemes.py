@@ -4,7 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from functools import cache
-from itertools import combinations, combinations_with_replacement, groupby, permutations, product
+from itertools import (
+    chain,
+    combinations,
+    combinations_with_replacement,
+    groupby,
+    permutations,
+    product,
+)
 from typing import NamedTuple
 
 import numpy as np
@@ -65,9 +72,9 @@ def _classes(search: BoxSearch) -> Iterator[tuple[Codes, Symmetries]]:
 def _in_parts(sets: int, links: int) -> Iterator[list[Codes]]:
     """Classes of parts that have no link in common, two or more: codes of each part."""
     for sizes in _splits(sets, links, (1, 3)):
-        if len(sizes) < 2:
-            continue
-        yield [_connected(*size) for size in sizes]
+        if len(sizes) > 1:
+            asked = [StructureSearch(one, "sets", links=(own,)) for one, own in sizes]
+            yield [np.concatenate([batch.codes for batch in batches(one)]) for one in asked]
 
 
 def _splits(sets: int, links: int, least: tuple[int, int]) -> Iterator[tuple[tuple[int, int], ...]]:
@@ -81,12 +88,6 @@ def _splits(sets: int, links: int, least: tuple[int, int]) -> Iterator[tuple[tup
                     yield ((number, own), *rest)
 
 
-def _connected(sets: int, links: int) -> Codes:
-    """All connected classes, shape (classes, 3*sets)."""
-    asked = StructureSearch(sets, "sets", links=(links,))
-    return np.concatenate([batch.codes for batch in batches(asked)])
-
-
 def _least(parts: list[Codes]) -> tuple[Codes, Symmetries]:
     """The least codes of all choices of a class for each part."""
     choices: list[list[tuple[tuple[int, ...], ...]]] = []
@@ -95,10 +96,10 @@ def _least(parts: list[Codes]) -> tuple[Codes, Symmetries]:
         rows = [tuple(map(int, row)) for row in group[0].tolist()]
         choices.append(list(combinations_with_replacement(rows, len(group))))
     found: list[list[int]] = []
-    for one in _products(choices):
+    for chosen in product(*choices):
         sets: list[tuple[int, ...]] = []
         start = 0
-        for code in one:
+        for code in chain.from_iterable(chosen):
             sets += [
                 tuple(start + link for link in code[at : at + 3]) for at in range(0, len(code), 3)
             ]
@@ -106,18 +107,6 @@ def _least(parts: list[Codes]) -> tuple[Codes, Symmetries]:
         found.append(min(_grown(order) for order in permutations(sets)))
     codes = np.array(sorted(found), np.uint8)
     return codes, symmetries(codes, orders("sets"))
-
-
-def _products(
-    choices: list[list[tuple[tuple[int, ...], ...]]],
-) -> Iterator[tuple[tuple[int, ...], ...]]:
-    """A choice for each group of parts, one behind the other."""
-    if not choices:
-        yield ()
-        return
-    for first in choices[0]:
-        for rest in _products(choices[1:]):
-            yield (*first, *rest)
 
 
 def _grown(sets: tuple[tuple[int, ...], ...]) -> list[int]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from vstatics.errors import CaseError, Problem
+from vstatics.errors import CaseError
 from vstatics.extras import require
 from vstatics.synthesis.boxes.box import BoxSearch
 from vstatics.synthesis.boxes.checks import check_box_search
@@ -61,7 +61,7 @@ def find_boxes(
     check_box_search(search)
     if not 0 < efficiency <= 1:
         message = f"read {efficiency:g}, expected a number above 0, up to 1"
-        raise CaseError([Problem(message, ("efficiency",))])
+        raise CaseError(message, ("efficiency",))
     pieces = [found_in(search, piece) for piece in range(cut(search))]
     boxes = (measured(search, box, efficiency) for piece in pieces for box in piece.boxes)
     searched = sum(piece.searched for piece in pieces)

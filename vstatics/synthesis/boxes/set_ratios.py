@@ -161,15 +161,21 @@ def _weigh(logs: Floats, asked: Asked, room: FitRoom) -> None:
 
 
 @compiled
+def _weighed(part: Floats, weights: Floats) -> tuple[float, float]:
+    """Numerator and denominator by their values at the corners, each with its weight."""
+    above = below = 0.0
+    for corner in range(len(weights)):
+        above += weights[corner] * part[0, corner]
+        below += weights[corner] * part[1, corner]
+    return above, below
+
+
+@compiled
 def _errors(parts: Floats, chosen: Integers, asked: Asked, room: FitRoom, found: Floats) -> float:
     """ln(i/target) of every gear; the sum of squares, or infinity where one has another sign."""
     total = 0.0
     for target in range(len(asked.targets)):
-        above = below = 0.0
-        part = parts[chosen[target]]
-        for corner in range(len(room.own)):
-            above += room.own[corner] * part[0, corner]
-            below += room.own[corner] * part[1, corner]
+        above, below = _weighed(parts[chosen[target]], room.own)
         quotient = above / (below * asked.targets[target])
         if not 0 < quotient < math.inf:
             return math.inf
@@ -183,15 +189,9 @@ def _slopes(parts: Floats, chosen: Integers, room: FitRoom) -> None:
     """Derivatives of ln(i) of every gear by the logarithms of the ratios of sets."""
     for target in range(len(chosen)):
         part = parts[chosen[target]]
-        above = below = 0.0
-        for corner in range(len(room.own)):
-            above += room.own[corner] * part[0, corner]
-            below += room.own[corner] * part[1, corner]
+        above, below = _weighed(part, room.own)
         for number in range(room.slopes.shape[0]):
-            over = under = 0.0
-            for corner in range(len(room.own)):
-                over += room.slopes[number, corner] * part[0, corner]
-                under += room.slopes[number, corner] * part[1, corner]
+            over, under = _weighed(part, room.slopes[number])
             room.jacobian[target, number] = over / above - under / below
 
 

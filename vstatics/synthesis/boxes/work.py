@@ -8,7 +8,7 @@ from hashlib import sha256
 from itertools import islice
 from typing import Any, NamedTuple
 
-from vstatics.errors import CaseError, Problem
+from vstatics.errors import CaseError
 from vstatics.extras import build
 from vstatics.jobs.finished_pieces import FinishedPieces
 from vstatics.jobs.pieces import Account, piece_bytes, piece_path, write_piece
@@ -152,7 +152,7 @@ def check_most(count: int, most: int) -> None:
     """
     if count > most:
         message = f"more than {most} boxes are found: expected a smaller --tolerance, more --ratios"
-        raise CaseError([Problem(f"{message}, or less choice by --brakes and --clutches")])
+        raise CaseError(f"{message}, or less choice by --brakes and --clutches")
 
 
 def box_lines(boxes: Iterable[FoundBox]) -> bytes:

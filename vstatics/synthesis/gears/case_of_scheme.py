@@ -136,9 +136,18 @@ def _gears(case: Transmission, engaged: int) -> list[Gear]:
 
 def _named(found: list[tuple[float, tuple[int, ...]]]) -> Iterator[Gear]:
     """Gears forward from the slowest, then those backward."""
-    forward = sorted((one for one in found if one[0] > 0), key=lambda one: -one[0])
-    backward = sorted((one for one in found if one[0] < 0), key=lambda one: one[0])
-    for number, (_, engaged) in enumerate(forward, 1):
-        yield Gear(engaged, name=str(number))
-    for number, (_, engaged) in enumerate(backward, 1):
-        yield Gear(engaged, name=f"R{number}" if len(backward) > 1 else "R")
+    ordered = sorted(found, key=lambda one: (one[0] < 0, -abs(one[0])))
+    forward = sum(ratio > 0 for ratio, _ in found)
+    names = gear_names(forward, len(found) - forward)
+    for (_, engaged), name in zip(ordered, names, strict=True):
+        yield Gear(engaged, name=name)
+
+
+def gear_names(forward: int, backward: int) -> list[str]:
+    """Names of gears from the slowest, those forward and then those backward.
+
+    >>> gear_names(2, 1), gear_names(1, 2)
+    (['1', '2', 'R'], ['1', 'R1', 'R2'])
+    """
+    of_backward = [f"R{number}" for number in range(1, backward + 1)] if backward > 1 else ["R"]
+    return [*map(str, range(1, forward + 1)), *of_backward[:backward]]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from itertools import combinations as subsets
 
-from vstatics.errors import CaseError, Problem, listed, nearest, quoted, typed_number
+from vstatics.errors import CaseError, listed, nearest, quoted, typed_number
 from vstatics.model.transmission import HOUSING, ShiftElement, Transmission
 from vstatics.synthesis.gears.speed_forms import Pair
 
@@ -41,7 +41,7 @@ def chosen_elements(case: Transmission, asked: Sequence[str] = ()) -> list[Shift
         return all_elements(case)
     if AUTO in asked:
         expected = f"expected `{AUTO}` alone, or names of shift elements"
-        raise CaseError([Problem(f"read {quoted(', '.join(asked))}, {expected}")])
+        raise CaseError(f"read {quoted(', '.join(asked))}, {expected}")
     numbers = sorted({_number(case, one) for one in asked}) or range(len(case.shift_elements))
     return [case.shift_elements[number] for number in numbers]
 
@@ -57,7 +57,7 @@ def _number(case: Transmission, asked: str) -> int:
     hint = nearest(asked, [*names, AUTO])
     if not hint:
         hint = f"; they are {listed(names, 12)}" if names else f"; expected `{AUTO}`"
-    raise CaseError([Problem(f"no shift element {quoted(asked)}{hint}")])
+    raise CaseError(f"no shift element {quoted(asked)}{hint}")
 
 
 def all_elements(case: Transmission) -> list[ShiftElement]:

@@ -60,8 +60,7 @@ class EngagedSets(NamedTuple):
     @property
     def gears(self) -> Booleans:
         """(sets,), which have a ratio."""
-        have: Booleans = self.kinds >= EngagedKind.GEAR
-        return have
+        return self.kinds >= EngagedKind.GEAR
 
 
 def combination_grids(found: Iterable[EngagedSet]) -> Iterator[Grid]:

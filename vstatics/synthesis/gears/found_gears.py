@@ -5,12 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
-from vstatics.errors import CaseError, Problem, listed
+from vstatics.errors import CaseError, listed
 from vstatics.model.transmission import Gear, ShiftElement, Transmission
 from vstatics.statics.solve import solve
 from vstatics.summary.design_table import is_same
 from vstatics.summary.unused_sets import is_plain, shared
-from vstatics.synthesis.gears.engaged_sets import EngagedSet
 from vstatics.synthesis.gears.search import CombinationSearch
 
 MOST_GEARS = 5000
@@ -54,7 +53,7 @@ def found_gears(search: CombinationSearch) -> FoundGears:
     found: dict[frozenset[str], list[float]] = {}
     free: dict[frozenset[str], list[float]] = {}
     left = 0
-    for one in _with_ratio(search):
+    for one in (one for batch in search.batches() for one in batch.where(batch.gears).each()):
         names = frozenset(one.engaged) - wheels
         is_free = one.free and names not in own
         left += is_free
@@ -66,10 +65,10 @@ def found_gears(search: CombinationSearch) -> FoundGears:
             break
     chosen = found or free
     if not chosen:
-        raise CaseError([Problem("no combination of shift elements gives a gear")])
+        raise CaseError("no combination of shift elements gives a gear")
     if len(chosen) > MOST_GEARS:
         message = f"the combinations give more than {MOST_GEARS} gears, too many for a case"
-        raise CaseError([Problem(f"{message}; expected fewer elements to choose from")])
+        raise CaseError(f"{message}; expected fewer elements to choose from")
     left *= bool(found)
     elements = case.shift_elements if search.are_own else search.elements
     gears = list(_gears(case, elements, own, chosen))
@@ -88,11 +87,6 @@ def _own(case: Transmission) -> dict[frozenset[str], Gear]:
             names = (case.shift_elements[number - 1].name for number in gear.engaged)
             own.setdefault(frozenset(names), gear)
     return own
-
-
-def _with_ratio(search: CombinationSearch) -> Iterator[EngagedSet]:
-    for batch in search.batches():
-        yield from batch.where(batch.gears).each()
 
 
 def _ordered(case: Transmission, gears: Sequence[Gear], ratios: Sequence[float]) -> Transmission:
@@ -142,6 +136,6 @@ def _holding(case: Transmission, expected: Sequence[Sequence[float]]) -> FoundGe
     kept = [one for one, is_so in zip(found, holds, strict=True) if is_so]
     if not kept:
         message = f"the freewheels do not hold in any of the gears {listed(slipping)}"
-        raise CaseError([Problem(message)])
+        raise CaseError(message)
     gears, ratios, _ = zip(*kept, strict=True)
     return FoundGears(_ordered(case, gears, ratios), slipping)

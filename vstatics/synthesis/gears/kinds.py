@@ -65,6 +65,7 @@ class EngagedKinds(NamedTuple):
     """(sets,), whether too many digits are lost to believe this."""
 
 
+@np.errstate(all="ignore")  # what overflows is doubtful
 def engaged_kinds(forms: SpeedForms, members: Indices) -> EngagedKinds:
     """What sets of engaged elements do.
 
@@ -85,11 +86,6 @@ def engaged_kinds(forms: SpeedForms, members: Indices) -> EngagedKinds:
     >>> found.ratios.round(9), found.unity
     (array([3.5, 1. ]), array([False,  True]))
     """
-    with np.errstate(all="ignore"):  # what overflows is doubtful
-        return _eliminated(forms, members)
-
-
-def _eliminated(forms: SpeedForms, members: Indices) -> EngagedKinds:
     sets, engaged = members.shape
     ports = np.broadcast_to(np.arange(-3, 0), (sets, 3))
     chosen = np.concatenate([members, ports], axis=1).T

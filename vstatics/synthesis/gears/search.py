@@ -15,15 +15,13 @@ from itertools import combinations as subsets
 
 import numpy as np
 
-from vstatics.errors import CaseError, Problem, plural
+from vstatics.errors import CaseError, plural
 from vstatics.model.transmission import ShiftElement, Transmission
-from vstatics.numerics.arrays import Booleans
 from vstatics.summary.unused_sets import needed
 from vstatics.synthesis.gears.element_choice import AUTO, chosen_elements, count_all_elements
 from vstatics.synthesis.gears.engaged_sets import EngagedSet, EngagedSets
 from vstatics.synthesis.gears.kinds import (
     EngagedKind,
-    EngagedKinds,
     Indices,
     engaged_kinds,
     kind_alone,
@@ -79,13 +77,13 @@ class CombinationSearch:
                     f"read {size} engaged elements, expected 0 to {self.choice}: there are "
                     f"{self.choice} {plural('shift element', self.choice)} to choose from"
                 )
-                raise CaseError([Problem(message)])
+                raise CaseError(message)
         if not engaged and self.sizes[0] > self.choice:
             message = (
                 f"{self.sizes[0]} engaged elements leave one degree of freedom, but there are "
                 f"{self.choice} to choose from"
             )
-            raise CaseError([Problem(message, ("shift_elements",))])
+            raise CaseError(message, ("shift_elements",))
 
     @cached_property
     def count(self) -> float:
@@ -115,7 +113,7 @@ class CombinationSearch:
                 f"{self.choice} shift elements have {count_text(self.count)} combinations, more "
                 f"than the {at_most} that may be tried"
             )
-            raise CaseError([Problem(message, ("shift_elements",))])
+            raise CaseError(message, ("shift_elements",))
         room = (self.choice + 3) * (self.case.links + 1)
         if room > MOST_ROW_NUMBERS or self._work() > WORK * (at_most or math.inf):
             lacking = "the memory" if room > MOST_ROW_NUMBERS else "an hour"
@@ -123,7 +121,7 @@ class CombinationSearch:
                 f"{self.choice} shift elements between {self.case.links} links are too many for "
                 f"{lacking}; expected some of them, or fewer to engage"
             )
-            raise CaseError([Problem(message, ("shift_elements",))])
+            raise CaseError(message, ("shift_elements",))
 
     def _work(self) -> float:
         """How many steps of elimination there are, about."""
@@ -190,15 +188,10 @@ class CombinationSearch:
             kinds[index], ratios[index], free[index] = kind_alone(self.case, engaged)
         near = np.flatnonzero(abs(ratios - 1) < NEAR_DIRECT)
         for forms in self._drawn_forms if len(near) else ():
-            near = near[_may_be_one(engaged_kinds(forms, members[near]))]
+            again = engaged_kinds(forms, members[near])  # one that loses digits says nothing
+            near = near[(again.kinds == EngagedKind.GEAR) & again.unity | again.doubtful]
         kinds[near], ratios[near] = EngagedKind.DIRECT, 1.0
         return EngagedSets(self.elements, members, kinds, ratios, free)
-
-
-def _may_be_one(found: EngagedKinds) -> Booleans:
-    """Whether a ratio is 1; a set that loses digits says nothing."""
-    is_one: Booleans = (found.kinds == EngagedKind.GEAR) & found.unity
-    return is_one | found.doubtful
 
 
 def _members(chosen: Iterator[tuple[int, ...]], size: int, most: int) -> Indices:

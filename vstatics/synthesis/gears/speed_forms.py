@@ -126,11 +126,9 @@ class FreeSpeeds:
             for link in (first, second):
                 if link not in by_link:
                     by_link[link] = self._reduced({link: (1.0, 1.0)})
-            for link, (value, size) in self._difference(by_link[first], by_link[second]).items():
+            one, other = by_link[first], by_link[second]
+            for link in dict.fromkeys([*one, *other]):
+                pair = one.get(link, NOTHING), other.get(link, NOTHING)
+                value, size = self._less(*pair, EXACTLY_ONE)
                 values[number, place[link]], sizes[number, place[link]] = float(plain(value)), size
         return SpeedForms(values, sizes, self.doubtful)
-
-    def _difference(self, one: Row, other: Row) -> Row:
-        links = dict.fromkeys([*one, *other])
-        pairs = {link: (one.get(link, NOTHING), other.get(link, NOTHING)) for link in links}
-        return {link: self._less(*pair, EXACTLY_ONE) for link, pair in pairs.items()}

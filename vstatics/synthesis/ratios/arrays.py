@@ -76,8 +76,7 @@ class RatioArrays(NamedTuple):
         """
         with np.errstate(all="ignore"):
             products = self.products(of_mechanisms)
-            found: Floats = self._part(products, self.above) - self._part(products, self.below)
-        return found
+            return self._part(products, self.above) - self._part(products, self.below)
 
     def products(self, of_mechanisms: Floats) -> Floats:
         """The products of ratios, (variants, products)."""
@@ -92,8 +91,7 @@ class RatioArrays(NamedTuple):
         with_ratio = factors[:, :, np.newaxis] * self.powers[:, np.newaxis, :]
         parts = products @ with_ratio.reshape(count, -1)
         shaped = parts.reshape(len(products), factors.shape[1], mechanisms)
-        found: Floats = shaped / (products @ factors)[:, :, np.newaxis]
-        return found
+        return shaped / (products @ factors)[:, :, np.newaxis]
 
 
 def ratio_arrays(formulas: Sequence[GearFormula], mechanisms: int) -> RatioArrays:
@@ -148,7 +146,8 @@ def reach(formula: GearFormula, low: Floats, high: Floats) -> tuple[float, float
         return None
     with np.errstate(all="ignore"):
         above, below = (
-            _at_corners(one, varied, low, high) for one in (formula.above, formula.below)
+            at_corners(factors(one, varied, low), low[varied], high[varied])
+            for one in (formula.above, formula.below)
         )
         found = above / below
     if not np.isfinite(found).all() or not ((below > 0).all() or (below < 0).all()):
@@ -156,16 +155,33 @@ def reach(formula: GearFormula, low: Floats, high: Floats) -> tuple[float, float
     return float(found.min()), float(found.max())
 
 
-def _at_corners(polynomial: Polynomial, varied: Sequence[int], low: Floats, high: Floats) -> Floats:
-    """A polynomial, linear in each ratio, at all corners of the bounds, (corners,)."""
+def factors(
+    polynomial: Polynomial, varied: Sequence[int], given: Sequence[float] | Floats = ()
+) -> Floats:
+    """The factors of a polynomial, linear in each ratio, as `at_corners` takes them.
+
+    Parameters
+    ----------
+    polynomial : mapping
+    varied : sequence of int
+        Indices of the ratios that stay; for others there is one in `given`.
+    given : sequence of float
+        By index. [-]
+
+    Examples
+    --------
+    >>> from fractions import Fraction
+    >>> factors({0: Fraction(1), 0b101: Fraction(-1)}, [0], [0.0, 0.0, 3.0])
+    array([ 1., -3.])
+    """
     places = {ratio: 1 << place for place, ratio in enumerate(varied)}
-    factors = np.zeros(2 ** len(varied))
+    found = np.zeros(2 ** len(varied))
     for ratios, coefficient in polynomial.items():
         indices = bits(ratios)
-        given = [float(low[index]) for index in indices if index not in places]
+        fixed = [float(given[index]) for index in indices if index not in places]
         place = sum(places.get(index, 0) for index in indices)
-        factors[place] += float(coefficient) * math.prod(given)
-    return at_corners(factors, low[list(varied)], high[list(varied)])
+        found[place] += float(coefficient) * math.prod(fixed)
+    return found
 
 
 def at_corners(factors: Floats, low: Floats, high: Floats) -> Floats:

@@ -13,7 +13,7 @@ from vstatics.synthesis.ratios.grids import number
 from vstatics.synthesis.ratios.least_squares import MOST_FIT_STEPS
 from vstatics.synthesis.ratios.problem import FitProblem
 from vstatics.synthesis.ratios.search import start_count
-from vstatics.synthesis.ratios.space import FitPoints, FitSpace, fit_space
+from vstatics.synthesis.ratios.space import FitPoints, fit_space
 from vstatics.tables.grid import Column, Grid, Row, text
 from vstatics.writers.plain_json import plain_data
 
@@ -41,7 +41,8 @@ def longest(problem: FitProblem) -> float:
     space = fit_space(problem)
     if not space.varied:
         return 0.0
-    starts = _starts(space)
+    count = start_count(space)
+    starts = FitPoints(*(np.repeat(one, count, axis=0) for one in space.own))
     began = time.perf_counter()
     space.minima(starts, weight=1.0, steps=TIMED_STEPS)
     return (time.perf_counter() - began) * MOST_FIT_STEPS / TIMED_STEPS
@@ -49,12 +50,6 @@ def longest(problem: FitProblem) -> float:
 
 TIMED_STEPS = 2
 """Steps by which the time is estimated."""
-
-
-def _starts(space: FitSpace) -> FitPoints:
-    """The case's own ratios as often as there are starts."""
-    count = start_count(space)
-    return FitPoints(*(np.repeat(one, count, axis=0) for one in space.own))
 
 
 def dry_grids(problem: FitProblem) -> Iterator[Grid]:

@@ -78,7 +78,11 @@ def left_out_by_fit(case: Transmission, ratios: Mapping[str, float]) -> list[str
         if not _has_planet(new):
             if _has_planet(old) or case.drawing is not None:
                 unknown.append(new.name)
-        elif _gets_a_plain_planet(old, new):
+        elif (
+            old.planet_ratio is not None
+            and new.planet_ratio is None
+            and not is_same(old.planet_ratio, (old.ratio + 1) / 2)  # as it is in a plain set
+        ):
             plain.append(new.name)
     found = []
     if unknown:
@@ -88,13 +92,6 @@ def left_out_by_fit(case: Transmission, ratios: Mapping[str, float]) -> list[str
         reason = "with these ratios planets turn as in plain sets"
         found.append(f"planet_ratio of {listed(plain)}: {reason}")
     return found
-
-
-def _gets_a_plain_planet(old: Mechanism, new: Mechanism) -> bool:
-    """Whether the planet of a mechanism had a ratio of its own, and now that of a plain set."""
-    if old.planet_ratio is None or new.planet_ratio is not None:
-        return False
-    return not is_same(old.planet_ratio, (old.ratio + 1) / 2)
 
 
 def _has_planet(mechanism: Mechanism) -> bool:

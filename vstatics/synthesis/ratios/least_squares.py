@@ -39,6 +39,7 @@ class Minima(NamedTuple):
     """(starts,): whether it is a minimum."""
 
 
+@np.errstate(all="ignore")
 def minimize(
     residuals: Residuals, starts: Floats, low: Floats, high: Floats, steps: int = MOST_FIT_STEPS
 ) -> Minima:
@@ -66,13 +67,7 @@ def minimize(
            [ 2. ],
            [ 1.5]])
     """
-    with np.errstate(all="ignore"):
-        return _minimized(residuals, starts.copy(), low, high, steps)
-
-
-def _minimized(
-    residuals: Residuals, unknowns: Floats, low: Floats, high: Floats, steps: int
-) -> Minima:
+    unknowns = starts.copy()
     count = unknowns.shape[1]
     values, slopes = map(np.array, residuals(unknowns, np.arange(len(unknowns))))
     squares = _squares(values)

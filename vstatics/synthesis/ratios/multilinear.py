@@ -12,7 +12,7 @@ from fractions import Fraction
 from functools import cache
 from typing import NamedTuple
 
-from vstatics.errors import CaseError, Problem
+from vstatics.errors import CaseError
 
 Polynomial = Mapping[int, Fraction]
 """Bits of ratios -> coefficient."""
@@ -64,7 +64,11 @@ def determinant(rows: Sequence[LinearRow], unknowns: Sequence[int]) -> Polynomia
     work = 0
     for row in rows:
         after: dict[int, dict[int, Fraction]] = {}
-        entries = [(place, term) for place, term in _entries(row, unknowns) if any(term)]
+        entries = [
+            (place, row.right if unknown < 0 else row.terms[unknown])
+            for place, unknown in enumerate(unknowns)
+            if (any(row.right) if unknown < 0 else unknown in row.terms)
+        ]
         for used, polynomial in found.items():
             for place, (plain, with_ratio) in entries:
                 if used >> place & 1:
@@ -78,25 +82,15 @@ def determinant(rows: Sequence[LinearRow], unknowns: Sequence[int]) -> Polynomia
                     if with_ratio:
                         more = ratios | 1 << row.ratio
                         sums[more] = sums.get(more, 0) + sign * with_ratio * coefficient
-        found = {used: kept for used, sums in after.items() if (kept := _without_zeros(sums))}
+        kept = (
+            (used, {ratios: one for ratios, one in sums.items() if one})
+            for used, sums in after.items()
+        )
+        found = {used: sums for used, sums in kept if sums}
         if work > MOST_TERMS:
             message = f"the formula of its ratio has more than {MOST_TERMS} terms"
-            raise CaseError([Problem(f"{message}; expected more ratios that are given")])
+            raise CaseError(f"{message}; expected more ratios that are given")
     return found.get((1 << len(unknowns)) - 1, {})
-
-
-def _entries(row: LinearRow, unknowns: Sequence[int]) -> list[tuple[int, Term]]:
-    return [
-        (place, row.right if unknown < 0 else row.terms.get(unknown, _NOTHING))
-        for place, unknown in enumerate(unknowns)
-    ]
-
-
-_NOTHING: Term = (Fraction(0), Fraction(0))
-
-
-def _without_zeros(sums: Mapping[int, Fraction]) -> dict[int, Fraction]:
-    return {ratios: coefficient for ratios, coefficient in sums.items() if coefficient}
 
 
 class Independent(NamedTuple):

@@ -90,9 +90,7 @@ def fit_problem(  # noqa: PLR0913 - what `fit` is given
     CaseError
         With all that can't be; each problem's path begins with the argument that it is about.
     """
-    own = on_own_links(case)
-    if case.freewheels:
-        own = own._replace(case=solve(own.case).with_freewheels_engaged)
+    own = on_engaged_links(case)
     problems: list[Problem] = []
     if not 0 < tolerance < math.inf:
         message = f"read {tolerance:g}, expected a number above 0"
@@ -121,6 +119,14 @@ def fit_problem(  # noqa: PLR0913 - what `fit` is given
         problems += (Problem(text, ("bounds",)) for text in _other_signs(made))
         raise CaseError(problems)
     return made
+
+
+def on_engaged_links(case: Transmission) -> OwnLinks:
+    """A case on its own links, each freewheel as it is with the case's own ratios."""
+    own = on_own_links(case)
+    if case.freewheels:
+        own = own._replace(case=solve(own.case).with_freewheels_engaged)
+    return own
 
 
 def _formula(
@@ -183,21 +189,37 @@ def _impossible(problem: FitProblem, index: int) -> Iterator[Problem]:
     """Why a gear can't have a ratio at all, or none of the sign that is wanted."""
     name, target = problem.own.case.gears[index].name, problem.targets[index]
     formula, path = problem.formulas[index], ("ratios", index)
+    if formula.kind != "constant" or _is_constant(problem, index):
+        without = ratio_fault(name, formula, target, "ratios of the mechanisms")
+        if without or formula.kind == "constant":
+            yield from [Problem(without, path)] * bool(without)
+            return
+    limits = problem.reach(index)
+    if limits is not None and (wrong := sign_fault(f"gear {name}", target, limits)):
+        yield Problem(wrong, path)
+
+
+def ratio_fault(name: str, formula: GearFormula, wanted: float, varied: str) -> str:
+    """Why a gear can't have a ratio that is wanted, whatever is varied; nothing if it may."""
     status = {one.name: one for one in STATUSES}.get(formula.kind)
     if status is not None:
-        yield Problem(f"gear {name} has no ratio: {status.meaning}", path)
-        return
-    if formula.kind == "constant" and _is_constant(problem, index):
-        if not is_same(formula.constant, target):
-            constant = f"gear {name}: read {target:.12g}, but its ratio is {formula.constant:.12g}"
-            yield Problem(f"{constant} whatever the ratios of the mechanisms are", path)
-        return
-    limits = problem.reach(index)
-    if limits is not None and (limits[1] <= 0 < target or target < 0 <= limits[0]):
-        expected = "below" if target > 0 else "above"
-        read = f"gear {name}: read {target:g}, but {reach_text(*limits)}"
-        message = f"{read}: expected a ratio {expected} 0"
-        yield Problem(message, path)
+        return f"gear {name} has no ratio: {status.meaning}"
+    if formula.kind == "constant" and not is_same(formula.constant, wanted):
+        constant = f"gear {name}: read {wanted:.12g}, but its ratio is {formula.constant:.12g}"
+        return f"{constant} whatever the {varied} are"
+    return ""
+
+
+def sign_fault(name: str, wanted: float, limits: tuple[float, float]) -> str:
+    """What is wrong with a ratio of the other sign than all within limits; nothing if it has not.
+
+    >>> sign_fault("gear 1", -2.0, (2.5, 5.0))
+    'gear 1: read -2, but within the bounds its ratio is 2.5 to 5: expected a ratio above 0'
+    """
+    if not (limits[1] <= 0 < wanted or wanted < 0 <= limits[0]):
+        return ""
+    expected = "below" if wanted > 0 else "above"
+    return f"{name}: read {wanted:g}, but {reach_text(*limits)}: expected a ratio {expected} 0"
 
 
 def doubts(problem: FitProblem) -> Iterator[str]:
@@ -207,8 +229,10 @@ def doubts(problem: FitProblem) -> Iterator[str]:
     alike: dict[tuple[frozenset[tuple[int, Fraction]], ...], int] = {}
     for index, target in problem.targets.items():
         limits = problem.reach(index)
-        if limits is not None and not _is_met(problem, limits, target):
-            yield f"gear {names[index]} can't have {target:g}: {reach_text(*limits)}"
+        if limits is not None:
+            part = min(max(target, limits[0]), limits[1]) / target
+            if not (part > 0 and abs(math.log(part)) <= problem.tolerance):
+                yield f"gear {names[index]} can't have {target:g}: {reach_text(*limits)}"
         _, *polynomials = problem.formulas[index]
         first = alike.setdefault(tuple(frozenset(one.items()) for one in polynomials), index)
         other = problem.targets[first]
@@ -225,12 +249,6 @@ def _other_signs(problem: FitProblem) -> Iterator[str]:
             ratio = f"{mechanism.name} has the ratio {mechanism.ratio:.4g} in the case"
             hint = f"{-high:g}:{-low:g}" if low != high else f"{-low:g}"
             yield f"{ratio}, and bounds of the other sign; did you mean {hint}?"
-
-
-def _is_met(problem: FitProblem, limits: tuple[float, float], target: float) -> bool:
-    """Whether a wanted ratio is within limits, but for the tolerance."""
-    nearest = min(max(target, limits[0]), limits[1])
-    return nearest / target > 0 and abs(math.log(nearest / target)) <= problem.tolerance
 
 
 def reach_text(low: float, high: float) -> str:

@@ -44,14 +44,10 @@ def found_ratios(problem: FitProblem, advance: Advance = untold) -> FoundRatios:
         minima = space.minima(points, weight)
         kept = _distinct(space, points.signs, minima)
         points = FitPoints(points.signs, minima.unknowns).at(kept)
-    return FoundRatios(list(_at_bounds(problem, space.full(points))), free)
-
-
-def _at_bounds(problem: FitProblem, ratios: Floats) -> Floats:
-    """Ratios that are those of bounds but for rounding, as they are given."""
-    for bound in map(np.array, problem.bounds):
+    ratios = space.full(points)
+    for bound in map(np.array, problem.bounds):  # as they are given, but for rounding
         ratios = np.where(np.abs(ratios - bound) <= AT_BOUND * np.abs(bound), bound, ratios)
-    return ratios
+    return FoundRatios(list(ratios), free)
 
 
 def _free(space: FitSpace, points: FitPoints) -> list[int]:
@@ -115,7 +111,8 @@ def fit_starts(space: FitSpace) -> FitPoints:
             turning += turns(space, points).sum(axis=0)
             found = _turning(space, points)
             if len(found.sizes) < count:
-                more = _turning(space, space.turned(_nearly(space, points, count)))
+                most = np.argsort(-turns(space, points).sum(axis=1), kind="stable")[:count]
+                more = _turning(space, space.turned(points.at(most)))
                 found = FitPoints(*map(np.concatenate, zip(found, more, strict=True)))
             if len(found.sizes):
                 return _chosen(space, found, count)
@@ -130,8 +127,7 @@ def _turning(space: FitSpace, points: FitPoints) -> FitPoints:
 def turns(space: FitSpace, points: FitPoints) -> Booleans:
     """Whether gears turn as wanted, (points, gears)."""
     quotients = space.quotients(points)
-    right: Booleans = (quotients > 0) & np.isfinite(quotients)
-    return right
+    return (quotients > 0) & np.isfinite(quotients)
 
 
 def _sampled(space: FitSpace, random: np.random.Generator, *, own: bool) -> FitPoints:
@@ -147,12 +143,6 @@ def _sampled(space: FitSpace, random: np.random.Generator, *, own: bool) -> FitP
     if own:
         sizes[0] = space.own.sizes
     return FitPoints(signs, sizes)
-
-
-def _nearly(space: FitSpace, points: FitPoints, count: int) -> FitPoints:
-    """The points at which most gears turn as wanted."""
-    wrong = np.argsort(-turns(space, points).sum(axis=1), kind="stable")
-    return points.at(wrong[:count])
 
 
 def _chosen(space: FitSpace, points: FitPoints, count: int) -> FitPoints:

@@ -121,13 +121,8 @@ def _by_links(
     """How many there are, where each scheme of the sample stands for so many of a class."""
     all_of_them = numbers * sample.weights
     links = sample.batch.links
-    return {wanted: _sum(all_of_them[links == wanted]) for wanted in search.wanted}
-
-
-def _sum(numbers: Floats) -> float:
-    """A sum, as a whole number where it is one."""
-    total = float(numbers.sum())
-    return int(total) if total.is_integer() else total
+    sums = {wanted: float(all_of_them[links == wanted].sum()) for wanted in search.wanted}
+    return {wanted: int(one) if one.is_integer() else one for wanted, one in sums.items()}
 
 
 class _DrawnSchemes(NamedTuple):

@@ -40,7 +40,14 @@ def case_with_teeth(
         if layout is None or layout.is_drawn:
             left.append(mechanism)
         else:
-            elements.append(_as_element(mechanism, layout, solution))
+            made = replace(  # in place of the mechanism, with its links and losses
+                _with_teeth(layout.element, layout, solution),
+                efficiency=mechanism.efficiency,
+                back_efficiency=mechanism.back_efficiency,
+                stiffness=mechanism.stiffness,
+                damping=mechanism.damping,
+            )
+            elements.append(made)
     drawn = replace(drawing, elements=tuple(elements), mechanisms=tuple(left))
     if given is None:
         return case.replace(mechanisms=(), drawing=drawn, description="", source="")
@@ -56,14 +63,3 @@ def _with_teeth(element: Element, layout: TeethLayout, solution: TeethSolution) 
     rims = {planet: {rim: teeth[rim] for rim in own} for planet, own in element.rims.items()}
     wheels = [wheel._replace(teeth=teeth[wheel.member]) for wheel in element.wheels]
     return replace(element, rims=rims, wheels=tuple(wheels), planets=planets)
-
-
-def _as_element(mechanism: Mechanism, layout: TeethLayout, solution: TeethSolution) -> Element:
-    """An element in place of a mechanism, with its links and losses."""
-    return replace(
-        _with_teeth(layout.element, layout, solution),
-        efficiency=mechanism.efficiency,
-        back_efficiency=mechanism.back_efficiency,
-        stiffness=mechanism.stiffness,
-        damping=mechanism.damping,
-    )

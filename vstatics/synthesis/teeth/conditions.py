@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
@@ -98,130 +99,101 @@ def teeth_conditions(layout: TeethLayout, limits: TeethLimits) -> Iterator[Teeth
         if axis is not None:
             axes[rim] = frozenset({rim, *axis, *modules})
     for rim, needs in axes.items():
-        test = _neighbours(rim, limits.clearance)
+        test = partial(_have_room, rim, limits.clearance)
         yield TeethCondition("neighbouring planets", needs | {count}, test)
     for rim, wheel in layout.passing:
-        test = _passing(layout, rim, wheel, limits.clearance)
+        test = partial(_pass, rim, wheel, limits.clearance)
         yield TeethCondition("planets beside wheels", axes[rim] | {wheel}, test)
     for pair in layout.meshes:
         if set(pair) <= axes.keys():
             needs = axes[pair[0]] | axes[pair[1]]
-            yield TeethCondition("triangle of the axes", needs, _triangle(pair))
-            test = _crossing(pair, limits.clearance)
+            yield TeethCondition("triangle of the axes", needs, partial(_close, pair))
+            test = partial(_have_room_across, pair, limits.clearance)
             yield TeethCondition("neighbouring planets", needs | {count}, test)
     for train in layout.trains:
         rims = {rim for planet in train for rim in layout.planets[planet]}
         used = {*rims, *(wheel for wheel, rim in layout.around if rim in rims), count}
-        yield TeethCondition("assembly", frozenset(used), _assembly(layout, train))
+        yield TeethCondition("assembly", frozenset(used), partial(_go_in, train))
 
 
 def _in_rings(layout: TeethLayout) -> Iterator[TeethCondition]:
-    for wheel, rim in layout.around:
-        if layout.internal[wheel]:
-            yield TeethCondition("interference", frozenset({wheel, rim}), _inside(wheel, rim))
+    for pair in layout.around:
+        if layout.internal[pair[0]]:
+            yield TeethCondition("interference", frozenset(pair), partial(_fit_in, *pair))
     if layout.element.kind == "internal_pair":
-
-        def apart(rows: TeethCandidates) -> Booleans:
-            return np.abs(rows.teeth(0) - rows.teeth(1)) >= INSIDE
-
-        yield TeethCondition("interference", frozenset({0, 1}), apart)
+        yield TeethCondition("interference", frozenset({0, 1}), _differ)
 
 
-def _inside(ring: int, rim: int) -> Test:
-    return lambda rows: rows.teeth(ring) - rows.teeth(rim) >= INSIDE
+def _fit_in(ring: int, rim: int, rows: TeethCandidates) -> Booleans:
+    return rows.teeth(ring) - rows.teeth(rim) >= INSIDE
+
+
+def _differ(rows: TeethCandidates) -> Booleans:
+    return np.abs(rows.teeth(0) - rows.teeth(1)) >= INSIDE
 
 
 def _within(layout: TeethLayout, largest: float) -> Iterator[TeethCondition]:
     """Rings with their metal, tips of other wheels, tips of planets where they are farthest out."""
-    first = len(layout.wheels) + 1
+    first, rims = len(layout.wheels) + 1, {rim for rims in layout.planets for rim in rims}
     for number in range(len(layout.wheels)):
-        column = first + layout.component[number]
-        needs, rim = frozenset({number, column}), False
-        if any(number in rims for rims in layout.planets):
+        needs, is_rim = frozenset({number, first + layout.component[number]}), number in rims
+        if is_rim:
             axis = layout.axis(number)
             if axis is None:
                 continue
-            rim, needs = True, needs | {*axis, first + layout.component[axis[1]]}
-        test = _wheel_within(layout, number, largest, is_rim=rim)
+            needs |= {*axis, first + layout.component[axis[1]]}
+        test = partial(_is_within, number, largest, is_rim)
         yield TeethCondition("largest diameter", needs, test)
 
 
-def _wheel_within(layout: TeethLayout, number: int, largest: float, *, is_rim: bool) -> Test:
-    more = FOOT if layout.internal[number] else TIPS
-
-    def test(rows: TeethCandidates) -> Booleans:
-        across = rows.teeth(number) + more
-        if is_rim:
-            across = across + rows.span(number)
-        found: Booleans = across * rows.module(layout.component[number]) <= largest + TIP_CLEARANCE
-        return found
-
-    return test
+def _is_within(number: int, largest: float, is_rim: bool, rows: TeethCandidates) -> Booleans:  # noqa: FBT001 - by place, for `partial`
+    across = rows.teeth(number) + (FOOT if rows.layout.internal[number] else TIPS)
+    if is_rim:
+        across += rows.span(number)
+    return across * rows.module(rows.layout.component[number]) <= largest + TIP_CLEARANCE
 
 
-def _alone(rows: TeethCandidates) -> Booleans:
-    """Where there is one planet, and nothing to touch it."""
-    found: Booleans = rows.counts < 2
-    return found
+def _have_room(rim: int, clearance: float, rows: TeethCandidates) -> Booleans:
+    """Whether planets do not touch one another; one planet has nothing to touch it."""
+    room = neighbours_room(rows.span(rim), rows.teeth(rim), np.sin(np.pi / rows.counts))
+    return (room - clearance >= TIP_CLEARANCE) | (rows.counts < 2)
 
 
-def _neighbours(rim: int, clearance: float) -> Test:
-    def test(rows: TeethCandidates) -> Booleans:
-        room = neighbours_room(rows.span(rim), rows.teeth(rim), np.sin(np.pi / rows.counts))
-        return (room - clearance >= TIP_CLEARANCE) | _alone(rows)
-
-    return test
-
-
-def _passing(layout: TeethLayout, rim: int, wheel: int, clearance: float) -> Test:
-    internal = layout.internal[wheel]
-
-    def test(rows: TeethCandidates) -> Booleans:
-        teeth = rows.teeth(rim), rows.teeth(wheel)
-        room = passing_room(rows.span(rim), *teeth, internal=internal)
-        return (room > TIP_CLEARANCE) & (room >= 2 * clearance - TIP_CLEARANCE)
-
-    return test
+def _pass(rim: int, wheel: int, clearance: float, rows: TeethCandidates) -> Booleans:
+    """Whether planets are clear of a wheel in their plane."""
+    teeth = rows.teeth(rim), rows.teeth(wheel)
+    room = passing_room(rows.span(rim), *teeth, internal=rows.layout.internal[wheel])
+    return (room > TIP_CLEARANCE) & (room >= 2 * clearance - TIP_CLEARANCE)
 
 
-def _triangle(pair: tuple[int, int]) -> Test:
-    return lambda rows: np.asarray(closes(*rows.sides(pair)), dtype=np.bool_)
+def _close(pair: tuple[int, int], rows: TeethCandidates) -> Booleans:
+    return np.asarray(closes(*rows.sides(pair)), dtype=np.bool_)
 
 
-def _crossing(pair: tuple[int, int], clearance: float) -> Test:
-    def test(rows: TeethCandidates) -> Booleans:
-        first, second, apart = rows.sides(pair)
-        turn = 2 * math.pi / rows.counts
-        room = crossing_distance(first, second, apart, turn) - apart - TIPS
-        return ((room - clearance >= TIP_CLEARANCE) & (lean(first, second, apart) < turn)) | _alone(
-            rows
-        )
-
-    return test
+def _have_room_across(pair: tuple[int, int], clearance: float, rows: TeethCandidates) -> Booleans:
+    """Whether a planet does not touch the next one but one, with which it does not mesh."""
+    first, second, apart = rows.sides(pair)
+    turn = 2 * math.pi / rows.counts
+    room = crossing_distance(first, second, apart, turn) - apart - TIPS
+    has_room = (room - clearance >= TIP_CLEARANCE) & (lean(first, second, apart) < turn)
+    return has_room | (rows.counts < 2)
 
 
-def _assembly(layout: TeethLayout, train: list[int]) -> Test:
+def _go_in(train: list[int], rows: TeethCandidates) -> Booleans:
     """Whether all planets of a train go in, at equal angles."""
+    layout = rows.layout
     column = {rim: place for place, planet in enumerate(train) for rim in layout.planets[planet]}
-
-    def test(rows: TeethCandidates) -> Booleans:
-        lines = []
-        for wheel, rim in layout.around:
-            if rim in column:
-                line = np.zeros((len(train) + 1, len(rows.rows)), np.int64)
-                line[column[rim]] = rows.rows[:, rim]
-                line[-1] = rows.rows[:, wheel] * (-1 if layout.internal[wheel] else 1)
-                lines.append(line)
-        for pair in layout.meshes:
-            if pair[0] in column:
-                line = np.zeros((len(train) + 1, len(rows.rows)), np.int64)
-                for rim in pair:
-                    line[column[rim]] += rows.rows[:, rim]
-                lines.append(line)
-        found: Booleans = seated(common_step(np.stack(lines), len(train)), rows.counts)
-        return found
-
-    return test
+    lines = []
+    for pair in (*layout.around, *layout.meshes):
+        if pair[1] in column:
+            line = np.zeros((len(train) + 1, len(rows.rows)), np.int64)
+            for wheel in pair:  # a central one stands in the last column
+                line[column.get(wheel, -1)] += rows.rows[:, wheel] * (
+                    -1 if layout.internal[wheel] else 1
+                )
+            lines.append(line)
+    found: Booleans = seated(common_step(np.stack(lines), len(train)), rows.counts)
+    return found
 
 
 def solved(

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
+from itertools import islice
 from typing import NamedTuple
 
 import numpy as np
@@ -25,7 +26,7 @@ from vstatics.synthesis.teeth.reach import (
     refuse_signs,
 )
 from vstatics.synthesis.teeth.rows import LOOKED, TeethRows
-from vstatics.synthesis.teeth.search import BestTeeth, best_teeth
+from vstatics.synthesis.teeth.search import BestTeeth, best_teeth, different_teeth
 from vstatics.synthesis.teeth.solutions import MOST_TEETH_SOLUTIONS, TeethSolution, teeth_solutions
 from vstatics.synthesis.teeth.table import TeethTable, teeth_table
 from vstatics.synthesis.teeth.targets import TeethError
@@ -122,16 +123,12 @@ def _whole_table(rows: TeethRows) -> TeethTable | None:
         If there are none, with the condition that excludes most.
     """
     told: Counter[str] = Counter()
-    found = teeth_table(rows.layout, rows.found({}, told, MOST_LISTED_CANDIDATES), _counts(rows))
+    found = teeth_table(rows.layout, rows.found({}, told, MOST_LISTED_CANDIDATES), rows.counts)
     if not found.is_whole:
         return None
     if not found.total:
         raise NoTeethError([none_fits(rows.layout, told)])
     return found
-
-
-def _counts(rows: TeethRows) -> tuple[int, ...]:
-    return rows.limits.counts(rows.layout)
 
 
 def none_fits(layout: TeethLayout, told: Counter[str]) -> Problem:
@@ -181,7 +178,7 @@ def _by_limits(
             found = best_teeth(listed, targets, MOST_TEETH_SOLUTIONS, most=within, advance=advance)
             if len(found.errors) and (is_whole or best is None):
                 best = listed, found._replace(bound=min(found.bound, most if is_whole else proven))
-            if _different(listed, found) >= MOST_TEETH_SOLUTIONS:
+            if different_teeth(listed, found.places).sum() >= MOST_TEETH_SOLUTIONS:
                 break
         if not is_whole:
             break
@@ -193,7 +190,7 @@ def _by_limits(
         raise NoTeethError([none_fits(rows[first].layout, told)])
     message = f"{rows[first].layout.name}: too many teeth to be looked at"
     hint = "expected narrower ranges, or fewer numbers of planets or modules"
-    raise CaseError([Problem(f"{message}; {hint}", ("range",))])
+    raise CaseError(f"{message}; {hint}", ("range",))
 
 
 def _in_windows(
@@ -203,24 +200,11 @@ def _in_windows(
     told: Counter[str],
 ) -> Iterator[TeethTable]:
     """The tables of all elements, of those with too many only with ratios that are of use."""
-    column = 0
+    sizes = iter(np.sort(np.abs(between), axis=0).T.tolist())
     for one, table in zip(rows, tables, strict=True):
-        columns = range(column, column + len(one.layout.ratios))
-        column = columns.stop
-        if table is not None:
+        own = islice(sizes, len(one.layout.ratios))
+        windows = {number: (low, high) for number, (low, high) in enumerate(own)}
+        if table is None:
+            yield teeth_table(one.layout, one.found(windows, told), one.counts)
+        else:
             yield table
-            continue
-        windows = {
-            number: tuple(sorted(abs(float(end[place])) for end in between))
-            for number, place in enumerate(columns)
-        }
-        pairs = {number: (window[0], window[1]) for number, window in windows.items()}
-        yield teeth_table(one.layout, one.found(pairs, told), _counts(one))
-
-
-def _different(tables: Sequence[TeethTable], best: BestTeeth) -> float:
-    """How many different teeth there are in what was found."""
-    pairs = zip(tables, best.places.T, strict=True)
-    return float(
-        np.prod([table.different[own].astype(float) for table, own in pairs], axis=0).sum()
-    )

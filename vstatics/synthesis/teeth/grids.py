@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from vstatics.synthesis.ratios.grids import number
 from vstatics.synthesis.teeth.finding import FoundTeeth
+from vstatics.synthesis.teeth.layout import named_ratios
 from vstatics.synthesis.teeth.limits import TeethLimits
 from vstatics.synthesis.teeth.problem import TeethProblem
 from vstatics.synthesis.teeth.solutions import TeethSolution
@@ -39,23 +40,14 @@ def _error(value: float) -> Cell:
 def _wanted(problem: TeethProblem, best: TeethSolution) -> Grid:
     targets = {target.name: target for target in problem.targets}
     rows: list[Row] = []
-    for name, ratio in {**best.gears, **_of_sets(problem, best)}.items():
+    of_sets = named_ratios(problem.layouts)
+    sets = [name for name in of_sets if name in targets and name not in best.gears]
+    for name, ratio in {**best.gears, **{n: best.ratios[of_sets[n].name] for n in sets}}.items():
         target = targets.get(name)
         row: Row = [name, number(target.wanted if target else None), exact(ratio, 4)]
         row.append(_error(target.apart_from(ratio)) if target else exact(None))
         rows.append(row)
     return Grid("Gears", [text("gear"), *map(Column, ("wanted", "ratio", "error"))], rows)
-
-
-def _of_sets(problem: TeethProblem, best: TeethSolution) -> dict[str, float]:
-    """The ratios of sets that are wanted."""
-    found = {}
-    for layout in problem.layouts:
-        for ratio in layout.ratios:
-            for name in {ratio.name, layout.name if len(layout.ratios) == 1 else ratio.name}:
-                if any(target.name == name for target in problem.targets):
-                    found[name] = best.ratios[ratio.name]
-    return {name: one for name, one in found.items() if name not in best.gears}
 
 
 def _teeth(problem: TeethProblem, best: TeethSolution) -> Grid:

@@ -12,7 +12,6 @@ from vstatics.elements.element import Element
 from vstatics.elements.group import PlanetGroup, group_of
 from vstatics.elements.kinds import Planetary, Simple
 from vstatics.elements.lower import DrawnPart
-from vstatics.elements.teeth.layout import Key
 from vstatics.elements.teeth.nearby import ratio_powers
 from vstatics.elements.teeth.spacing import PASSING
 from vstatics.explain.bodies import OwnLinks
@@ -87,14 +86,9 @@ class TeethLayout:
     @cached_property
     def component(self) -> tuple[int, ...]:
         """By wheel: what meshes has one module, and one number here, from 0."""
-        group = list(range(len(self.wheels)))
-        for one, other in (*self.around, *self.meshes) if self.planets else ():
-            old, new = sorted((group[one], group[other]), reverse=True)
-            group = [new if number == old else number for number in group]
         if not self.planets:
-            return (0,) * len(group)
-        numbers = sorted(set(group))
-        return tuple(numbers.index(number) for number in group)
+            return (0,) * len(self.wheels)
+        return tuple(_groups(len(self.wheels), (*self.around, *self.meshes)))
 
     def around_rim(self, rim: int) -> list[int]:
         """The central wheels that mesh with a rim."""
@@ -131,16 +125,32 @@ class TeethLayout:
     @cached_property
     def trains(self) -> list[list[int]]:
         """Planets that mesh with one another, directly or not."""
-        group = list(range(len(self.planets)))
-        for pair in self.meshes:
-            one, other = (self.planet_of(rim) for rim in pair)
-            old, new = group[one], group[other]
-            group = [new if number == old else number for number in group]
-        return [[n for n, one in enumerate(group) if one == train] for train in sorted(set(group))]
+        planet_of = {rim: number for number, rims in enumerate(self.planets) for rim in rims}
+        pairs = [(planet_of[one], planet_of[other]) for one, other in self.meshes]
+        trains: dict[int, list[int]] = {}
+        for planet, train in enumerate(_groups(len(self.planets), pairs)):
+            trains.setdefault(train, []).append(planet)
+        return [*trains.values()]
 
-    def planet_of(self, rim: int) -> int:
-        """The number of the planet that a rim is on."""
-        return next(number for number, rims in enumerate(self.planets) if rim in rims)
+
+def _groups(count: int, pairs: Sequence[tuple[int, int]]) -> list[int]:
+    """The group of each of so many that pairs join, numbered as they come."""
+    group = list(range(count))
+    for one, other in pairs:
+        old, new = sorted((group[one], group[other]), reverse=True)
+        group = [new if number == old else number for number in group]
+    numbers = sorted(set(group))
+    return [numbers.index(number) for number in group]
+
+
+def named_ratios(layouts: Sequence[TeethLayout]) -> dict[str, TeethRatio]:
+    """Ratios of elements by their names; of an element with several each has its own."""
+    found: dict[str, TeethRatio] = {}
+    for layout in layouts:
+        found |= {ratio.name: ratio for ratio in layout.ratios}
+        if len(layout.ratios) == 1:
+            found[layout.name] = layout.ratios[0]
+    return found
 
 
 def teeth_layouts(own: OwnLinks) -> list[TeethLayout]:
@@ -225,12 +235,10 @@ def _ratios(
         if part.element is None:
             first, second = _wheels_of(mechanism)
         given = ratio_powers(group, wheels[first], wheels[second])
-        powers = {_number(key, numbers): power for key, power in given.items()}
+        powers = {
+            numbers[key] if isinstance(key, str) else key: power for key, power in given.items()
+        }
         yield TeethRatio(number, mechanism.name, 1 if mechanism.ratio > 0 else -1, powers)
-
-
-def _number(key: Key, rims: Mapping[str, int]) -> int:
-    return rims[key] if isinstance(key, str) else key
 
 
 def _of_pair(element: Element, part: DrawnPart, mechanism: int) -> TeethLayout:

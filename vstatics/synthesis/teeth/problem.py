@@ -10,13 +10,12 @@ from typing import NamedTuple
 from vstatics.elements.group_checks import LARGEST_WHEEL
 from vstatics.elements.teeth.conditions import SHIFT
 from vstatics.errors import CaseError, Problem, listed, nearest, quoted
-from vstatics.explain.bodies import OwnLinks, on_own_links
+from vstatics.explain.bodies import OwnLinks
 from vstatics.model.transmission import Transmission
 from vstatics.statics.solve import solve
-from vstatics.statics.status import STATUSES
-from vstatics.summary.design_table import is_same
 from vstatics.synthesis.ratios.formula import ONE, GearFormula, gear_formula
-from vstatics.synthesis.teeth.layout import TeethLayout, TeethRatio, teeth_layouts
+from vstatics.synthesis.ratios.problem import on_engaged_links, ratio_fault
+from vstatics.synthesis.teeth.layout import TeethLayout, named_ratios, teeth_layouts
 from vstatics.synthesis.teeth.limits import TeethLimits
 from vstatics.synthesis.teeth.targets import TeethError, TeethTarget
 
@@ -51,9 +50,7 @@ def teeth_problem(
     CaseError
         With all that can't be; each problem's path begins with the option that it is about.
     """
-    own = on_own_links(case)
-    if case.freewheels:
-        own = own._replace(case=solve(own.case).with_freewheels_engaged)
+    own = on_engaged_links(case)
     layouts = teeth_layouts(own)
     problems = [*_wrong_limits(limits, layouts)]
     if not ratios:
@@ -71,7 +68,9 @@ def teeth_problem(
     used = [one for one in layouts if any(own.mechanism in occurring for own in one.ratios)]
     if not used:
         message = "no teeth that can be looked for are in what is wanted"
-        raise CaseError([Problem(f"{message}{_searched(layouts)}", ("ratios",))])
+        if layouts:
+            message += f"; they can be for {listed([layout.name for layout in layouts], 12)}"
+        raise CaseError(message, ("ratios",))
     columns: dict[int, int] = {}
     for layout in used:
         for ratio in layout.ratios:
@@ -96,27 +95,12 @@ def own_ratios(case: Transmission) -> dict[str, float]:
     return {gear.name: ratio for gear, ratio in ratios if math.isfinite(ratio) and ratio}
 
 
-def _searched(layouts: Sequence[TeethLayout]) -> str:
-    names = [layout.name for layout in layouts]
-    return f"; they can be for {listed(names, 12)}" if names else ""
-
-
 @dataclass(frozen=True)
 class _AskedByName:
     """A case of which ratios are asked for by name."""
 
     own: OwnLinks
     layouts: Sequence[TeethLayout]
-
-    @property
-    def of_sets(self) -> dict[str, TeethRatio]:
-        """Ratios of elements by their names; of an element with several each has its own."""
-        found: dict[str, TeethRatio] = {}
-        for layout in self.layouts:
-            found |= {ratio.name: ratio for ratio in layout.ratios}
-            if len(layout.ratios) == 1:
-                found[layout.name] = layout.ratios[0]
-        return found
 
     def formula(self, name: str, wanted: float) -> GearFormula:
         """Of a gear, else of a ratio of an element.
@@ -130,22 +114,22 @@ class _AskedByName:
         what = f"gear {name}" if name in gears else name
         if wanted == 0 or not math.isfinite(wanted):
             message = f"{what}: read {wanted:g}, expected a finite ratio other than 0"
-            raise CaseError([Problem(message, path)])
+            raise CaseError(message, path)
         if name in gears:
             return self._of_gear(gears.index(name), wanted)
-        if name not in self.of_sets:
-            known = [*gears, *self.of_sets]
-            hint = f"{nearest(name, known)}; gears are {listed(gears, 12)}"
-            if self.of_sets:
-                hint += f"; sets are {listed([*self.of_sets], 12)}"
-            raise CaseError([Problem(f"no gear or set {quoted(name)}{hint}", path)])
-        ratio = self.of_sets[name]
+        of_sets = named_ratios(self.layouts)
+        if name not in of_sets:
+            hint = f"{nearest(name, [*gears, *of_sets])}; gears are {listed(gears, 12)}"
+            if of_sets:
+                hint += f"; sets are {listed([*of_sets], 12)}"
+            raise CaseError(f"no gear or set {quoted(name)}{hint}", path)
+        ratio = of_sets[name]
         if wanted * ratio.sign < 0:
             side = "below" if ratio.sign < 0 else "above"
             message = (
                 f"{name}: read {wanted:g}, expected a ratio {side} 0: did you mean {-wanted:g}?"
             )
-            raise CaseError([Problem(message, path)])
+            raise CaseError(message, path)
         return GearFormula("ratio", {1 << ratio.mechanism: ONE}, {0: ONE})
 
     def _of_gear(self, index: int, wanted: float) -> GearFormula:
@@ -161,15 +145,11 @@ class _AskedByName:
             formula = gear_formula(self.own, case.gears[index], fixed)
         except CaseError as failed:
             raise CaseError([one._replace(path=path) for one in failed.problems]) from None
-        status = {one.name: one for one in STATUSES}.get(formula.kind)
-        if status is not None:
-            raise CaseError([Problem(f"gear {name} has no ratio: {status.meaning}", path)])
-        if formula.kind == "constant" and not is_same(formula.constant, wanted):
-            constant = f"gear {name}: read {wanted:.12g}, but its ratio is {formula.constant:.12g}"
-            raise CaseError([Problem(f"{constant} whatever the teeth are", path)])
+        if fault := ratio_fault(name, formula, wanted, "teeth"):
+            raise CaseError(fault, path)
         if len(formula.ratios) > MOST_RATIOS:
             message = f"gear {name}: {len(formula.ratios)} ratios are in its own"
-            raise CaseError([Problem(f"{message}, expected no more than {MOST_RATIOS}", path)])
+            raise CaseError(f"{message}, expected no more than {MOST_RATIOS}", path)
         return formula
 
 

@@ -13,7 +13,7 @@ import numpy as np
 
 from vstatics.errors import CaseError, Problem
 from vstatics.numerics.arrays import Floats
-from vstatics.synthesis.ratios.problem import reach_text
+from vstatics.synthesis.ratios.problem import reach_text, sign_fault
 from vstatics.synthesis.teeth.problem import TeethProblem
 from vstatics.synthesis.teeth.rows import TeethRows
 from vstatics.synthesis.teeth.table import TeethTable
@@ -40,11 +40,8 @@ def refuse_signs(problem: TeethProblem, low: Floats, high: Floats) -> None:
     problems = []
     for target in problem.targets:
         ends = target.ends(low[np.newaxis], high[np.newaxis])
-        if ends and (ends[1] <= 0 < target.wanted or target.wanted < 0 <= ends[0]):
-            side = "below" if target.wanted > 0 else "above"
-            read = f"{target.name}: read {target.wanted:g}, but {reach_text(*ends)}"
-            message = f"{read}: expected a ratio {side} 0"
-            problems.append(Problem(message, ("ratios", target.name)))
+        if ends and (wrong := sign_fault(target.name, target.wanted, ends)):
+            problems.append(Problem(wrong, ("ratios", target.name)))
     if problems:
         raise CaseError(problems)
 

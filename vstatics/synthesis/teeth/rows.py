@@ -16,7 +16,7 @@ from functools import cached_property
 import numpy as np
 
 from vstatics.elements.teeth.conditions import UNCUT_SHIFTED
-from vstatics.numerics.arrays import Floats, Integers
+from vstatics.numerics.arrays import Floats, Integers, counted, portions
 from vstatics.synthesis.teeth.conditions import (
     TeethCandidates,
     TeethCondition,
@@ -63,8 +63,12 @@ class TeethRows:
         layout = self.layout
         cut = layout.element.kind not in ("chain", "bevel_pair")
         least = np.where(np.array(layout.internal) | (not cut), 1, UNCUT_SHIFTED)
-        found: Integers = np.maximum(self.ranges[:, 0], least)
-        return found
+        return np.maximum(self.ranges[:, 0], least)
+
+    @property
+    def counts(self) -> tuple[int, ...]:
+        """How many planets there may be, the number that is best liked first."""
+        return self.limits.counts(self.layout)
 
     @cached_property
     def modules(self) -> Floats:
@@ -135,32 +139,21 @@ class TeethRows:
         known = {column for column, _ in plan[:place]}
         low, high = self._between(column, known, rows, windows, told)
         widths = np.maximum(high - low + 1, 0)
-        ends = np.cumsum(widths)
-        told[LOOKED] -= len(rows) + int(ends[-1])
+        told[LOOKED] -= len(rows) + int(widths.sum())
         if told[LOOKED] < 0:
             raise TooManyError
-        start = 0
-        while start < len(rows):
-            done = ends[start - 1] if start else 0
-            end = max(int(np.searchsorted(ends, done + CANDIDATES_AT_ONCE, "right")), start + 1)
-            grown = self._with(column, rows[start:end], low[start:end], widths[start:end])
-            start = end
+        for piece in portions(widths, CANDIDATES_AT_ONCE):
+            which, more = counted(widths[piece])
+            grown = rows[piece][which]
+            grown[:, column] = low[piece][which] + more
+            if column == len(self.layout.wheels):
+                grown[:, column] = np.array(self.counts)[grown[:, column]]
             for condition in conditions:
                 kept = condition.test(TeethCandidates(self.layout, self.modules, grown))
                 told[condition.label] += int(len(kept) - kept.sum())
                 grown = grown[kept]
             if len(grown):
                 yield from self._grown(plan, place + 1, grown, windows, told)
-
-    def _with(self, column: int, rows: Integers, low: Integers, widths: Integers) -> Integers:
-        """Rows with all values of a column."""
-        grown = np.repeat(rows, widths, axis=0)
-        firsts = np.repeat(np.cumsum(widths) - widths, widths)
-        values = np.repeat(low, widths) + np.arange(len(grown)) - firsts
-        if column == len(self.layout.wheels):
-            values = np.array(self.limits.counts(self.layout))[values]
-        grown[:, column] = values
-        return grown
 
     def _between(
         self,
@@ -173,7 +166,7 @@ class TeethRows:
         """The least and largest value of a column, by row; numbers of planets by their places."""
         if column == len(self.layout.wheels):
             zeros = np.zeros(len(rows), np.int64)
-            return zeros, zeros + len(self.limits.counts(self.layout)) - 1
+            return zeros, zeros + len(self.counts) - 1
         low = np.full(len(rows), self.least[column])
         high = np.full(len(rows), self.ranges[column, 1])
         told["undercut"] += len(rows) * int(self.least[column] - self.ranges[column, 0])

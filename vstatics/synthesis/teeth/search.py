@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.numerics.arrays import Floats, Integers
+from vstatics.numerics.arrays import Floats, Integers, counted, portions
 from vstatics.synthesis.ratios.problem import Advance, untold
 from vstatics.synthesis.teeth.table import TeethTable
 from vstatics.synthesis.teeth.targets import TeethTarget, largest_errors, least_errors
@@ -85,6 +85,12 @@ def best_teeth(
     return BestTeeth(search.errors, search.places, bound)
 
 
+def different_teeth(tables: Sequence[TeethTable], places: Integers) -> Floats:
+    """How many different teeth some places of tables have, (places,)."""
+    pairs = zip(tables, places.T, strict=True)
+    return np.asarray(np.prod([table.different[own].astype(float) for table, own in pairs], axis=0))
+
+
 class _Halving:
     """A search with the best that it has met."""
 
@@ -119,13 +125,8 @@ class _Halving:
 
     def halved(self, regions: Integers) -> Iterator[tuple[Floats, Integers]]:
         """What is left of regions, halved, the best first; small ones are tried out."""
-        starts, ends = (
-            np.stack(
-                [one.nodes[own, side] for one, own in zip(self.tables, regions.T, strict=True)],
-                axis=1,
-            )
-            for side in (0, 1)
-        )
+        nodes = [one.nodes[own, :2] for one, own in zip(self.tables, regions.T, strict=True)]
+        starts, ends = np.stack(nodes, axis=1).transpose(2, 0, 1)
         sizes = ends - starts
         few = sizes.astype(np.float64).prod(axis=1) <= FEW_CHOICES
         self._try(starts[few], sizes[few])
@@ -195,20 +196,13 @@ class _Halving:
     def _try(self, starts: Integers, sizes: Integers) -> None:
         """All choices of regions, from their first places and how many there are."""
         counts = sizes.prod(axis=1)
-        ends = np.cumsum(counts)
-        start = 0
-        while start < len(counts):
-            done = ends[start - 1] if start else 0
-            end = max(int(np.searchsorted(ends, done + CHOICES_AT_ONCE, "right")), start + 1)
-            some = counts[start:end]
-            of_region = np.repeat(np.arange(start, end), some)
-            number = np.arange(some.sum()) - np.repeat(np.cumsum(some) - some, some)
+        for piece in portions(counts, CHOICES_AT_ONCE):
+            of_region, number = counted(counts[piece])
             places = np.empty((len(number), len(self.tables)), np.int64)
             for element in range(len(self.tables)):
-                number, rest = np.divmod(number, sizes[of_region, element])
-                places[:, element] = starts[of_region, element] + rest
+                number, rest = np.divmod(number, sizes[piece][of_region, element])
+                places[:, element] = starts[piece][of_region, element] + rest
             self._keep(places)
-            start = end
 
     def _keep(self, places: Integers) -> None:
         """Keep the best of choices and of what was there."""
@@ -223,9 +217,8 @@ class _Halving:
         places = np.concatenate([self.places, places[better]])
         order = np.argsort(errors, kind="stable")
         errors, places = errors[order], places[order]
-        pairs = zip(self.tables, places.T, strict=True)
-        different = np.prod([table.different[own].astype(float) for table, own in pairs], axis=0)
-        enough = int(np.searchsorted(np.cumsum(different), self.wanted)) + 1
+        different = np.cumsum(different_teeth(self.tables, places))
+        enough = int(np.searchsorted(different, self.wanted)) + 1
         self.errors, self.places = errors[:enough], places[:enough]
         if enough <= len(errors):
             self.is_full, self.most = True, float(errors[enough - 1])

@@ -49,21 +49,12 @@ def teeth_solutions(
     for error, places in zip(best.errors.tolist(), best.places.tolist(), strict=True):
         alike = [_smallest(table, place) for table, place in zip(tables, places, strict=True)]
         for rows in itertools.islice(_by_size(alike), MOST_TEETH_SOLUTIONS):
-            total = sum(
-                int(_teeth(table, row).sum()) for table, row in zip(tables, rows, strict=True)
-            )
+            pairs = zip(tables, rows, strict=True)
+            total = sum(int(row[: len(table.layout.wheels)].sum()) for table, row in pairs)
             chosen.append((round(error, ERROR_DECIMALS), total, rows))
-    chosen.sort(key=_in_order)
+    chosen.sort(key=lambda one: (*one[:2], [row.tolist() for row in one[2]]))
     for _, _, rows in chosen[:MOST_TEETH_SOLUTIONS]:
         yield _solution(problem, tables, rows)
-
-
-def _in_order(one: tuple[float, int, tuple[Integers, ...]]) -> tuple[float, int, list[list[int]]]:
-    return one[0], one[1], [row.tolist() for row in one[2]]
-
-
-def _teeth(table: TeethTable, row: Integers) -> Integers:
-    return row[: len(table.layout.wheels)]
 
 
 def _smallest(table: TeethTable, place: int) -> list[Integers]:

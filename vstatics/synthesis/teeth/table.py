@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.numerics.arrays import Floats, Integers
+from vstatics.numerics.arrays import Floats, Integers, counted
 from vstatics.synthesis.teeth.layout import TeethLayout
 from vstatics.synthesis.teeth.rows import TooManyError
 
@@ -79,11 +79,10 @@ def teeth_table(
     firsts = np.cumsum(sizes) - sizes
     unique = ratios[order][firsts]
     in_halves, nodes, low, high = _halves(unique)
-    moved, sizes = firsts[in_halves], sizes[in_halves]
-    moved = np.repeat(moved, sizes)
+    sizes = sizes[in_halves]
+    which, within = counted(sizes)
     starts = np.concatenate([[0], np.cumsum(sizes)])
-    within = np.arange(len(rows)) - np.repeat(starts[:-1], sizes)
-    rows = rows[order][moved + within]
+    rows = rows[order][firsts[in_halves][which] + within]
     nodes_of = (unique[in_halves], nodes, low, high)
     return TeethTable(layout, is_whole, total, rows, starts, *nodes_of)
 
@@ -164,15 +163,14 @@ def _reduced(function: np.ufunc, values: Floats, level: Integers) -> Floats:
     """Least or largest values between starts and ends, which do not overlap."""
     bounds = level.ravel()
     inside = np.concatenate([values, values[-1:]])
-    found: Floats = function.reduceat(inside, bounds, axis=0)[::2]
-    return found
+    return function.reduceat(inside, bounds, axis=0)[::2]
 
 
 def _sorted_within(order: Integers, sizes: Floats, level: Integers, widest: Integers) -> Integers:
     """An order in which each part of a level is sorted by its widest ratio."""
     sorted_order = order.copy()
-    places = np.concatenate([np.arange(start, end) for start, end in level])
-    of_part = np.repeat(np.arange(len(level)), level[:, 1] - level[:, 0])
+    of_part, more = counted(level[:, 1] - level[:, 0])
+    places = level[of_part, 0] + more
     key = sizes[order[places], widest[of_part]]
     sorted_order[places] = order[places][np.lexsort((key, of_part))]
     return sorted_order

@@ -11,9 +11,8 @@ from typing import Literal
 import numpy as np
 
 from vstatics.numerics.arrays import Booleans, Floats
-from vstatics.synthesis.ratios.arrays import at_corners
+from vstatics.synthesis.ratios.arrays import at_corners, factors
 from vstatics.synthesis.ratios.formula import GearFormula
-from vstatics.synthesis.ratios.multilinear import Polynomial, bits
 
 TeethError = Literal["ln", "absolute"]
 """Of a ratio: |ln(i/target)|, or |i - target|."""
@@ -58,24 +57,15 @@ class TeethTarget:
         return [self.columns[index] for index in self.formula.ratios]
 
     @cached_property
-    def _factors(self) -> tuple[Floats, Floats]:
-        return self._of(self.formula.above), self._of(self.formula.below)
-
-    def _of(self, polynomial: Polynomial) -> Floats:
-        ratios = self.formula.ratios
-        factors = np.zeros(2 ** len(ratios))
-        for product, coefficient in polynomial.items():
-            place = sum(1 << ratios.index(index) for index in bits(product))
-            factors[place] = float(coefficient)
-        return factors
+    def _factors(self) -> list[Floats]:
+        return [factors(one, self.formula.ratios) for one in self.formula[1:]]
 
     def ratios(self, points: Floats) -> Floats:
         """The ratio at points, (points, columns); not finite where the output stands [-]."""
         own = points[:, self.used]
         with np.errstate(all="ignore"):
             above, below = (at_corners(one, own, own)[..., 0] for one in self._factors)
-            found: Floats = above / below
-        return found
+            return np.asarray(above / below)
 
     def errors(self, points: Floats) -> Floats:
         """The error at points, (points, columns) [-]."""
