@@ -58,7 +58,7 @@ def description(plan: SweepPlan, form: Format) -> dict[str, Any]:
 
 
 def column_types(plan: SweepPlan) -> list[ColumnType]:
-    """NameFinder and types of the columns of the output."""
+    """Names and types of the columns of the output."""
     number = np.dtype("<f8")
     return [
         ColumnType("variant", np.dtype("<i8")),
