@@ -114,6 +114,8 @@ class Grid(NamedTuple):
 
 Value = Cell | Datum | Sequence[str]
 """What a cell is made of: a float is exact, an int whole, a bool a sign, a sequence words."""
+Values = Sequence[Value]
+"""What a row is made of."""
 
 
 def table(
