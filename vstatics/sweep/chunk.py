@@ -65,14 +65,15 @@ class Chunk(NamedTuple):
         require("pandas", "to_dataframe")
         import pandas as pd
 
+        columns: dict[str, Any] = self.output_columns()
         codes = self.status.astype(np.int64)
-        status: Any = pd.Categorical.from_codes(codes, categories=pd.Index(STATUS))
-        columns: dict[str, Any] = {
-            **dict(zip(self.names, np.transpose(self.values), strict=True)),
-            "status": status,
-            **dict(zip(self.headings, self.columns.T, strict=True)),
-        }
-        return pd.DataFrame(columns, index=pd.Index(self.variants, name="variant"))
+        columns["status"] = pd.Categorical.from_codes(codes, categories=pd.Index(STATUS))
+        return pd.DataFrame(columns, index=pd.Index(columns.pop("variant"), name="variant"))
+
+    def output_columns(self) -> dict[str, Floats | Integers | Codes]:
+        """What is written of the rows, by the headings of the output."""
+        tables = self.variants, *self.values.T, self.status, *self.columns.T
+        return dict(zip(output_headings(self.names, self.headings), tables, strict=True))
 
     def rows(self, chosen: Integers | Booleans) -> Chunk:
         """The chunk with these rows only."""
@@ -83,6 +84,11 @@ class Chunk(NamedTuple):
             columns=self.columns[chosen],
             objectives=self.objectives[chosen],
         )
+
+
+def output_headings(names: Sequence[str], headings: Sequence[str]) -> list[str]:
+    """The headings of the output: of variants by varied numbers and columns."""
+    return ["variant", *names, "status", *headings]
 
 
 def rows_of(  # noqa: PLR0913 PLR0917 (what is known of a block)
