@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from functools import reduce
 from string import ascii_uppercase
 
-from vstatics.model.parts import HOUSING, ShiftElement
+from vstatics.model.parts import HOUSING
 from vstatics.summary import Summary
 from vstatics.summary.design_table import GearLine
 from vstatics.summary.extremes import (
@@ -124,10 +124,12 @@ def _in_all(summaries: Sequence[Summary]) -> Iterator[Row]:
         "shift elements", [_count(len(one.results.case.shift_elements)) for one in summaries]
     )
     kinds = [
-        [_joins_two(element) for element in one.results.case.shift_elements] for one in summaries
+        [HOUSING not in (each.first, each.second) for each in one.results.case.shift_elements]
+        for one in summaries
     ]
     yield _row("of them between two links", [_count(sum(one)) for one in kinds])
-    yield _row("most that change in a shift", [_count(_most_changes(one)) for one in summaries])
+    changes = [[one.changes for one in each.transitions if not one.jumped] for each in summaries]
+    yield _row("most that change in a shift", [_count(max(one, default=0)) for one in changes])
     yield _row("spread", [(exact(one.design.spread), "") for one in summaries])
     yield _row("mean forward efficiency", [(exact(_mean_efficiency(one)), "") for one in summaries])
     if any(one.cycle for one in summaries):
@@ -156,16 +158,6 @@ def _row(name: str, cells: Sequence[Cells]) -> Row:
 
 def _count(how_many: int) -> Cells:
     return whole(how_many), ""
-
-
-def _most_changes(summary: Summary) -> int:
-    """Elements that change at once between neighbours, at most."""
-    return max((one.changes for one in summary.transitions if not one.jumped), default=0)
-
-
-def _joins_two(element: ShiftElement) -> bool:
-    """Whether it joins two links that turn."""
-    return HOUSING not in (element.first, element.second)
 
 
 def _mean_efficiency(summary: Summary) -> float:

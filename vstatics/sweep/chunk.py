@@ -14,6 +14,7 @@ import numpy as np
 
 from vstatics.numerics.arrays import Booleans, Floats, Integers
 from vstatics.statics import status
+from vstatics.sweep.kept.columns import output_headings
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -84,11 +85,6 @@ class Chunk(NamedTuple):
             columns=self.columns[chosen],
             objectives=self.objectives[chosen],
         )
-
-
-def output_headings(names: Sequence[str], headings: Sequence[str]) -> list[str]:
-    """The headings of the output: of variants by varied numbers and columns."""
-    return ["variant", *names, "status", *headings]
 
 
 def rows_of(  # noqa: PLR0913 PLR0917 (what is known of a block)

@@ -11,9 +11,8 @@ import numpy as np
 
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Floats
-from vstatics.sweep.chunk import output_headings
 from vstatics.sweep.frequencies import OMEGA
-from vstatics.sweep.kept.columns import OutputColumns
+from vstatics.sweep.kept.columns import OutputColumns, output_headings
 from vstatics.sweep.kept.expressions import Expression
 from vstatics.sweep.kept.meanings import Tables
 from vstatics.sweep.kept.selection import Objective

@@ -14,14 +14,12 @@ from functools import lru_cache
 from itertools import combinations
 from typing import Any, NamedTuple
 
-import numpy as np
-
 from vstatics.errors import nearest, quoted, spoken
 from vstatics.numerics.arrays import Floats
 from vstatics.readers.expressions.excerpt import Excerpt
 from vstatics.readers.expressions.grammar import Applied, Language, Tree, parse
 from vstatics.readers.expressions.operands import Constant, DottedName, TableName
-from vstatics.simulation.scenario.formula_code import FUNCTIONS, PI, VARIABLES, compiled
+from vstatics.simulation.scenario.formula_code import FUNCTIONS, PI, VARIABLES, compiled, of_times
 
 
 class Formula(NamedTuple):
@@ -73,7 +71,7 @@ class Formula(NamedTuple):
 
     def along(self, times: Floats) -> Floats:
         """Its values at many times, of a formula of t alone."""
-        return np.array([self.function(time, 0.0, 0.0) for time in times.tolist()])
+        return _read(self.text).of_times(times)
 
 
 def read_formula(source: Excerpt, names: Collection[str] = VARIABLES) -> Formula:
@@ -109,19 +107,20 @@ def _tree(source: Excerpt, names: Collection[str]) -> Tree:
     tree = parse(source, Language(FUNCTIONS, operands, "t", caret=True))
     for part in _parts(tree):
         if isinstance(part, Applied):
-            _check_operands(part, source)
+            if (
+                part.name not in ("min", "max")
+                and part.name in FUNCTIONS
+                and len(part.operands) > 1
+            ):
+                count, example = len(part.operands), f"{part.name}(t)"
+                message = f"{part.name} of {count} parts, expected one, as in {example}"
+                raise source.error(message, part.at)
         elif isinstance(part, DottedName):
             message = f"read {quoted(part.written)}, expected {operands}"
             raise source.error(message, part.at)
         elif isinstance(part, TableName):
             _check_name(part, names, source)
     return tree
-
-
-def _check_operands(part: Applied, source: Excerpt) -> None:
-    if part.name in FUNCTIONS and part.name not in ("min", "max") and len(part.operands) > 1:
-        message = f"{part.name} of {len(part.operands)} parts, expected one, as in {part.name}(t)"
-        raise source.error(message, part.at)
 
 
 def _check_name(part: TableName, names: Collection[str], source: Excerpt) -> None:
@@ -152,6 +151,7 @@ class _Read(NamedTuple):
 
     variables: frozenset[str]
     function: Callable[[float, float, float], float]
+    of_times: Callable[[Floats], Floats]
     breaks: tuple[float, ...]
 
 
@@ -159,7 +159,7 @@ class _Read(NamedTuple):
 def _read(text: str) -> _Read:
     tree = _tree(Excerpt(text, "formula"), VARIABLES)
     names = {part.name for part in _parts(tree) if isinstance(part, TableName)}
-    return _Read(frozenset(names - {PI}), compiled(tree), breaks(tree))
+    return _Read(frozenset(names - {PI}), compiled(tree), of_times(tree), breaks(tree))
 
 
 MOST_BREAKS = 1000

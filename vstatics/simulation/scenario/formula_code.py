@@ -10,10 +10,12 @@ from __future__ import annotations
 import ast
 import math
 from collections.abc import Callable, Mapping
+from functools import reduce
 from typing import Any, TypeAlias
 
 import numpy as np
 
+from vstatics.numerics.arrays import Floats
 from vstatics.readers.expressions.evaluation import evaluate
 from vstatics.readers.expressions.grammar import Applied, Tree
 from vstatics.readers.expressions.operands import Constant, TableName
@@ -42,6 +44,18 @@ _PLAIN: Mapping[str, Callable[..., Any]] = {
     "sin": math.sin,
     "cos": math.cos,
     "sign": _sign,
+}
+_BROAD: Mapping[str, Callable[..., Any]] = {
+    "abs": np.abs,
+    "min": lambda *values: reduce(np.fmin, values),
+    "max": lambda *values: reduce(np.fmax, values),
+    "sqrt": np.sqrt,
+    "exp": np.exp,
+    "tanh": np.tanh,
+    "sin": np.sin,
+    "cos": np.cos,
+    "sign": np.sign,
+    "pow": np.power,
 }
 FUNCTIONS = tuple(_PLAIN)
 """Of numbers; `min` and `max` of several."""
@@ -74,11 +88,7 @@ def compiled(tree: Tree) -> Function:
     >>> function(0.0, 0.0, 0.0), function(1e6, 0.0, 0.0)
     (0.5, 0.0)
     """
-    arguments = ast.arguments([], [ast.arg(name) for name in VARIABLES], None, [], [], None, [])
-    whole = ast.fix_missing_locations(ast.Expression(ast.Lambda(arguments, _number(tree))))
-    code = compile(whole, "<formula>", "eval")
-    own = {"__builtins__": {}, "pow": math.pow, "truth": _truth, "number": float}
-    plain: Function = eval(code, {**own, **_PLAIN})  # noqa: S307 (see the top)
+    plain: Function = _evaluated(tree, _PLAIN)
 
     def function(t: float, speed: float, angle: float) -> float:
         try:
@@ -88,6 +98,44 @@ def compiled(tree: Tree) -> Function:
             return evaluate(tree, lambda name: np.array([[known[name.name]]])).item()
 
     return function
+
+
+def of_times(tree: Tree) -> Callable[[Floats], Floats]:
+    """The function of a tree in which t alone stands, for many times at once.
+
+    Examples
+    --------
+    >>> from vstatics.readers.expressions.excerpt import Excerpt
+    >>> from vstatics.readers.expressions.grammar import Language, parse
+    >>> function = of_times(parse(Excerpt("min(2*t, 3)", ""), Language(FUNCTIONS, "t", "t")))
+    >>> function(np.array([1.0, 2.0]))
+    array([2., 3.])
+    """
+    if _compares(tree):
+        one = compiled(tree)
+        return lambda times: np.array([one(time, 0.0, 0.0) for time in times.tolist()])
+    broad = _evaluated(tree, _BROAD)
+
+    def function(times: Floats) -> Floats:
+        with np.errstate(all="ignore"):
+            return np.broadcast_to(broad(times, 0.0, 0.0), times.shape).astype(float)
+
+    return function
+
+
+def _compares(tree: Any) -> bool:
+    """Whether a condition stands in a tree."""
+    if not isinstance(tree, Applied):
+        return False
+    return _is_truth(tree) or any(map(_compares, tree.operands))
+
+
+def _evaluated(tree: Tree, functions: Mapping[str, Callable[..., Any]]) -> Any:
+    """A function of the variables."""
+    arguments = ast.arguments([], [ast.arg(name) for name in VARIABLES], None, [], [], None, [])
+    whole = ast.fix_missing_locations(ast.Expression(ast.Lambda(arguments, _number(tree))))
+    own = {"__builtins__": {}, "pow": math.pow, "truth": _truth, "number": float}
+    return eval(compile(whole, "<formula>", "eval"), {**own, **functions})  # noqa: S307 (see the top)
 
 
 def _call(name: str, *operands: ast.expr) -> ast.expr:

@@ -79,7 +79,9 @@ def layout(columns: Sequence[ColumnType], accounts: Sequence[Account]) -> Archiv
             copies.append(Copy(account.piece, starts[number], place, segment.length))
             starts[number] += segment.length
             place += segment.length
-    codes = _array_bytes(np.array(STATUS))
+    file = io.BytesIO()
+    np.lib.format.write_array(file, np.array(STATUS))
+    codes = file.getvalue()
     local, entry = _heads("statuses.npy", zlib.crc32(codes), len(codes), place)
     texts.append((place, local + codes))
     place += len(local) + len(codes)
@@ -93,12 +95,6 @@ def _array_head(dtype: np.dtype[Any], rows: int) -> bytes:
     described = {"descr": np.lib.format.dtype_to_descr(dtype), "fortran_order": False}
     np.lib.format.write_array_header_1_0(head, {**described, "shape": (rows,)})
     return head.getvalue()
-
-
-def _array_bytes(array: Any) -> bytes:
-    file = io.BytesIO()
-    np.lib.format.write_array(file, array)
-    return file.getvalue()
 
 
 def _heads(name: str, crc: int, size: int, place: int) -> tuple[bytes, bytes]:

@@ -12,8 +12,9 @@ from collections.abc import Sequence
 import numpy as np
 
 from vstatics.numerics.arrays import Floats
-from vstatics.sweep.chunk import STATUS, Chunk, output_headings
+from vstatics.sweep.chunk import STATUS, Chunk
 from vstatics.sweep.formats import Format
+from vstatics.sweep.kept.columns import output_headings
 from vstatics.tables import csv
 
 ROWS_AT_ONCE = 512

@@ -133,6 +133,11 @@ def read_columns(text: str, subject: Subject, targets: Sequence[Varied]) -> Outp
     return OutputColumns(tuple(headings), tuple(parts))
 
 
+def output_headings(names: Sequence[str], headings: Sequence[str]) -> list[str]:
+    """The headings of the output: of variants by varied numbers and columns."""
+    return ["variant", *names, "status", *headings]
+
+
 def _items(text: str) -> Iterator[tuple[int, int]]:
     """The ends of the parts between commas that stand outside brackets and quotes."""
     start, depth, quote = 0, 0, ""
