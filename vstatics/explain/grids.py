@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator
 from vstatics.explain.equations import System
 from vstatics.explain.explanation import Explanation
 from vstatics.explain.sums import in_numbers, in_symbols
-from vstatics.tables.grid import Column, Grid, Row, exact, text, whole
+from vstatics.tables.grid import Column, Grid, table, whole
 
 
 def grids(explained: Iterable[Explanation]) -> Iterator[Grid]:
@@ -30,11 +30,9 @@ def grids(explained: Iterable[Explanation]) -> Iterator[Grid]:
 
 def matrix(one: Explanation) -> Grid:
     """The structural-distribution matrix of what can carry torque."""
-    columns = [text("link"), *(Column(name, over="device") for name in one.columns)]
-    rows: list[Row] = [
-        [name, *map(exact, row)] for name, row in zip(one.rows, one.matrix.tolist(), strict=True)
-    ]
-    return Grid("matrix", columns, rows)
+    columns = (Column(name, over="device") for name in one.columns)
+    rows = zip(one.rows, one.matrix.tolist(), strict=True)
+    return table("matrix", ("link", *columns), ((name, *row) for name, row in rows))
 
 
 def _systems(one: Explanation) -> Iterator[tuple[str, System]]:
@@ -43,47 +41,34 @@ def _systems(one: Explanation) -> Iterator[tuple[str, System]]:
 
 
 def _equations(one: Explanation) -> Grid:
-    columns = [text("of"), text("equation of"), text("in symbols"), text("in numbers")]
-    rows: list[Row] = [
+    rows = [
         [name, equation.of, " ".join(in_symbols(equation)), " ".join(in_numbers(equation))]
         for name, system in _systems(one)
         for equation in system.equations
     ]
-    return Grid("equations", columns, rows)
+    return table("equations", ["of", "equation of", "in symbols", "in numbers"], rows)
 
 
 def _solution(one: Explanation) -> Grid:
-    columns = [text("of"), text("unknown"), Column("value")]
-    rows: list[Row] = [
-        [name, unknown, exact(value)]
+    rows = [
+        (name, unknown, value)
         for name, system in _systems(one)
         for unknown, value in system.values.items()
     ]
-    return Grid("solution", columns, rows)
+    return table("solution", ["of", "unknown", "value"], rows)
 
 
 def _signs(one: Explanation) -> Grid:
     headings = "torque", "motion", "power", "sign", "ratio", "efficiency", "ratio with losses"
-    columns = [text("mechanism"), *map(Column, headings), text("why")]
-    rows: list[Row] = [
-        [
-            sign.mechanism,
-            *map(exact, (sign.torque, sign.motion, sign.power)),
-            whole(sign.sign),
-            *map(exact, (sign.ratio, sign.efficiency, sign.lossy_ratio)),
-            sign.why,
-        ]
-        for sign in one.signs
-    ]
-    return Grid("power signs", columns, rows)
+    rows = [(*sign[:4], whole(sign.sign), *sign[5:]) for sign in one.signs]
+    return table("power signs", ["mechanism", *headings, "why"], rows)
 
 
 def _ratio(one: Explanation) -> Grid:
     """The formula, then the values of its symbols."""
-    columns = [text("symbol"), text("is"), Column("value")]
-    rows: list[Row] = [["i", one.reason or f"{one.input}/{one.output}", exact(one.ratio)]]
+    rows = [("i", one.reason or f"{one.input}/{one.output}", one.ratio)]
     if one.formula is not None:
-        rows.append([one.formula.left, one.formula.text, exact(one.formula.value)])
-        rows += ([one.name, one.meaning, exact(one.value)] for one in one.formula.symbols)
-        rows += ([name, "given", exact(speed)] for name, speed in one.formula.speeds.items())
-    return Grid("ratio", columns, rows)
+        rows.append((one.formula.left, one.formula.text, one.formula.value))
+        rows += one.formula.symbols
+        rows += ((name, "given", speed) for name, speed in one.formula.speeds.items())
+    return table("ratio", ["symbol", "is", "value"], rows)

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from functools import partial
 
-from vstatics.explain.equations import Equation, Term
+from vstatics.explain.equations import Equation
 from vstatics.tables.numbers import short
 
 EQUATION_WIDTH = 80
@@ -17,11 +17,16 @@ def in_symbols(equation: Equation) -> list[str]:
 
     Examples
     --------
+    >>> from vstatics.explain.equations import Term
     >>> row = Equation("P", [Term("w_1", "1", 1.0), Term("w_2", "u_P - 1", -3.5)], 0.0)
     >>> in_symbols(row), in_numbers(row)
     (['w_1', '+ (u_P - 1) w_2', '= 0'], ['w_1', '- 3.5 w_2', '= 0'])
     """
-    return _sum([(_symbol(term), term.unknown) for term in equation.terms], equation.right)
+    terms = (
+        (f"({term.symbol})" if " " in term.symbol else term.symbol, term.unknown)
+        for term in equation.terms
+    )
+    return _sum(terms, equation.right)
 
 
 def in_numbers(equation: Equation, digits: int | None = None) -> list[str]:
@@ -31,11 +36,7 @@ def in_numbers(equation: Equation, digits: int | None = None) -> list[str]:
     return _sum(terms, equation.right, digits)
 
 
-def _symbol(term: Term) -> str:
-    return f"({term.symbol})" if " " in term.symbol else term.symbol
-
-
-def _sum(terms: Sequence[tuple[str, str]], right: float, digits: int | None = None) -> list[str]:
+def _sum(terms: Iterable[tuple[str, str]], right: float, digits: int | None = None) -> list[str]:
     parts: list[str] = []
     for factor, unknown in terms:
         size = factor.removeprefix("-")

@@ -10,7 +10,6 @@ from typing import NamedTuple
 
 from vstatics.explain.equations import System
 from vstatics.explain.explanation import Explanation
-from vstatics.explain.formula import RatioFormula
 from vstatics.explain.signs import PowerSign
 from vstatics.explain.sums import (
     EQUATION_WIDTH,
@@ -69,7 +68,7 @@ def sections(one: Explanation, digits: int | None = None) -> Iterator[Chapter]:
     parts = {
         MATRIX: _matrix(one, digits),
         "Speeds": _system(one.speeds, digits, with_symbols=True),
-        "Torques: the balance of each link": _balances(one, digits),
+        "Torques: the balance of each link": _system(one.torques, digits, with_symbols=True),
         f"{LOSSES}{drags}": _losses(one, digits),
         "Turning together, whatever the ratios are": _together(one),
         RATIO[not is_ratio]: _ratio(one, digits),
@@ -111,8 +110,10 @@ def _matrix(one: Explanation, digits: int | None) -> Iterator[str]:
         yield from wrap(text, EQUATION_WIDTH, initial_indent=INDENT, subsequent_indent=INDENT * 2)
 
 
-def _system(system: System, digits: int | None, *, with_symbols: bool) -> Iterator[str]:
+def _system(system: System | None, digits: int | None, *, with_symbols: bool) -> Iterator[str]:
     """Equations, in symbols where these tell more, then with numbers; then their solution."""
+    if system is None:
+        return
     labels = [equation.of for equation in system.equations]
     column = max((len(label) for label in labels if len(label) <= LABEL), default=0)
     for equation, label in zip(system.equations, labels, strict=True):
@@ -144,12 +145,6 @@ def _solution(system: System, digits: int | None) -> Iterator[str]:
         yield from wrap(
             text, EQUATION_WIDTH, initial_indent=INDENT * 2, subsequent_indent=INDENT * 3
         )
-
-
-def _balances(one: Explanation, digits: int | None) -> Iterator[str]:
-    """The torque equations, where a gear has any."""
-    if one.torques is not None:
-        yield from _system(one.torques, digits, with_symbols=True)
 
 
 def _losses(one: Explanation, digits: int | None) -> Iterator[str]:
@@ -184,8 +179,8 @@ def _sign(sign: PowerSign, digits: int | None) -> Iterator[str]:
     if sign.efficiency == 1 and sign.lossy_ratio == sign.ratio:
         yield f"{label}{sign.why}, u = {short(sign.ratio, digits)}"
         return
-    torque, power = short(sign.torque, digits), short(sign.power, digits)
-    product = f"{torque} x {_bracketed(sign.motion, digits)} = {power}: "
+    torque, motion, power = (short(one, digits) for one in (sign.torque, sign.motion, sign.power))
+    product = f"{torque} x {f'({motion})' if sign.motion < 0 else motion} = {power}: "
     known = not (math.isnan(sign.torque) or math.isnan(sign.motion))
     text = f"{label}{product * known}{sign.why}"
     yield from wrap(text, EQUATION_WIDTH, initial_indent="", subsequent_indent=INDENT * 3)
@@ -198,10 +193,6 @@ def _sign(sign: PowerSign, digits: int | None) -> Iterator[str]:
     with_loss = f"{short(sign.ratio, digits)}{way[int(sign.sign)]} " if sign.sign else ""
     exponent = f"{sign.sign:+.0f}" if sign.sign else "0"
     yield f"{INDENT * 3}x = {exponent}, u eta^x = {with_loss}{short(sign.lossy_ratio, digits)}"
-
-
-def _bracketed(value: float, digits: int | None) -> str:
-    return f"({short(value, digits)})" if value < 0 else short(value, digits)
 
 
 def _together(one: Explanation) -> Iterator[str]:
@@ -239,18 +230,12 @@ def _ratio(one: Explanation, digits: int | None) -> Iterator[str]:
         yield f"{INDENT}{symbol.name} = {short(symbol.value, digits)}{meaning}"
     for name, speed in formula.speeds.items():
         yield f"{INDENT}{name} = {short(speed, digits)}"
-    agreement = _agreement(one, formula, digits)
+    calculated = one.ratio if formula.left == "i" else one.speeds.values[one.output]
+    agrees = math.isclose(formula.value, calculated, rel_tol=1e-6, abs_tol=1e-12)
+    agreement = ", as calculated" if agrees else f"; calculated: {short(calculated, digits)}"
     yield f"{INDENT}{formula.left} = {short(formula.value, digits)}{agreement}"
     if formula.left != "i" and not math.isnan(one.ratio):
         yield f"{ratio}{short(one.ratio, digits)}"
-
-
-def _agreement(one: Explanation, formula: RatioFormula, digits: int | None) -> str:
-    """Whether the formula gives what was calculated."""
-    calculated = one.ratio if formula.left == "i" else one.speeds.values[one.output]
-    if math.isclose(formula.value, calculated, rel_tol=1e-6, abs_tol=1e-12):
-        return ", as calculated"
-    return f"; calculated: {short(calculated, digits)}"
 
 
 def _formula(front: str, text: str) -> Iterator[str]:

@@ -9,7 +9,7 @@ be unique; here the shortest is taken first, of several the one with the most po
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Literal, NamedTuple
 
 from vstatics.numerics.tolerances import CYCLE
@@ -95,18 +95,13 @@ def cancel(edges: Sequence[Edge], order: Sequence[Node] = ()) -> Cancelled:
     nodes = list(dict.fromkeys([*order, *ends]))
     loops = []
     while loop := _first(powers, nodes):
-        for pair in _around(loop.nodes):
+        for pair in zip(loop.nodes, [*loop.nodes[1:], loop.nodes[0]], strict=True):
             powers[pair] -= loop.power
             if powers[pair] <= least:
                 del powers[pair]
         if loop.power > least:
             loops.append(loop)
     return Cancelled(tuple(Edge(*pair, power) for pair, power in powers.items()), tuple(loops))
-
-
-def _around(nodes: Sequence[Node]) -> Iterator[tuple[Node, Node]]:
-    """The pairs of neighbours of a cycle."""
-    return zip(nodes, [*nodes[1:], nodes[0]], strict=True)
 
 
 def _first(powers: Mapping[tuple[Node, Node], float], nodes: Sequence[Node]) -> Loop | None:

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
+from typing import TypeVar
 
 from vstatics.flow.circulation import Edge, Node, cancel
 from vstatics.flow.exchange import Exchange, exchanges, links_of
@@ -124,23 +125,18 @@ def _flow(state: GearState, *, lossy: bool) -> PowerFlow:
         sum(power for power in at_ports if not power < 0) + 0.0,
         tuple(loop._replace(shared=shared(state.case, loop)) for loop in loops),
         at_rest.loops,
-        tuple(_teeth(state, lossy=lossy)),
+        tuple(_without_noise(list(tooth_powers(state, lossy=lossy)))),
     )
 
 
-def _teeth(state: GearState, *, lossy: bool) -> Iterator[ToothPower]:
-    """Tooth powers that are nothing but rounding made 0."""
-    found = list(tooth_powers(state, lossy=lossy))
-    noise = NO_POWER * max((one.power for one in found if not math.isnan(one.power)), default=0.0)
-    for one in found:
-        yield one._replace(power=0.0) if one.power <= noise else one
+_Powered = TypeVar("_Powered", Exchange, ToothPower)
 
 
-def _without_noise(exchanged: Sequence[Exchange]) -> list[Exchange]:
+def _without_noise(found: Sequence[_Powered]) -> list[_Powered]:
     """Powers that are nothing but rounding made 0."""
-    known = (abs(one.power) for one in exchanged if not math.isnan(one.power))
+    known = (abs(one.power) for one in found if not math.isnan(one.power))
     noise = NO_POWER * max(known, default=0.0)
-    return [one._replace(power=0.0) if abs(one.power) <= noise else one for one in exchanged]
+    return [one._replace(power=0.0) if abs(one.power) <= noise else one for one in found]
 
 
 def _by_link(

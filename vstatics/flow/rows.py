@@ -5,11 +5,10 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 
-from vstatics.flow.circulation import Loop
 from vstatics.flow.grids import around, doubt, power_grid
 from vstatics.flow.power_flow import GearFlow, PowerFlow
 from vstatics.flow.shared_planets import words
-from vstatics.tables.grid import Column, Grid, Row, exact, text
+from vstatics.tables.grid import Grid, Row, table, text
 from vstatics.tables.numbers import fixed
 from vstatics.tables.ports import ports_grid
 
@@ -31,14 +30,14 @@ def grids(flows: Sequence[GearFlow]) -> Iterator[Grid]:
     yield _power([(flow.gear, power_grid(flow)) for flow in flows])
     yield ports_grid([flow.ports for flow in flows])
     yield _balance(flows)
-    loops: list[Row] = [
-        [flow.gear, around(loop), exact(loop.power), words(loop.shared) if loop.shared else ""]
+    loops = [
+        (flow.gear, around(loop), loop.power, words(loop.shared) if loop.shared else "")
         for flow in flows
-        for loop in _loops(flow)
+        for side in filter(None, [_side(flow)])
+        for loop in side.loops
     ]
     if loops:
-        columns = [text("gear"), text("loop"), Column("power"), text("note")]
-        yield Grid("Circulating power", columns, loops)
+        yield table("Circulating power", ["gear", "loop", "power", "note"], loops)
 
 
 def _power(by_gear: Sequence[tuple[str, Grid]]) -> Grid:
@@ -62,21 +61,15 @@ def _power(by_gear: Sequence[tuple[str, Grid]]) -> Grid:
 
 def _balance(flows: Sequence[GearFlow]) -> Grid:
     names = "entering", "leaving", "lost", "balance", "circulating"
-    columns = [text("gear"), *map(Column, names), text("note")]
-    rows: list[Row] = []
+    rows = []
     for flow in flows:
         side = _side(flow)
         values = [math.nan if side is None else getattr(side, name) for name in names]
         notes = [flow.note, "" if side is None else doubt(side, fixed)]
-        rows.append([flow.gear, *map(exact, values), "; ".join(filter(None, notes))])
-    return Grid("Balance", columns, rows)
+        rows.append((flow.gear, *values, "; ".join(filter(None, notes))))
+    return table("Balance", ["gear", *names, "note"], rows)
 
 
 def _side(flow: GearFlow) -> PowerFlow | None:
     """With losses, if it exists."""
     return flow.lossy or flow.ideal
-
-
-def _loops(flow: GearFlow) -> Sequence[Loop]:
-    side = _side(flow)
-    return () if side is None else side.loops

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 
 from vstatics.model.parts import OwnDevice
 from vstatics.model.springs import Spring, ends
@@ -29,14 +29,9 @@ def joined_by_elements(case: Transmission, gear: Gear) -> Bodies:
     for number in gear.engaged:
         element = case.shift_elements[number - 1]
         join(bodies, element.first, element.second)
-    for links in _shafts(case):
-        join(bodies, *links)
+    for spring in case.springs:  # a shaft is not twisted further at mean speeds
+        join(bodies, *(ends(spring.twist) or ()))
     return bodies
-
-
-def _shafts(case: Transmission) -> Iterator[tuple[int, int]]:
-    """The ends of springs that are shafts: at mean speeds these are not twisted further."""
-    return filter(None, (ends(spring.twist) for spring in case.springs))
 
 
 def join(bodies: Bodies, *links: int) -> None:

@@ -15,7 +15,6 @@ from vstatics.errors import Severity, path_text, spoken
 from vstatics.model.checks import doubts
 from vstatics.model.transmission import Gear, SpeedOf, Transmission
 from vstatics.numerics import elimination
-from vstatics.numerics.arrays import Booleans
 from vstatics.numerics.tolerances import UNCERTAIN
 from vstatics.numerics.traced import Number, is_nan, plain
 from vstatics.statics import digits, freewheels, matrix, torques
@@ -133,10 +132,6 @@ def _columns(case: Transmission) -> list[matrix.Column]:
 
 def _s(count: int) -> str:
     return "" if count == 1 else "s"
-
-
-def _chosen(names: Sequence[str], marks: Booleans) -> list[str]:
-    return [name for name, mark in zip(names, marks, strict=True) if mark]
 
 
 def _without_value(names: Sequence[str], values: Sequence[Number]) -> list[str]:
@@ -313,7 +308,9 @@ def _torque_messages(results: Results, number: int, gear: Gear, *, is_told: bool
             "the ratios are so close to a singular train that rounding shows: output torque "
             "times output speed is not 1; few digits are certain"
         )
-    elif not results.excess[number] and _is_open(results, number):  # else it is said already
+    elif not results.excess[number] and (  # else it is said already
+        np.isnan(results.torques[number]).any() or np.isnan(results.mesh_torques[number]).any()
+    ):
         unknown = _unknown_torques(results, number)
         if unknown:
             yield _warning(f"statics does not determine the torque of {spoken(unknown)}")
@@ -329,12 +326,6 @@ def _nothing_holds(case: Transmission, gear: Gear) -> str:
     verb = "overruns" if len(over) == 1 else "overrun"
     why = f", as freewheel{_s(len(over))} {spoken(over)} {verb}" if over else ""
     return f"nothing holds {held}{why}"
-
-
-def _is_open(results: Results, number: int) -> bool:
-    """Whether a torque does not exist."""
-    torques = [*results.torques[number], *results.mesh_torques[number]]
-    return bool(np.isnan(torques).any())
 
 
 def _unknown_torques(results: Results, number: int) -> list[str]:
@@ -361,7 +352,8 @@ def _loss_messages(results: Results, number: int) -> Iterator[Said]:
             "statics leaves directions of power open: with losses only what does not depend on "
             "them is given"
         )
-    turned = _chosen([mechanism.name for mechanism in case.mechanisms], results.turned[number])
+    turns = zip(case.mechanisms, results.turned[number], strict=True)
+    turned = [mechanism.name for mechanism, mark in turns if mark]
     if turned:
         yield _note(f"losses turn the flow of power through {spoken(turned)} round")
     if results.choices[number] > 1:

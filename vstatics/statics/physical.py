@@ -76,6 +76,16 @@ def lacking_load(name: str, unit: str) -> str:
     return f"no load tells the {what} at the input, so there is no `{name}`: load: {{{given}}}"
 
 
+class _PhysicalArray:
+    """An array in the unit that ends its name."""
+
+    def __set_name__(self, owner: type, name: str) -> None:
+        self.array, _, self.unit = name.rpartition("_")
+
+    def __get__(self, results: PhysicalResults, owner: type) -> Floats:
+        return results.in_unit(self.unit, getattr(results, self.array), self.array)
+
+
 class PhysicalResults(ResultFields):
     """The arrays of `Results` in the units of the load, calculated when they are asked for.
 
@@ -97,75 +107,34 @@ class PhysicalResults(ResultFields):
 
     __slots__ = ()
 
-    @property
-    def speeds_rpm(self) -> Floats:
-        """`speeds` [rpm]."""
-        return self._in("rpm", self.speeds, "speeds")
-
-    @property
-    def planet_speeds_rpm(self) -> Floats:
-        """`planet_speeds` [rpm]."""
-        return self._in("rpm", self.planet_speeds, "planet_speeds")
-
-    @property
-    def slip_speeds_rpm(self) -> Floats:
-        """`slip_speeds` [rpm]."""
-        return self._in("rpm", self.slip_speeds, "slip_speeds")
-
-    @property
-    def torques_Nm(self) -> Floats:  # noqa: N802
-        """`torques` [N*m]."""
-        return self._in("Nm", self.torques, "torques")
-
-    @property
-    def lossy_torques_Nm(self) -> Floats:  # noqa: N802
-        """`lossy_torques` [N*m]."""
-        return self._in("Nm", self.lossy_torques, "lossy_torques")
-
-    @property
-    def output_torque_Nm(self) -> Floats:  # noqa: N802
-        """`output_torque` [N*m]."""
-        return self._in("Nm", self.output_torque, "output_torque")
-
-    @property
-    def lossy_output_torque_Nm(self) -> Floats:  # noqa: N802
-        """`lossy_output_torque` [N*m]."""
-        return self._in("Nm", self.lossy_output_torque, "lossy_output_torque")
-
-    @property
-    def holding_torques_Nm(self) -> Floats:  # noqa: N802
-        """`holding_torques` [N*m]."""
-        return self._in("Nm", self.holding_torques, "holding_torques")
-
-    @property
-    def lossy_holding_torques_Nm(self) -> Floats:  # noqa: N802
-        """`lossy_holding_torques` [N*m]."""
-        return self._in("Nm", self.lossy_holding_torques, "lossy_holding_torques")
-
-    @property
-    def mesh_torques_Nm(self) -> Floats:  # noqa: N802
-        """`mesh_torques` [N*m]."""
-        return self._in("Nm", self.mesh_torques, "mesh_torques")
-
-    @property
-    def lossy_mesh_torques_Nm(self) -> Floats:  # noqa: N802
-        """`lossy_mesh_torques` [N*m]."""
-        return self._in("Nm", self.lossy_mesh_torques, "lossy_mesh_torques")
-
-    @property
-    def losses_kW(self) -> Floats:  # noqa: N802
-        """`losses` [kW]; above 0 when coasting, too."""
-        return self._in("kW", self.losses, "losses")
-
-    @property
-    def mesh_losses_kW(self) -> Floats:  # noqa: N802
-        """`mesh_losses` [kW]."""
-        return self._in("kW", self.mesh_losses, "mesh_losses")
-
-    @property
-    def drag_losses_kW(self) -> Floats:  # noqa: N802
-        """`drag_losses` [kW]."""
-        return self._in("kW", self.drag_losses, "drag_losses")
+    speeds_rpm = _PhysicalArray()
+    """`speeds` [rpm]."""
+    planet_speeds_rpm = _PhysicalArray()
+    """`planet_speeds` [rpm]."""
+    slip_speeds_rpm = _PhysicalArray()
+    """`slip_speeds` [rpm]."""
+    torques_Nm = _PhysicalArray()  # noqa: N815
+    """`torques` [N*m]."""
+    lossy_torques_Nm = _PhysicalArray()  # noqa: N815
+    """`lossy_torques` [N*m]."""
+    output_torque_Nm = _PhysicalArray()  # noqa: N815
+    """`output_torque` [N*m]."""
+    lossy_output_torque_Nm = _PhysicalArray()  # noqa: N815
+    """`lossy_output_torque` [N*m]."""
+    holding_torques_Nm = _PhysicalArray()  # noqa: N815
+    """`holding_torques` [N*m]."""
+    lossy_holding_torques_Nm = _PhysicalArray()  # noqa: N815
+    """`lossy_holding_torques` [N*m]."""
+    mesh_torques_Nm = _PhysicalArray()  # noqa: N815
+    """`mesh_torques` [N*m]."""
+    lossy_mesh_torques_Nm = _PhysicalArray()  # noqa: N815
+    """`lossy_mesh_torques` [N*m]."""
+    losses_kW = _PhysicalArray()  # noqa: N815
+    """`losses` [kW]; above 0 when coasting, too."""
+    mesh_losses_kW = _PhysicalArray()  # noqa: N815
+    """`mesh_losses` [kW]."""
+    drag_losses_kW = _PhysicalArray()  # noqa: N815
+    """`drag_losses` [kW]."""
 
     @property
     def input_power_kW(self) -> Floats:  # noqa: N802
@@ -182,7 +151,7 @@ class PhysicalResults(ResultFields):
         power: Floats = np.maximum(-self._port_powers("output_power"), 0.0).sum(axis=-1)
         return power
 
-    def _in(self, unit: str, relative: Floats, name: str) -> Floats:
+    def in_unit(self, unit: str, relative: Floats, name: str) -> Floats:
         """An array in a unit."""
         if unit not in known_units(self.case):
             raise CaseError([Problem(lacking_load(f"{name}_{unit}", unit))])
@@ -209,4 +178,4 @@ class PhysicalResults(ResultFields):
                 at_rest = (torque == 0) | (speed == 0)  # then nothing flows, even if unknown
                 with np.errstate(over="ignore", invalid="ignore"):
                     power[..., number, link - 1] = np.where(at_rest, 0.0, torque * speed)
-        return self._in("kW", power, name)
+        return self.in_unit("kW", power, name)

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
+from functools import reduce
+from operator import add
 from typing import NamedTuple
 
-from vstatics.model.parts import HOUSING, Member, Planet
+from vstatics.model.parts import HOUSING, Planet
 from vstatics.model.transmission import Gear, Transmission
 from vstatics.numerics.signed import Condition
 from vstatics.numerics.tape import Residual
@@ -199,7 +201,9 @@ class GearState(NamedTuple):
         for place, device in enumerate(self.case.own_devices):
             found.append({})
             for member in device.members:
-                shares = _shares(member, shares_of, elements)
+                shares = [
+                    (elements + index, shares_of[index][part]) for index, part in member.places
+                ]
                 torque = residual([share * torques.on_first_link[index] for index, share in shares])
                 found[place][member.name] = torque
                 if isinstance(torque, float) and math.isnan(torque):
@@ -212,13 +216,6 @@ class GearState(NamedTuple):
             for (place, name, _), value in zip(unknown, values, strict=True):
                 found[place][name] = value
         return found
-
-
-def _shares(
-    member: Member, columns: Sequence[Sequence[Number]], elements: int
-) -> list[tuple[int, Number]]:
-    """Indices of devices, each with the share that a member has of its torque."""
-    return [(elements + index, columns[index][place]) for index, place in member.places]
 
 
 Numbers = Sequence[Number]
@@ -243,7 +240,9 @@ def values_of(state: GearState) -> Values:
         "efficiency": lossy.efficiency,
         "power_sign": lossy.signs,
         "idle": [all(search.idle[index] for index in one.mechanisms) for one in devices],
-        "losses": [_total([lossy.losses[index] for index in one.mechanisms]) for one in devices],
+        "losses": [
+            reduce(add, (lossy.losses[index] for index in one.mechanisms)) for one in devices
+        ],
         "power_balance": lossy.balance,
         "drag_losses": lossy.drag_losses,
         "consistent": state.consistent,
@@ -261,14 +260,6 @@ def values_of(state: GearState) -> Values:
         "lossy_mesh_torques": list(_of_meshes(state, state.lossy_torques.on_first_link)),
         "mesh_losses": [lossy.losses[index] for one in devices for index, _ in one.meshes_by_index],
     }
-
-
-def _total(numbers: Numbers) -> Number:
-    """The sum of at least one number."""
-    total = numbers[0]
-    for number in numbers[1:]:
-        total = total + number
-    return total
 
 
 def _planet_speeds(state: GearState) -> Iterator[Number | Residual]:
@@ -357,8 +348,9 @@ def flat(values: Values, names: Sequence[str]) -> list[Number | Residual | Condi
     for name in names:
         value = values[name]
         numbers += value if isinstance(value, Sequence) else [value]
-    return [_tidy(value) if isinstance(value, float) else value for value in numbers]
-
-
-def _tidy(value: float) -> float:
-    return value + 0.0 if -math.inf < value < math.inf else math.nan
+    return [
+        (value + 0.0 if -math.inf < value < math.inf else math.nan)
+        if isinstance(value, float)
+        else value
+        for value in numbers
+    ]

@@ -78,7 +78,9 @@ def _inputs(
     fixed: list[float | None] = []
     varied = []
     for number, column in zip(own, given, strict=True):
-        if variants > 1 and (column is None or _is_all(column, number)):
+        if variants > 1 and (
+            column is None or bool((column[:9] == number).all() and (column == number).all())
+        ):
             fixed.append(number)
         else:
             fixed.append(None)
@@ -92,11 +94,6 @@ def _inputs(
 def _columns(given: Floats | None, mechanisms: int) -> list[Any]:
     """The numbers of each mechanism, None where none are given."""
     return [None] * mechanisms if given is None else list(given.T)
-
-
-def _is_all(column: Floats, number: float) -> bool:
-    """Whether a column holds one number only; the first few tell most often that not."""
-    return bool((column[:9] == number).all() and (column == number).all())
 
 
 @lru_cache(maxsize=REMEMBERED)

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from functools import reduce
 from string import ascii_uppercase
 
-from vstatics.model.parts import HOUSING, ShiftElement
+from vstatics.model.parts import HOUSING
 from vstatics.summary import Summary
 from vstatics.summary.design_table import GearLine
 from vstatics.summary.extremes import (
@@ -21,7 +21,7 @@ from vstatics.summary.extremes import (
 )
 from vstatics.summary.grids import ACCELERATION, INERTIA, other_combinations
 from vstatics.summary.inertia import GearInertia
-from vstatics.tables.grid import Cell, Column, Grid, Row, exact, text, whole
+from vstatics.tables.grid import Cell, Grid, Row, exact, table, whole
 from vstatics.tables.quantities import headed
 
 LARGEST = {
@@ -51,12 +51,10 @@ def contrasted(summaries: Sequence[Summary]) -> Iterator[Grid]:
     Gears of one name stand on one line.
     """
     yield _gears(summaries)
-    columns = [text("quantity")]
-    for letter in letters(len(summaries)):
-        columns += [Column(letter), text("where")]
+    headings = [part for letter in letters(len(summaries)) for part in (letter, "where")]
     if any(summary.inertias for summary in summaries):
         yield _inertias(summaries)
-    yield Grid("In all", columns, list(_in_all(summaries)), key="in all")
+    yield table("In all", ["quantity", *headings], _in_all(summaries), key="in all")
     for letter, summary in zip(letters(len(summaries)), summaries, strict=True):
         if summary.combinations is not None:
             grid = other_combinations(summary)
@@ -69,12 +67,12 @@ def _gears(summaries: Sequence[Summary]) -> Grid:
     called = letters(len(summaries))
     quantities = "ratio", "step", "efficiency"
     headings = (f"{quantity} {letter}" for quantity in quantities for letter in called)
-    rows: list[Row] = []
+    rows = []
     for name in names:
         found = [by_name.get(name, _MISSING) for by_name in lines]
         values = zip(*((line.ratio, line.step, line.efficiency) for line in found), strict=True)
-        rows.append([name, *(exact(value) for of_all in values for value in of_all)])
-    return Grid("Gears", [text("gear"), *map(Column, headings)], rows, key="gears")
+        rows.append([name, *(value for of_all in values for value in of_all)])
+    return table("Gears", ["gear", *headings], rows, key="gears")
 
 
 def _names(summaries: Sequence[Summary]) -> Sequence[str]:
@@ -92,12 +90,12 @@ def _inertias(summaries: Sequence[Summary]) -> Grid:
     if all(math.isnan(one.acceleration) for found in by_gear.values() for one in found):
         del shown[ACCELERATION]
     headings = [f"{heading} {letter}" for heading in shown for letter in letters(len(summaries))]
-    rows: list[Row] = [
-        [name, *(exact(getattr(one, field)) for field in shown.values() for one in found)]
+    rows = [
+        [name, *(getattr(one, field) for field in shown.values() for one in found)]
         for name, found in by_gear.items()
     ]
     title = "Inertia at the input, acceleration of the input"
-    return Grid(title, [text("gear"), *map(Column, headings)], rows, key="inertia")
+    return table(title, ["gear", *headings], rows, key="inertia")
 
 
 def _in_order(first: Sequence[str], second: Sequence[str]) -> list[str]:
@@ -126,10 +124,12 @@ def _in_all(summaries: Sequence[Summary]) -> Iterator[Row]:
         "shift elements", [_count(len(one.results.case.shift_elements)) for one in summaries]
     )
     kinds = [
-        [_joins_two(element) for element in one.results.case.shift_elements] for one in summaries
+        [HOUSING not in (each.first, each.second) for each in one.results.case.shift_elements]
+        for one in summaries
     ]
     yield _row("of them between two links", [_count(sum(one)) for one in kinds])
-    yield _row("most that change in a shift", [_count(_most_changes(one)) for one in summaries])
+    changes = [[one.changes for one in each.transitions if not one.jumped] for each in summaries]
+    yield _row("most that change in a shift", [_count(max(one, default=0)) for one in changes])
     yield _row("spread", [(exact(one.design.spread), "") for one in summaries])
     yield _row("mean forward efficiency", [(exact(_mean_efficiency(one)), "") for one in summaries])
     if any(one.cycle for one in summaries):
@@ -158,16 +158,6 @@ def _row(name: str, cells: Sequence[Cells]) -> Row:
 
 def _count(how_many: int) -> Cells:
     return whole(how_many), ""
-
-
-def _most_changes(summary: Summary) -> int:
-    """Elements that change at once between neighbours, at most."""
-    return max((one.changes for one in summary.transitions if not one.jumped), default=0)
-
-
-def _joins_two(element: ShiftElement) -> bool:
-    """Whether it joins two links that turn."""
-    return HOUSING not in (element.first, element.second)
 
 
 def _mean_efficiency(summary: Summary) -> float:

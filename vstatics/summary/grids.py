@@ -9,7 +9,7 @@ from typing import NamedTuple
 from vstatics.statics.results import Results
 from vstatics.summary import Summary
 from vstatics.summary.extremes import LOSSY_TORQUES, PLANETS, SLIPS, TORQUES, Largest, quantity
-from vstatics.tables.grid import NO, YES, Cell, Column, Grid, Row, exact, text, words
+from vstatics.tables.grid import NO, YES, Cell, Column, Grid, Row, exact, table
 from vstatics.tables.ports import port_tables, ports_grid
 from vstatics.tables.quantities import UNITS, Quantity, headed
 
@@ -48,16 +48,9 @@ def grids(summary: Summary) -> Iterator[Grid]:
 
 
 def _design(summary: Summary) -> Grid:
-    columns = [text("gear"), Column("ratio"), text("next"), Column("step"), Column("efficiency")]
-    rows: list[Row] = [
-        [line.gear, exact(line.ratio), line.next, exact(line.step), exact(line.efficiency)]
-        for line in summary.design.gears
-    ]
-    if any(line.state for line in summary.design.gears):
-        columns.append(text("state"))
-        for row, line in zip(rows, summary.design.gears, strict=True):
-            row.append(line.state)
-    return Grid("Gears", columns, rows, key="gears")
+    lines = summary.design.gears
+    headings = "gear", "ratio", "next", "step", "efficiency", "state"
+    return table("Gears", headings, lines, key="gears", optional=["state"])
 
 
 def element_signs(results: Results, index: int, marks: Marks) -> Iterator[Cell]:
@@ -76,17 +69,17 @@ def _spread(summary: Summary) -> Grid:
     forward = summary.design.forward
     if len(forward) < 2:
         return Grid("Spread", (), ())
-    row: Row = [forward[0], forward[-1], exact(summary.design.spread)]
-    return Grid("Spread", [text("from"), text("to"), Column("spread")], [row], key="spread")
+    row = forward[0], forward[-1], summary.design.spread
+    return table("Spread", ["from", "to", "spread"], [row], key="spread")
 
 
 def _transitions(summary: Summary) -> Grid:
-    columns = [text(one) for one in ("from", "to", "jumps", "kind", "released", "engaged")]
-    rows: list[Row] = [
-        [one.start, one.end, one.jumped, one.word, words(one.released), words(one.engaged)]
+    rows = [
+        (one.start, one.end, one.jumped, one.word, one.released, one.engaged)
         for one in summary.transitions
     ]
-    return Grid("Transitions", columns, rows, key="transitions")
+    headings = "from", "to", "jumps", "kind", "released", "engaged"
+    return table("Transitions", headings, rows, key="transitions")
 
 
 def _largest(summary: Summary) -> Iterator[Grid]:
@@ -97,11 +90,11 @@ def _largest(summary: Summary) -> Iterator[Grid]:
 
 def _planets(summary: Summary, *, loaded: bool) -> Grid:
     shown = quantity(PLANETS, loaded=loaded)
-    columns = [text("planet"), Column(headed("speed", shown.unit)), text("gear")]
+    headings = "planet", headed("speed", shown.unit), "gear"
     lines = summary.largest.get(shown.key, ())  # those of gear pairs, say, are none
     rows = [[one.row, *_cells(shown, one)] for one in lines if not math.isnan(one.value)]
     title = "Largest speeds of planets against their carriers"
-    return Grid(title, columns, rows, key="planets" + WITH_LOAD * loaded)
+    return table(title, headings, rows, key="planets" + WITH_LOAD * loaded)
 
 
 def _elements(summary: Summary, *, loaded: bool) -> Grid:
@@ -109,16 +102,15 @@ def _elements(summary: Summary, *, loaded: bool) -> Grid:
     named = {SLIPS: "slip", TORQUES: "torque", LOSSY_TORQUES: "with losses"}
     shown = [(quantity(key, loaded=loaded), name) for key, name in named.items()]
     shown = [(one, name) for one, name in shown if summary.largest.get(one.key)]
-    columns = [text("element")]
-    for one, name in shown:
-        columns += [Column(headed(name, one.unit)), text("gear")]
+    headings = [heading for one, name in shown for heading in (headed(name, one.unit), "gear")]
     found = [[(one, line) for line in summary.largest[one.key]] for one, _ in shown]
     rows = [
         [pairs[0][1].row, *(cell for pair in pairs for cell in _cells(*pair))]
         for pairs in zip(*found, strict=True)
     ]
     title = "Largest slip when open, largest torque when engaged"
-    return Grid(title, columns, rows, key="shift elements" + WITH_LOAD * loaded)
+    key = "shift elements" + WITH_LOAD * loaded
+    return table(title, ["element", *headings], rows, key=key)
 
 
 def _cells(shown: Quantity, line: Largest) -> Row:
@@ -141,26 +133,19 @@ def _by_gear(
 ) -> Grid:
     """A row for each name with a number for each gear."""
     gears = summary.results.case.gears
-    columns = [text(heading), *(Column(gear.name, over="gear") for gear in gears)]
-    filled: list[Row] = [[name, *map(exact, values)] for name, values in rows]
-    return Grid(title, columns, filled, key=key)
+    columns = (Column(gear.name, over="gear") for gear in gears)
+    return table(title, (heading, *columns), ((name, *values) for name, values in rows), key=key)
 
 
 def other_combinations(summary: Summary) -> Grid:
     """Combinations of shift elements that are no gear yet."""
-    columns = [Column("ratio"), Column("efficiency"), text("same as"), text("engaged")]
     others = summary.combinations or ()
     title = "Other combinations of shift elements"
     if not others:
         return Grid(f"{title}: none", (), ())
-    rows: list[Row] = [
-        [exact(one.ratio), exact(one.efficiency), one.gear, words(one.engaged)] for one in others
-    ]
-    if any(one.holding for one in others):
-        columns.append(text("holding"))
-        for row, one in zip(rows, others, strict=True):
-            row.append(words(one.holding))
-    return Grid(title, columns, rows, key="combinations")
+    rows = [(one.ratio, one.efficiency, one.gear, one.engaged, one.holding) for one in others]
+    headings = "ratio", "efficiency", "same as", "engaged", "holding"
+    return table(title, headings, rows, key="combinations", optional=["holding"])
 
 
 def _margins(summary: Summary) -> Iterator[Grid]:
@@ -169,36 +154,25 @@ def _margins(summary: Summary) -> Iterator[Grid]:
     torque = None if load is None else load.torque
     unit, size = ("Nm", abs(torque)) if torque else ("", 1.0)
     decimals = UNITS[unit].decimals if unit else 3
-    heading = headed("capacity", unit)
-    columns = [text("element"), Column(heading), Column("least"), text("gear")]
-    rows: list[Row] = [
-        [one.element, exact(one.capacity * size, decimals), exact(one.least), one.gear]
+    rows = [
+        (one.element, exact(one.capacity * size, decimals), one.least, one.gear)
         for one in summary.margins
     ]
-    yield Grid("Least margin, capacity by torque", columns, rows, key="margins")
+    headings = "element", headed("capacity", unit), "least", "gear"
+    yield table("Least margin, capacity by torque", headings, rows, key="margins")
     by_element = [(one.element, one.by_gear) for one in summary.margins]
     yield _by_gear(summary, "Margins by gear", "margins by gear", "element", by_element)
 
 
 def _duty(summary: Summary) -> Grid:
-    columns = [text("gear"), Column("energy"), Column("efficiency")]
-    if summary.cycle is None:
-        return Grid("Duty cycle", columns, ())
-    stages = summary.cycle.stages
-    rows: list[Row] = [
-        [stage.gear, exact(stage.energy), exact(stage.efficiency)] for stage in stages
-    ]
-    total: Row = ["in all", exact(1.0), exact(summary.cycle.efficiency)]
+    cycle = summary.cycle
     title = "Duty cycle: share of the input energy, efficiency"
-    return Grid(title, columns, [*rows, total], key="duty")
+    rows = [*cycle.stages, ("in all", 1.0, cycle.efficiency)] if cycle else ()
+    return table(title, ["gear", "energy", "efficiency"], rows, key="duty")
 
 
 def _inertias(summary: Summary) -> Grid:
     """Accelerations only where a load gives one."""
-    columns = [text("gear"), Column(INERTIA)]
-    rows: list[Row] = [[one.gear, exact(one.inertia)] for one in summary.inertias]
-    if any(math.isfinite(one.acceleration) for one in summary.inertias):
-        columns.append(Column(ACCELERATION))
-        for row, one in zip(rows, summary.inertias, strict=True):
-            row.append(exact(one.acceleration))
-    return Grid("Inertia at the input, acceleration of the input", columns, rows, key="inertia")
+    title = "Inertia at the input, acceleration of the input"
+    headings = ["gear", INERTIA, ACCELERATION]
+    return table(title, headings, summary.inertias, key="inertia", optional=[ACCELERATION])

@@ -38,8 +38,11 @@ def sensitivities(results: Results) -> Floats:
     array([[0.7143],
            [0.    ]])
     """
-    alone = _without_torques(results)
-    case = alone.case
+    alone, case = results, results.case
+    if any(gear.torques for gear in case.gears):  # each freewheel stays as it is
+        case = results.with_freewheels_engaged
+        case = replace(case, gears=[gear._replace(torques={}) for gear in case.gears])
+        alone = solve(case)
     outputs = np.array([case.gear_output(gear) for gear in case.gears])
     states = [alone.gear(number) for number in range(1, len(outputs) + 1)]
     speeds = np.array([[0.0, *state.speeds] for state in states])
@@ -55,11 +58,3 @@ def sensitivities(results: Results) -> Floats:
     idle &= np.isfinite(alone.ratio)[:, np.newaxis]
     relative = np.where(idle, 0.0, relative)
     return np.where(np.isfinite(relative), relative + 0.0, np.nan)
-
-
-def _without_torques(results: Results) -> Results:
-    """The same gears without further external torques, each freewheel as it is."""
-    case = results.with_freewheels_engaged
-    if not any(gear.torques for gear in case.gears):
-        return results
-    return solve(replace(case, gears=[gear._replace(torques={}) for gear in case.gears]))

@@ -80,7 +80,12 @@ def combinations(results: Results, at_most: int = MOST_UNUSED_SETS) -> list[Comb
     if not gears:
         return []
     tried = solve(replace(case, gears=gears))
-    return sorted(_usable(tried, _comparable(results)), key=lambda one: -one.ratio)
+    ratios = {
+        gear.name: ratio
+        for gear, ratio in zip(case.gears, results.ratio.tolist(), strict=True)
+        if is_plain(case, gear)
+    }
+    return sorted(_usable(tried, ratios), key=lambda one: -one.ratio)
 
 
 def _sizes(case: Transmission) -> range:
@@ -118,13 +123,6 @@ def is_plain(case: Transmission, gear: Gear) -> bool:
     """
     ports = case.gear_input(gear), case.gear_output(gear)
     return ports == (case.input, case.output) and not gear.speeds
-
-
-def _comparable(results: Results) -> dict[str, float]:
-    """Ratios of the gears that combinations can be compared with."""
-    case = results.case
-    pairs = zip(case.gears, results.ratio.tolist(), strict=True)
-    return {gear.name: ratio for gear, ratio in pairs if is_plain(case, gear)}
 
 
 def shared(by_gear: Sequence[Mapping[Key, float]]) -> dict[Key, float]:

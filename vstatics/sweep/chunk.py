@@ -14,6 +14,7 @@ import numpy as np
 
 from vstatics.numerics.arrays import Booleans, Floats, Integers
 from vstatics.statics import status
+from vstatics.sweep.kept.columns import output_headings
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -65,14 +66,15 @@ class Chunk(NamedTuple):
         require("pandas", "to_dataframe")
         import pandas as pd
 
+        columns: dict[str, Any] = self.output_columns()
         codes = self.status.astype(np.int64)
-        status: Any = pd.Categorical.from_codes(codes, categories=pd.Index(STATUS))
-        columns: dict[str, Any] = {
-            **dict(zip(self.names, np.transpose(self.values), strict=True)),
-            "status": status,
-            **dict(zip(self.headings, self.columns.T, strict=True)),
-        }
-        return pd.DataFrame(columns, index=pd.Index(self.variants, name="variant"))
+        columns["status"] = pd.Categorical.from_codes(codes, categories=pd.Index(STATUS))
+        return pd.DataFrame(columns, index=pd.Index(columns.pop("variant"), name="variant"))
+
+    def output_columns(self) -> dict[str, Floats | Integers | Codes]:
+        """What is written of the rows, by the headings of the output."""
+        tables = self.variants, *self.values.T, self.status, *self.columns.T
+        return dict(zip(output_headings(self.names, self.headings), tables, strict=True))
 
     def rows(self, chosen: Integers | Booleans) -> Chunk:
         """The chunk with these rows only."""

@@ -58,14 +58,9 @@ def description(plan: SweepPlan, form: Format) -> dict[str, Any]:
 
 
 def column_types(plan: SweepPlan) -> list[ColumnType]:
-    """NameFinder and types of the columns of the output."""
-    number = np.dtype("<f8")
-    return [
-        ColumnType("variant", np.dtype("<i8")),
-        *(ColumnType(name, number) for name in plan.names),
-        ColumnType("status", np.dtype("u1")),
-        *(ColumnType(heading, number) for heading in plan.headings),
-    ]
+    """Names and types of the columns of the output."""
+    types = {"variant": "<i8", "status": "u1"}
+    return [ColumnType(name, np.dtype(types.get(name, "<f8"))) for name in plan.output_headings]
 
 
 class Output:
@@ -133,13 +128,13 @@ class Output:
                 from vstatics.sweep.formats import parquet
 
                 path = self.store.path(pieces.ASSEMBLED)
-                parquet.write(path, plan.names, plan.headings, self._chunks(accounts))
+                parquet.write(path, plan.output_headings, self._chunks(accounts))
             elif self.task.form in MOST_ROWS:
                 from vstatics.sweep.formats import tables
 
                 path = self.store.path(pieces.ASSEMBLED)
                 chunks = self._chunks(accounts)
-                tables.write(path, self.task.form, plan.names, plan.headings, chunks)
+                tables.write(path, self.task.form, plan.output_headings, chunks)
             else:
                 self._copy(workers, self._layout(accounts))
         except BaseException:
@@ -152,7 +147,7 @@ class Output:
         plan, form = self.task.plan, self.task.form
         if form == "npz":
             return npz_layout(column_types(plan), accounts)
-        head = text.head(form, plan.names, plan.headings, raw=self.task.raw)
+        head = text.head(form, plan.output_headings, raw=self.task.raw)
         copies, place = [], len(head)
         for account in accounts:
             copies.append(Copy(account.piece, 0, place, account.length))
@@ -204,7 +199,7 @@ def stream(
     counts: Counter[str] = Counter()
     rows = 0
     items = tasks.items(task, range(plan.pieces), remote=workers.remote)
-    write(text.head(form, plan.names, plan.headings, raw=task.raw))
+    write(text.head(form, plan.output_headings, raw=task.raw))
     if plan.objectives:
         kept: list[Chunk] = []
         for _, calculated in workers.each(tasks.calculate, items, ordered=True):

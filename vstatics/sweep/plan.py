@@ -12,7 +12,7 @@ import numpy as np
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Floats
 from vstatics.sweep.frequencies import OMEGA
-from vstatics.sweep.kept.columns import OutputColumns
+from vstatics.sweep.kept.columns import OutputColumns, output_headings
 from vstatics.sweep.kept.expressions import Expression
 from vstatics.sweep.kept.meanings import Tables
 from vstatics.sweep.kept.selection import Objective
@@ -75,6 +75,11 @@ class SweepPlan:
     def headings(self) -> tuple[str, ...]:
         """Of the columns."""
         return self.columns.headings
+
+    @property
+    def output_headings(self) -> list[str]:
+        """Of all that is written of a variant."""
+        return output_headings(self.names, self.headings)
 
     @property
     def pieces(self) -> int:

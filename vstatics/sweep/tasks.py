@@ -115,12 +115,10 @@ def data_of(form: Format, rows: Chunk) -> list[Any]:
 
 def columns_of(rows: Chunk) -> list[Any]:
     """The columns of a chunk, each in one stretch."""
-    values, columns, objectives = (
-        [np.ascontiguousarray(column, dtype="<f8") for column in table.T]
-        for table in (rows.values, rows.columns, rows.objectives)
-    )
-    variants = np.ascontiguousarray(rows.variants, dtype="<i8")
-    return [variants, *values, rows.status, *columns, *objectives]
+    return [
+        np.ascontiguousarray(column, dtype=column.dtype.newbyteorder("<"))
+        for column in (*rows.output_columns().values(), *rows.objectives.T)
+    ]
 
 
 def read_chunk(task: SweepTask, account: Account) -> Chunk:

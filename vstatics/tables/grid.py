@@ -7,7 +7,7 @@ terminal, `terminal`. `csv` and `xlsx` write the numbers behind the texts.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Collection, Iterable, Sequence
 from typing import Any, NamedTuple
 
 from vstatics.tables.numbers import certain, rounded
@@ -114,6 +114,63 @@ class Grid(NamedTuple):
             for row in self.cells
         ]
         return self._replace(rows=rows)
+
+
+Value = Cell | Datum | Sequence[str]
+"""What a cell is made of: a float is exact, an int whole, a bool a sign, a sequence words."""
+Values = Sequence[Value]
+"""What a row is made of."""
+
+
+def table(
+    title: str,
+    headings: Iterable[str | Column],
+    rows: Iterable[Iterable[Value]],
+    *,
+    key: str = "",
+    optional: Collection[str] = (),
+) -> Grid:
+    """A grid of plain values; a column without any number is one of words.
+
+    Parameters
+    ----------
+    title, key : str
+        As of `Grid`.
+    headings : iterable of str or Column
+    rows : iterable of iterables
+    optional : collection of str
+        Headings of columns that are left out where they say nothing.
+
+    Examples
+    --------
+    >>> grid = table("Gears", ["gear", "ratio", "note"], [["1", 3.5, ""]], optional=["note"])
+    >>> grid.columns[0] == text("gear"), grid.columns[1] == Column("ratio"), grid.texts
+    (True, True, [['1', '3.500']])
+    """
+    cells = [[_cell(value) for value in row] for row in rows]
+    made = dict(enumerate(zip(*cells, strict=True)))
+    columns: list[Column] = []
+    kept: list[Sequence[Cell]] = []
+    for place, heading in enumerate(headings):
+        column = made.get(place, ())
+        if heading in optional and all(cell.text in ("", NOTHING) for cell in column):
+            continue
+        is_number = any(cell.kind is not str for cell in column)
+        columns.append(Column(heading, is_number) if isinstance(heading, str) else heading)
+        kept.append(column)
+    return Grid(title, columns, list(map(list, zip(*kept, strict=True))), key=key)
+
+
+def _cell(value: Value) -> Cell:
+    if isinstance(value, Cell):
+        return value
+    if isinstance(value, str):
+        return Cell(value)
+    if isinstance(value, bool):
+        return sign(value)
+    if isinstance(value, int):
+        return whole(value)
+    return exact(value) if value is None or isinstance(value, float) else Cell(words(value))
 
 
 def text(heading: str) -> Column:

@@ -9,25 +9,23 @@ from collections.abc import Iterator, Mapping
 
 from vstatics.simulation.record.motion import Motion
 from vstatics.simulation.tolerances import CLOSED_BALANCE
-from vstatics.tables.grid import Column, Grid, Row, exact, text
+from vstatics.tables.grid import Column, Grid, Row, exact, table, text
 
 
 def motion_grids(motion: Motion) -> Iterator[Grid]:
     """All tables that have something to say."""
     if motion.stopped is not None:
-        yield Grid(
-            "Stopped before its end", [text("why")], [[motion.stopped.message]], key="stopped"
-        )
+        why = [[motion.stopped.message]]
+        yield table("Stopped before its end", ["why"], why, key="stopped")
     yield _events(motion)
     yield _energy(motion)
-    rows: list[Row] = [
-        [name, exact(peak.torque), exact(peak.time, digits=6)]
+    rows = [
+        (name, peak.torque, exact(peak.time, digits=6))
         for name, peak in motion.peaks.items()
         if peak.torque
     ]
     if rows:
-        headings = [text("device"), Column("torque [N*m]"), Column("time [s]")]
-        yield Grid("Largest torques", headings, rows, key="peaks")
+        yield table("Largest torques", ["device", "torque [N*m]", "time [s]"], rows, key="peaks")
     if motion.reached:
         yield _targets(motion)
 
@@ -77,16 +75,10 @@ def _energy(motion: Motion) -> Grid:
 
 
 def _targets(motion: Motion) -> Grid:
-    on_road = any(one.distance == one.distance for one in motion.reached)
-    rows: list[Row] = [
-        [
-            one.link,
-            exact(one.speed),
-            exact(one.time, digits=6),
-            exact(one.angle),
-            *([exact(one.distance)] if on_road else []),
-        ]
+    rows = (
+        (one.link, one.speed, exact(one.time, digits=6), one.angle, one.distance)
         for one in motion.reached
-    ]
-    headings = ["speed [rad/s]", "time [s]", "angle [rad]", "distance [m]"][: 3 + on_road]
-    return Grid("Speeds reached", [text("link"), *map(Column, headings)], rows, key="targets")
+    )
+    road = "distance [m]"
+    headings = "link", "speed [rad/s]", "time [s]", "angle [rad]", road
+    return table("Speeds reached", headings, rows, key="targets", optional=[road])

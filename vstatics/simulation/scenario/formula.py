@@ -9,7 +9,7 @@ functions of a number. A text becomes a tree, and the tree a function (`formula_
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Collection, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterator
 from functools import lru_cache
 from itertools import combinations
 from typing import Any, NamedTuple
@@ -45,7 +45,7 @@ class Formula(NamedTuple):
         ReadError
             If the text is no formula.
         """
-        return _variables(self.text)
+        return _read(self.text).variables
 
     @property
     def function(self) -> Callable[[float, float, float], float]:
@@ -56,7 +56,7 @@ class Formula(NamedTuple):
         ReadError
             If the text is no formula.
         """
-        return _function(self.text)
+        return _read(self.text).function
 
     @property
     def breaks(self) -> tuple[float, ...]:
@@ -67,11 +67,11 @@ class Formula(NamedTuple):
         ReadError
             If the text is no formula.
         """
-        return _breaks(self.text)
+        return _read(self.text).breaks
 
     def along(self, times: Floats) -> Floats:
         """Its values at many times, of a formula of t alone."""
-        return _of_times(self.text)(times)
+        return _read(self.text).of_times(times)
 
 
 def read_formula(source: Excerpt, names: Collection[str] = VARIABLES) -> Formula:
@@ -107,19 +107,20 @@ def _tree(source: Excerpt, names: Collection[str]) -> Tree:
     tree = parse(source, Language(FUNCTIONS, operands, "t", caret=True))
     for part in _parts(tree):
         if isinstance(part, Applied):
-            _check_operands(part, source)
+            if (
+                part.name not in ("min", "max")
+                and part.name in FUNCTIONS
+                and len(part.operands) > 1
+            ):
+                count, example = len(part.operands), f"{part.name}(t)"
+                message = f"{part.name} of {count} parts, expected one, as in {example}"
+                raise source.error(message, part.at)
         elif isinstance(part, DottedName):
             message = f"read {quoted(part.written)}, expected {operands}"
             raise source.error(message, part.at)
         elif isinstance(part, TableName):
             _check_name(part, names, source)
     return tree
-
-
-def _check_operands(part: Applied, source: Excerpt) -> None:
-    if part.name in FUNCTIONS and part.name not in ("min", "max") and len(part.operands) > 1:
-        message = f"{part.name} of {len(part.operands)} parts, expected one, as in {part.name}(t)"
-        raise source.error(message, part.at)
 
 
 def _check_name(part: TableName, names: Collection[str], source: Excerpt) -> None:
@@ -145,30 +146,20 @@ def _parts(tree: Tree) -> Iterator[Tree]:
             waiting += reversed(part.operands)
 
 
-@lru_cache(maxsize=256)
-def _known(text: str) -> Tree:
-    return _tree(Excerpt(text, "formula"), VARIABLES)
+class _Read(NamedTuple):
+    """What is known of a text."""
+
+    variables: frozenset[str]
+    function: Callable[[float, float, float], float]
+    of_times: Callable[[Floats], Floats]
+    breaks: tuple[float, ...]
 
 
 @lru_cache(maxsize=256)
-def _variables(text: str) -> frozenset[str]:
-    names = {part.name for part in _parts(_known(text)) if isinstance(part, TableName)}
-    return frozenset(names - {PI})
-
-
-@lru_cache(maxsize=256)
-def _breaks(text: str) -> tuple[float, ...]:
-    return breaks(_known(text), {PI: math.pi})
-
-
-@lru_cache(maxsize=256)
-def _function(text: str) -> Callable[[float, float, float], float]:
-    return compiled(_known(text))
-
-
-@lru_cache(maxsize=256)
-def _of_times(text: str) -> Callable[[Floats], Floats]:
-    return of_times(_known(text))
+def _read(text: str) -> _Read:
+    tree = _tree(Excerpt(text, "formula"), VARIABLES)
+    names = {part.name for part in _parts(tree) if isinstance(part, TableName)}
+    return _Read(frozenset(names - {PI}), compiled(tree), of_times(tree), breaks(tree))
 
 
 MOST_BREAKS = 1000
@@ -185,52 +176,42 @@ class _Straight(NamedTuple):
     slope: float
 
 
-def breaks(tree: Tree, constants: Mapping[str, float]) -> tuple[float, ...]:
-    """The times, in order; those of what is no straight line are not found.
+_LINES = {"t": _Straight(0.0, 1.0), PI: _Straight(math.pi, 0.0)}
+"""Names that stand for one."""
 
-    Parameters
-    ----------
-    tree : Tree
-    constants : mapping of str to float
-        Names that stand for a number.
+
+def breaks(tree: Tree) -> tuple[float, ...]:
+    """The times, in order; those of what is no straight line are not found.
 
     Examples
     --------
     >>> from vstatics.readers.expressions.excerpt import Excerpt
     >>> from vstatics.readers.expressions.grammar import Language, parse
     >>> text = "max(0, 3*t - 6) + abs(2*(t - 5)/4)*(1 < t)"
-    >>> breaks(parse(Excerpt(text, ""), Language(["max", "abs"], "t", "t")), {})
+    >>> breaks(parse(Excerpt(text, ""), Language(["max", "abs"], "t", "t")))
     (1.0, 2.0, 5.0)
     """
     found: set[float] = set()
-    _straight(tree, constants, found, {})
+    _straight(tree, found, {})
     times = sorted(time for time in found if math.isfinite(time))
     return tuple(times) if len(times) <= MOST_BREAKS else ()
 
 
-def _straight(
-    tree: Any, constants: Mapping[str, float], found: set[float], known: dict[int, Any]
-) -> _Straight | None:
+def _straight(tree: Any, found: set[float], known: dict[int, Any]) -> _Straight | None:
     """A part as a straight line in time, if it is one; breaks within it are added."""
     if id(tree) not in known:
         known[id(tree)] = None
         if isinstance(tree, Constant):
             known[id(tree)] = _Straight(tree.value, 0.0)
         elif isinstance(tree, TableName):
-            known[id(tree)] = _named(tree.name, constants)
+            known[id(tree)] = _LINES.get(tree.name)
         elif isinstance(tree, Applied):
-            operands = [_straight(one, constants, found, known) for one in tree.operands]
+            operands = [_straight(one, found, known) for one in tree.operands]
             found.update(_meetings(tree.name, operands))
             if None not in operands:
                 known[id(tree)] = _applied(tree.name, [one for one in operands if one])
     straight: _Straight | None = known[id(tree)]
     return straight
-
-
-def _named(name: str, constants: Mapping[str, float]) -> _Straight | None:
-    if name in constants:
-        return _Straight(constants[name], 0.0)
-    return _Straight(0.0, 1.0) if name == "t" else None
 
 
 def _meetings(name: str, operands: list[_Straight | None]) -> Iterator[float]:

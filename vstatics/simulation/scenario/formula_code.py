@@ -2,7 +2,7 @@
 
 A syntax tree of Python is made part by part, from what the grammar let through: nothing of the
 text itself is ever run. Where a float has no result (``1/0``, ``exp(1000)``) the formula is
-calculated again with numbers that have one: infinite, or NaN.
+calculated again with arrays, as in a sweep: these have one, infinite or NaN.
 """
 
 from __future__ import annotations
@@ -16,6 +16,7 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from vstatics.numerics.arrays import Floats
+from vstatics.readers.expressions.evaluation import evaluate
 from vstatics.readers.expressions.grammar import Applied, Tree
 from vstatics.readers.expressions.operands import Constant, TableName
 
@@ -43,21 +44,6 @@ _PLAIN: Mapping[str, Callable[..., Any]] = {
     "sin": math.sin,
     "cos": math.cos,
     "sign": _sign,
-    "pow": math.pow,
-    "truth": _truth,
-    "number": float,
-}
-_ROBUST: Mapping[str, Callable[..., Any]] = {
-    **_PLAIN,
-    "min": lambda *values: np.fmin.reduce(values),
-    "max": lambda *values: np.fmax.reduce(values),
-    "sqrt": np.sqrt,
-    "exp": np.exp,
-    "tanh": np.tanh,
-    "sin": np.sin,
-    "cos": np.cos,
-    "pow": np.power,
-    "number": np.float64,
 }
 _BROAD: Mapping[str, Callable[..., Any]] = {
     "abs": np.abs,
@@ -71,7 +57,7 @@ _BROAD: Mapping[str, Callable[..., Any]] = {
     "sign": np.sign,
     "pow": np.power,
 }
-FUNCTIONS = tuple(name for name in _PLAIN if name not in ("pow", "truth", "number"))
+FUNCTIONS = tuple(_PLAIN)
 """Of numbers; `min` and `max` of several."""
 
 _ARITHMETIC: Mapping[str, type[ast.operator]] = {
@@ -102,15 +88,14 @@ def compiled(tree: Tree) -> Function:
     >>> function(0.0, 0.0, 0.0), function(1e6, 0.0, 0.0)
     (0.5, 0.0)
     """
-    plain: Function = _evaluated(_number(tree), _PLAIN)
-    robust = _evaluated(_OwnNumbers().visit(_number(tree)), _ROBUST)
+    plain: Function = _evaluated(tree, _PLAIN)
 
     def function(t: float, speed: float, angle: float) -> float:
         try:
             return plain(t, speed, angle)
         except (ArithmeticError, ValueError):
-            with np.errstate(all="ignore"):
-                return float(robust(np.float64(t), np.float64(speed), np.float64(angle)))
+            known = {"t": t, "speed": speed, "angle": angle, PI: math.pi}
+            return evaluate(tree, lambda name: np.array([[known[name.name]]])).item()
 
     return function
 
@@ -129,7 +114,7 @@ def of_times(tree: Tree) -> Callable[[Floats], Floats]:
     if _compares(tree):
         one = compiled(tree)
         return lambda times: np.array([one(time, 0.0, 0.0) for time in times.tolist()])
-    broad = _evaluated(_number(tree), _BROAD)
+    broad = _evaluated(tree, _BROAD)
 
     def function(times: Floats) -> Floats:
         with np.errstate(all="ignore"):
@@ -145,19 +130,12 @@ def _compares(tree: Any) -> bool:
     return _is_truth(tree) or any(map(_compares, tree.operands))
 
 
-def _evaluated(body: ast.expr, functions: Mapping[str, Callable[..., Any]]) -> Any:
+def _evaluated(tree: Tree, functions: Mapping[str, Callable[..., Any]]) -> Any:
     """A function of the variables."""
     arguments = ast.arguments([], [ast.arg(name) for name in VARIABLES], None, [], [], None, [])
-    whole = ast.fix_missing_locations(ast.Expression(ast.Lambda(arguments, body)))
-    code = compile(whole, "<formula>", "eval")
-    return eval(code, {"__builtins__": {}, **functions})  # noqa: S307 (see the top)
-
-
-class _OwnNumbers(ast.NodeTransformer):
-    """Makes constants numbers of NumPy, which can be divided by 0."""
-
-    def visit_Constant(self, node: ast.Constant) -> ast.expr:
-        return _call("number", node)
+    whole = ast.fix_missing_locations(ast.Expression(ast.Lambda(arguments, _number(tree))))
+    own = {"__builtins__": {}, "pow": math.pow, "truth": _truth, "number": float}
+    return eval(compile(whole, "<formula>", "eval"), {**own, **functions})  # noqa: S307 (see the top)
 
 
 def _call(name: str, *operands: ast.expr) -> ast.expr:

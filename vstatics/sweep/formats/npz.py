@@ -30,9 +30,7 @@ _ZIP_VERSION = 45  # ZIP64
 _UTF_8 = 0x800
 _DAY_ONE = 0, 0x21  # midnight, 1 January 1980: the archive tells no time
 _ZIP64 = 0xFFFFFFFF
-_POLYNOMIAL = 0xEDB88320  # of CRC-32
-Matrix = tuple[int, ...]
-"""32 columns over the field of two numbers, as bits."""
+_POLYNOMIAL = 0xEDB88320  # of CRC-32; the highest bit is that of x**0
 
 
 class ColumnType(NamedTuple):
@@ -81,7 +79,9 @@ def layout(columns: Sequence[ColumnType], accounts: Sequence[Account]) -> Archiv
             copies.append(Copy(account.piece, starts[number], place, segment.length))
             starts[number] += segment.length
             place += segment.length
-    codes = _array_bytes(np.array(STATUS))
+    file = io.BytesIO()
+    np.lib.format.write_array(file, np.array(STATUS))
+    codes = file.getvalue()
     local, entry = _heads("statuses.npy", zlib.crc32(codes), len(codes), place)
     texts.append((place, local + codes))
     place += len(local) + len(codes)
@@ -95,12 +95,6 @@ def _array_head(dtype: np.dtype[Any], rows: int) -> bytes:
     described = {"descr": np.lib.format.dtype_to_descr(dtype), "fortran_order": False}
     np.lib.format.write_array_header_1_0(head, {**described, "shape": (rows,)})
     return head.getvalue()
-
-
-def _array_bytes(array: Any) -> bytes:
-    file = io.BytesIO()
-    np.lib.format.write_array(file, array)
-    return file.getvalue()
 
 
 def _heads(name: str, crc: int, size: int, place: int) -> tuple[bytes, bytes]:
@@ -146,23 +140,17 @@ def combined_crc(first: int, second: int, length: int) -> int:
 
 
 @cache
-def _zeros(power: int) -> Matrix:
-    """What 2**power zero bytes do to a sum."""
-    if power:
-        half = _zeros(power - 1)
-        return tuple(_times(half, column) for column in half)
-    bit: Matrix = (_POLYNOMIAL, *(1 << place for place in range(31)))
-    for _ in range(3):
-        bit = tuple(_times(bit, column) for column in bit)
-    return bit
+def _zeros(power: int) -> int:
+    """By what 2**power zero bytes multiply a sum, ``x**(8 * 2**power)``."""
+    return _times(_zeros(power - 1), _zeros(power - 1)) if power else 1 << 23
 
 
-def _times(matrix: Matrix, vector: int) -> int:
-    total = 0
-    for column in matrix:
-        if not vector:
-            break
-        if vector & 1:
-            total ^= column
-        vector >>= 1
-    return total
+def _times(one: int, other: int) -> int:
+    """The product of two polynomials over the field of two numbers, less the one of CRC-32."""
+    product = 0
+    while one:
+        if one >> 31:
+            product ^= other
+        one = one << 1 & 0xFFFFFFFF
+        other = other >> 1 ^ (_POLYNOMIAL if other & 1 else 0)
+    return product

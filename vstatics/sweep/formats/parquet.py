@@ -12,9 +12,7 @@ GROUP = 262_144
 """Rows of a row group, at most one piece more."""
 
 
-def write(
-    path: str, names: Sequence[str], headings: Sequence[str], chunks: Iterable[Chunk]
-) -> None:
+def write(path: str, headings: Sequence[str], chunks: Iterable[Chunk]) -> None:
     """Write chunks to a file, one row group at a time.
 
     Raises
@@ -22,13 +20,9 @@ def write(
     OSError
     """
     pa, parquet = import_module("pyarrow"), import_module("pyarrow.parquet")
+    kinds = {"variant": pa.int64(), "status": pa.dictionary(pa.int8(), pa.string())}
     schema = pa.schema(
-        [
-            pa.field("variant", pa.int64(), nullable=False),
-            *(pa.field(name, pa.float64()) for name in names),
-            pa.field("status", pa.dictionary(pa.int8(), pa.string()), nullable=False),
-            *(pa.field(heading, pa.float64()) for heading in headings),
-        ]
+        pa.field(one, kinds.get(one, pa.float64()), nullable=one not in kinds) for one in headings
     )
     with parquet.ParquetWriter(path, schema) as writer:
         for group in _groups(chunks):
@@ -53,9 +47,8 @@ def _groups(chunks: Iterable[Chunk]) -> Iterator[list[Chunk]]:
 def _batch(chunk: Chunk, schema: Any) -> Any:
     pa = import_module("pyarrow")  # costs start-up time, and may be missing
     status = pa.DictionaryArray.from_arrays(chunk.status.astype("i1"), list(STATUS))
-    numbers = [
-        [pa.array(column, from_pandas=True) for column in table.T]
-        for table in (chunk.values, chunk.columns)
+    arrays = [
+        status if name == "status" else pa.array(column, from_pandas=True)
+        for name, column in chunk.output_columns().items()
     ]
-    arrays = [pa.array(chunk.variants), *numbers[0], status, *numbers[1]]
     return pa.record_batch(arrays, schema=schema)

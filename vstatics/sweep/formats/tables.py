@@ -8,28 +8,21 @@ from collections.abc import Iterable, Iterator, Sequence
 from vstatics.sweep.chunk import STATUS, Chunk
 from vstatics.sweep.formats import Format
 from vstatics.tables import latex, markdown, xlsx
-from vstatics.tables.grid import Cell, Column, Grid, Row, exact, text, whole
+from vstatics.tables.grid import Cell, Column, Values, exact, table, text
 
 CELL_DIGITS = 12
 """Significant ones, as in CSV."""
 
 
-def write(
-    path: str, form: Format, names: Sequence[str], headings: Sequence[str], chunks: Iterable[Chunk]
-) -> None:
+def write(path: str, form: Format, headings: Sequence[str], chunks: Iterable[Chunk]) -> None:
     """Write chunks to a file, as one table.
 
     Raises
     ------
     OSError
     """
-    columns = [
-        Column("variant"),
-        *map(Column, names),
-        text("status"),
-        *map(Column, headings),
-    ]
-    grid = Grid("Variants", columns, list(_rows(chunks)))
+    columns = (text(one) if one == "status" else Column(one) for one in headings)
+    grid = table("Variants", columns, (row for chunk in chunks for row in _rows(chunk)))
     if form == "xlsx":
         data = xlsx.write([("", [grid])], several=False)
     else:
@@ -39,12 +32,12 @@ def write(
         file.write(data)
 
 
-def _rows(chunks: Iterable[Chunk]) -> Iterator[Row]:
-    for chunk in chunks:
-        parts = chunk.variants, chunk.values, chunk.status, chunk.columns
-        for variant, values, status, results in zip(*(one.tolist() for one in parts), strict=True):
-            number: Row = [whole(variant)]
-            yield [*number, *map(_cell, values), STATUS[status], *map(_cell, results)]
+def _rows(chunk: Chunk) -> Iterator[Values]:
+    columns = [column.tolist() for column in chunk.output_columns().values()]
+    place = 1 + len(chunk.names)
+    columns[place] = [STATUS[code] for code in columns[place]]
+    for row in zip(*columns, strict=True):
+        yield [_cell(one) if isinstance(one, float) else one for one in row]
 
 
 def _cell(value: float) -> Cell:

@@ -14,6 +14,7 @@ import numpy as np
 from vstatics.numerics.arrays import Floats
 from vstatics.sweep.chunk import STATUS, Chunk
 from vstatics.sweep.formats import Format
+from vstatics.sweep.kept.columns import output_headings
 from vstatics.tables import csv
 
 ROWS_AT_ONCE = 512
@@ -21,9 +22,7 @@ ROWS_AT_ONCE = 512
 NUMBER = "%.12g"
 
 
-def head(
-    form: Format, names: Sequence[str], headings: Sequence[str], *, raw: bool = False
-) -> bytes:
+def head(form: Format, headings: Sequence[str], *, raw: bool = False) -> bytes:
     r"""The line of headings of a CSV file; JSON lines have none.
 
     Parameters
@@ -31,12 +30,12 @@ def head(
     raw : bool
         Whether a heading stays as it is, also where a spreadsheet calculates it.
 
-    >>> head("csv", ["D1.ratio"], ["-ratio[1]", "speeds[C1,1]"])
+    >>> head("csv", ["variant", "D1.ratio", "status", "-ratio[1]", "speeds[C1,1]"])
     b'variant,D1.ratio,status,\'-ratio[1],"speeds[C1,1]"\n'
     """
     if form == "jsonl":
         return b""
-    return csv.lines([["variant", *names, "status", *headings]], raw=raw).encode()
+    return csv.lines([headings], raw=raw).encode()
 
 
 def rows(form: Format, chunk: Chunk) -> bytes:
@@ -93,7 +92,7 @@ class _Row:
             self.keys = ["", *"," * (len(names) + 1 + len(headings))]
             self.end, self.null, self.quote = "\n", "", ""
         else:
-            keys = ["variant", *names, "status", *headings]
+            keys = output_headings(names, headings)
             texts = [json.dumps(key, ensure_ascii=False).replace("%", "%%") for key in keys]
             self.keys = [f"{', ' if number else '{'}{key}: " for number, key in enumerate(texts)]
             self.end, self.null, self.quote = "}\n", "null", '"'

@@ -11,12 +11,12 @@ import numpy as np
 
 from vstatics.errors import Problem, ReadError
 from vstatics.numerics.arrays import Floats
+from vstatics.readers.expressions.evaluation import FUNCTIONS, LAST
 from vstatics.readers.expressions.excerpt import Excerpt
 from vstatics.readers.expressions.grammar import Applied
 from vstatics.readers.named.nodes import MOST_PROBLEMS
-from vstatics.sweep.kept.evaluation import FUNCTIONS, LAST
-from vstatics.sweep.kept.expressions import Expression, names_of, read_expression
-from vstatics.sweep.kept.meanings import NameFinder, Selection, Tables, VariedNumber
+from vstatics.sweep.kept.expressions import Expression, NameFinder, names_of, read_expression
+from vstatics.sweep.kept.meanings import Selection, Tables, VariedNumber
 from vstatics.sweep.variants.subject import Subject
 from vstatics.sweep.variants.targets import Varied
 from vstatics.tables.names import written
@@ -131,6 +131,11 @@ def read_columns(text: str, subject: Subject, targets: Sequence[Varied]) -> Outp
     if problems:
         raise ReadError(problems)
     return OutputColumns(tuple(headings), tuple(parts))
+
+
+def output_headings(names: Sequence[str], headings: Sequence[str]) -> list[str]:
+    """The headings of the output: of variants by varied numbers and columns."""
+    return ["variant", *names, "status", *headings]
 
 
 def _items(text: str) -> Iterator[tuple[int, int]]:

@@ -17,21 +17,26 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import NamedTuple, TypeAlias
+from typing import TYPE_CHECKING, NamedTuple, TypeAlias
 
 import numpy as np
 
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Floats
+from vstatics.readers.expressions.evaluation import LAST, REDUCTIONS, evaluate
 from vstatics.readers.expressions.excerpt import Excerpt
 from vstatics.readers.expressions.grammar import Applied, Tree, parse
 from vstatics.readers.expressions.operands import Constant, DottedName, TableName
-from vstatics.sweep.kept.evaluation import LAST, REDUCTIONS, evaluate
-from vstatics.sweep.kept.meanings import Name, NameFinder, Selection, Tables, value_of
+from vstatics.sweep.kept.meanings import Name, Selection, Tables, value_of
 from vstatics.sweep.variants.subject import Subject
 from vstatics.sweep.variants.targets import Varied
 
+if TYPE_CHECKING:
+    from vstatics.sweep.kept.motion_names import MotionNames
+    from vstatics.sweep.kept.names import SweepNames
+
 Node: TypeAlias = Name | Constant | Applied
+NameFinder: TypeAlias = "SweepNames | MotionNames"
 
 
 @dataclass(frozen=True)

@@ -1,14 +1,10 @@
-"""What names in an expression stand for, and who knows them."""
+"""What names in an expression stand for."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import Any, NamedTuple, Protocol, TypeAlias
 
 from vstatics.numerics.arrays import Floats
-from vstatics.readers.expressions.excerpt import Excerpt
-from vstatics.readers.expressions.grammar import Applied, Language
-from vstatics.readers.expressions.operands import Constant, DottedName, TableName
 
 
 class Selection(NamedTuple):
@@ -53,34 +49,3 @@ def value_of(name: Name, tables: Tables, varied: Floats) -> Floats:
     rows = slice(name.rows or 1) if name.row is None else slice(name.row, name.row + 1)
     values: Floats = table[..., gears, rows].astype(float, copy=False)
     return values
-
-
-class NameFinder(Protocol):
-    """Finds what names in a text mean."""
-
-    @property
-    def source(self) -> Excerpt:
-        """The text."""
-
-    @property
-    def language(self) -> Language:
-        """What it may have."""
-
-    @property
-    def gears(self) -> Sequence[str]:
-        """The names along the first axis of tables; none if it is that of time."""
-
-    def number(self, name: DottedName) -> VariedNumber | Applied | Constant:
-        """A number of what is varied: varied, or else its own."""
-
-    def table(self, read: TableName) -> Selection | VariedNumber | Constant:
-        """A table, or a part of it; or a number that has no point in its name."""
-
-    def rows(self, table: str) -> Sequence[str]:
-        """The names of a table's rows; none if it has no rows."""
-
-    def written_rows(self, table: str) -> Sequence[str]:
-        """The names of all rows that a table may have in any variant."""
-
-    def row(self, table: str) -> str:
-        """What a row of a table is, such as ``link``."""

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from vstatics.errors import Place, listed, nearest, quoted, typed_number
+from vstatics.readers.expressions.evaluation import FUNCTIONS, LAST
 from vstatics.readers.expressions.excerpt import Excerpt
 from vstatics.readers.expressions.grammar import Language
 from vstatics.readers.expressions.operands import Constant, DottedName, Subscript, TableName
-from vstatics.sweep.kept.evaluation import FUNCTIONS, LAST
 from vstatics.sweep.kept.meanings import Selection, VariedNumber
 from vstatics.sweep.motion_tables import TABLES, along_time
 from vstatics.sweep.variants.subject import VariedScenario

@@ -7,13 +7,13 @@ from functools import cached_property
 
 from vstatics.errors import quoted, typed_number
 from vstatics.model.transmission import Transmission
+from vstatics.readers.expressions.evaluation import FUNCTIONS
 from vstatics.readers.expressions.excerpt import Excerpt
 from vstatics.readers.expressions.grammar import Applied, Language
 from vstatics.readers.expressions.operands import Constant, DottedName, Subscript, TableName
 from vstatics.statics.physical import known_units, lacking_load
 from vstatics.statics.result_arrays import Rows
 from vstatics.sweep.frequencies import OMEGA, mode_names
-from vstatics.sweep.kept.evaluation import FUNCTIONS
 from vstatics.sweep.kept.meanings import Selection, VariedNumber
 from vstatics.sweep.variants.targets import Target, Varied, own_number, target
 from vstatics.tables.names import ROWS, nearest_quantity, no_row, rows_called, several, table_rows

@@ -9,7 +9,7 @@ import numpy as np
 
 from vstatics.errors import plural
 from vstatics.numerics.arrays import Floats
-from vstatics.tables.grid import Column, Grid, Row, exact, text, whole
+from vstatics.tables.grid import Grid, table
 
 FORMAT, VERSION = "vstatics-samples", 1
 PARTS = (0.05, 0.5, 0.95)
@@ -81,15 +81,14 @@ def _grid(title: str, found: Mapping[str, Statistics], key: str) -> Grid:
     runs = {one.variants for one in found.values()}
     together = len(runs) == 1
     heads = ("mean", "deviation", *(f"{part:.0%}" for part in PARTS))
-    columns = [text(""), *map(Column, heads)]
-    rows: list[Row] = []
+    rows = []
     for name, one in found.items():
         numbers = (one.mean, one.deviation, *one.quantiles)
-        rows.append([name, *map(exact, numbers), *([] if together else [whole(one.variants)])])
+        rows.append((name, *numbers, "" if together else one.variants))
     if together:
         number = runs.pop()
-        return Grid(f"{title}, {number} {plural('run', number)}", columns, rows, key=key)
-    return Grid(title, [*columns, Column("runs")], rows, key=key)
+        title += f", {number} {plural('run', number)}"
+    return table(title, ["", *heads, "runs"], rows, key=key, optional=["runs"])
 
 
 def statistics_document(

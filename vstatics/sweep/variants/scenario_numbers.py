@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from contextlib import suppress
 from typing import NamedTuple
 
@@ -100,25 +100,16 @@ def number_path(text: str, trees: Trees, place: Place | None = None) -> NumberPa
         parts = split(typed)
         path = _path(parts, trees)
         root = _spelled_out(trees.root(path), path.keys)
-        node = found(root, [PathPart(key, part.at) for key, part in _paired(path.keys, parts)])
+        before = [parts[0]] * (len(path.keys) - len(parts))  # of keys that were put before
+        typed_at = zip(path.keys, [*before, *parts], strict=True)
+        node = found(root, [PathPart(key, part.at) for key, part in typed_at])
         if node is not None:
-            _check_number(node, path)
+            number_of(node)
+    except ValueError as error:
+        raise refusal(f"{quoted(written(path.keys))} {error}", place, 0) from None
     except NoValueError as error:
         raise refusal(str(error), place, error.at) from None
     return path._replace(unit=unit[1].strip() if unit else "")
-
-
-def _paired(keys: Keys, parts: Sequence[PathPart]) -> Iterable[tuple[str, PathPart]]:
-    """Each key with the part that was typed for it; keys that were put before have the first's."""
-    before = [parts[0]] * (len(keys) - len(parts))
-    return zip(keys, [*before, *parts], strict=True)
-
-
-def _check_number(node: Node, path: NumberPath) -> None:
-    try:
-        number_of(node)
-    except ValueError as error:
-        raise NoValueError(f"{quoted(written(path.keys))} {error}", 0) from None
 
 
 def _path(parts: Sequence[PathPart], trees: Trees) -> NumberPath:

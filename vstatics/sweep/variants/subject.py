@@ -61,10 +61,6 @@ class VariedScenario:
         """What other processes get: they make their own trees."""
         return {one.name: getattr(self, one.name) for one in fields(self)}
 
-    def __setstate__(self, state: dict[str, Any]) -> None:
-        """As of any object; it is written out for a frozen class."""
-        self.__dict__.update(state)
-
     @cached_property
     def trees(self) -> Trees:
         """Both documents, read once.

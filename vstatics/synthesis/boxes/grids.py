@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from vstatics.synthesis.boxes.choice import RankedBox, family_count
-from vstatics.tables.grid import Column, Grid, Row, exact, sign, text, whole
+from vstatics.tables.grid import Column, Grid, Row, Values, exact, sign, table, text, whole
 
 
 def box_grids(searched: int, boxes: Sequence[RankedBox]) -> Iterator[Grid]:
@@ -28,8 +28,7 @@ def _counts(searched: int, boxes: Sequence[RankedBox]) -> Grid:
     best = sum(box.pareto for box in boxes)
     counts = {"searched": searched, "found": len(boxes)}
     counts |= {"families": family_count(boxes), "Pareto list": best}
-    rows: list[Row] = [[name, whole(count)] for name, count in counts.items()]
-    return Grid("Boxes", [text("what"), Column("boxes")], rows)
+    return table("Boxes", ["what", "boxes"], counts.items())
 
 
 def all_boxes(boxes: Sequence[RankedBox]) -> Grid:
@@ -88,20 +87,20 @@ def _of_families(boxes: Sequence[RankedBox]) -> Grid:
     for box in boxes:
         members.setdefault(box.family, []).append(box)
     gears = boxes[0].found.gears
-    rows: list[Row] = []
+    rows: list[Values] = []
     for family, own in members.items():
         first = own[0].found
         losses = [100 * box.found.figures.loss for box in own]
         rows.append(
-            [
-                whole(family),
-                whole(len(own)),
+            (
+                family,
+                len(own),
                 exact(min(losses), 2),
                 exact(max(losses), 2),
-                exact(100 * first.figures.error),
-                *(exact(gear.ratio) for gear in first.gears),
-            ]
+                100 * first.figures.error,
+                *(gear.ratio for gear in first.gears),
+            )
         )
     columns = ("family", "boxes", "loss from [%]", "to [%]", "error [%]")
     names = [gear.name for gear in gears]
-    return Grid("Families", [*map(Column, columns), *map(Column, names)], rows)
+    return table("Families", [*columns, *names], rows)

@@ -9,7 +9,7 @@ from typing import NamedTuple
 from vstatics.model.transmission import ShiftElement
 from vstatics.numerics.arrays import Booleans, Floats
 from vstatics.synthesis.gears.kinds import EngagedKind, Indices
-from vstatics.tables.grid import Column, Grid, Row, exact, sign, text, whole, words
+from vstatics.tables.grid import Column, Grid, sign, table
 
 
 class EngagedSet(NamedTuple):
@@ -73,12 +73,12 @@ def combination_grids(found: Iterable[EngagedSet]) -> Iterator[Grid]:
     [[['F1, T3', 'gear', '3.200', '·']], [['gear', '1']]]
     """
     kinds: Counter[str] = Counter()
-    rows: list[Row] = []
+    rows = []
     for one in found:
         kinds[one.kind] += 1
-        rows.append([words(one.engaged), one.kind, exact(one.ratio), sign(one.free)])
-    columns = [text("engaged"), text("kind"), Column("ratio"), Column("free", is_sign=True)]
-    yield Grid("Combinations", columns, rows, key="combinations")
+        rows.append((one.engaged, one.kind, one.ratio, sign(one.free)))
+    headings = "engaged", "kind", "ratio", Column("free", is_sign=True)
+    yield table("Combinations", headings, rows, key="combinations")
     named = (kind.word for kind in reversed(EngagedKind))
-    counts: list[Row] = [[kind, whole(kinds[kind])] for kind in named if kinds[kind]]
-    yield Grid("Kinds", [text("kind"), Column("combinations")], counts, key="kinds")
+    counts = ((kind, kinds[kind]) for kind in named if kinds[kind])
+    yield table("Kinds", ["kind", "combinations"], counts, key="kinds")

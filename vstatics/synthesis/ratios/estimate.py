@@ -14,7 +14,7 @@ from vstatics.synthesis.ratios.least_squares import MOST_FIT_STEPS
 from vstatics.synthesis.ratios.problem import FitProblem
 from vstatics.synthesis.ratios.search import start_count
 from vstatics.synthesis.ratios.space import FitPoints, fit_space
-from vstatics.tables.grid import Column, Grid, Row, text
+from vstatics.tables.grid import Grid, table
 from vstatics.writers.plain_json import plain_data
 
 
@@ -55,16 +55,12 @@ TIMED_STEPS = 2
 def dry_grids(problem: FitProblem) -> Iterator[Grid]:
     """The same as tables."""
     known = dry_document(problem)
-    mechanisms: list[Row] = [
-        [name, number(one["from"]), number(one["to"])] for name, one in known["varied"].items()
-    ]
-    yield Grid("Varied", [text("mechanism"), Column("from"), Column("to")], mechanisms)
-    gears: list[Row] = [
-        [name, *(number(one[key]) for key in ("wanted", "from", "to"))]
-        for name, one in known["gears"].items()
-    ]
-    columns = [text("gear"), *map(Column, ("wanted", "from", "to"))]
-    yield Grid("What the gears can have within the bounds", columns, gears, key="gears")
+    parts = {
+        "Varied": ("varied", "mechanism", "from", "to"),
+        "What the gears can have within the bounds": ("gears", "gear", "wanted", "from", "to"),
+    }
+    for title, (key, *headings) in parts.items():
+        rows = ((name, *map(number, one.values())) for name, one in known[key].items())
+        yield table(title, headings, rows, key=key * (key == "gears"))
     seconds = f"at most {max(known['seconds'], 0.1):.2g} s"
-    rows: list[Row] = [["starts", str(known["starts"])], ["time", seconds]]
-    yield Grid("Search", [text(""), text("")], rows)
+    yield table("Search", ["", ""], [["starts", str(known["starts"])], ["time", seconds]])

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from vstatics.synthesis.ratios.fitting import Fit, deviation
 from vstatics.synthesis.ratios.problem import FitProblem
 from vstatics.synthesis.tolerances import TINY_RATIO
-from vstatics.tables.grid import Cell, Column, Grid, Row, exact, text, whole
+from vstatics.tables.grid import Cell, Grid, Values, exact, table
 
 DEVIATION_DECIMALS = 9
 """Digits of a deviation; what is below them is rounding."""
@@ -44,30 +44,26 @@ def number(value: float | None) -> Cell:
 
 def _gears(found: Fit) -> Grid:
     problem = found.problem
-    rows: list[Row] = []
+    rows = []
     for index, gear in enumerate(problem.own.case.gears):
         ratio, target = found.gears[gear.name], problem.targets.get(index)
-        row: Row = [gear.name, number(target), exact(ratio, 4)]
-        if target is None:
-            row += [exact(None), ""]
-        else:
-            met = "not met" if gear.name in found.unmet else "met"
-            row += [exact(100 * round(deviation(ratio, target), DEVIATION_DECIMALS)), met]
-        rows.append(row)
-    columns = [text("gear"), *map(Column, ("wanted", "ratio", "off [%]")), text("note")]
-    return Grid("Gears", columns, rows)
+        off, note = None, ""
+        if target is not None:
+            note = "not met" if gear.name in found.unmet else "met"
+            off = 100 * round(deviation(ratio, target), DEVIATION_DECIMALS)
+        rows.append((gear.name, number(target), exact(ratio, 4), off, note))
+    return table("Gears", ["gear", "wanted", "ratio", "off [%]", "note"], rows)
 
 
 def _mechanisms(found: Fit) -> Grid:
     """The ratios of mechanisms with their bounds."""
     problem = found.problem
-    rows: list[Row] = []
+    rows: list[Values] = []
     for index, (name, ratio) in enumerate(found.ratios.items()):
         low, high = problem.bounds.low[index], problem.bounds.high[index]
         numbers = (number(one) for one in (ratio, low, high))
-        rows.append([name, *numbers, mechanism_note(problem, index, ratio, found)])
-    columns = [text("mechanism"), *map(Column, ("ratio", "from", "to")), text("note")]
-    return Grid("Mechanisms", columns, rows)
+        rows.append((name, *numbers, mechanism_note(problem, index, ratio, found)))
+    return table("Mechanisms", ["mechanism", "ratio", "from", "to", "note"], rows)
 
 
 def mechanism_note(problem: FitProblem, index: int, ratio: float, found: Fit) -> str:
@@ -84,9 +80,8 @@ def mechanism_note(problem: FitProblem, index: int, ratio: float, found: Fit) ->
 
 def _solutions(found: Fit) -> Grid:
     names = list(found.ratios)
-    rows: list[Row] = [
-        [whole(number), exact(one.residual, 6), *(exact(one.ratios[name], 4) for name in names)]
+    rows: list[Values] = [
+        (number, exact(one.residual, 6), *(exact(one.ratios[name], 4) for name in names))
         for number, one in enumerate(found.solutions, 1)
     ]
-    columns = [Column("solution"), Column("residual"), *map(Column, names)]
-    return Grid("All solutions", columns, rows, key="solutions")
+    return table("All solutions", ["solution", "residual", *names], rows, key="solutions")

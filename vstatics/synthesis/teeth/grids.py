@@ -10,7 +10,7 @@ from vstatics.synthesis.teeth.layout import named_ratios
 from vstatics.synthesis.teeth.limits import TeethLimits
 from vstatics.synthesis.teeth.problem import TeethProblem
 from vstatics.synthesis.teeth.solutions import TeethSolution
-from vstatics.tables.grid import Cell, Column, Grid, Row, exact, text, whole
+from vstatics.tables.grid import Cell, Grid, Values, exact, table, whole
 
 
 def teeth_grids(found: FoundTeeth) -> Iterator[Grid]:
@@ -39,52 +39,44 @@ def _error(value: float) -> Cell:
 
 def _wanted(problem: TeethProblem, best: TeethSolution) -> Grid:
     targets = {target.name: target for target in problem.targets}
-    rows: list[Row] = []
+    rows = []
     of_sets = named_ratios(problem.layouts)
     sets = [name for name in of_sets if name in targets and name not in best.gears]
     for name, ratio in {**best.gears, **{n: best.ratios[of_sets[n].name] for n in sets}}.items():
         target = targets.get(name)
-        row: Row = [name, number(target.wanted if target else None), exact(ratio, 4)]
-        row.append(_error(target.apart_from(ratio)) if target else exact(None))
-        rows.append(row)
-    return Grid("Gears", [text("gear"), *map(Column, ("wanted", "ratio", "error"))], rows)
+        error = _error(target.apart_from(ratio)) if target else None
+        rows.append((name, number(target.wanted if target else None), exact(ratio, 4), error))
+    return table("Gears", ["gear", "wanted", "ratio", "error"], rows)
 
 
 def _teeth(problem: TeethProblem, best: TeethSolution) -> Grid:
-    rows: list[Row] = []
+    rows = []
     for layout in problem.layouts:
         teeth = ", ".join(f"{wheel} {count}" for wheel, count in best.teeth[layout.name].items())
-        planets = best.planets.get(layout.name)
-        row: Row = [layout.name, teeth, exact(None) if planets is None else whole(planets)]
-        row.append(", ".join(f"{best.ratios[one.name]:.4f}" for one in layout.ratios))
-        if best.modules:
-            of_wheels = best.modules.get(layout.name, {})
-            row.append(", ".join(f"{wheel} {module:g}" for wheel, module in of_wheels.items()))
-        rows.append(row)
-    columns = [text("element"), text("teeth"), Column("planets"), text("ratio")]
-    if best.modules:
-        columns.append(text("modules [mm]"))
-    return Grid("Teeth", columns, rows)
+        ratios = ", ".join(f"{best.ratios[one.name]:.4f}" for one in layout.ratios)
+        of_wheels = best.modules.get(layout.name, {}) if best.modules else {}
+        modules = ", ".join(f"{wheel} {module:g}" for wheel, module in of_wheels.items())
+        rows.append((layout.name, teeth, best.planets.get(layout.name), ratios, modules))
+    modules = "modules [mm]"
+    headings = "element", "teeth", "planets", "ratio", modules
+    return table("Teeth", headings, rows, optional=[] if best.modules else [modules])
 
 
 def _solutions(found: FoundTeeth) -> Grid:
     names = [layout.name for layout in found.problem.layouts]
-    rows: list[Row] = []
+    rows: list[Values] = []
     for place, one in enumerate(found.solutions, 1):
         teeth = ["/".join(map(str, one.teeth[name].values())) for name in names]
-        rows.append([whole(place), _error(one.error), *teeth])
-    columns = [Column("solution"), Column("error"), *map(text, names)]
-    return Grid("Solutions", columns, rows)
+        rows.append((place, _error(one.error), *teeth))
+    return table("Solutions", ["solution", "error", *names], rows)
 
 
 def _choice(found: FoundTeeth) -> Grid:
     """How many teeth fulfil the conditions of each element by itself."""
-    rows: list[Row] = [
-        [table.layout.name, whole(table.total), whole(len(table.rows)), whole(len(table.ratios))]
-        for table in found.tables
-    ]
-    heads = ("teeth and planets", "teeth", "ratios")
-    return Grid("Choice", [text("element"), *map(Column, heads)], rows)
+    rows = (
+        (one.layout.name, int(one.total), len(one.rows), len(one.ratios)) for one in found.tables
+    )
+    return table("Choice", ["element", "teeth and planets", "teeth", "ratios"], rows)
 
 
 def asked_grids(problem: TeethProblem) -> Iterator[Grid]:
@@ -93,12 +85,10 @@ def asked_grids(problem: TeethProblem) -> Iterator[Grid]:
     A mechanism has the kind that it is taken for.
     """
     limits: TeethLimits = problem.limits
-    rows: list[Row] = []
+    rows = []
     for layout in problem.layouts:
         planets = ", ".join(map(str, sorted(limits.counts(layout)))) if layout.planets else "-"
         for wheel, (low, high) in zip(layout.wheels, limits.of_wheels(layout), strict=True):
-            row: Row = [f"{layout.name}.{wheel}", whole(low), whole(high), planets]
-            row.append(layout.element.kind)
-            rows.append(row)
-    columns = [text("wheel"), Column("from"), Column("to"), text("planets"), text("kind")]
-    yield Grid("Ranges", columns, rows)
+            front = f"{layout.name}.{wheel}", whole(low), whole(high)
+            rows.append((*front, planets, layout.element.kind))
+    yield table("Ranges", ["wheel", "from", "to", "planets", "kind"], rows)

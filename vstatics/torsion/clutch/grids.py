@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
-from vstatics.tables.grid import Column, Grid, Row, exact, text
+from vstatics.tables.grid import Grid, Values, table
 from vstatics.torsion.clutch.dumped import DumpCase, DumpTorque
 from vstatics.torsion.clutch.given import Dump
 
@@ -38,17 +38,18 @@ def grids(given: Dump, made: DumpTorque) -> Iterator[Grid]:
         "the clutch breaks away at": given.clutch_limit,
         "the wheels break away at": given.grip_limit,
     }
-    rows: list[Row] = [["case", made.case, ""]]
-    rows += [[name, exact(torque), "as M_C0"] for name, torque in torques.items()]
-    rows.append(["the clutch grabs below a speed of", exact(given.boundary_speed), "as omega1"])
-    rows.append(["dynamic factor", exact(made.dynamic_factor), "-"])
+    rows = [
+        ("case", made.case, ""),
+        *((name, torque, "as M_C0") for name, torque in torques.items()),
+        ("the clutch grabs below a speed of", given.boundary_speed, "as omega1"),
+        ("dynamic factor", made.dynamic_factor, "-"),
+    ]
     if made.engagement is not None:
         name = f"dynamic factor, engaged at a rate of {made.engagement.rate:g}"
-        rows.append([name, exact(made.engagement.factor), "-"])
-    title = f"Clutch dump: {HAPPENS[made.case]}"
-    yield Grid(title, [text(""), Column("value"), text("unit")], rows, key="dump")
+        rows.append((name, made.engagement.factor, "-"))
+    yield table(f"Clutch dump: {HAPPENS[made.case]}", ["", "value", "unit"], rows, key="dump")
     if made.messages:
-        yield Grid("Messages", [text("")], [[str(one)] for one in made.messages], key="messages")
+        yield table("Messages", [""], ([str(one)] for one in made.messages), key="messages")
 
 
 _UNITS = {
@@ -91,19 +92,17 @@ def gears_grids(gears: Sequence[GearDump]) -> Iterator[Grid]:
     Reduced to propshaft ['J1 [kg*m^2]', '1.913']
     """
     made = [(gear.name, gear.made) for gear in gears if gear.made is not None]
-    rows: list[Row] = [["case", *(one.case for _, one in made)]]
-    rows += [
-        [told, *(exact(getattr(one, name)) for _, one in made)] for name, told in _TORQUES.items()
-    ]
+    rows: list[Values] = [("case", *(one.case for _, one in made))]
+    rows += [(told, *(getattr(one, name) for _, one in made)) for name, told in _TORQUES.items()]
     if any(one.engagement for _, one in made):
         factors = [one.engagement.factor if one.engagement else None for _, one in made]
-        rows.append(["dynamic factor, engaged at the rate", *map(exact, factors)])
-    columns = [text("gear"), *(Column(name) for name, _ in made)]
-    yield Grid(f"Clutch dump, on {gears[0].to}", columns, rows, key="dump")
+        rows.append(("dynamic factor, engaged at the rate", *factors))
+    names = (name for name, _ in made)
+    yield table(f"Clutch dump, on {gears[0].to}", ["gear", *names], rows, key="dump")
     yield from _reduced(gears)
-    messages: list[Row] = [[name, str(message)] for name, one in made for message in one.messages]
+    messages = [(name, str(message)) for name, one in made for message in one.messages]
     if messages:
-        yield Grid("Messages", [text("gear"), text("")], messages, key="messages")
+        yield table("Messages", ["gear", ""], messages, key="messages")
     yield from _failed(gears)
 
 
@@ -111,15 +110,15 @@ def _reduced(gears: Sequence[GearDump]) -> Iterator[Grid]:
     """What was reduced, a column for each gear."""
     given = [(gear.name, gear.given) for gear in gears if gear.given is not None]
     if given:
-        rows: list[Row] = [
-            [f"{name} [{unit}]", *(exact(getattr(one, name)) for _, one in given)]
+        rows = (
+            (f"{name} [{unit}]", *(getattr(one, name) for _, one in given))
             for name, unit in _UNITS.items()
-        ]
-        columns = [text("gear"), *(Column(name) for name, _ in given)]
-        yield Grid(f"Reduced to {gears[0].to}", columns, rows, key="reduced")
+        )
+        headings = ["gear", *(name for name, _ in given)]
+        yield table(f"Reduced to {gears[0].to}", headings, rows, key="reduced")
 
 
 def _failed(gears: Sequence[GearDump]) -> Iterator[Grid]:
-    failed: list[Row] = [[gear.name, gear.error] for gear in gears if gear.error]
+    failed = [(gear.name, gear.error) for gear in gears if gear.error]
     if failed:
-        yield Grid("No such torque", [text("gear"), text("why")], failed, key="errors")
+        yield table("No such torque", ["gear", "why"], failed, key="errors")

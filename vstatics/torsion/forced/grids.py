@@ -8,7 +8,7 @@ from collections.abc import Iterator, Mapping, Sequence
 import numpy as np
 
 from vstatics.numerics.arrays import Complex, Floats, first_largest
-from vstatics.tables.grid import Cell, Column, Grid, Row, exact, text, whole
+from vstatics.tables.grid import Cell, Column, Grid, Row, Values, exact, table, text, whole
 from vstatics.torsion.forced.cycle import summed
 from vstatics.torsion.forced.harmonic_torques import GearResponse
 
@@ -27,11 +27,13 @@ def largest_grids(gears: Sequence[GearResponse]) -> Iterator[Grid]:
     for gear in gears:
         for title, by_name in _quantities(gear):
             orders = [f"{one.order:g}" for one in gear.orders]
-            columns = [
-                Column(part) for one in orders for part in (f"order {one}", f"{one} at [rpm]")
-            ]
-            if rows := _largest_rows(gear.speeds, by_name):
-                yield Grid(f"Gear {gear.name}: largest {title}", [text("name"), *columns], rows)
+            columns = [part for one in orders for part in (f"order {one}", f"{one} at [rpm]")]
+            rows: list[Values] = []
+            for name in by_name[0] if by_name else ():
+                cells = [_largest(gear.speeds, one[name]) for one in by_name]
+                rows.append((name, *(cell for pair in cells for cell in pair)))
+            if rows:
+                yield table(f"Gear {gear.name}: largest {title}", ["name", *columns], rows)
 
 
 def speed_grids(gears: Sequence[GearResponse]) -> Iterator[Grid]:
@@ -41,11 +43,10 @@ def speed_grids(gears: Sequence[GearResponse]) -> Iterator[Grid]:
     for gear in gears:
         for title, by_name in _quantities(gear):
             for order, values in zip(gear.orders, by_name, strict=True):
-                columns = [Column("speed [rpm]"), *map(Column, values)]
                 sizes = np.abs(np.array([gear.speeds, *values.values()]))
-                rows: list[Row] = [list(map(exact, line)) for line in sizes.T.tolist()]
                 name = f"Gear {gear.name}, order {order.order:g}: {title}"
-                yield Grid(name, columns, rows, group=title.partition(" [")[0])
+                made = table(name, ["speed [rpm]", *values], sizes.T.tolist())
+                yield made._replace(group=title.partition(" [")[0])
 
 
 def _quantities(
@@ -53,14 +54,6 @@ def _quantities(
 ) -> Iterator[tuple[str, Sequence[Mapping[str, Complex]]]]:
     yield "amplitudes of links [rad]", [one.amplitudes for one in gear.orders]
     yield "torques of devices [N*m]", [one.torques for one in gear.orders]
-
-
-def _largest_rows(speeds: Floats, by_name: Sequence[Mapping[str, Complex]]) -> list[Row]:
-    """A row for each name, with the largest value of each column and its speed."""
-    return [
-        [name, *(cell for one in by_name for cell in _largest(speeds, one[name]))]
-        for name in (by_name[0] if by_name else ())
-    ]
 
 
 def _largest(speeds: Floats, values: Floats | Complex) -> tuple[Cell, Cell]:
@@ -92,20 +85,19 @@ def sum_grids(gears: Sequence[GearResponse]) -> Iterator[Grid]:
     for gear in gears:
         orders = [one.order for one in gear.orders]
         for title, by_name in _quantities(gear):
-            rows: list[Row] = []
+            rows = []
             for name in by_name[0] if by_name else ():
                 largest, rms = summed(orders, [one[name] for one in by_name])
                 cells = _largest(gear.speeds, largest), _largest(gear.speeds, rms)
-                rows.append([name, *cells[0], *cells[1]])
-            headings = "largest over a cycle", "at [rpm]", "RMS", "at [rpm]"
-            columns = [text("name"), *map(Column, headings)]
+                rows.append((name, *cells[0], *cells[1]))
+            headings = "name", "largest over a cycle", "at [rpm]", "RMS", "at [rpm]"
             if rows:
-                name = f"Gear {gear.name}, all orders: {title}"
-                yield Grid(name, columns, rows, group=f"all orders, {title.partition(' of ')[0]}")
+                made = table(f"Gear {gear.name}, all orders: {title}", headings, rows)
+                yield made._replace(group=f"all orders, {title.partition(' of ')[0]}")
 
 
 def _faults(gears: Sequence[GearResponse]) -> Iterator[Grid]:
     """Why gears have no response."""
-    rows: list[Row] = [[gear.name, gear.error] for gear in gears if gear.error]
+    rows = [(gear.name, gear.error) for gear in gears if gear.error]
     if rows:
-        yield Grid("Notes", [text("gear"), text("note")], rows, key="notes")
+        yield table("Notes", ["gear", "note"], rows, key="notes")

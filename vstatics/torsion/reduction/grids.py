@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 
-from vstatics.tables.grid import Column, Grid, Row, exact, text
+from vstatics.tables.grid import Grid, Values, exact, table
 from vstatics.torsion.reduction.reduced_values import Amounts, GearReduction
 from vstatics.torsion.reduction.simplification import Simplification
 
@@ -25,26 +25,26 @@ def reduction_grids(to: str, gears: Sequence[GearReduction]) -> Iterator[Grid]:
     )
     for title, heading, by_gear in tables:
         yield _by_gear(title, heading, gears, by_gear)
-    notes: list[Row] = [
-        [gear.name, first, f"rigidly joined: {', '.join(others)}"]
+    notes = [
+        (gear.name, first, f"rigidly joined: {', '.join(others)}")
         for gear in gears
         for first, others in gear.merged.items()
     ]
-    notes += [[gear.name, link, note] for gear in gears for link, note in gear.notes.items()]
-    notes += [[gear.name, "", gear.error] for gear in gears if gear.error]
+    notes += [(gear.name, link, note) for gear in gears for link, note in gear.notes.items()]
+    notes += [(gear.name, "", gear.error) for gear in gears if gear.error]
     if notes:
-        yield Grid("Notes", [text("gear"), text("link"), text("note")], notes, key="notes")
+        yield table("Notes", ["gear", "link", "note"], notes, key="notes")
 
 
 def _by_gear(
     title: str, heading: str, gears: Sequence[GearReduction], by_gear: Sequence[Amounts]
 ) -> Grid:
     names = dict.fromkeys(name for amounts in by_gear for name in amounts)
-    rows: list[Row] = [
-        [name, *(exact(amounts.get(name), 4) for amounts in by_gear)] for name in names
+    rows: list[Values] = [
+        (name, *(exact(amounts.get(name), 4) for amounts in by_gear)) for name in names
     ]
-    columns = [text(heading), *(Column(gear.name) for gear in gears)]
-    return Grid(title, columns, rows, key=title.split(maxsplit=1)[0].lower())
+    headings = heading, *(gear.name for gear in gears)
+    return table(title, headings, rows, key=title.split(maxsplit=1)[0].lower())
 
 
 def simplification_grids(found: Simplification) -> Iterator[Grid]:
@@ -61,33 +61,22 @@ def simplification_grids(found: Simplification) -> Iterator[Grid]:
     """
     most = max((len(step.omegas) for step in found.steps), default=0)
     headings = ["partial [rad/s]", *(f"omega {n} [rad/s]" for n in range(1, most + 1))]
-    rows: list[Row] = [
-        [
-            step.operation,
-            exact(step.partial_frequency),
-            *map(exact, (*step.omegas, *[None] * (most - len(step.omegas)))),
-        ]
+    rows = [
+        (step.operation, step.partial_frequency, *step.omegas, *[None] * (most - len(step.omegas)))
         for step in found.steps
     ]
-    columns = [text("step"), *map(Column, headings)]
     title = f"Steps, by rule {found.rule}" + ": none" * (not rows)
-    yield Grid(title, columns, rows, key="steps")
+    yield table(title, ["step", *headings], rows, key="steps")
     scheme = found.scheme
-    masses: list[Row] = [
-        [name, exact(inertia, 6)]
-        for name, inertia in zip(scheme.names, scheme.inertias, strict=True)
-    ]
-    yield Grid("Masses", [text("link"), Column("inertia [kg*m^2]")], masses, key="masses")
-    springs: list[Row] = [
-        [
-            spring.name,
-            _form(spring.twist, scheme.names),
-            exact(spring.compliance, 6),
-        ]
+    inertias = (exact(inertia, 6) for inertia in scheme.inertias)
+    masses = zip(scheme.names, inertias, strict=True)
+    yield table("Masses", ["link", "inertia [kg*m^2]"], masses, key="masses")
+    springs = (
+        (spring.name, _form(spring.twist, scheme.names), exact(spring.compliance, 6))
         for spring in scheme.springs
-    ]
-    heading = [text("spring"), text("twist"), Column("compliance [rad/(N*m)]")]
-    yield Grid("Springs", heading, springs, key="springs")
+    )
+    headings = ["spring", "twist", "compliance [rad/(N*m)]"]
+    yield table("Springs", headings, springs, key="springs")
 
 
 def _form(twist: Mapping[int, float], names: Sequence[str]) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 
-from vstatics.tables.grid import Cell, Column, Grid, Row, exact, text, whole
+from vstatics.tables.grid import Cell, Grid, Values, exact, table, whole
 from vstatics.tables.numbers import certain, fixed
 from vstatics.torsion.tolerances import LEAST_SHOWN_PART
 from vstatics.torsion.vibration.gear_modes import GearModes, Mode
@@ -45,54 +45,48 @@ def modes_grids(gears: Sequence[GearModes]) -> Iterator[Grid]:
 
 def _damped(gears: Sequence[GearModes]) -> Iterator[Grid]:
     """The eigenvalues of damped gears."""
-    rows: list[Row] = [
-        [gear.name, exact(one.real), exact(one.imag)] for gear in gears for one in gear.damped
-    ]
+    rows = [(gear.name, one.real, one.imag) for gear in gears for one in gear.damped]
     if rows:
-        columns = [text("gear"), Column("real [1/s]"), Column("imaginary [rad/s]")]
-        yield Grid("Eigenvalues of damped vibration", columns, rows, key="damped")
+        headings = "gear", "real [1/s]", "imaginary [rad/s]"
+        yield table("Eigenvalues of damped vibration", headings, rows, key="damped")
 
 
 def _rigid(gears: Sequence[GearModes]) -> Grid:
     """How many modes are rigid, or why there is none."""
-    rows: list[Row] = [
-        [gear.name, whole(math.nan if gear.error else gear.rigid_modes)] for gear in gears
-    ]
-    columns = [text("gear"), Column("rigid modes")]
-    if any(gear.error for gear in gears):
-        rows = [[*row, gear.error] for row, gear in zip(rows, gears, strict=True)]
-        columns.append(text("note"))
-    return Grid("Rigid modes", columns, rows, key="rigid")
+    rows = (
+        (gear.name, whole(math.nan if gear.error else gear.rigid_modes), gear.error)
+        for gear in gears
+    )
+    headings = "gear", "rigid modes", "note"
+    return table("Rigid modes", headings, rows, key="rigid", optional=["note"])
 
 
 _HEADINGS = ("mode", "omega [rad/s]", "frequency [Hz]", "damping [-]", "damped [Hz]", "nodes")
 
 
 def _frequencies(gears: Sequence[GearModes]) -> Grid:
-    rows: list[Row] = []
+    rows = []
     for gear in gears:
         for number, mode in enumerate(gear.modes, 1):
             numbers = mode.omega, mode.frequency, mode.damping_ratio, mode.damped_frequency
-            rows.append([gear.name, whole(number), *map(exact, numbers), whole(mode.nodes)])
-    columns = [text("gear"), *map(Column, _HEADINGS)]
-    return Grid("Natural frequencies", columns, rows, key="frequencies")
+            rows.append((gear.name, number, *numbers, mode.nodes))
+    return table("Natural frequencies", ["gear", *_HEADINGS], rows, key="frequencies")
 
 
 def _most(gears: Sequence[GearModes]) -> Grid:
     """The device and the link with the largest shares in each mode."""
-    rows: list[Row] = [
-        [gear.name, whole(number), *_largest(mode.elastic), *_largest(mode.kinetic)]
+    rows = (
+        (gear.name, number, *_largest(mode.elastic), *_largest(mode.kinetic))
         for gear in gears
         for number, mode in enumerate(gear.modes, 1)
-    ]
-    columns = [text("gear"), Column("mode")]
-    columns += [text("device"), Column("share"), text("link"), Column("share")]
-    return Grid("Where most of the energy is", columns, rows, key="energy")
+    )
+    headings = "gear", "mode", "device", "share", "link", "share"
+    return table("Where most of the energy is", headings, rows, key="energy")
 
 
-def _largest(shares: Mapping[str, float]) -> Row:
+def _largest(shares: Mapping[str, float]) -> tuple[str, float | None]:
     name = max(shares, key=lambda one: certain(shares[one]), default="")
-    return [name, exact(shares.get(name))]
+    return name, shares.get(name)
 
 
 def _by_mode(
@@ -105,9 +99,9 @@ def _by_mode(
     """A row for each link or device, a column for each mode."""
     by_mode = [values(mode) for mode in gear.modes]
     headings = [f"{number}: {mode.omega:.4g}" for number, mode in enumerate(gear.modes, 1)]
-    rows: list[Row] = [[name, *(cell(one[name]) for one in by_mode)] for name in by_mode[0]]
-    columns = [text(heading), *map(Column, headings)]
-    return Grid(f"Gear {gear.name}: {what}", columns, rows, group=what.partition(" at ")[0])
+    rows: list[Values] = [(name, *(cell(one[name]) for one in by_mode)) for name in by_mode[0]]
+    made = table(f"Gear {gear.name}: {what}", [heading, *headings], rows)
+    return made._replace(group=what.partition(" at ")[0])
 
 
 def _part(value: float) -> Cell:
@@ -128,15 +122,11 @@ def identified_grids(omega: float, made: Identified) -> Iterator[Grid]:
     >>> grid.title, grid.texts
     ('Calculated 22 rad/s, measured 20: all compliances by 1.21', [['shaft', '.01210', '3.500']])
     """
-    columns = [text("device"), Column("compliance [rad/(N*m)]")]
-    columns += [Column(_DAMPING)] * bool(made.dampings)
-    rows: list[Row] = [
-        [name, exact(one), *(exact(by[name]) for by in (made.dampings,) if by)]
-        for name, one in made.compliances.items()
-    ]
+    rows = ((name, one, made.dampings.get(name)) for name, one in made.compliances.items())
+    headings = "device", "compliance [rad/(N*m)]", _DAMPING
     title = f"Calculated {made.omega:.5g} rad/s, measured {omega:.5g}: "
     title += f"all compliances by {(made.omega / omega) ** 2:.5g}"
-    yield Grid(title, columns, rows, key="identified")
+    yield table(title, headings, rows, key="identified", optional=[_DAMPING])
 
 
 def damped_grids(decrements: Mapping[str, float], made: Damped) -> Iterator[Grid]:
@@ -149,13 +139,11 @@ def damped_grids(decrements: Mapping[str, float], made: Damped) -> Iterator[Grid
     >>> grid.title, grid.texts
     ('Dampings at 10 rad/s', [['shaft', '.04000', '.750', '.500'], ['mode', '.03000', '', '']])
     """
-    rows: list[Row] = [
-        [name, exact(one), exact(made.shares[name]), exact(made.dampings[name])]
-        for name, one in decrements.items()
+    rows: list[Values] = [
+        (name, one, made.shares[name], made.dampings[name]) for name, one in decrements.items()
     ]
-    rows.append(["mode", exact(made.decrement), "", ""])
-    headings = ["decrement", "share of elastic energy", _DAMPING]
-    columns = [text("device"), *map(Column, headings)]
-    yield Grid(f"Dampings at {made.omega:.5g} rad/s", columns, rows, key="dampings")
+    rows.append(("mode", made.decrement, "", ""))
+    headings = ["device", "decrement", "share of elastic energy", _DAMPING]
+    yield table(f"Dampings at {made.omega:.5g} rad/s", headings, rows, key="dampings")
     if made.notes:
-        yield Grid("Messages", [text("")], [[one] for one in made.notes], key="messages")
+        yield table("Messages", [""], ([one] for one in made.notes), key="messages")

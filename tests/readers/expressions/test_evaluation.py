@@ -8,9 +8,9 @@ import weakref
 import numpy as np
 
 from vstatics.numerics.arrays import Floats
+from vstatics.readers.expressions.evaluation import FUNCTIONS, evaluate
 from vstatics.readers.expressions.excerpt import Excerpt
 from vstatics.readers.expressions.grammar import Language, parse
-from vstatics.sweep.kept.evaluation import FUNCTIONS, evaluate
 
 
 class Held:

@@ -59,7 +59,7 @@ def _values(part: Any, value_of: Callable[[Any], Floats]) -> Values:
     # no function in a function: it would hold itself, and with it the memory of the results
     if isinstance(part, Applied):
         operands = [_values(operand, value_of) for operand in part.operands]
-        return _OPERATIONS[part.name](operands)
+        return OPERATIONS[part.name](operands)
     return np.array([[part.value]]) if isinstance(part, Constant) else value_of(part)
 
 
@@ -81,6 +81,10 @@ def _unequal(first: Floats, second: Floats) -> Booleans:
     """Unlike NumPy's: false if a number does not exist, as all comparisons are."""
     unequal: Booleans = (first < second) | (first > second)
     return unequal
+
+
+def _of_number(function: Callable[[Any], Any]) -> Function:
+    return lambda operands: function(_numbers(operands[0]))
 
 
 def _of_numbers(function: Callable[[Any, Any], Any]) -> Function:
@@ -122,7 +126,7 @@ def _sum_of_existing(values: Floats, **axes: Any) -> Floats:
     return total
 
 
-_OPERATIONS: Mapping[str, Function] = {
+OPERATIONS: Mapping[str, Function] = {
     "+": _of_numbers(operator.add),
     "-": _of_numbers(operator.sub),
     "*": _of_numbers(operator.mul),
@@ -138,10 +142,17 @@ _OPERATIONS: Mapping[str, Function] = {
     "or": _of_truth(operator.or_),
     "not": lambda operands: ~truth(operands[0]),
     "true": lambda operands: truth(operands[0]),
-    "-x": lambda operands: -_numbers(operands[0]),
-    "abs": lambda operands: np.abs(_numbers(operands[0])),
+    "-x": _of_number(operator.neg),
+    "abs": _of_number(np.abs),
+    "sqrt": _of_number(np.sqrt),
+    "exp": _of_number(np.exp),
+    "tanh": _of_number(np.tanh),
+    "sin": _of_number(np.sin),
+    "cos": _of_number(np.cos),
+    "sign": _of_number(np.sign),
     "min": _extreme(np.minimum, np.fmin),
     "max": _extreme(np.maximum, np.fmax),
-    LAST: lambda operands: _numbers(operands[0])[..., -1:, :],
-    "sum": lambda operands: _over_all(_numbers(operands[0]), np.add.reduce, _sum_of_existing),
+    LAST: _of_number(lambda numbers: numbers[..., -1:, :]),
+    "sum": _of_number(lambda numbers: _over_all(numbers, np.add.reduce, _sum_of_existing)),
 }
+"""By the names of the grammar."""
