@@ -8,7 +8,7 @@ from tests.pictures.schemes.test_schemes import overlaps
 from vstatics import Gear, Mechanism, ShiftElement, Spring, Transmission, solve
 from vstatics.elements import Drawing, Element, transmission
 from vstatics.model.springs import between
-from vstatics.pictures.schemes import stick, structure
+from vstatics.pictures import picture
 from vstatics.pictures.schemes.scheme import scheme_of, scheme_state
 from vstatics.pictures.sheet.gear_state import state_of
 from vstatics.pictures.sheet.style import Style
@@ -52,7 +52,7 @@ def test_a_spring_without_torque_is_pale() -> None:
 
 @pytest.mark.parametrize("gears", [(), (1,), (2,)])
 def test_springs_can_be_read_in_the_structure(gears: tuple[int, ...]) -> None:
-    figure = structure.draw(solve(CASE), Style(), gears)
+    figure = picture(solve(CASE), "structure", Style(), gears)
     texts = [text.get_text() for text in figure.texts if text.get_text()]
     assert {"damper", "mount", "axle", "spring", "×−4.1", "×3.1", "×1"} <= set(texts)
     assert overlaps(figure) == []
@@ -62,18 +62,18 @@ def test_springs_stand_beside_drawn_elements() -> None:
     pair = Element("G", "gear_pair", {"first": 1, "second": 2}, {"first": 20, "second": 41})
     springs = [Spring(between(2, 3), stiffness=1, name="half"), SPRINGS[1]._replace(twist={3: 2})]
     case = transmission(Drawing(3, [pair]), gears=[Gear()], springs=springs[:1])
-    assert overlaps(stick.draw(solve(case), Style())) == []
+    assert overlaps(picture(solve(case), "stick", Style())) == []
     case = transmission(Drawing(3, [pair]), gears=[Gear()], springs=springs)
-    texts = [text.get_text() for text in stick.draw(solve(case), Style()).texts]
+    texts = [text.get_text() for text in picture(solve(case), "stick", Style()).texts]
     assert {"half", "mount", "×2"} <= set(texts)
 
 
 def test_one_mass_on_a_spring_is_drawn() -> None:
     case = Transmission(1, [], [], [], springs=[Spring(between(1), stiffness=3, name="s")])
-    figure = structure.draw(solve(case), Style("ru"))
+    figure = picture(solve(case), "structure", Style("ru"))
     assert [text.get_text() for text in figure.texts if text.get_text()] == ["Структура", "1", "s"]
     boxed = case.replace(springs=[Spring({1: 2.0}, stiffness=3, name="s")])
-    figure = structure.draw(solve(boxed), Style("ru"))
+    figure = picture(solve(boxed), "structure", Style("ru"))
     assert "пружина" in [text.get_text() for text in figure.texts]
 
 

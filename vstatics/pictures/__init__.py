@@ -13,7 +13,8 @@ b'<?xml'
 `sheet` is what all share. `flow`, `lever`, `schemes`, `run`, `plan`, `vibration` and `boxes` have
 the kinds of pictures. A kind is a function ``draw(results, style, gears) -> Figure`` in a module of
 its own, which is imported when its picture is asked for: matplotlib is an extra. Kinds that
-show a run take its motion, too.
+show a run take its motion, too. Where gears have something in common it is ``each(results, style,
+shown)``, which makes this once for figures of several lists of gears.
 """
 
 from __future__ import annotations
@@ -89,7 +90,10 @@ def picture(
     require("plot", "a picture")
     module = import_module(PICTURES[kind])
     with settings_of(style):
-        figure: Figure = module.draw(results, style, gears, *_run(kind, motion))
+        if hasattr(module, "each"):
+            figure: Figure = next(module.each(results, style, [gears]))
+        else:
+            figure = module.draw(results, style, gears, *_run(kind, motion))
     return figure
 
 
@@ -131,15 +135,14 @@ def sheets(
 def of_each_gear(results: Results, kind: str, style: Style) -> list[bytes]:
     """A picture of each gear as SVG, in the order of the gears.
 
-    A module with ``of_each_gear(results, style)`` makes what gears have in common once.
     Parameters and errors as of `picture`.
     """
     require("plot", "a picture")
     module = import_module(PICTURES[kind])
     numbers = range(1, len(results.case.gears) + 1)
     with settings_of(style):
-        if hasattr(module, "of_each_gear"):
-            figures = list(module.of_each_gear(results, style))
+        if hasattr(module, "each"):
+            figures = list(module.each(results, style, [(number,) for number in numbers]))
         else:
             figures = [module.draw(results, style, (number,)) for number in numbers]
     return [

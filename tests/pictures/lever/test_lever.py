@@ -20,7 +20,7 @@ from vstatics import Results, load, solve
 from vstatics.pictures import picture, render, settings_of
 from vstatics.pictures.lever.gear import in_gear
 from vstatics.pictures.lever.order import ordered
-from vstatics.pictures.lever.picture import of_each_gear
+from vstatics.pictures.lever.picture import each
 from vstatics.pictures.lever.points import levers, shafts
 from vstatics.pictures.sheet.style import Style
 
@@ -165,7 +165,9 @@ def test_the_key_tells_what_occurs_and_nothing_else() -> None:
 def test_no_line_runs_through_a_text(name: str) -> None:
     """But below a text with paper around its letters: names of brakes, clutches, springs."""
     with settings_of(Style()):
-        for figure in of_each_gear(result(name), Style()):
+        results = result(name)
+        gears = [(n,) for n in range(1, len(results.case.gears) + 1)]
+        for figure in each(results, Style(), gears):
             assert list(crossed(figure)) == []
 
 

@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from itertools import combinations
 from pathlib import Path
 from typing import Any
 
-import numpy as np
 import pytest
 from matplotlib.colors import to_hex
 from matplotlib.figure import Figure
-from matplotlib.patches import PathPatch
+from matplotlib.lines import Line2D
 
 import vstatics
 from vstatics import Gear, Mechanism, ShiftElement, Transmission
@@ -20,7 +18,7 @@ from vstatics.elements.group import group_of
 from vstatics.elements.kinds import KINDS, Simple
 from vstatics.errors import CaseError
 from vstatics.numerics.traced import plain
-from vstatics.pictures import render
+from vstatics.pictures import picture, render
 from vstatics.pictures.schemes import stick, structure
 from vstatics.pictures.schemes.placing import Placement
 from vstatics.pictures.schemes.scheme import Scheme, scheme_of, scheme_state
@@ -170,14 +168,12 @@ def assert_clear(figure: Figure, placement: Placement, scheme: Scheme) -> None:
             assert not [line for line in lines if touch(inside, line)], text.get_text()
 
 
-def check(
-    scheme: Scheme, placement: Placement, results: Results, draw: Callable[..., Figure]
-) -> None:
+def check(scheme: Scheme, placement: Placement, results: Results, kind: str) -> None:
     """The picture of a case, without a gear in English and with its first in Russian."""
     assert_joins(scheme, placement)
     assert_apart(placement)
     for gear in (None, 1):
-        figure = draw(results, Style(language="ru" if gear else "en"), [gear] if gear else [])
+        figure = picture(results, kind, Style("ru" if gear else "en"), [gear] if gear else [])
         assert overlaps(figure) == []
         if gear is None:
             assert_clear(figure, placement, scheme)
@@ -192,14 +188,14 @@ def check(
 def test_structure_can_be_read_and_joins_what_the_case_joins(path: Path) -> None:
     results = vstatics.solve(vstatics.load(path))
     scheme = scheme_of(results.case)
-    check(scheme, structure.place(scheme, Style()), results, structure.draw)
+    check(scheme, structure.place(scheme, Style()), results, "structure")
 
 
 @every_drawn_case
 def test_stick_diagram_can_be_read_and_joins_what_the_case_joins(path: Path) -> None:
     results = vstatics.solve(vstatics.load(path))
     scheme = scheme_of(results.case)
-    check(scheme, stick.place(scheme, Style()).placement, results, stick.draw)
+    check(scheme, stick.place(scheme, Style()).placement, results, "stick")
 
 
 @pytest.mark.slow
@@ -210,7 +206,7 @@ def test_pairs_of_every_kind_can_be_read_and_are_joined(tmp_path: Path) -> None:
     scheme = scheme_of(results.case)
     kinds = {device.kind for device in scheme.devices}
     assert kinds >= {name for name, kind in KINDS.items() if isinstance(kind, Simple)}
-    check(scheme, stick.place(scheme, Style()).placement, results, stick.draw)
+    check(scheme, stick.place(scheme, Style()).placement, results, "stick")
 
 
 def test_ten_speed_automatic_has_no_crossing() -> None:
@@ -229,7 +225,7 @@ def test_the_same_case_looks_the_same() -> None:
 def test_stick_diagram_needs_elements() -> None:
     results = vstatics.solve(vstatics.load(SHIPPED / "moskvich412.yaml"))  # pairs alone
     with pytest.raises(CaseError, match="needs elements"):
-        stick.draw(results, Style())
+        picture(results, "stick", Style())
 
 
 def test_ravigneaux_set_has_its_small_sun_at_the_short_planets() -> None:
@@ -269,14 +265,14 @@ def test_each_wheel_of_the_umdm_is_in_the_plane_of_its_rim() -> None:
     assert {0: "A2'", 1: "B3"} in [column.rims for column in section.columns]
 
 
-@pytest.mark.parametrize("draw", [structure.draw, stick.draw])
-def test_third_gear_of_the_eight_speed_marks_its_three_elements(
-    draw: Callable[..., Figure],
-) -> None:
+@pytest.mark.parametrize("kind", ["structure", "stick"])
+def test_third_gear_of_the_eight_speed_marks_its_three_elements(kind: str) -> None:
     # shift table of the ZF 8HP: gear 3 has B, C and E; A and D are open
     results = vstatics.solve(vstatics.load(SHIPPED / "zf-8hp70.yaml"))
     style = Style()
-    colors = {text.get_text(): text.get_color() for text in draw(results, style, [3]).texts}
+    colors = {
+        text.get_text(): text.get_color() for text in picture(results, kind, style, [3]).texts
+    }
     assert {name for name, color in colors.items() if color == style.engaged} == {"B", "C", "E"}
     assert colors["A"] == colors["D"] == style.soft
     # carrier 3 goes to the open clutch D alone, so P3 carries nothing
@@ -319,7 +315,7 @@ def test_gear_that_is_tied_up_says_so() -> None:
         [Gear([1, 2]), Gear([])],
     )
     results = vstatics.solve(case)
-    titles = [structure.draw(results, Style(), [gear]).texts[0] for gear in (1, 2)]
+    titles = [picture(results, "structure", Style(), [gear]).texts[0] for gear in (1, 2)]
     assert [title.get_text() for title in titles] == [
         "Structure, gear 1, tied up",
         "Structure, gear 2, not determined",
@@ -344,9 +340,10 @@ def test_a_set_that_reacts_as_one_piece_is_marked_and_not_pale() -> None:
 def colors_at(figure: Figure) -> dict[tuple[float, float], set[Any]]:
     """Colours of the lines that begin, bend or end at a point."""
     found: dict[tuple[float, float], set[Any]] = {}
-    for one in figure.findobj(PathPatch):
-        color = to_hex(one.get_edgecolor())
-        for x, y in np.asarray(one.get_path().vertices).tolist():
+    lines: list[Any] = figure.findobj(Line2D)
+    for one in lines:
+        color = to_hex(one.get_color())
+        for x, y in one.get_xydata().tolist():
             found.setdefault((round(x, 3), round(y, 3)), set()).add(color)
     return found
 
@@ -398,7 +395,7 @@ def test_arms_without_torque_are_pale() -> None:
     # issue 16: Ford 10R80, gear 1; D is engaged, and nothing comes to it
     results = vstatics.solve(vstatics.load(SHIPPED / "ford-10r80.yaml"))
     layout = stick.place(scheme_of(results.case), Style())
-    pale = check_pins(results, layout.placement, 1, stick.draw(results, Style(), [1]))
+    pale = check_pins(results, layout.placement, 1, picture(results, "stick", Style(), [1]))
     assert {"P2 sun 1-2", "P2 input", "P3 carrier 1", "D sun 4", "D intermediate"} <= pale
     assert not [name for name in pale if name.startswith(("P1", "P4", "A", "B", "E"))]
 
@@ -410,7 +407,8 @@ def test_arms_are_pale_where_no_torque_is_in_all_gears(path: Path) -> None:
     scheme, style = scheme_of(results.case), Style()
     is_drawn = path in DRAWN
     placement = stick.place(scheme, style).placement if is_drawn else structure.place(scheme, style)
-    figures = (stick if is_drawn else structure).of_each_gear(results, style)
+    by_number = range(1, len(results.case.gears) + 1)
+    figures = (stick if is_drawn else structure).each(results, style, [(n,) for n in by_number])
     for gear, figure in enumerate(figures, 1):
         check_pins(results, placement, gear, figure)
 
@@ -433,7 +431,7 @@ def test_wheels_have_their_names_and_teeth_on_request() -> None:
     # cases/wheel-hub.yaml
     results = vstatics.solve(vstatics.load(SHIPPED / "wheel-hub.yaml"))
     bare, full = (
-        {text.get_text() for text in stick.draw(results, Style(wheels=wheels)).texts}
+        {text.get_text() for text in picture(results, "stick", Style(wheels=wheels)).texts}
         for wheels in (False, True)
     )
     assert full - bare == {"sun: 26", "ring: 64"}
@@ -441,7 +439,7 @@ def test_wheels_have_their_names_and_teeth_on_request() -> None:
 
 def test_mechanisms_that_may_be_sets_have_a_stick_diagram_with_a_note() -> None:
     results = vstatics.solve(vstatics.load(SHIPPED / "mzkt7922.dat"))
-    said = [text.get_text() for text in stick.draw(results, Style()).texts]
+    said = [text.get_text() for text in picture(results, "stick", Style()).texts]
     assert any("as planetary sets" in text for text in said)
     assert {"D1", "D2", "D3"} < set(said)
 

@@ -7,7 +7,7 @@ from itertools import combinations, product
 import numpy as np
 import pytest
 
-from vstatics.pictures.flow.signs import PALE
+from vstatics.pictures.flow.signs import BAND_COVER
 from vstatics.pictures.sheet.style import Style
 
 PAPERS = [pytest.param(Style(), id="paper"), pytest.param(Style(dark=True), id="dark")]
@@ -116,7 +116,9 @@ def test_what_is_engaged_lost_or_circulates_is_told_apart(style: Style, sight: s
 def test_power_that_goes_round_is_told_from_what_passes(style: Style, sight: str) -> None:
     """Its bands let through what they cross, so the paper has a part in their colour."""
     pairs = zip(channels(style.circulating), channels(style.paper), strict=True)
-    band = "#" + "".join(f"{round(PALE * own + (1 - PALE) * under):02x}" for own, under in pairs)
+    band = "#" + "".join(
+        f"{round(BAND_COVER * own + (1 - BAND_COVER) * under):02x}" for own, under in pairs
+    )
     assert distance(band, style.power, sight) > APART
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 
 from matplotlib.figure import Figure
 
@@ -10,19 +11,18 @@ from vstatics.errors import CaseError, Problem
 from vstatics.extras import require
 from vstatics.model.transmission import Transmission
 from vstatics.pictures import Format, settings_of, written
-from vstatics.pictures.boxes.points import LEFT, box_chart, draw_points, draw_words
-from vstatics.pictures.schemes.bare import BareStick, bare_stick
-from vstatics.pictures.schemes.pen import Window
+from vstatics.pictures.boxes.points import POINTS_SCALE_WIDTH, draw_points
+from vstatics.pictures.schemes.bare import bare_stick
 from vstatics.pictures.sheet import labels
-from vstatics.pictures.sheet.labels import Paper, Point
-from vstatics.pictures.sheet.style import SIZE, Style
+from vstatics.pictures.sheet.pen import Pen, blank
+from vstatics.pictures.sheet.style import SMALL_NUMBER, Style
 from vstatics.summary.contrast import letters
 from vstatics.synthesis.boxes.listing import BoxListing, ListedBox, drawn_boxes
 
 A4_WIDTH = 595.0
 """Of the page: A4. [pt]"""
 BOXES_MARGIN = 26.0
-HIGH, ALONE = 210.0, 340.0
+POINTS_HEIGHT, POINTS_HEIGHT_ALONE = 210.0, 340.0
 """Of the axes, over diagrams or alone. [pt]"""
 BOXES_SCALE_HEIGHT = 34.0
 """For the scale. [pt]"""
@@ -30,11 +30,11 @@ FAMILIES_WIDTH = 118.0
 """For the families. [pt]"""
 BOXES_HEAD_HEIGHT = 40.0
 """For what stands over the axes. [pt]"""
-LINE, SMALL = 11.0, 6.5
-"""From line to line; the letters below the name of a diagram. [pt]"""
+CAPTION_LINE_HEIGHT = 11.0
+"""From line to line. [pt]"""
 MOST_DRAWN_DIAGRAMS = 8
 """So many diagrams have room on a page."""
-COLUMNS = 2
+DIAGRAMS_SIDE_BY_SIDE = 2
 DIAGRAM_GAP = 18.0
 """Between diagrams. [pt]"""
 LARGEST_DIAGRAM_SCALE = 0.62
@@ -63,7 +63,7 @@ def render_points(listing: BoxListing, drawn: Sequence[ListedBox]) -> bytes:
     """The points alone as SVG, for a page that has the diagrams of these boxes elsewhere."""
     style = Style(titled=False)
     with settings_of(style):
-        figure = _paper(listing, drawn, 0.0, ALONE, style)
+        figure = _page(listing, drawn, 0.0, POINTS_HEIGHT_ALONE, style).figure
     return written(figure, "svg", style, "found boxes")
 
 
@@ -77,68 +77,49 @@ def draw_boxes(listing: BoxListing, style: Style, drawn: Sequence[ListedBox]) ->
     """
     if not drawn:
         raise CaseError([Problem("no box was found, so there is nothing to draw")])
-    room = (A4_WIDTH - 2 * BOXES_MARGIN - (COLUMNS - 1) * DIAGRAM_GAP) / COLUMNS
+    count, gap = DIAGRAMS_SIDE_BY_SIDE, DIAGRAM_GAP
+    room = (A4_WIDTH - 2 * BOXES_MARGIN - (count - 1) * gap) / count
     cases = [box.transmission() for box in drawn]
     sticks = [bare_stick(case, style, is_small=True) for case in cases]
-    scale = min(LARGEST_DIAGRAM_SCALE, *(room / stick.size[0] for stick in sticks))
+    part = min(LARGEST_DIAGRAM_SCALE, *(room / stick.size[0] for stick in sticks))
     captions = [_caption(*both, room, style) for both in zip(drawn, cases, strict=True)]
-    rows = _rows(sticks, captions, scale)
-    figure = _paper(listing, drawn, sum(rows) + DIAGRAM_GAP * len(rows), HIGH, style)
-    top = sum(rows) + DIAGRAM_GAP * (len(rows) - 1) + BOXES_MARGIN
-    for number, high in enumerate(rows):
-        for column in range(COLUMNS):
-            place = number * COLUMNS + column
-            if place < len(drawn):
-                at = BOXES_MARGIN + column * (room + DIAGRAM_GAP), top
-                below = _write(figure, at, captions[place], style)
-                size = sticks[place].size[0] * scale, sticks[place].size[1] * scale
-                corner = at[0] + (room - size[0]) / 2, below - size[1]
-                sticks[place].drawn(within=Window(figure, corner, size, DIAGRAM_LETTERS))
-        top -= high + DIAGRAM_GAP
-    return figure
-
-
-def _paper(
-    listing: BoxListing, drawn: Sequence[ListedBox], below: float, high: float, style: Style
-) -> Figure:
-    """The points in axes so high, on a page with so much room below them [pt]."""
-    low = BOXES_MARGIN + below + BOXES_SCALE_HEIGHT
-    figure = labels.figure(A4_WIDTH, low + high + BOXES_HEAD_HEIGHT + BOXES_MARGIN)
-    wide = A4_WIDTH - 2 * BOXES_MARGIN - LEFT - FAMILIES_WIDTH
-    chart = box_chart(Paper(figure), (BOXES_MARGIN + LEFT, low), (wide, high), listing)
-    has_more = draw_points(chart, listing, drawn, style)
-    draw_words(chart, listing, drawn, style, has_more=has_more)
-    return figure
-
-
-Caption = list[str]
-"""Lines, of which the first is a heading."""
-
-
-def _rows(sticks: Sequence[BareStick], captions: Sequence[Caption], scale: float) -> list[float]:
-    """Heights of the rows of diagrams [pt]."""
     heights = [
-        stick.size[1] * scale + LINE * len(lines)
+        stick.size[1] * part + CAPTION_LINE_HEIGHT * (1 + len(lines))
         for stick, lines in zip(sticks, captions, strict=True)
     ]
-    return [max(heights[at : at + COLUMNS]) for at in range(0, len(heights), COLUMNS)]
+    rows = [max(heights[at : at + count]) for at in range(0, len(heights), count)]
+    page = _page(listing, drawn, sum(rows) + gap * len(rows), POINTS_HEIGHT, style)
+    top = sum(rows) + gap * (len(rows) - 1) + BOXES_MARGIN
+    for place, (box, stick, lines) in enumerate(zip(drawn, sticks, captions, strict=True)):
+        row, column = divmod(place, count)
+        x, y = BOXES_MARGIN + column * (room + gap), top - sum(rows[:row]) - gap * row
+        family = f"{box.number}   {style.text('family', 'семейство')} {box.family}"
+        page.text(x, y, family, bold=True, va="top")
+        for line in lines:
+            y -= CAPTION_LINE_HEIGHT
+            page.text(x, y, line, color=style.soft, size=SMALL_NUMBER, va="top")
+        wide, high = (part * length for length in stick.size)
+        corner = x + (room - wide) / 2, y - CAPTION_LINE_HEIGHT - high
+        stick.drawn(within=page.panel(corner, (wide, high))._replace(letters=DIAGRAM_LETTERS))
+    return page.figure
 
 
-def _caption(box: ListedBox, case: Transmission, room: float, style: Style) -> Caption:
-    """What stands over a diagram."""
+def _page(
+    listing: BoxListing, drawn: Sequence[ListedBox], below: float, high: float, style: Style
+) -> Pen:
+    """The points in axes so high, on a page with so much room below them [pt]."""
+    low = BOXES_MARGIN + below + BOXES_SCALE_HEIGHT
+    page = blank(A4_WIDTH, low + high + BOXES_HEAD_HEIGHT + BOXES_MARGIN, style)
+    wide = A4_WIDTH - 2 * BOXES_MARGIN - POINTS_SCALE_WIDTH - FAMILIES_WIDTH
+    draw_points(page.panel((BOXES_MARGIN + POINTS_SCALE_WIDTH, low), (wide, high)), listing, drawn)
+    return page
+
+
+def _caption(box: ListedBox, case: Transmission, room: float, style: Style) -> list[str]:
+    """What stands over a diagram, below its heading: figures, and the names of its letters."""
     names = [element.name for element in case.shift_elements]
     called = zip(letters(len(names)), names, strict=True)
-    lines = [
-        _figures(box, style),
-        ", ".join(f"{letter} {name}" for letter, name in called),
-    ]
-    wrapped = [line for text in lines for line in labels.wrapped(text, room, SMALL).split("\n")]
-    return [f"{box.number}   {style.text('family', 'семейство')} {box.family}", *wrapped]
-
-
-def _figures(box: ListedBox, style: Style) -> str:
-    """The figures of a box in a line."""
-    said = (
+    figures = (
         (style.text("loss", "потери"), f"{100 * box.loss:.2f} %"),
         (style.text("torque", "момент"), f"{box.torque:.2f}"),
         (style.text("planets", "сателлиты"), f"{box.planet_speed:.2f}"),
@@ -146,16 +127,9 @@ def _figures(box: ListedBox, style: Style) -> str:
         (style.text("brakes", "тормоза"), f"{box.brakes}"),
         (style.text("clutches", "муфты"), f"{box.clutches}"),
     )
-    return ", ".join(f"{name} {number}".replace("nan", "–") for name, number in said)
-
-
-def _write(figure: Figure, at: Point, lines: Caption, style: Style) -> float:
-    """Write a caption; where it ends [pt]."""
-    wide, high = (labels.POINTS_PER_INCH * length for length in figure.get_size_inches())
-    (x, y), (title, *others) = at, lines
-    figure.text(x / wide, y / high, title, fontsize=SIZE, weight="bold", ha="left", va="top")
-    for line in others:
-        y -= LINE
-        place = x / wide, y / high
-        figure.text(*place, line, color=style.soft, fontsize=SMALL, ha="left", va="top")
-    return y - LINE
+    texts = (
+        ", ".join(f"{name} {number}".replace("nan", "–") for name, number in figures),
+        ", ".join(map(" ".join, called)),
+    )
+    measure = partial(labels.width, size=SMALL_NUMBER)
+    return [line for text in texts for line in labels.wrapped(text, room, measure).split("\n")]

@@ -8,11 +8,10 @@ from itertools import combinations, pairwise
 
 from vstatics.pictures.flow.columns import Key, NodeColumns
 from vstatics.pictures.flow.graph import Graph
+from vstatics.pictures.sheet.tolerances import SAME_CROSSINGS
 
 COLUMN_ROUNDS = 4
 """Times that all columns are put in order."""
-BETTER = 1 - 1e-9
-"""An order must be so much better than another."""
 
 _Near = Mapping[Key, Sequence[tuple[Key, float]]]
 """Neighbours of a cell, with the power that they exchange with it."""
@@ -28,7 +27,7 @@ def ordered(graph: Graph, cells: NodeColumns) -> list[list[Key]]:
     best, least = lower, math.inf
     for turn, start in enumerate([lower, orders] * COLUMN_ROUNDS):
         found, crossings = _exchanged(start, near[1], graph)
-        if crossings < least * BETTER:
+        if crossings < least * SAME_CROSSINGS:
             best, least = found, crossings
         _settle(start, near, turn // 2)
     return best
@@ -67,14 +66,14 @@ def _exchanged(
     """The same with neighbours exchanged wherever this saves crossings, and these."""
     places = [(number, rank) for number, one in enumerate(columns) for rank in range(len(one) - 1)]
     least, before = _crossings(columns, after, graph), math.inf
-    while least < before * BETTER:
+    while least < before * SAME_CROSSINGS:
         before = least
         for number, rank in places:
             column = columns[number]
             swapped = [*column[:rank], column[rank + 1], column[rank], *column[rank + 2 :]]
             tried = [*columns[:number], swapped, *columns[number + 1 :]]
             crossings = _crossings(tried, after, graph)
-            if crossings < least * BETTER:
+            if crossings < least * SAME_CROSSINGS:
                 columns, least = tried, crossings
     return [list(column) for column in columns], least
 

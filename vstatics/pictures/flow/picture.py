@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
 from matplotlib.figure import Figure
@@ -12,23 +12,19 @@ from vstatics.flow.power_flow import GearFlow
 from vstatics.pictures.flow.graph import graph
 from vstatics.pictures.flow.layout import layout
 from vstatics.pictures.flow.places import FlowLayout
-from vstatics.pictures.flow.signs import FlowPen, hatched_look, loop_colour
+from vstatics.pictures.flow.signs import FlowView, hatched_look, loop_colour
 from vstatics.pictures.flow.texts import FlowTexts, heading
 from vstatics.pictures.flow.titles import FlowTitles, titles
-from vstatics.pictures.sheet import labels
-from vstatics.pictures.sheet.head import KeySign, chart_head
-from vstatics.pictures.sheet.labels import Paper, height
-from vstatics.pictures.sheet.line_styles import Look
-from vstatics.pictures.sheet.style import TITLE, Style
+from vstatics.pictures.sheet.head import Meaning, sheet_head
+from vstatics.pictures.sheet.labels import height, title_width
+from vstatics.pictures.sheet.style import WIDE_MARGIN, Style
 from vstatics.pictures.sheet.words import gear_title, title
 from vstatics.statics.results import Results
 
 BAND_WIDTH = 30.0
 """Of a band of power 1. [pt]"""
-THICKEST = 90.0
+MOST_NODE_HEIGHT = 90.0
 """Of any node. [pt]"""
-FLOW_MARGIN = 14.0
-"""[pt]"""
 LEAST_FLOW_WIDTH = 330.0
 """Width of the figure, without its margins. [pt]"""
 TITLE_WIDTH = 450.0
@@ -42,13 +38,16 @@ BELOW_TEXT = 8.0
 class FlowGear(NamedTuple):
     """What is drawn of a gear."""
 
-    flow: GearFlow
     layout: FlowLayout
     titles: FlowTitles
 
 
-def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> Figure:
-    """Draw the power flow of all gears, one below another, or of some.
+_Chosen = tuple[GearFlow, FlowGear | None]
+"""Nothing of a gear in which no power is drawn."""
+
+
+def each(results: Results, style: Style, shown: Iterable[Sequence[int]]) -> Iterator[Figure]:
+    """The power flow of all gears, one below another, or of some; all figures in one scale.
 
     Power runs from left to right, widths of bands are power in one scale for all gears.
     Losses leave downwards, power that circulates goes back below. With losses, if the
@@ -58,38 +57,24 @@ def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> Figure:
     --------
     >>> from vstatics import Gear, Mechanism, Transmission, solve
     >>> mechanisms = [Mechanism(1, 2, 3, -2.0, name="set"), Mechanism(1, 2, 0, -4.0, name="pair")]
-    >>> figure = draw(solve(Transmission(3, [], mechanisms, [Gear()])), Style())
+    >>> [figure] = each(solve(Transmission(3, [], mechanisms, [Gear()])), Style(), [()])
     >>> [text.get_text() for text in figure.texts if "circulates" in text.get_text()][-1]
     'circulates 1.000: 100.0% of the power in'
     """
-    return _figure(results, _chosen(results, style, gears), style)
-
-
-def of_each_gear(results: Results, style: Style) -> Iterator[Figure]:
-    """A figure for each gear, in one scale for all."""
-    for one in _chosen(results, style, ()):
-        yield _figure(results, [one], style)
-
-
-_Chosen = tuple[GearFlow, FlowGear | None]
-"""Nothing of a gear in which no power is drawn."""
-
-
-def _chosen(results: Results, style: Style, gears: Sequence[int]) -> list[_Chosen]:
-    """Those of all gears, or of some."""
     every = flows(results)
-    numbers = list(gears) or range(1, len(every) + 1)
-    chosen = [every[number - 1] for number in numbers]
-    placings = placed(chosen, style)
-    found: list[_Chosen] = []
-    for number, flow, placing in zip(numbers, chosen, placings, strict=True):
-        side = flow.lossy or flow.ideal
-        if placing is None or side is None:
-            found.append((flow, None))
-        else:
-            said = titles(FlowTexts(flow, side, style), flow, results.gear(number))
-            found.append((flow, FlowGear(flow, placing, said)))
-    return found
+    numbers = [gears or range(1, len(every) + 1) for gears in shown]
+    chosen = [every[number - 1] for own in numbers for number in own]
+    placings = iter(placed(chosen, style))
+    for own in numbers:
+        found: list[_Chosen] = []
+        for number in own:
+            flow, placing = every[number - 1], next(placings)
+            side, drawn = flow.lossy or flow.ideal, None
+            if placing is not None and side is not None:
+                said = titles(FlowTexts(flow, side, style), flow, results.gear(number))
+                drawn = FlowGear(placing, said)
+            found.append((flow, drawn))
+        yield _figure(results, found, style)
 
 
 def placed(found: Sequence[GearFlow], style: Style) -> list[FlowLayout | None]:
@@ -99,7 +84,7 @@ def placed(found: Sequence[GearFlow], style: Style) -> list[FlowLayout | None]:
     powers = [
         drawn.through(node) for drawn in graphs if drawn for run in drawn.runs for node in run
     ]
-    scale = min(BAND_WIDTH, THICKEST / max(powers, default=1.0))
+    scale = min(BAND_WIDTH, MOST_NODE_HEIGHT / max(powers, default=1.0))
     return [
         layout(drawn, scale, FlowTexts(flow, side, style))
         if side and drawn and drawn.runs
@@ -108,86 +93,53 @@ def placed(found: Sequence[GearFlow], style: Style) -> list[FlowLayout | None]:
     ]
 
 
-class _GearBlock(NamedTuple):
-    """A gear with its heading, which one alone has in the title."""
-
-    name: str
-    text: str
-    gear: FlowGear | None
-
-    @property
-    def high(self) -> float:
-        """[pt]."""
-        heads = sum(height(one) for one in (self.name, self.text) if one)
-        return heads + (BELOW_TEXT + self.gear.layout.height if self.gear else 0.0)
-
-    def draw(self, paper: Paper, top: float, style: Style) -> None:
-        """Below a height [pt]."""
-        if self.name:
-            paper.write(FLOW_MARGIN, top, self.name, va="top", weight="bold", color=style.ink)
-            place = FLOW_MARGIN, top - height(self.name)
-            paper.write(*place, self.text, va="top", color=style.soft)
-        if self.gear:
-            start = top - self.high + self.gear.layout.height
-            FlowPen(paper, FLOW_MARGIN, start, self.gear.titles, style).draw(self.gear.layout)
-
-
 def _figure(results: Results, chosen: Sequence[_Chosen], style: Style) -> Figure:
     """One gear, or several with headings."""
     shown = [one for _, one in chosen if one]
-    alone = len(chosen) == 1
+    names = [gear_title(flow.gear, style) for flow, _ in chosen]
+    is_alone = len(chosen) == 1
     subject = style.text("power flow", "поток мощности")
-    subject += f", {gear_title(chosen[0][0].gear, style)}" if alone else ""
-    name = title(results.case, subject)
-    of_name = min(labels.width(name, TITLE, bold=True), TITLE_WIDTH) if style.titled else 0.0
+    name = title(results.case, f"{subject}, {names[0]}" if is_alone else subject)
+    of_name = min(title_width(name), TITLE_WIDTH) if style.titled else 0.0
     wide = max([LEAST_FLOW_WIDTH, of_name, *(one.layout.width for one in shown)])
-    blocks = [
-        _GearBlock(gear_title(flow.gear, style), heading(flow, wide, style), one)
-        for flow, one in chosen
+    texts = [heading(flow, wide, style) for flow, _ in chosen]
+    head = sheet_head(name, texts[0] if is_alone else "", _key(shown, style), wide, style)
+    heads = [
+        0.0 if is_alone else height(one) + height(text)
+        for one, text in zip(names, texts, strict=True)
     ]
-    head = chart_head(name, blocks[0].text if alone else "", _key(shown, style), wide, style)
-    if alone:
-        blocks = [blocks[0]._replace(name="", text="")]
-    high = (
-        head.high + BELOW_TEXT + sum(one.high for one in blocks) + FLOW_GEAR_GAP * (len(blocks) - 1)
-    )
-    figure = labels.figure(wide + 2 * FLOW_MARGIN, high + 2 * FLOW_MARGIN)
-    paper, top = Paper(figure), high + FLOW_MARGIN
-    head.draw(paper, FLOW_MARGIN, top, style)
-    top -= head.high + BELOW_TEXT
-    for block in blocks:
-        block.draw(paper, top, style)
-        top -= block.high + FLOW_GEAR_GAP
-    return figure
+    pictures = [BELOW_TEXT + one.layout.height if one else 0.0 for _, one in chosen]
+    high = BELOW_TEXT + sum(heads) + sum(pictures) + FLOW_GEAR_GAP * (len(chosen) - 1)
+    pen = head.over(wide + 2 * WIDE_MARGIN, high + WIDE_MARGIN, WIDE_MARGIN)
+    top = high + WIDE_MARGIN - BELOW_TEXT
+    for place, (_, one) in enumerate(chosen):
+        if not is_alone:
+            pen.text(WIDE_MARGIN, top, names[place], va="top", bold=True)
+            at = WIDE_MARGIN, top - height(names[place])
+            pen.text(*at, texts[place], va="top", color=style.soft)
+        top -= heads[place] + pictures[place]
+        if one:
+            FlowView(pen, WIDE_MARGIN, top + one.layout.height, one.titles).draw(one.layout)
+        top -= FLOW_GEAR_GAP
+    return pen.figure
 
 
-def _key(shown: Sequence[FlowGear], style: Style) -> list[KeySign]:
+def _key(shown: Sequence[FlowGear], style: Style) -> list[Meaning]:
     """What colours mean, of those that the picture has."""
     pairs = [(one.titles, line.band) for one in shown for line in one.layout.lines]
     loops = [said.is_doubtful(band) for said, band in pairs if band.loop is not None]
     lost = any(box.cell.lost for one in shown for box in one.layout.boxes)
-    divided = any(one.flow.by_convention for one in shown)
-    plain: Look = {"linewidth": 0}
+    divided = any(one.titles.texts.flow.by_convention for one in shown)
     loop = loop_colour(style)
-    rows = (
-        (shown, "power", "мощность", {"facecolor": style.power, **plain}),
-        (
-            divided,
-            "divided by convention, turns as one piece",
-            "разделена условно внутри одного целого",
-            hatched_look(style.power, style),
-        ),
-        (lost, "lost", "потери", {"facecolor": style.lost, **plain}),
-        (False in loops, "circulates", "циркулирует", {"facecolor": loop, **plain}),
-        (
-            True in loops,
-            "circulates, may not be in the metal",
-            "циркулирует, в металле может не быть",
-            hatched_look(loop, style),
-        ),
+    by_convention = (
+        "divided by convention, turns as one piece",
+        "разделена условно внутри одного целого",
     )
+    doubtful = "circulates, may not be in the metal", "циркулирует, в металле может не быть"
     return [
-        KeySign(style.text(english, russian), look)
-        for there, english, russian, look in rows
-        if there
+        (shown, "power", "мощность", {"facecolor": style.power}),
+        (divided, *by_convention, hatched_look(style.power, style)),
+        (lost, "lost", "потери", {"facecolor": style.lost}),
+        (False in loops, "circulates", "циркулирует", {"facecolor": loop}),
+        (True in loops, *doubtful, hatched_look(loop, style)),
     ]

@@ -11,17 +11,12 @@ from vstatics.flow.power_flow import GearFlow, PowerFlow
 from vstatics.flow.shared_planets import words
 from vstatics.pictures.flow.graph import EndPort, Run
 from vstatics.pictures.sheet.labels import width, wrapped
-from vstatics.pictures.sheet.style import Style, number
+from vstatics.pictures.sheet.style import LONG_NAME, SHORT_NAME, Style, number
+from vstatics.pictures.sheet.tolerances import LEAST_SHOWN_POWER, SAME_POWER
 from vstatics.pictures.sheet.words import fault
 
-NODE_NAME_WIDTH = 84.0
-"""A name is wrapped to this width. [pt]"""
-RUN_NAME_WIDTH = 110.0
-"""The names of a run are. [pt]"""
 LOOP_TEXT_WIDTH = 300.0
 """What is said of a loop is wrapped to this width. [pt]"""
-LEAST_SHOWN_POWER = 0.0005
-"""What is less is not 0.000."""
 UNBROKEN = "\u00a0"
 """A blank at which no line ends."""
 
@@ -51,12 +46,12 @@ class FlowTexts(NamedTuple):
         names = [_unbroken(_named(node, ports, self.style)) for node in run]
         between = f"{UNBROKEN}{'<' if back else '>'} "
         joined = between.join(reversed(names) if back else names)
-        name = wrapped(
-            joined, NODE_NAME_WIDTH if len(run) == 1 else max(RUN_NAME_WIDTH, wide)
-        ).replace(UNBROKEN, " ")
+        name = wrapped(joined, SHORT_NAME if len(run) == 1 else max(LONG_NAME, wide)).replace(
+            UNBROKEN, " "
+        )
         lines = [name, "?" if self.side.unknown and self._is_unknown(run) else self.power(power)]
         for port in ports:
-            if not math.isclose(port.power, power, rel_tol=1e-9):
+            if not math.isclose(port.power, power, rel_tol=SAME_POWER):
                 way = self.style.text(*(("in", "вход") if port.enters else ("out", "выход")))
                 lines.append(f"{way} {self.power(port.power)}")
         return "\n".join(lines)
@@ -105,7 +100,7 @@ def _named(node: Node, ports: Sequence[EndPort], style: Style) -> str:
 
 def _unbroken(name: str) -> str:
     """A name that is not wrapped if it fits into a line."""
-    return name.replace(" ", UNBROKEN) if width(name) <= NODE_NAME_WIDTH else name
+    return name.replace(" ", UNBROKEN) if width(name) <= SHORT_NAME else name
 
 
 def heading(flow: GearFlow, wide: float, style: Style) -> str:

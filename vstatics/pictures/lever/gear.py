@@ -11,11 +11,10 @@ from vstatics.model.transmission import HOUSING, Transmission
 from vstatics.numerics.traced import plain
 from vstatics.pictures.lever.points import Lever, held_for_good
 from vstatics.pictures.sheet.gear_state import PictureState, shown_of
+from vstatics.pictures.sheet.tolerances import NO_LEVER_TORQUE
 from vstatics.statics.results import Results
 from vstatics.statics.roles import IDLE, ONE_PIECE, Role, roles
 
-NO_LEVER_TORQUE = 1e-12
-"""Torques that are sums may leave as much. [-]"""
 Spot = tuple[int, int]
 """A point of a picture: the number of its lever, and of its node."""
 

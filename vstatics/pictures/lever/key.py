@@ -8,16 +8,24 @@ from typing import NamedTuple
 
 from vstatics.model.transmission import HOUSING
 from vstatics.pictures.lever.gear import LeverGear
-from vstatics.pictures.lever.marks import MARKS, Inks, arrow, box, coil, ground, mark_of, plates
+from vstatics.pictures.lever.marks import (
+    MARKS,
+    LeverSheet,
+    arrow,
+    box,
+    coil,
+    ground,
+    mark_of,
+    plates,
+)
 from vstatics.pictures.lever.points import Lever
 from vstatics.pictures.sheet import labels
-from vstatics.pictures.sheet.labels import Paper, Point
-from vstatics.pictures.sheet.style import Style, number
+from vstatics.pictures.sheet.labels import Point
+from vstatics.pictures.sheet.style import WIDE_MARGIN, Style, number
 from vstatics.tables.numbers import certain
 
 KEY_ROW_HEIGHT = 15.0
 """Height of a row of the key."""
-LEVER_MARGIN = 14.0
 KEY_SIGN_WIDTH = 24.0
 """Width of what stands before a text."""
 
@@ -27,7 +35,6 @@ class LeverKey(NamedTuple):
 
     entries: Sequence[tuple[str, str]]
     """Kind of sign, and what it means."""
-    style: Style
     wide: float
     """Of the figure."""
     arrow: float
@@ -35,11 +42,11 @@ class LeverKey(NamedTuple):
 
     def _places(self) -> Iterator[Point]:
         """Where each entry begins, from the left of the first row downwards."""
-        x, row = LEVER_MARGIN, 0
+        x, row = WIDE_MARGIN, 0
         for kind, text in self.entries:
-            size = self._room(kind) + labels.width(text) + LEVER_MARGIN
-            if x > LEVER_MARGIN and x + size > self.wide:
-                x, row = LEVER_MARGIN, row + 1
+            size = self._room(kind) + labels.width(text) + WIDE_MARGIN
+            if x > WIDE_MARGIN and x + size > self.wide:
+                x, row = WIDE_MARGIN, row + 1
             yield x, -row * KEY_ROW_HEIGHT
             x += size
 
@@ -51,32 +58,31 @@ class LeverKey(NamedTuple):
         """Of all rows."""
         return KEY_ROW_HEIGHT - min(y for _, y in self._places())
 
-    def put(self, paper: Paper, inks: Inks) -> None:
+    def put(self, sheet: LeverSheet) -> None:
         """Draw it from the foot of the figure upwards."""
-        top = LEVER_MARGIN + self.height - KEY_ROW_HEIGHT / 2
+        top = WIDE_MARGIN + self.height - KEY_ROW_HEIGHT / 2
         for (kind, text), (x, down) in zip(self.entries, self._places(), strict=True):
-            self._sample(inks, kind, (x, top + down))
-            paper.write(x + self._room(kind), top + down, text, va="center")
+            self._sample(sheet, kind, (x, top + down))
+            sheet.pen.text(x + self._room(kind), top + down, text, va="center")
 
-    def _sample(self, inks: Inks, kind: str, place: Point) -> None:
-        (x, y), style = place, self.style
-        middle = x + KEY_SIGN_WIDTH / 2 - 4
+    def _sample(self, sheet: LeverSheet, kind: str, place: Point) -> None:
+        (x, y), style = place, sheet.pen.style
+        at = x + KEY_SIGN_WIDTH / 2 - 4, y
         if kind in MARKS:
-            inks.point((middle, y), kind, style.ink)
+            sheet.point(at, kind, style.ink)
         elif kind in ("brake", "housing"):
-            ground(inks, (middle, y), style.engaged if kind == "brake" else style.ink)
+            ground(sheet, at, style.engaged if kind == "brake" else style.ink)
         elif kind in ("clutch", "slack", "spring"):
-            ends = (middle - 8, y), (middle + 8, y)
             lines = {"clutch": style.engaged, "slack": style.faint, "spring": style.soft}
-            inks.line(*ends, colour=lines[kind])
-            (coil if kind == "spring" else plates)(inks, (middle, y), style)
+            sheet.line((at[0] - 8, y), (at[0] + 8, y), colour=lines[kind])
+            (coil if kind == "spring" else plates)(sheet, at)
         elif kind == "torque":
-            arrow(inks, (x + self.arrow, y), self.arrow, style.ink)
+            arrow(sheet, (x + self.arrow, y), self.arrow)
         elif kind == "pair":
-            box(inks, (middle, y), (10, 8), style.ink)
+            box(sheet, at, (10, 8), style.ink)
         else:
             colour, width = (style.soft, 3.0) if kind == "speed" else (style.faint, 2.0)
-            inks.line((x, y), (x + KEY_SIGN_WIDTH - 6, y), colour=colour, width=width)
+            sheet.line((x, y), (x + KEY_SIGN_WIDTH - 6, y), colour=colour, width=width)
 
 
 def key_of(
@@ -103,8 +109,7 @@ def key_of(
         "pale": text("carries no torque", "без момента"),
     }
     found = {sign for gear in gears for sign in _signs(drawn, gear)}
-    shown = [(kind, meaning) for kind, meaning in meanings.items() if kind in found]
-    return LeverKey(shown, style, wide, length)
+    return LeverKey([one for one in meanings.items() if one[0] in found], wide, length)
 
 
 def _unit(per_torque: float) -> tuple[float, str]:
@@ -123,21 +128,16 @@ def _signs(drawn: Sequence[Lever], gear: LeverGear) -> Iterator[str]:
     """The signs of a gear."""
     yield "speed"
     for place, lever in enumerate(drawn):
-        yield from _of_lever(lever, place, gear)
+        for link in (node.link for node in lever.nodes if node.link != HOUSING):
+            yield mark_of(link, gear.state, stands=gear.stands(link))
+        if lever.ratio is not None:
+            yield "pair"
+        if any(torque != 0 for torque in gear.torques[place]):
+            yield "torque"
+        if not gear.is_loaded(place):
+            yield "pale"
     yield from ("brake" if name else "housing" for name in gear.grounds.values())
     for one in gear.ties:
         if one.name:
             clutch = "slack" if gear.is_slack(one.name) else "clutch"
             yield "spring" if one.is_spring else clutch
-
-
-def _of_lever(lever: Lever, place: int, gear: LeverGear) -> Iterator[str]:
-    for node in lever.nodes:
-        if node.link != HOUSING:
-            yield mark_of(node.link, gear.state, stands=gear.stands(node.link))
-    if lever.ratio is not None:
-        yield "pair"
-    if any(torque != 0 for torque in gear.torques[place]):
-        yield "torque"
-    if not gear.is_loaded(place):
-        yield "pale"

@@ -7,14 +7,15 @@ from collections.abc import Sequence
 from itertools import pairwise
 from typing import Any, NamedTuple
 
-from matplotlib.lines import Line2D
 from matplotlib.patches import PathPatch
 from matplotlib.path import Path
 
 from vstatics.model.transmission import HOUSING
+from vstatics.pictures.lever.places import LeverPage
 from vstatics.pictures.sheet.gear_state import PictureState
-from vstatics.pictures.sheet.labels import Paper, Point
-from vstatics.pictures.sheet.style import Style
+from vstatics.pictures.sheet.labels import Point, Span
+from vstatics.pictures.sheet.line_styles import Look
+from vstatics.pictures.sheet.pen import Pen, corners
 
 ARROW_HEAD = 5.0
 """Length of the head of an arrow."""
@@ -29,12 +30,18 @@ MARKS: dict[str, Sequence[Point]] = {
 """Kind of point -> corners of its mark."""
 
 
-class Inks(NamedTuple):
-    """Lines and areas of one look, collected to be drawn at once."""
+class LeverSheet(NamedTuple):
+    """What all levers of a figure share; lines and areas of one look are drawn at once."""
 
-    lines: dict[tuple[Any, ...], list[Sequence[Point]]]
+    pen: Pen
+    page: LeverPage
+    speeds: Span
+    """The least and the largest one. [-]"""
+    per_torque: float
+    """Length of an arrow."""
+    lines: dict[tuple[str, float, Any], list[Sequence[Point]]]
     """Colour, width, dash -> lines."""
-    areas: dict[str, list[Sequence[Point]]]
+    areas: dict[str, list[Path]]
     """Colour -> polygons."""
 
     def line(self, *places: Point, colour: str, width: float = 1.0, dash: Any = "solid") -> None:
@@ -43,47 +50,25 @@ class Inks(NamedTuple):
         for (x, y), (_, after) in pairwise(places[1:]):
             if not kept[-1][1] == y == after:
                 kept.append((x, y))
-        kept.append(places[-1])
-        self.lines.setdefault((colour, width, dash), []).append(kept)
+        self.lines.setdefault((colour, width, dash), []).append([*kept, places[-1]])
+
+    def area(self, *corners: Point, colour: str) -> None:
+        """A filled polygon."""
+        self.areas.setdefault(colour, []).append(Path([*corners, corners[0]], closed=True))
 
     def point(self, place: Point, kind: str, colour: str) -> None:
         """A mark at a place; its kind is one of `MARKS`."""
         x, y = place
         self.area(*((x + right, y + up) for right, up in MARKS[kind]), colour=colour)
 
-    def area(self, *corners: Point, colour: str) -> None:
-        """A filled polygon."""
-        self.areas.setdefault(colour, []).append(corners)
-
-    def put(self, paper: Paper) -> None:
+    def put(self) -> None:
         """Draw all of it, one artist for each look, broad lines over thin ones."""
         for (colour, width, dash), some in self.lines.items():
-            xs = [x for one in some for x in (*(x for x, _ in one), math.nan)]
-            ys = [y for one in some for y in (*(y for _, y in one), math.nan)]
-            paper.add(
-                Line2D(
-                    xs,
-                    ys,
-                    color=colour,
-                    linewidth=width,
-                    linestyle=dash,
-                    solid_capstyle="butt",
-                    zorder=2 + width / 10,
-                )
-            )
+            look: Look = {"color": colour, "linestyle": dash, "zorder": 2 + width / 10}
+            self.pen.lines(some, width=width, **look)
         for colour, polygons in self.areas.items():
-            codes = [
-                code
-                for one in polygons
-                for code in (Path.MOVETO, *[Path.LINETO] * (len(one) - 1), Path.CLOSEPOLY)
-            ]
-            path = Path([place for one in polygons for place in (*one, one[0])], codes)
-            paper.add(PathPatch(path, facecolor=colour, edgecolor="none", zorder=2.5))
-
-
-def inks() -> Inks:
-    """Nothing drawn yet."""
-    return Inks({}, {})
+            path = Path.make_compound_path(*polygons)
+            self.pen.add(PathPatch(path, facecolor=colour, edgecolor="none", zorder=2.5))
 
 
 def mark_of(link: int, state: PictureState, *, stands: bool) -> str:
@@ -108,44 +93,40 @@ def mark_of(link: int, state: PictureState, *, stands: bool) -> str:
     return "port" if link in gear.speeds or link in gear.torques else ""
 
 
-def arrow(drawn: Inks, tip: Point, length: float, colour: str) -> None:
+def arrow(sheet: LeverSheet, tip: Point, length: float) -> None:
     """An arrow along a line, to the right up to a place or, if it is negative, from there."""
-    (x, y), size = tip, abs(length)
+    (x, y), size, colour = tip, abs(length), sheet.pen.style.ink
     head = min(ARROW_HEAD, max(size, 3.0))
     start, end, way = (x - size, x, 1) if length > 0 else (x, x - size, -1)
-    drawn.line((start, y), (end - way * head, y), colour=colour, width=2.2)
-    drawn.area((end, y), (end - way * head, y + 3), (end - way * head, y - 3), colour=colour)
+    neck = end - way * head
+    sheet.line((start, y), (neck, y), colour=colour, width=2.2)
+    sheet.area((end, y), (neck, y + 3), (neck, y - 3), colour=colour)
 
 
-def ground(drawn: Inks, place: Point, colour: str) -> None:
+def ground(sheet: LeverSheet, place: Point, colour: str) -> None:
     """What holds a point: a bar with hatches, right of a place."""
     x, y = place
-    drawn.line((x, y - 5), (x, y + 5), colour=colour, width=1.4)
+    sheet.line((x, y - 5), (x, y + 5), colour=colour, width=1.4)
     for up in (-5, -1.5, 2):
-        drawn.line((x, y + up + 3), (x + 3.5, y + up), colour=colour, width=0.9)
+        sheet.line((x, y + up + 3), (x + 3.5, y + up), colour=colour, width=0.9)
 
 
-def plates(drawn: Inks, place: Point, style: Style) -> None:
+def plates(sheet: LeverSheet, place: Point) -> None:
     """A clutch: two plates that face one another."""
     x, y = place
-    for side in (-1.5, 1.5):
-        drawn.line((x + side, y - 5), (x + side, y + 5), colour=style.engaged, width=1.6)
+    for at in (x - 1.5, x + 1.5):
+        sheet.line((at, y - 5), (at, y + 5), colour=sheet.pen.style.engaged, width=1.6)
 
 
-def coil(drawn: Inks, place: Point, style: Style) -> None:
+def coil(sheet: LeverSheet, place: Point) -> None:
     """A spring as shaft."""
     x, y = place
-    zigzag = [(x - 6 + 2 * step, y + (0, 3.5, -3.5)[step and 1 + step % 2]) for step in range(6)]
-    drawn.line(*zigzag, (x + 6, y), colour=style.ink)
+    turns = [(x - 6 + 2 * step, y + (0, 3.5, -3.5)[step and 1 + step % 2]) for step in range(6)]
+    sheet.line(*turns, (x + 6, y), colour=sheet.pen.style.ink)
 
 
-def box(drawn: Inks, middle: Point, size: Point, colour: str) -> None:
+def box(sheet: LeverSheet, middle: Point, size: Point, colour: str) -> None:
     """The outline of a rectangle."""
     (x, y), (wide, high) = middle, (size[0] / 2, size[1] / 2)
-    corners = [
-        (x - wide, y - high),
-        (x + wide, y - high),
-        (x + wide, y + high),
-        (x - wide, y + high),
-    ]
-    drawn.line(*corners, corners[0], colour=colour)
+    edges = corners(x - wide, y - high, x + wide, y + high)
+    sheet.line(*edges, edges[0], colour=colour)

@@ -8,6 +8,7 @@ from itertools import combinations, pairwise
 from vstatics.model.transmission import HOUSING, Transmission
 from vstatics.pictures.lever.gear import LeverTie, joins, shaft_ties, spots_of, tie
 from vstatics.pictures.lever.points import Lever
+from vstatics.pictures.sheet.tolerances import SAME_LEVER_COST
 
 LEVER_SEARCH_ROUNDS = 20
 """Of a search; more would change little."""
@@ -67,7 +68,7 @@ def _best(start: Order, moves: Sequence[Move], cost: Callable[[Order], float]) -
     for _ in range(LEVER_SEARCH_ROUNDS):
         costs = {tried: cost(tried) for tried in {move(reached): None for move in moves}}
         best = min(costs, key=costs.__getitem__, default=reached)
-        if not costs or costs[best] >= least - 1e-9:
+        if not costs or costs[best] >= least - SAME_LEVER_COST:
             break
         reached, least = best, costs[best]
     return reached

@@ -7,21 +7,23 @@ levers for links that are on both, grounds for brakes, ties for clutches, torque
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from functools import partial
 from typing import NamedTuple
 
 from matplotlib.figure import Figure
 
 from vstatics.errors import CaseError, Problem
-from vstatics.pictures.lever.cell import LeverSheet, LeverView, draw_lever, draw_route, lever_names
+from vstatics.pictures.lever.cell import LeverView, draw_lever, draw_route, lever_names
 from vstatics.pictures.lever.gear import LeverGear, in_gear
-from vstatics.pictures.lever.key import LEVER_MARGIN, key_of
-from vstatics.pictures.lever.marks import inks
+from vstatics.pictures.lever.key import key_of
+from vstatics.pictures.lever.marks import LeverSheet
 from vstatics.pictures.lever.places import ARROW, LeverPage, page_of
 from vstatics.pictures.lever.routes import LeverRoute, routes
 from vstatics.pictures.sheet import labels
-from vstatics.pictures.sheet.labels import Paper
-from vstatics.pictures.sheet.style import TITLE, Style, number
+from vstatics.pictures.sheet.labels import Span
+from vstatics.pictures.sheet.pen import blank
+from vstatics.pictures.sheet.style import TITLE, WIDE_MARGIN, Style, number
 from vstatics.pictures.sheet.words import fault, gear_title, title
 from vstatics.statics.results import Results
 from vstatics.tables.numbers import typeset
@@ -32,31 +34,20 @@ NARROWEST_FIGURE = 320.0
 """Of a figure, for its title. [pt]"""
 
 
-def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> Figure:
-    """Draw the levers of a case in all gears, or in some.
+def each(results: Results, style: Style, shown: Iterable[Sequence[int]]) -> Iterator[Figure]:
+    """The levers of a case in all gears, or in some; at the same places in each figure.
 
     Raises
     ------
     CaseError
         If there is no mechanism of two links or more.
     """
-    page = _page(results, style)
-    chosen = gears or range(1, len(results.case.gears) + 1)
-    return _figure(page, [in_gear(results, one, page.levers) for one in chosen], style)
-
-
-def of_each_gear(results: Results, style: Style) -> Iterator[Figure]:
-    """A figure for each gear, with the levers at the same places; errors as of `draw`."""
-    page = _page(results, style)
-    for one in range(1, len(results.case.gears) + 1):
-        yield _figure(page, [in_gear(results, one, page.levers)], style)
-
-
-def _page(results: Results, style: Style) -> LeverPage:
-    page = page_of(results.case, style, LEVER_MARGIN)
+    page = page_of(results.case, style, WIDE_MARGIN)
     if page is None:
         raise CaseError([Problem("the case has no mechanism to draw as a lever")])
-    return page
+    for gears in shown:
+        numbers = gears or range(1, len(results.case.gears) + 1)
+        yield _figure(page, [in_gear(results, one, page.levers) for one in numbers], style)
 
 
 class LeverBlock(NamedTuple):
@@ -87,45 +78,33 @@ class LeverBlock(NamedTuple):
     @property
     def size(self) -> float:
         """Its whole height."""
-        return self.above + self.over + self.high - self.low + LEVER_MARGIN
+        return self.above + self.over + self.high - self.low + WIDE_MARGIN
 
 
 def _figure(page: LeverPage, gears: Sequence[LeverGear], style: Style) -> Figure:
-    wide = _wide(page)
-    blocks = list(_blocks(page, gears, _heads(page, gears, style), style))
+    wide = max(page.width, NARROWEST_FIGURE) + WIDE_MARGIN
+    blocks = list(_blocks(page, gears, wide, style))
     speeds, per_torque = _scales(page, gears)
     key = key_of(page.levers, gears, style, wide, per_torque)
-    head = title(page.case, _subject(gears, style)) if style.titled else ""
-    head = labels.wrapped(head, wide - 2 * LEVER_MARGIN, TITLE, bold=True)
-    above = LEVER_MARGIN + (labels.height(head, TITLE) + LEVER_MARGIN / 2 if head else 0.0)
-    high = above + sum(one.size for one in blocks) + key.height + 1.5 * LEVER_MARGIN
-    figure = labels.figure(wide, high)
-    sheet = LeverSheet(Paper(figure), inks(), style, page, speeds, per_torque)
-    if head:
-        how = {"va": "top", "fontsize": TITLE, "fontweight": "bold"}
-        sheet.paper.write(LEVER_MARGIN, high - LEVER_MARGIN, head, **how)
+    subject = style.text("levers", "рычаги")
+    if len(gears) == 1:
+        subject += f", {gear_title(gears[0].state.gear.name, style)}"
+    head = title(page.case, subject) if style.titled else ""
+    head = labels.wrapped(head, wide - 2 * WIDE_MARGIN, labels.title_width)
+    above = WIDE_MARGIN + (labels.height(head, TITLE) + WIDE_MARGIN / 2 if head else 0.0)
+    high = above + sum(one.size for one in blocks) + key.height + 1.5 * WIDE_MARGIN
+    sheet = LeverSheet(blank(wide, high, style), page, speeds, per_torque, {}, {})
+    sheet.pen.text(WIDE_MARGIN, high - WIDE_MARGIN, head, va="top", size=TITLE, bold=True)
     top = high - above
     for block in blocks:
         _draw_block(sheet, block, top)
         top -= block.size
-    key.put(sheet.paper, sheet.inks)
-    sheet.inks.put(sheet.paper)
-    return figure
+    key.put(sheet)
+    sheet.put()
+    return sheet.pen.figure
 
 
-def _wide(page: LeverPage) -> float:
-    """Width of a figure [pt]."""
-    return max(page.width, NARROWEST_FIGURE) + LEVER_MARGIN
-
-
-def _subject(gears: Sequence[LeverGear], style: Style) -> str:
-    subject = style.text("levers", "рычаги")
-    if len(gears) > 1:
-        return subject
-    return f"{subject}, {gear_title(gears[0].state.gear.name, style)}"
-
-
-def _scales(page: LeverPage, gears: Sequence[LeverGear]) -> tuple[tuple[float, float], float]:
+def _scales(page: LeverPage, gears: Sequence[LeverGear]) -> tuple[Span, float]:
     """Ends of the speeds, and length of a torque, for all levers, so that they can be compared."""
     links = {node.link for lever in page.levers for node in lever.nodes}
     speeds = [gear.state.speeds[link] for gear in gears for link in links]
@@ -136,11 +115,16 @@ def _scales(page: LeverPage, gears: Sequence[LeverGear]) -> tuple[tuple[float, f
 
 
 def _blocks(
-    page: LeverPage, gears: Sequence[LeverGear], heads: Sequence[str], style: Style
+    page: LeverPage, gears: Sequence[LeverGear], wide: float, style: Style
 ) -> Iterator[LeverBlock]:
     """Each gear with its lines; what a gear before has already is named."""
     seen: dict[object, str] = {}
-    for gear, text in zip(gears, heads, strict=True):
+    for gear in gears:
+        name, text = gear.state.gear.name, _gear_text(page, gear, style)
+        if len(gears) > 1:  # a single one is called in the title
+            text = f"{gear_title(name, style)}: {text}"
+        elif not style.titled:
+            text = ""
         found = routes(page, gear.ties)
         heights = [*page.extent, *(y for one in found for _, y in one.points)]
         same: dict[int, str] = {}
@@ -148,31 +132,21 @@ def _blocks(
             shown = place, gear.shown(place, lever)
             if lever.devices and shown in seen:
                 same[place] = seen[shown]
-            seen.setdefault(shown, gear.state.gear.name)
-        head = labels.wrapped(text, _wide(page) - 2 * LEVER_MARGIN, bold=True)
-        names = lever_names(page, gear, same, style, _wide(page) - LEVER_MARGIN)
+            seen.setdefault(shown, name)
+        head = labels.wrapped(text, wide - 2 * WIDE_MARGIN, partial(labels.width, bold=True))
+        names = lever_names(page, gear, same, style, wide - WIDE_MARGIN)
         yield LeverBlock(head, gear, found, min(heights), max(heights), same, names)
 
 
 def _draw_block(sheet: LeverSheet, block: LeverBlock, top: float) -> None:
-    if block.head:
-        sheet.paper.write(LEVER_MARGIN, top, block.head, va="top", fontweight="bold")
+    sheet.pen.text(WIDE_MARGIN, top, block.head, va="top", bold=True)
     below = top - block.above
     bottom = below - block.over - block.high
-    for place in range(len(sheet.page.cells)):
+    for place, name in enumerate(block.names):
         view = LeverView(sheet, block.gear, place, bottom, block.same.get(place))
-        draw_lever(view, block.names[place], below)
+        draw_lever(view, name, below)
     for route in block.routes:
         draw_route(sheet, block.gear, route, bottom)
-
-
-def _heads(page: LeverPage, gears: Sequence[LeverGear], style: Style) -> list[str]:
-    """What stands over each gear; a single one is called in the title."""
-    texts = [_gear_text(page, gear, style) for gear in gears]
-    if len(gears) > 1:
-        names = [gear_title(gear.state.gear.name, style) for gear in gears]
-        return [f"{name}: {text}" for name, text in zip(names, texts, strict=True)]
-    return texts if style.titled else [""]
 
 
 def _gear_text(page: LeverPage, gear: LeverGear, style: Style) -> str:

@@ -11,7 +11,9 @@ from vstatics.pictures.lever.gear import Spot, spots_of
 from vstatics.pictures.lever.order import every, heights, ordered
 from vstatics.pictures.lever.points import Lever, held_for_good, levers, shafts
 from vstatics.pictures.sheet import labels
-from vstatics.pictures.sheet.style import SIZE, Style
+from vstatics.pictures.sheet.labels import Span
+from vstatics.pictures.sheet.style import SHORT_NAME, SIZE, Style
+from vstatics.pictures.sheet.tolerances import LEAST_POINT_DISTANCE
 from vstatics.pictures.sheet.words import word
 
 ARROW = 34.0
@@ -24,8 +26,6 @@ BESIDE_LEVER = 7.0
 """Between a lever and the rows of its points."""
 LEAST, MOST = 74.0, 125.0
 """Height of levers."""
-POINT_NAME_WIDTH = 84.0
-"""Names are wrapped to this width."""
 UNDER = 1.25 * SIZE + 3.0
 """Room for a number under the line of a row."""
 GROUND_WIDTH = 14.0
@@ -47,7 +47,7 @@ class LeverRow(NamedTuple):
     """Height of the line, which gives way to its neighbours."""
 
     @property
-    def span(self) -> tuple[float, float]:
+    def span(self) -> Span:
         """What its texts take of the height."""
         return self.y - UNDER, self.y + labels.height(self.name) + 2
 
@@ -69,7 +69,7 @@ class LeverCell(NamedTuple):
     """Then joins follow for so long."""
 
     @property
-    def speeds(self) -> tuple[float, float]:
+    def speeds(self) -> Span:
         """Ends of the speeds; of a shaft there is nothing between them."""
         end = self.right - NUMBER - BESIDE_LEVER
         return (end - SPEEDS, end) if self.lever.devices else (end, end)
@@ -81,7 +81,7 @@ class LeverCell(NamedTuple):
         return (min(heights) + max(heights)) / 2
 
     @property
-    def box(self) -> list[tuple[float, float]]:
+    def box(self) -> list[Span]:
         """What the ratio of a pair takes of the height; a lever has none."""
         return [(self.middle - SIZE, self.middle + SIZE)] if self.lever.ratio is not None else []
 
@@ -103,7 +103,7 @@ class LeverPage(NamedTuple):
         return self.cells[-1].right + self.cells[-1].gap
 
     @property
-    def extent(self) -> tuple[float, float]:
+    def extent(self) -> Span:
         """The lowest and highest of all rows."""
         spans = [row.span for cell in self.cells for row in cell.rows.values()]
         return min(low for low, _ in spans), max(high for _, high in spans)
@@ -176,7 +176,7 @@ def _height(lever: Lever, shares: Sequence[float]) -> float:
     if len(lever.nodes) < 2:
         return LEAST
     least = min(abs(one - other) for one, other in pairwise(sorted(shares)))
-    return max(LEAST, min(MOST, 2.4 * UNDER / max(least, 1e-3)))
+    return max(LEAST, min(MOST, 2.4 * UNDER / max(least, LEAST_POINT_DISTANCE)))
 
 
 def _rows(
@@ -201,7 +201,7 @@ def node_text(case: Transmission, lever: Lever, number: int, style: Style) -> st
     is_told = node.member.replace("_", " ").lower() in name.lower()
     if node.member and lever.ratio is None and not is_told:
         name = f"{word(node.member, style)}: {name}"
-    return labels.wrapped(name, POINT_NAME_WIDTH)
+    return labels.wrapped(name, SHORT_NAME)
 
 
 def link_name(case: Transmission, link: int, style: Style) -> str:

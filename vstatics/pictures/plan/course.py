@@ -14,11 +14,11 @@ from vstatics.pictures.plan.key import BROAD, PATH, gear_look
 from vstatics.pictures.plan.rays import KinematicPlan
 from vstatics.pictures.run.events import event_text, named_events
 from vstatics.pictures.sheet import labels
-from vstatics.pictures.sheet.chart import Chart, tick_texts, widest
 from vstatics.pictures.sheet.ends import LineEnd, beside
 from vstatics.pictures.sheet.labels import LEADER
 from vstatics.pictures.sheet.line_styles import link_look
-from vstatics.pictures.sheet.style import Style, number
+from vstatics.pictures.sheet.pen import Pen, tick_texts, widest
+from vstatics.pictures.sheet.style import LEADER_WIDTH, Style, number
 from vstatics.simulation.record.motion import Event, Motion
 
 COURSE_HEIGHT = 60.0
@@ -80,8 +80,8 @@ def course(case: Transmission, plan: KinematicPlan, motion: Motion) -> PlanCours
 
 def right_of(motion: Motion, style: Style) -> float:
     """Width that the names of events need [pt]."""
-    names = [_name(event, style) for event in named_events(motion.events, MOST_PLAN_EVENTS)]
-    return LEADER + max(map(labels.width, names), default=0.0) + LEADER
+    named = named_events(motion.events, MOST_PLAN_EVENTS)
+    return LEADER + widest(_name(event, style) for event in named) + LEADER
 
 
 def high_of(motion: Motion) -> float:
@@ -90,41 +90,37 @@ def high_of(motion: Motion) -> float:
     return max(COURSE_HEIGHT, named * (labels.height("x") + labels.LABEL_GAP))
 
 
-def draw_paths(chart: Chart, plan: KinematicPlan, run: PlanCourse, style: Style) -> None:
+def draw_paths(pen: Pen, plan: KinematicPlan, run: PlanCourse) -> None:
     """What the run goes over of each ray, and how it leaves and reaches the plan."""
     for place, ray in enumerate(plan.rays):
         is_port = plan.input in ray.links or plan.output in ray.links
-        look = link_look(ray.links[0], style) | BROAD | {"linestyle": "solid"}
-        on = run.masked(run.output, on_plan=True)
-        chart.plot(on, run.masked(run.paths[:, place], on_plan=True), **look)
-        if not is_port:
-            off = run.masked(run.output, on_plan=False)
-            beside = run.masked(run.paths[:, place], on_plan=False)
-            chart.plot(off, beside, **link_look(ray.links[0], style) | PATH)
+        look = link_look(ray.links[0], pen.style)
+        for on_plan, more in ((True, BROAD | {"linestyle": "solid"}), (False, PATH)):
+            if on_plan or not is_port:
+                values = run.masked(run.paths[:, place], on_plan=on_plan)
+                pen.plot(run.masked(run.output, on_plan=on_plan), values, **look | more)
 
 
-def draw_time(
-    chart: Chart, plan: KinematicPlan, run: PlanCourse, motion: Motion, style: Style
-) -> None:
+def draw_time(pen: Pen, plan: KinematicPlan, run: PlanCourse, motion: Motion) -> None:
     """The abscissa of the run over time, which goes down, below the plan."""
-    gears = [chart.across(mark.output) for mark in plan.marks]
-    chart.lines([((x, 0.0), (x, chart.height)) for x in gears], **gear_look(style))
-    times = [chart.up(time) for time in sorted({event.time for event in motion.events})]
-    pieces = [((0.0, y), (chart.width, y)) for y in times]
-    chart.lines(pieces, color=style.faint, linewidth=0.6, zorder=0.5)
-    for on_plan in (True, False):
-        look = {"linewidth": 2.4, "solid_capstyle": "butt"} if on_plan else PATH
+    (wide, high), style = pen.size, pen.style
+    gears = [pen.across(mark.output) for mark in plan.marks]
+    pen.lines([((x, 0.0), (x, high)) for x in gears], **gear_look(style))
+    times = [pen.up(time) for time in sorted({event.time for event in motion.events})]
+    pieces = [((0.0, y), (wide, y)) for y in times]
+    pen.lines(pieces, color=style.faint, width=LEADER_WIDTH, zorder=0.5)
+    for on_plan, look in ((True, {"width": 2.4}), (False, PATH)):
         values = run.masked(run.output, on_plan=on_plan)
-        chart.plot(values, run.time, color=style.engaged, **look)
-    chart.frame(style, "left", "right", "bottom", "top")
+        pen.plot(values, run.time, color=style.engaged, **look)
+    pen.frame()
     ticks = labels.ticks(motion.time[0], motion.time[-1], 4)
-    chart.scale("left", ticks, style)
-    chart.name("left", style.text("time, s", "время, с"), widest(tick_texts(ticks)) + 14)
+    pen.scale("left", ticks)
+    pen.name("left", style.text("time, s", "время, с"), widest(tick_texts(ticks)) + 14)
     ends = [
-        LineEnd(chart.up(one.time), (_name(one, style),))
+        LineEnd(pen.up(one.time), [_name(one, style)])
         for one in named_events(motion.events, MOST_PLAN_EVENTS)
     ]
-    beside(chart, "right", ends, style)
+    beside(pen, "right", ends)
 
 
 def _name(event: Event, style: Style) -> str:

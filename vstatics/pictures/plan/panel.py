@@ -3,24 +3,29 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from vstatics.model.transmission import HOUSING, Transmission
 from vstatics.numerics.tolerances import SAME_RATIO
 from vstatics.pictures.plan.course import PlanCourse
-from vstatics.pictures.plan.key import THICK, THIN, dot_look, gear_look, unit_look
-from vstatics.pictures.plan.rays import KinematicPlan, Ray
+from vstatics.pictures.plan.key import (
+    PORT_RAY_WIDTH,
+    RAY_WIDTH,
+    dot_look,
+    gear_look,
+    unit_look,
+)
+from vstatics.pictures.plan.rays import KinematicPlan, Mark
 from vstatics.pictures.sheet import labels
-from vstatics.pictures.sheet.chart import AxisScale, Chart
 from vstatics.pictures.sheet.ends import LineEnd, along, beside
+from vstatics.pictures.sheet.head import BELOW
 from vstatics.pictures.sheet.labels import LEADER, Label
-from vstatics.pictures.sheet.line_styles import link_looks
-from vstatics.pictures.sheet.style import Style, number
+from vstatics.pictures.sheet.line_styles import link_look, link_looks
+from vstatics.pictures.sheet.pen import AxisScale, Pen
+from vstatics.pictures.sheet.style import LONG_NAME, Style, number
 from vstatics.pictures.sheet.svg import told
 from vstatics.pictures.sheet.words import gear_title
 
-RAY_NAME_WIDTH = 110.0
-"""Names of rays, and those of gears that run upwards, are wrapped to this width. [pt]"""
 NARROW_ABSCISSA = 0.4
 """Where gears take less of the abscissa from 0 on, it does not reach to 0."""
 
@@ -32,7 +37,7 @@ class DrawnPlan(NamedTuple):
     run: PlanCourse | None
     x: AxisScale
     y: AxisScale
-    names: tuple[tuple[str, ...], ...]
+    names: Sequence[Sequence[str]]
     """Of the links of each ray, wrapped."""
     head: str
     note: str
@@ -52,7 +57,7 @@ class DrawnPlan(NamedTuple):
             LineEnd(
                 self.y.part(ray.at(self.x.low)) * height,
                 names,
-                tuple(link_looks([link], style)[0] for link in ray.links),
+                [link_look(link, style) for link in ray.links],
             )
             for ray, names in zip(self.plan.rays, self.names, strict=True)
         ]
@@ -79,10 +84,9 @@ def drawn_plan(
     reached = [ray.at(end) for ray in plan.rays for end in (x.low, x.high)] + [0.0, 1.0]
     room = 0.05 * (max(reached) - min(reached))
     y = AxisScale(min(reached) - room, max(reached) + room)
-    names = tuple(
-        tuple(labels.wrapped(case.link_name(link), RAY_NAME_WIDTH) for link in ray.links)
-        for ray in plan.rays
-    )
+    names = [
+        [labels.wrapped(case.link_name(link), LONG_NAME) for link in ray.links] for ray in plan.rays
+    ]
     head, note = (labels.wrapped(text, wide) for text in _heads(case, plan, style))
     return DrawnPlan(plan, run, x, y, names, head, note, *_rows(case, plan, x, wide, style))
 
@@ -126,7 +130,7 @@ def _rows(
             Label(place, labels.wrapped(between.join(filter(None, text)), longest), style.ink)
             for place, text in zip(at, texts, strict=True)
         ]
-        for between, longest in (("\n", wide), (": ", RAY_NAME_WIDTH))
+        for between, longest in (("\n", wide), (": ", LONG_NAME))
     )
     outputs = sorted({round(mark.output, 9) + 0.0 for mark in plan.marks})
     scale = [Label(x.part(one) * wide, number(one), style.ink) for one in outputs]
@@ -145,65 +149,58 @@ def _near(across: list[Label], turned: list[Label], wide: float) -> GearRow:
     return GearRow(turned, upright=True, height=max(labels.width(a.text) for a in turned))
 
 
-def draw_plan(chart: Chart, case: Transmission, one: DrawnPlan, above: float, style: Style) -> None:
+def draw_plan(pen: Pen, case: Transmission, one: DrawnPlan, above: float) -> None:
     """A plan with all its labels but those of ordinates; heads as high [pt] as those beside it."""
-    chart.frame(style, "left", "right", "bottom", "top")
-    _draw_rays(chart, case, one.plan, style)
-    _draw_gears(chart, case, one.plan, style)
-    beside(chart, "left", one.ends(chart.height, style), style)
-    along(chart, "top", one.top.labels, style, upright=one.top.upright)
-    along(chart, "bottom", one.foot.labels, style, upright=one.foot.upright)
-    top, how = chart.height + above, {"va": "top", "linespacing": labels.LINE_HEIGHT}
+    pen.frame()
+    _draw_rays(pen, case, one.plan)
+    _draw_gears(pen, case, one.plan)
+    beside(pen, "left", one.ends(pen.size[1], pen.style))
+    along(pen, "top", one.top.labels, upright=one.top.upright)
+    along(pen, "bottom", one.foot.labels, upright=one.foot.upright)
+    top = pen.size[1] + above
     if one.head:
-        chart.write(0, top, one.head, weight="bold", **how)
+        pen.text(0, top, one.head, bold=True, **BELOW)
         top -= labels.height(one.head) + 2
     if one.note:
-        chart.write(0, top, one.note, color=style.soft, **how)
+        pen.text(0, top, one.note, color=pen.style.soft, **BELOW)
 
 
-def _draw_rays(chart: Chart, case: Transmission, plan: KinematicPlan, style: Style) -> None:
+def _draw_rays(pen: Pen, case: Transmission, plan: KinematicPlan) -> None:
     """The line of each link, and those of what stands."""
-    ends = chart.x.low, chart.x.high
-    rest = [((0.0, chart.up(0.0)), (chart.width, chart.up(0.0)))]
+    (wide, high), ends = pen.size, (pen.x.low, pen.x.high)
+    rest = [((0.0, pen.up(0.0)), (wide, pen.up(0.0)))]
     if ends[0] < 0 < ends[1]:
-        rest.append(((chart.across(0.0), 0.0), (chart.across(0.0), chart.height)))
-    chart.lines(rest, color=style.ink, linewidth=0.8)
+        rest.append(((pen.across(0.0), 0.0), (pen.across(0.0), high)))
+    pen.lines(rest, color=pen.style.ink, width=0.8)
     for ray in plan.rays:
         is_port = plan.input in ray.links or plan.output in ray.links
-        places = [(chart.across(end), chart.up(ray.at(end))) for end in ends]
-        for look in link_looks(ray.links, style):
-            how: dict[str, Any] = {"linewidth": THICK if is_port else THIN, **look}
-            chart.line(*places, solid_capstyle="butt", gid=told(_ray_told(case, ray)), **how)
+        places = [(pen.across(end), pen.up(ray.at(end))) for end in ends]
+        names = " = ".join(map(case.link_name, ray.links))
+        sign = "−" if ray.slope < 0 else "+"
+        said = f"{names}: {number(ray.start)} {sign} {number(abs(ray.slope))}·(1/i)"
+        for look in link_looks(ray.links, pen.style):
+            pen.line(*places, title=said, width=PORT_RAY_WIDTH if is_port else RAY_WIDTH, **look)
 
 
-def _ray_told(case: Transmission, ray: Ray) -> str:
-    names = " = ".join(case.link_name(link) for link in ray.links)
-    sign = "−" if ray.slope < 0 else "+"
-    return f"{names}: {number(ray.start)} {sign} {number(abs(ray.slope))}·(1/i)"
-
-
-def _draw_gears(chart: Chart, case: Transmission, plan: KinematicPlan, style: Style) -> None:
+def _draw_gears(pen: Pen, case: Transmission, plan: KinematicPlan) -> None:
     """A vertical for each gear, and what stops or joins links there."""
+    style = pen.style
     for mark in plan.marks:
-        x, name = chart.across(mark.output), gear_title(case.gears[mark.gear - 1].name, style)
+        x, name = pen.across(mark.output), gear_title(case.gears[mark.gear - 1].name, style)
         said = told(f"{name}: 1/i {number(mark.output)}", gear=str(mark.gear))
-        chart.line((x, 0.0), (x, chart.height), gid=said, **gear_look(style))
-        for text, y in _stops(case, plan, mark.elements, mark.output, style):
-            chart.line((x, chart.up(y)), gid=told(f"{name}: {text}"), **dot_look(style))
-    if plan.has_unit_point and chart.x.low < 1 < chart.x.high:
-        chart.line((chart.across(1.0), chart.up(1.0)), **unit_look(style))
+        pen.line((x, 0.0), (x, pen.size[1]), gid=said, **gear_look(style))
+        for text, y in _stops(case, plan, mark, style):
+            pen.line((x, pen.up(y)), title=f"{name}: {text}", **dot_look(style))
+    if plan.has_unit_point and pen.x.low < 1 < pen.x.high:
+        pen.line((pen.across(1.0), pen.up(1.0)), **unit_look(style))
 
 
 def _stops(
-    case: Transmission,
-    plan: KinematicPlan,
-    elements: Sequence[int],
-    output: float,
-    style: Style,
+    case: Transmission, plan: KinematicPlan, mark: Mark, style: Style
 ) -> Iterator[tuple[str, float]]:
     """What holds a link where its ray crosses the abscissa, or joins two whose rays meet."""
-    speeds = {link: ray.at(output) for ray in plan.rays for link in ray.links}
-    for element in (case.shift_elements[place - 1] for place in elements):
+    speeds = {link: ray.at(mark.output) for ray in plan.rays for link in ray.links}
+    for element in (case.shift_elements[place - 1] for place in mark.elements):
         names = [case.link_name(link) for link in element.links if link != HOUSING]
         does = style.text("holds", "держит"), style.text("joins", "соединяет")
         is_brake = HOUSING in element.links

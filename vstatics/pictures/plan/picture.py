@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import NamedTuple
 
 from matplotlib.figure import Figure
 
@@ -12,31 +11,28 @@ from vstatics.errors import CaseError, Problem
 from vstatics.model.transmission import Transmission
 from vstatics.pictures.plan.course import draw_paths, draw_time, high_of, right_of, visited
 from vstatics.pictures.plan.key import plan_note, plan_signs
-from vstatics.pictures.plan.panel import DrawnPlan, draw_plan, drawn_plan
+from vstatics.pictures.plan.panel import draw_plan, drawn_plan
 from vstatics.pictures.plan.rays import KinematicPlan, plans
-from vstatics.pictures.sheet import labels
-from vstatics.pictures.sheet.chart import AxisScale, Chart, tick_texts, widest
 from vstatics.pictures.sheet.ends import height_of, width_of
-from vstatics.pictures.sheet.head import ChartHead, chart_head
-from vstatics.pictures.sheet.labels import LEADER, Paper
-from vstatics.pictures.sheet.style import Style
+from vstatics.pictures.sheet.head import sheet_head
+from vstatics.pictures.sheet.labels import LEADER
+from vstatics.pictures.sheet.pen import AxisScale, Pen, tick_texts, widest
+from vstatics.pictures.sheet.style import MARGIN, Style
 from vstatics.pictures.sheet.words import title
 from vstatics.simulation.record.motion import Motion
 from vstatics.statics.results import Results
 
-WIDE, HIGH = 300.0, 220.0
-"""Of a plan without its labels. [pt]"""
-MANY, LESS = 8, 0.65
+PLAN_SIZE = (300.0, 220.0)
+"""Width of a plan without its labels, and its height at least. [pt]"""
+MANY_PLANS, SMALL_PLAN_SCALE = 8, 0.65
 """More plans than that are drawn so much smaller: they fit two printed pages."""
-PLAN_MARGIN = 12.0
-"""[pt]"""
 ABSCISSA_NAME_HEIGHT = 18.0
 """For the name of the abscissa, below the scale. [pt]"""
 ORDINATE_NAME_WIDTH = 22.0
 """For the name of the ordinates, beside the scale. [pt]"""
-SIDE_BY_SIDE = 2
+PLANS_SIDE_BY_SIDE = 2
 """At most so many plans in a row: they can be read on a printed page."""
-ON_SHEET, ON_SHEET_WITH_RUN = 6, 4
+PLANS_ON_SHEET, PLANS_ON_SHEET_WITH_RUN = 6, 4
 """So many plans fit one."""
 
 
@@ -62,7 +58,7 @@ def sheets(
     drawn = _chosen(results, gears)
     if motion is not None:
         drawn = [plan for plan, _ in visited(results.case, drawn, motion)]
-    on_sheet = ON_SHEET if motion is None else ON_SHEET_WITH_RUN
+    on_sheet = PLANS_ON_SHEET if motion is None else PLANS_ON_SHEET_WITH_RUN
     starts = range(0, len(drawn), on_sheet)
     return [_figure(results.case, drawn[n : n + on_sheet], style, motion) for n in starts]
 
@@ -86,113 +82,57 @@ def _figure(
 ) -> Figure:
     """Some plans, one beside and below another, with a run if there is one."""
     runs = [(plan, None) for plan in chosen] if motion is None else visited(case, chosen, motion)
-    size = LESS if len(runs) > MANY else 1.0
-    drawn = [drawn_plan(case, plan, run, size * WIDE, style) for plan, run in runs]
-    layout = _layout(case, drawn, size, style, motion)
-    wide, high = layout.size
-    paper = Paper(labels.figure(wide, high))
-    layout.head.draw(paper, PLAN_MARGIN, high - PLAN_MARGIN, style)
-    bottom = high - PLAN_MARGIN - layout.head.high
-    for row in layout.rows:
-        bottom -= row.above + layout.high
-        for column, one in enumerate(row.drawn):
-            left = column * layout.across + layout.left
-            chart = Chart(paper, (left, bottom), layout.wide, layout.high, one.x, one.y)
-            draw_plan(chart, case, one, row.above, style)
-            ticks = one.ticks()
-            chart.scale("right", ticks, style, tick_texts(ticks, layout.ticks), grid=True)
-            _name_scales(chart, layout, row.numbers, style)
-            if motion is not None and one.run is not None:
-                draw_paths(chart, one.plan, one.run, style)
-                time_high = high_of(motion)
-                down = bottom - row.numbers - ABSCISSA_NAME_HEIGHT - time_high
-                scale = AxisScale(float(motion.time[-1]), float(motion.time[0]))
-                under = Chart(paper, (left, down), layout.wide, time_high, one.x, scale)
-                draw_time(under, one.plan, one.run, motion, style)
-        bottom -= row.numbers + layout.below
-    return paper.figure
-
-
-def _name_scales(chart: Chart, layout: _PlanLayout, numbers: float, style: Style) -> None:
-    """What is across, and what is up."""
-    text = style.text("1/i = output speed / input speed", "1/i = скорость выхода / скорость входа")
-    chart.name("bottom", text, numbers + ABSCISSA_NAME_HEIGHT - 14)
-    text = style.text("link speed / input speed", "скорость звена / скорость входа")
-    chart.name("right", text, layout.scale + ORDINATE_NAME_WIDTH - 6)
-
-
-class _PlanRow(NamedTuple):
-    """Plans side by side."""
-
-    drawn: Sequence[DrawnPlan]
-
-    @property
-    def above(self) -> float:
-        """Over the axes [pt]."""
-        return max(one.above for one in self.drawn)
-
-    @property
-    def numbers(self) -> float:
-        """Of those below the axes [pt]."""
-        return LEADER + max(one.foot.height for one in self.drawn)
-
-
-class _PlanLayout(NamedTuple):
-    """Where the plans of a figure stand; lengths in points."""
-
-    rows: Sequence[_PlanRow]
-    left: float
-    """Of the names of rays."""
-    right: float
-    """Of the scale."""
-    wide: float
-    """Of the axes."""
-    high: float
-    ticks: Sequence[float]
-    """Of all ordinates; their numbers have decimals alike."""
-    scale: float
-    """Width of these."""
-    below: float
-    """Below the numbers of a plan."""
-    head: ChartHead
-    size: tuple[float, float]
-
-    @property
-    def across(self) -> float:
-        """A plan with all that belongs to it."""
-        return self.left + self.wide + self.right
-
-
-def _layout(
-    case: Transmission,
-    drawn: Sequence[DrawnPlan],
-    part: float,
-    style: Style,
-    motion: Motion | None,
-) -> _PlanLayout:
-    columns = min(math.ceil(math.sqrt(len(drawn))), SIDE_BY_SIDE)
-    rows = [_PlanRow(drawn[n : n + columns]) for n in range(0, len(drawn), columns)]
-    ends = [one.ends(HIGH, style) for one in drawn]
-    left = PLAN_MARGIN + max(map(width_of, ends))
-    high = max(part * HIGH, *map(height_of, ends))
+    part = SMALL_PLAN_SCALE if len(runs) > MANY_PLANS else 1.0
+    wide, least = (part * length for length in PLAN_SIZE)
+    drawn = [drawn_plan(case, plan, run, wide, style) for plan, run in runs]
+    columns = min(math.ceil(math.sqrt(len(drawn))), PLANS_SIDE_BY_SIDE)
+    rows = [drawn[n : n + columns] for n in range(0, len(drawn), columns)]
+    ends = [one.ends(PLAN_SIZE[1], style) for one in drawn]
+    left = MARGIN + max(map(width_of, ends))
+    high = max(least, *map(height_of, ends))
     ticks = sorted({tick for one in drawn for tick in one.ticks()})
-    scale = widest(tick_texts(ticks))
+    scale, below = widest(tick_texts(ticks)), ABSCISSA_NAME_HEIGHT
     right = scale + 8 + ORDINATE_NAME_WIDTH
-    below = ABSCISSA_NAME_HEIGHT
-    if motion is not None:
-        below += high_of(motion) + PLAN_MARGIN
-        right = max(right, right_of(motion, style))
-    wide = columns * (left + part * WIDE + right)
     subject = style.text("generalised kinematic plan", "обобщённый кинематический план")
     if motion is not None:
+        below += high_of(motion) + MARGIN
+        right = max(right, right_of(motion, style))
         subject += style.text(" with a run", " и движение")
-    shown = [one.plan for one in drawn]
-    ranges = [(one.x.low, one.x.high) for one in drawn]
-    runs = [one.run.on_plan for one in drawn if one.run is not None]
-    signs = plan_signs(shown, ranges, style, runs)
-    head = chart_head(
-        title(case, subject), plan_note(case, shown, style), signs, wide - 2 * PLAN_MARGIN, style
+    above = [max(one.above for one in row) for row in rows]
+    numbers = [LEADER + max(one.foot.height for one in row) for row in rows]
+    across = left + wide + right
+    up = sum(over + high + under + below for over, under in zip(above, numbers, strict=True))
+    on_plan = [one.run.on_plan for one in drawn if one.run is not None]
+    plans_shown = [one.plan for one in drawn]
+    signs = plan_signs(plans_shown, [one.x for one in drawn], style, on_plan)
+    note, room = plan_note(case, plans_shown, style), columns * across - 2 * MARGIN
+    pen = sheet_head(title(case, subject), note, signs, room, style).over(
+        columns * across, up, MARGIN
     )
-    up = sum(row.above + high + row.numbers + below for row in rows)
-    size = wide, PLAN_MARGIN + head.high + up
-    return _PlanLayout(rows, left, right, part * WIDE, high, ticks, scale, below, head, size)
+    bottom = up
+    for row, over, under in zip(rows, above, numbers, strict=True):
+        bottom -= over + high
+        for column, one in enumerate(row):
+            corner = column * across + left, bottom
+            panel = pen.panel(corner, (wide, high), one.x, one.y)
+            draw_plan(panel, case, one, over)
+            own = one.ticks()
+            panel.scale("right", own, tick_texts(own, ticks), grid=True)
+            _name_scales(panel, under, scale)
+            if motion is not None and one.run is not None:
+                draw_paths(panel, one.plan, one.run)
+                tall = high_of(motion)
+                time = AxisScale(float(motion.time[-1]), float(motion.time[0]))
+                foot = corner[0], bottom - under - ABSCISSA_NAME_HEIGHT - tall
+                draw_time(pen.panel(foot, (wide, tall), one.x, time), one.plan, one.run, motion)
+        bottom -= under + below
+    return pen.figure
+
+
+def _name_scales(pen: Pen, numbers: float, scale: float) -> None:
+    """What is across, below its numbers, and what is up, beside its scale."""
+    text = pen.style.text
+    output = text("1/i = output speed / input speed", "1/i = скорость выхода / скорость входа")
+    pen.name("bottom", output, numbers + ABSCISSA_NAME_HEIGHT - 14)
+    link = text("link speed / input speed", "скорость звена / скорость входа")
+    pen.name("right", link, scale + ORDINATE_NAME_WIDTH - 6)

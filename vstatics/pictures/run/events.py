@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from vstatics.errors import printable
-from vstatics.pictures.sheet.chart import Chart
-from vstatics.pictures.sheet.style import Style
+from vstatics.pictures.sheet.pen import Pen
+from vstatics.pictures.sheet.style import LEADER_WIDTH, Style
 from vstatics.simulation.record.motion import Event
 
 MOST_NAMED_EVENTS = 24
@@ -52,8 +52,8 @@ def named_events(events: Sequence[Event], most: int) -> list[Event]:
     return [events[place] for place in sorted(first[:most])]
 
 
-def draw_events(chart: Chart, events: Sequence[Event], style: Style) -> None:
+def draw_events(pen: Pen, events: Sequence[Event]) -> None:
     """A vertical at each event."""
-    times = [chart.across(time) for time in sorted({event.time for event in events})]
-    pieces = [((x, 0.0), (x, chart.height)) for x in times]
-    chart.lines(pieces, color=style.faint, linewidth=0.6, zorder=0.5)
+    times = [pen.across(time) for time in sorted({event.time for event in events})]
+    pieces = [((x, 0.0), (x, pen.size[1])) for x in times]
+    pen.lines(pieces, color=pen.style.faint, width=LEADER_WIDTH, zorder=0.5)

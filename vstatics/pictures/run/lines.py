@@ -12,17 +12,16 @@ from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Floats
 from vstatics.pictures.run.events import short
 from vstatics.pictures.sheet.style import number
+from vstatics.pictures.sheet.tolerances import SAME_RUN_SPEED
 from vstatics.simulation.record.motion import Motion
 
 MOST_LINES = 8
 """Lines of a panel."""
 MOST_STATE_ROWS = 14
 """Elements whose states are shown."""
-SAME_SPEED = 1e-6
-"""Speeds are the same, and a torque is none, to this part of the largest."""
 LARGE_PEAK_RATIO = 20.0
 """Torques whose peaks are so far apart are drawn over their peaks."""
-DENSE = 1500
+PARTS_OF_TIME = 1500
 """Of so many parts of the time the ends and extremes are drawn."""
 
 
@@ -112,9 +111,9 @@ def thinned(time: Floats, values: Floats) -> tuple[Floats, Floats]:
     >>> len(fewer) < 7000, float(round(max(values), 4))
     (True, 1.0)
     """
-    if len(time) <= 4 * DENSE:
+    if len(time) <= 4 * PARTS_OF_TIME:
         return time, values
-    edges = np.searchsorted(time, np.linspace(time[0], time[-1], DENSE + 1)[:-1])
+    edges = np.searchsorted(time, np.linspace(time[0], time[-1], PARTS_OF_TIME + 1)[:-1])
     starts = np.unique(edges)
     kept = {0, len(time) - 1}
     for start, end in zip(starts, [*starts[1:], len(time)], strict=True):
@@ -127,7 +126,7 @@ def thinned(time: Floats, values: Floats) -> tuple[Floats, Floats]:
 def _speeds(case: Transmission, motion: Motion) -> list[MotionLine]:
     """Links that move: input and output, those of elements with events, the fastest others."""
     largest = np.abs(motion.speeds).max(initial=0.0)
-    near = SAME_SPEED * largest
+    near = SAME_RUN_SPEED * largest
     groups: list[list[int]] = []
     for link in range(len(motion.links)):
         speeds = motion.speeds[:, link]
@@ -209,8 +208,8 @@ def _torques(english: str, russian: str, lines: Sequence[MotionLine]) -> MotionP
 def _states(motion: Motion, place: int, name: str) -> ElementStates:
     """Between two instants an element slips if it does at either of them."""
     torques, slips = np.abs(motion.torques[:, place]), np.abs(motion.slips[:, place])
-    carries = torques[:-1] + torques[1:] > SAME_SPEED * torques.max()
-    near = SAME_SPEED * max(np.abs(motion.speeds).max(initial=0.0), slips.max())
+    carries = torques[:-1] + torques[1:] > SAME_RUN_SPEED * torques.max()
+    near = SAME_RUN_SPEED * max(np.abs(motion.speeds).max(initial=0.0), slips.max())
     moves = np.maximum(slips[:-1], slips[1:]) > near
     slipping = tuple(_spans(motion.time, carries & moves))
     return ElementStates(short(name), place, slipping, tuple(_spans(motion.time, carries & ~moves)))

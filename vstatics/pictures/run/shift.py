@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from matplotlib.figure import Figure
@@ -26,10 +26,9 @@ from vstatics.pictures.run.lines import (
     thinned,
 )
 from vstatics.pictures.sheet import labels
-from vstatics.pictures.sheet.chart import AxisScale, Chart
 from vstatics.pictures.sheet.ends import LineEnd, along, beside, height_of, width_of
-from vstatics.pictures.sheet.head import ChartHead, KeySign, chart_head
-from vstatics.pictures.sheet.labels import LEADER, Label, Paper
+from vstatics.pictures.sheet.head import Meaning, sheet_head
+from vstatics.pictures.sheet.labels import LEADER, Label
 from vstatics.pictures.sheet.line_styles import (
     Look,
     element_look,
@@ -37,31 +36,27 @@ from vstatics.pictures.sheet.line_styles import (
     spring_look,
     striped_look,
 )
-from vstatics.pictures.sheet.style import Style, number
-from vstatics.pictures.sheet.svg import told
-from vstatics.pictures.sheet.words import title
+from vstatics.pictures.sheet.pen import AxisScale, Pen, widest
+from vstatics.pictures.sheet.style import LEADER_WIDTH, MARGIN, Style, number
+from vstatics.pictures.sheet.words import TURN_TOGETHER, title
 from vstatics.simulation.record.motion import Motion
 from vstatics.statics.results import Results
 
-WIDE, HIGH = 400.0, 92.0
-"""Of a panel without its labels. [pt]"""
+PANEL_SIZE = (400.0, 92.0)
+"""Width of a panel without its labels, and its height at least. [pt]"""
 STATE_ROW_HEIGHT = 13.0
 """Of the states of an element. [pt]"""
 STATE_BAR_HEIGHT = 0.6
 """Height of its bar over that."""
-PANEL_GAP = 12.0
-"""Between panels. [pt]"""
-RUN_MARGIN = 12.0
-"""[pt]"""
 PANEL_SCALE_WIDTH = 64.0
 """For the scale of a panel, and what it is of. [pt]"""
 TIME_SCALE_HEIGHT = 34.0
 """For the scale of the time. [pt]"""
 LINE_NAME_WIDTH = 130.0
 """Names at the right are wrapped to this width. [pt]"""
-SIGNS = 4
-"""On a line of an element or spring."""
-LEFT_OUT = 12
+SIGNS_ON_LINE = 4
+"""Of an element or spring."""
+MOST_LEFT_OUT = 12
 """Names of lines that are not drawn, of each panel."""
 
 
@@ -73,18 +68,6 @@ class _RunContent(NamedTuple):
     rows: Sequence[ElementStates]
     events: Sequence[Label]
     """Those that are named, at their times [s]."""
-
-
-class _RunLayout(NamedTuple):
-    """Where the parts of the picture stand; lengths in points."""
-
-    left: float
-    size: tuple[float, float]
-    head: ChartHead
-    rows_bottom: float
-    """Of the states of the elements."""
-    corners: tuple[tuple[float, float], ...]
-    """Bottom and height of each panel."""
 
 
 def draw(
@@ -114,71 +97,50 @@ def draw(
 
 def _figure(content: _RunContent, name: str, style: Style) -> Figure:
     """The states of the elements, then the panels, on one scale of time."""
-    motion, layout = content.motion, _layout(content, name, style)
-    paper = Paper(labels.figure(*layout.size))
-    layout.head.draw(paper, RUN_MARGIN, layout.size[1] - RUN_MARGIN, style)
+    motion, rows, (wide, least) = content.motion, content.rows, PANEL_SIZE
+    ends = [_line_ends(panel, least, style) for panel in content.panels]
+    heights = [max(least, height_of(own)) for own in ends]
+    row_ends, states_high = _row_ends(rows, style), STATE_ROW_HEIGHT * len(rows)
+    left = MARGIN + max(PANEL_SCALE_WIDTH, width_of(row_ends))
+    across = left + wide + max(map(width_of, ends)) + MARGIN
+    high = TIME_SCALE_HEIGHT + sum(heights) + MARGIN * (len(heights) - 1 + bool(rows))
+    top = high + states_high
+    above = widest(label.text for label in content.events) + LEADER + MARGIN / 2
+    head = sheet_head(name, _notes(content, style), _signs(content, style), across - 24, style)
+    pen = head.over(across, top + above, MARGIN)
     time = AxisScale(float(motion.time[0]), float(motion.time[-1]))
-    drawn = [
-        Chart(paper, (layout.left, bottom), WIDE, high, time, _range(one))
-        for one, (bottom, high) in zip(content.panels, layout.corners, strict=True)
-    ]
-    for one, chart in zip(content.panels, drawn, strict=True):
-        _draw_lines(chart, motion, one, style)
-    if content.rows:
-        count = len(content.rows)
-        corner = layout.left, layout.rows_bottom
-        drawn.insert(
-            0, Chart(paper, corner, WIDE, STATE_ROW_HEIGHT * count, time, AxisScale(count, 0))
-        )
-        _draw_states(drawn[0], content.rows, style)
+    drawn: list[Pen] = []
+    bottom = high - MARGIN * bool(rows)
+    for one, tall in zip(content.panels, heights, strict=True):
+        bottom -= tall
+        drawn.append(pen.panel((left, bottom), (wide, tall), time, _range(one)))
+        _draw_lines(drawn[-1], motion, one)
+        bottom -= MARGIN
+    if rows:
+        scale = AxisScale(len(rows), 0)
+        drawn.insert(0, pen.panel((left, high), (wide, states_high), time, scale))
+        _draw_states(drawn[0], rows)
+        beside(drawn[0], "left", row_ends)
     ticks = labels.ticks(time.low, time.high, 8)
-    for chart in drawn:
-        chart.frame(style, "left", "right", "bottom", "top")
-        chart.scale("bottom", ticks, style, None if chart is drawn[-1] else ())
-        draw_events(chart, motion.events, style)
+    for panel in drawn:
+        panel.frame()
+        panel.scale("bottom", ticks, None if panel is drawn[-1] else ())
+        draw_events(panel, motion.events)
     at = [label._replace(at=drawn[0].across(label.at)) for label in content.events]
-    along(drawn[0], "top", at, style, upright=True)
+    along(drawn[0], "top", at, upright=True)
     drawn[-1].name("bottom", style.text("time, s", "время, с"), TIME_SCALE_HEIGHT - 12)
-    return paper.figure
+    return pen.figure
 
 
-def _layout(content: _RunContent, name: str, style: Style) -> _RunLayout:
-    shown, rows = content.panels, content.rows
-    ends = [_line_ends(panel, HIGH, style) for panel in shown]
-    right = max(map(width_of, ends)) + RUN_MARGIN
-    left = RUN_MARGIN + max(PANEL_SCALE_WIDTH, width_of(_row_ends(rows, style)))
-    wide = left + WIDE + right
-    head = chart_head(name, _notes(content, style), _signs(content, style), wide - 24, style)
-    events = max((labels.width(label.text) for label in content.events), default=0.0) + LEADER
-    down = RUN_MARGIN + head.high + events + PANEL_GAP / 2
-    down += STATE_ROW_HEIGHT * len(rows)
-    rows_bottom, corners = down, []
-    down += PANEL_GAP if rows else 0.0
-    for own in ends:
-        high = max(HIGH, height_of(own))
-        corners.append((down + high, high))
-        down += high + PANEL_GAP
-    high = down - PANEL_GAP + TIME_SCALE_HEIGHT
-    places = tuple((high - bottom, own) for bottom, own in corners)
-    return _RunLayout(left, (wide, high), head, high - rows_bottom, places)
-
-
-def _wrapped(name: str) -> str:
-    return labels.wrapped(name, LINE_NAME_WIDTH)
-
-
-def _signs(content: _RunContent, style: Style) -> list[KeySign]:
-    """The key, of what occurs."""
-    signs = []
-    if any(row.sticks for row in content.rows):
-        signs.append(KeySign(style.text("sticks", "сцеплено"), _state_look(style, sticks=True)))
-    if any(row.slips for row in content.rows):
-        text = style.text("slips under torque", "буксует под моментом")
-        signs.append(KeySign(text, _state_look(style, sticks=False)))
-    if any(len(line.names) > 1 for panel in content.panels for line in panel.lines):
-        text = style.text("striped: links turn together", "полосы: звенья вращаются вместе")
-        signs.append(KeySign(text, striped_look(style)))
-    return signs
+def _signs(content: _RunContent, style: Style) -> list[Meaning]:
+    rows, lines = content.rows, [line for panel in content.panels for line in panel.lines]
+    sticks, slips = (_state_look(style, sticks=one) for one in (True, False))
+    striped = any(len(line.names) > 1 for line in lines)
+    return [
+        (any(row.sticks for row in rows), "sticks", "сцеплено", sticks),
+        (any(row.slips for row in rows), "slips under torque", "буксует под моментом", slips),
+        (striped, *TURN_TOGETHER, striped_look(style)),
+    ]
 
 
 def _notes(content: _RunContent, style: Style) -> str:
@@ -186,8 +148,8 @@ def _notes(content: _RunContent, style: Style) -> str:
     motion, said = content.motion, []
     for panel in content.panels:
         if panel.left_out:
-            names = ", ".join(panel.left_out[:LEFT_OUT])
-            more = len(panel.left_out) - LEFT_OUT
+            names = ", ".join(panel.left_out[:MOST_LEFT_OUT])
+            more = len(panel.left_out) - MOST_LEFT_OUT
             names += style.text(f" and {more} more", f" и ещё {more}") if more > 0 else ""
             of = style.text(panel.english, panel.russian).split(", ")[0]
             said.append(f"{of}, {style.text('not drawn', 'не показаны')}: {names}")
@@ -215,8 +177,8 @@ def _line_ends(shown: MotionPanel, height: float, style: Style) -> list[LineEnd]
     return [
         LineEnd(
             scale.part(float(line.values[-1])) * height,
-            tuple(_wrapped(name) for name in line.names),
-            tuple(look for one in line.each for look in _looks(one, place, style)),
+            [labels.wrapped(name, LINE_NAME_WIDTH) for name in line.names],
+            [look for one in line.each for look in _looks(one, place, style)],
         )
         for place, line in enumerate(shown.lines)
     ]
@@ -224,31 +186,27 @@ def _line_ends(shown: MotionPanel, height: float, style: Style) -> list[LineEnd]
 
 def _row_ends(rows: Sequence[ElementStates], style: Style) -> list[LineEnd]:
     """The names of elements beside their bars, with their lines in the panels."""
-    high = STATE_ROW_HEIGHT * len(rows)
+    places = range(len(rows) - 1, -1, -1)
     return [
-        LineEnd(
-            high - STATE_ROW_HEIGHT * (place + 0.5),
-            (row.name,),
-            (element_look(row.element, style),),
-        )
-        for place, row in enumerate(rows)
+        LineEnd(STATE_ROW_HEIGHT * (up + 0.5), [row.name], [element_look(row.element, style)])
+        for up, row in zip(places, rows, strict=True)
     ]
 
 
-def _draw_lines(chart: Chart, motion: Motion, shown: MotionPanel, style: Style) -> None:
+def _draw_lines(pen: Pen, motion: Motion, shown: MotionPanel) -> None:
     """The lines of a panel with their names at the right, at their last values."""
-    ticks = labels.ticks(chart.y.low, chart.y.high, 5)
-    chart.scale("left", ticks, style, grid=True)
-    rest = chart.up(0.0)
-    chart.line((0.0, rest), (chart.width, rest), color=style.soft, linewidth=0.6, zorder=0.5)
+    (wide, high), style = pen.size, pen.style
+    pen.scale("left", labels.ticks(pen.y.low, pen.y.high, 5), grid=True)
+    rest = pen.up(0.0)
+    pen.line((0.0, rest), (wide, rest), color=style.soft, width=LEADER_WIDTH, zorder=0.5)
     for place, line in enumerate(shown.lines):
         time, values = thinned(motion.time, line.values)
+        marked = _signs_at(time, place, len(shown.lines))
         for look in _looks(line, place, style):
-            how: dict[str, Any] = {"linewidth": 1.3, "gid": told(line.name), **look}
-            chart.plot(time, values, markevery=_signs_at(time, place, len(shown.lines)), **how)
-    beside(chart, "right", _line_ends(shown, chart.height, style), style)
-    what = labels.wrapped(style.text(shown.english, shown.russian), HIGH)
-    chart.name("left", what, PANEL_SCALE_WIDTH - labels.height(what) / 2)
+            pen.plot(time, values, markevery=marked, title=line.name, **look)
+    beside(pen, "right", _line_ends(shown, high, style))
+    what = labels.wrapped(style.text(shown.english, shown.russian), PANEL_SIZE[1])
+    pen.name("left", what, PANEL_SCALE_WIDTH - labels.height(what) / 2)
 
 
 def _signs_at(time: Floats, place: int, count: int) -> list[int]:
@@ -257,7 +215,7 @@ def _signs_at(time: Floats, place: int, count: int) -> list[int]:
     >>> _signs_at(np.linspace(0.0, 1.0, 21), 1, 2)
     [4, 9, 14, 19]
     """
-    parts = (np.arange(SIGNS) + (place + 0.5) / count) / SIGNS
+    parts = (np.arange(SIGNS_ON_LINE) + (place + 0.5) / count) / SIGNS_ON_LINE
     near = np.searchsorted(time, time[0] + parts * (time[-1] - time[0]))
     return sorted({int(one) for one in near})
 
@@ -272,23 +230,21 @@ def _range(shown: MotionPanel) -> AxisScale:
 
 def _state_look(style: Style, *, sticks: bool) -> Look:
     """Of a bar while an element sticks, or slips under torque."""
-    edge: Look = {"edgecolor": style.engaged, "linewidth": 0.5}
     inside = {"facecolor": style.engaged} if sticks else {"facecolor": style.paper, "hatch": "////"}
-    return edge | inside
+    return {"edgecolor": style.engaged, "width": 0.5, **inside}
 
 
-def _draw_states(chart: Chart, rows: Sequence[ElementStates], style: Style) -> None:
+def _draw_states(pen: Pen, rows: Sequence[ElementStates]) -> None:
     """A bar for each element that carries torque."""
-    high = STATE_BAR_HEIGHT * STATE_ROW_HEIGHT
+    style, high = pen.style, STATE_BAR_HEIGHT * STATE_ROW_HEIGHT
     for place, row in enumerate(rows):
-        low = chart.up(place + 0.5) - high / 2
-        for spans, sticks in ((row.sticks, True), (row.slips, False)):
+        low = pen.up(place + 0.5) - high / 2
+        for spans, does, sticks in (
+            (row.sticks, style.text("sticks", "сцеплено"), True),
+            (row.slips, style.text("slips", "буксует"), False),
+        ):
             look = _state_look(style, sticks=sticks)
-            does = style.text("sticks", "сцеплено") if sticks else style.text("slips", "буксует")
             for start, end in spans:
-                left, right = chart.across(start), chart.across(end)
-                said = told(
-                    f"{row.name} {does}, {number(start)}–{number(end)} {style.text('s', 'с')}"
-                )
-                chart.box((left, low), (right - left, high), gid=said, **look)
-    beside(chart, "left", _row_ends(rows, style), style)
+                left, right = pen.across(start), pen.across(end)
+                said = f"{row.name} {does}, {number(start)}–{number(end)} {style.text('s', 'с')}"
+                pen.box((left, low), (right - left, high), title=said, **look)

@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 from functools import partial
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from vstatics.model.transmission import Transmission
 from vstatics.pictures.schemes.assumed import as_sets
-from vstatics.pictures.schemes.pen import Window
 from vstatics.pictures.schemes.scheme import Scheme, scheme_of
 from vstatics.pictures.schemes.sheet import Sheet, draw_devices, extent, wired
 from vstatics.pictures.schemes.stick import StickLayout, draw_mechanism, place
 from vstatics.pictures.sheet.labels import Point
+from vstatics.pictures.sheet.pen import Pen
 from vstatics.pictures.sheet.style import Style
 from vstatics.summary.contrast import letters
 
@@ -29,11 +29,10 @@ class BareStick(NamedTuple):
         low, high = extent(self.scheme, self.layout.placement)
         return high[0] - low[0], high[1] - low[1]
 
-    def drawn(self, title: str = "", within: Window | None = None) -> Sheet:
+    def drawn(self, title: str = "", within: Pen | None = None) -> Sheet:
         """The diagram by itself, or at a place of another figure."""
-        placement = self.layout.placement
-        look: dict[str, Any] = {"name": title, "within": within, "is_coaxial": True}
-        sheet = wired(self.scheme, placement, self.style, **look)
+        place = self.scheme, self.layout.placement, self.style
+        sheet = wired(*place, name=title, within=within, is_coaxial=True)
         draw_devices(sheet, partial(draw_mechanism, self.layout))
         return sheet
 

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from vstatics.model.transmission import HOUSING
 from vstatics.pictures.schemes.channels import ABOVE, Reach, Tap
-from vstatics.pictures.sheet.labels import Point
+from vstatics.pictures.sheet.labels import Point, Segment, wrapped
+from vstatics.pictures.sheet.pen import LINE_WIDTH
 
 TOOTH, SLEEVE = 0.9, 2.6
 """Widths of the lines of teeth and of the sleeves that join rims. [pt]"""
@@ -17,11 +18,44 @@ MESH = 3.0
 """Between the lines of teeth of two wheels that mesh. [pt]"""
 
 
+NAME_LETTERS = 14
+"""Longer names of devices are broken at blanks. [letters]"""
+HATCH_STEP, HATCH_WIDTH = 5.0, 0.5
+"""From slanted line to slanted line, and their width. [pt]"""
+
+
+def lines_of(name: str, letters: int = NAME_LETTERS) -> str:
+    """A name on as many lines as it needs.
+
+    >>> lines_of("low and reverse brake").split(chr(10))
+    ['low and', 'reverse brake']
+    """
+    return wrapped(" ".join(name.split()), letters, len)
+
+
+def ground(at: Point, side: int) -> list[Segment]:
+    """A piece of the housing at a point: a line with strokes toward a side."""
+    x, y = at
+    strokes = [((x + by, y), (x + by + 4.5, y + 5 * side)) for by in (-9.0, -3.0, 3.0)]
+    return [((x - 10, y), (x + 10, y)), *strokes]
+
+
+def hatching(low: Point, high: Point) -> Iterator[Segment]:
+    """Slanted lines within a rectangle."""
+    (left, bottom), (right, top) = low, high
+    start = left - (top - bottom)
+    while start < right:
+        first, last = max(start, left), min(start + top - bottom, right)
+        if last - first > 1:
+            yield (first, bottom + first - start), (last, bottom + last - start)
+        start += HATCH_STEP
+
+
 class Stroke(NamedTuple):
     """A line of a glyph."""
 
     points: tuple[Point, ...]
-    width: float = 1.3
+    width: float = LINE_WIDTH
     dashed: bool = False
 
 

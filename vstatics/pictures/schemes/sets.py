@@ -15,9 +15,9 @@ from vstatics.elements.element import CentralWheel
 from vstatics.elements.group import PlanetGroup
 from vstatics.pictures.schemes.channels import ABOVE, BELOW, Tap
 from vstatics.pictures.schemes.glyphs import FACE, MESH, SLEEVE, Glyph, Stroke, member_tap, teeth
-from vstatics.pictures.schemes.pen import SMALL
 from vstatics.pictures.sheet import labels
 from vstatics.pictures.sheet.labels import Point
+from vstatics.pictures.sheet.style import SMALL
 
 RADIUS, SMALL_RADIUS = 14.0, 9.0
 """Of the larger and of the smaller rim of a planet. [pt]"""

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 from vstatics.errors import CaseError, Problem
 from vstatics.model.transmission import HOUSING
 from vstatics.pictures.schemes.channels import ABOVE, BELOW, Item, PlacedTap, Tap
-from vstatics.pictures.schemes.pen import Pen, Window, wrapped
+from vstatics.pictures.schemes.glyphs import lines_of
 from vstatics.pictures.schemes.placing import Placement
 from vstatics.pictures.schemes.scheme import (
     Device,
@@ -21,15 +21,17 @@ from vstatics.pictures.schemes.signs import (
     PACK,
     Coupled,
     draw_coupled,
-    key_of,
+    meanings,
 )
 from vstatics.pictures.schemes.titles import NO_TITLES, Titles, titles_of
 from vstatics.pictures.schemes.wires import wire_lines
 from vstatics.pictures.sheet import labels
 from vstatics.pictures.sheet.gear_state import state_of
-from vstatics.pictures.sheet.head import chart_head
-from vstatics.pictures.sheet.labels import Paper, Point
-from vstatics.pictures.sheet.style import SIZE, TITLE, Style
+from vstatics.pictures.sheet.head import sheet_head
+from vstatics.pictures.sheet.labels import Point
+from vstatics.pictures.sheet.line_styles import Look
+from vstatics.pictures.sheet.pen import Pen
+from vstatics.pictures.sheet.style import SIZE, WIDE_MARGIN, Style
 from vstatics.pictures.sheet.words import fault, gear_title, title
 from vstatics.statics.results import Results
 
@@ -37,7 +39,6 @@ TERMINAL = 30.0
 """Length of an arrow at an end of the picture. [pt]"""
 HEIGHT = 1.3 * SIZE
 """Of a line of text. [pt]"""
-SCHEME_MARGIN = 14.0
 BAND = 26.0
 """From the last track to the housing: there is room for a brake. [pt]"""
 BRAKE_NAME_GAP = 14.0
@@ -77,6 +78,11 @@ class Sheet(NamedTuple):
         """Of the name of a link."""
         style = self.pen.style
         return style.soft if link in self.state.idle_links else style.ink
+
+    def text(self, at: Point, text: str, **look: Any) -> None:
+        """Text over any line, by its middle."""
+        centred: Look = {"ha": "center", "va": "center", "linespacing": 1.0, "zorder": 8}
+        self.pen.text(*at, text, **centred | look)
 
     def taps(self, index: int) -> list[PlacedTap]:
         """Where wires meet a device."""
@@ -128,27 +134,24 @@ def wired(  # noqa: PLR0913 - what is drawn, and how
     name: str = "",
     note: str = "",
     state: SchemeState = _OF_NO_GEAR,
-    within: Window | None = None,
+    within: Pen | None = None,
     is_coaxial: bool = False,
     titles: Titles = NO_TITLES,
 ) -> Sheet:
     """A sheet with its wires and the names of its ends; its head, unless it is within another."""
     low, (right, top) = extent(scheme, placement)
     if within is None:
-        least = labels.width(name, TITLE, bold=True) if style.titled else 0.0
-        right = max(right, low[0] + 2 * SCHEME_MARGIN + least)
-        head = chart_head(
-            name, note, key_of(state, style), right - low[0] - 2 * SCHEME_MARGIN, style
-        )
-        top += SCHEME_MARGIN * bool(head.high) + head.high
-    pen = Pen(low, (right, top), style, within)
-    if within is None:
-        head.draw(Paper(pen.figure), SCHEME_MARGIN, top - low[1] - SCHEME_MARGIN, style)
+        least = labels.title_width(name) if style.titled else 0.0
+        right = max(right, low[0] + 2 * WIDE_MARGIN + least)
+        wide, high = right - low[0], top - low[1]
+        head = sheet_head(name, note, meanings(state, style), wide - 2 * WIDE_MARGIN, style)
+        within = head.over(wide, high, WIDE_MARGIN * bool(head.high))._replace(size=(wide, high))
+    pen = within.fitted(low, (right, top))
     axis = placement.edge(BELOW) - AXIS if is_coaxial else None
     sheet = Sheet(pen, placement, scheme, state, axis, titles)
     if axis is not None:
         ends = (-TERMINAL, axis), (placement.row.width + TERMINAL, axis)
-        pen.line(*ends, color=style.faint, width=0.8, linestyle=(0, (12, 3, 2, 3)), zorder=2)
+        pen.line(*ends, color=style.faint, width=0.8, linestyle=(0, (12, 3, 2, 3)))
     _wires(sheet)
     _ends(sheet)
     return sheet
@@ -160,9 +163,9 @@ def extent(scheme: Scheme, placement: Placement) -> tuple[Point, Point]:
         "left": [labels.width(scheme.name(wire)) for wire in placement.from_left],
         "right": [labels.width(scheme.name(wire)) for wire in placement.to_right],
     }
-    left = -TERMINAL - 4 - max(names["left"], default=-TERMINAL) - SCHEME_MARGIN
+    left = -TERMINAL - 4 - max(names["left"], default=-TERMINAL) - WIDE_MARGIN
     right = (
-        placement.row.width + TERMINAL + 4 + max(names["right"], default=-TERMINAL) + SCHEME_MARGIN
+        placement.row.width + TERMINAL + 4 + max(names["right"], default=-TERMINAL) + WIDE_MARGIN
     )
     sides = {tap.side for tap in placement.row.taps if tap.reach in {"edge", "pass"}}
     low = placement.edge(BELOW) - (BAND + 14 if BELOW in sides else AXIS + HEIGHT)
@@ -176,14 +179,16 @@ def _wires(sheet: Sheet) -> None:
     widths = {wire: labels.width(sheet.scheme.name(wire)) for wire in placement.labels}
     lines = wire_lines(placement, widths, sheet.scheme, sheet.state)
     for wire, own in lines.items():
-        look: dict[str, Any] = {"title": sheet.titles.link(wire), "capstyle": "projecting"}
-        pen.lines(own.pale, color=pen.style.faint, **look)
-        pen.lines(own.loaded, color=pen.style.ink, **look)
+        look: Look = {"title": sheet.titles.link(wire), "zorder": 3}
+        for color, pieces in ((pen.style.faint, own.pale), (pen.style.ink, own.loaded)):
+            pen.lines(pieces, color=color, solid_capstyle="projecting", **look)
     joints = placement.joints()
+    look = {"width": 4.6, "zorder": 6, "solid_capstyle": "round", "snap": False}
     for color, there in ((pen.style.faint, False), (pen.style.ink, True)):
-        pen.dots([at for at, wire in joints if lines[wire].is_loaded(at) == there], color)
+        dots = [at for at, wire in joints if lines[wire].is_loaded(at) == there]
+        pen.lines([((x, y), (x + 0.1, y)) for x, y in dots], color=color, **look)
     for wire, at in placement.labels.items():
-        pen.text(at, sheet.scheme.name(wire), color=sheet.name_color(wire))
+        sheet.text(at, sheet.scheme.name(wire), color=sheet.name_color(wire))
 
 
 def _ends(sheet: Sheet) -> None:
@@ -202,13 +207,13 @@ def _ends(sheet: Sheet) -> None:
             own = [port for port in ports if port.link == wire]
             at = x, placement.y(placement.end_of(wire))
             if sheet.axis is not None and own and wire == lowest:
-                sheet.pen.line(at, (x, sheet.axis), color=_end_color(sheet, own))
+                sheet.pen.line(at, (x, sheet.axis), color=_end_color(sheet, own), zorder=3)
                 at = x, sheet.axis
             _end(sheet, own, at, way)
             if wire not in named:
                 name = (at[0] + way * (TERMINAL + 4), at[1]), sheet.scheme.name(wire)
-                across = "left" if way > 0 else "right"
-                sheet.pen.text(*name, color=sheet.name_color(wire), across=across)
+                ha = "left" if way > 0 else "right"
+                sheet.text(*name, color=sheet.name_color(wire), ha=ha)
             named.add(wire)
 
 
@@ -223,25 +228,27 @@ def _end(sheet: Sheet, ports: Sequence[SchemePort], at: Point, way: int) -> None
     """The line that leaves the picture, with its arrow: where power goes, as far as is known."""
     pen, (x, y) = sheet.pen, at
     color, end = _end_color(sheet, ports), x + way * TERMINAL
-    pen.line((x, y), (end, y), color=color)
+    pen.line((x, y), (end, y), color=color, zorder=3)
     ways = {sheet.state.leaving[port] for port in ports if port in sheet.state.leaving}
     if ports and not ways:  # input and output as they are meant, others may take and give
         is_given = all(port.role == "given" for port in ports)
         ways = {True, False} if is_given else {way > 0}
     for leaves in ways:
-        pen.arrow((end if leaves else x + 5 * way, y), way if leaves else -way, color)
+        tip, back = (end, -9 * way) if leaves else (x + 5 * way, 9 * way)
+        head = (tip, y), (tip + back, y + 3.5), (tip + back, y - 3.5)
+        pen.area(*head, color=color, width=0.5, joinstyle="round", zorder=4)
 
 
 def brake_width(device: Device) -> float:
     """Of a brake, a support or a spring in the row, with its name."""
     if not device.is_coupling:
         return 24.0
-    return labels.width(wrapped(device.name), bold=True) + BRAKE_NAME_GAP + 18
+    return labels.width(lines_of(device.name), bold=True) + BRAKE_NAME_GAP + 18
 
 
 def clutch_item(index: int, device: Device, sides: tuple[int, ...]) -> Item:
     """A clutch or a spring, whose wires may come from these sides."""
-    width = max(labels.width(wrapped(device.name), bold=True) + 14, 34.0)
+    width = max(labels.width(lines_of(device.name), bold=True) + 14, 34.0)
     one, other = device.members.values()
     variants = [
         [Tap(left, a, 0.0), Tap(right, b, width)]
@@ -261,8 +268,8 @@ def draw_clutch(sheet: Sheet, index: int) -> None:
     rod = sheet.rod_color(index)
     draw_coupled(sheet.pen, Coupled(device.kind, *ends, color, closed, rod, title=said))
     at = (first.x + second.x) / 2, -13
-    look: dict[str, Any] = {"color": sheet.text_color(index), "bold": closed}
-    sheet.pen.text(at, wrapped(device.name), up="top", **look)
+    look: Look = {"color": sheet.text_color(index), "bold": closed}
+    sheet.text(at, lines_of(device.name), va="top", **look)
 
 
 def draw_brake(sheet: Sheet, index: int) -> None:
@@ -277,8 +284,8 @@ def draw_brake(sheet: Sheet, index: int) -> None:
     draw_coupled(sheet.pen, one._replace(is_backward=backward))
     if device.is_coupling:
         at = tap.x + BRAKE_NAME_GAP, start + tap.side * (BAND - PACK)
-        look: dict[str, Any] = {"color": sheet.text_color(index), "bold": closed}
-        sheet.pen.text(at, wrapped(device.name), across="left", **look)
+        look: Look = {"color": sheet.text_color(index), "bold": closed}
+        sheet.text(at, lines_of(device.name), ha="left", **look)
 
 
 def draw_devices(sheet: Sheet, draw_mechanism: Callable[[Sheet, int], None]) -> None:

@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
-from vstatics.pictures.schemes.pen import LINE_WIDTH, Pen, ground
+from vstatics.pictures.schemes.glyphs import ground
 from vstatics.pictures.schemes.scheme import SchemeState
-from vstatics.pictures.sheet.head import KeySign
+from vstatics.pictures.sheet.head import Meaning
 from vstatics.pictures.sheet.labels import Point
 from vstatics.pictures.sheet.line_styles import Look
+from vstatics.pictures.sheet.pen import LINE_WIDTH, Pen, zigzag
 from vstatics.pictures.sheet.style import Style
 
-HALF = {"freewheel": 6.0, "dog_clutch": 4.0, "spring": 9.0}
+HALF_SIGN = {"freewheel": 6.0, "dog_clutch": 4.0, "spring": 9.0}
 """Half the length along the line, where it is not that of plates. [pt]"""
 PACK = 6.5
 """Half the length of a pack of plates. [pt]"""
@@ -20,9 +21,6 @@ PLATES, BETWEEN = (-7.0, 0.0, 7.0), (-3.5, 3.5)
 """Where plates of the one side stand across the line, and those between them. [pt]"""
 PLATE_CLEARANCE = 2.5
 """From a plate to the drum of the others. [pt]"""
-HATCH = "////"
-"""Of what turns as one piece, in the key."""
-
 Place = Callable[[float, float], Point]
 """From places along and across a line to those of the picture."""
 
@@ -48,8 +46,9 @@ class Coupled(NamedTuple):
 def draw_coupled(pen: Pen, one: Coupled) -> None:
     """A sign on its line; plates at the housing stand at its wall.
 
+    >>> from vstatics.pictures.sheet.pen import blank
     >>> from vstatics.pictures.sheet.style import Style
-    >>> pen = Pen((0, 0), (50, 50), Style())
+    >>> pen = blank(50.0, 50.0, Style())
     >>> draw_coupled(pen, Coupled("brake", (20, 0), (20, 30), "#000000", housing=1))
     >>> len(pen.figure.artists)
     1
@@ -57,7 +56,7 @@ def draw_coupled(pen: Pen, one: Coupled) -> None:
     (x, y), (x2, y2) = one.start, one.end
     length = abs(x2 - x) + abs(y2 - y)
     dx, dy = (x2 - x) / length, (y2 - y) / length
-    half = HALF.get(one.kind, PACK)
+    half = HALF_SIGN.get(one.kind, PACK)
     is_at_wall = one.housing and one.kind not in ("freewheel", "spring")
     center = length - half if is_at_wall else length / 2
 
@@ -66,7 +65,7 @@ def draw_coupled(pen: Pen, one: Coupled) -> None:
         return x + along * dx - across * dy, y + along * dy + across * dx
 
     rods = [(one.start, at(-half, 0)), (at(half, 0), one.end)]
-    lines: list[tuple[Point, ...]] = [line for line in rods if line[0] != line[1]]
+    lines: list[Sequence[Point]] = [line for line in rods if line[0] != line[1]]
     if one.housing:
         lines += ground(one.end, one.housing)
     if one.rod and one.rod != one.color:
@@ -77,12 +76,22 @@ def draw_coupled(pen: Pen, one: Coupled) -> None:
     pen.lines(lines, color=one.color, title=one.title, zorder=4.5)
 
 
-def _plates(pen: Pen, at: Place, half: float, one: Coupled) -> list[tuple[Point, ...]]:
+def _sign(pen: Pen, corners: Sequence[Point], one: Coupled, fill: str) -> None:
+    look: Look = {"facecolor": fill, "edgecolor": one.color, "title": one.title}
+    pen.area(*corners, width=LINE_WIDTH, joinstyle="round", zorder=4, **look)
+
+
+def _closed(pen: Pen, at: Place, half: float, edge: float, one: Coupled) -> None:
+    """What is pressed together is one block."""
+    corners = [at(-half, edge), at(half, edge), at(half, -edge), at(-half, -edge)]
+    _sign(pen, corners, one, one.color)
+
+
+def _plates(pen: Pen, at: Place, half: float, one: Coupled) -> list[Sequence[Point]]:
     """Plates of the one side between those of the other; pressed together they are one block."""
     edge = PLATES[-1] + 1.5
     if one.is_closed:
-        corners = [at(-half, edge), at(half, edge), at(half, -edge), at(-half, -edge)]
-        pen.shape(corners, fill=one.color, edge=one.color, title=one.title)
+        _closed(pen, at, half, edge, one)
         inner = [(at(PLATE_CLEARANCE - half, across), at(half, across)) for across in PLATES]
         pen.lines(inner, color=pen.style.paper, width=0.7, zorder=5)
         return []
@@ -94,52 +103,46 @@ def _plates(pen: Pen, at: Place, half: float, one: Coupled) -> list[tuple[Point,
     ]
 
 
-def _spring(_pen: Pen, at: Place, half: float, _one: Coupled) -> list[tuple[Point, ...]]:
-    turns = [(half * (step / 4 - 1), 6.0 * (1, -1)[step % 2]) for step in range(1, 8)]
-    return [(at(-half, 0), *(at(*turn) for turn in turns), at(half, 0))]
+def _spring(_pen: Pen, at: Place, half: float, _one: Coupled) -> list[Sequence[Point]]:
+    return [[at(*turn) for turn in zigzag(0.0, 0.0, half, 6.0)]]
 
 
-def _freewheel(pen: Pen, at: Place, half: float, one: Coupled) -> list[tuple[Point, ...]]:
+def _freewheel(pen: Pen, at: Place, half: float, one: Coupled) -> list[Sequence[Point]]:
     """Its point is where its first link cannot go on."""
     fill = one.color if one.is_closed else pen.style.paper
     tip = -half if one.is_backward else half
-    pen.shape([at(-tip, 6), at(-tip, -6), at(tip, 0)], fill=fill, edge=one.color, title=one.title)
+    _sign(pen, [at(-tip, 6), at(-tip, -6), at(tip, 0)], one, fill)
     return [(at(tip, 7), at(tip, -7))]
 
 
-def _dogs(pen: Pen, at: Place, half: float, one: Coupled) -> list[tuple[Point, ...]]:
+def _dogs(pen: Pen, at: Place, half: float, one: Coupled) -> list[Sequence[Point]]:
     """Teeth of the one between teeth of the other."""
     if one.is_closed:
-        corners = [at(-half, 9), at(half, 9), at(half, -9), at(-half, -9)]
-        pen.shape(corners, fill=one.color, edge=one.color, title=one.title)
+        _closed(pen, at, half, 9, one)
         joint = [at(half / 2 * (1, -1)[step % 2], 3.5 * step - 8.75) for step in range(6)]
         pen.line(*joint, color=pen.style.paper, width=0.9, zorder=5)
         return []
-    lines: list[tuple[Point, ...]] = [(at(side, 9), at(side, -9)) for side in (-half, half)]
+    lines: list[Sequence[Point]] = [(at(side, 9), at(side, -9)) for side in (-half, half)]
     for side, places in ((-half, (-7.0, 0.0, 7.0)), (half, (-3.5, 3.5))):
         lines += [(at(side, across), at(-side / 3, across)) for across in places]
     return lines
 
 
-def _support(_pen: Pen, at: Place, half: float, _one: Coupled) -> list[tuple[Point, ...]]:
+def _support(_pen: Pen, at: Place, half: float, _one: Coupled) -> list[Sequence[Point]]:
     return [(at(-half, 0), at(half, 0))]
 
 
-def key_of(state: SchemeState, style: Style) -> list[KeySign]:
-    """Signs that occur in the picture of a gear, and what they say.
+def meanings(state: SchemeState, style: Style) -> list[Meaning]:
+    """Signs of the picture of a gear, and what they say.
 
-    >>> [sign.text for sign in key_of(SchemeState(engaged=frozenset({1})), Style())]
+    >>> [said for occurs, said, *_ in meanings(SchemeState(engaged=frozenset({1})), Style())
+    ...  if occurs]
     ['engaged']
     """
-    piece = {"facecolor": style.paper, "edgecolor": style.soft, "linewidth": 0, "hatch": HATCH}
-    signs: list[tuple[bool, str, str, Look]] = [
-        (bool(state.engaged), "engaged", "включён", {"facecolor": style.engaged, "linewidth": 0}),
-        (bool(state.pieces), "turns as one piece", "вращается как одно целое", piece),
-        (
-            bool(state.idle or state.idle_links),
-            "carries no torque",
-            "без момента",
-            {"color": style.faint, "linewidth": LINE_WIDTH},
-        ),
+    piece = {"facecolor": style.paper, "edgecolor": style.soft, "hatch": "////"}
+    is_pale, pale = state.idle or state.idle_links, {"color": style.faint}
+    return [
+        (state.engaged, "engaged", "включён", {"facecolor": style.engaged}),
+        (state.pieces, "turns as one piece", "вращается как одно целое", piece),
+        (is_pale, "carries no torque", "без момента", pale),
     ]
-    return [KeySign(style.text(*texts), look) for occurs, *texts, look in signs if occurs]

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from matplotlib.figure import Figure
 
@@ -21,9 +21,8 @@ from vstatics.model.transmission import Transmission
 from vstatics.pictures.schemes.assumed import as_sets, can_be_set
 from vstatics.pictures.schemes.board import ITEM_GAP, Board
 from vstatics.pictures.schemes.channels import ABOVE, BELOW, Item, Tap
-from vstatics.pictures.schemes.glyphs import Glyph
+from vstatics.pictures.schemes.glyphs import HATCH_WIDTH, Glyph, ground, hatching, lines_of
 from vstatics.pictures.schemes.pairs import pair_glyphs
-from vstatics.pictures.schemes.pen import LINE_WIDTH, SMALL, ground, wrapped
 from vstatics.pictures.schemes.placing import Placement, placed
 from vstatics.pictures.schemes.scheme import Device, Scheme, scheme_of
 from vstatics.pictures.schemes.search import arranged
@@ -40,7 +39,9 @@ from vstatics.pictures.schemes.structure import box_item, draw_box, named_on_tra
 from vstatics.pictures.schemes.titles import teeth_of
 from vstatics.pictures.sheet import labels
 from vstatics.pictures.sheet.labels import Point
-from vstatics.pictures.sheet.style import Style
+from vstatics.pictures.sheet.line_styles import Look
+from vstatics.pictures.sheet.pen import LINE_WIDTH
+from vstatics.pictures.sheet.style import SMALL, Style
 from vstatics.pictures.sheet.words import word
 from vstatics.statics.results import Results
 
@@ -65,34 +66,24 @@ class StickLayout(NamedTuple):
         return self.glyphs[index][self.placement.arrangement.variants[index]]
 
 
-def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> Figure:
+def each(results: Results, style: Style, shown: Iterable[Sequence[int]]) -> Iterator[Figure]:
     """The stick diagram of a case that is made of elements, or of what may be planetary sets.
 
     In the picture of a gear what is engaged is marked, and what turns as one piece; what
-    carries no torque is pale.
+    carries no torque is pale. Everything is in the same places in each.
 
     Raises
     ------
     CaseError
         If the case has mechanisms only, and none that may be a set.
     """
-    (figure,) = _drawn(results, style, [gears])
-    return figure
-
-
-def of_each_gear(results: Results, style: Style) -> Iterator[Figure]:
-    """The same in each gear, with everything in the same places."""
-    return _drawn(results, style, [(n,) for n in range(1, len(results.case.gears) + 1)])
-
-
-def _drawn(results: Results, style: Style, each: Iterable[Sequence[int]]) -> Iterator[Figure]:
     scheme, glyphs = _shown(results.case)
     layout = place(scheme, style, glyphs)
     note = style.text(
         "mechanisms as planetary sets: simple ones where u < 0, with meshed planets where u > 0",
         "механизмы как план. ряды: простые при u < 0, с парными сателлитами при u > 0",
     )
-    for gears in each:
+    for gears in shown:
         sheet = sheet_of(
             results,
             scheme,
@@ -190,7 +181,7 @@ def _names(device: Device, style: Style) -> tuple[str, str]:
     """The name of an element, and its kind if that cannot be seen from its planets."""
     element = device.element
     is_set = element is None or isinstance(element.shape, Planetary)
-    return wrapped(device.name), "" if is_set else word(device.kind, style)
+    return lines_of(device.name), "" if is_set else word(device.kind, style)
 
 
 def _element_item(
@@ -225,26 +216,25 @@ def draw_mechanism(layout: StickLayout, sheet: Sheet, index: int) -> None:
     left = placement.row.lefts[index]
     start = left + placement.row.widths[index] - glyph.width
     if index in sheet.state.pieces:
-        low, high = glyph.wheels
-        pen.hatched((start + low[0], low[1]), (start + high[0], high[1]), pen.style.soft)
-    looks: dict[tuple[float, bool], list[list[Point]]] = {}
+        low, high = ((start + x, y) for x, y in glyph.wheels)
+        pen.lines(hatching(low, high), color=pen.style.soft, width=HATCH_WIDTH, zorder=1)
+    looks: dict[tuple[float, bool], list[Sequence[Point]]] = {}
     for stroke in glyph.strokes:
         points = [(start + x, y) for x, y in stroke.points]
         looks.setdefault((stroke.width, stroke.dashed), []).append(points)
     for tap in sheet.taps(index):
         if tap.reach == "none":
             end = tap.x, tap.side * (placement.half + 4)
-            looks.setdefault((LINE_WIDTH, False), []).append([(tap.x, tap.y), end])
-            looks[LINE_WIDTH, False] += map(list, ground(end, tap.side))
+            own = looks.setdefault((LINE_WIDTH, False), [])
+            own += [((tap.x, tap.y), end), *ground(end, tap.side)]
     for (width, dashed), lines in looks.items():
         dashes = (0, (2.5, 1.5)) if dashed else "-"
-        look = {"capstyle": "butt" if dashed else "projecting", "linestyle": dashes}
-        title = said if width == LINE_WIDTH else ""
-        pen.lines(lines, color=color, width=width, zorder=4, title=title, **look)
+        look: Look = {"linestyle": dashes, "title": said if width == LINE_WIDTH else ""}
+        pen.lines(lines, color=color, width=width, zorder=4, solid_capstyle="projecting", **look)
     for (x, y), up, text in glyph.texts:
-        pen.text((start + x, y), text, color=ink, size=SMALL, across="left", up=up, over=True)
+        sheet.text((start + x, y), text, color=ink, size=SMALL, ha="left", va=up, over=True)
     name, kind = _names(device, pen.style)
     x, y = start - ELEMENT_NAME_GAP, placement.half - 2
-    written: dict[str, Any] = {"color": ink, "across": "right", "up": "top"}
-    pen.text((x, y), name, bold=True, **written)
-    pen.text((x, y - HEIGHT * (name.count("\n") + 1)), kind, size=SMALL, **written)
+    look = {"color": ink, "ha": "right", "va": "top"}
+    sheet.text((x, y), name, bold=True, **look)
+    sheet.text((x, y - HEIGHT * (name.count("\n") + 1)), kind, size=SMALL, **look)

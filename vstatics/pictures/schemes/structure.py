@@ -6,14 +6,13 @@ This is the form of figure 5b of the source: it serves every case, drawn or not.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from typing import Any
 
 from matplotlib.figure import Figure
 
 from vstatics.model.transmission import HOUSING
 from vstatics.pictures.schemes.board import Board
 from vstatics.pictures.schemes.channels import ABOVE, BELOW, Item, Reach, Tap
-from vstatics.pictures.schemes.pen import SMALL, ground, wrapped
+from vstatics.pictures.schemes.glyphs import HATCH_WIDTH, ground, hatching, lines_of
 from vstatics.pictures.schemes.placing import Placement, placed
 from vstatics.pictures.schemes.scheme import Device, Scheme, ratio_text, scheme_of
 from vstatics.pictures.schemes.search import arranged
@@ -26,8 +25,10 @@ from vstatics.pictures.schemes.sheet import (
     sheet_of,
 )
 from vstatics.pictures.sheet import labels
-from vstatics.pictures.sheet.labels import Point
-from vstatics.pictures.sheet.style import Style
+from vstatics.pictures.sheet.labels import Segment
+from vstatics.pictures.sheet.line_styles import Look
+from vstatics.pictures.sheet.pen import corners
+from vstatics.pictures.sheet.style import SMALL, Style
 from vstatics.pictures.sheet.words import word
 from vstatics.statics.results import Results
 from vstatics.tables.numbers import typeset
@@ -38,8 +39,8 @@ BOX_NAME_LETTERS = 18
 """The names of boxes are broken at. [letters]"""
 
 
-def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> Figure:
-    """Mechanisms, links, clutches and brakes, and how they are joined.
+def each(results: Results, style: Style, shown: Iterable[Sequence[int]]) -> Iterator[Figure]:
+    """Mechanisms, links, clutches and brakes, and how they are joined; in the same places in each.
 
     In the picture of a gear what is engaged is marked, and what turns as one piece; what
     carries no torque is pale.
@@ -48,23 +49,13 @@ def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> Figure:
 
     >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
     >>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2)], [Gear([1])])
-    >>> figure = draw(solve(case), Style())
+    >>> [figure] = each(solve(case), Style(), [()])
     >>> sorted(text.get_text() for text in figure.texts)
     ['1', '2', '3', 'D1', 'Structure', 'T1', 'first', 'second', 'third', 'u = −2']
     """
-    (figure,) = _drawn(results, style, [gears])
-    return figure
-
-
-def of_each_gear(results: Results, style: Style) -> Iterator[Figure]:
-    """The same in each gear, with everything in the same places."""
-    return _drawn(results, style, [(n,) for n in range(1, len(results.case.gears) + 1)])
-
-
-def _drawn(results: Results, style: Style, each: Iterable[Sequence[int]]) -> Iterator[Figure]:
     scheme, subject = scheme_of(results.case), style.text("structure", "структура")
     placement = place(scheme, style)
-    for gears in each:
+    for gears in shown:
         sheet = sheet_of(results, scheme, placement, style, gears, subject=subject)
         draw_devices(sheet, draw_box)
         yield sheet.pen.figure
@@ -100,7 +91,7 @@ def _item(index: int, device: Device, style: Style) -> Item:
 def box_item(index: int, device: Device, sides: tuple[int, ...], style: Style) -> Item:
     """A mechanism as a box with its members at the top and at the bottom."""
     slot = max(labels.width(member_text(device, one, style), SMALL) for one in device.members) + 9
-    name = labels.width(wrapped(device.name, BOX_NAME_LETTERS), bold=True)
+    name = labels.width(lines_of(device.name, BOX_NAME_LETTERS), bold=True)
     inner = max(name, labels.width(word(device.kind, style), SMALL), 60.0) + 10
     variants: list[list[Tap]] = [[]]
     for member, link in device.members.items():
@@ -119,34 +110,33 @@ def member_text(device: Device, member: str, style: Style) -> str:
     return typeset(device.labels[member]) if member in device.labels else word(member, style)
 
 
-def _note(device: Device, style: Style) -> str:
-    """What stands below the name: the kind of an element, the ratio of a mechanism."""
-    return word(device.kind, style) if device.kind != "mechanism" else ratio_text(device.ratio)
-
-
 def draw_box(sheet: Sheet, index: int) -> None:
     """A mechanism with its name, a note and its members; hatched if it turns as one piece."""
     device, said = sheet.scheme.devices[index], sheet.titles.device(index)
-    pen, color, ink = sheet.pen, sheet.color(index), sheet.text_color(index)
+    pen, color, style = sheet.pen, sheet.color(index), sheet.pen.style
     left = sheet.placement.row.lefts[index]
-    right, middle = left + sheet.placement.row.widths[index], 0.0
-    corners = [(left, -HALF_BOX), (right, -HALF_BOX), (right, HALF_BOX), (left, HALF_BOX)]
+    right = left + sheet.placement.row.widths[index]
+    edges = corners(left, -HALF_BOX, right, HALF_BOX)
     is_piece = index in sheet.state.pieces
-    pen.shape(corners, fill=pen.style.paper, edge=color, width=1.8, title=said)
+    look: Look = {"facecolor": style.paper, "edgecolor": color, "joinstyle": "round"}
+    pen.area(*edges, width=1.8, title=said, zorder=4, **look)
     if is_piece:
-        pen.hatched(corners[0], corners[2], pen.style.soft, zorder=5)
-    names = wrapped(device.name, BOX_NAME_LETTERS).split("\n")
+        lines = hatching(edges[0], edges[2])
+        pen.lines(lines, color=style.soft, width=HATCH_WIDTH, zorder=5)
+    names = lines_of(device.name, BOX_NAME_LETTERS).split("\n")
     middle, y = (left + right) / 2, HEIGHT * len(names) / 2
-    look: dict[str, Any] = {"color": ink, "over": is_piece}
+    look = {"color": sheet.text_color(index), "over": is_piece}
     for line in names:
-        pen.text((middle, y), line, bold=True, **look)
+        sheet.text((middle, y), line, bold=True, **look)
         y -= 0.95 * HEIGHT
-    pen.text((middle, y), _note(device, pen.style), size=SMALL, **look)
-    grounds: list[tuple[Point, Point]] = []
+    is_bare = device.kind == "mechanism"
+    note = ratio_text(device.ratio) if is_bare else word(device.kind, style)
+    sheet.text((middle, y), note, size=SMALL, **look)
+    grounds: list[Segment] = []
     for tap in sheet.taps(index):
-        text = member_text(device, tap.label, pen.style)
-        pen.text((tap.x, tap.side * (HALF_BOX - 8)), text, size=SMALL, **look)
+        text = member_text(device, tap.label, style)
+        sheet.text((tap.x, tap.side * (HALF_BOX - 8)), text, size=SMALL, **look)
         if tap.reach == "none":
             end = tap.x, tap.side * (HALF_BOX + 8)
             grounds += [((tap.x, tap.side * HALF_BOX), end), *ground(end, tap.side)]
-    pen.lines(grounds, color=color, title=said)
+    pen.lines(grounds, color=color, title=said, zorder=3)

@@ -1,7 +1,8 @@
 """What all pictures share: paper, letters, panels with scales, heads, ends, signs.
 
-`style` has colours and sizes, `words` the texts in two languages, `line_styles` how links and
-elements look. `labels` measures and places texts, `chart` is a panel with two scales, `ends` names
-its lines at the edges, `head` stands above it. `gear_state` is what pictures read of a gear; `svg`
-makes the file small and readable.
+`style` has colours, sizes and lengths, `words` the texts in two languages, `line_styles` how links
+and elements look, `tolerances` what is too small to be seen. `labels` measures and places texts,
+`pen` draws all of them, lines, areas and the scales of panels; `ends` names lines at the edges of
+panels, `head` stands above them. `gear_state` is what pictures read of a gear; `svg` makes the file
+small and readable.
 """

@@ -1,21 +1,19 @@
-"""Names at the edge of a chart: at the ends of its lines, and of its verticals."""
+"""Names at the edge of a panel: at the ends of its lines, and of its verticals."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from itertools import zip_longest
-from typing import Any, Literal, NamedTuple
+from typing import Literal, NamedTuple
 
 from vstatics.pictures.sheet import labels
-from vstatics.pictures.sheet.chart import Chart
 from vstatics.pictures.sheet.labels import LABEL_GAP, LEADER, Label, spread
 from vstatics.pictures.sheet.line_styles import Look
-from vstatics.pictures.sheet.style import Style
+from vstatics.pictures.sheet.pen import Pen
+from vstatics.pictures.sheet.style import LEADER_WIDTH, SIGN_WIDTH
 
-SWATCH = 20.0
-"""Length of the piece of its line before a name. [pt]"""
-AFTER = 4.0
-"""From there to the name. [pt]"""
+AFTER_END_SIGN = 4.0
+"""From the piece of its line before a name to the name. [pt]"""
 
 
 class LineEnd(NamedTuple):
@@ -23,9 +21,9 @@ class LineEnd(NamedTuple):
 
     at: float
     """Along the edge, from its lower end. [pt]"""
-    names: tuple[str, ...]
+    names: Sequence[str]
     """Wrapped."""
-    looks: tuple[Look, ...] = ()
+    looks: Sequence[Look] = ()
     """Of each name's own line; none of what is no line."""
 
     @property
@@ -36,7 +34,7 @@ class LineEnd(NamedTuple):
     @property
     def aside(self) -> float:
         """From the edge to the names [pt]."""
-        return LEADER + AFTER + (SWATCH if self.looks else 0.0)
+        return LEADER + AFTER_END_SIGN + (SIGN_WIDTH if self.looks else 0.0)
 
 
 def width_of(ends: Sequence[LineEnd]) -> float:
@@ -50,13 +48,10 @@ def height_of(ends: Sequence[LineEnd]) -> float:
     return sum(end.high for end in ends)
 
 
-def beside(
-    chart: Chart, side: Literal["left", "right"], ends: Sequence[LineEnd], style: Style
-) -> None:
+def beside(pen: Pen, side: Literal["left", "right"], ends: Sequence[LineEnd]) -> None:
     """The names at an edge, each after a piece of its line; what shares a line has one leader."""
-    places = spread([end.at for end in ends], [end.high for end in ends], 0.0, chart.height)
-    edge, way = (0.0, -1.0) if side == "left" else (chart.width, 1.0)
-    aligned = {"ha": "right" if side == "left" else "left", "va": "center"}
+    places = spread([end.at for end in ends], [end.high for end in ends], 0.0, pen.size[1])
+    edge, way, ha = (0.0, -1.0, "right") if side == "left" else (pen.size[0], 1.0, "left")
     inner = edge + LEADER * way
     leaders, brackets = [], []
     for end, place in zip(ends, places, strict=True):
@@ -67,24 +62,24 @@ def beside(
             own = labels.height(name)
             middles.append(top - own / 2)
             if look is not None:
-                piece = [(inner + part * SWATCH * way, middles[-1]) for part in (0.0, 0.5, 1.0)]
-                how: dict[str, Any] = {"linewidth": 1.6, "solid_capstyle": "butt", **look}
-                chart.line(*piece, markevery=[1], **how)
-            x = edge + end.aside * way
-            chart.write(x, middles[-1], name, linespacing=labels.LINE_HEIGHT, **aligned)
+                piece = [(inner + part * SIGN_WIDTH * way, middles[-1]) for part in (0, 0.5, 1)]
+                pen.line(*piece, markevery=[1], **{"width": 1.6, **look})
+            pen.text(
+                edge + end.aside * way,
+                middles[-1],
+                name,
+                ha=ha,
+                va="center",
+                linespacing=labels.LINE_HEIGHT,
+            )
             top -= own
         if len(middles) > 1:
             brackets.append(((inner, middles[0]), (inner, middles[-1])))
-    chart.lines([*leaders, *brackets], color=style.soft, linewidth=0.6)
+    pen.lines([*leaders, *brackets], color=pen.style.soft, width=LEADER_WIDTH)
 
 
 def along(
-    chart: Chart,
-    edge: Literal["bottom", "top"],
-    texts: Sequence[Label],
-    style: Style,
-    *,
-    upright: bool,
+    pen: Pen, edge: Literal["bottom", "top"], texts: Sequence[Label], *, upright: bool
 ) -> None:
     """Texts at the lower or upper edge, each with a line to its place.
 
@@ -97,16 +92,15 @@ def along(
         labels.height(one.text) + LABEL_GAP if upright else labels.across_size(one.text)
         for one in texts
     ]
-    places = spread([one.at for one in texts], sizes, 0.0, chart.width)
-    start, way = (0.0, -1.0) if edge == "bottom" else (chart.height, 1.0)
-    pieces = [
-        ((one.at, start), (place, start + 0.5 * LEADER * way))
-        for one, place in zip(texts, places, strict=True)
-        if one.text
-    ]
-    chart.lines(pieces, color=style.soft, linewidth=0.6)
-    how: dict[str, Any] = {"ha": "center", "va": "top" if edge == "bottom" else "bottom"}
-    how |= {"rotation": 90} if upright else {}
-    for one, place in zip(texts, places, strict=True):
-        y = start + 0.65 * LEADER * way
-        chart.write(place, y, one.text, color=one.colour, linespacing=labels.LINE_HEIGHT, **how)
+    places = spread([one.at for one in texts], sizes, 0.0, pen.size[0])
+    start, way, va = (0.0, -1.0, "top") if edge == "bottom" else (pen.size[1], 1.0, "bottom")
+    both = list(zip(texts, places, strict=True))
+    pen.lines(
+        [((one.at, start), (x, start + 0.5 * LEADER * way)) for one, x in both if one.text],
+        color=pen.style.soft,
+        width=LEADER_WIDTH,
+    )
+    look: Look = {"ha": "center", "va": va, "linespacing": labels.LINE_HEIGHT}
+    for one, x in both:
+        y, turn = start + 0.65 * LEADER * way, 90 * upright
+        pen.text(x, y, one.text, color=one.colour, rotation=turn, **look)

@@ -1,25 +1,27 @@
-"""What stands over a chart: title, notes, and the key of the signs that occur in it."""
+"""What stands over a picture: title, notes, and the key of the signs that occur in it."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import Any, NamedTuple
+from collections.abc import Iterable, Sequence
+from typing import NamedTuple
 
-from matplotlib.lines import Line2D
-from matplotlib.patches import Rectangle
-
-from vstatics.pictures.sheet.labels import LINE_HEIGHT, Paper, height, width, wrapped
+from vstatics.pictures.sheet.labels import LINE_HEIGHT, height, title_width, width, wrapped
 from vstatics.pictures.sheet.line_styles import Look
-from vstatics.pictures.sheet.style import SIZE, TITLE, Style
+from vstatics.pictures.sheet.pen import Pen, blank
+from vstatics.pictures.sheet.style import SIGN_WIDTH, SIZE, TITLE, Style
 
-SIGN_WIDTH = 20.0
-"""Width of a sign. [pt]"""
-AFTER, APART = 5.0, 16.0
+AFTER_SIGN, BETWEEN_SIGNS = 5.0, 16.0
 """From a sign to its text, and from this to the next sign. [pt]"""
 BELOW_HEAD = 5.0
 """Between title, notes and key. [pt]"""
-ROW = LINE_HEIGHT * SIZE + 2.0
+SIGN_ROW_HEIGHT = LINE_HEIGHT * SIZE + 2.0
 """Of signs. [pt]"""
+BELOW: Look = {"va": "top", "linespacing": LINE_HEIGHT}
+"""How lines of text are written below a height."""
+
+Meaning = tuple[object, str, str, Look]
+"""Whether a sign occurs, what it means in English and in Russian; its look is that of a line, or
+of an area if it has a ``facecolor``."""
 
 
 class KeySign(NamedTuple):
@@ -27,68 +29,72 @@ class KeySign(NamedTuple):
 
     text: str
     look: Look
-    """Of a line, or of an area if it has a ``facecolor``."""
 
     @property
     def wide(self) -> float:
         """With its text [pt]."""
-        return SIGN_WIDTH + AFTER + width(self.text)
+        return SIGN_WIDTH + AFTER_SIGN + width(self.text)
 
-    def draw(self, paper: Paper, x: float, y: float) -> None:
+    def draw(self, pen: Pen, x: float, y: float) -> None:
         """At its left end and the middle of its height [pt]."""
         if "facecolor" in self.look:
-            paper.add(Rectangle((x, y - 4.0), SIGN_WIDTH, 8.0, **self.look))
+            pen.box((x, y - 4.0), (SIGN_WIDTH, 8.0), **self.look)
         elif "marker" in self.look:
-            paper.line((x + SIGN_WIDTH / 2, y), **self.look)
+            pen.line((x + SIGN_WIDTH / 2, y), **self.look)
         else:
-            how: Look = {"solid_capstyle": "butt", **self.look}
-            paper.add(Line2D([x, x + SIGN_WIDTH], [y, y], **how))
-        paper.write(x + SIGN_WIDTH + AFTER, y, self.text, va="center")
+            pen.line((x, y), (x + SIGN_WIDTH, y), **self.look)
+        pen.text(x + SIGN_WIDTH + AFTER_SIGN, y, self.text, va="center")
 
 
-class ChartHead(NamedTuple):
+class SheetHead(NamedTuple):
     """Title, notes and key in a width."""
 
     title: str
     note: str
     rows: Sequence[Sequence[KeySign]]
+    style: Style
 
     @property
     def high(self) -> float:
         """All of it, with a gap below; 0 without a text [pt]."""
-        parts = [height(self.title, TITLE)] * bool(self.title) + [height(self.note)] * bool(
-            self.note
-        )
-        if self.rows:
-            parts.append(ROW * len(self.rows))
-        return sum(parts) + BELOW_HEAD * len(parts)
+        title, note = height(self.title, TITLE) + BELOW_HEAD, height(self.note) + BELOW_HEAD
+        key = SIGN_ROW_HEIGHT * len(self.rows) + BELOW_HEAD
+        return title * bool(self.title) + note * bool(self.note) + key * bool(self.rows)
 
-    def draw(self, paper: Paper, left: float, top: float, style: Style) -> None:
-        """From its upper left corner [pt]."""
-        how: dict[str, Any] = {"va": "top", "linespacing": LINE_HEIGHT}
+    def over(self, wide: float, high: float, margin: float) -> Pen:
+        """A figure with the head over a picture of a size [pt]."""
+        top = high + self.high
+        pen = blank(wide, top + margin, self.style)
         if self.title:
-            paper.write(left, top, self.title, weight="bold", fontsize=TITLE, **how)
+            pen.text(margin, top, self.title, bold=True, size=TITLE, **BELOW)
             top -= height(self.title, TITLE) + BELOW_HEAD
         if self.note:
-            paper.write(left, top, self.note, color=style.soft, **how)
+            pen.text(margin, top, self.note, color=self.style.soft, **BELOW)
             top -= height(self.note) + BELOW_HEAD
         for row in self.rows:
-            x = left
+            x = margin
             for sign in row:
-                sign.draw(paper, x, top - ROW / 2)
-                x += sign.wide + APART
-            top -= ROW
+                sign.draw(pen, x, top - SIGN_ROW_HEIGHT / 2)
+                x += sign.wide + BETWEEN_SIGNS
+            top -= SIGN_ROW_HEIGHT
+        return pen
 
 
-def chart_head(
-    title: str, note: str, signs: Sequence[KeySign], room: float, style: Style
-) -> ChartHead:
-    """What stands over a chart in a width [pt]; a page has titles of its own."""
+def sheet_head(
+    title: str, note: str, meanings: Iterable[Meaning], room: float, style: Style
+) -> SheetHead:
+    """What stands over a picture in a width [pt]; a page has titles of its own.
+
+    >>> look = {"color": "#000000"}
+    >>> found = sheet_head("", "", [(1, "gear", "передача", look), (0, "", "", {})], 99.0, Style())
+    >>> [[sign.text for sign in row] for row in found.rows]
+    [['gear']]
+    """
     rows: list[list[KeySign]] = []
-    for sign in signs:
-        last = sum(one.wide + APART for one in rows[-1]) if rows else room
+    for sign in (KeySign(style.text(*said), look) for occurs, *said, look in meanings if occurs):
+        last = sum(one.wide + BETWEEN_SIGNS for one in rows[-1]) if rows else room
         if last + sign.wide > room:
             rows.append([])
         rows[-1].append(sign)
-    head = wrapped(title, room, TITLE, bold=True) if style.titled else ""
-    return ChartHead(head, wrapped(note, room) if note else "", rows)
+    head = wrapped(title, room, title_width) if style.titled else ""
+    return SheetHead(head, wrapped(note, room), rows, style)

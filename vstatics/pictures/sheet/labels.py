@@ -2,19 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from functools import cache
+from collections.abc import Callable, Sequence
+from functools import cache, partial
 from typing import Any, NamedTuple
 
-from matplotlib.artist import Artist
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.font_manager import FontProperties
-from matplotlib.lines import Line2D
 from matplotlib.ticker import MaxNLocator
-from matplotlib.transforms import Affine2D, Transform
 
-from vstatics.pictures.sheet.style import FONT, SIZE
+from vstatics.pictures.sheet.style import FONT, SIZE, TITLE
 
 POINTS_PER_INCH = 72.0
 """In an inch."""
@@ -24,8 +21,12 @@ LEADER = 16.0
 """Length of the line from an edge to its label. [pt]"""
 Point = tuple[float, float]
 """A place of a picture. [pt]"""
+Segment = tuple[Point, Point]
+"""A straight line from place to place."""
 LINE_HEIGHT = 1.25
 """Height of a line of text over its size, with what stands between lines."""
+Span = tuple[float, float]
+"""From where to where."""
 
 
 def spread(
@@ -90,6 +91,10 @@ def width(text: str, size: float = SIZE, *, bold: bool = False) -> float:
     return float(max(measure(line, font, ismath=False)[0] for line in text.split("\n")))
 
 
+title_width = partial(width, size=TITLE, bold=True)
+"""Width of a title [pt]."""
+
+
 def height(text: str, size: float = SIZE) -> float:
     """Height of a text with its lines [pt]."""
     return LINE_HEIGHT * size * (1 + text.count("\n"))
@@ -100,16 +105,16 @@ def across_size(text: str) -> float:
     return width(text) + 2 * LABEL_GAP
 
 
-def wrapped(text: str, room: float, size: float = SIZE, *, bold: bool = False) -> str:
-    r"""A text in lines that fit into a width, as far as its words do.
+def wrapped(text: str, room: float, measure: Callable[[str], float] = width) -> str:
+    r"""A text in lines that fit into a width, or whatever measures them, as far as its words do.
 
-    >>> wrapped("carrier and second ring", 60.0)
-    'carrier and\nsecond ring'
+    >>> wrapped("carrier and second ring", 60.0), wrapped("carrier and second ring", 14, len)
+    ('carrier and\nsecond ring', 'carrier and\nsecond ring')
     """
     lines = [""]
     for word in text.split(" "):
         longer = f"{lines[-1]} {word}".strip()
-        if lines[-1] and width(longer, size, bold=bold) > room:
+        if lines[-1] and measure(longer) > room:
             lines.append(word)
         else:
             lines[-1] = longer
@@ -125,30 +130,6 @@ class Label(NamedTuple):
     colour: str
 
 
-class Paper(NamedTuple):
-    """A figure without axes, which take most of the time: places in points from its lower left."""
-
-    figure: Figure
-
-    @property
-    def _points(self) -> Transform:
-        return Affine2D().scale(1 / POINTS_PER_INCH) + self.figure.dpi_scale_trans
-
-    def write(self, x: float, y: float, text: str, **how: Any) -> None:
-        """A text at a place."""
-        self.figure.text(x, y, text, transform=self._points, **how)
-
-    def line(self, *places: Point, **how: Any) -> None:
-        """A line through places."""
-        xs, ys = zip(*places, strict=True)
-        self.add(Line2D(xs, ys, **how))
-
-    def add(self, artist: Artist) -> None:
-        """An artist whose places are in points: a patch, a line."""
-        artist.set_transform(self._points)
-        self.figure.add_artist(artist)
-
-
 def ticks(low: float, high: float, most: int) -> list[float]:
     """Round numbers between two, for a scale.
 
@@ -157,8 +138,3 @@ def ticks(low: float, high: float, most: int) -> list[float]:
     """
     found = MaxNLocator(most, steps=[1, 2, 5, 10]).tick_values(low, high)
     return [float(one) for one in found if low <= one <= high]
-
-
-def figure(wide: float, high: float) -> Figure:
-    """A figure of a size in points."""
-    return Figure(figsize=(wide / POINTS_PER_INCH, high / POINTS_PER_INCH))

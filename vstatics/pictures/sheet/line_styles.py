@@ -34,7 +34,6 @@ def link_looks(links: Sequence[int], style: Style) -> list[Look]:
         {
             "color": style.colour(link - 1),
             "linestyle": ((count - place) % count * STRIPE, (STRIPE, (count - 1) * STRIPE)),
-            "dash_capstyle": "butt",
         }
         for place, link in enumerate(links)
     ]
@@ -43,7 +42,7 @@ def link_looks(links: Sequence[int], style: Style) -> list[Look]:
 def striped_look(style: Style) -> Look:
     """Of the sign in a key for lines with stripes."""
     dashes = (0, (STRIPE / 2, STRIPE / 2))
-    return {"color": style.ink, "gapcolor": style.faint, "linestyle": dashes, "linewidth": 2.8}
+    return {"color": style.ink, "gapcolor": style.faint, "linestyle": dashes, "width": 2.8}
 
 
 def link_look(link: int, style: Style) -> Look:
@@ -58,16 +57,14 @@ def element_look(place: int, style: Style) -> Look:
     >>> first["color"] == second["color"] == Style().ink, first["marker"], second["marker"]
     (True, 'o', 's')
     """
-    return _signed(place, style) | {"markerfacecolor": style.paper}
+    return spring_look(place, style) | {"markerfacecolor": style.paper}
 
 
 def spring_look(place: int, style: Style) -> Look:
-    """The line of a spring or converter: ink, too, with a full sign."""
-    return _signed(place, style)
+    """The line of a spring or converter: ink, too, with a full sign.
 
-
-def _signed(place: int, style: Style) -> Look:
-    """Dash and sign alike for nobody of the next thirty-five, whatever colours one sees."""
+    Dash and sign alike for nobody of the next thirty-five, whatever colours one sees.
+    """
     return {
         "color": style.ink,
         "linestyle": DASHES[place % len(DASHES)],
@@ -83,7 +80,7 @@ def loss_look(place: int, style: Style) -> Look:
         "facecolor": mixed(style.lost, style.paper, TINTS[place % len(TINTS)]),
         "hatch": PARTS[place // len(TINTS) % len(PARTS)],
         "edgecolor": style.lost,
-        "linewidth": 0.6,
+        "width": 0.6,
     }
 
 

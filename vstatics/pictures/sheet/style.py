@@ -16,6 +16,28 @@ SIZE = 8.0
 """Of texts. [pt]"""
 TITLE = 10.0
 """Of titles. [pt]"""
+SMALL = SIZE - 1
+"""Of texts in schemes that matter less. [pt]"""
+
+# lengths that several pictures have, in points
+MARGIN = 12.0
+"""Around panels, and between what stands beside them and the edge."""
+WIDE_MARGIN = 14.0
+"""Around levers, schemes and flows of power."""
+TICK_LENGTH = 3.0
+"""Of a mark of a scale."""
+FRAME_WIDTH = 0.8
+"""Of lines around a panel."""
+LEADER_WIDTH = 0.6
+"""Of the lines that lead to names."""
+SIGN_WIDTH = 20.0
+"""Of a sign of a key, or before a name."""
+LONG_NAME = 110.0
+"""Names of links and devices beside panels are wrapped to this width, ..."""
+SHORT_NAME = 84.0
+"""... and those within a picture to this."""
+SMALL_NUMBER = 6.5
+"""Size of numbers within a picture."""
 
 # Found by a search: in normal sight, without red and without green cones (Machado et al. 2009)
 # any two are .12 apart in OKLab, and .09 from ink, faint and engaged; each has a contrast of
@@ -125,20 +147,12 @@ class Style(NamedTuple):
     @property
     def settings(self) -> dict[Any, Any]:
         """The settings of matplotlib."""
-        inked = ("text.color", "axes.edgecolor", "axes.labelcolor", "xtick.color", "ytick.color")
         return {
-            **dict.fromkeys(inked, self.ink),
+            "text.color": self.ink,
             "font.family": FONT,
             "font.size": SIZE,
-            "axes.titlesize": SIZE,
-            "axes.titleweight": "bold",
-            "axes.titlelocation": "left",
             "figure.facecolor": self.paper,
-            "axes.facecolor": self.paper,
             "savefig.facecolor": self.paper,
-            "legend.facecolor": self.paper,
-            "legend.edgecolor": self.faint,
-            "grid.color": self.faint,
             "text.parse_math": False,  # names of links may have any letters
             "svg.hashsalt": "vstatics",
             "svg.fonttype": "none",

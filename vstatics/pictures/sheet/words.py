@@ -58,6 +58,9 @@ ELEMENTS = {
 }
 """Members of elements and their kinds."""
 
+TURN_TOGETHER = "striped: links turn together", "полосы: звенья вращаются вместе"
+"""What stripes of a line mean."""
+
 
 def word(name: str, style: Style) -> str:
     """A member or kind as it is written in a picture; names of a case stay as they are.

@@ -10,13 +10,11 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from vstatics.model.transmission import Gear, Transmission
 from vstatics.pictures.sheet.gear_state import state_of
+from vstatics.pictures.sheet.tolerances import STANDS_IN_ALL_MODES
 from vstatics.statics.results import Results
 
 if TYPE_CHECKING:
     from vstatics.torsion.vibration.gear_modes import GearModes
-
-STANDS = 1e-9
-"""What moves less, where the largest amplitude is 1, is rounding."""
 
 
 class ModeDevice(NamedTuple):
@@ -34,6 +32,11 @@ class ModeDevice(NamedTuple):
     def is_grounded(self) -> bool:
         """Whether it joins a link to the housing."""
         return len(self.members) == 1
+
+    @property
+    def kind(self) -> int:
+        """0 of what is rigid, 1 of a shaft, 2 of what has a twist of more than two links."""
+        return self.elastic * (1 if len(self.members) == 2 else 2)
 
 
 class ModeLinks(NamedTuple):
@@ -107,7 +110,10 @@ def mode_links(results: Results, number: int, modes: GearModes) -> ModeLinks:
 def _moves(amplitudes: Sequence[float], speed: float) -> bool:
     """Whether a link vibrates, or turns at least; it may be a node of all modes."""
     known = not any(map(math.isnan, amplitudes))
-    return known and (any(abs(one) > STANDS for one in amplitudes) or abs(speed) > STANDS)
+    return known and (
+        any(abs(one) > STANDS_IN_ALL_MODES for one in amplitudes)
+        or abs(speed) > STANDS_IN_ALL_MODES
+    )
 
 
 def _joined(case: Transmission, gear: Gear) -> Iterator[tuple[str, Iterable[int]]]:

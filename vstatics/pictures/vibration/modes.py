@@ -8,11 +8,10 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from matplotlib.figure import Figure
 
-from vstatics.pictures.sheet import labels
-from vstatics.pictures.sheet.chart import AxisScale, Chart
-from vstatics.pictures.sheet.head import chart_head
-from vstatics.pictures.sheet.labels import Paper, height, width, wrapped
-from vstatics.pictures.sheet.style import Style, number
+from vstatics.pictures.sheet.head import BELOW, sheet_head
+from vstatics.pictures.sheet.labels import height, width, wrapped
+from vstatics.pictures.sheet.pen import Pen
+from vstatics.pictures.sheet.style import MARGIN, Style, number
 from vstatics.pictures.sheet.words import gear_title, title
 from vstatics.pictures.vibration import link_row
 from vstatics.pictures.vibration import shares as mode_shares
@@ -24,8 +23,6 @@ from vstatics.statics.results import Results
 if TYPE_CHECKING:
     from vstatics.torsion.vibration.gear_modes import GearModes, Mode
 
-MODES_MARGIN = 12.0
-"""[pt]"""
 LEAST_MODE_HEIGHT = 58.0
 """Height of a mode at least. [pt]"""
 SHAPE_HEIGHT = 84.0
@@ -38,7 +35,7 @@ AMPLITUDE_SCALE_WIDTH = 16.0
 """For the ends of the scale of amplitudes. [pt]"""
 GEAR_GAP = 30.0
 """Between gears. [pt]"""
-TALLEST = 1.38
+TALLEST_ON_SHEET = 1.38
 """Height over width of what fits a printed page."""
 
 
@@ -83,12 +80,12 @@ class _ModeColumns(NamedTuple):
     @property
     def left(self) -> float:
         """Where the shapes begin."""
-        return MODES_MARGIN + self.said + MODE_GAP + AMPLITUDE_SCALE_WIDTH
+        return MARGIN + self.said + MODE_GAP + AMPLITUDE_SCALE_WIDTH
 
     @property
     def right(self) -> float:
         """Where the last bars end: the width of a figure."""
-        return self.left + self.shapes + self.elastic + self.kinetic + 2 * MODE_GAP + MODES_MARGIN
+        return self.left + self.shapes + self.elastic + self.kinetic + 2 * MODE_GAP + MARGIN
 
 
 def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> Figure:
@@ -171,21 +168,14 @@ def _columns(parts: Sequence[_GearModesPart]) -> _ModeColumns:
         max((width(row.said) for row in rows), default=0.0),
         shapes,
         shapes / max(count, 1),
-        max([mode_shares.RIGHT, *(mode_shares.width(row.elastic) for row in rows)]),
-        max([mode_shares.RIGHT, *(mode_shares.width(row.kinetic) for row in rows)]),
-    )
-
-
-def _headings(style: Style) -> tuple[str, str]:
-    return (
-        style.text("elastic energy", "энергия упругих звеньев"),
-        style.text("kinetic energy", "кинетическая энергия"),
+        max([mode_shares.SHARE_BAR_WIDTH, *(mode_shares.width(row.elastic) for row in rows)]),
+        max([mode_shares.SHARE_BAR_WIDTH, *(mode_shares.width(row.kinetic) for row in rows)]),
     )
 
 
 def _head_high(part: _GearModesPart, columns: _ModeColumns) -> float:
     """Height of what stands above the first mode of a gear [pt]."""
-    across = columns.right - 2 * MODES_MARGIN
+    across = columns.right - 2 * MARGIN
     texts = height("") + NOTE_GAP + height(wrapped(part.note, across))
     return texts + (link_row.height(part.links, columns.pitch) + MODE_GAP if part.links else 0.0)
 
@@ -198,7 +188,7 @@ def _high(part: _GearModesPart, columns: _ModeColumns) -> float:
 def _on_pages(part: _GearModesPart) -> Iterator[_GearModesPart]:
     """The modes of a gear in parts of which each fits a printed page."""
     columns = _columns([part])
-    room = TALLEST * columns.right - _head_high(part, columns) - 5 * MODES_MARGIN
+    room = TALLEST_ON_SHEET * columns.right - _head_high(part, columns) - 5 * MARGIN
     page: list[_ModeRow] = []
     for row in part.rows:
         if page and sum(one.high + MODE_GAP for one in [*page, row]) > room:
@@ -211,44 +201,42 @@ def _on_pages(part: _GearModesPart) -> Iterator[_GearModesPart]:
 def _figure(results: Results, parts: Sequence[_GearModesPart], style: Style) -> Figure:
     """Gears one below another."""
     columns = _columns(parts)
-    wide = columns.right
-    subject = style.text("natural modes", "собственные формы")
-    head = chart_head(title(results.case, subject), "", [], wide - 2 * MODES_MARGIN, style)
-    high = 3 * MODES_MARGIN + head.high + sum(_high(part, columns) for part in parts)
-    high += GEAR_GAP * (len(parts) - 1)
-    paper = Paper(labels.figure(wide, high))
-    head.draw(paper, MODES_MARGIN, high - MODES_MARGIN, style)
-    panel = Chart(paper, (0.0, 0.0), wide, high, AxisScale(0.0, wide), AxisScale(0.0, high))
-    top = high - 2 * MODES_MARGIN - head.high
+    wide, subject = columns.right, style.text("natural modes", "собственные формы")
+    head = sheet_head(title(results.case, subject), "", [], wide - 2 * MARGIN, style)
+    high = sum(_high(part, columns) for part in parts) + GEAR_GAP * (len(parts) - 1)
+    pen = head.over(wide, high + 2 * MARGIN, MARGIN)
+    pen, top = pen._replace(size=(wide, high)), high + MARGIN
     for part in parts:
-        _draw_gear(panel, top, part, columns, style)
+        _draw_gear(pen, top, part, columns)
         top -= _high(part, columns) + GEAR_GAP
-    return paper.figure
+    return pen.figure
 
 
-def _draw_gear(
-    panel: Chart, top: float, part: _GearModesPart, columns: _ModeColumns, style: Style
-) -> None:
+def _draw_gear(pen: Pen, top: float, part: _GearModesPart, columns: _ModeColumns) -> None:
     """The row of links, and the modes below it."""
-    panel.write(MODES_MARGIN, top, part.head, va="top", weight="bold")
-    note = wrapped(part.note, columns.right - 2 * MODES_MARGIN)
-    at = top - height("")
-    panel.write(MODES_MARGIN, at, note, va="top", color=style.soft, linespacing=labels.LINE_HEIGHT)
+    style, right = pen.style, columns.right - MARGIN
+    pen.text(MARGIN, top, part.head, va="top", bold=True)
+    note = wrapped(part.note, right - MARGIN)
+    pen.text(MARGIN, top - height(""), note, color=style.soft, **BELOW)
     if part.links is None:
         return
     y = top - _head_high(part, columns)
-    axis = link_row.Axis(panel, columns.left, columns.pitch)
-    link_row.draw_links(axis, y + MODE_GAP, part.links, style)
-    ends = columns.right - MODES_MARGIN - columns.kinetic - MODE_GAP, columns.right - MODES_MARGIN
-    for right, text, marks in zip(ends, _headings(style), (True, False), strict=True):
-        start = right - mode_shares.RIGHT
-        panel.write(start, y + MODE_GAP, text, va="bottom", color=style.soft)
-        link_row.draw_legend(panel, start, y + MODE_GAP + 2 * height(""), style, elastic=marks)
+    axis = link_row.Axis(pen, columns.left, columns.pitch)
+    link_row.draw_links(axis, y + MODE_GAP, part.links)
+    ends = right - columns.kinetic - MODE_GAP, right
+    headings = (
+        style.text("elastic energy", "энергия упругих звеньев"),
+        style.text("kinetic energy", "кинетическая энергия"),
+    )
+    for end, text, marks in zip(ends, headings, (True, False), strict=True):
+        start = end - mode_shares.SHARE_BAR_WIDTH
+        pen.text(start, y + MODE_GAP, text, va="bottom", color=style.soft)
+        link_row.draw_legend(pen, start, y + MODE_GAP + 2 * height(""), elastic=marks)
     for row in part.rows:
-        panel.write(MODES_MARGIN, y, row.said, va="top", linespacing=labels.LINE_HEIGHT)
+        pen.text(MARGIN, y, row.said, **BELOW)
         high = min(row.high, SHAPE_HEIGHT)
         band = link_row.AmplitudeBand(y - high / 2, high / 2 - 3)
-        link_row.draw(axis, band, part.links, row.mode.shape, style)
-        for right, shares in zip(ends, (row.elastic, row.kinetic), strict=True):
-            mode_shares.draw(panel, right, y, shares)
+        link_row.draw(axis, band, part.links, row.mode.shape)
+        for end, shares in zip(ends, (row.elastic, row.kinetic), strict=True):
+            mode_shares.draw(pen, end, y, shares)
         y -= row.high + MODE_GAP

@@ -6,23 +6,21 @@ from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 from vstatics.pictures.sheet import labels
-from vstatics.pictures.sheet.chart import Chart
-from vstatics.pictures.sheet.style import Style
-from vstatics.pictures.sheet.svg import told
+from vstatics.pictures.sheet.line_styles import Look
+from vstatics.pictures.sheet.pen import Pen
+from vstatics.pictures.sheet.style import LONG_NAME, Style
 from vstatics.tables.numbers import certain
 
 FULL_BAR = 64.0
 """Length of a bar of 100 %. [pt]"""
-THICK = 6.0
+BAR_HEIGHT = 6.0
 """[pt]"""
-PERCENT = 30.0
+PERCENT_WIDTH = 30.0
 """For the number behind a bar. [pt]"""
 BAR_GAP = 6.0
 """From a name to its bar, from a bar to its number. [pt]"""
-RIGHT = FULL_BAR + BAR_GAP + PERCENT
+SHARE_BAR_WIDTH = FULL_BAR + BAR_GAP + PERCENT_WIDTH
 """From the start of a bar to its right. [pt]"""
-SHARE_NAME_WIDTH = 110.0
-"""Names are wrapped to this width. [pt]"""
 MOST_BARS = 5
 """So many bars at most, and one for the rest."""
 LEAST_SHARE = 0.01
@@ -64,7 +62,7 @@ def largest(
     for name in shown:
         said = f"{marks[name]} {name}" if name in marks else name
         colour = colours.get(name, style.soft)
-        found.append(Share(labels.wrapped(said, SHARE_NAME_WIDTH), shares[name], colour))
+        found.append(Share(labels.wrapped(said, LONG_NAME), shares[name], colour))
     rest = round(sum(shares.values()) - sum(one.part for one in found), 9)
     if rest >= LEAST_SHARE / 2:
         found.append(Share(style.text("others", "прочие"), rest, style.soft))
@@ -78,19 +76,18 @@ def height(shares: Sequence[Share]) -> float:
 
 def width(shares: Sequence[Share]) -> float:
     """Of the bars with their names and numbers [pt]."""
-    return max((labels.width(one.name) for one in shares), default=0.0) + BAR_GAP + RIGHT
+    return max((labels.width(one.name) for one in shares), default=0.0) + BAR_GAP + SHARE_BAR_WIDTH
 
 
-def draw(panel: Chart, right: float, top: float, shares: Sequence[Share]) -> None:
+def draw(pen: Pen, right: float, top: float, shares: Sequence[Share]) -> None:
     """Bars that end before an abscissa, from an ordinate downwards [pt]."""
-    start, y = right - RIGHT, top
+    start, y = right - SHARE_BAR_WIDTH, top
     for one in shares:
         middle = y - labels.height(one.name) / 2
-        how = {"va": "center", "linespacing": labels.LINE_HEIGHT}
-        panel.write(start - BAR_GAP, middle, one.name, ha="right", **how)
+        look: Look = {"ha": "right", "va": "center", "linespacing": labels.LINE_HEIGHT}
+        pen.text(start - BAR_GAP, middle, one.name, **look)
         length, percent = FULL_BAR * one.part, f"{100 * one.part:.0f}%"
-        said = told(f"{one.name}: {percent}")
-        look = {"facecolor": one.colour, "linewidth": 0, "gid": said}
-        panel.box((start, middle - THICK / 2), (length, THICK), **look)
-        panel.write(start + length + BAR_GAP, middle, percent, va="center")
+        bar = (start, middle - BAR_HEIGHT / 2), (length, BAR_HEIGHT)
+        pen.box(*bar, facecolor=one.colour, title=f"{one.name}: {percent}")
+        pen.text(start + length + BAR_GAP, middle, percent, va="center")
         y -= labels.height(one.name)
