@@ -12,28 +12,23 @@ from vstatics.cli.frame.estimates import about, duration_text
 from vstatics.cli.frame.exit_status import DONE
 from vstatics.cli.frame.formats import OutputOptions
 from vstatics.cli.frame.progress import progress
+from vstatics.cli.frame.sharing import Sharing, shared
 from vstatics.cli.synth.box_options import BoxAsked, options
 from vstatics.errors import CaseError, ReadError
 from vstatics.extras import require
-from vstatics.jobs.files import is_stream
-from vstatics.jobs.workers import cores
 from vstatics.writers import plain_json
 
 
 @click.command()
 @options
 @formats.options(*formats.TABLES)
-@click.option("-j", "--jobs", type=click.IntRange(1), help="Processes.  [default: all cores]")
-@click.option("--scheduler", metavar="ADDRESS", help="Dask scheduler, such as tcp://HOST:8786.")
-@click.option("--resume", is_flag=True, help="Go on with a search into -o that was stopped.")
+@shared("a search into -o that was stopped")
 @click.option("--dry-run", is_flag=True, help="Only about how many boxes, and how long.")
 @arguments.quiet
 def box(
     asked: BoxAsked,
     wanted: OutputOptions,
-    jobs: int | None,
-    scheduler: str | None,
-    resume: bool,
+    sharing: Sharing,
     dry_run: bool,
     quiet: bool,
 ) -> int:
@@ -64,26 +59,22 @@ def box(
     Exit status: 0 done; 1 no box is found, or not finished; 2 wrong use;
     130 or 143 stopped by Ctrl-C or SIGTERM.
     """
-    if scheduler and (jobs or 1) > 1:
-        raise click.UsageError("--jobs and --scheduler exclude one another.")
     to = wanted.destination([], several=True)
     if to.is_folder:
         _check_folder(str(to.output))
-    if resume and is_stream(to.output):
-        raise click.UsageError("--resume needs a file or a directory to go on with: -o DIR.")
-    processes = 1 if scheduler else jobs or cores()
+    sharing.check(to.output, "a file or a directory to go on with: -o DIR")
     try:
         require("boxes", "synth box")
-        if scheduler is not None:
+        if sharing.scheduler is not None:
             require("dask", "--scheduler")
         if to.is_folder and not dry_run:
             require("plot", f"-o {to.output}/, with its diagrams,")
         if dry_run:
-            _estimate(asked, to.form, processes, quiet=quiet)
+            _estimate(asked, to.form, sharing.processes, quiet=quiet)
             return DONE
         from vstatics.cli.synth.box_run import BoxRun, carry_out
 
-        return carry_out(BoxRun(asked, to, processes, scheduler, resume, quiet))
+        return carry_out(BoxRun(asked, to, sharing, quiet))
     except CaseError as error:  # is shown as what ends a reading
         raise ReadError(error.problems) from error
 

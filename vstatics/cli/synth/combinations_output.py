@@ -9,11 +9,10 @@ from typing import NamedTuple
 import click
 
 from vstatics.cli.frame import files, one_case, texts
-from vstatics.cli.frame.cases import CalculatedCase
 from vstatics.cli.frame.estimates import check_room as check_disk_room
 from vstatics.cli.frame.estimates import duration_text, size_text
 from vstatics.cli.frame.formats import Destination
-from vstatics.cli.frame.one_case import file_name
+from vstatics.cli.frame.one_case import CaseAnswer, file_name
 from vstatics.cli.frame.problems import Telling
 from vstatics.cli.frame.progress import Advance, progress
 from vstatics.errors import listed
@@ -96,7 +95,7 @@ def show_estimate(search: CombinationSearch, case: str, to: Destination) -> None
         files.write_output("".join(lines), to.output)
         return
     grid = Grid("Estimate", [words(""), words("")], [[*row] for row in rows.items()])
-    one_case.show(case, to, search.case.name, lambda: [grid], dict)
+    one_case.show(case, to, search.case.name, CaseAnswer(lambda: [grid], dict))
 
 
 def show(search: CombinationSearch, case: str, to: Destination, telling: Telling) -> None:
@@ -112,10 +111,7 @@ def show(search: CombinationSearch, case: str, to: Destination, telling: Telling
         title = search.case.name or file_name(case)
         found = (one for batch in _watched(search, advance) for one in batch.each())
         shown = texts.CaseOutput([title], {}, lambda: combination_grids(found))
-        outcome = CalculatedCase(file_name(case), None, [])
-        files.write_data(
-            texts.alone(outcome, shown, texts.OutputForm(to.form, to.style)), to.output
-        )
+        files.write_data(texts.alone(file_name(case), shown, to), to.output)
 
 
 def _watched(search: CombinationSearch, advance: Advance) -> Iterator[EngagedSets]:
