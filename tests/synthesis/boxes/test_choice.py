@@ -21,10 +21,9 @@ from tests.trains import seeded
 from vstatics import solve
 from vstatics.readers import from_dict
 from vstatics.synthesis import StructureSearch, schemes
-from vstatics.synthesis.boxes.box import HELD, FoundBox
+from vstatics.synthesis.boxes.box import HELD, LIMITED, FoundBox
 from vstatics.synthesis.boxes.choice import (
     ALIKE,
-    LIMITED,
     PARETO,
     BoxFilter,
     RankedBox,

@@ -192,11 +192,11 @@ def wrong_use(options: Sequence[str]) -> Iterator[None]:
         raise click.UsageError("\n".join(lines)) from None
 
 
-_ITEM = re.compile(r'\s*(?:"(?P<quoted>(?:[^"]|"")+)"\s*|(?P<name>[^",=][^,=]*))=(?P<value>[^,=]*)')
+_ITEM = r'\s*(?:"(?P<quoted>(?:[^"]|"")+)"\s*|(?P<name>[^",=][^,=]*))=(?P<value>[^,=]*)'
 """A name with its value; a name in double quotes may have commas in it."""
 
 
-_ALONE = re.compile(r'\s*(?:"(?P<quoted>(?:[^"]|"")+)"\s*(?=,|\Z)|(?P<name>[^,]*))')
+_ALONE = r'\s*(?:"(?P<quoted>(?:[^"]|"")+)"\s*(?=,|\Z)|(?P<name>[^,]*))'
 """A value without a name; one in double quotes may have commas in it."""
 
 
@@ -210,7 +210,7 @@ def separated(texts: Iterable[str]) -> list[str]:
     for text in texts:
         at = 0
         while at <= len(text):
-            item = _ALONE.match(text, at)
+            item = re.compile(_ALONE).match(text, at)
             assert item is not None  # noqa: S101 - for mypy: a name may be empty here
             found.append(_unquoted(item["quoted"]) or item["name"].strip())
             at = item.end() + 1
@@ -238,7 +238,7 @@ def named_values(text: str, expected: str = "NAME=NUMBER") -> list[tuple[str, st
     found = []
     at = 0
     while at <= len(text):
-        item = _ITEM.match(text, at)
+        item = re.compile(_ITEM).match(text, at)
         if item is None or text[item.end() : item.end() + 1] not in ("", ","):
             message = f"read {text[at : at + 40]!r}, expected {expected} with commas between"
             raise ValueError(f"{message}; a name with commas in double quotes: '\"a, b\"=.2'")

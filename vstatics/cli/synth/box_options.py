@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import click
 
@@ -12,10 +12,11 @@ from vstatics.cli.frame.options import gathered
 from vstatics.cli.frame.values import each, named, pair, told, value, wrong_use, wrong_value
 from vstatics.errors import nearest, plural, quoted, spoken, typed_number
 from vstatics.readers.named.scalars import number
-from vstatics.synthesis.boxes.box import BoxSearch
+from vstatics.synthesis.boxes.box import EFFICIENCY, LIMITED, BoxSearch
 from vstatics.synthesis.boxes.checks import check_box_search
-from vstatics.synthesis.boxes.choice import LIMITED, BoxFilter
-from vstatics.synthesis.boxes.search import EFFICIENCY
+
+if TYPE_CHECKING:
+    from vstatics.synthesis.boxes.choice import BoxFilter
 
 
 class BoxAsked(NamedTuple):
@@ -42,6 +43,8 @@ class WantedFigures(NamedTuple):
         ------
         BadParameter
         """
+        from vstatics.synthesis.boxes.choice import BoxFilter
+
         read = each(lambda text: _count(text, elements))
         with wrong_value("--brakes"):
             brakes = tuple(sorted({*read(self.brakes)}))
