@@ -8,7 +8,7 @@ import click
 
 from vstatics.cli.frame import cases as arguments
 from vstatics.cli.frame import files, formats
-from vstatics.cli.frame.estimates import about, duration_text
+from vstatics.cli.frame.estimates import CommandEstimate, about
 from vstatics.cli.frame.exit_status import DONE
 from vstatics.cli.frame.formats import OutputOptions
 from vstatics.cli.frame.progress import progress
@@ -16,7 +16,6 @@ from vstatics.cli.frame.sharing import Sharing, shared
 from vstatics.cli.synth.box_options import BoxAsked, options
 from vstatics.errors import CaseError, ReadError
 from vstatics.extras import require
-from vstatics.writers import plain_json
 
 
 @click.command()
@@ -103,18 +102,14 @@ def _estimate(asked: BoxAsked, form: str, jobs: int, *, quiet: bool) -> None:
 
     with progress(None, "pieces tried", quiet=quiet):
         found = box_estimate(asked.search)
-    seconds = found.seconds / min(jobs, max(found.pieces, 1))
-    if form in ("json", "jsonl"):
-        counts = {"searched": round(found.boxes), "found": round(found.found)}
-        document = {**counts, "exact": found.exact, "seconds": seconds}
-        lay_out = plain_json.line if form == "jsonl" else plain_json.text
-        files.write_output(lay_out(document).rstrip("\n") + "\n", None)
-        return
     say = (lambda number: f"{number:.0f}") if found.exact else about
-    processes = f" with {jobs} jobs" if jobs > 1 else ""
-    lines = {
-        "boxes": say(found.boxes),
-        "found": say(found.found) if found.exact or found.found else "few, or none",
-        "time": f"about {duration_text(seconds)}{processes}",
-    }
-    files.write_output("".join(f"{name:6} {value}\n" for name, value in lines.items()), None)
+    known = CommandEstimate(
+        {
+            "boxes": say(found.boxes),
+            "found": say(found.found) if found.exact or found.found else "few, or none",
+        },
+        {"searched": round(found.boxes), "found": round(found.found), "exact": found.exact},
+        found.seconds / min(jobs, max(found.pieces, 1)),
+        jobs,
+    )
+    files.write_output(known.text(form), None)

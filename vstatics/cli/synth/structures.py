@@ -7,7 +7,13 @@ from typing import get_args
 import click
 
 from vstatics.cli.frame import files
-from vstatics.cli.frame.estimates import about, check_room, duration_text, size_text
+from vstatics.cli.frame.estimates import (
+    CommandEstimate,
+    about,
+    check_room,
+    duration_text,
+    size_text,
+)
 from vstatics.cli.frame.options import gathered
 from vstatics.cli.frame.progress import progress
 from vstatics.cli.frame.values import each, value, wrong_value
@@ -15,7 +21,7 @@ from vstatics.errors import Problem, typed_number
 from vstatics.jobs.files import is_stream
 from vstatics.synthesis.structures import growth as search
 from vstatics.synthesis.structures.counts import count
-from vstatics.synthesis.structures.estimate import Estimate, estimate
+from vstatics.synthesis.structures.estimate import estimate
 from vstatics.synthesis.structures.growth import Classes, StructureSearch
 from vstatics.synthesis.structures.json_lines import lines
 from vstatics.writers import plain_json
@@ -23,6 +29,7 @@ from vstatics.writers import plain_json
 FORMATS = ("json", "jsonl")
 LONG = 60
 """What takes longer is told before. [s]"""
+WIDEST_NAME = len("10 links")
 QUICK_SETS = 3
 """So many sets are done before an estimate is."""
 
@@ -93,8 +100,8 @@ def structures(
     with wrong_value("--links"):
         search.check_search(asked)
     if dry_run:
-        found = estimate(asked, listed=not counted)
-        files.write_output(_estimate_text(asked, found, form, listed=not counted), output)
+        known = _known(asked, listed=not counted)
+        files.write_output(known.text(form, WIDEST_NAME), output)
         return
     expected = _told(asked, output, listed=not counted)
     if counted:
@@ -139,20 +146,16 @@ def _told(asked: StructureSearch, output: str | None, *, listed: bool) -> int:
     return round(found.total)
 
 
-def _estimate_text(
-    asked: StructureSearch, found: Estimate, form: str | None, *, listed: bool
-) -> str:
-    """How many, how large and how long, in lines; or as JSON if it is asked for."""
-    if form:
-        rounded = {links: round(number) for links, number in found.by_links.items()}
-        size = round(found.bytes) if listed else None
-        about_it = {"exact": found.exact, "bytes": size, "seconds": found.seconds}
-        return _json({**_document(asked, rounded), **about_it}, form)
+def _known(asked: StructureSearch, *, listed: bool) -> CommandEstimate:
+    """How many, how large and how long."""
+    found = estimate(asked, listed=listed)
     say = str if found.exact else about
-    parts = {"schemes": say(found.total)}
+    said = {"schemes": say(found.total)}
     for links, number in found.by_links.items():
-        parts[f"{links} links"] = say(number)
+        said[f"{links} links"] = say(number)
     if listed:
-        parts["size"] = f"about {size_text(found.bytes)}"
-    parts["time"] = f"about {duration_text(found.seconds)}"
-    return "".join(f"{name:9} {value}\n" for name, value in parts.items())
+        said["size"] = f"about {size_text(found.bytes)}"
+    rounded = {links: round(number) for links, number in found.by_links.items()}
+    size = round(found.bytes) if listed else None
+    document = {**_document(asked, rounded), "exact": found.exact, "bytes": size}
+    return CommandEstimate(said, document, found.seconds)
