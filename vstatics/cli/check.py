@@ -11,7 +11,7 @@ from vstatics import extras, readers
 from vstatics.cli.frame import cases as arguments
 from vstatics.cli.frame import files
 from vstatics.cli.frame.cases import CaseOptions, calculate_one, unexpected
-from vstatics.cli.frame.documents import scenario_with_case
+from vstatics.cli.frame.documents import is_a, scenario_with_case
 from vstatics.cli.frame.exit_status import DONE, FAILED
 from vstatics.cli.frame.formats import OutputOptions, TextStyle
 from vstatics.cli.frame.problems import Telling
@@ -143,11 +143,7 @@ def _is_scenario(file: str) -> bool:
         data, name = files.read_input(file)
     except ReadError:
         return False
-    if b"duration" not in data:
-        return False
-    from vstatics.simulation.scenario.file import is_scenario  # cases need no simulation
-
-    return is_scenario(data, name)
+    return is_a("scenario", data, name)
 
 
 def _conditions(cases: Sequence[str], options: CaseOptions) -> tuple[str, bool]:

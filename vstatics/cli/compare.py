@@ -9,8 +9,9 @@ from typing import NamedTuple
 import click
 
 from vstatics.cli.frame import files
-from vstatics.cli.frame.cases import Command
+from vstatics.cli.frame.documents import is_a
 from vstatics.cli.frame.exit_status import DONE, FAILED
+from vstatics.cli.frame.options import Command
 from vstatics.errors import plural
 from vstatics.readers import sweep_tables
 from vstatics.readers.results import read_results
@@ -95,7 +96,7 @@ def compare(
     left = frozenset(quantity_named(name).key for name in leave_out)
     how = Tolerances(atol, rtol, left)
     read = [files.read_input(file) for file in (actual, expected)]
-    sweeps = [sweep_tables.is_sweep(data) for data, _ in read]
+    sweeps = [is_a("sweep", *file) for file in read]
     if all(sweeps):
         one, other = (sweep_tables.read(*file) for file in read)
         lines = list(sweep_differences(one, other, **how._asdict()))

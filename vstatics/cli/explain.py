@@ -43,7 +43,7 @@ def explain(
     """
     to = wanted.destination(cases, several=len(cases) > 1)
     show = partial(_shown, gears=gears, style=to.style)
-    return carry_out(Job("explain", settings, texts.OutputForm(to.form, to.style), show), cases, to)
+    return carry_out(Job("explain", settings, to, show), cases)
 
 
 def _shown(outcome: CalculatedCase, gears: tuple[str, ...], style: TextStyle) -> texts.CaseOutput:

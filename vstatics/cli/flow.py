@@ -45,7 +45,7 @@ def flow(
     """
     to = wanted.destination(cases, several=len(cases) > 1)
     show = partial(_shown, gears=gears, style=to.style)
-    return carry_out(Job("flow", settings, texts.OutputForm(to.form, to.style), show), cases, to)
+    return carry_out(Job("flow", settings, to, show), cases)
 
 
 def _shown(outcome: CalculatedCase, gears: tuple[str, ...], style: TextStyle) -> texts.CaseOutput:

@@ -8,6 +8,7 @@ from importlib import resources
 import click
 
 from vstatics.cli.frame import files
+from vstatics.cli.frame.values import value
 from vstatics.errors import ReadError, nearest, of_file
 from vstatics.jobs.files import STDOUT
 from vstatics.readers import format_of_name
@@ -39,13 +40,13 @@ def template(name: str) -> str:
     )
 
 
-def _known(context: click.Context, parameter: click.Parameter, value: str) -> str:
+def _known(name: str) -> str:
     """The name of a template, or wrong use that tells the nearest."""
-    if value not in TEMPLATES:
+    if name not in TEMPLATES:
         names = ", ".join(TEMPLATES)
-        message = f"{value!r} is no template; expected one of {names}{nearest(value, TEMPLATES)}"
-        raise click.BadParameter(message, context, parameter)
-    return value
+        hint = nearest(name, TEMPLATES)
+        raise ValueError(f"{name!r} is no template; expected one of {names}{hint}")
+    return name
 
 
 @click.command()
@@ -57,7 +58,7 @@ def _known(context: click.Context, parameter: click.Parameter, value: str) -> st
     metavar="NAME",
     default=TEMPLATES[0],
     show_default=True,
-    callback=_known,
+    callback=value(_known),
     help=f"One of {', '.join(TEMPLATES)}.",
 )
 def new(target: str, name: str) -> None:

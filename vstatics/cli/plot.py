@@ -114,9 +114,7 @@ def plot(
         gears=gears,
         style=Style(lang, dark, wheels=wheels, merged=merge),
     )
-    form = texts.OutputForm(to.form, to.style)
-    own = settings._replace(scenarios=True)
-    return carry_out(Job("plot", own, form, picture), cases, to)
+    return carry_out(Job("plot", settings._replace(scenarios=True), to, picture), cases)
 
 
 def _refuse_without_suffix(output: str) -> None:

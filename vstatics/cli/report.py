@@ -51,13 +51,12 @@ def report(cases: tuple[str, ...], output: str, digits: int | None, settings: Ca
     Exit status: 0 done; 1 a case is in error or a gear is tied up; 2 wrong use.
     """
     to = formats.each_by_itself(output, cases, ["html"], "a page")
-    form = texts.OutputForm(to.form, to.style)
     if len(cases) == 1 and (found := listing_in(cases[0])):
         if to.is_folder:
             raise click.UsageError(f"found boxes give one page: expected -o FILE, not {output}")
         return report_boxes(*found, cases[0], output, digits)
     show = partial(_shown, digits=digits, quiet=settings.telling.quiet)
-    return carry_out(Job("report", settings._replace(scenarios=True), form, show), cases, to)
+    return carry_out(Job("report", settings._replace(scenarios=True), to, show), cases)
 
 
 def _shown(outcome: CalculatedCase, digits: int | None, quiet: bool) -> texts.CaseOutput:

@@ -86,9 +86,14 @@ def run(
     to = wanted.destination([*names, *others], several=several)
     if resume and not to.is_folder:
         raise click.UsageError("--resume needs a directory to go on with: -o DIRECTORY/")
-    form = texts.OutputForm(to.form, to.style, _frame() if to.form == "csv" else None)
-    job = Job("run", settings, form, partial(show, style=to.style))
-    return carry_out(job, names, to, others=others, a_list=several, jobs=jobs, resume=resume)
+    job = Job(
+        "run",
+        settings,
+        to,
+        partial(show, style=to.style),
+        _frame() if to.form == "csv" else None,
+    )
+    return carry_out(job, names, others=others, a_list=several, jobs=jobs, resume=resume)
 
 
 def show(outcome: CalculatedCase, style: TextStyle) -> texts.CaseOutput:

@@ -16,6 +16,7 @@ from vstatics.cli.frame.formats import Destination, OutputOptions
 from vstatics.cli.frame.found_boxes import box_numbers, calculated_boxes, listing_in
 from vstatics.cli.frame.one_or_many import carry_out
 from vstatics.cli.frame.texts import Job
+from vstatics.cli.frame.values import value
 from vstatics.errors import CaseError, ReadError, of_file
 from vstatics.tables.grid import Grid
 
@@ -24,16 +25,14 @@ if TYPE_CHECKING:
     from vstatics.summary.duty_file import DutyFile
 
 
-def _torque(_context: click.Context, _option: click.Parameter, text: str | None) -> float:
+def _torque(text: str) -> float:
     """A torque in N*m, bare or with its unit."""
-    if text is None:
-        return 0.0
     from vstatics.readers.named.si_units import measured
 
     try:
         return measured(text, "si_torque")
     except ValueError as error:
-        raise click.BadParameter(f"read {text!r}, {error}") from None
+        raise ValueError(f"read {text!r}, {error}") from None
 
 
 @click.command()
@@ -58,7 +57,7 @@ def _torque(_context: click.Context, _option: click.Parameter, text: str | None)
 )
 @click.option(
     "--output-torque",
-    callback=_torque,
+    callback=value(_torque),
     metavar="TORQUE",
     help="Outside torque on the output, for accelerations: -1200 or '-1200 N*m'.  [default: 0]",
 )
@@ -66,7 +65,7 @@ def _torque(_context: click.Context, _option: click.Parameter, text: str | None)
     "--box",
     "boxes",
     multiple=True,
-    callback=box_numbers,
+    callback=value(box_numbers),
     metavar="N,...",
     help="Which boxes of a document of found ones; else those that tell most.",
 )
@@ -77,7 +76,7 @@ def summary(
     combinations: bool,
     at_most: int,
     duty: str | None,
-    output_torque: float,
+    output_torque: float | None,
     boxes: tuple[int, ...],
     settings: CaseOptions,
 ) -> int:
@@ -111,47 +110,44 @@ def summary(
         from vstatics.summary.duty_file import read_duty
 
         cycle = read_duty(*files.read_input(duty))
-    form = texts.OutputForm(to.form, to.style)
     summarized = partial(
         _summarized,
         at_most=at_most if combinations else None,
         duty=cycle,
-        output_torque=output_torque,
+        output_torque=output_torque or 0.0,
     )
     listed = listing_in(cases[0]) if len(cases) == 1 else None
     if listed:
         calculated = calculated_boxes(listed[0], cases[0], boxes, settings)
-        return _of_boxes(list(calculated), summarized, form, to)
+        return _of_boxes(list(calculated), summarized, to)
     if boxes:
         raise click.UsageError("--box: expected one document of found boxes for the case")
     if len(cases) == 1 or to.is_folder or to.form in ("json", "jsonl"):
         show = partial(_shown, summarized=summarized)
-        return carry_out(Job("summary", settings, form, show), cases, to, others=others)
-    return _side_by_side(calculate(cases, settings), summarized, form, to.output)
+        return carry_out(Job("summary", settings, to, show), cases, others=others)
+    return _side_by_side(calculate(cases, settings), summarized, to)
 
 
 def _of_boxes(
     outcomes: Sequence[CalculatedCase],
     summarized: Callable[[CalculatedCase], Summary],
-    form: texts.OutputForm,
     to: Destination,
 ) -> int:
     """Write the summaries of found boxes; in JSON one after another."""
     if to.is_folder:
         message = f"found boxes give one table: expected -o FILE, not {to.output}"
         raise click.UsageError(message)
-    if form.name not in ("json", "jsonl"):
-        return _side_by_side(outcomes, summarized, form, to.output)
-    parts = [texts.among_several(one, _shown(one, summarized), form) for one in outcomes]
-    files.write_data(b"".join(texts.joined(parts, form)), to.output)
+    if to.form not in ("json", "jsonl"):
+        return _side_by_side(outcomes, summarized, to)
+    parts = [texts.among_several(one, _shown(one, summarized), to) for one in outcomes]
+    files.write_data(b"".join(texts.joined(parts, to)), to.output)
     return FAILED if any(one.failed for one in outcomes) else DONE
 
 
 def _side_by_side(
     outcomes: Iterable[CalculatedCase],
     summarized: Callable[[CalculatedCase], Summary],
-    form: texts.OutputForm,
-    output: str | None,
+    to: Destination,
 ) -> int:
     """Write the summaries of all cases that have one beside one another."""
     from vstatics.summary.contrast import contrasted, letters
@@ -172,7 +168,7 @@ def _side_by_side(
             for name in [summary.results.case.name]
         ]
         shown = texts.CaseOutput(titles, {}, lambda: contrasted([summary for _, summary in found]))
-        files.write_data(texts.alone(found[0][0], shown, form), output)
+        files.write_data(texts.alone(found[0][0].file, shown, to), to.output)
     return FAILED if failed else DONE
 
 

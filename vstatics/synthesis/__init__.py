@@ -4,6 +4,8 @@ A number of planetary sets goes in, schemes come out (`structures`); a scheme be
 shift elements are tried (`gears`), whose `ratios` are fitted to those that are wanted, and whose
 wheels get `teeth`. `boxes` finds whole gearboxes at once.
 
+>>> from vstatics.synthesis import SetScheme, StructureSearch, combinations, find_teeth
+>>> from vstatics.synthesis import fit, scheme_case, schemes
 >>> [one.code for one in schemes(StructureSearch(sets=2, classes="order"))]
 ['0-1-2-0-1-3', '0-1-2-0-3-4']
 >>> case = scheme_case(SetScheme.of_code("0-1-2-0-1-3"), 0, 3, ratios=[-2, -2.5])
@@ -20,18 +22,21 @@ wheels get `teeth`. `boxes` finds whole gearboxes at once.
 
 from __future__ import annotations
 
-from vstatics.synthesis.boxes.box import BoxSearch
-from vstatics.synthesis.boxes.choice import BoxFilter
-from vstatics.synthesis.boxes.figures import box_is_planar
-from vstatics.synthesis.boxes.search import find_boxes
-from vstatics.synthesis.gears.case_of_scheme import scheme_case
-from vstatics.synthesis.gears.search import combinations
-from vstatics.synthesis.ratios.fitting import fit
-from vstatics.synthesis.structures.counts import count
-from vstatics.synthesis.structures.growth import FoundScheme, StructureSearch, schemes
-from vstatics.synthesis.structures.scheme import SetScheme
-from vstatics.synthesis.teeth.finding import find_teeth
-from vstatics.synthesis.teeth.limits import TeethLimits
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from vstatics.synthesis.boxes.box import BoxSearch
+    from vstatics.synthesis.boxes.choice import BoxFilter
+    from vstatics.synthesis.boxes.figures import box_is_planar
+    from vstatics.synthesis.boxes.search import find_boxes
+    from vstatics.synthesis.gears.case_of_scheme import scheme_case
+    from vstatics.synthesis.gears.search import combinations
+    from vstatics.synthesis.ratios.fitting import fit
+    from vstatics.synthesis.structures.counts import count
+    from vstatics.synthesis.structures.growth import FoundScheme, StructureSearch, schemes
+    from vstatics.synthesis.structures.scheme import SetScheme
+    from vstatics.synthesis.teeth.finding import find_teeth
+    from vstatics.synthesis.teeth.limits import TeethLimits
 
 __all__ = [
     "BoxFilter",
@@ -49,3 +54,27 @@ __all__ = [
     "scheme_case",
     "schemes",
 ]
+
+
+def __getattr__(name: str) -> Any:
+    """What stands in `__all__`, imported when it is asked for: the help of commands needs none."""
+    if name not in __all__:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    from vstatics.synthesis.boxes.box import BoxSearch
+    from vstatics.synthesis.boxes.choice import BoxFilter
+    from vstatics.synthesis.boxes.figures import box_is_planar
+    from vstatics.synthesis.boxes.search import find_boxes
+    from vstatics.synthesis.gears.case_of_scheme import scheme_case
+    from vstatics.synthesis.gears.search import combinations
+    from vstatics.synthesis.ratios.fitting import fit
+    from vstatics.synthesis.structures.counts import count
+    from vstatics.synthesis.structures.growth import FoundScheme, StructureSearch, schemes
+    from vstatics.synthesis.structures.scheme import SetScheme
+    from vstatics.synthesis.teeth.finding import find_teeth
+    from vstatics.synthesis.teeth.limits import TeethLimits
+
+    there = (
+        *(BoxFilter, BoxSearch, FoundScheme, SetScheme, StructureSearch, TeethLimits),
+        *(box_is_planar, combinations, count, find_boxes, find_teeth, fit, scheme_case, schemes),
+    )
+    return {one.__name__: one for one in there}[name]

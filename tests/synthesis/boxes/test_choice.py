@@ -21,8 +21,8 @@ from tests.trains import seeded
 from vstatics import solve
 from vstatics.readers import from_dict
 from vstatics.synthesis import StructureSearch, schemes
-from vstatics.synthesis.boxes.box import HELD, FoundBox
-from vstatics.synthesis.boxes.choice import LIMITED, PARETO, BoxFilter, RankedBox, pareto, ranked
+from vstatics.synthesis.boxes.box import HELD, LIMITED, FoundBox
+from vstatics.synthesis.boxes.choice import PARETO, BoxFilter, RankedBox, pareto, ranked
 from vstatics.synthesis.boxes.document import box_document, box_schema
 from vstatics.synthesis.boxes.figures import MeasuredBox, measured
 from vstatics.synthesis.boxes.grids import box_grids

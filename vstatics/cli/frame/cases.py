@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterator, Sequence
-from functools import wraps
-from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar, get_args
+from typing import TYPE_CHECKING, NamedTuple, get_args
 
 import click
 
 from vstatics import readers
-from vstatics.cli.frame import files
+from vstatics.cli.frame import documents, files
+from vstatics.cli.frame.options import Command, gathered
 from vstatics.cli.frame.problems import Telling
+from vstatics.cli.frame.values import wrong_value
 from vstatics.errors import Problem, ReadError, of_file, plural, spoken
 from vstatics.model.checks import hints
 from vstatics.model.transmission import IdleConvention, Transmission
@@ -22,8 +23,6 @@ from vstatics.statics.solve import solve
 
 if TYPE_CHECKING:
     from vstatics.simulation.scenario.file import ScenarioFile
-
-Command = TypeVar("Command", bound=Callable[..., Any])
 
 argument = click.argument("cases", nargs=-1, required=True, type=click.Path(), metavar="CASE...")
 input_format = click.option(
@@ -109,34 +108,10 @@ class CaseOptions(NamedTuple):
     """Whether a scenario may stand for its case."""
 
 
-def telling(command: Command) -> Command:
-    """The options of what is printed and what fails; the command gets `telling`."""
-
-    @wraps(command)
-    def with_telling(*values: Any, quiet: bool, strict: bool, **others: Any) -> Any:
-        return command(*values, telling=Telling(quiet, strict), **others)
-
-    decorated: Any = quiet(strict(with_telling))
-    return decorated  # type: ignore[no-any-return]
-
-
-def settings(command: Command) -> Command:
-    """The options of how cases are read, calculated and told; the command gets `settings`."""
-
-    @wraps(command)
-    def with_settings(
-        *values: Any,
-        input_format: readers.Format | None,
-        coast: bool | None,
-        idle: IdleConvention | None,
-        telling: Telling,
-        **others: Any,
-    ) -> Any:
-        options = CaseOptions(input_format, coast, idle, telling=telling)
-        return command(*values, settings=options, **others)
-
-    decorated: Any = input_format(coast(idle(telling(with_settings))))
-    return decorated  # type: ignore[no-any-return]
+telling = gathered("telling", Telling, quiet, strict)
+"""The options of what is printed and what fails."""
+settings = gathered("settings", CaseOptions, input_format, coast, idle, telling)
+"""The options of how cases are read, calculated and told."""
 
 
 def gear_number(case: Transmission, asked: str) -> int:
@@ -147,10 +122,8 @@ def gear_number(case: Transmission, asked: str) -> int:
     BadParameter
         If there is none; it tells the nearest name.
     """
-    try:
+    with wrong_value("--gear"):
         return case.gear_number(asked)
-    except ValueError as error:
-        raise click.BadParameter(str(error), param_hint="--gear") from None
 
 
 def gear_indices(case: Transmission, asked: Sequence[str]) -> Sequence[int]:
@@ -187,7 +160,8 @@ def calculate_one(file: str, settings: CaseOptions) -> CalculatedCase:
     scenario = None
     try:
         data, name = files.read_input(file)
-        if settings.scenarios and (scenario := _scenario(data, name, settings)):
+        if settings.scenarios and documents.is_a("scenario", data, name):
+            scenario = documents.scenario_with_case(data, name, settings.input_format)
             reading = scenario.reading
         else:
             reading = readers.read(data, name, settings.input_format)
@@ -196,47 +170,13 @@ def calculate_one(file: str, settings: CaseOptions) -> CalculatedCase:
         each = settings.telling.each_gear
         problems = [*reading.warnings, *notes, *_located(reading, results, each_gear=each)]
     except ReadError as error:
-        results, problems = None, _no_case(data, name, settings) or error.problems
+        taken = ["scenario"] * settings.scenarios
+        no_case = documents.no_case(data, name, taken)
+        results, problems = None, no_case or error.problems
     except Exception as error:  # noqa: BLE001 - the other cases are to go on
         results, problems = None, [unexpected(name, error)]
     told = settings.telling.told(problems)
     return CalculatedCase(name, results, told, data, settings.telling, scenario)
-
-
-def _scenario(data: bytes, name: str, settings: CaseOptions) -> ScenarioFile | None:
-    """The scenario of a text with the case that it names; None if it is none."""
-    if b"duration" not in data:  # as in nearly all cases, and YAML costs start-up time
-        return None
-    from vstatics.cli.frame.documents import scenario_with_case
-    from vstatics.simulation.scenario.file import is_scenario
-
-    return (
-        scenario_with_case(data, name, settings.input_format) if is_scenario(data, name) else None
-    )
-
-
-def _no_case(data: bytes, name: str, settings: CaseOptions) -> list[Problem]:
-    """What is to be said of a text that is no case but a scenario, where none is taken."""
-    return _boxes_said(data, name) or ([] if settings.scenarios else _scenario_said(data, name))
-
-
-def _boxes_said(data: bytes, name: str) -> list[Problem]:
-    if b'"searched"' not in data:
-        return []
-    from vstatics.synthesis.boxes.reading import is_listing
-
-    taking = "plot --kind boxes, report and summary take one such file"
-    message = f"these are found boxes, expected a case; {taking}"
-    return [of_file(name, message)] if is_listing(data) else []
-
-
-def _scenario_said(data: bytes, name: str) -> list[Problem]:
-    if b"duration" not in data:
-        return []
-    from vstatics.simulation.scenario.file import is_scenario
-
-    message = "this is a scenario, expected a case; simulate, plot, report and sweep take scenarios"
-    return [of_file(name, message)] if is_scenario(data, name) else []
 
 
 def read_one(file: str, input_format: readers.Format | None, telling: Telling) -> Reading:
@@ -257,8 +197,7 @@ def read_data(
     try:
         reading = readers.read(data, name, input_format)
     except ReadError as error:
-        said = _boxes_said(data, name) or _scenario_said(data, name)
-        raise ReadError(telling.printed(said or error.problems)) from None
+        raise ReadError(telling.printed(documents.no_case(data, name) or error.problems)) from None
     files.show(telling.printed(reading.warnings))
     files.show(telling.quiet_failure(reading.warnings, name))
     return reading

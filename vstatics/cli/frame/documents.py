@@ -1,15 +1,77 @@
-"""Documents that are more than a case: a scenario, with the case that it names."""
+"""Documents that are no case: how each kind is recognised, and a scenario with its case."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Callable, Collection
+from typing import TYPE_CHECKING, NamedTuple
 
 from vstatics import readers
 from vstatics.cli.frame import files
-from vstatics.errors import ReadError
+from vstatics.errors import Problem, ReadError, of_file
 
 if TYPE_CHECKING:
     from vstatics.simulation.scenario.file import ScenarioDocument, ScenarioFile
+
+
+class DocumentKind(NamedTuple):
+    """Of documents that are no case, which a deck, YAML or JSON may be."""
+
+    mark: bytes
+    """All of them have it and hardly a case, so that cases need no imports to be told apart."""
+    is_one: Callable[[bytes, str], bool]
+    """By the text and the name of its file."""
+    told: str = ""
+    """Where a case is expected."""
+
+
+def _is_listing(data: bytes, _name: str) -> bool:
+    from vstatics.synthesis.boxes.reading import is_listing
+
+    return is_listing(data)
+
+
+def _is_scenario(data: bytes, name: str) -> bool:
+    from vstatics.simulation.scenario.file import is_scenario
+
+    return is_scenario(data, name)
+
+
+def _is_sweep(data: bytes, _name: str) -> bool:
+    from vstatics.readers.sweep_tables import is_sweep
+
+    return is_sweep(data)
+
+
+KINDS = {
+    "boxes": DocumentKind(
+        b'"searched"',
+        _is_listing,
+        "these are found boxes, expected a case; "
+        "plot --kind boxes, report and summary take one such file",
+    ),
+    "scenario": DocumentKind(
+        b"duration",
+        _is_scenario,
+        "this is a scenario, expected a case; simulate, plot, report and sweep take scenarios",
+    ),
+    "sweep": DocumentKind(b"", _is_sweep),
+}
+
+
+def is_a(kind: str, data: bytes, name: str) -> bool:
+    """Whether a text is a document of this kind, a key of `KINDS`.
+
+    >>> is_a("scenario", b"{case: box.yaml, duration: 6}", "up.yaml")
+    True
+    """
+    known = KINDS[kind]
+    return known.mark in data and known.is_one(data, name)
+
+
+def no_case(data: bytes, name: str, taken: Collection[str] = ()) -> list[Problem]:
+    """What is to be said of a text that is no case, but of a kind that is not taken either."""
+    others = (kind for kind, known in KINDS.items() if known.told and kind not in taken)
+    return [of_file(name, KINDS[kind].told) for kind in others if is_a(kind, data, name)]
 
 
 def scenario_with_case(

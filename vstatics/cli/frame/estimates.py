@@ -1,4 +1,4 @@
-"""What a command will take: bytes and time as one says them, and whether its disk has room."""
+"""What a command will give and take, as --dry-run says it, and whether its disk has room."""
 
 from __future__ import annotations
 
@@ -7,9 +7,47 @@ import math
 import os
 import stat
 import sys
+from collections.abc import Mapping
+from typing import Any, NamedTuple
 
 from vstatics.errors import ReadError, of_file
 from vstatics.jobs.files import STDOUT, is_stream
+
+
+class CommandEstimate(NamedTuple):
+    """What is known before a command is carried out.
+
+    Examples
+    --------
+    >>> print(CommandEstimate({"boxes": "36"}, {"searched": 36}, 90, jobs=4).text("text"), end="")
+    boxes  36
+    time   about 1.5 minutes with 4 jobs
+    """
+
+    said: Mapping[str, str]
+    """In words, by short names."""
+    document: Mapping[str, Any]
+    """The same in JSON."""
+    seconds: float
+    jobs: int = 1
+
+    @property
+    def rows(self) -> dict[str, str]:
+        """All that is said."""
+        processes = f" with {self.jobs} jobs" if self.jobs > 1 else ""
+        return {**self.said, "time": f"about {duration_text(self.seconds)}{processes}"}
+
+    def text(self, form: str | None, least: int = 0) -> str:
+        """In JSON, or in lines whose names have so many letters, with blanks, at least."""
+        if form in ("json", "jsonl"):
+            from vstatics.writers import plain_json
+
+            document = plain_json.plain_data({**self.document, "seconds": self.seconds})
+            return (
+                plain_json.line(document) if form == "jsonl" else plain_json.text(document) + "\n"
+            )
+        wide = max(least, *map(len, self.rows)) + 2
+        return "".join(f"{name:{wide}}{text}\n" for name, text in self.rows.items())
 
 
 def size_text(length: float) -> str:

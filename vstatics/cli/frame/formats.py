@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Sequence
-from functools import wraps
-from typing import Any, NamedTuple
+from functools import partial
+from typing import NamedTuple
 
 import click
 
 from vstatics.cli.frame import files
-from vstatics.cli.frame.cases import Command
+from vstatics.cli.frame.options import Command, gathered
 from vstatics.errors import Problem, ReadError
 from vstatics.extras import missing
 from vstatics.jobs.files import STDOUT, is_stream
@@ -45,6 +45,11 @@ class Destination(NamedTuple):
     def suffix(self) -> str:
         """Of a file in a directory."""
         return SUFFIXES[self.form][0]
+
+    @property
+    def is_text(self) -> bool:
+        """Whether people read it as it is."""
+        return self.form in ("text", "listing")
 
 
 class OutputOptions(NamedTuple):
@@ -134,38 +139,6 @@ def each_by_itself(
     return to
 
 
-def options(*formats: str, says: str = "Format of the output") -> Callable[[Command], Command]:
-    """The options -f, -o, --digits and --raw; the command gets `wanted`."""
-
-    def decorate(command: Command) -> Command:
-        @wraps(command)
-        def with_wanted(
-            *values: Any,
-            output_format: str | None,
-            output: str | None,
-            digits: int | None,
-            raw: bool,
-            lang: Language = "en",
-            **others: Any,
-        ) -> Any:
-            wanted = OutputOptions(formats, output_format, output, TextStyle(lang, digits, raw))
-            return command(*values, wanted=wanted, **others)
-
-        decorated: Any = with_wanted
-        for option in reversed(_OPTIONS):
-            decorated = option(decorated)
-        choice = click.option(
-            "-f",
-            "--format",
-            "output_format",
-            type=click.Choice(formats),
-            help=f"{says}; else told by the suffix of -o, else {formats[0]}.",
-        )
-        return choice(decorated)  # type: ignore[no-any-return]
-
-    return decorate
-
-
 raw = click.option(
     "--raw", is_flag=True, help="CSV without an apostrophe before = + - @ that begin a text."
 )
@@ -175,14 +148,26 @@ digits = click.option(
     metavar="N",
     help="Digits after the point, in what people read; JSON and CSV have all.",
 )
-_OPTIONS = (
-    click.option(
-        "-o",
-        "--output",
-        type=click.Path(),
-        help="Write to this file, whole or not at all; several cases to this directory, "
-        "or with a suffix to one file.",
-    ),
-    digits,
-    raw,
-)
+
+
+def options(*formats: str, says: str = "Format of the output") -> Callable[[Command], Command]:
+    """The options -f, -o, --digits and --raw; the command gets `wanted`."""
+    return gathered(
+        "wanted",
+        partial(OutputOptions, formats),
+        click.option(
+            "-f",
+            "--format",
+            "form",
+            type=click.Choice(formats),
+            help=f"{says}; else told by the suffix of -o, else {formats[0]}.",
+        ),
+        click.option(
+            "-o",
+            "--output",
+            type=click.Path(),
+            help="Write to this file, whole or not at all; several cases to this directory, "
+            "or with a suffix to one file.",
+        ),
+        gathered("style", TextStyle, digits, raw),
+    )

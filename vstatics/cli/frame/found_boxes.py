@@ -10,6 +10,7 @@ import click
 
 from vstatics.cli.frame import files
 from vstatics.cli.frame.cases import CalculatedCase, CaseOptions
+from vstatics.cli.frame.documents import is_a
 from vstatics.cli.frame.exit_status import DONE
 from vstatics.cli.frame.formats import Destination
 from vstatics.errors import CaseError, ReadError, of_file
@@ -37,12 +38,10 @@ def listing_in(file: str) -> tuple[BoxListing, dict[str, Any]] | None:
         data, name = files.read_input(file)
     except ReadError:  # told where cases are read
         return None
-    if b'"searched"' not in data:
+    if not is_a("boxes", data, name):
         return None
-    from vstatics.synthesis.boxes.reading import is_listing, read_document
+    from vstatics.synthesis.boxes.reading import read_document
 
-    if not is_listing(data):
-        return None
     return read_document(data, name)
 
 
@@ -132,13 +131,16 @@ def _chosen_boxes(listing: BoxListing, asked: Sequence[int]) -> list[ListedBox]:
     return [listing.boxes[number - 1] for number in dict.fromkeys(asked)]
 
 
-def box_numbers(
-    _context: click.Context, _option: click.Parameter, texts: Sequence[str]
-) -> tuple[int, ...]:
-    """Numbers of boxes, with commas or one by one."""
+def box_numbers(texts: Sequence[str]) -> tuple[int, ...]:
+    """Numbers of boxes, with commas or one by one.
+
+    Raises
+    ------
+    ValueError
+    """
     found: list[int] = []
     for text in ",".join(texts).split(",") if texts else ():
         if not text.strip().isdecimal() or len(text) > 9:
-            raise click.BadParameter(f"read {text!r}, expected numbers of boxes, such as 1,4")
+            raise ValueError(f"read {text!r}, expected numbers of boxes, such as 1,4")
         found.append(int(text))
     return tuple(found)

@@ -22,7 +22,6 @@ from vstatics.jobs.files import OWN_FAULTS, STDOUT, is_stream, set_aside, unwrit
 from vstatics.jobs.finished_cases import FinishedCases
 from vstatics.jobs.stopping import Stop, StoppedError, stoppable
 from vstatics.jobs.workers import workers
-from vstatics.tables.suffixes import SUFFIXES
 
 
 class _HaltedError(Exception):
@@ -101,7 +100,7 @@ def to_directory(
     ReadError
         If the directory cannot be written to.
     """
-    suffix, telling = SUFFIXES[job.form.name][0], job.options.telling
+    suffix, telling = job.to.suffix, job.options.telling
     with FinishedCases(folder, suffix, _depends(job)) as finished:
         todo = tasks(cases, folder, suffix, [*others, finished.path])
         try:
@@ -159,7 +158,7 @@ def to_stream(cases: Sequence[str], output: str | None, job: Job, *, jobs: int) 
     ):
         to_stdout = output in (None, STDOUT)
         parts = _follow(count, results, stop, telling, beside_stdout=to_stdout)
-        for text in texts.joined(parts, job.form):
+        for text in texts.joined(parts, job.to, job.own_frame):
             write(text)
     if whole and count.total > 1:
         count.summary(quiet=telling.quiet)
@@ -213,14 +212,14 @@ def _until_stopped(count: _Count, kept: str) -> Iterator[Stop]:
 
 def _depends(job: Job) -> dict[str, object]:
     """What the results depend on, besides the cases."""
-    style = job.form.style
+    style = job.to.style
     return {
         "command": job.command,
         "--from": job.options.input_format,
         "--coast": job.options.coast,
         "--idle": job.options.idle,
         "--strict": job.options.telling.strict,  # a result without errors counts as done or not
-        "--lang": style.lang if job.form.is_text else None,
+        "--lang": style.lang if job.to.is_text else None,
         "--digits": style.digits,
         "--raw": style.raw or None,
     }
@@ -246,10 +245,10 @@ def calculate_and_write(job: Job, task: CaseTask) -> Done:
     file, problems = case.file, case.problems
     try:
         if task.target is None or job.finished is None:
-            return Done(file, problems, case.failed, texts.among_several(case, shown, job.form))
+            return Done(file, problems, case.failed, texts.among_several(case, shown, job.to))
         if shown is None:
             return Done(file, problems, left=set_aside(task.target))
-        result = texts.alone(case, shown, job.form)
+        result = texts.alone(file, shown, job.to)
         job.finished.put(task.target, result, case.data, failed=case.failed)
     except OSError as error:
         return Done(

@@ -4,14 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
-from typing import Any
+from typing import Any, NamedTuple
 
 import click
 
-from vstatics.cli.frame import files, texts
-from vstatics.cli.frame.cases import CalculatedCase
+from vstatics import readers
+from vstatics.cli.frame import cases, files, formats, texts
+from vstatics.cli.frame.cases import check_streams, read_data
+from vstatics.cli.frame.exit_status import DONE, FAILED
 from vstatics.cli.frame.formats import Destination, OutputOptions
+from vstatics.cli.frame.options import gathered
 from vstatics.cli.frame.problems import Telling
+from vstatics.cli.frame.scenario_run import needs
 from vstatics.errors import CaseError, Problem, ReadError, of_file
 from vstatics.readers.reading import Reading
 from vstatics.tables.grid import Grid
@@ -29,6 +33,8 @@ def problems_of(reading: Reading) -> Iterator[None]:
     """
     try:
         yield
+    except ReadError:
+        raise
     except CaseError as error:
         raise ReadError([_placed(one, reading) for one in error.problems]) from None
 
@@ -46,36 +52,111 @@ def file_name(file: str) -> str:
     return files.STDIN_NAME if file == files.STDIN else file
 
 
-def show(
-    file: str,
-    to: Destination,
-    title: str,
-    grids: Callable[[], Iterable[Grid]],
-    document: Callable[[], dict[str, Any]],
-) -> None:
+class CaseAnswer(NamedTuple):
+    """What a command tells of one case; nothing is laid out before it is asked for."""
+
+    grids: Callable[[], Iterable[Grid]]
+    document: Callable[[], dict[str, Any]]
+    problems: Sequence[Problem] = ()
+    failed: bool = False
+    """Whether the command fails, though nothing else does."""
+    alone: bool = False
+    """Whether JSON has the document as it is, without the file."""
+    write: Callable[[], bool] | None = None
+    """Writes another file, when the problems are told; whether it keeps all that there is."""
+
+
+class OneCase(NamedTuple):
+    """The case of a command that takes one, and where the answer goes."""
+
+    case: str
+    wanted: OutputOptions
+    input_format: readers.Format | None
+    telling: Telling
+    coast: bool | None = None
+    """As an option says; as the case says itself where that says nothing."""
+
+    def destination(self, *others: str) -> Destination:
+        """Where the answer goes; nothing may be written over the case and other files.
+
+        Raises
+        ------
+        UsageError
+        """
+        inputs = [self.case, *others]
+        check_streams(inputs)
+        return one_text(self.wanted, inputs)
+
+    def read(self, *given: tuple[bytes, str]) -> Reading:
+        """Read the case, which may be read as text already, and print its warnings.
+
+        Raises
+        ------
+        ReadError
+        """
+        [text] = given or [files.read_input(self.case)]
+        return read_data(*text, self.input_format, self.telling)
+
+    def answer(
+        self,
+        calculate: Callable[[Reading], CaseAnswer],
+        to: Destination | None = None,
+        extra: str = "",
+        *given: tuple[bytes, str],
+    ) -> int:
+        """Read the case, tell what is calculated of it, and write that; the exit status.
+
+        Parameters
+        ----------
+        calculate : callable
+            Problems of the case that it raises are told at their places.
+        to : Destination, optional
+            Where the command has not asked for it itself.
+        extra : str
+            Without which the command, called so too, can do nothing.
+        *given : tuple of (bytes, str)
+            The text of the case and the name of its file, where it is read already.
+
+        Raises
+        ------
+        ReadError, UsageError
+        """
+        to = to or self.destination()
+        if extra:
+            needs(extra, f"vstatics {extra}")
+        reading = self.read(*given)
+        case = reading.case
+        with problems_of(reading):
+            if self.coast not in (None, case.coast):
+                reading = reading._replace(case=case.replace(coast=self.coast))
+            found = calculate(reading)
+        tell(found.problems, self.telling, self.case)
+        kept = found.write is None or found.write()
+        show(self.case, to, case.name, found)
+        fails = self.telling.fails([*reading.warnings, *found.problems])
+        return FAILED if found.failed or fails or not kept else DONE
+
+
+of_case = (formats.options(*formats.TABLES), cases.input_format, cases.telling)
+"""Its options, besides that of the direction of power."""
+one_case = gathered("one", OneCase, click.argument("case", type=click.Path()), *of_case)
+"""The case and the options of a command that takes one; the command gets `one`."""
+
+
+def show(file: str, to: Destination, title: str, found: CaseAnswer) -> None:
     """Write what a command has of one case, in the format that is asked for."""
     name = file_name(file)
-    shown = texts.CaseOutput([title or name], {}, grids, lambda: plain_data(document()))
-    form = texts.OutputForm(to.form, to.style)
-    files.write_data(texts.alone(CalculatedCase(name, None, []), shown, form), to.output)
-
-
-def show_alone(
-    file: str,
-    to: Destination,
-    name: str,
-    grids: Callable[[], Iterable[Grid]],
-    document: Callable[[], dict[str, Any]],
-) -> None:
-    """Write what there is of one case; the document in JSON has what it has, and no more."""
     as_json = {
-        "json": lambda _: f"{plain_json.text(document())}\n",
-        "jsonl": lambda _: plain_json.line(document()),
+        "json": lambda _: f"{plain_json.text(found.document())}\n",
+        "jsonl": lambda _: plain_json.line(found.document()),
     }
-    shown = texts.CaseOutput([name or file_name(file)], as_json, grids, document)
-    outcome = CalculatedCase(file_name(file), None, [])
-    form = texts.OutputForm(to.form, to.style)
-    files.write_data(texts.alone(outcome, shown, form), to.output)
+    shown = texts.CaseOutput(
+        [title or name],
+        as_json if found.alone else {},
+        found.grids,
+        lambda: plain_data(found.document()),
+    )
+    files.write_data(texts.alone(name, shown, to), to.output)
 
 
 def tell(problems: Sequence[Problem], telling: Telling, file: str) -> None:

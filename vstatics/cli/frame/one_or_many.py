@@ -7,14 +7,12 @@ from collections.abc import Sequence
 from vstatics.cli.frame import files, texts
 from vstatics.cli.frame.cases import calculate, check_streams
 from vstatics.cli.frame.exit_status import DONE, FAILED
-from vstatics.cli.frame.formats import Destination
 from vstatics.cli.frame.texts import Job
 
 
 def carry_out(
     job: Job,
     cases: Sequence[str],
-    to: Destination,
     *,
     others: Sequence[str] = (),
     a_list: bool = False,
@@ -38,6 +36,7 @@ def carry_out(
         If it cannot be written.
     """
     check_streams([*cases, *others])
+    to = job.to
     if len(cases) > 1 or a_list or to.is_folder or to.form == "jsonl":
         from vstatics.cli.frame import many
 
@@ -47,5 +46,5 @@ def carry_out(
         return many.to_directory(cases, str(to.output), job, jobs=jobs, resume=resume, others=kept)
     [outcome] = calculate(cases, job.options)
     if outcome.results is not None:
-        files.write_data(texts.alone(outcome, job.show(outcome), job.form), to.output)
+        files.write_data(texts.alone(outcome.file, job.show(outcome), to), to.output)
     return FAILED if outcome.failed else DONE

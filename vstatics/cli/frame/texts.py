@@ -7,11 +7,12 @@ imported when they are needed.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from functools import partial
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vstatics.cli.frame import files
 from vstatics.cli.frame.cases import CalculatedCase, CaseOptions
-from vstatics.cli.frame.formats import TextStyle
+from vstatics.cli.frame.formats import Destination
 from vstatics.tables.grid import Grid
 
 if TYPE_CHECKING:
@@ -53,20 +54,6 @@ class Frame(NamedTuple):
     last: str
 
 
-class OutputForm(NamedTuple):
-    """A format, and what it needs to know."""
-
-    name: str
-    style: TextStyle
-    own_frame: Frame | None = None
-    """Around several, in a format of the command's own other than text."""
-
-    @property
-    def is_text(self) -> bool:
-        """Whether people read it as it is."""
-        return self.name in ("text", "listing")
-
-
 FRAMES = {
     "text": Frame("", "\n", ""),
     "listing": Frame("", "\n", ""),
@@ -75,95 +62,97 @@ FRAMES = {
 }
 
 
-def alone(outcome: CalculatedCase, shown: CaseOutput, form: OutputForm) -> bytes:
+def alone(file: str, shown: CaseOutput, to: Destination) -> bytes:
     """The text of a case by itself."""
-    if form.name in shown.by_format:
-        return _bytes(shown.by_format[form.name](None), form)
-    if form.name in ("json", "jsonl"):
-        return _bytes(_json(outcome, shown, form) + "\n" * (form.name == "json"), form)
-    return b"".join(_of_grids([_tables(outcome, shown, form)], form, several=False))
+    if to.form in shown.by_format:
+        return _bytes(shown.by_format[to.form](None), to)
+    if to.form in ("json", "jsonl"):
+        return _bytes(_json(file, shown, to) + "\n" * (to.form == "json"), to)
+    return b"".join(_of_grids([_tables(file, shown, to)], to, several=False))
 
 
-def among_several(outcome: CalculatedCase, shown: CaseOutput | None, form: OutputForm) -> Part:
+def among_several(outcome: CalculatedCase, shown: CaseOutput | None, to: Destination) -> Part:
     """What a stream has of a case among several; one that failed is in JSON only."""
-    if form.name in ("json", "jsonl"):
-        return _bytes(_json(outcome, shown, form), form)
+    file = outcome.file
+    if to.form in ("json", "jsonl"):
+        return _bytes(_json(file, shown or _failed(outcome), to), to)
     if shown is None:
         return b""
-    if form.name in shown.by_format:
-        made = _bytes(shown.by_format[form.name](outcome.file), form)
-    elif form.is_text:
-        made = alone(outcome, shown, form)
+    if to.form in shown.by_format:
+        made = _bytes(shown.by_format[to.form](file), to)
+    elif to.is_text:
+        made = alone(file, shown, to)
     else:
-        return _tables(outcome, shown, form)
-    return (_bytes(f"==> {outcome.file} <==\n", form) if form.is_text else b"") + made
+        return _tables(file, shown, to)
+    return (_bytes(f"==> {file} <==\n", to) if to.is_text else b"") + made
 
 
-def joined(parts: Iterable[Part], form: OutputForm) -> Iterator[bytes]:
+def _failed(outcome: CalculatedCase) -> CaseOutput:
+    from vstatics.writers.documents import failure
+
+    return CaseOutput([], {}, document=partial(failure, outcome.file, outcome.problems))
+
+
+def joined(
+    parts: Iterable[Part], to: Destination, own_frame: Frame | None = None
+) -> Iterator[bytes]:
     """The parts of all cases as one text, piece by piece; empty ones are left out."""
-    frame = form.own_frame or FRAMES.get(form.name)
+    frame = own_frame or FRAMES.get(to.form)
     if frame is None:
         tables = (one for one in parts if isinstance(one, CaseTables))
-        yield from _of_grids(tables, form, several=True)
+        yield from _of_grids(tables, to, several=True)
         return
     before = frame.first
     for text in parts:
         if text and isinstance(text, bytes):
-            yield _bytes(before, form) + text
+            yield _bytes(before, to) + text
             before = frame.between
     if before != frame.first:
-        yield _bytes(frame.last, form)
+        yield _bytes(frame.last, to)
 
 
-def _tables(outcome: CalculatedCase, shown: CaseOutput, form: OutputForm) -> CaseTables:
-    assert shown.grids is not None, form.name  # noqa: S101 - the command has this format
-    grids = [grid.with_digits(form.style.digits) for grid in shown.grids()]
-    return CaseTables(outcome.file, shown.titles, grids)
+def _tables(file: str, shown: CaseOutput, to: Destination) -> CaseTables:
+    assert shown.grids is not None, to.form  # noqa: S101 - the command has this format
+    grids = [grid.with_digits(to.style.digits) for grid in shown.grids()]
+    return CaseTables(file, shown.titles, grids)
 
 
-def _of_grids(cases: Iterable[CaseTables], form: OutputForm, *, several: bool) -> Iterator[bytes]:
+def _of_grids(cases: Iterable[CaseTables], to: Destination, *, several: bool) -> Iterator[bytes]:
     """Tables in a format that has nothing else."""
-    if form.name == "xlsx":
+    if to.form == "xlsx":
         from vstatics.tables import xlsx
 
         by_file = ((one.file, one.grids) for one in cases)
-        yield xlsx.write(by_file, several=several, digits=form.style.digits)
-    elif form.name == "csv":
+        yield xlsx.write(by_file, several=several, digits=to.style.digits)
+    elif to.form == "csv":
         from vstatics.tables import csv
 
         by_file = ((one.file, one.grids) for one in cases)
-        for text in csv.write(by_file, several=several, raw=form.style.raw):
-            yield _bytes(text, form)
+        for text in csv.write(by_file, several=several, raw=to.style.raw):
+            yield _bytes(text, to)
     else:
         from vstatics.tables import latex, markdown
         from vstatics.tables import text as plain
 
-        writer = {"latex": latex, "markdown": markdown}.get(form.name, plain)
+        writer = {"latex": latex, "markdown": markdown}.get(to.form, plain)
         for number, one in enumerate(cases):
-            yield _bytes("\n" * bool(number) + writer.write(one.titles, one.grids), form)
+            yield _bytes("\n" * bool(number) + writer.write(one.titles, one.grids), to)
 
 
-def _json(outcome: CalculatedCase, shown: CaseOutput | None, form: OutputForm) -> str:
+def _json(file: str, shown: CaseOutput, to: Destination) -> str:
     """A case in JSON: lines without the last end, or one line with it."""
     from vstatics.writers import plain_json
 
-    if shown is None:
-        from vstatics.writers.documents import failure
-
-        document = failure(outcome.file, outcome.problems)
-    else:
-        assert shown.document is not None  # noqa: S101 - the command has this format
-        document = shown.document()
-    document = plain_json.with_file(document, outcome.file)
-    if form.name == "jsonl":
+    assert shown.document is not None  # noqa: S101 - the command has this format
+    document = plain_json.with_file(shown.document(), file)
+    if to.form == "jsonl":
         return plain_json.line(document)
-    lay_out = shown.lay_out if shown is not None and shown.lay_out else plain_json.text
-    return lay_out(document)
+    return (shown.lay_out or plain_json.text)(document)
 
 
-def _bytes(text: str | bytes, form: OutputForm) -> bytes:
+def _bytes(text: str | bytes, to: Destination) -> bytes:
     """Safe to print, but CSV, which has no escapes, is as it is."""
-    return text if isinstance(text, bytes) else files.encoded(text, as_is=form.name == "csv")
+    return text if isinstance(text, bytes) else files.encoded(text, as_is=to.form == "csv")
 
 
 class Job(NamedTuple):
@@ -172,8 +161,10 @@ class Job(NamedTuple):
     command: str
     """Whose it is."""
     options: CaseOptions
-    form: OutputForm
+    to: Destination
     show: Callable[[CalculatedCase], CaseOutput]
     """What the command shows of a case that has results."""
+    own_frame: Frame | None = None
+    """Around several, in a format of the command's own other than text."""
     finished: FinishedCases | None = None
     """Of the directory that results go to, if they do."""

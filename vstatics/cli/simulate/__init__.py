@@ -1,6 +1,7 @@
 """`vstatics simulate`: what a scenario does to a case over time.
 
-`command` has the options, runs the scenario once and shows the motion. `samples` is for
-``--samples``: many runs with drawn numbers, carried out as a sweep is, and their statistics.
+`options` says what the command takes; `command` runs the scenario once and shows the motion.
+`samples` is for ``--samples``: many runs with drawn numbers, carried out as a sweep is, and their
+statistics.
 `schemas` describes the JSON of both, and that of a scenario.
 """

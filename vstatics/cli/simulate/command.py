@@ -2,87 +2,33 @@
 
 from __future__ import annotations
 
-import math
 from functools import partial
-from typing import TYPE_CHECKING, Literal, get_args
+from typing import TYPE_CHECKING
 
 import click
 
-from vstatics import readers
 from vstatics.cli.frame import cases as arguments
-from vstatics.cli.frame import files, formats, texts
-from vstatics.cli.frame.cases import CalculatedCase
+from vstatics.cli.frame import files, texts
 from vstatics.cli.frame.documents import scenario_with_case
 from vstatics.cli.frame.exit_status import DONE, FAILED
-from vstatics.cli.frame.formats import Destination, OutputOptions
-from vstatics.cli.frame.one_case import file_name, one_text
-from vstatics.cli.frame.problems import Telling
+from vstatics.cli.frame.formats import Destination
+from vstatics.cli.frame.one_case import file_name, one_text, tell
 from vstatics.cli.frame.scenario_run import needs, run_problems
-from vstatics.cli.simulate import samples
-from vstatics.cli.simulate.samples import SampleOptions, run_samples
+from vstatics.cli.simulate.options import SimulateOptions, options
 from vstatics.errors import CaseError, ReadError
-from vstatics.sweep.variants.subject import Document
 from vstatics.writers.plain_json import plain_data
 
 if TYPE_CHECKING:
     from vstatics.simulation.record.motion import Motion
     from vstatics.simulation.scenario.file import ScenarioFile
 
-Method = Literal["events", "tarasik"]
 MOST_STEPS = 1_000_000
 """So many multiples of a step may be written."""
-FORMATS = ("text", "json", "jsonl", "csv", "npz", "parquet", "markdown", "latex", "xlsx")
-
-
-def _positive(
-    context: click.Context, parameter: click.Parameter, value: float | None
-) -> float | None:
-    if value is not None and not 0 < value < math.inf:
-        message = f"read {value:g}, expected a number above 0"
-        raise click.BadParameter(message, context, parameter)
-    return value
 
 
 @click.command()
-@click.argument("scenario", type=click.Path(), metavar="SCENARIO")
-@click.argument("case", type=click.Path(), metavar="[CASE]", required=False)
-@click.option(
-    "--step",
-    type=float,
-    callback=_positive,
-    metavar="S",
-    help="Also every multiple of this time, in s.",
-)
-@click.option(
-    "--rtol",
-    type=float,
-    default=1e-8,
-    show_default=True,
-    callback=_positive,
-    metavar="X",
-    help="Accuracy of speeds and energies, as a part of their largest.",
-)
-@click.option(
-    "--method",
-    type=click.Choice(get_args(Method)),
-    default="events",
-    help="`tarasik`: the published equations (12) to (15), for comparison.",
-)
-@samples.options
-@formats.options(*FORMATS)
-@arguments.input_format
-@arguments.telling
-def simulate(
-    scenario: str,
-    case: str | None,
-    step: float | None,
-    rtol: float,
-    method: Method,
-    sampling: SampleOptions,
-    wanted: OutputOptions,
-    input_format: readers.Format | None,
-    telling: Telling,
-) -> int:
+@options
+def simulate(asked: SimulateOptions) -> int:
     """Simulate what SCENARIO does to its case, or to CASE; - is standard input.
 
     SCENARIO is YAML: the case, the duration, the start, capacities of shift elements and
@@ -105,27 +51,28 @@ def simulate(
     Exit status: 0 done; 1 scenario or case is in error, or the run stopped;
     2 wrong use.
     """
+    scenario, case, telling = asked.scenario, asked.case, asked.telling
     inputs = [scenario, *([case] if case else [])]
     arguments.check_streams(inputs)
-    sampling.check(step=step is not None, method=method != "events")
-    to = one_text(wanted, inputs)
+    asked.sampling.check(step=asked.step is not None, method=asked.method != "events")
+    to = one_text(asked.wanted, inputs)
     needs("simulation", "vstatics simulate")
-    if sampling.samples is not None:
-        document = Document(*files.read_input(scenario))
-        return run_samples(document, case, input_format, rtol, sampling, wanted, telling)
+    if asked.sampling.samples is not None:
+        from vstatics.cli.simulate.samples import run_samples
+
+        return run_samples(asked)
     if to.form == "parquet":
         needs("parquet", "Parquet")
-    read = scenario_with_case(*files.read_input(scenario), input_format, case, to.output)
-    _check_step(step, read.scenario.duration)
+    read = scenario_with_case(*files.read_input(scenario), asked.input_format, case, to.output)
+    _check_step(asked.step, read.scenario.duration)
     from vstatics.simulation.run import simulate as simulated
 
     try:
-        motion = simulated(read.scenario, step=step, rtol=rtol, method=method)
+        motion = simulated(read.scenario, step=asked.step, rtol=asked.rtol, method=asked.method)
     except CaseError as error:
         raise ReadError(map(read.locate, error.problems)) from None
     problems = [*read.reading.warnings, *run_problems(read, motion)]
-    files.show(telling.printed(problems))
-    files.show(telling.quiet_failure(problems, file_name(scenario)))
+    tell(problems, telling, scenario)
     show(scenario, to, read, motion)
     failed = motion.stopped is not None or telling.fails(problems)
     return FAILED if failed else DONE
@@ -162,6 +109,4 @@ def show(scenario: str, to: Destination, read: ScenarioFile, motion: Motion) -> 
         lambda: plain_data(motion_document(motion, read.scenario.case.name, targets=targets)),
         lay_out,
     )
-    outcome = CalculatedCase(file_name(scenario), None, [])
-    form = texts.OutputForm(to.form, to.style)
-    files.write_data(texts.alone(outcome, shown, form), to.output)
+    files.write_data(texts.alone(file_name(scenario), shown, to), to.output)

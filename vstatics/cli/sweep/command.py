@@ -11,11 +11,12 @@ import click
 from vstatics import readers
 from vstatics.cli.frame import cases as arguments
 from vstatics.cli.frame import files, formats
-from vstatics.cli.frame.cases import Command
 from vstatics.cli.frame.exit_status import DONE, FAILED
+from vstatics.cli.frame.options import Command
 from vstatics.cli.frame.problems import Telling
+from vstatics.cli.frame.sharing import Sharing, shared
 from vstatics.cli.sweep.estimate import estimate, most_rows
-from vstatics.cli.sweep.run import run
+from vstatics.cli.sweep.run import SweepRun, carry_out
 from vstatics.cli.sweep.subject import check_options, read_subject, spare
 from vstatics.errors import CaseError, ReadError
 from vstatics.jobs.files import is_stream
@@ -52,12 +53,13 @@ def _click_option(name: str, option: Option) -> Callable[[Command], Command]:
 @click.argument("case", required=False, type=click.Path(), metavar="[CASE]")
 @click.option("--file", "sweep_file", type=click.Path(), help="Read the sweep from this YAML file.")
 @declared
-@click.option(
-    "-j", "--jobs", type=click.IntRange(1), default=1, show_default=True, help="Processes."
+@shared(
+    "a sweep that was stopped",
+    formats.raw,
+    jobs=click.option(
+        "-j", "--jobs", type=click.IntRange(1), default=1, show_default=True, help="Processes."
+    ),
 )
-@click.option("--scheduler", metavar="ADDRESS", help="Dask scheduler, such as tcp://HOST:8786.")
-@formats.raw
-@click.option("--resume", is_flag=True, help="Go on with a sweep that was stopped.")
 @click.option("--dry-run", is_flag=True, help="Only say how many, how large, how long.")
 @arguments.input_format
 @arguments.coast
@@ -65,10 +67,8 @@ def _click_option(name: str, option: Option) -> Callable[[Command], Command]:
 @arguments.telling
 def sweep(
     sweep_file: str | None,
-    jobs: int,
-    scheduler: str | None,
+    sharing: Sharing,
     raw: bool,
-    resume: bool,
     dry_run: bool,
     input_format: readers.Format | None,
     telling: Telling,
@@ -115,13 +115,13 @@ def sweep(
         in_file = says(getattr(of_file, name)) and not says(getattr(own, name))
         return f"`{name}`" if in_file else f"--{name}"
 
-    form = _checked(options, spelled, resume=resume, jobs=jobs, scheduler=scheduler)
+    form = _checked(options, spelled, sharing)
     if raw and form != "csv":
         raise click.UsageError("--raw is for CSV.")
     files.spare(filter(None, [options.case, options.variants, sweep_file]), options.output)
 
     try:
-        build.check_packages(options, form, scheduler)
+        build.check_packages(options, form, sharing.scheduler)
         subject, warnings = read_subject(options.case or "", input_format, telling)
         spare(subject, options.output)
         check_options(subject, coast=options.coast, idle=options.idle)
@@ -130,31 +130,16 @@ def sweep(
             message = f"{form} is for {MOST_ROWS[form]} rows at most, not for {most_rows(plan)}"
             raise click.UsageError(f"{message}: expected another format, or --best")
         if dry_run:
-            files.write_output(estimate(plan, form, jobs), None)
+            files.write_output(estimate(plan, form, sharing.processes), None)
             status = DONE
         else:
-            where = plan, form, options.output
-            status = run(
-                *where,
-                jobs=jobs,
-                scheduler=scheduler,
-                raw=raw,
-                resume=resume,
-                quiet=telling.quiet,
-            )
+            status = carry_out(SweepRun(plan, form, options.output, sharing, raw, telling.quiet))
         return status or (FAILED if telling.fails(warnings) else DONE)
     except CaseError as error:  # is shown as what ends a reading
         raise ReadError(error.problems) from error
 
 
-def _checked(
-    options: SweepOptions,
-    spelled: Callable[[str], str],
-    *,
-    resume: bool,
-    jobs: int,
-    scheduler: str | None,
-) -> Format:
+def _checked(options: SweepOptions, spelled: Callable[[str], str], sharing: Sharing) -> Format:
     """The format of the output; wrong combinations of options are wrong use."""
     to_stream = is_stream(options.output)
     if options.case is None:
@@ -163,10 +148,7 @@ def _checked(
         raise click.UsageError("Nothing is varied: expected --vary, or --variants.")
     for message in conflicts(vars(options), spelled):
         raise click.UsageError(message if message.endswith("?") else f"{message}.")
-    if resume and to_stream:
-        raise click.UsageError("--resume needs a file to go on with: -o FILE.")
-    if scheduler and jobs > 1:
-        raise click.UsageError("--jobs and --scheduler exclude one another.")
+    sharing.check(options.output)
     told = format_of(options.output or "", FORMATS)
     form = cast("Format | None", options.format) or told
     message = "" if to_stream else mismatch(form, str(options.output))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import time
 
-from vstatics.cli.frame.estimates import duration_text, size_text
+from vstatics.cli.frame.estimates import CommandEstimate, size_text
 from vstatics.errors import ReadError, of_file
 from vstatics.jobs.finished_pieces import FinishedPieces
 from vstatics.sweep import calculation
@@ -87,15 +87,14 @@ def estimate(plan: SweepPlan, form: Format, jobs: int) -> str:
         expected = str(count) if plan.where is None else f"about {count}"
     length = sum(memoryview(one).nbytes for one in data) / max(len(rows.variants), 1)
     size = "small" if plan.objectives else f"about {size_text(length * count)}"
-    processes = f" with {jobs} jobs" if jobs > 1 else ""
-    lines = {
+    said = {
         "variants": str(variants),
         "rows": expected,
         "columns": f"{columns}: {_listed(['variant', *plan.names, 'status', *plan.headings])}",
         "size": size,
-        "time": f"about {duration_text(seconds / min(jobs, max(plan.pieces, 1)))}{processes}",
     }
-    return "".join(f"{name:9} {value}\n" for name, value in lines.items())
+    jobs_used = min(jobs, max(plan.pieces, 1))
+    return CommandEstimate(said, {}, seconds / jobs_used, jobs).text("text")
 
 
 def _listed(names: list[str], most: int = 8) -> str:

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import os
 import time
+from typing import NamedTuple
 
 from vstatics.cli.frame import files
 from vstatics.cli.frame.exit_status import FAILED, stopped_by
+from vstatics.cli.frame.sharing import Sharing
 from vstatics.cli.sweep.estimate import check_room
 from vstatics.errors import CaseError
 from vstatics.jobs.files import STDOUT, is_stream, unwritable
@@ -26,54 +28,51 @@ UNSOLVED = [
 """A variant of this status has no solution at all."""
 
 
-def run(
-    plan: SweepPlan,
-    form: Format,
-    output: str | None,
-    *,
-    jobs: int,
-    scheduler: str | None,
-    raw: bool,
-    resume: bool,
-    quiet: bool,
-) -> int:
-    """Carry out a sweep; its exit status. A quiet one says what is not well, no more."""
+class SweepRun(NamedTuple):
+    """A sweep, who calculates it, and where it goes."""
+
+    plan: SweepPlan
+    form: Format
+    output: str | None
+    sharing: Sharing
+    raw: bool
+    quiet: bool
+    """Whether it is said only what is not well."""
+
+    @property
+    def task(self) -> SweepTask:
+        """What there is to do for each piece."""
+        return SweepTask(self.plan, self.form, raw=self.raw)
+
+
+def carry_out(run: SweepRun) -> int:
+    """Carry out a sweep; its exit status."""
     try:
-        if output is None or is_stream(output):
-            return to_stream(plan, form, output, jobs, scheduler, raw=raw, quiet=quiet)
-        to = plan, form, output, jobs, scheduler
-        return to_file(*to, raw=raw, resume=resume, quiet=quiet)
+        if run.output is None or is_stream(run.output):
+            return to_stream(run)
+        return to_file(run, run.output)
     finally:
-        if isinstance(plan.variants, VariantTable):
-            plan.variants.close()
+        if isinstance(run.plan.variants, VariantTable):
+            run.plan.variants.close()
 
 
-def to_file(
-    plan: SweepPlan,
-    form: Format,
-    output: str,
-    jobs: int,
-    scheduler: str | None,
-    *,
-    raw: bool,
-    resume: bool,
-    quiet: bool,
-) -> int:
+def to_file(run: SweepRun, output: str) -> int:
     """Write the output file, whole or not at all; the exit status."""
     from vstatics.cli.frame.progress import progress
 
+    plan, form, quiet, resume = run.plan, run.form, run.quiet, run.sharing.resume
     began = time.perf_counter()
     with FinishedPieces(output) as pieces:
         check_room(plan, form, output, pieces)
         if resume and not (quiet or pieces.exists()) and os.path.exists(output):  # noqa: PTH110
             files.say(f"{output} may be of another sweep: every variant is calculated again")
-        written = Output(plan, form, pieces, raw=raw)
+        written = Output(plan, form, pieces, raw=run.raw)
         try:
             without = pieces.open(description(plan, form), plan.pieces, resume=resume)
             if without and not quiet:
                 files.say(f"{pieces.directory}: {without}; every variant is calculated")
             kept = written.finished
-            called = written.task.workers(jobs, scheduler)
+            called = written.task.workers(run.sharing.processes, run.sharing.scheduler)
             with called, progress(plan.variants.count, "variants", quiet=quiet) as advance:
                 advance(kept)
                 written.calculate(called, advance)
@@ -90,7 +89,7 @@ def to_file(
             if pieces.finished():
                 files.say(_kept(written, output))
             return FAILED
-    return _summary(plan, output, report, kept, time.perf_counter() - began, quiet=quiet)
+    return _summary(run, report, time.perf_counter() - began, kept)
 
 
 def _kept(written: Output, output: str) -> str:
@@ -104,27 +103,21 @@ def _kept(written: Output, output: str) -> str:
     )
 
 
-def to_stream(
-    plan: SweepPlan,
-    form: Format,
-    output: str | None,
-    jobs: int,
-    scheduler: str | None,
-    *,
-    raw: bool,
-    quiet: bool,
-) -> int:
+def to_stream(run: SweepRun) -> int:
     """Write rows to stdout, or to what is no file, as they come; the exit status."""
     from vstatics.cli.frame.progress import progress
 
+    plan, sharing = run.plan, run.sharing
     began = time.perf_counter()
-    task = SweepTask(plan, form, raw=raw)
+    task = run.task
     done = 0
     try:
         with (
-            files.stream(output) as write,
-            task.workers(jobs, scheduler) as called,
-            progress(plan.variants.count, "variants", beside_stdout=True, quiet=quiet) as advance,
+            files.stream(run.output) as write,
+            task.workers(sharing.processes, sharing.scheduler) as called,
+            progress(
+                plan.variants.count, "variants", beside_stdout=True, quiet=run.quiet
+            ) as advance,
         ):
 
             def advanced(variants: int) -> None:
@@ -136,14 +129,12 @@ def to_stream(
     except StoppedError as stopped:
         files.say(f"stopped after {done} of {plan.variants.count} variants")
         return stopped_by(stopped.signal)
-    name = "<stdout>" if output in (None, STDOUT) else str(output)
-    return _summary(plan, name, report, 0, time.perf_counter() - began, quiet=quiet)
+    return _summary(run, report, time.perf_counter() - began)
 
 
-def _summary(
-    plan: SweepPlan, output: str, report: SweepReport, kept: int, seconds: float, *, quiet: bool
-) -> int:
+def _summary(run: SweepRun, report: SweepReport, seconds: float, kept: int = 0) -> int:
     """Say what became of the variants; the exit status."""
+    output = "<stdout>" if run.output in (None, STDOUT) else run.output
     reasons = [
         f"{report.counts[status]} {status}"
         for status in chunk.STATUS[1:]
@@ -152,7 +143,7 @@ def _summary(
     unlike = f" ({', '.join(reasons)})" if reasons else ""
     before = f", {kept} of them before" if kept else ""
     rate = (report.variants - kept) / max(seconds, 1e-9)
-    if reasons or not quiet:
+    if reasons or not run.quiet:
         files.say(
             f"{output}: {report.rows} rows of {report.variants} variants{unlike}{before}; "
             f"{seconds:.3g} s, {float(f'{rate:.3g}'):,.0f} variants a second"
@@ -160,7 +151,7 @@ def _summary(
     solved = sum(count for status, count in report.counts.items() if status not in UNSOLVED)
     if not solved:
         files.say("no variant has a solution")
-        tell_reason(plan)
+        tell_reason(run.plan)
     return 0 if solved else 1
 
 

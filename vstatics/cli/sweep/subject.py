@@ -9,7 +9,7 @@ import click
 from vstatics import readers
 from vstatics.cli.frame import cases as arguments
 from vstatics.cli.frame import files
-from vstatics.cli.frame.documents import case_of
+from vstatics.cli.frame.documents import case_of, is_a
 from vstatics.cli.frame.problems import Telling
 from vstatics.errors import Problem, ReadError
 from vstatics.sweep.variants.subject import Document, Subject, VariedScenario
@@ -31,11 +31,8 @@ def read_subject(file: str, input_format: readers.Format | None, telling: Tellin
         If it can't be read; with the problems to print.
     """
     data, name = files.read_input(file)
-    if input_format is None and b"duration" in data:
-        from vstatics.simulation.scenario.file import is_scenario  # others need no simulation
-
-        if is_scenario(data, name):
-            return read_scenario_subject(Document(data, name), telling)
+    if input_format is None and is_a("scenario", data, name):
+        return read_scenario_subject(Document(data, name), telling)
     reading = arguments.read_data(data, name, input_format, telling)
     return ReadSubject(reading.case, list(reading.warnings))
 

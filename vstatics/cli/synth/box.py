@@ -8,32 +8,26 @@ import click
 
 from vstatics.cli.frame import cases as arguments
 from vstatics.cli.frame import files, formats
-from vstatics.cli.frame.estimates import about, duration_text
+from vstatics.cli.frame.estimates import CommandEstimate, about
 from vstatics.cli.frame.exit_status import DONE
 from vstatics.cli.frame.formats import OutputOptions
 from vstatics.cli.frame.progress import progress
+from vstatics.cli.frame.sharing import Sharing, shared
 from vstatics.cli.synth.box_options import BoxAsked, options
 from vstatics.errors import CaseError, ReadError
 from vstatics.extras import require
-from vstatics.jobs.files import is_stream
-from vstatics.jobs.workers import cores
-from vstatics.writers import plain_json
 
 
 @click.command()
 @options
 @formats.options(*formats.TABLES)
-@click.option("-j", "--jobs", type=click.IntRange(1), help="Processes.  [default: all cores]")
-@click.option("--scheduler", metavar="ADDRESS", help="Dask scheduler, such as tcp://HOST:8786.")
-@click.option("--resume", is_flag=True, help="Go on with a search into -o that was stopped.")
+@shared("a search into -o that was stopped")
 @click.option("--dry-run", is_flag=True, help="Only about how many boxes, and how long.")
 @arguments.quiet
 def box(
     asked: BoxAsked,
     wanted: OutputOptions,
-    jobs: int | None,
-    scheduler: str | None,
-    resume: bool,
+    sharing: Sharing,
     dry_run: bool,
     quiet: bool,
 ) -> int:
@@ -64,26 +58,22 @@ def box(
     Exit status: 0 done; 1 no box is found, or not finished; 2 wrong use;
     130 or 143 stopped by Ctrl-C or SIGTERM.
     """
-    if scheduler and (jobs or 1) > 1:
-        raise click.UsageError("--jobs and --scheduler exclude one another.")
     to = wanted.destination([], several=True)
     if to.is_folder:
         _check_folder(str(to.output))
-    if resume and is_stream(to.output):
-        raise click.UsageError("--resume needs a file or a directory to go on with: -o DIR.")
-    processes = 1 if scheduler else jobs or cores()
+    sharing.check(to.output, "a file or a directory to go on with: -o DIR")
     try:
         require("boxes", "synth box")
-        if scheduler is not None:
+        if sharing.scheduler is not None:
             require("dask", "--scheduler")
         if to.is_folder and not dry_run:
             require("plot", f"-o {to.output}/, with its diagrams,")
         if dry_run:
-            _estimate(asked, to.form, processes, quiet=quiet)
+            _estimate(asked, to.form, sharing.processes, quiet=quiet)
             return DONE
         from vstatics.cli.synth.box_run import BoxRun, carry_out
 
-        return carry_out(BoxRun(asked, to, processes, scheduler, resume, quiet))
+        return carry_out(BoxRun(asked, to, sharing, quiet))
     except CaseError as error:  # is shown as what ends a reading
         raise ReadError(error.problems) from error
 
@@ -112,18 +102,14 @@ def _estimate(asked: BoxAsked, form: str, jobs: int, *, quiet: bool) -> None:
 
     with progress(None, "pieces tried", quiet=quiet):
         found = box_estimate(asked.search)
-    seconds = found.seconds / min(jobs, max(found.pieces, 1))
-    if form in ("json", "jsonl"):
-        counts = {"searched": round(found.boxes), "found": round(found.found)}
-        document = {**counts, "exact": found.exact, "seconds": seconds}
-        lay_out = plain_json.line if form == "jsonl" else plain_json.text
-        files.write_output(lay_out(document).rstrip("\n") + "\n", None)
-        return
     say = (lambda number: f"{number:.0f}") if found.exact else about
-    processes = f" with {jobs} jobs" if jobs > 1 else ""
-    lines = {
-        "boxes": say(found.boxes),
-        "found": say(found.found) if found.exact or found.found else "few, or none",
-        "time": f"about {duration_text(seconds)}{processes}",
-    }
-    files.write_output("".join(f"{name:6} {value}\n" for name, value in lines.items()), None)
+    known = CommandEstimate(
+        {
+            "boxes": say(found.boxes),
+            "found": say(found.found) if found.exact or found.found else "few, or none",
+        },
+        {"searched": round(found.boxes), "found": round(found.found), "exact": found.exact},
+        found.seconds / min(jobs, max(found.pieces, 1)),
+        jobs,
+    )
+    files.write_output(known.text(form), None)

@@ -3,20 +3,20 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
-from functools import wraps
-from typing import Any, NamedTuple
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, NamedTuple
 
 import click
 
-from vstatics.cli.frame.cases import Command
-from vstatics.cli.frame.values import Value, named, pair, separated, wrong_use
+from vstatics.cli.frame.options import gathered
+from vstatics.cli.frame.values import each, named, pair, told, value, wrong_use, wrong_value
 from vstatics.errors import nearest, plural, quoted, spoken, typed_number
 from vstatics.readers.named.scalars import number
-from vstatics.synthesis.boxes.box import BoxSearch
+from vstatics.synthesis.boxes.box import EFFICIENCY, LIMITED, BoxSearch
 from vstatics.synthesis.boxes.checks import check_box_search
-from vstatics.synthesis.boxes.choice import LIMITED, BoxFilter
-from vstatics.synthesis.boxes.search import EFFICIENCY
+
+if TYPE_CHECKING:
+    from vstatics.synthesis.boxes.choice import BoxFilter
 
 
 class BoxAsked(NamedTuple):
@@ -27,148 +27,65 @@ class BoxAsked(NamedTuple):
     wanted: BoxFilter
 
 
-def options(command: Command) -> Command:
-    """The options of a search and its filters; the command gets `asked`."""
+class WantedFigures(NamedTuple):
+    """Which of the found boxes are told, as far as the options say it alone."""
 
-    @wraps(command)
-    def with_asked(*values: Any, **others: Any) -> Any:
-        said = {name: others.pop(name) for name in _NAMES}
-        return command(*values, asked=_asked(**said), **others)
+    single: bool
+    planar: bool
+    brakes: Sequence[str]
+    clutches: Sequence[str]
+    limits: Mapping[str, float]
 
-    decorated: Any = with_asked
-    for option in reversed(_OPTIONS):
-        decorated = option(decorated)
-    return decorated  # type: ignore[no-any-return]
+    def of_boxes(self, elements: int) -> BoxFilter:
+        """The same of boxes with so many elements.
 
+        Raises
+        ------
+        BadParameter
+        """
+        from vstatics.synthesis.boxes.choice import BoxFilter
 
-_OPTIONS: tuple[Callable[[Any], Any], ...] = (
-    click.option("--sets", type=int, required=True, metavar="N", help="Planetary sets."),
-    click.option(
-        "--elements", type=int, required=True, metavar="M", help="Brakes and clutches in all."
-    ),
-    click.option(
-        "--engaged",
-        type=int,
-        required=True,
-        metavar="E",
-        help="So many of them are engaged in every gear.",
-    ),
-    click.option(
-        "--ratios",
-        multiple=True,
-        required=True,
-        metavar="I,...",
-        help="The ratio of each gear, those backward below 0; may be given several times.",
-    ),
-    click.option(
-        "--bounds",
-        default="1.4:5",
-        show_default=True,
-        metavar="LOW:HIGH",
-        help="Ring teeth/sun teeth of each set.",
-    ),
-    click.option(
-        "--meshed",
-        type=int,
-        default=0,
-        metavar="K",
-        help="So many sets have planets that mesh with each other.",
-    ),
-    click.option(
-        "--own-input",
-        is_flag=True,
-        help="The input is a shaft that only clutches join to the sets.",
-    ),
-    click.option(
-        "--fixed",
-        type=int,
-        default=0,
-        metavar="K",
-        help="So many members of sets are held for good.",
-    ),
-    click.option(
-        "--tolerance",
-        type=float,
-        default=BoxSearch._field_defaults["tolerance"],
-        show_default=True,
-        metavar="T",
-        help="A box is found where all |ln(i/wanted)| can be no more.",
-    ),
-    click.option(
-        "--efficiency",
-        type=float,
-        default=EFFICIENCY,
-        show_default=True,
-        metavar="ETA",
-        help="Of each set with its carrier held.",
-    ),
-    click.option("--single", is_flag=True, help="One element changes between neighbours."),
-    click.option("--planar", is_flag=True, help="No shafts need cross."),
-    click.option("--brakes", multiple=True, metavar="N,..", help="So many brakes: 2, or 2,3."),
-    click.option("--clutches", multiple=True, metavar="N,..", help="So many clutches."),
-    click.option(
-        "--limit",
-        multiple=True,
-        metavar="FIGURE=X,...",
-        help=f"No larger {spoken(LIMITED, 'or')}, such as loss=.05,torque=4.",
-    ),
-)
-_NAMES = (
-    *("sets", "elements", "engaged", "ratios", "bounds", "meshed", "own_input", "fixed"),
-    *("tolerance", "efficiency", "single", "planar", "brakes", "clutches", "limit"),
-)
+        read = each(lambda text: _count(text, elements))
+        with wrong_value("--brakes"):
+            brakes = tuple(sorted({*read(self.brakes)}))
+        with wrong_value("--clutches"):
+            clutches = tuple(sorted({*read(self.clutches)}))
+            _check_sum(elements, brakes, clutches)
+        return BoxFilter(self.single, self.planar, brakes, clutches, self.limits)
 
 
-def _asked(
-    ratios: Sequence[str],
-    bounds: str,
-    efficiency: float,
-    brakes: Sequence[str],
-    clutches: Sequence[str],
-    limit: Sequence[str],
-    single: bool,
-    planar: bool,
-    **counts: Any,
-) -> BoxAsked:
+def _asked(search: BoxSearch, efficiency: float, figures: WantedFigures) -> BoxAsked:
     """What the options ask for.
 
     Raises
     ------
     UsageError
     """
-    targets = _each("ratios", ratios, number)
-    both = _read("bounds", bounds, lambda text: pair(text, "1.4:5"))
-    search = BoxSearch(targets=targets, bounds=both, **counts)
-    with wrong_use([*counts, "ratios", "bounds"]):
+    with wrong_use(("ratios", *BoxSearch._fields)):
         check_box_search(search)
-    if not 0 < efficiency <= 1:
-        raise _refused("efficiency", f"read {efficiency:g}, expected a number above 0, up to 1")
-    numbers = {
-        name: tuple(sorted({*_each(name, texts, lambda text: _count(text, search.elements))}))
-        for name, texts in (("brakes", brakes), ("clutches", clutches))
-    }
-    _check_sum(search.elements, **numbers)
-    limits = named("limit", limit, "FIGURE=X", number)
-    _check_limits(limits)
-    return BoxAsked(search, efficiency, BoxFilter(single, planar, limits=limits, **numbers))
+    return BoxAsked(search, efficiency, figures.of_boxes(search.elements))
 
 
-def _each(option: str, texts: Sequence[str], read: Callable[[str], Value]) -> tuple[Value, ...]:
-    """What an option has between commas, each read."""
-    return tuple(_read(option, word, read) for word in separated(texts))
+def _bounds(text: str) -> tuple[float, float]:
+    return pair(text, "1.4:5")
 
 
-def _read(option: str, text: str, read: Callable[[str], Value]) -> Value:
-    """A value of an option.
+def _efficiency(given: float) -> float:
+    if not 0 < given <= 1:
+        raise ValueError(f"read {given:g}, expected a number above 0, up to 1")
+    return given
 
-    Raises
-    ------
-    BadParameter
-    """
-    try:
-        return read(text)
-    except ValueError as error:
-        raise _refused(option, f"read {quoted(text)}, {error}") from None
+
+def _limits(texts: Sequence[str]) -> dict[str, float]:
+    """The largest values of figures, none of what is no figure or no number."""
+    found = named("FIGURE=X", number)(texts)
+    for name, most in found.items():
+        if name not in LIMITED:
+            hint = nearest(name, LIMITED) or f"; expected {spoken(LIMITED, 'or')}"
+            raise ValueError(f"read {quoted(name)}, but there is no such figure{hint}")
+        if math.isnan(most):
+            raise ValueError(f"{name}: read {most}, expected a number")
+    return found
 
 
 def _count(text: str, most: int) -> int:
@@ -187,18 +104,95 @@ def _check_sum(elements: int, brakes: Sequence[int], clutches: Sequence[int]) ->
         noun = plural("brake", brakes[-1])
         there = f"{spoken(map(str, brakes), 'or')} {noun}"
         message = f"read {spoken(map(str, clutches), 'or')}, but with {there} these are not"
-        raise _refused("clutches", f"{message} {elements} elements together")
+        raise ValueError(f"{message} {elements} elements together")
 
 
-def _check_limits(limits: dict[str, float]) -> None:
-    """Refuse limits of what is no figure, and those that are no numbers."""
-    for name, value in limits.items():
-        if name not in LIMITED:
-            hint = nearest(name, LIMITED) or f"; expected {spoken(LIMITED, 'or')}"
-            raise _refused("limit", f"read {quoted(name)}, but there is no such figure{hint}")
-        if math.isnan(value):
-            raise _refused("limit", f"{name}: read {value}, expected a number")
-
-
-def _refused(option: str, message: str) -> click.BadParameter:
-    return click.BadParameter(message, param_hint=f"--{option}")
+options = gathered(
+    "asked",
+    _asked,
+    gathered(
+        "search",
+        BoxSearch,
+        click.option("--sets", type=int, required=True, metavar="N", help="Planetary sets."),
+        click.option(
+            "--elements", type=int, required=True, metavar="M", help="Brakes and clutches in all."
+        ),
+        click.option(
+            "--engaged",
+            type=int,
+            required=True,
+            metavar="E",
+            help="So many of them are engaged in every gear.",
+        ),
+        click.option(
+            "--ratios",
+            "targets",
+            multiple=True,
+            required=True,
+            callback=value(each(number), "--ratios"),
+            metavar="I,...",
+            help="The ratio of each gear, those backward below 0; may be given several times.",
+        ),
+        click.option(
+            "--bounds",
+            default="1.4:5",
+            show_default=True,
+            callback=value(told(_bounds), "--bounds"),
+            metavar="LOW:HIGH",
+            help="Ring teeth/sun teeth of each set.",
+        ),
+        click.option(
+            "--meshed",
+            type=int,
+            default=0,
+            metavar="K",
+            help="So many sets have planets that mesh with each other.",
+        ),
+        click.option(
+            "--own-input",
+            is_flag=True,
+            help="The input is a shaft that only clutches join to the sets.",
+        ),
+        click.option(
+            "--fixed",
+            type=int,
+            default=0,
+            metavar="K",
+            help="So many members of sets are held for good.",
+        ),
+        click.option(
+            "--tolerance",
+            type=float,
+            default=BoxSearch._field_defaults["tolerance"],
+            show_default=True,
+            metavar="T",
+            help="A box is found where all |ln(i/wanted)| can be no more.",
+        ),
+    ),
+    click.option(
+        "--efficiency",
+        type=float,
+        default=EFFICIENCY,
+        show_default=True,
+        callback=value(_efficiency, "--efficiency"),
+        metavar="ETA",
+        help="Of each set with its carrier held.",
+    ),
+    gathered(
+        "figures",
+        WantedFigures,
+        click.option("--single", is_flag=True, help="One element changes between neighbours."),
+        click.option("--planar", is_flag=True, help="No shafts need cross."),
+        click.option("--brakes", multiple=True, metavar="N,..", help="So many brakes: 2, or 2,3."),
+        click.option("--clutches", multiple=True, metavar="N,..", help="So many clutches."),
+        click.option(
+            "--limit",
+            "limits",
+            multiple=True,
+            callback=value(_limits, "--limit"),
+            metavar="FIGURE=X,...",
+            help=f"No larger {spoken(LIMITED, 'or')}, such as loss=.05,torque=4.",
+        ),
+    ),
+)
+"""The options of a search and its filters; the command gets `asked`."""

@@ -12,10 +12,9 @@ from typing import Any, NamedTuple
 
 from vstatics.cli.convert import write
 from vstatics.cli.frame import files, texts
-from vstatics.cli.frame.cases import CalculatedCase
-from vstatics.cli.frame.formats import TextStyle
+from vstatics.cli.frame.formats import Destination, TextStyle
 from vstatics.cli.frame.progress import progress
-from vstatics.cli.frame.texts import CaseOutput, OutputForm
+from vstatics.cli.frame.texts import CaseOutput
 from vstatics.errors import plural
 from vstatics.jobs.alone import Workers
 from vstatics.jobs.files import replace
@@ -83,7 +82,7 @@ class FoundBoxes:
         grids: Callable[[], Iterator[Grid]],
     ) -> bytes:
         shown = CaseOutput([self.title], as_json, grids)
-        return texts.alone(CalculatedCase(self.title, None, []), shown, OutputForm(form, style))
+        return texts.alone(self.title, shown, Destination(form, None, style))
 
 
 class BoxFiles(NamedTuple):

@@ -10,6 +10,7 @@ from vstatics.cli.frame import files
 from vstatics.cli.frame.exit_status import DONE, FAILED, stopped_by
 from vstatics.cli.frame.formats import Destination
 from vstatics.cli.frame.progress import progress
+from vstatics.cli.frame.sharing import Sharing
 from vstatics.cli.synth.box_options import BoxAsked
 from vstatics.cli.synth.box_output import FoundBoxes, write_folder
 from vstatics.errors import CaseError, ReadError
@@ -39,9 +40,7 @@ class BoxRun(NamedTuple):
 
     asked: BoxAsked
     to: Destination
-    jobs: int
-    scheduler: str | None
-    resume: bool
+    sharing: Sharing
     quiet: bool
 
     @property
@@ -51,8 +50,9 @@ class BoxRun(NamedTuple):
 
     def workers(self, items: int) -> Workers:
         """Who does so many pieces."""
-        jobs = max(min(self.jobs, items), 1)
-        return workers(self.work, self.work.describe, jobs=jobs, scheduler=self.scheduler)
+        jobs = max(min(self.sharing.processes, items), 1)
+        scheduler = self.sharing.scheduler
+        return workers(self.work, self.work.describe, jobs=jobs, scheduler=scheduler)
 
 
 def carry_out(run: BoxRun) -> int:
@@ -128,10 +128,10 @@ def _opened(run: BoxRun, store: FinishedPieces, output: str, count: int) -> Sear
     ReadError
         If they are of another search, or the directory can't be made.
     """
-    if run.resume and not (run.quiet or store.exists()) and os.path.exists(output):  # noqa: PTH110
+    if run.sharing.resume and not (run.quiet or store.exists()) and os.path.exists(output):  # noqa: PTH110
         files.say(f"{output} may be of another search: every piece is searched again")
     try:
-        without = store.open(description(run.asked.search, count), count, resume=run.resume)
+        without = store.open(description(run.asked.search, count), count, resume=run.sharing.resume)
     except OSError as error:
         raise ReadError([unwritable(output, error)]) from None
     if without and not run.quiet:

@@ -9,7 +9,7 @@ import click
 from vstatics import readers
 from vstatics.cli.frame import files
 from vstatics.cli.frame.exit_status import DONE, FAILED
-from vstatics.cli.frame.values import separated
+from vstatics.cli.frame.values import separated, value, wrong_value
 from vstatics.cli.synth.case_file import case_format, write_case
 from vstatics.errors import CaseError, Problem, nearest, quoted, spoken
 from vstatics.jobs.files import STDOUT, is_stream
@@ -22,15 +22,8 @@ FIRST, STEP = -2.0, -0.1
 by chance."""
 
 
-def _scheme(_: click.Context, parameter: click.Parameter, code: str) -> SetScheme:
-    try:
-        return SetScheme.of_code(code)
-    except ValueError as error:
-        raise click.BadParameter(str(error), param=parameter) from None
-
-
 @click.command()
-@click.argument("scheme", metavar="CODE", callback=_scheme)
+@click.argument("scheme", metavar="CODE", callback=value(SetScheme.of_code))
 @click.option("--input", "input_link", required=True, metavar="LINK", help="The input, such as L0.")
 @click.option(
     "--output", "output_link", required=True, metavar="LINK", help="The output, such as L4."
@@ -82,17 +75,19 @@ def case(
     Exit status: 0 done; 1 the format can't keep all of it; 2 wrong use.
     """
     form = form or ("yaml" if is_stream(target) else case_format(target, []))
-    given = _ratios(scheme, ratios)
-    first, last = _link(scheme, input_link, "--input"), _link(scheme, output_link, "--output")
-    if first == last:
-        message = f"read {link_name(first)}, which is the input; expected another link"
-        raise click.BadParameter(message, param_hint="--output")
+    with wrong_value("--ratios"):
+        given = _ratios(scheme, ratios)
+    with wrong_value("--input"):
+        first = _link(scheme, input_link)
+    with wrong_value("--output"):
+        last = _link(scheme, output_link)
+        if first == last:
+            raise ValueError(f"read {link_name(first)}, which is the input; expected another link")
     try:
-        made = scheme_case(scheme, first, last, given)
+        with wrong_value("CODE"):
+            made = scheme_case(scheme, first, last, given)
     except CaseError as error:
         raise click.BadParameter(_of_sets(error.problems), param_hint="--ratios") from None
-    except ValueError as error:
-        raise click.BadParameter(str(error), param_hint="CODE") from None
     if locked := scheme.locked_sets:
         links = {link for number in locked for link in scheme.sets[number - 1]}
         sets = f"sets {spoken(map(str, locked))} have {len(links)} links only"
@@ -110,7 +105,7 @@ def case(
     return DONE if write_case(made, target, form) else FAILED
 
 
-def _link(scheme: SetScheme, given: str, option: str) -> int:
+def _link(scheme: SetScheme, given: str) -> int:
     """The link of a name, or of its number in the code."""
     names = [link_name(link) for link in range(scheme.links)]
     word = given.strip()
@@ -118,7 +113,7 @@ def _link(scheme: SetScheme, given: str, option: str) -> int:
         if word.upper() == name or word == str(link):
             return link
     there = f"the scheme has {names[0]} to {names[-1]}"
-    raise click.BadParameter(f"read {quoted(given)}, but {there}", param_hint=option)
+    raise ValueError(f"read {quoted(given)}, but {there}")
 
 
 def _ratios(scheme: SetScheme, given: Sequence[str]) -> list[float]:
@@ -132,16 +127,16 @@ def _ratios(scheme: SetScheme, given: Sequence[str]) -> list[float]:
         name, equals, text = (one.strip() for one in word.rpartition("="))
         if not equals:
             if number >= len(names):
-                raise _refused(f"read {len(words)} ratios, expected {_expected(names)}")
+                raise ValueError(f"read {len(words)} ratios, expected {_expected(names)}")
             name = names[number]
         if name not in names:
             hint = nearest(name, names) or f"; expected {spoken(names, 'or')}"
-            raise _refused(f"read a ratio of {quoted(name)}, but there is no such set{hint}")
+            raise ValueError(f"read a ratio of {quoted(name)}, but there is no such set{hint}")
         if name in found:
-            raise _refused(f"{name} has two ratios, expected one")
+            raise ValueError(f"{name} has two ratios, expected one")
         found[name] = _number(text)
     if missing := [name for name in names if name not in found]:
-        raise _refused(f"{spoken(missing)} without a ratio, expected {_expected(names)}")
+        raise ValueError(f"{spoken(missing)} without a ratio, expected {_expected(names)}")
     return [found[name] for name in names]
 
 
@@ -149,9 +144,9 @@ def _number(text: str) -> float:
     try:
         number = calculated(text)
     except ValueError as error:
-        raise _refused(f"read {quoted(text)}: {error}") from None
+        raise ValueError(f"read {quoted(text)}: {error}") from None
     if number.behind:
-        raise _refused(f"read {quoted(text)}, expected a number such as -2.5 or -73/35")
+        raise ValueError(f"read {quoted(text)}, expected a number such as -2.5 or -73/35")
     return number.value
 
 
@@ -167,7 +162,3 @@ def _of_sets(problems: Sequence[Problem]) -> str:
         where = f"{set_name(numbers[0])}: " if numbers else ""
         parts.append(where + problem.message)
     return "; ".join(parts)
-
-
-def _refused(message: str) -> click.BadParameter:
-    return click.BadParameter(message, param_hint="--ratios")

@@ -8,14 +8,11 @@ from typing import TYPE_CHECKING
 
 import click
 
-from vstatics import readers
-from vstatics.cli.frame import cases as arguments
-from vstatics.cli.frame import files, formats
+from vstatics.cli.frame import files
 from vstatics.cli.frame.exit_status import DONE, FAILED
-from vstatics.cli.frame.formats import OutputOptions
-from vstatics.cli.frame.one_case import file_name, one_text, problems_of
+from vstatics.cli.frame.one_case import OneCase, file_name, one_case, problems_of
 from vstatics.cli.frame.problems import Telling
-from vstatics.cli.frame.values import separated
+from vstatics.cli.frame.values import separated, value, wrong_value
 from vstatics.cli.synth.case_file import case_format, write_case, written_case
 from vstatics.errors import CaseError, ReadError, listed, of_file, plural, quoted
 
@@ -23,20 +20,20 @@ if TYPE_CHECKING:
     from vstatics.synthesis.gears.search import CombinationSearch
 
 
-def _sizes(_context: click.Context, _option: click.Parameter, asked: Sequence[str]) -> list[int]:
-    for one in separated(asked):
-        if not (one.isascii() and one.isdigit() and len(one) <= 9):
-            message = f"read {quoted(one)}, expected a whole number of elements, or several: 2,3"
-            raise click.BadParameter(message)
-    return list(dict.fromkeys(map(int, separated(asked))))
+def _sizes(texts: Sequence[str]) -> list[int]:
+    asked = separated(texts)
+    for text in asked:
+        if not (text.isascii() and text.isdigit() and len(text) <= 9):
+            expected = "expected a whole number of elements, or several: 2,3"
+            raise ValueError(f"read {quoted(text)}, {expected}")
+    return list(dict.fromkeys(map(int, asked)))
 
 
 @click.command()
-@click.argument("case", type=click.Path())
 @click.option(
     "--engaged",
     multiple=True,
-    callback=_sizes,
+    callback=value(_sizes),
     metavar="K",
     help="So many elements are engaged; several as 2,3. "
     "[default: as many as leave one degree of freedom]",
@@ -58,19 +55,14 @@ def _sizes(_context: click.Context, _option: click.Parameter, asked: Sequence[st
 )
 @click.option("--dry-run", is_flag=True, help="Only say how many, how large, how long.")
 @written_case
-@formats.options(*formats.TABLES)
-@arguments.input_format
-@arguments.telling
+@one_case
 def combinations(
-    case: str,
+    one: OneCase,
     engaged: list[int],
     elements: tuple[str, ...],
     at_most: int,
     dry_run: bool,
     target: str | None,
-    wanted: OutputOptions,
-    input_format: readers.Format | None,
-    telling: Telling,
 ) -> int:
     """Tell what each combination of shift elements of CASE does; - is standard input.
 
@@ -93,46 +85,36 @@ def combinations(
     Exit status: 0 done; 1 the case is in error, no gear is there to write;
     2 wrong use.
     """
-    to = one_text(wanted, [case])
-    form = None if target is None else case_format(target, [case], to.output)
+    to, telling = one.destination(), one.telling
+    form = None if target is None else case_format(target, [one.case], to.output)
     from vstatics.cli.synth.combinations_output import check_room, show, show_estimate
     from vstatics.synthesis.gears.element_choice import AUTO, chosen_elements
     from vstatics.synthesis.gears.search import CombinationSearch
 
-    reading = arguments.read_one(case, input_format, telling)
-    chosen = _chosen([one.name for one in reading.case.shift_elements], elements)
-    with _wrong_use("--elements"):
+    reading = one.read()
+    chosen = _chosen([each.name for each in reading.case.shift_elements], elements)
+    with wrong_value("--elements"):
         if chosen != [AUTO]:
             chosen_elements(reading.case, chosen)
-    with problems_of(reading), _wrong_use("--engaged"), _hint("see --elements and --engaged"):
+    with problems_of(reading), wrong_value("--engaged"), _hint("see --elements and --engaged"):
         search = CombinationSearch(reading.case, engaged, chosen)
     with problems_of(reading), _hint("see --dry-run, --engaged, --elements and --at-most"):
         search.check(None if dry_run else at_most)
+    kept = True
     if dry_run:
-        show_estimate(search, case, to)
-        return FAILED if telling.fails(reading.warnings) else DONE
-    check_room(search, to)
-    _told_freewheels(search, telling)
-    kept = target is None or form is None or _write(search, target, form, case, telling)
-    show(search, case, to, telling)
+        show_estimate(search, one.case, to)
+    else:
+        check_room(search, to)
+        _told_freewheels(search, telling)
+        if target is not None and form is not None:
+            kept = _write(search, target, form, one)
+        show(search, one.case, to, telling)
     return FAILED if not kept or telling.fails(reading.warnings) else DONE
 
 
 def _chosen(names: Sequence[str], asked: Iterable[str]) -> list[str]:
     """Names of elements; a comma separates them unless it is in quotes, or all is one name."""
     return [one for text in asked for one in ([text] if text in names else separated([text]))]
-
-
-@contextmanager
-def _wrong_use(option: str) -> Iterator[None]:
-    """What is wrong with an option, not with the case."""
-    try:
-        yield
-    except CaseError as error:
-        if any(one.path for one in error.problems):
-            raise
-        message = error.problems[0].message
-        raise click.BadParameter(message, param_hint=option) from None
 
 
 @contextmanager
@@ -156,7 +138,7 @@ def _told_freewheels(search: CombinationSearch, telling: Telling) -> None:
         files.say(f"{message}; --write keeps the gears in which they do")
 
 
-def _write(search: CombinationSearch, target: str, form: str, case: str, telling: Telling) -> bool:
+def _write(search: CombinationSearch, target: str, form: str, one: OneCase) -> bool:
     """Write a case with the gears; whether all is kept."""
     from vstatics.synthesis.gears.found_gears import found_gears
 
@@ -164,10 +146,10 @@ def _write(search: CombinationSearch, target: str, form: str, case: str, telling
         found = found_gears(search)
     except CaseError as error:
         message = f"{error.problems[0].message}; {target} is not written"
-        raise ReadError([of_file(file_name(case), message)]) from None
-    if found.slipping and not telling.quiet:
+        raise ReadError([of_file(file_name(one.case), message)]) from None
+    if found.slipping and not one.telling.quiet:
         files.say(f"{target}: left out, as freewheels do not hold: {listed(found.slipping)}")
-    if found.free and not telling.quiet:
+    if found.free and not one.telling.quiet:
         what = f"{found.free} {plural('gear', found.free)} with other links undetermined"
         files.say(f"{target}: left out: {what}")
     return write_case(found.case, target, form)

@@ -3,17 +3,15 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
-from typing import NamedTuple
+from collections.abc import Iterator
 
 import click
 
 from vstatics.cli.frame import files, one_case, texts
-from vstatics.cli.frame.cases import CalculatedCase
+from vstatics.cli.frame.estimates import CommandEstimate, size_text
 from vstatics.cli.frame.estimates import check_room as check_disk_room
-from vstatics.cli.frame.estimates import duration_text, size_text
 from vstatics.cli.frame.formats import Destination
-from vstatics.cli.frame.one_case import file_name
+from vstatics.cli.frame.one_case import CaseAnswer, file_name
 from vstatics.cli.frame.problems import Telling
 from vstatics.cli.frame.progress import Advance, progress
 from vstatics.errors import listed
@@ -23,7 +21,6 @@ from vstatics.synthesis.gears.search import CombinationSearch, count_text
 from vstatics.tables.grid import Grid
 from vstatics.tables.grid import text as words
 from vstatics.writers import plain_json
-from vstatics.writers.plain_json import plain_data
 
 STREAMED = ("json", "jsonl")
 """Formats that are written as they are found."""
@@ -54,49 +51,29 @@ def _length(search: CombinationSearch) -> float:
     return sum(len(line.encode()) + 3 for line in lines) / len(lines)
 
 
-class CombinationEstimate(NamedTuple):
-    """What is known before any combination is tried."""
-
-    elements: Sequence[str]
-    """Names of those to choose from."""
-    engaged: Sequence[int]
-    total: float
-    """Of combinations; `count` in JSON."""
-    bytes: float
-    """About so many of JSON."""
-    seconds: float
-
-
-def estimate(search: CombinationSearch) -> CombinationEstimate:
+def estimate(search: CombinationSearch) -> CommandEstimate:
     """How many combinations, how large, about how long."""
-    names = [one.name for one in search.elements]
+    names, engaged = [one.name for one in search.elements], search.sizes
     size = _length(search) * search.count
-    return CombinationEstimate(names, search.sizes, search.count, size, search.seconds())
+    parts = {"elements": names, "engaged": engaged, "count": search.count}
+    said = {
+        "elements": f"{search.choice}: {listed(names)}",
+        "engaged": ", ".join(map(str, engaged)),
+        "combinations": count_text(search.count),
+        "size": f"about {size_text(size)} of JSON",
+    }
+    length = round(size) if math.isfinite(size) else math.inf
+    return CommandEstimate(said, {**parts, "bytes": length}, search.seconds())
 
 
 def show_estimate(search: CombinationSearch, case: str, to: Destination) -> None:
     """Write it: lines as text, an object as JSON, else a table."""
     known = estimate(search)
-    if to.form in STREAMED:
-        size = round(known.bytes) if math.isfinite(known.bytes) else math.inf
-        parts = {"elements": known.elements, "engaged": known.engaged, "count": known.total}
-        made = plain_data(parts | {"bytes": size, "seconds": known.seconds})
-        text = plain_json.line(made) if to.form == "jsonl" else f"{plain_json.text(made)}\n"
-        files.write_output(text, to.output)
+    if to.form in (*STREAMED, "text"):
+        files.write_output(known.text(to.form), to.output)
         return
-    rows = {
-        "elements": f"{search.choice}: {listed(known.elements)}",
-        "engaged": ", ".join(map(str, known.engaged)),
-        "combinations": count_text(known.total),
-        "size": f"about {size_text(known.bytes)} of JSON",
-        "time": f"about {duration_text(known.seconds)}",
-    }
-    if to.form == "text":
-        lines = [f"{name:12}  {value}\n" for name, value in rows.items()]
-        files.write_output("".join(lines), to.output)
-        return
-    grid = Grid("Estimate", [words(""), words("")], [[*row] for row in rows.items()])
-    one_case.show(case, to, search.case.name, lambda: [grid], dict)
+    grid = Grid("Estimate", [words(""), words("")], [[*row] for row in known.rows.items()])
+    one_case.show(case, to, search.case.name, CaseAnswer(lambda: [grid], dict))
 
 
 def show(search: CombinationSearch, case: str, to: Destination, telling: Telling) -> None:
@@ -112,10 +89,7 @@ def show(search: CombinationSearch, case: str, to: Destination, telling: Telling
         title = search.case.name or file_name(case)
         found = (one for batch in _watched(search, advance) for one in batch.each())
         shown = texts.CaseOutput([title], {}, lambda: combination_grids(found))
-        outcome = CalculatedCase(file_name(case), None, [])
-        files.write_data(
-            texts.alone(outcome, shown, texts.OutputForm(to.form, to.style)), to.output
-        )
+        files.write_data(texts.alone(file_name(case), shown, to), to.output)
 
 
 def _watched(search: CombinationSearch, advance: Advance) -> Iterator[EngagedSets]:

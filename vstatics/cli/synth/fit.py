@@ -3,29 +3,22 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
+from typing import NamedTuple
 
 import click
 
-from vstatics import readers
-from vstatics.cli.frame import cases as arguments
-from vstatics.cli.frame import files, formats
-from vstatics.cli.frame.exit_status import DONE, FAILED
-from vstatics.cli.frame.formats import OutputOptions
-from vstatics.cli.frame.one_case import (
-    file_name,
-    one_text,
-    problems_of,
-    show_alone,
-    tell,
-    warnings_of,
-)
+from vstatics.cli.frame import files
+from vstatics.cli.frame.one_case import CaseAnswer, OneCase, file_name, one_case, warnings_of
+from vstatics.cli.frame.options import gathered
 from vstatics.cli.frame.problems import Telling
 from vstatics.cli.frame.progress import progress
-from vstatics.cli.frame.values import named, pair, wrong_use
+from vstatics.cli.frame.values import named, pair, value, wrong_use
 from vstatics.cli.synth.case_file import case_format, write_case, written_case
 from vstatics.errors import Problem, listed, of_file, spoken
 from vstatics.model.transmission import Transmission
 from vstatics.readers.named.scalars import number
+from vstatics.readers.reading import Reading
 from vstatics.synthesis.ratios.estimate import dry_document, dry_grids
 from vstatics.synthesis.ratios.fitted_case import fitted_case, left_out_by_fit, lost_by_fit
 from vstatics.synthesis.ratios.fitting import TOLERANCE, Fit, fit_document
@@ -34,55 +27,57 @@ from vstatics.synthesis.ratios.grids import fit_grids
 from vstatics.synthesis.ratios.problem import doubts, fit_problem
 
 
+class FitOptions(NamedTuple):
+    """What is looked for."""
+
+    ratios: Mapping[str, float]
+    bounds: Mapping[str, tuple[float, float]]
+    weights: Mapping[str, float]
+    tolerance: float
+
+
 @click.command()
-@click.argument("case", type=click.Path())
-@click.option(
-    "--ratios",
-    multiple=True,
-    required=True,
-    metavar="GEAR=I,...",
-    help="What gears should have, by their names, such as 1=4.7,2=3.13,R=-3.3; a name with commas "
-    "in double quotes; may be given several times.",
-)
-@click.option(
-    "--bounds",
-    multiple=True,
-    metavar="MECHANISM=LOW:HIGH,...",
-    help="Between which numbers its ratio is looked for, or the one that it has; `all` for those "
-    "that are not named. Else it keeps its sign, and its size is up to 14, between moving links "
-    "on the same side of 1.",
-)
-@click.option(
-    "--weights",
-    multiple=True,
-    metavar="GEAR=W,...",
-    help="Weights of the squares of ln(i/wanted); 1 when not given.",
-)
-@click.option(
-    "--tolerance",
-    type=float,
-    default=TOLERANCE,
-    show_default=True,
-    metavar="T",
-    help="A ratio is met where |ln(i/wanted)| is no more.",
+@gathered(
+    "asked",
+    FitOptions,
+    click.option(
+        "--ratios",
+        multiple=True,
+        required=True,
+        metavar="GEAR=I,...",
+        callback=value(named("GEAR=RATIO", number), "--ratios"),
+        help="What gears should have, by their names, such as 1=4.7,2=3.13,R=-3.3; a name with "
+        "commas in double quotes; may be given several times.",
+    ),
+    click.option(
+        "--bounds",
+        multiple=True,
+        metavar="MECHANISM=LOW:HIGH,...",
+        callback=value(named("MECHANISM=LOW:HIGH", pair), "--bounds"),
+        help="Between which numbers its ratio is looked for, or the one that it has; `all` for "
+        "those that are not named. Else it keeps its sign, and its size is up to 14, between "
+        "moving links on the same side of 1.",
+    ),
+    click.option(
+        "--weights",
+        multiple=True,
+        metavar="GEAR=W,...",
+        callback=value(named("GEAR=WEIGHT", number), "--weights"),
+        help="Weights of the squares of ln(i/wanted); 1 when not given.",
+    ),
+    click.option(
+        "--tolerance",
+        type=float,
+        default=TOLERANCE,
+        show_default=True,
+        metavar="T",
+        help="A ratio is met where |ln(i/wanted)| is no more.",
+    ),
 )
 @click.option("--dry-run", is_flag=True, help="Only say what is varied, and what gears can have.")
 @written_case
-@formats.options(*formats.TABLES)
-@arguments.input_format
-@arguments.telling
-def fit(
-    case: str,
-    ratios: tuple[str, ...],
-    bounds: tuple[str, ...],
-    weights: tuple[str, ...],
-    tolerance: float,
-    dry_run: bool,
-    target: str | None,
-    wanted: OutputOptions,
-    input_format: readers.Format | None,
-    telling: Telling,
-) -> int:
+@one_case
+def fit(one: OneCase, asked: FitOptions, dry_run: bool, target: str | None) -> int:
     """Find ratios of the mechanisms of CASE for wanted ratios of gears; - is standard input.
 
     The sum of squares of ln(i/wanted) is least, within bounds; all solutions that differ are
@@ -100,39 +95,30 @@ def fit(
     Exit status: 0 all wanted ratios are met; 1 some are not, or the case is in error;
     2 wrong use, such as a ratio that the gear can't have.
     """
-    to = one_text(wanted, [case])
-    form = "" if target is None else case_format(target, [case], to.output)
-    given = (
-        named("ratios", ratios, "GEAR=RATIO", number),
-        named("bounds", bounds, "MECHANISM=LOW:HIGH", pair),
-        named("weights", weights, "GEAR=WEIGHT", number),
-    )
-    reading = arguments.read_one(case, input_format, telling)
-    own = reading.case
-    with problems_of(reading), wrong_use(_OPTIONS):
-        if dry_run:
-            problem = fit_problem(own, *given, tolerance)
-        else:
-            with progress(None, "steps", quiet=telling.quiet) as advance:
-                found = fitted(
-                    own,
-                    given[0],
-                    bounds=given[1],
-                    weights=given[2],
-                    tolerance=tolerance,
-                    advance=advance,
+    to = one.destination()
+    form = "" if target is None else case_format(target, [one.case], to.output)
+
+    def calculate(reading: Reading) -> CaseAnswer:
+        own, file = reading.case, file_name(one.case)
+        with wrong_use(FitOptions._fields):
+            if dry_run:
+                problem = fit_problem(own, *asked)
+                notes = warnings_of(doubts(problem), file)
+                return CaseAnswer(
+                    lambda: dry_grids(problem), lambda: dry_document(problem), notes, alone=True
                 )
-    if dry_run:
-        notes = warnings_of(doubts(problem), file_name(case))
-        tell(notes, telling, case)
-        show_alone(case, to, own.name, lambda: dry_grids(problem), lambda: dry_document(problem))
-        return FAILED if telling.fails([*reading.warnings, *notes]) else DONE
-    notes = _notes(found, file_name(case))
-    tell(notes, telling, case)
-    kept = target is None or _write(own, found, target, form, telling)
-    show_alone(case, to, own.name, lambda: fit_grids(found), lambda: fit_document(found))
-    fails = telling.fails([*reading.warnings, *notes])
-    return FAILED if found.unmet or not kept or fails else DONE
+            with progress(None, "steps", quiet=one.telling.quiet) as advance:
+                found = fitted(own, **asked._asdict(), advance=advance)
+        return CaseAnswer(
+            lambda: fit_grids(found),
+            lambda: fit_document(found),
+            _notes(found, file),
+            failed=bool(found.unmet),
+            alone=True,
+            write=lambda: target is None or _write(own, found, target, form, one.telling),
+        )
+
+    return one.answer(calculate, to)
 
 
 def _write(case: Transmission, found: Fit, target: str, form: str, telling: Telling) -> bool:
@@ -144,9 +130,6 @@ def _write(case: Transmission, found: Fit, target: str, form: str, telling: Tell
     for what in () if telling.quiet else left_out_by_fit(case, found.ratios):
         files.say(f"{target}: left out: {what}")
     return kept and not lost
-
-
-_OPTIONS = ("ratios", "bounds", "weights", "tolerance")
 
 
 def _notes(found: Fit, file: str) -> list[Problem]:

@@ -7,14 +7,21 @@ from typing import get_args
 import click
 
 from vstatics.cli.frame import files
-from vstatics.cli.frame.estimates import about, check_room, duration_text, size_text
+from vstatics.cli.frame.estimates import (
+    CommandEstimate,
+    about,
+    check_room,
+    duration_text,
+    size_text,
+)
+from vstatics.cli.frame.options import gathered
 from vstatics.cli.frame.progress import progress
-from vstatics.cli.frame.values import separated
-from vstatics.errors import Problem, quoted, typed_number
+from vstatics.cli.frame.values import each, value, wrong_value
+from vstatics.errors import Problem, typed_number
 from vstatics.jobs.files import is_stream
 from vstatics.synthesis.structures import growth as search
 from vstatics.synthesis.structures.counts import count
-from vstatics.synthesis.structures.estimate import Estimate, estimate
+from vstatics.synthesis.structures.estimate import estimate
 from vstatics.synthesis.structures.growth import Classes, StructureSearch
 from vstatics.synthesis.structures.json_lines import lines
 from vstatics.writers import plain_json
@@ -22,52 +29,51 @@ from vstatics.writers import plain_json
 FORMATS = ("json", "jsonl")
 LONG = 60
 """What takes longer is told before. [s]"""
+WIDEST_NAME = len("10 links")
 QUICK_SETS = 3
 """So many sets are done before an estimate is."""
 
 
-def _links(
-    context: click.Context, parameter: click.Parameter, given: tuple[str, ...]
-) -> tuple[int, ...]:
-    """Numbers, each by itself or several with commas."""
-    words = separated(given)
-    numbers = [typed_number(word, 2 * search.MOST_SETS + 1) for word in words]
-    for word, number in zip(words, numbers, strict=True):
-        if number is None:
-            message = f"read {quoted(word)}, expected a number of links"
-            raise click.BadParameter(message, context, parameter)
-    return tuple(number for number in numbers if number is not None)
+def _links(text: str) -> int:
+    number = typed_number(text, 2 * search.MOST_SETS + 1)
+    if number is None:
+        raise ValueError("expected a number of links")
+    return number
 
 
 @click.command()
-@click.option(
-    "--sets",
-    type=click.IntRange(1, search.MOST_SETS),
-    required=True,
-    metavar="N",
-    help=f"The number of planetary sets, 1 to {search.MOST_SETS}.",
-)
-@click.option(
-    "--all",
-    "unsound",
-    is_flag=True,
-    help="Also schemes in which some sets turn as one body whatever their ratios.",
-)
-@click.option(
-    "--classes",
-    type=click.Choice(get_args(Classes)),
-    default="none",
-    show_default=True,
-    help="Which schemes are one: none; up to renaming of the sets; also with sun and ring "
-    "exchanged (members); also with the members of a set in any order.",
-)
-@click.option("--ports", is_flag=True, help="With every choice of an input and an output.")
-@click.option(
-    "--links",
-    multiple=True,
-    callback=_links,
-    metavar="J",
-    help="Only schemes with so many links; may be repeated, or hold commas.",
+@gathered(
+    "asked",
+    StructureSearch,
+    click.option(
+        "--sets",
+        type=click.IntRange(1, search.MOST_SETS),
+        required=True,
+        metavar="N",
+        help=f"The number of planetary sets, 1 to {search.MOST_SETS}.",
+    ),
+    click.option(
+        "--all",
+        "unsound",
+        is_flag=True,
+        help="Also schemes in which some sets turn as one body whatever their ratios.",
+    ),
+    click.option(
+        "--classes",
+        type=click.Choice(get_args(Classes)),
+        default="none",
+        show_default=True,
+        help="Which schemes are one: none; up to renaming of the sets; also with sun and ring "
+        "exchanged (members); also with the members of a set in any order.",
+    ),
+    click.option("--ports", is_flag=True, help="With every choice of an input and an output."),
+    click.option(
+        "--links",
+        multiple=True,
+        callback=value(each(_links)),
+        metavar="J",
+        help="Only schemes with so many links; may be repeated, or hold commas.",
+    ),
 )
 @click.option("--count", "counted", is_flag=True, help="Only how many there are.")
 @click.option("--dry-run", is_flag=True, help="Only about how many, how large, how long.")
@@ -76,15 +82,7 @@ def _links(
 )
 @click.option("-o", "--output", type=click.Path(), help="Write to this file, whole or not at all.")
 def structures(
-    sets: int,
-    unsound: bool,
-    classes: Classes,
-    ports: bool,
-    links: tuple[int, ...],
-    counted: bool,
-    dry_run: bool,
-    form: str | None,
-    output: str | None,
+    asked: StructureSearch, counted: bool, dry_run: bool, form: str | None, output: str | None
 ) -> None:
     """List all schemes of N planetary sets, or count them.
 
@@ -99,14 +97,11 @@ def structures(
       vstatics synth structures --sets 4 --classes sets --count
       vstatics synth structures --sets 5 --classes sets --ports --dry-run
     """
-    asked = StructureSearch(sets, classes, unsound, ports, links)
-    try:
+    with wrong_value("--links"):
         search.check_search(asked)
-    except ValueError as error:
-        raise click.BadParameter(str(error), param_hint="--links") from None
     if dry_run:
-        found = estimate(asked, listed=not counted)
-        files.write_output(_estimate_text(asked, found, form, listed=not counted), output)
+        known = _known(asked, listed=not counted)
+        files.write_output(known.text(form, WIDEST_NAME), output)
         return
     expected = _told(asked, output, listed=not counted)
     if counted:
@@ -151,20 +146,16 @@ def _told(asked: StructureSearch, output: str | None, *, listed: bool) -> int:
     return round(found.total)
 
 
-def _estimate_text(
-    asked: StructureSearch, found: Estimate, form: str | None, *, listed: bool
-) -> str:
-    """How many, how large and how long, in lines; or as JSON if it is asked for."""
-    if form:
-        rounded = {links: round(number) for links, number in found.by_links.items()}
-        size = round(found.bytes) if listed else None
-        about_it = {"exact": found.exact, "bytes": size, "seconds": found.seconds}
-        return _json({**_document(asked, rounded), **about_it}, form)
+def _known(asked: StructureSearch, *, listed: bool) -> CommandEstimate:
+    """How many, how large and how long."""
+    found = estimate(asked, listed=listed)
     say = str if found.exact else about
-    parts = {"schemes": say(found.total)}
+    said = {"schemes": say(found.total)}
     for links, number in found.by_links.items():
-        parts[f"{links} links"] = say(number)
+        said[f"{links} links"] = say(number)
     if listed:
-        parts["size"] = f"about {size_text(found.bytes)}"
-    parts["time"] = f"about {duration_text(found.seconds)}"
-    return "".join(f"{name:9} {value}\n" for name, value in parts.items())
+        said["size"] = f"about {size_text(found.bytes)}"
+    rounded = {links: round(number) for links, number in found.by_links.items()}
+    size = round(found.bytes) if listed else None
+    document = {**_document(asked, rounded), "exact": found.exact, "bytes": size}
+    return CommandEstimate(said, document, found.seconds)

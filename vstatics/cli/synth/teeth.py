@@ -2,29 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 import click
 
-from vstatics import readers
-from vstatics.cli.frame import cases as arguments
-from vstatics.cli.frame import formats
-from vstatics.cli.frame.exit_status import DONE, FAILED
-from vstatics.cli.frame.formats import OutputOptions
-from vstatics.cli.frame.one_case import (
-    file_name,
-    one_text,
-    problems_of,
-    show_alone,
-    tell,
-    warnings_of,
-)
-from vstatics.cli.frame.problems import Telling
+from vstatics.cli.frame.one_case import CaseAnswer, OneCase, file_name, one_case, warnings_of
+from vstatics.cli.frame.options import gathered
 from vstatics.cli.frame.progress import progress
-from vstatics.cli.frame.values import named, pair, separated, wrong_use
+from vstatics.cli.frame.values import named, pair, separated, told, value, wrong_use
 from vstatics.cli.synth.case_file import case_format, write_case, written_case
 from vstatics.errors import Problem, listed, of_file, quoted
 from vstatics.readers.named.scalars import number
+from vstatics.readers.reading import Reading
 from vstatics.synthesis.teeth.case import case_with_teeth
 from vstatics.synthesis.teeth.finding import FoundTeeth, NoTeethError, find_teeth
 from vstatics.synthesis.teeth.grids import asked_grids, teeth_grids
@@ -35,64 +24,113 @@ from vstatics.synthesis.teeth.solutions import asked_document, teeth_document
 from vstatics.synthesis.teeth.targets import TeethError
 
 
+def _whole(text: str) -> int:
+    read = told(number)(text)
+    if read != int(read):
+        raise ValueError(f"read {quoted(text)}, expected a whole number")
+    return int(read)
+
+
+def _several(texts: Sequence[str]) -> list[str]:
+    """The values of an option without names, none of which is empty."""
+    found = separated(texts)
+    if not all(found):
+        raise ValueError(f"read {quoted(','.join(texts))}")
+    return found
+
+
+def _modules(texts: Sequence[str]) -> tuple[float, ...]:
+    return tuple(map(told(number), _several(texts)))
+
+
+def _counts(texts: Sequence[str]) -> tuple[int, ...]:
+    """Numbers of planets, each alone, or all from one to another."""
+    found: list[int] = []
+    for text in _several(texts):
+        low, colon, high = text.partition(":")
+        first = _whole(low)
+        last = _whole(high) if colon else first
+        if not first <= last < first + 100:
+            raise ValueError(f"read {quoted(text)}, expected a number, or LOW:HIGH")
+        found += range(first, last + 1)
+    return tuple(found)
+
+
+def _whole_pair(text: str) -> tuple[int, int]:
+    low, high = pair(text, "17:60")
+    if low != int(low) or high != int(high):
+        raise ValueError("expected whole numbers of teeth, such as 17:60")
+    return int(low), int(high)
+
+
 @click.command()
-@click.argument("case", type=click.Path())
 @click.option(
     "--ratios",
     multiple=True,
     metavar="NAME=I,...",
+    callback=value(named("NAME=RATIO", number), "--ratios"),
     help="What gears should have, such as 1=4.7,R=-3.3, or sets, such as P1=-2.03; a name with "
     "commas in double quotes. Else what the gears of the case have.",
 )
-@click.option(
-    "--range",
-    "ranges",
-    multiple=True,
-    metavar="WHEEL=LOW:HIGH,...",
-    help="Fewest and most teeth, or the number there is to be: of the wheels of one name, "
-    "sun=17:60, of one of them, P2.ring=40:121, or of all others, all=17:90. Else 17 to 60, "
-    "rings to 121, wheels of pairs to 100, and as far as what the case has. Fewer than 17 mean a "
-    "shifted profile.",
-)
-@click.option(
-    "--planets",
-    multiple=True,
-    metavar="N,...",
-    help="How many planets there may be; else as many as the case says, or 3 to 5.",
-)
-@click.option(
-    "--clearance",
-    metavar="C",
-    default=f"{CLEARANCE:g}",
-    show_default=True,
-    help="Modules between the tips of neighbouring planets.",
-)
-@click.option(
-    "--centre",
-    multiple=True,
-    metavar="PAIR=A,...",
-    help="Distance of the axes of an external gear pair in modules, half the sum of its teeth; "
-    "pairs on the same two shafts need it, since their axes are not compared.",
-)
-@click.option(
-    "--modules",
-    multiple=True,
-    metavar="M,...",
-    help="Modules to choose from [mm], one for all wheels that mesh; else all have the same.",
-)
-@click.option(
-    "--largest-diameter",
-    "largest",
-    metavar="D",
-    help="Of an element over its ring or planets [mm]; needs --modules.",
-)
-@click.option(
-    "--shift",
-    metavar="N",
-    default="0",
-    show_default=True,
-    help="Teeth by which axes may differ, up to 2, as shifted profiles make up for it; else they "
-    "coincide. Then wheels may have 14 teeth.",
+@gathered(
+    "limits",
+    TeethLimits,
+    click.option(
+        "--range",
+        "ranges",
+        multiple=True,
+        metavar="WHEEL=LOW:HIGH,...",
+        callback=value(named("WHEEL=LOW:HIGH", _whole_pair), "--range"),
+        help="Fewest and most teeth, or the number there is to be: of the wheels of one name, "
+        "sun=17:60, of one of them, P2.ring=40:121, or of all others, all=17:90. Else 17 to 60, "
+        "rings to 121, wheels of pairs to 100, and as far as what the case has. Fewer than 17 mean "
+        "a shifted profile.",
+    ),
+    click.option(
+        "--planets",
+        multiple=True,
+        metavar="N,...",
+        callback=value(_counts, "--planets"),
+        help="How many planets there may be; else as many as the case says, or 3 to 5.",
+    ),
+    click.option(
+        "--clearance",
+        metavar="C",
+        callback=value(told(number), "--clearance"),
+        default=f"{CLEARANCE:g}",
+        show_default=True,
+        help="Modules between the tips of neighbouring planets.",
+    ),
+    click.option(
+        "--centre",
+        multiple=True,
+        metavar="PAIR=A,...",
+        callback=value(named("PAIR=MODULES", number), "--centre"),
+        help="Distance of the axes of an external gear pair in modules, half the sum of its teeth; "
+        "pairs on the same two shafts need it, since their axes are not compared.",
+    ),
+    click.option(
+        "--modules",
+        multiple=True,
+        metavar="M,...",
+        callback=value(_modules, "--modules"),
+        help="Modules to choose from [mm], one for all wheels that mesh; else all have the same.",
+    ),
+    click.option(
+        "--largest-diameter",
+        metavar="D",
+        callback=value(told(number), "--largest-diameter"),
+        help="Of an element over its ring or planets [mm]; needs --modules.",
+    ),
+    click.option(
+        "--shift",
+        metavar="N",
+        callback=value(_whole, "--shift"),
+        default="0",
+        show_default=True,
+        help="Teeth by which axes may differ, up to 2, as shifted profiles make up for it; else "
+        "they coincide. Then wheels may have 14 teeth.",
+    ),
 )
 @click.option(
     "--error",
@@ -105,25 +143,14 @@ from vstatics.synthesis.teeth.targets import TeethError
     "--dry-run", is_flag=True, help="Only say which wheels of which kinds are looked for."
 )
 @written_case
-@formats.options(*formats.TABLES)
-@arguments.input_format
-@arguments.telling
+@one_case
 def teeth(
-    case: str,
-    ratios: tuple[str, ...],
-    ranges: tuple[str, ...],
-    planets: tuple[str, ...],
-    clearance: str,
-    centre: tuple[str, ...],
-    modules: tuple[str, ...],
-    largest: str | None,
-    shift: str,
+    one: OneCase,
+    ratios: Mapping[str, float],
+    limits: TeethLimits,
     error: TeethError,
     dry_run: bool,
     target: str | None,
-    wanted: OutputOptions,
-    input_format: readers.Format | None,
-    telling: Telling,
 ) -> int:
     """Find teeth of the elements of CASE for wanted ratios; - is standard input.
 
@@ -144,88 +171,43 @@ def teeth(
     Exit status: 0 teeth are found; 1 none fulfil the conditions, or the case is in error;
     2 wrong use, such as a wheel that there is not.
     """
-    to = one_text(wanted, [case])
-    form = "" if target is None else case_format(target, [case], to.output)
-    limits = TeethLimits(
-        named("range", ranges, "WHEEL=LOW:HIGH", _whole_pair),
-        tuple(one for text in _each("planets", planets) for one in _counts(text)),
-        _of("clearance", clearance),
-        named("centre", centre, "PAIR=MODULES", number),
-        tuple(_of("modules", text) for text in _each("modules", modules)),
-        None if largest is None else _of("largest-diameter", largest),
-        _whole("shift", shift),
-    )
-    asked = named("ratios", ratios, "NAME=RATIO", number)
-    reading = arguments.read_one(case, input_format, telling)
-    own = reading.case
-    with problems_of(reading), wrong_use(_OPTIONS):
-        asked = asked or own_ratios(own)
-        if dry_run:
-            problem = teeth_problem(own, asked, limits, error)
-            notes = warnings_of(doubts_before(problem), file_name(case))
-            tell(notes, telling, case)
-            show_alone(
-                case, to, own.name, lambda: asked_grids(problem), lambda: asked_document(problem)
+    to = one.destination()
+    form = "" if target is None else case_format(target, [one.case], to.output)
+
+    def calculate(reading: Reading) -> CaseAnswer:
+        own, file = reading.case, file_name(one.case)
+        with wrong_use(_OPTIONS):
+            asked = ratios or own_ratios(own)
+            if dry_run:
+                problem = teeth_problem(own, asked, limits, error)
+                return CaseAnswer(
+                    lambda: asked_grids(problem),
+                    lambda: asked_document(problem),
+                    warnings_of(doubts_before(problem), file),
+                    alone=True,
+                )
+            try:
+                with progress(None, "regions", quiet=one.telling.quiet) as advance:
+                    found = find_teeth(own, asked, limits, error=error, advance=advance)
+            except NoTeethError as failed:
+                why = [of_file(file, problem.message) for problem in failed.problems]
+                return CaseAnswer(list, lambda: teeth_document([]), why, failed=True, alone=True)
+
+        def write() -> bool:
+            best = found.solutions[0]
+            return target is None or write_case(
+                case_with_teeth(own, found.problem, best), target, form
             )
-            return FAILED if telling.fails([*reading.warnings, *notes]) else DONE
-        try:
-            with progress(None, "regions", quiet=telling.quiet) as advance:
-                found = find_teeth(own, asked, limits, error=error, advance=advance)
-        except NoTeethError as failed:
-            tell([of_file(file_name(case), one.message) for one in failed.problems], telling, case)
-            show_alone(case, to, own.name, list, lambda: teeth_document([]))
-            return FAILED
-    notes = [*_notes(found, file_name(case))]
-    tell(notes, telling, case)
-    kept = target is None or write_case(
-        case_with_teeth(own, found.problem, found.solutions[0]), target, form
-    )
-    grids, document = lambda: teeth_grids(found), lambda: teeth_document(found.solutions)
-    show_alone(case, to, own.name, grids, document)
-    return FAILED if not kept or telling.fails([*reading.warnings, *notes]) else DONE
 
+        return CaseAnswer(
+            lambda: teeth_grids(found),
+            lambda: teeth_document(found.solutions),
+            [*_notes(found, file)],
+            alone=True,
+            write=write,
+        )
 
-def _each(option: str, texts: Sequence[str]) -> list[str]:
-    """The values of an option without names."""
-    found = separated(texts)
-    if not all(found):
-        raise click.BadParameter(f"read {quoted(','.join(texts))}", param_hint=f"--{option}")
-    return found
-
-
-def _of(option: str, text: str) -> float:
-    try:
-        return number(text)
-    except ValueError as error:
-        raise click.BadParameter(
-            f"read {quoted(text)}, {error}", param_hint=f"--{option}"
-        ) from None
-
-
-def _whole(option: str, text: str) -> int:
-    value = _of(option, text)
-    if value != int(value):
-        message = f"read {quoted(text)}, expected a whole number"
-        raise click.BadParameter(message, param_hint=f"--{option}")
-    return int(value)
-
-
-def _counts(text: str) -> Iterable[int]:
-    """One number of planets, or all from one to another."""
-    low, colon, high = text.partition(":")
-    first = _whole("planets", low)
-    last = _whole("planets", high) if colon else first
-    if not first <= last < first + 100:
-        message = f"read {quoted(text)}, expected a number, or LOW:HIGH"
-        raise click.BadParameter(message, param_hint="--planets")
-    return range(first, last + 1)
-
-
-def _whole_pair(text: str) -> tuple[int, int]:
-    low, high = pair(text, "17:60")
-    if low != int(low) or high != int(high):
-        raise ValueError("expected whole numbers of teeth, such as 17:60")
-    return int(low), int(high)
+    return one.answer(calculate, to)
 
 
 _OPTIONS = (

@@ -2,33 +2,29 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 
 import click
 
 from vstatics.cli.frame import cases as arguments
-from vstatics.errors import Problem, ReadError
-from vstatics.extras import missing
+from vstatics.cli.frame import formats
+from vstatics.cli.frame.one_case import OneCase
+from vstatics.cli.frame.options import gathered
+from vstatics.cli.frame.values import wrong_value
+from vstatics.errors import Problem, Severity
 from vstatics.model.transmission import Transmission
 from vstatics.readers.reading import Reading
 
-
-def needs_scipy() -> None:
-    """Refuse where the extra is not installed, before anything is read.
-
-    Raises
-    ------
-    ReadError
-    """
-    if message := missing("torsion", "vstatics torsion"):
-        raise ReadError([Problem(message)])
-
-
-def coasting(reading: Reading, coast: bool | None) -> Reading:
-    """A case with the power as an option says; as it says itself where that says nothing."""
-    if coast in (None, reading.case.coast):
-        return reading
-    return reading._replace(case=reading.case.replace(coast=coast))
+elastic_case = gathered(
+    "one",
+    OneCase,
+    click.argument("case", type=click.Path()),
+    formats.options(*formats.TABLES),
+    arguments.input_format,
+    arguments.coast,
+    arguments.telling,
+)
+"""The case and the options of a command of this group; the command gets `one`."""
 
 
 def gear_names(case: Transmission, asked: Sequence[str]) -> list[str]:
@@ -50,21 +46,24 @@ def link_name(case: Transmission, asked: str, option: str) -> str:
     BadParameter
         If there is none; it tells the nearest name.
     """
-    try:
+    with wrong_value(option):
         return case.link_name(case.link_number(asked))
-    except ValueError as error:
-        raise click.BadParameter(str(error), param_hint=option) from None
 
 
-def located(reading: Reading, texts_by_gear: Iterable[tuple[str, str, str]]) -> Iterator[Problem]:
+def located(
+    reading: Reading, texts_by_gear: Iterable[tuple[str, str]], severity: Severity = "error"
+) -> list[Problem]:
     """Messages as problems at the places of their gears.
 
     Parameters
     ----------
     texts_by_gear : iterable of tuple
-        The name of a gear, a severity, a text.
+        The name of a gear, and a text; an empty one says nothing.
     """
     numbers = {gear.name: number for number, gear in enumerate(reading.case.gears, 1)}
-    for name, severity, message in texts_by_gear:
-        place = reading.locate(Problem("", ("gears", numbers[name]))).place
-        yield Problem(f"gear {name}: {message}", (), place, severity)  # type: ignore[arg-type]
+    found = []
+    for name, message in texts_by_gear:
+        if message:
+            place = reading.locate(Problem("", ("gears", numbers[name]))).place
+            found.append(Problem(f"gear {name}: {message}", (), place, severity))
+    return found

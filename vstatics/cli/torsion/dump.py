@@ -4,17 +4,17 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from functools import partial
 
 import click
 
-from vstatics import readers
 from vstatics.cli.frame import cases as arguments
-from vstatics.cli.frame import files, formats
-from vstatics.cli.frame.exit_status import DONE, FAILED
-from vstatics.cli.frame.formats import Destination, OutputOptions
-from vstatics.cli.frame.one_case import one_text, problems_of, show, tell
-from vstatics.cli.frame.problems import Telling
-from vstatics.cli.torsion.case import gear_names, located, needs_scipy
+from vstatics.cli.frame import files
+from vstatics.cli.frame.exit_status import DONE
+from vstatics.cli.frame.one_case import CaseAnswer, OneCase, of_case, show
+from vstatics.cli.frame.options import gathered
+from vstatics.cli.frame.values import value
+from vstatics.cli.torsion.case import gear_names, located
 from vstatics.readers.reading import Reading
 from vstatics.torsion.clutch.document import (
     FORMAT,
@@ -30,33 +30,23 @@ from vstatics.writers.documents import documents, head
 from vstatics.writers.record_schema import TEXT, Schema, list_of, record, schema_of
 
 
-def _rate(context: click.Context, parameter: click.Parameter, value: float | None) -> float | None:
-    if value is not None and not 0 < value < math.inf:
-        raise click.BadParameter(f"{value:g} is no rate, expected one above 0", context, parameter)
-    return value
+def _rate(given: float) -> float:
+    if not 0 < given < math.inf:
+        raise ValueError(f"{given:g} is no rate, expected one above 0")
+    return given
 
 
 @click.command()
-@click.argument("file", type=click.Path(), metavar="FILE")
 @click.option(
     "--rate",
     type=float,
-    callback=_rate,
+    callback=value(_rate),
     metavar="K",
     help="Also the dynamic factor of a clutch whose torque grows as 1 - exp(-K t), in 1/s.",
 )
 @arguments.some_gears
-@formats.options(*formats.TABLES)
-@arguments.input_format
-@arguments.telling
-def dump(
-    file: str,
-    rate: float | None,
-    gears: tuple[str, ...],
-    wanted: OutputOptions,
-    input_format: readers.Format | None,
-    telling: Telling,
-) -> int:
+@gathered("one", OneCase, click.argument("case", type=click.Path(), metavar="FILE"), *of_case)
+def dump(one: OneCase, rate: float | None, gears: tuple[str, ...]) -> int:
     """Tell the largest torque when the clutch is dumped; - is standard input.
 
     FILE is YAML with inertias on one shaft, J1 (engine), J2 (disc), J3 (transmission),
@@ -86,53 +76,37 @@ def dump(
     Exit status: 0 done; 1 the file is in error, or a gear has no such torque;
     2 wrong use.
     """
-    to = one_text(wanted, [file])
-    from vstatics.torsion.clutch.file import is_of_case
+    to = one.destination()
+    from vstatics.torsion.clutch.file import is_of_case, read_dump
 
-    data, name = files.read_input(file)
-    if input_format == "deck" or is_of_case(data, name):
-        needs_scipy()
-        reading = arguments.read_data(data, name, input_format, telling)
-        return _of_case(reading, file, gears, rate, to, telling)
+    read = data, name = files.read_input(one.case)
+    if one.input_format == "deck" or is_of_case(data, name):
+        return one.answer(partial(_of_case, gears, rate), to, "torsion", read)
     if gears:
         raise click.UsageError(f"--gear is for a case, but {name} has numbers alone")
-    _of_numbers(data, name, rate, to)
+    from vstatics.torsion.clutch.grids import grids
+
+    numbers = read_dump(data, name)
+    made = numbers.torque(rate)
+    shown = CaseAnswer(lambda: grids(numbers.given, made), lambda: dump_document(made))
+    show(one.case, to, name, shown)
     return DONE
 
 
-def _of_numbers(data: bytes, name: str, rate: float | None, to: Destination) -> None:
-    """A file of numbers."""
-    from vstatics.torsion.clutch.file import read_dump
-    from vstatics.torsion.clutch.grids import grids
-
-    read = read_dump(data, name)
-    made = read.torque(rate)
-    show(name, to, name, lambda: grids(read.given, made), lambda: dump_document(made))
-
-
-def _of_case(
-    reading: Reading,
-    file: str,
-    gears: Sequence[str],
-    rate: float | None,
-    to: Destination,
-    telling: Telling,
-) -> int:
+def _of_case(gears: Sequence[str], rate: float | None, reading: Reading) -> CaseAnswer:
     """The gears of a case; one that is asked for alone is shown as a file of numbers is."""
     from vstatics.torsion.clutch.gear_dump import gear_dumps
     from vstatics.torsion.clutch.grids import gear_grids, gears_grids
 
-    case = reading.case
-    names = gear_names(case, gears)
-    with problems_of(reading):
-        found = gear_dumps(case, names, rate)
-    faults = list(located(reading, [(one.name, "error", one.error) for one in found if one.error]))
-    tell(faults, telling, file)
-    if gears and len(found) == 1:
-        show(file, to, case.name, lambda: gear_grids(found[0]), lambda: gear_document(found[0]))
-    else:
-        show(file, to, case.name, lambda: gears_grids(found), lambda: gears_document(found))
-    return FAILED if faults or telling.fails(reading.warnings) else DONE
+    found = gear_dumps(reading.case, gear_names(reading.case, gears), rate)
+    faults = located(reading, ((gear.name, gear.error) for gear in found))
+    alone = bool(gears) and len(found) == 1
+    return CaseAnswer(
+        lambda: gear_grids(found[0]) if alone else gears_grids(found),
+        lambda: gear_document(found[0]) if alone else gears_document(found),
+        faults,
+        failed=bool(faults),
+    )
 
 
 def json_schema() -> Schema:

@@ -4,18 +4,13 @@ from __future__ import annotations
 
 import click
 
-from vstatics import readers
 from vstatics.cli.frame import cases as arguments
-from vstatics.cli.frame import formats
-from vstatics.cli.frame.exit_status import DONE, FAILED
-from vstatics.cli.frame.formats import OutputOptions
-from vstatics.cli.frame.one_case import one_text, problems_of, show, tell
-from vstatics.cli.frame.problems import Telling
-from vstatics.cli.torsion.case import gear_names, located, needs_scipy
+from vstatics.cli.frame.one_case import CaseAnswer, OneCase
+from vstatics.cli.torsion.case import elastic_case, gear_names, located
+from vstatics.readers.reading import Reading
 
 
 @click.command()
-@click.argument("case", type=click.Path())
 @arguments.some_gears
 @click.option(
     "--modes",
@@ -25,19 +20,8 @@ from vstatics.cli.torsion.case import gear_names, located, needs_scipy
     help="The first N modes that are not rigid; all when not given, of a case with more than 50 "
     "links the first 20.",
 )
-@formats.options(*formats.TABLES)
-@arguments.input_format
-@arguments.coast
-@arguments.telling
-def modes(
-    case: str,
-    gears: tuple[str, ...],
-    count: int | None,
-    wanted: OutputOptions,
-    input_format: readers.Format | None,
-    coast: bool | None,
-    telling: Telling,
-) -> int:
+@elastic_case
+def modes(one: OneCase, gears: tuple[str, ...], count: int | None) -> int:
     """Calculate natural frequencies and shapes of CASE in every gear; - is standard input.
 
     CASE has `inertias` of links [kg*m^2] and `springs`, mechanisms or shift elements with
@@ -55,19 +39,21 @@ def modes(
     \b
     Exit status: 0 done; 1 the case is in error or a gear is tied up; 2 wrong use.
     """
-    to = one_text(wanted, [case])
-    needs_scipy()
-    from vstatics.torsion.documents import modes_document
-    from vstatics.torsion.vibration.gear_modes import modes as modes_of
-    from vstatics.torsion.vibration.grids import modes_grids
 
-    reading = arguments.read_one(case, input_format, telling)
-    with problems_of(reading):
-        found = modes_of(reading.case, gear_names(reading.case, gears), count=count, coast=coast)
-    faults = [(one.name, "error", one.error) for one in found if one.error]
-    doubts = [(one.name, "warning", text) for one in found for text in one.warnings]
-    problems = list(located(reading, [*faults, *doubts]))
-    tell(problems, telling, case)
-    name = reading.case.name
-    show(case, to, name, lambda: modes_grids(found), lambda: modes_document(name, found))
-    return FAILED if faults or telling.fails([*reading.warnings, *problems]) else DONE
+    def calculate(reading: Reading) -> CaseAnswer:
+        from vstatics.torsion.documents import modes_document
+        from vstatics.torsion.vibration.gear_modes import modes as modes_of
+        from vstatics.torsion.vibration.grids import modes_grids
+
+        case = reading.case
+        found = modes_of(case, gear_names(case, gears), count=count)
+        faults = located(reading, ((gear.name, gear.error) for gear in found))
+        doubts = ((gear.name, text) for gear in found for text in gear.warnings)
+        return CaseAnswer(
+            lambda: modes_grids(found),
+            lambda: modes_document(case.name, found),
+            [*faults, *located(reading, doubts, "warning")],
+            failed=bool(faults),
+        )
+
+    return one.answer(calculate, extra="torsion")

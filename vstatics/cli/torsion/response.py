@@ -8,14 +8,13 @@ from typing import TYPE_CHECKING
 
 import click
 
-from vstatics import readers
 from vstatics.cli.frame import cases as arguments
-from vstatics.cli.frame import files, formats
-from vstatics.cli.frame.exit_status import DONE, FAILED
-from vstatics.cli.frame.formats import FULL, OutputOptions
-from vstatics.cli.frame.one_case import one_text, show, tell
-from vstatics.cli.frame.problems import Telling
-from vstatics.cli.torsion.case import coasting, gear_names, link_name, located, needs_scipy
+from vstatics.cli.frame import files
+from vstatics.cli.frame.formats import FULL
+from vstatics.cli.frame.one_case import CaseAnswer, OneCase
+from vstatics.cli.frame.values import numbers, value
+from vstatics.cli.torsion.case import elastic_case, gear_names, link_name, located
+from vstatics.readers.reading import Reading
 
 if TYPE_CHECKING:
     from vstatics.numerics.arrays import Floats
@@ -24,20 +23,37 @@ if TYPE_CHECKING:
 MOST_SPEEDS = 100_000
 
 
+def _speeds(text: str) -> Floats:
+    """Speeds [rpm] from A:B:N, or a list."""
+    import numpy as np
+
+    from vstatics.sweep.variants.steps import Steps
+
+    parts = text.split(":")
+    if len(parts) != 3:
+        return np.array(numbers("a speed of 0 or more, or A:B:N")(text))
+    first, last = numbers("a speed of 0 or more")(",".join(parts[:2]))
+    count = parts[2].strip()
+    if not (count.isascii() and count.isdigit() and 1 < int(count[:9]) <= MOST_SPEEDS):
+        raise ValueError(f"read {count[:20]!r}, expected how many speeds, from 2 to {MOST_SPEEDS}")
+    return Steps(first, last, int(count))[np.arange(int(count))]
+
+
 @click.command()
-@click.argument("case", type=click.Path())
 @click.option(
     "--at", required=True, metavar="LINK", help="The link on which the torque acts, by its name."
 )
 @click.option(
     "--orders",
     metavar="N,...",
+    callback=value(numbers("an order above 0", math.ulp(0.0)), "--orders"),
     help="Orders, by revolutions of LINK: 1 N*m each, or those of the table that count.",
 )
 @click.option(
     "--speed",
     required=True,
     metavar="A:B:N",
+    callback=value(_speeds, "--speed"),
     help="Speeds of LINK in rpm: N of them from A to B, or a list with commas.",
 )
 @click.option(
@@ -53,22 +69,15 @@ MOST_SPEEDS = 100_000
     help="All orders together: the largest value over a cycle, and the RMS.",
 )
 @arguments.some_gears
-@formats.options(*formats.TABLES)
-@arguments.input_format
-@arguments.coast
-@arguments.telling
+@elastic_case
 def response(
-    case: str,
+    one: OneCase,
     at: str,
-    orders: str | None,
-    speed: str,
+    orders: Sequence[float] | None,
+    speed: Floats,
     torque: str | None,
     with_sum: bool,
     gears: tuple[str, ...],
-    wanted: OutputOptions,
-    input_format: readers.Format | None,
-    coast: bool | None,
-    telling: Telling,
 ) -> int:
     """Calculate the forced vibration of CASE in every gear; - is standard input.
 
@@ -85,81 +94,45 @@ def response(
     \b
     Exit status: 0 done; 1 the case is in error or a gear is tied up; 2 wrong use.
     """
-    inputs = [case, *([torque] if torque else [])]
-    arguments.check_streams(inputs)
-    to = one_text(wanted, inputs)
-    needs_scipy()
-    from vstatics.torsion.documents import response_document
-    from vstatics.torsion.forced.grids import largest_grids, speed_grids, sum_grids
-    from vstatics.torsion.forced.harmonic_torques import response as responses
+    to = one.destination(*([torque] if torque else []))
+    if torque is None and orders is None:
+        raise click.UsageError("expected --orders, --torque or both")
 
-    harmonics, speeds = _harmonics(orders, torque), _speeds(speed)
-    reading = coasting(arguments.read_one(case, input_format, telling), coast)
-    link = link_name(reading.case, at, "--at")
-    found = responses(reading.case, link, harmonics, speeds, gear_names(reading.case, gears))
-    faults = list(located(reading, [(one.name, "error", one.error) for one in found if one.error]))
-    tell(faults, telling, case)
-    name = reading.case.name
-    grids = speed_grids if to.form in (*FULL, "xlsx") else largest_grids
-    show(
-        case,
-        to,
-        name,
-        lambda: [*grids(found), *(sum_grids(found) if with_sum else ())],
-        lambda: response_document(name, link, found, with_sum=with_sum),
-    )
-    return FAILED if faults or telling.fails(reading.warnings) else DONE
+    def calculate(reading: Reading) -> CaseAnswer:
+        from vstatics.torsion.documents import response_document
+        from vstatics.torsion.forced.grids import largest_grids, speed_grids, sum_grids
+        from vstatics.torsion.forced.harmonic_torques import response as responses
+
+        case = reading.case
+        harmonics = _harmonics(orders, torque)
+        link = link_name(case, at, "--at")
+        found = responses(case, link, harmonics, speed, gear_names(case, gears))
+        faults = located(reading, ((gear.name, gear.error) for gear in found))
+        grids = speed_grids if to.form in (*FULL, "xlsx") else largest_grids
+        return CaseAnswer(
+            lambda: [*grids(found), *(sum_grids(found) if with_sum else ())],
+            lambda: response_document(case.name, link, found, with_sum=with_sum),
+            faults,
+            failed=bool(faults),
+        )
+
+    return one.answer(calculate, to, extra="torsion")
 
 
-def _harmonics(orders: str | None, torque: str | None) -> list[Harmonic]:
+def _harmonics(orders: Sequence[float] | None, torque: str | None) -> list[Harmonic]:
     """What excites: by the table, or of 1 N*m."""
     from vstatics.torsion.forced.harmonic_torques import Harmonic
     from vstatics.torsion.forced.torque_table import read_torque_table
 
-    asked = None if orders is None else _numbers(orders, "--orders", "an order above 0")
     if torque is None:
-        if asked is None:
-            raise click.UsageError("expected --orders, --torque or both")
-        return [Harmonic(order) for order in dict.fromkeys(asked)]
+        return [Harmonic(order) for order in dict.fromkeys(orders or ())]
     found = read_torque_table(*files.read_input(torque))
-    if asked is None:
+    if orders is None:
         return found
     by_order = {one.order: one for one in found}
-    for order in asked:
+    for order in orders:
         if order not in by_order:
             known = ", ".join(f"{one:g}" for one in by_order)
             message = f"{torque} has no order {order:g}; it has {known}"
             raise click.BadParameter(message, param_hint="--orders")
-    return [by_order[order] for order in dict.fromkeys(asked)]
-
-
-def _speeds(text: str) -> Floats:
-    """Speeds [rpm] from A:B:N, or a list."""
-    import numpy as np
-
-    from vstatics.sweep.variants.steps import Steps
-
-    parts = text.split(":")
-    if len(parts) != 3:
-        return np.array(_numbers(text, "--speed", "a speed of 0 or more, or A:B:N", least=0.0))
-    first, last = _numbers(",".join(parts[:2]), "--speed", "a speed of 0 or more", least=0.0)
-    count = parts[2].strip()
-    if not (count.isascii() and count.isdigit() and 1 < int(count[:9]) <= MOST_SPEEDS):
-        message = f"read {count[:20]!r}, expected how many speeds, from 2 to {MOST_SPEEDS}"
-        raise click.BadParameter(message, param_hint="--speed")
-    return Steps(first, last, int(count))[np.arange(int(count))]
-
-
-def _numbers(
-    text: str, option: str, expected: str, least: float = math.ulp(0.0)
-) -> Sequence[float]:
-    found = []
-    for part in text.split(","):
-        try:
-            value = float(part)
-        except ValueError:
-            value = math.nan
-        if not least <= value < math.inf:
-            raise click.BadParameter(f"read {part[:20]!r}, expected {expected}", param_hint=option)
-        found.append(value)
-    return found
+    return [by_order[order] for order in dict.fromkeys(orders)]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import csv
+from collections.abc import Sequence
 
 import click
 
@@ -10,22 +10,41 @@ from vstatics import readers
 from vstatics.cli.frame import cases as arguments
 from vstatics.cli.frame import files
 from vstatics.cli.frame.cases import gear_number
-from vstatics.cli.frame.exit_status import DONE, FAILED
-from vstatics.cli.frame.formats import TABLES, Destination, TextStyle
-from vstatics.cli.frame.one_case import file_name, problems_of, show, tell
+from vstatics.cli.frame.formats import TABLES, OutputOptions, TextStyle
+from vstatics.cli.frame.one_case import CaseAnswer, OneCase, file_name, warnings_of
+from vstatics.cli.frame.options import gathered
 from vstatics.cli.frame.problems import Telling
-from vstatics.cli.torsion.case import coasting, located, needs_scipy
-from vstatics.errors import Problem, ReadError, of_file, spoken
+from vstatics.cli.frame.values import separated, value
+from vstatics.cli.torsion.case import located
+from vstatics.errors import ReadError, spoken
 from vstatics.model.parts import damping
-from vstatics.model.transmission import Transmission
+from vstatics.model.springs import Spring
+from vstatics.model.transmission import Mechanism, ShiftElement, Transmission
+from vstatics.readers.reading import Reading
 
 RULES = ("partial", "r", "b", "u")
 FORMS = [form for form in TABLES if form != "xlsx"]
 """Of the steps, which are printed."""
 
 
+def _of_steps(
+    case: str,
+    form: str,
+    input_format: readers.Format | None,
+    coast: bool | None,
+    telling: Telling,
+) -> OneCase:
+    """A case whose steps are printed."""
+    return OneCase(
+        case, OutputOptions(FORMS, form, None, TextStyle()), input_format, telling, coast
+    )
+
+
+def _names(text: str) -> list[str]:
+    return separated([text])
+
+
 @click.command()
-@click.argument("case", type=click.Path())
 @click.option("--gear", required=True, metavar="G", help="The gear, by its name or number.")
 @click.option(
     "--links",
@@ -45,38 +64,40 @@ FORMS = [form for form in TABLES if form != "xlsx"]
 @click.option(
     "--remove",
     metavar="A,B",
+    callback=value(_names),
     help="These masses first, in this order; a name with commas in double quotes.",
 )
-@click.option(
-    "-f",
-    "--format",
-    "form",
-    type=click.Choice(FORMS),
-    default="text",
-    show_default=True,
-    help="Format of the steps.",
+@gathered(
+    "one",
+    _of_steps,
+    click.argument("case", type=click.Path()),
+    click.option(
+        "-f",
+        "--format",
+        "form",
+        type=click.Choice(FORMS),
+        default="text",
+        show_default=True,
+        help="Format of the steps.",
+    ),
+    click.option(
+        "-o",
+        "--output",
+        type=click.Path(),
+        metavar="FILE",
+        help="Write the scheme as a case: YAML or JSON.",
+    ),
+    arguments.input_format,
+    arguments.coast,
+    arguments.telling,
 )
-@click.option(
-    "-o",
-    "--output",
-    type=click.Path(),
-    metavar="FILE",
-    help="Write the scheme as a case: YAML or JSON.",
-)
-@arguments.input_format
-@arguments.coast
-@arguments.telling
 def simplify(
-    case: str,
+    one: OneCase,
     gear: str,
     frequencies: int,
     rule: str | None,
-    remove: str | None,
-    form: str,
+    remove: Sequence[str] | None,
     output: str | None,
-    input_format: readers.Format | None,
-    coast: bool | None,
-    telling: Telling,
 ) -> int:
     """Simplify the scheme of a gear of CASE, reduced to the input; - is standard input.
 
@@ -93,39 +114,40 @@ def simplify(
     Exit status: 0 done; 1 the case is in error or has no such scheme;
     2 wrong use.
     """
-    written = _format_of(output, case)
-    needs_scipy()
-    from vstatics.torsion.documents import simplification_document
-    from vstatics.torsion.reduction.grids import simplification_grids
-    from vstatics.torsion.reduction.reduced_scheme import gear_scheme
-    from vstatics.torsion.reduction.scheme import scheme_case
-    from vstatics.torsion.reduction.simplification import simplify as simplified
+    written = _format_of(output, one.case)
 
-    reading = coasting(arguments.read_one(case, input_format, telling), coast)
-    own = reading.case
-    chosen = own.gears[gear_number(own, gear) - 1]
-    scheme = gear_scheme(own, chosen)
-    if isinstance(scheme, str):
-        raise ReadError(list(located(reading, [(chosen.name, "error", scheme)])))
-    removed = [] if remove is None else _names(remove)
-    with problems_of(reading):
-        found = simplified(scheme, frequencies, rule, removed)  # type: ignore[arg-type] # a choice
-    problems = [*found.warnings, *_lost(own)]
-    file = file_name(case)
-    doubts = [of_file(file, one.message)._replace(severity="warning") for one in problems]
-    tell(doubts, telling, case)
-    if output is not None:
-        ends = [own.link_name(end) for end in (own.gear_input(chosen), own.gear_output(chosen))]
-        made = scheme_case(found.scheme, own.name, ends, chosen.name)
-        files.write_output(_text(made, written), output)
-    show(
-        case,
-        Destination(form, None, TextStyle()),
-        own.name,
-        lambda: simplification_grids(found),
-        lambda: simplification_document(own.name, chosen.name, found),
-    )
-    return FAILED if telling.fails([*reading.warnings, *problems]) else DONE
+    def calculate(reading: Reading) -> CaseAnswer:
+        from vstatics.torsion.documents import simplification_document
+        from vstatics.torsion.reduction.grids import simplification_grids
+        from vstatics.torsion.reduction.reduced_scheme import gear_scheme
+        from vstatics.torsion.reduction.scheme import scheme_case
+        from vstatics.torsion.reduction.simplification import simplify as simplified
+
+        own = reading.case
+        chosen = own.gears[gear_number(own, gear) - 1]
+        scheme = gear_scheme(own, chosen)
+        if isinstance(scheme, str):
+            raise ReadError(located(reading, [(chosen.name, scheme)]))
+        found = simplified(scheme, frequencies, rule, remove or ())  # type: ignore[arg-type] # a choice
+
+        def write() -> bool:
+            if output is not None:
+                ends = [
+                    own.link_name(end) for end in (own.gear_input(chosen), own.gear_output(chosen))
+                ]
+                made = scheme_case(found.scheme, own.name, ends, chosen.name)
+                files.write_output(_text(made, written), output)
+            return True
+
+        doubts = [*(doubt.message for doubt in found.warnings), *_lost(own)]
+        return CaseAnswer(
+            lambda: simplification_grids(found),
+            lambda: simplification_document(own.name, chosen.name, found),
+            warnings_of(doubts, file_name(one.case)),
+            write=write,
+        )
+
+    return one.answer(calculate, extra="torsion")
 
 
 def _format_of(output: str | None, case: str) -> str:
@@ -139,21 +161,14 @@ def _format_of(output: str | None, case: str) -> str:
     return form
 
 
-def _names(written: str) -> list[str]:
-    """Names with commas between them; one that has commas stands in double quotes."""
-    [row] = csv.reader([written.replace("\n", " ")], skipinitialspace=True) if written else [[""]]
-    return [name.strip() for name in row]
-
-
-def _lost(case: Transmission) -> list[Problem]:
+def _lost(case: Transmission) -> list[str]:
     """What a scheme does not have: its dampings are viscous."""
-    names = [one.name for one in case.springs if damping(one.damping).loss_factor]
-    names += [one.name for one in case.mechanisms if damping(one.damping).loss_factor]
-    names += [one.name for one in case.shift_elements if damping(one.damping).loss_factor]
+    devices: list[Spring | Mechanism | ShiftElement]
+    devices = [*case.springs, *case.mechanisms, *case.shift_elements]
+    names = [one.name for one in devices if damping(one.damping).loss_factor]
     if not names:
         return []
-    message = f"the loss factor of {spoken(names)} is left out: a scheme has viscous damping only"
-    return [Problem(message, severity="warning")]
+    return [f"the loss factor of {spoken(names)} is left out: a scheme has viscous damping only"]
 
 
 def _text(case: Transmission, form: str) -> str:

@@ -1,4 +1,4 @@
-"""A box to be found: what is asked for, and what a found one is."""
+"""A box to be found: what is asked for, what a found one is, by which figures it is judged."""
 
 from __future__ import annotations
 
@@ -9,6 +9,8 @@ from vstatics.synthesis.structures.scheme import SetScheme
 
 HELD = -1
 """The second link of a brake."""
+EFFICIENCY = 0.98
+"""Of each set with its carrier held, where nothing is said."""
 
 
 class BoxSearch(NamedTuple):
@@ -43,6 +45,32 @@ class BoxSearch(NamedTuple):
     def links(self) -> int:
         """Links of the scheme of its sets; the one that is held for good is among them."""
         return self.sets + self.engaged + (0 if self.own_input else 1) + (1 if self.fixed else 0)
+
+
+class BoxFigures(NamedTuple):
+    """By what boxes are compared: the less the better, and two that are so or not."""
+
+    error: float
+    """The largest |ln(i/target)|. [-]"""
+    loss: float
+    """The mean of 1 - efficiency of the forward gears; of all if there are none. [-]"""
+    planet_speed: float
+    """The largest |speed of a planet against its carrier|/input speed of all gears [-]; NaN where
+    all sets have meshed planets, whose teeth it would need."""
+    slip: float
+    """The largest |slip| of an open element/input speed. [-]"""
+    torque: float
+    """The largest |torque| of an engaged element/input torque, without losses. [-]"""
+    brakes: int
+    clutches: int
+    single: bool
+    """Whether one element changes between neighbours."""
+    planar: bool
+    """Whether it can be drawn without shafts that cross."""
+
+
+LIMITED = tuple(name for name in BoxFigures._fields if name not in ("single", "planar"))
+"""The figures that can have a limit."""
 
 
 class FoundBox(NamedTuple):

@@ -11,8 +11,8 @@ import numpy as np
 
 from vstatics.numerics.arrays import Booleans, Floats, Integers
 from vstatics.numerics.tolerances import SAME_RATIO
-from vstatics.synthesis.boxes.box import BoxSearch, FoundBox
-from vstatics.synthesis.boxes.figures import FIGURE_DECIMALS, BoxFigures, MeasuredBox
+from vstatics.synthesis.boxes.box import BoxFigures, BoxSearch, FoundBox
+from vstatics.synthesis.boxes.figures import FIGURE_DECIMALS, MeasuredBox
 from vstatics.synthesis.boxes.least_form import identity
 from vstatics.synthesis.tolerances import EQUAL_FIGURES, SAME_FITTED_RATIO
 
@@ -164,10 +164,6 @@ def pareto(figures: Floats | Integers) -> Booleans:
             front[size] = own
             size += 1
     return np.asarray(is_best[which.reshape(-1)])
-
-
-LIMITED = tuple(name for name in BoxFigures._fields if name not in ("single", "planar"))
-"""The figures that can have a limit."""
 
 
 class BoxFilter(NamedTuple):

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
+from vstatics.synthesis.boxes.box import BoxFigures
 from vstatics.synthesis.boxes.choice import RankedBox, family_count
-from vstatics.synthesis.boxes.figures import BoxFigures, BoxGear
+from vstatics.synthesis.boxes.figures import BoxGear
 from vstatics.writers.named import mapping
 from vstatics.writers.plain_json import plain_data
 from vstatics.writers.record_schema import NUMBER, TEXT, Schema, list_of, record, schema_of

@@ -14,7 +14,7 @@ from vstatics.model.parts import HOUSING, Gear
 from vstatics.model.transmission import Transmission
 from vstatics.statics.freewheels import find_state
 from vstatics.statics.state import values_of
-from vstatics.synthesis.boxes.box import BoxSearch, FoundBox
+from vstatics.synthesis.boxes.box import BoxFigures, BoxSearch, FoundBox
 from vstatics.synthesis.boxes.case import (
     box_case,
     box_element_name,
@@ -28,28 +28,6 @@ from vstatics.synthesis.gears.case_of_scheme import set_name
 
 FIGURE_DECIMALS = 9
 """Figures that agree in so many decimals are equal."""
-
-
-class BoxFigures(NamedTuple):
-    """By what boxes are compared: the less the better, and two that are so or not."""
-
-    error: float
-    """The largest |ln(i/target)|. [-]"""
-    loss: float
-    """The mean of 1 - efficiency of the forward gears; of all if there are none. [-]"""
-    planet_speed: float
-    """The largest |speed of a planet against its carrier|/input speed of all gears [-]; NaN where
-    all sets have meshed planets, whose teeth it would need."""
-    slip: float
-    """The largest |slip| of an open element/input speed. [-]"""
-    torque: float
-    """The largest |torque| of an engaged element/input torque, without losses. [-]"""
-    brakes: int
-    clutches: int
-    single: bool
-    """Whether one element changes between neighbours."""
-    planar: bool
-    """Whether it can be drawn without shafts that cross."""
 
 
 class BoxGear(NamedTuple):

@@ -6,13 +6,11 @@ from typing import NamedTuple
 
 from vstatics.errors import CaseError
 from vstatics.extras import require
-from vstatics.synthesis.boxes.box import BoxSearch
+from vstatics.synthesis.boxes.box import EFFICIENCY, BoxSearch
 from vstatics.synthesis.boxes.checks import check_box_search
 from vstatics.synthesis.boxes.choice import BoxFilter, RankedBox, ranked
 from vstatics.synthesis.boxes.figures import measured
 
-EFFICIENCY = 0.98
-"""Of each set with its carrier held, where nothing is said."""
 ALL = BoxFilter()
 
 

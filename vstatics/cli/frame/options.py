@@ -1,0 +1,57 @@
+"""Options that belong together: a command gets them as one value, such as a record of them."""
+
+from __future__ import annotations
+
+import inspect
+from collections.abc import Callable
+from functools import wraps
+from typing import Any, TypeVar
+
+Command = TypeVar("Command", bound=Callable[..., Any])
+Option = Callable[[Any], Any]
+"""As click declares it: it is put on a command."""
+
+
+def gathered(
+    name: str, made: Callable[..., object], *options: Option
+) -> Callable[[Command], Command]:
+    r"""Options that become one value.
+
+    Parameters
+    ----------
+    name : str
+        Under which the command gets it.
+    made : callable
+        Gives it; takes options by their names, as a record does by those of its fields.
+    *options : callable
+        In the order of the help. What `made` does not take goes on to the command.
+
+    Examples
+    --------
+    >>> import click
+    >>> from click.testing import CliRunner
+    >>> from typing import NamedTuple
+    >>> class Size(NamedTuple):
+    ...     wide: int
+    ...     high: int = 7
+    >>> @click.command()
+    ... @gathered("size", Size, click.option("--wide", type=int))
+    ... def show(size: Size) -> None:
+    ...     click.echo(size)
+    >>> CliRunner().invoke(show, ["--wide", "3"]).output
+    'Size(wide=3, high=7)\n'
+    """
+    names = inspect.signature(made).parameters
+
+    def put(command: Command) -> Command:
+        @wraps(command)
+        def with_value(**given: Any) -> Any:
+            own = {key: given.pop(key) for key in names if key in given}
+            return command(**{name: made(**own)}, **given)
+
+        decorated: Any = with_value
+        for option in reversed(options):
+            decorated = option(decorated)
+        return decorated  # type: ignore[no-any-return]
+
+    return put
