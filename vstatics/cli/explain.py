@@ -14,6 +14,7 @@ from vstatics.cli.frame.cases import CalculatedCase, CaseOptions
 from vstatics.cli.frame.formats import OutputOptions, TextStyle
 from vstatics.cli.frame.one_or_many import carry_out
 from vstatics.cli.frame.texts import Job
+from vstatics.statics.results import Results
 from vstatics.tables.grid import Grid
 
 
@@ -46,12 +47,12 @@ def explain(
     return carry_out(Job("explain", settings, to, show), cases)
 
 
-def _shown(outcome: CalculatedCase, gears: tuple[str, ...], style: TextStyle) -> texts.CaseOutput:
+def _shown(
+    outcome: CalculatedCase, results: Results, gears: tuple[str, ...], style: TextStyle
+) -> texts.CaseOutput:
     """The gears of a case, explained."""
     from vstatics.explain import explain_gear
 
-    results = outcome.results
-    assert results is not None  # noqa: S101 - of a case that has some
     case = results.case
     explanations = [explain_gear(results, i + 1) for i in arguments.gear_indices(case, gears)]
 

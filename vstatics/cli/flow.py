@@ -14,6 +14,7 @@ from vstatics.cli.frame.cases import CalculatedCase, CaseOptions
 from vstatics.cli.frame.formats import OutputOptions, TextStyle
 from vstatics.cli.frame.one_or_many import carry_out
 from vstatics.cli.frame.texts import Job
+from vstatics.statics.results import Results
 from vstatics.tables.grid import Grid
 
 
@@ -48,12 +49,12 @@ def flow(
     return carry_out(Job("flow", settings, to, show), cases)
 
 
-def _shown(outcome: CalculatedCase, gears: tuple[str, ...], style: TextStyle) -> texts.CaseOutput:
+def _shown(
+    outcome: CalculatedCase, results: Results, gears: tuple[str, ...], style: TextStyle
+) -> texts.CaseOutput:
     """The power of each gear of a case."""
     from vstatics.flow.power import flows
 
-    results = outcome.results
-    assert results is not None  # noqa: S101 - of a case that has some
     powers = flows(results)
     shown = [powers[index] for index in arguments.gear_indices(results.case, gears)]
     case = results.case

@@ -19,7 +19,7 @@ from vstatics.errors import CaseError, ReadError, of_file
 from vstatics.jobs.files import STDOUT, is_stream
 from vstatics.pictures import FORMATS, OF_RUNS, PICTURES, Format, render
 from vstatics.pictures.sheet.style import Style
-from vstatics.statics.results import Language
+from vstatics.statics.results import Language, Results
 from vstatics.tables.suffixes import known, suffix_of
 
 BOXES = "boxes"
@@ -126,11 +126,14 @@ def _refuse_without_suffix(output: str) -> None:
 
 
 def _shown(
-    outcome: CalculatedCase, kind: str, form: str, gears: tuple[str, ...], style: Style
+    outcome: CalculatedCase,
+    results: Results,
+    kind: str,
+    form: str,
+    gears: tuple[str, ...],
+    style: Style,
 ) -> texts.CaseOutput:
     """A picture of a case."""
-    results = outcome.results
-    assert results is not None  # noqa: S101 - of a case that has some
     chosen = [arguments.gear_number(results.case, gear) for gear in dict.fromkeys(gears)]
     motion = run_of(outcome) if kind in OF_RUNS else None
     try:

@@ -15,6 +15,7 @@ from vstatics.cli.frame.found_boxes import listing_in, report_boxes
 from vstatics.cli.frame.one_or_many import carry_out
 from vstatics.cli.frame.scenario_run import run_of
 from vstatics.cli.frame.texts import Job
+from vstatics.statics.results import Results
 
 if TYPE_CHECKING:
     from vstatics.report.naming import Naming
@@ -59,10 +60,10 @@ def report(cases: tuple[str, ...], output: str, digits: int | None, settings: Ca
     return carry_out(Job("report", settings._replace(scenarios=True), to, show), cases)
 
 
-def _shown(outcome: CalculatedCase, digits: int | None, quiet: bool) -> texts.CaseOutput:
+def _shown(
+    outcome: CalculatedCase, results: Results, digits: int | None, quiet: bool
+) -> texts.CaseOutput:
     """The page of a case."""
-    results = outcome.results
-    assert results is not None  # noqa: S101 - of a case that has some
 
     def html(_: str | None) -> str:
         from vstatics.report import gather, page

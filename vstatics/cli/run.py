@@ -16,6 +16,7 @@ from vstatics.cli.frame.one_or_many import carry_out
 from vstatics.cli.frame.texts import Job
 from vstatics.errors import printable
 from vstatics.jobs.files import STDOUT
+from vstatics.statics.results import Results
 from vstatics.tables.grid import Grid
 
 PLAIN: dict[str, Any] = {"color_system": None, "force_terminal": False}
@@ -96,10 +97,8 @@ def run(
     return carry_out(job, names, others=others, a_list=several, jobs=jobs, resume=resume)
 
 
-def show(outcome: CalculatedCase, style: TextStyle) -> texts.CaseOutput:
+def show(outcome: CalculatedCase, results: Results, style: TextStyle) -> texts.CaseOutput:
     """All tables of the results of a case."""
-    results = outcome.results
-    assert results is not None  # noqa: S101 - of a case that has some
 
     def listing(_: str | None) -> str:
         from vstatics.writers import listing

@@ -18,6 +18,7 @@ from vstatics.cli.frame.one_or_many import carry_out
 from vstatics.cli.frame.texts import Job
 from vstatics.cli.frame.values import value
 from vstatics.errors import CaseError, ReadError, of_file
+from vstatics.statics.results import Results
 from vstatics.tables.grid import Grid
 
 if TYPE_CHECKING:
@@ -130,7 +131,7 @@ def summary(
 
 def _of_boxes(
     outcomes: Sequence[CalculatedCase],
-    summarized: Callable[[CalculatedCase], Summary],
+    summarized: Callable[[CalculatedCase, Results], Summary],
     to: Destination,
 ) -> int:
     """Write the summaries of found boxes; in JSON one after another."""
@@ -139,14 +140,18 @@ def _of_boxes(
         raise click.UsageError(message)
     if to.form not in ("json", "jsonl"):
         return _side_by_side(outcomes, summarized, to)
-    parts = [texts.among_several(one, _shown(one, summarized), to) for one in outcomes]
+    parts = [
+        texts.among_several(one, _shown(one, one.results, summarized), to)
+        for one in outcomes
+        if one.results is not None
+    ]
     files.write_data(b"".join(texts.joined(parts, to)), to.output)
     return FAILED if any(one.failed for one in outcomes) else DONE
 
 
 def _side_by_side(
     outcomes: Iterable[CalculatedCase],
-    summarized: Callable[[CalculatedCase], Summary],
+    summarized: Callable[[CalculatedCase, Results], Summary],
     to: Destination,
 ) -> int:
     """Write the summaries of all cases that have one beside one another."""
@@ -157,7 +162,7 @@ def _side_by_side(
         failed |= outcome.failed
         if outcome.results is not None:
             try:
-                found.append((outcome, summarized(outcome)))
+                found.append((outcome, summarized(outcome, outcome.results)))
             except ReadError as error:
                 files.show(error.problems)
                 failed = True
@@ -173,13 +178,15 @@ def _side_by_side(
 
 
 def _summarized(
-    outcome: CalculatedCase, at_most: int | None, duty: DutyFile | None, output_torque: float
+    outcome: CalculatedCase,
+    results: Results,
+    at_most: int | None,
+    duty: DutyFile | None,
+    output_torque: float,
 ) -> Summary:
     """The summary of a case; too many combinations are a problem of its file."""
     from vstatics.summary import summarize
 
-    results = outcome.results
-    assert results is not None  # noqa: S101 - of a case that has some
     try:
         summary = summarize(results, at_most=at_most, output_torque=output_torque)
     except CaseError as error:
@@ -190,10 +197,12 @@ def _summarized(
 
 
 def _shown(
-    outcome: CalculatedCase, summarized: Callable[[CalculatedCase], Summary]
+    outcome: CalculatedCase,
+    results: Results,
+    summarized: Callable[[CalculatedCase, Results], Summary],
 ) -> texts.CaseOutput:
     """The summary of a case by itself."""
-    summary = summarized(outcome)
+    summary = summarized(outcome, results)
 
     def tables() -> Iterable[Grid]:
         from vstatics.summary.grids import grids

@@ -268,7 +268,7 @@ def _shown_of_case(
     if case.results is None:
         return case, None
     try:
-        return case, job.show(case)
+        return case, job.show(case, case.results)
     except ReadError as error:
         why = error.problems
     except click.BadParameter as error:

@@ -46,5 +46,6 @@ def carry_out(
         return many.to_directory(cases, str(to.output), job, jobs=jobs, resume=resume, others=kept)
     [outcome] = calculate(cases, job.options)
     if outcome.results is not None:
-        files.write_data(texts.alone(outcome.file, job.show(outcome), to), to.output)
+        shown = job.show(outcome, outcome.results)
+        files.write_data(texts.alone(outcome.file, shown, to), to.output)
     return FAILED if outcome.failed else DONE

@@ -2,13 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import os
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from typing import NamedTuple
 
 import click
 
+from vstatics.cli.frame import files
+from vstatics.cli.frame.exit_status import FAILED, stopped_by
 from vstatics.cli.frame.options import Command, Option, gathered
-from vstatics.jobs.files import is_stream
+from vstatics.errors import CaseError
+from vstatics.jobs.files import is_stream, unwritable
+from vstatics.jobs.finished_cases import Description
+from vstatics.jobs.finished_pieces import FinishedPieces
+from vstatics.jobs.stopping import StoppedError
 
 JOBS = click.option("-j", "--jobs", type=click.IntRange(1), help="Processes.  [default: all cores]")
 
@@ -39,6 +47,62 @@ class Sharing(NamedTuple):
             raise click.UsageError("--jobs and --scheduler exclude one another.")
         if self.resume and is_stream(output):
             raise click.UsageError(f"--resume needs {expected}.")
+
+    def open(
+        self,
+        store: FinishedPieces,
+        output: str,
+        description: Description,
+        pieces: int,
+        done: str,
+        *,
+        quiet: bool,
+    ) -> None:
+        """Begin with no pieces, or with those that are there; it is said if they are of no use.
+
+        Parameters
+        ----------
+        done : str
+            With every part of the work: "piece is searched".
+
+        Raises
+        ------
+        ReadError
+            If they are of other work.
+        OSError
+        """
+        if self.resume and not (quiet or store.exists()) and os.path.exists(output):  # noqa: PTH110
+            files.say(f"{output} may be of another {store.what}: every {done} again")
+        without = store.open(description, pieces, resume=self.resume)
+        if without and not quiet:
+            files.say(f"{store.directory}: {without}; every {done}")
+
+
+@contextmanager
+def going_on_later(output: str, store: FinishedPieces, kept: Callable[[], str]) -> Iterator[None]:
+    """Let a command end with a word on what is kept, where it is stopped or can't write.
+
+    Raises
+    ------
+    Exit
+    """
+    try:
+        yield
+    except StoppedError as stopped:
+        files.say(f"stopped; {kept()}")
+        status = stopped_by(stopped.signal)
+    except OSError as error:
+        files.show([unwritable(output, error)])
+        files.say(kept())
+        status = FAILED
+    except CaseError as error:
+        files.show(error.problems)
+        if store.finished():
+            files.say(kept())
+        status = FAILED
+    else:
+        return
+    raise click.exceptions.Exit(status)
 
 
 def shared(resumed: str, *between: Option, jobs: Option = JOBS) -> Callable[[Command], Command]:

@@ -17,6 +17,7 @@ from vstatics.tables.grid import Grid
 
 if TYPE_CHECKING:
     from vstatics.jobs.finished_cases import FinishedCases
+    from vstatics.statics.results import Results
 
 
 class CaseOutput(NamedTuple):
@@ -162,7 +163,7 @@ class Job(NamedTuple):
     """Whose it is."""
     options: CaseOptions
     to: Destination
-    show: Callable[[CalculatedCase], CaseOutput]
+    show: Callable[[CalculatedCase, Results], CaseOutput]
     """What the command shows of a case that has results."""
     own_frame: Frame | None = None
     """Around several, in a format of the command's own other than text."""

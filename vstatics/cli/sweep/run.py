@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-import os
 import time
 from typing import NamedTuple
 
 from vstatics.cli.frame import files
-from vstatics.cli.frame.exit_status import FAILED, stopped_by
-from vstatics.cli.frame.sharing import Sharing
+from vstatics.cli.frame.exit_status import stopped_by
+from vstatics.cli.frame.sharing import Sharing, going_on_later
 from vstatics.cli.sweep.estimate import check_room
-from vstatics.errors import CaseError
-from vstatics.jobs.files import STDOUT, is_stream, unwritable
+from vstatics.jobs.files import STDOUT, is_stream
 from vstatics.jobs.finished_pieces import SUFFIX, FinishedPieces
 from vstatics.jobs.stopping import StoppedError
 from vstatics.model.transmission import Transmission
@@ -60,35 +58,20 @@ def to_file(run: SweepRun, output: str) -> int:
     """Write the output file, whole or not at all; the exit status."""
     from vstatics.cli.frame.progress import progress
 
-    plan, form, quiet, resume = run.plan, run.form, run.quiet, run.sharing.resume
+    plan, sharing, quiet = run.plan, run.sharing, run.quiet
     began = time.perf_counter()
-    with FinishedPieces(output) as pieces:
-        check_room(plan, form, output, pieces)
-        if resume and not (quiet or pieces.exists()) and os.path.exists(output):  # noqa: PTH110
-            files.say(f"{output} may be of another sweep: every variant is calculated again")
-        written = Output(plan, form, pieces, raw=run.raw)
-        try:
-            without = pieces.open(description(plan, form), plan.pieces, resume=resume)
-            if without and not quiet:
-                files.say(f"{pieces.directory}: {without}; every variant is calculated")
+    with FinishedPieces(output) as store:
+        check_room(plan, run.form, output, store)
+        written = Output(plan, run.form, store, raw=run.raw)
+        with going_on_later(output, store, lambda: _kept(written, output)):
+            made = description(plan, run.form)
+            sharing.open(store, output, made, plan.pieces, "variant is calculated", quiet=quiet)
             kept = written.finished
-            called = written.task.workers(run.sharing.processes, run.sharing.scheduler)
+            called = written.task.workers(sharing.processes, sharing.scheduler)
             with called, progress(plan.variants.count, "variants", quiet=quiet) as advance:
                 advance(kept)
                 written.calculate(called, advance)
                 report = written.assemble(called)
-        except StoppedError as stopped:
-            files.say(f"stopped; {_kept(written, output)}")
-            return stopped_by(stopped.signal)
-        except OSError as error:
-            files.show([unwritable(output, error)])
-            files.say(_kept(written, output))
-            return FAILED
-        except CaseError as error:
-            files.show(error.problems)
-            if pieces.finished():
-                files.say(_kept(written, output))
-            return FAILED
     return _summary(run, report, time.perf_counter() - began, kept)
 
 

@@ -10,10 +10,10 @@ from vstatics.cli.frame import files
 from vstatics.cli.frame.exit_status import DONE, FAILED, stopped_by
 from vstatics.cli.frame.formats import Destination
 from vstatics.cli.frame.progress import progress
-from vstatics.cli.frame.sharing import Sharing
+from vstatics.cli.frame.sharing import Sharing, going_on_later
 from vstatics.cli.synth.box_options import BoxAsked
 from vstatics.cli.synth.box_output import FoundBoxes, write_folder
-from vstatics.errors import CaseError, ReadError
+from vstatics.errors import ReadError
 from vstatics.jobs.alone import Workers
 from vstatics.jobs.files import is_stream, replace, unwritable
 from vstatics.jobs.finished_pieces import SUFFIX, FinishedPieces
@@ -89,32 +89,22 @@ def _to_stream(run: BoxRun, count: int) -> FoundBoxes | int:
     return found
 
 
-def _to_store(run: BoxRun, count: int) -> FoundBoxes | int:
+def _to_store(run: BoxRun, count: int) -> FoundBoxes:
     """Search, and write a file or a directory; pieces lie beside it meanwhile."""
     output = str(run.to.output).rstrip("/") or "/"
     with FinishedPieces(output, "search", into_folder=run.to.is_folder) as store:
         pieces = _opened(run, store, output, count)
-        try:
-            with run.workers(count) as called:
-                found = _found(run, pieces, called)
-                if run.to.is_folder:
-                    write_folder(output, found, run.to.style, called, quiet=run.quiet)
-                    store.drop()
-                else:
-                    replace(store.path(ASSEMBLED), found.text(run.to.form, run.to.style))
-                    store.finish()
-        except StoppedError as stopped:
-            files.say(f"stopped; {_kept(store, output, count)}")
-            return stopped_by(stopped.signal)
-        except OSError as error:
-            files.show([unwritable(output, error)])
-            files.say(_kept(store, output, count))
-            return FAILED
-        except CaseError as error:
-            files.show(error.problems)
-            if store.finished():
-                files.say(_kept(store, output, count))
-            return FAILED
+        with (
+            going_on_later(output, store, lambda: _kept(store, output, count)),
+            run.workers(count) as called,
+        ):
+            found = _found(run, pieces, called)
+            if run.to.is_folder:
+                write_folder(output, found, run.to.style, called, quiet=run.quiet)
+                store.drop()
+            else:
+                replace(store.path(ASSEMBLED), found.text(run.to.form, run.to.style))
+                store.finish()
     if run.to.is_folder and run.to.form != "xlsx":
         files.write_data(found.text(run.to.form, run.to.style), None)
     return found
@@ -128,14 +118,11 @@ def _opened(run: BoxRun, store: FinishedPieces, output: str, count: int) -> Sear
     ReadError
         If they are of another search, or the directory can't be made.
     """
-    if run.sharing.resume and not (run.quiet or store.exists()) and os.path.exists(output):  # noqa: PTH110
-        files.say(f"{output} may be of another search: every piece is searched again")
+    made = description(run.asked.search, count)
     try:
-        without = store.open(description(run.asked.search, count), count, resume=run.sharing.resume)
+        run.sharing.open(store, output, made, count, "piece is searched", quiet=run.quiet)
     except OSError as error:
         raise ReadError([unwritable(output, error)]) from None
-    if without and not run.quiet:
-        files.say(f"{store.directory}: {without}; every piece is searched")
     return SearchedPieces(count, store)
 
 

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 import click
 
 from vstatics import readers
+from vstatics.cli.convert import write as write_case
 from vstatics.cli.frame import cases as arguments
 from vstatics.cli.frame import files
 from vstatics.cli.frame.cases import gear_number
@@ -136,7 +137,7 @@ def simplify(
                     own.link_name(end) for end in (own.gear_input(chosen), own.gear_output(chosen))
                 ]
                 made = scheme_case(found.scheme, own.name, ends, chosen.name)
-                files.write_output(_text(made, written), output)
+                files.write_output(write_case(made, written)[0], output)
             return True
 
         doubts = [*(doubt.message for doubt in found.warnings), *_lost(own)]
@@ -169,9 +170,3 @@ def _lost(case: Transmission) -> list[str]:
     if not names:
         return []
     return [f"the loss factor of {spoken(names)} is left out: a scheme has viscous damping only"]
-
-
-def _text(case: Transmission, form: str) -> str:
-    from vstatics.writers import named
-
-    return named.write_yaml(case) if form == "yaml" else named.write_json(case)
