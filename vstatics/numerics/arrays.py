@@ -36,7 +36,7 @@ def first_largest(sizes: Floats) -> Integers:
     return np.asarray(np.argmax(known >= known.max(axis=0) * (1 - LAST_BITS), axis=0))
 
 
-def largest(values: Floats | Complex) -> float:
+def largest(values: np.ndarray[Any, np.dtype[np.inexact[Any]]]) -> float:
     """The largest magnitude of an array; 0 of an empty one, NaN if any is.
 
     Examples
