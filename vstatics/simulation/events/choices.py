@@ -27,8 +27,8 @@ class ModeChoices:
     Parameters
     ----------
     system : MotionSystem
-    layout : PortLayout
-    structures : Structures
+    loose : MotionStructure
+        While nothing sticks.
     """
 
     def __init__(self, system: MotionSystem, loose: MotionStructure) -> None:

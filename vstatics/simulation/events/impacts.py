@@ -26,8 +26,6 @@ class Impact(NamedTuple):
     """Of links. [rad/s]"""
     energies: tuple[float, ...]
     """Lost, by each contact that joins. [J]"""
-    stopped: tuple[int, ...]
-    """Indices of the freewheels that are at their stop."""
 
 
 def impact(
@@ -59,7 +57,7 @@ def impact(
             overrun = all(system.contacts[index].row @ after >= -small for index in free)
             if best is None or (pushed and overrun):
                 energies = _energies(system, (speeds, after), impulses, rigid, joining)
-                best = Impact(after, energies, stopped)
+                best = Impact(after, energies)
             if pushed and overrun:
                 return best
     assert best is not None  # noqa: S101 - there is one choice at least

@@ -163,8 +163,6 @@ class TimeStretch(NamedTuple):
     exponential: Exponential
     starts: Floats
     """States of the exponential at the start of each part."""
-    given: Floats
-    """Series of the torques that bend, shape (bending ports, DEGREE + 1)."""
 
 
 class Closed:
@@ -328,7 +326,7 @@ class Closed:
         first[size + 1] = 1.0
         first[size + 2 :] = (given @ to_powers).reshape(-1)
         first[size:] *= unit
-        return TimeStretch(parts, exponential, exponential.repeated(first, parts.number), given)
+        return TimeStretch(parts, exponential, exponential.repeated(first, parts.number))
 
     def _states(self, stretch: TimeStretch) -> Floats:
         """X at instants of all parts, shape (size, parts, instants)."""

@@ -59,10 +59,7 @@ def scenario_problems(scenario: Scenario) -> Iterator[Problem]:
     yield from _of_torques(scenario)
     yield from _of_converters(scenario.converters, scenario.case)
     yield from _of_shifts(scenario)
-    for link, speeds in scenario.targets.items():
-        path = ("targets", _name(scenario.case, link))
-        yield from _of_link(link, scenario.case, path)
-        yield from of_finite(speeds, "a speed", path)
+    yield from _of_speeds(scenario.targets, scenario.case, "targets")
 
 
 def scenario_doubts(scenario: Scenario) -> Iterator[Problem]:
@@ -92,10 +89,8 @@ def _of_start(start: Start, case: Transmission) -> Iterator[Problem]:
     elif start.speed:
         yield Problem("read `speed` without `gear`, expected both", ("start", "speed"))
     yield from of_finite([start.speed], "a speed", ("start", "speed"))
-    for link, speed in start.speeds.items():
-        path = ("start", "speeds", _name(case, link))
-        yield from _of_link(link, case, path)
-        yield from of_finite([speed], "a speed", path)
+    speeds = {link: [speed] for link, speed in start.speeds.items()}
+    yield from _of_speeds(speeds, case, "start", "speeds")
     for place, element in enumerate(start.engaged, 1):
         yield from _of_element(element, case, ("start", "engaged", place))
 
@@ -215,6 +210,15 @@ def _of_range(value: float, what: str, path: Path, *, above_0: bool = False) -> 
     if not (0 < value < math.inf or (value == 0 and not above_0)):
         least = "above 0" if above_0 else "of 0 or more"
         yield Problem(f"read {value:g}, expected {what} {least}", path)
+
+
+def _of_speeds(
+    speeds: Mapping[int, Sequence[float]], case: Transmission, *place: str
+) -> Iterator[Problem]:
+    for link, several in speeds.items():
+        path = (*place, _name(case, link))
+        yield from _of_link(link, case, path)
+        yield from of_finite(several, "a speed", path)
 
 
 def _of_link(link: int, case: Transmission, path: Path) -> Iterator[Problem]:
