@@ -7,8 +7,10 @@ from collections.abc import Iterable, Mapping, Sequence
 
 from vstatics.pictures.boxes.numbers import LARGE_SPOT, SPOT, BoxPoint, number_spots, rounded
 from vstatics.pictures.sheet import labels
-from vstatics.pictures.sheet.pen import AxisScale, Pen, tick_texts, widest
+from vstatics.pictures.sheet.labels import Span, widest
+from vstatics.pictures.sheet.pen import AxisScale, Pen, tick_texts
 from vstatics.pictures.sheet.style import TITLE, Style
+from vstatics.pictures.sheet.words import term
 from vstatics.synthesis.boxes.listing import BoxListing, ListedBox
 from vstatics.tables.numbers import certain
 
@@ -97,7 +99,7 @@ def box_scale(values: Sequence[float]) -> AxisScale:
     return AxisScale(*_ends(values))
 
 
-def _ends(values: Sequence[float]) -> tuple[float, float]:
+def _ends(values: Sequence[float]) -> Span:
     """The ends of an axis: beside all values, and apart where these differ by rounding.
 
     >>> _ends([2.0, 2.0]), _ends([])
@@ -140,9 +142,9 @@ def _draw_spots(pen: Pen, spots: Sequence[BoxPoint], look: Look | None, *, is_pa
 def _said(spot: BoxPoint, style: Style) -> str:
     """What a point is."""
     numbers, first = ", ".join(str(box.number) for box in spot.boxes), spot.boxes[0]
-    family = f"{style.text('family', 'семейство')} {first.family}"
+    family = f"{term('family', style)} {first.family}"
     loss = f"{style.text('loss', 'потери')} {100 * first.loss:.2f} %"
-    return f"{numbers}: {family}, {loss}, {style.text('torque', 'момент')} {first.torque:.2f}"
+    return f"{numbers}: {family}, {loss}, {term('torque', style)} {first.torque:.2f}"
 
 
 def _draw_words(pen: Pen, listing: BoxListing, *, has_more: bool) -> None:
@@ -171,9 +173,8 @@ def _draw_words(pen: Pen, listing: BoxListing, *, has_more: bool) -> None:
 def _draw_families(pen: Pen, listing: BoxListing, looks: Mapping[int, Look]) -> None:
     """The families that have a colour, how many are grey, what has a dark edge."""
     families, style = listing.families, pen.style
-    word = style.text("family", "семейство")
     entries = [
-        (look, style.paper, f"{word} {family} ({len(families[family])})")
+        (look, style.paper, f"{term('family', style)} {family} ({len(families[family])})")
         for family, look in looks.items()
     ]
     rest = len(families) - len(looks)

@@ -95,10 +95,13 @@ def in_gear(results: Results, number: int, drawn: Sequence[Lever]) -> LeverGear:
     torques = [found if one.devices else [] for one, found in zip(drawn, torques, strict=True)]
     case, spots, found = results.case, spots_of(drawn), roles(results, number - 1)
     grounds = _grounds(case, state, drawn, spots)
-    ties = list(_ties(case, state, drawn, spots))
+    elements = [case.shift_elements[one - 1] for one in state.gear.engaged]
+    clutches = [one for element in elements for one in tie(element.name, *element.links, spots)]
+    ties = [*joins(drawn), *clutches, *shaft_ties(case, spots)]
+    first = whole.torques.on_first_link
     carried = {
-        case.shift_elements[one - 1].name: plain(whole.torques.on_first_link[one - 1])
-        for one in state.gear.engaged
+        element.name: plain(first[one - 1])
+        for element, one in zip(elements, state.gear.engaged, strict=True)
     }
     does = [{found[device] for device in one.devices} for one in drawn]
     gear = LeverGear(state, torques, does, grounds, ties, carried, {})
@@ -156,16 +159,6 @@ def _grounds(
                 names.setdefault(spot, []).append(element.name)
     shown = {spot: some for spot, some in names.items() if drawn[spot[0]].is_shown(spot[1])}
     return {spot: ", ".join(some) for spot, some in shown.items()}
-
-
-def _ties(
-    case: Transmission, state: PictureState, drawn: Sequence[Lever], spots: dict[int, list[Spot]]
-) -> Iterator[LeverTie]:
-    yield from joins(drawn)
-    for number in state.gear.engaged:
-        element = case.shift_elements[number - 1]
-        yield from tie(element.name, *element.links, spots)
-    yield from shaft_ties(case, spots)
 
 
 def joins(drawn: Sequence[Lever]) -> Iterator[LeverTie]:

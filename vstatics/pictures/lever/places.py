@@ -14,7 +14,7 @@ from vstatics.pictures.sheet import labels
 from vstatics.pictures.sheet.labels import Span
 from vstatics.pictures.sheet.style import SHORT_NAME, SIZE, Style
 from vstatics.pictures.sheet.tolerances import LEAST_POINT_DISTANCE
-from vstatics.pictures.sheet.words import word
+from vstatics.pictures.sheet.words import term, word
 
 ARROW = 34.0
 """Of the longest torque."""
@@ -126,7 +126,7 @@ def page_of(case: Transmission, style: Style, left: float) -> LeverPage | None:
     cells: list[LeverCell] = []
     for place, lever in enumerate(drawn):
         rows = _rows(case, lever, shares[place], scale, style)
-        wide = max(labels.width(row.name) for row in rows.values())
+        wide = labels.widest(row.name for row in rows.values())
         at = left + max(wide, ARROW + 10 if lever.devices else 0.0) + BESIDE_LEVER
         right = (
             at
@@ -206,4 +206,4 @@ def node_text(case: Transmission, lever: Lever, number: int, style: Style) -> st
 
 def link_name(case: Transmission, link: int, style: Style) -> str:
     """The name of a link, or of the housing."""
-    return case.link_name(link) if link else style.text("housing", "корпус")
+    return case.link_name(link) if link else term("housing", style)
