@@ -7,6 +7,7 @@ from collections.abc import Iterable, Mapping, Sequence
 
 from vstatics.pictures.boxes.numbers import LARGE_SPOT, SPOT, BoxPoint, number_spots, rounded
 from vstatics.pictures.sheet import labels
+from vstatics.pictures.sheet.groups import grouped
 from vstatics.pictures.sheet.labels import Span, widest
 from vstatics.pictures.sheet.pen import AxisScale, Pen, tick_texts
 from vstatics.pictures.sheet.style import TITLE, Style
@@ -57,9 +58,7 @@ def draw_points(pen: Pen, listing: BoxListing, drawn: Sequence[ListedBox]) -> No
         for place, family in enumerate(families)
     }
     spots = list(_spots(pen, boxes))
-    alike: dict[tuple[Look | None, bool], list[BoxPoint]] = {}
-    for spot in spots:
-        alike.setdefault((looks.get(spot.boxes[0].family), spot.is_pareto), []).append(spot)
+    alike = grouped(((looks.get(one.boxes[0].family), one.is_pareto), one) for one in spots)
     for (look, is_pareto), own in alike.items():
         for some in [[spot] for spot in own] if len(spots) <= FEW_POINTS else [own]:
             _draw_spots(pen, some, look, is_pareto=is_pareto)

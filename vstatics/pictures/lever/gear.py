@@ -7,10 +7,11 @@ from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
-from vstatics.model.transmission import HOUSING, Transmission
+from vstatics.model.transmission import HOUSING, Gear, Transmission
 from vstatics.numerics.traced import plain
 from vstatics.pictures.lever.points import Lever, held_for_good
 from vstatics.pictures.sheet.gear_state import PictureState, shown_of
+from vstatics.pictures.sheet.groups import grouped
 from vstatics.pictures.sheet.tolerances import NO_LEVER_TORQUE
 from vstatics.statics.results import Results
 from vstatics.statics.roles import IDLE, ONE_PIECE, Role, roles
@@ -136,14 +137,27 @@ def _torque(
 
 def spots_of(drawn: Sequence[Lever]) -> dict[int, list[Spot]]:
     """The points of each link, from left to right."""
-    found: dict[int, list[Spot]] = {}
-    for place, lever in enumerate(drawn):
-        for number, node in enumerate(lever.nodes):
-            found.setdefault(node.link, []).append((place, number))
+    found = grouped(
+        (node.link, (place, number))
+        for place, lever in enumerate(drawn)
+        for number, node in enumerate(lever.nodes)
+    )
     for lever in drawn:
         for link in lever.shaft:
             found.setdefault(link, found[lever.nodes[0].link])
     return found
+
+
+def brakes_of(
+    case: Transmission, gear: Gear, spots: dict[int, list[Spot]]
+) -> dict[Spot, list[str]]:
+    """The names of the engaged brakes at the first point of each link."""
+    return grouped(
+        (spot, element.name)
+        for element in (case.shift_elements[number - 1] for number in gear.engaged)
+        if HOUSING in element.links
+        for spot in spots.get(max(element.links), ())[:1]
+    )
 
 
 def _grounds(
@@ -152,11 +166,7 @@ def _grounds(
     """A link has one ground, with all its brakes; the housing has one at each of its points."""
     good = [spot for link in held_for_good(case) for spot in spots.get(link, ())[:1]]
     names: dict[Spot, list[str]] = {spot: [] for spot in [*spots.get(HOUSING, ()), *good]}
-    for number in state.gear.engaged:
-        element = case.shift_elements[number - 1]
-        if HOUSING in element.links:
-            for spot in spots.get(max(element.links), ())[:1]:
-                names.setdefault(spot, []).append(element.name)
+    names |= brakes_of(case, state.gear, spots)
     shown = {spot: some for spot, some in names.items() if drawn[spot[0]].is_shown(spot[1])}
     return {spot: ", ".join(some) for spot, some in shown.items()}
 

@@ -7,7 +7,7 @@ from itertools import pairwise
 from typing import NamedTuple
 
 from vstatics.model.transmission import HOUSING, Gear, Transmission
-from vstatics.pictures.lever.gear import Spot, spots_of
+from vstatics.pictures.lever.gear import Spot, brakes_of, spots_of
 from vstatics.pictures.lever.order import every, heights, ordered
 from vstatics.pictures.lever.points import Lever, held_for_good, levers, shafts
 from vstatics.pictures.sheet import labels
@@ -160,11 +160,7 @@ def _held(case: Transmission, drawn: Sequence[Lever]) -> list[float]:
     ]:
         found[place] = GROUND_WIDTH
     for gear in [*case.gears, Gear(case.freewheels)]:
-        names: dict[Spot, list[str]] = {}
-        for element in (case.shift_elements[number - 1] for number in gear.engaged):
-            for spot in spots.get(max(element.links), ())[:1] if HOUSING in element.links else ():
-                names.setdefault(spot, []).append(element.name)
-        for (place, _), some in names.items():
+        for (place, _), some in brakes_of(case, gear, spots).items():
             found[place] = max(
                 found[place], GROUND_WIDTH + min(labels.width(", ".join(some)), BRAKE)
             )

@@ -12,6 +12,7 @@ from typing import NamedTuple
 
 from vstatics.pictures.schemes.board import Board
 from vstatics.pictures.schemes.channels import ABOVE, Arrangement
+from vstatics.pictures.sheet.groups import grouped
 
 STEPS, MOST_STEPS = 150, 2500
 """Of an attempt, for each item and wire, and in all."""
@@ -65,11 +66,12 @@ def _start(board: Board) -> Arrangement:
 
 def _middles(board: Board) -> list[float]:
     """By item, its rank, or the mean rank of those that its wires join."""
-    places: dict[int, list[float]] = {}
-    for item in board.items:
-        if item.rank is not None:
-            for wire in {tap.wire for tap in item.variants[0]}:
-                places.setdefault(wire, []).append(item.rank)
+    places = grouped(
+        (wire, item.rank)
+        for item in board.items
+        if item.rank is not None
+        for wire in {tap.wire for tap in item.variants[0]}
+    )
     found = []
     for item in board.items:
         joined = [
