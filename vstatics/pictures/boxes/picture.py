@@ -16,6 +16,7 @@ from vstatics.pictures.schemes.bare import bare_stick
 from vstatics.pictures.sheet import labels
 from vstatics.pictures.sheet.pen import Pen, blank
 from vstatics.pictures.sheet.style import SMALL_NUMBER, Style
+from vstatics.pictures.sheet.words import term
 from vstatics.summary.contrast import letters
 from vstatics.synthesis.boxes.listing import BoxListing, ListedBox, drawn_boxes
 
@@ -93,7 +94,7 @@ def draw_boxes(listing: BoxListing, style: Style, drawn: Sequence[ListedBox]) ->
     for place, (box, stick, lines) in enumerate(zip(drawn, sticks, captions, strict=True)):
         row, column = divmod(place, count)
         x, y = BOXES_MARGIN + column * (room + gap), top - sum(rows[:row]) - gap * row
-        family = f"{box.number}   {style.text('family', 'семейство')} {box.family}"
+        family = f"{box.number}   {term('family', style)} {box.family}"
         page.text(x, y, family, bold=True, va="top")
         for line in lines:
             y -= CAPTION_LINE_HEIGHT
@@ -121,7 +122,7 @@ def _caption(box: ListedBox, case: Transmission, room: float, style: Style) -> l
     called = zip(letters(len(names)), names, strict=True)
     figures = (
         (style.text("loss", "потери"), f"{100 * box.loss:.2f} %"),
-        (style.text("torque", "момент"), f"{box.torque:.2f}"),
+        (term("torque", style), f"{box.torque:.2f}"),
         (style.text("planets", "сателлиты"), f"{box.planet_speed:.2f}"),
         (style.text("slip", "скольжение"), f"{box.slip:.2f}"),
         (style.text("brakes", "тормоза"), f"{box.brakes}"),

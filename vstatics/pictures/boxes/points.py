@@ -7,8 +7,11 @@ from collections.abc import Iterable, Mapping, Sequence
 
 from vstatics.pictures.boxes.numbers import LARGE_SPOT, SPOT, BoxPoint, number_spots, rounded
 from vstatics.pictures.sheet import labels
-from vstatics.pictures.sheet.pen import AxisScale, Pen, tick_texts, widest
+from vstatics.pictures.sheet.groups import grouped
+from vstatics.pictures.sheet.labels import Span, widest
+from vstatics.pictures.sheet.pen import AxisScale, Pen, tick_texts
 from vstatics.pictures.sheet.style import TITLE, Style
+from vstatics.pictures.sheet.words import term
 from vstatics.synthesis.boxes.listing import BoxListing, ListedBox
 from vstatics.tables.numbers import certain
 
@@ -55,9 +58,7 @@ def draw_points(pen: Pen, listing: BoxListing, drawn: Sequence[ListedBox]) -> No
         for place, family in enumerate(families)
     }
     spots = list(_spots(pen, boxes))
-    alike: dict[tuple[Look | None, bool], list[BoxPoint]] = {}
-    for spot in spots:
-        alike.setdefault((looks.get(spot.boxes[0].family), spot.is_pareto), []).append(spot)
+    alike = grouped(((looks.get(one.boxes[0].family), one.is_pareto), one) for one in spots)
     for (look, is_pareto), own in alike.items():
         for some in [[spot] for spot in own] if len(spots) <= FEW_POINTS else [own]:
             _draw_spots(pen, some, look, is_pareto=is_pareto)
@@ -97,7 +98,7 @@ def box_scale(values: Sequence[float]) -> AxisScale:
     return AxisScale(*_ends(values))
 
 
-def _ends(values: Sequence[float]) -> tuple[float, float]:
+def _ends(values: Sequence[float]) -> Span:
     """The ends of an axis: beside all values, and apart where these differ by rounding.
 
     >>> _ends([2.0, 2.0]), _ends([])
@@ -140,9 +141,9 @@ def _draw_spots(pen: Pen, spots: Sequence[BoxPoint], look: Look | None, *, is_pa
 def _said(spot: BoxPoint, style: Style) -> str:
     """What a point is."""
     numbers, first = ", ".join(str(box.number) for box in spot.boxes), spot.boxes[0]
-    family = f"{style.text('family', 'семейство')} {first.family}"
+    family = f"{term('family', style)} {first.family}"
     loss = f"{style.text('loss', 'потери')} {100 * first.loss:.2f} %"
-    return f"{numbers}: {family}, {loss}, {style.text('torque', 'момент')} {first.torque:.2f}"
+    return f"{numbers}: {family}, {loss}, {term('torque', style)} {first.torque:.2f}"
 
 
 def _draw_words(pen: Pen, listing: BoxListing, *, has_more: bool) -> None:
@@ -171,9 +172,8 @@ def _draw_words(pen: Pen, listing: BoxListing, *, has_more: bool) -> None:
 def _draw_families(pen: Pen, listing: BoxListing, looks: Mapping[int, Look]) -> None:
     """The families that have a colour, how many are grey, what has a dark edge."""
     families, style = listing.families, pen.style
-    word = style.text("family", "семейство")
     entries = [
-        (look, style.paper, f"{word} {family} ({len(families[family])})")
+        (look, style.paper, f"{term('family', style)} {family} ({len(families[family])})")
         for family, look in looks.items()
     ]
     rest = len(families) - len(looks)

@@ -9,7 +9,7 @@ from vstatics.pictures.flow.columns import BAND_CLEARANCE, SPACE, Across, FlowCe
 from vstatics.pictures.flow.graph import Band, Graph
 from vstatics.pictures.flow.places import Box, Line, Note
 from vstatics.pictures.flow.texts import FlowTexts
-from vstatics.pictures.sheet.labels import Point, height, width
+from vstatics.pictures.sheet.labels import Point, Span, height, width
 
 UNDER = 3.0
 """Between a band and its text. [pt]"""
@@ -55,7 +55,7 @@ def back_rows(graph: Graph, scale: float, texts: FlowTexts) -> list[BackRow]:
     return found
 
 
-def free(rows: Sequence[BackRow], place: int, spaced: Across) -> Iterator[tuple[float, float]]:
+def free(rows: Sequence[BackRow], place: int, spaced: Across) -> Iterator[Span]:
     """Where nothing that goes farther down crosses a row, from left to right [pt]."""
     taken = sorted(
         (x - row.width / 2 - BAND_CLEARANCE, x + row.width / 2 + BAND_CLEARANCE)
@@ -69,7 +69,7 @@ def free(rows: Sequence[BackRow], place: int, spaced: Across) -> Iterator[tuple[
     yield low, float("inf")
 
 
-def nearest(wanted: float, wide: float, places: Iterator[tuple[float, float]]) -> float | None:
+def nearest(wanted: float, wide: float, places: Iterator[Span]) -> float | None:
     """The place next to that which is wanted where something of a width has room."""
     half = wide / 2
     found = [

@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from vstatics.pictures.flow.graph import Graph, Run
 from vstatics.pictures.flow.texts import FlowTexts
-from vstatics.pictures.sheet.labels import height, width
+from vstatics.pictures.sheet.labels import Span, height, width
 
 BODY = 12.0
 """Width of a device. [pt]"""
@@ -142,9 +142,9 @@ def on_way_back(run: Run, power: float, scale: float, texts: FlowTexts) -> FlowC
 class Across(NamedTuple):
     """Places from left to right [pt]."""
 
-    columns: Sequence[tuple[float, float]]
+    columns: Sequence[Span]
     """Left and right side of each."""
-    gaps: Sequence[tuple[float, float]]
+    gaps: Sequence[Span]
     """Where bands have curves, behind each column."""
     leaving: Mapping[int, float]
     """Where a band that goes back turns first."""

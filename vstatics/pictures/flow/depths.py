@@ -4,21 +4,17 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from itertools import pairwise
 from typing import NamedTuple
 
 from vstatics.pictures.flow.columns import SPACE, FlowCell, Key, NodeColumns
 from vstatics.pictures.flow.graph import EndPort, Graph
-from vstatics.pictures.flow.order import ordered
-from vstatics.pictures.sheet.labels import spread
+from vstatics.pictures.flow.order import Near, mean, neighbours, ordered
+from vstatics.pictures.sheet.labels import Span, spread
 
 RUN_SWEEPS = 12
 """Times that runs are moved towards their neighbours."""
 
 _Columns = Sequence[Mapping[Key, FlowCell]]
-_Shifts = Mapping[Key, Sequence[tuple[Key, float, float]]]
-"""Neighbours of a cell, the power that they exchange with it, and how much deeper than them
-it stands when the band between is level. [pt]"""
 
 
 class Depths(NamedTuple):
@@ -44,13 +40,13 @@ def depths(graph: Graph, scale: float, cells: NodeColumns, back: Sequence[int]) 
     by_key = {(layer, one.number): one for layer, own in enumerate(cells.cells) for one in own}
     columns = [{own: by_key[own] for own in order} for order in ordered(graph, cells)]
     stacks = _stacked(graph, scale, cells, columns, back)
-    shifts = _shifts(graph, cells, stacks)
+    shifts = neighbours(graph, cells, stacks.starts, stacks.ends)
     places = {own: 60.0 * row for column in columns for row, own in enumerate(column)}
     for sweep in range(RUN_SWEEPS):
         sides = shifts if sweep >= RUN_SWEEPS / 2 else shifts[sweep % 2 : sweep % 2 + 1]
         for column in columns if sweep % 2 == 0 else reversed(columns):
             wanted = [
-                _mean([pair for side in sides for pair in side.get(own, ())], places, own)
+                mean([pair for side in sides for pair in side.get(own, ())], places, own)
                 + one.lower
                 for own, one in column.items()
             ]
@@ -105,27 +101,6 @@ def _stacked(
     return Depths({}, *sides, ports)
 
 
-def _shifts(graph: Graph, cells: NodeColumns, stacks: Depths) -> tuple[_Shifts, _Shifts]:
-    """Cells before each along bands, and those after it."""
-    before: dict[Key, list[tuple[Key, float, float]]] = {}
-    after: dict[Key, list[tuple[Key, float, float]]] = {}
-    for number, way in cells.ways.items():
-        power = graph.bands[number].power
-        within = [stacks.starts[number], *[0.0] * (len(way) - 2), stacks.ends[number]]
-        for place, (one, other) in enumerate(pairwise(way)):
-            shift = within[place] - within[place + 1]
-            before.setdefault(other, []).append((one, power, shift))
-            after.setdefault(one, []).append((other, power, -shift))
-    return before, after
-
-
-def _mean(near: Sequence[tuple[Key, float, float]], places: Mapping[Key, float], own: Key) -> float:
-    """Where bands to neighbours are level, by their power; without any its own place."""
-    weight = sum(power for _, power, _ in near)
-    level = sum((places[one] + shift) * power for one, power, shift in near)
-    return level / weight if weight else places[own]
-
-
 def _rising(wanted: Sequence[float]) -> list[float]:
     """Places near to those wanted that keep the order of the column."""
     upper = [max(wanted[: place + 1]) for place in range(len(wanted))]
@@ -133,9 +108,7 @@ def _rising(wanted: Sequence[float]) -> list[float]:
     return [(high + low) / 2 for high, low in zip(upper, lower, strict=True)]
 
 
-def _straighten(
-    columns: _Columns, places: dict[Key, float], shifts: tuple[_Shifts, _Shifts]
-) -> None:
+def _straighten(columns: _Columns, places: dict[Key, float], shifts: tuple[Near, Near]) -> None:
     """Make bands between cells in series level, as far as their columns have room for it."""
     for series in _series(columns, shifts):
         level: dict[Key, float] = {}
@@ -160,7 +133,7 @@ def _set_level(
         places[own] = min(max(wanted, low), high) + deeper
 
 
-def _series(columns: _Columns, shifts: tuple[_Shifts, _Shifts]) -> Iterator[list[Key]]:
+def _series(columns: _Columns, shifts: tuple[Near, Near]) -> Iterator[list[Key]]:
     """Cells each of which is the only neighbour of the next, from left to right."""
     before, after = (
         {own: {one for one, *_ in ends} for own, ends in side.items()} for side in shifts
@@ -177,9 +150,7 @@ def _series(columns: _Columns, shifts: tuple[_Shifts, _Shifts]) -> Iterator[list
         yield series
 
 
-def _room(
-    column: Mapping[Key, FlowCell], own: Key, places: Mapping[Key, float]
-) -> tuple[float, float]:
+def _room(column: Mapping[Key, FlowCell], own: Key, places: Mapping[Key, float]) -> Span:
     """Between which depths a cell may stand."""
     order = list(column)
     rank, cell = order.index(own), column[own]

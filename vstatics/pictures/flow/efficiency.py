@@ -20,7 +20,7 @@ from vstatics.pictures.sheet.line_styles import loss_look
 from vstatics.pictures.sheet.pen import AxisScale, Pen, tick_texts
 from vstatics.pictures.sheet.style import MARGIN, SIZE, Style, number
 from vstatics.pictures.sheet.tolerances import EFFICIENCY_STEP, NO_LOSS_SHARE
-from vstatics.pictures.sheet.words import fault, gear_title, title
+from vstatics.pictures.sheet.words import fault, gear_title, term, title
 from vstatics.statics.results import Results
 from vstatics.statics.status import LOCKED
 from vstatics.tables.numbers import typeset
@@ -133,10 +133,10 @@ def _panel(name: str, losses: _Losses) -> Pen:
     pen.frame("left", "top")
     ticks = labels.ticks(pen.y.low, 1.0, 6)
     pen.scale("left", ticks, tick_texts(ticks, [EFFICIENCY_STEP]), grid=True)
-    pen.name("left", style.text("efficiency", "КПД"), EFFICIENCY_SCALE_WIDTH - MARGIN - SIZE / 2)
+    pen.name("left", term("efficiency", style), EFFICIENCY_SCALE_WIDTH - MARGIN - SIZE / 2)
     at = [Label(pen.across(place), gear, style.ink) for place, gear in enumerate(losses.gears)]
     along(pen, "bottom", at, upright=upright)
-    pen.name("bottom", style.text("gear", "передача"), LEADER + foot + SIZE)
+    pen.name("bottom", term("gear", style), LEADER + foot + SIZE)
     return pen
 
 
@@ -187,7 +187,7 @@ def _bars(pen: Pen, losses: _Losses) -> None:
                     at = left + wide / 2, (top + low) / 2
                     pen.text(*at, name, ha="center", va="center_baseline", over=True)
                 reached -= share
-        low, reads = pen.up(float(value)), style.text("efficiency", "КПД")
+        low, reads = pen.up(float(value)), term("efficiency", style)
         said = f"{head}: {reads} {number(value)}"
         pen.line((left, low), (left + wide, low), color=style.ink, width=1.5, title=said)
         pen.text(left + wide / 2, low - 4, number(value), ha="center", va="top")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import pairwise
 from typing import NamedTuple
@@ -71,7 +72,14 @@ class Graph(NamedTuple):
 
     def through(self, node: Node) -> float:
         """Power that is drawn through a node [-]."""
-        return _through(node, self.bands, self.ports, self.losses)
+        own = self.ports.get(node, ())
+        entering = [band.power for band in self.bands if band.target == node]
+        entering += [port.power for port in own if port.enters]
+        leaving = [band.power for band in self.bands if band.source == node]
+        leaving += [port.power for port in own if not port.enters]
+        on_way = math.fsum(band.power for band in self.bands if node in band.between)
+        lost = self.losses.get(node, 0.0)
+        return on_way + max(math.fsum(entering), math.fsum(leaving) + lost)
 
 
 def graph(side: PowerFlow) -> Graph:
@@ -110,13 +118,13 @@ def graph(side: PowerFlow) -> Graph:
         else:
             pairs += pairwise(piece)
             bands += [Band(*pair, power, number) for pair in pairwise(piece)]
-    losses = _losses(side)
     nodes = dict.fromkeys(
         [*known, *(node for band in bands for node in (band.source, band.target))]
     )
-    runs = tuple(_runs(nodes, bands, ports, losses))
+    drawn = Graph((), (), {}, tuple(bands), ports, _losses(side), frozenset())
+    runs = tuple(_runs(nodes, drawn))
     place = {node: index for index, run in enumerate(runs) for node in run}
-    drawn = Graph(runs, (), place, tuple(bands), ports, losses, frozenset())
+    drawn = drawn._replace(runs=runs, place=place)
     drawn = drawn._replace(numbered=frozenset(_numbered(drawn)))
     return drawn._replace(layers=_layers(drawn))
 
@@ -151,44 +159,18 @@ def _behind(start: Node, pairs: Sequence[tuple[Node, Node]]) -> set[Node]:
     return found
 
 
-def _through(
-    node: Node,
-    bands: Sequence[Band],
-    ports: Mapping[Node, tuple[EndPort, ...]],
-    losses: Mapping[Node, float],
-) -> float:
-    own = ports.get(node, ())
-    entering = [band.power for band in bands if band.target == node]
-    entering += [port.power for port in own if port.enters]
-    leaving = [band.power for band in bands if band.source == node]
-    leaving += [port.power for port in own if not port.enters]
-    on_way = math.fsum(band.power for band in bands if node in band.between)
-    lost = losses.get(node, 0.0)
-    return on_way + max(math.fsum(entering), math.fsum(leaving) + lost)
-
-
-def _runs(
-    nodes: Iterable[Node],
-    bands: Sequence[Band],
-    ports: Mapping[Node, tuple[EndPort, ...]],
-    losses: Mapping[Node, float],
-) -> Iterator[Run]:
+def _runs(nodes: Iterable[Node], drawn: Graph) -> Iterator[Run]:
     """Nodes in series together, in the order of the first of each run."""
-    after: dict[Node, set[Node]] = {}
-    before: dict[Node, set[Node]] = {}
-    for band in bands:
-        after.setdefault(band.source, set()).add(band.target)
-        before.setdefault(band.target, set()).add(band.source)
-    least = NO_POWER * max((band.power for band in bands), default=0.0)
+    pairs = {(band.source, band.target) for band in drawn.bands}
+    leaving, arriving = (Counter(pair[end] for pair in pairs) for end in (0, 1))
+    least = NO_POWER * max((band.power for band in drawn.bands), default=0.0)
     behind: dict[Node, Node] = {}
-    for band in (one for one in bands if not one.back):
-        one, other = band.source, band.target
-        branch = len(after[one]) > 1 or len(before[other]) > 1
-        branch |= any(not port.enters for port in ports.get(one, ()))
-        branch |= any(port.enters for port in ports.get(other, ()))
-        powers = [_through(node, bands, ports, losses) for node in (one, other)]
-        alike = abs(powers[0] - powers[1]) <= least
-        if alike and not branch and not {one, other} & losses.keys():
+    for one, other in ((band.source, band.target) for band in drawn.bands if not band.back):
+        branch = leaving[one] > 1 or arriving[other] > 1
+        branch |= any(not port.enters for port in drawn.ports.get(one, ()))
+        branch |= any(port.enters for port in drawn.ports.get(other, ()))
+        alike = abs(drawn.through(one) - drawn.through(other)) <= least
+        if alike and not branch and not {one, other} & drawn.losses.keys():
             behind[one] = other
     for node in nodes:
         if node not in behind.values():

@@ -62,7 +62,20 @@ def layout(graph: Graph, scale: float, texts: FlowTexts) -> FlowLayout:
     boxes = list(placed.boxes)
     low = max(box.bottom + box.cell.below for box in boxes)
     low = max([low, *(y + line.width / 2 for line in lines for _, y in line.points)])
-    notes = list(_on_bands(placed))
+    notes = [  # powers above bands that pass a column
+        Note(
+            placed.spaced.middle(layer),
+            placed.deep.middles[layer, one.number]
+            - one.thick / 2
+            - one.above
+            + height(one.text) / 2,
+            one.text,
+            loop=False,
+        )
+        for layer, column in enumerate(placed.cells.cells)
+        for one in column
+        if one.number < 0 and one.text
+    ]
     ends = {row.number: placed.ends(row.number) for row in rows}
     for line, own, texts_of_row in placed_rows(rows, placed.spaced, ends, low):
         lines.append(line)
@@ -71,8 +84,18 @@ def layout(graph: Graph, scale: float, texts: FlowTexts) -> FlowLayout:
     low = max([low, *(y + line.width / 2 for line in lines for _, y in line.points)])
     low = max([low, *(note.bottom for note in notes)])
     wide = max([placed.spaced.width, *(note.x + width(note.text) / 2 for note in notes)])
-    stubs = tuple(_stubs(placed))
-    return FlowLayout(wide, low, graph, tuple(boxes), tuple(lines), stubs, tuple(notes))
+    stubs = [
+        Stub(
+            link,
+            port,
+            port.power * scale,
+            boxes[graph.place[link]].left if port.enters else boxes[graph.place[link]].right,
+            placed.deep.ports[port],
+        )
+        for link, own in graph.ports.items()
+        for port in own
+    ]
+    return FlowLayout(wide, low, graph, tuple(boxes), tuple(lines), tuple(stubs), tuple(notes))
 
 
 def _placed(graph: Graph, scale: float, cells: NodeColumns, rows: Sequence[BackRow]) -> _Placed:
@@ -97,25 +120,6 @@ def _placed(graph: Graph, scale: float, cells: NodeColumns, rows: Sequence[BackR
         layer, one = by_run[number]
         boxes.append(Box(one, spaced.middle(layer), deep.middles[layer, number] - one.thick / 2))
     return _Placed(graph, scale, cells, deep, courses, spaced, boxes)
-
-
-def _stubs(placed: _Placed) -> Iterator[Stub]:
-    graph = placed.graph
-    for link, own in graph.ports.items():
-        box = placed.boxes[graph.place[link]]
-        for port in own:
-            x = box.left if port.enters else box.right
-            yield Stub(link, port, port.power * placed.scale, x, placed.deep.ports[port])
-
-
-def _on_bands(placed: _Placed) -> Iterator[Note]:
-    """Powers above bands that pass a column."""
-    for layer, column in enumerate(placed.cells.cells):
-        for one in column:
-            if one.number < 0 and one.text:
-                top = placed.deep.middles[layer, one.number] - one.thick / 2 - one.above
-                x = placed.spaced.middle(layer)
-                yield Note(x, top + height(one.text) / 2, one.text, loop=False)
 
 
 def _forward(placed: _Placed) -> Iterator[Line]:

@@ -8,18 +8,20 @@ from itertools import combinations, pairwise
 
 from vstatics.pictures.flow.columns import Key, NodeColumns
 from vstatics.pictures.flow.graph import Graph
+from vstatics.pictures.sheet.groups import grouped
 from vstatics.pictures.sheet.tolerances import SAME_CROSSINGS
 
 COLUMN_ROUNDS = 4
 """Times that all columns are put in order."""
 
-_Near = Mapping[Key, Sequence[tuple[Key, float]]]
-"""Neighbours of a cell, with the power that they exchange with it."""
+Near = Mapping[Key, Sequence[tuple[Key, float, float]]]
+"""Neighbours of a cell, the power that they exchange with it, and how much deeper than them
+it stands when the band between is level. [pt]"""
 
 
 def ordered(graph: Graph, cells: NodeColumns) -> list[list[Key]]:
     """The columns in an order with few crossings; neighbours are exchanged as long as it helps."""
-    near = _neighbours(graph, cells)
+    near = neighbours(graph, cells, {}, {})
     columns = [[(layer, one.number) for one in own] for layer, own in enumerate(cells.cells)]
     looped = {end for band in graph.bands if band.loop is not None for end in graph.ends(band)}
     orders = [list(column) for column in columns]
@@ -33,35 +35,45 @@ def ordered(graph: Graph, cells: NodeColumns) -> list[list[Key]]:
     return best
 
 
-def _neighbours(graph: Graph, cells: NodeColumns) -> tuple[_Near, _Near]:
-    """Cells before each along bands, and those after it."""
-    before: dict[Key, list[tuple[Key, float]]] = {}
-    after: dict[Key, list[tuple[Key, float]]] = {}
+def neighbours(
+    graph: Graph, cells: NodeColumns, starts: Mapping[int, float], ends: Mapping[int, float]
+) -> tuple[Near, Near]:
+    """Cells before each along bands, and those after it.
+
+    Parameters
+    ----------
+    starts, ends : mapping of int to float
+        How much deeper than the middle of its run each band is at its ends; else it is in it. [pt]
+    """
+    steps = []
     for number, way in cells.ways.items():
-        band = graph.bands[number]
-        for one, other in pairwise(way):
-            before.setdefault(other, []).append((one, band.power))
-            after.setdefault(one, []).append((other, band.power))
-    return before, after
+        power, last = graph.bands[number].power, len(way) - 2
+        for place, (one, other) in enumerate(pairwise(way)):
+            start = 0.0 if place else starts.get(number, 0.0)
+            shift = start - (ends.get(number, 0.0) if place == last else 0.0)
+            steps.append((one, other, power, shift))
+    before = grouped((other, (one, power, shift)) for one, other, power, shift in steps)
+    return before, grouped((one, (other, power, -shift)) for one, other, power, shift in steps)
 
 
-def _mean(near: Sequence[tuple[Key, float]], places: Mapping[Key, float], own: Key) -> float:
-    """The place of neighbours, by their power; without any its own."""
-    weight = sum(power for _, power in near)
-    return sum(places[one] * power for one, power in near) / weight if weight else places[own]
+def mean(near: Sequence[tuple[Key, float, float]], places: Mapping[Key, float], own: Key) -> float:
+    """Where bands to neighbours are level, by their power; without any its own place."""
+    weight = sum(power for _, power, _ in near)
+    level = sum((places[one] + shift) * power for one, power, shift in near)
+    return level / weight if weight else places[own]
 
 
-def _settle(columns: list[list[Key]], near: tuple[_Near, _Near], turn: int) -> None:
+def _settle(columns: list[list[Key]], near: tuple[Near, Near], turn: int) -> None:
     """Put every column in the order of its neighbours, before it or after it by turns."""
     side = near[turn % 2]
     for place in range(len(columns)) if turn % 2 == 0 else reversed(range(len(columns))):
         ranks = {own: float(rank) for column in columns for rank, own in enumerate(column)}
-        means = {own: _mean(side.get(own, ()), ranks, own) for own in columns[place]}
+        means = {own: mean(side.get(own, ()), ranks, own) for own in columns[place]}
         columns[place].sort(key=means.__getitem__)
 
 
 def _exchanged(
-    columns: list[list[Key]], after: _Near, graph: Graph
+    columns: list[list[Key]], after: Near, graph: Graph
 ) -> tuple[list[list[Key]], float]:
     """The same with neighbours exchanged wherever this saves crossings, and these."""
     places = [(number, rank) for number, one in enumerate(columns) for rank in range(len(one) - 1)]
@@ -78,7 +90,7 @@ def _exchanged(
     return [list(column) for column in columns], least
 
 
-def _crossings(columns: Sequence[Sequence[Key]], after: _Near, graph: Graph) -> float:
+def _crossings(columns: Sequence[Sequence[Key]], after: Near, graph: Graph) -> float:
     """Of each two bands that cross the product of powers; what goes back crosses all below."""
     ranks = {own: rank for column in columns for rank, own in enumerate(column)}
     total = 0.0
@@ -86,7 +98,7 @@ def _crossings(columns: Sequence[Sequence[Key]], after: _Near, graph: Graph) -> 
         bands = [
             (ranks[own], ranks[other], power)
             for own in column
-            for other, power in after.get(own, ())
+            for other, power, _ in after.get(own, ())
         ]
         for (start, end, power), (first, last, another) in combinations(bands, 2):
             if (start - first) * (end - last) < 0:

@@ -43,40 +43,35 @@ class FlowTexts(NamedTuple):
         back: bool = False,
     ) -> str:
         """The names of a run of a width, and the power through it; of ports what differs."""
-        names = [_unbroken(_named(node, ports, self.style)) for node in run]
+        names = [_named(node, ports, self.style) for node in run]
+        names = [one.replace(" ", UNBROKEN) if width(one) <= SHORT_NAME else one for one in names]
         between = f"{UNBROKEN}{'<' if back else '>'} "
         joined = between.join(reversed(names) if back else names)
         name = wrapped(joined, SHORT_NAME if len(run) == 1 else max(LONG_NAME, wide)).replace(
             UNBROKEN, " "
         )
-        lines = [name, "?" if self.side.unknown and self._is_unknown(run) else self.power(power)]
+        lines = [name, "?" if {*run} & {*self.side.unknown} else self.power(power)]
         for port in ports:
             if not math.isclose(port.power, power, rel_tol=SAME_POWER):
                 way = self.style.text(*(("in", "вход") if port.enters else ("out", "выход")))
                 lines.append(f"{way} {self.power(port.power)}")
         return "\n".join(lines)
 
-    def _is_unknown(self, run: Run) -> bool:
-        return any(node in self.side.unknown for node in run)
-
     def loop(self, number_of_loop: int) -> str:
         """Power that circulates, and why it may not, by the index of the loop."""
-        power, doubt = self.side.loops[number_of_loop].power, self._doubt(number_of_loop)
-        text = f"{self.style.text('circulates', 'циркулирует')} {number(power)}"
+        loop, text = self.side.loops[number_of_loop], self.style.text
+        said = f"{text('circulates', 'циркулирует')} {number(loop.power)}"
         if not math.isnan(self.flow.kilowatts):
-            text += f", {self._kilowatts(power)}"
-        share = power / self.side.entering if self.side.entering else math.nan
-        of = self.style.text("of the power in", "входящей мощности")
-        return f"{text}: {100 * share:.1f}% {of}{doubt}"
-
-    def _doubt(self, number_of_loop: int) -> str:
-        """Further lines of a loop that may not be in the metal."""
-        found = self.side.loops[number_of_loop].shared
-        if not found:
-            return ""
-        said = [f"у {one.first} и {one.second} общие {' и '.join(one.links)}" for one in found]
-        russian = f"в металле может не быть: {', '.join(said)}"
-        return f"\n{wrapped(self.style.text(words(found), russian), LOOP_TEXT_WIDTH)}"
+            said += f", {self._kilowatts(loop.power)}"
+        share = loop.power / self.side.entering if self.side.entering else math.nan
+        said += f": {100 * share:.1f}% {text('of the power in', 'входящей мощности')}"
+        if loop.shared:
+            own = [
+                f"у {one.first} и {one.second} общие {' и '.join(one.links)}" for one in loop.shared
+            ]
+            russian = f"в металле может не быть: {', '.join(own)}"
+            said += f"\n{wrapped(text(words(loop.shared), russian), LOOP_TEXT_WIDTH)}"
+        return said
 
     def _kilowatts(self, power: float) -> str:
         """A power to three digits."""
@@ -96,11 +91,6 @@ def _named(node: Node, ports: Sequence[EndPort], style: Style) -> str:
     own = [port.node for port in ports if port.node.number == node.number and node.kind == "link"]
     said = [port_name(port, style) for port in own if port.name != node.name]
     return ": ".join((*said, node.name))
-
-
-def _unbroken(name: str) -> str:
-    """A name that is not wrapped if it fits into a line."""
-    return name.replace(" ", UNBROKEN) if width(name) <= SHORT_NAME else name
 
 
 def heading(flow: GearFlow, wide: float, style: Style) -> str:

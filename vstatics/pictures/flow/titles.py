@@ -10,7 +10,7 @@ from vstatics.flow.power_flow import GearFlow, PowerFlow
 from vstatics.numerics.traced import plain
 from vstatics.pictures.flow.graph import Band, EndPort
 from vstatics.pictures.flow.texts import FlowTexts, port_name
-from vstatics.pictures.sheet.style import number
+from vstatics.pictures.sheet.words import quantity, term
 from vstatics.statics.state import GearState
 
 
@@ -63,7 +63,7 @@ class FlowTitles(NamedTuple):
         if node.kind == "link":
             said += self._turning(power, node.name)
         if lost:
-            said.append(f"{self._word('lost', 'потери')} {self._one_line(lost)}")
+            said.append(f"{term('lost', self.texts.style)} {self._one_line(lost)}")
         said += [self._convention] * (node in self.texts.flow.by_convention)
         return "\n".join([f"{node}: {', '.join(said)}", *self._members(node)])
 
@@ -76,7 +76,7 @@ class FlowTitles(NamedTuple):
                 yield f"{name}: {', '.join(self._torque(torque, speed))}"
 
     def _power(self, power: float) -> str:
-        return f"{self._word('power', 'мощность')} {self._one_line(power)}"
+        return f"{term('power', self.texts.style)} {self._one_line(power)}"
 
     def _one_line(self, power: float) -> str:
         return self.texts.power(power).replace("\n", ", ")
@@ -86,10 +86,8 @@ class FlowTitles(NamedTuple):
         return self._torque(power / abs(speed), speed) if speed else []
 
     def _torque(self, torque: float, speed: float) -> list[str]:
-        words = self._word("torque", "момент"), self._word("speed", "скорость")
-        return [
-            f"{word} {number(value)}" for word, value in zip(words, (torque, speed), strict=True)
-        ]
+        style = self.texts.style
+        return [quantity("torque", torque, style), quantity("speed", speed, style)]
 
     @property
     def _convention(self) -> str:

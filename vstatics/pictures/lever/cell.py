@@ -19,6 +19,7 @@ from vstatics.pictures.lever.routes import LeverRoute
 from vstatics.pictures.sheet.labels import width, wrapped
 from vstatics.pictures.sheet.line_styles import Look
 from vstatics.pictures.sheet.style import SIZE, Style, number
+from vstatics.pictures.sheet.words import quantity
 
 
 class LeverView(NamedTuple):
@@ -161,9 +162,9 @@ def _write(view: LeverView, node: int, row: LeverRow) -> None:
     speed, torque, point = view.speed(node), view.torque(node), view.cell.lever.nodes[node]
     name = link_name(view.sheet.page.case, point.link, view.style)
     said = f"{cell.lever.name} {point.member}".strip() + f": {name}" if cell.lever.name else name
-    said = f"{said}, {view.style.text('speed', 'скорость')} {number(speed)}"
+    said += f", {quantity('speed', speed, view.style)}"
     if cell.lever.devices:
-        said = f"{said}, {view.style.text('torque', 'момент')} {number(torque)}"
+        said += f", {quantity('torque', torque, view.style)}"
     where: Look = {"va": "bottom", "color": view.ink, "linespacing": 1.1}
     text(cell.left, y + 2.5, row.name, title=said, **where)
     if view.same is None:
@@ -185,9 +186,11 @@ def _draw_ground(view: LeverView, row: LeverRow, name: str) -> None:
 
 def _carried(gear: LeverGear, names: str, style: Style) -> str:
     """What shift elements at one place are loaded with."""
-    torque, own = style.text("torque", "момент"), names.split(", ")
-    carried = gear.carried.items()
-    return ", ".join(f"{name}: {torque} {number(one)}" for name, one in carried if name in own)
+    own, carried = names.split(", "), gear.carried.items()
+    said = (
+        f"{name}: {quantity('torque', torque, style)}" for name, torque in carried if name in own
+    )
+    return ", ".join(said)
 
 
 def draw_route(sheet: LeverSheet, gear: LeverGear, route: LeverRoute, bottom: float) -> None:

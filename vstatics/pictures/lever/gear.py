@@ -7,10 +7,11 @@ from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
-from vstatics.model.transmission import HOUSING, Transmission
+from vstatics.model.transmission import HOUSING, Gear, Transmission
 from vstatics.numerics.traced import plain
 from vstatics.pictures.lever.points import Lever, held_for_good
 from vstatics.pictures.sheet.gear_state import PictureState, shown_of
+from vstatics.pictures.sheet.groups import grouped
 from vstatics.pictures.sheet.tolerances import NO_LEVER_TORQUE
 from vstatics.statics.results import Results
 from vstatics.statics.roles import IDLE, ONE_PIECE, Role, roles
@@ -95,10 +96,13 @@ def in_gear(results: Results, number: int, drawn: Sequence[Lever]) -> LeverGear:
     torques = [found if one.devices else [] for one, found in zip(drawn, torques, strict=True)]
     case, spots, found = results.case, spots_of(drawn), roles(results, number - 1)
     grounds = _grounds(case, state, drawn, spots)
-    ties = list(_ties(case, state, drawn, spots))
+    elements = [case.shift_elements[one - 1] for one in state.gear.engaged]
+    clutches = [one for element in elements for one in tie(element.name, *element.links, spots)]
+    ties = [*joins(drawn), *clutches, *shaft_ties(case, spots)]
+    first = whole.torques.on_first_link
     carried = {
-        case.shift_elements[one - 1].name: plain(whole.torques.on_first_link[one - 1])
-        for one in state.gear.engaged
+        element.name: plain(first[one - 1])
+        for element, one in zip(elements, state.gear.engaged, strict=True)
     }
     does = [{found[device] for device in one.devices} for one in drawn]
     gear = LeverGear(state, torques, does, grounds, ties, carried, {})
@@ -133,14 +137,27 @@ def _torque(
 
 def spots_of(drawn: Sequence[Lever]) -> dict[int, list[Spot]]:
     """The points of each link, from left to right."""
-    found: dict[int, list[Spot]] = {}
-    for place, lever in enumerate(drawn):
-        for number, node in enumerate(lever.nodes):
-            found.setdefault(node.link, []).append((place, number))
+    found = grouped(
+        (node.link, (place, number))
+        for place, lever in enumerate(drawn)
+        for number, node in enumerate(lever.nodes)
+    )
     for lever in drawn:
         for link in lever.shaft:
             found.setdefault(link, found[lever.nodes[0].link])
     return found
+
+
+def brakes_of(
+    case: Transmission, gear: Gear, spots: dict[int, list[Spot]]
+) -> dict[Spot, list[str]]:
+    """The names of the engaged brakes at the first point of each link."""
+    return grouped(
+        (spot, element.name)
+        for element in (case.shift_elements[number - 1] for number in gear.engaged)
+        if HOUSING in element.links
+        for spot in spots.get(max(element.links), ())[:1]
+    )
 
 
 def _grounds(
@@ -149,23 +166,9 @@ def _grounds(
     """A link has one ground, with all its brakes; the housing has one at each of its points."""
     good = [spot for link in held_for_good(case) for spot in spots.get(link, ())[:1]]
     names: dict[Spot, list[str]] = {spot: [] for spot in [*spots.get(HOUSING, ()), *good]}
-    for number in state.gear.engaged:
-        element = case.shift_elements[number - 1]
-        if HOUSING in element.links:
-            for spot in spots.get(max(element.links), ())[:1]:
-                names.setdefault(spot, []).append(element.name)
+    names |= brakes_of(case, state.gear, spots)
     shown = {spot: some for spot, some in names.items() if drawn[spot[0]].is_shown(spot[1])}
     return {spot: ", ".join(some) for spot, some in shown.items()}
-
-
-def _ties(
-    case: Transmission, state: PictureState, drawn: Sequence[Lever], spots: dict[int, list[Spot]]
-) -> Iterator[LeverTie]:
-    yield from joins(drawn)
-    for number in state.gear.engaged:
-        element = case.shift_elements[number - 1]
-        yield from tie(element.name, *element.links, spots)
-    yield from shaft_ties(case, spots)
 
 
 def joins(drawn: Sequence[Lever]) -> Iterator[LeverTie]:

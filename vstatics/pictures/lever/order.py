@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from itertools import combinations, pairwise
 
 from vstatics.model.transmission import HOUSING, Transmission
@@ -25,9 +25,11 @@ def ordered(case: Transmission, drawn: Sequence[Lever]) -> list[Lever]:
     """
     spots, gear = spots_of(drawn), case.gears[0]
     links = [{place for place, _ in some} for link, some in spots.items() if link != HOUSING]
+    clutches = [one.links for one in case.shift_elements if HOUSING not in one.links]
+    tied = [*clutches, *(pair for spring in case.springs for pair in pairwise(spring.form))]
     ties = [
         [(one, other) for one, _ in spots[first] for other, _ in spots[second]]
-        for first, second in _tied(case)
+        for first, second in tied
         if first in spots and second in spots
     ]
     first, last = (spots[link][0][0] for link in (case.gear_input(gear), case.gear_output(gear)))
@@ -43,13 +45,6 @@ def ordered(case: Transmission, drawn: Sequence[Lever]) -> list[Lever]:
     pairs = [(one, other) for one, other in combinations(start, 2) if other - one <= reach]
     moves = [move for pair in pairs for move in _moves(*pair)]
     return [drawn[place] for place in _best(start, moves, cost)]
-
-
-def _tied(case: Transmission) -> Iterator[tuple[int, int]]:
-    """Links that shift elements and springs join."""
-    yield from (element.links for element in case.shift_elements if HOUSING not in element.links)
-    for spring in case.springs:
-        yield from pairwise(spring.form)
 
 
 def _moves(one: int, other: int) -> list[Move]:

@@ -7,14 +7,14 @@ from itertools import pairwise
 from typing import NamedTuple
 
 from vstatics.model.transmission import HOUSING, Gear, Transmission
-from vstatics.pictures.lever.gear import Spot, spots_of
+from vstatics.pictures.lever.gear import Spot, brakes_of, spots_of
 from vstatics.pictures.lever.order import every, heights, ordered
 from vstatics.pictures.lever.points import Lever, held_for_good, levers, shafts
 from vstatics.pictures.sheet import labels
 from vstatics.pictures.sheet.labels import Span
 from vstatics.pictures.sheet.style import SHORT_NAME, SIZE, Style
 from vstatics.pictures.sheet.tolerances import LEAST_POINT_DISTANCE
-from vstatics.pictures.sheet.words import word
+from vstatics.pictures.sheet.words import term, word
 
 ARROW = 34.0
 """Of the longest torque."""
@@ -126,7 +126,7 @@ def page_of(case: Transmission, style: Style, left: float) -> LeverPage | None:
     cells: list[LeverCell] = []
     for place, lever in enumerate(drawn):
         rows = _rows(case, lever, shares[place], scale, style)
-        wide = max(labels.width(row.name) for row in rows.values())
+        wide = labels.widest(row.name for row in rows.values())
         at = left + max(wide, ARROW + 10 if lever.devices else 0.0) + BESIDE_LEVER
         right = (
             at
@@ -160,11 +160,7 @@ def _held(case: Transmission, drawn: Sequence[Lever]) -> list[float]:
     ]:
         found[place] = GROUND_WIDTH
     for gear in [*case.gears, Gear(case.freewheels)]:
-        names: dict[Spot, list[str]] = {}
-        for element in (case.shift_elements[number - 1] for number in gear.engaged):
-            for spot in spots.get(max(element.links), ())[:1] if HOUSING in element.links else ():
-                names.setdefault(spot, []).append(element.name)
-        for (place, _), some in names.items():
+        for (place, _), some in brakes_of(case, gear, spots).items():
             found[place] = max(
                 found[place], GROUND_WIDTH + min(labels.width(", ".join(some)), BRAKE)
             )
@@ -206,4 +202,4 @@ def node_text(case: Transmission, lever: Lever, number: int, style: Style) -> st
 
 def link_name(case: Transmission, link: int, style: Style) -> str:
     """The name of a link, or of the housing."""
-    return case.link_name(link) if link else style.text("housing", "корпус")
+    return case.link_name(link) if link else term("housing", style)

@@ -18,6 +18,7 @@ from vstatics.elements.kinds import Planetary
 from vstatics.elements.lower import DrawnPart
 from vstatics.model.springs import ends
 from vstatics.model.transmission import HOUSING, Transmission
+from vstatics.pictures.sheet.labels import Span
 
 Source = tuple[int, str, float]
 """Index of a device, its member, and by what its torque is multiplied."""
@@ -50,7 +51,7 @@ class Lever(NamedTuple):
     """Links that springs join to that of a shaft."""
 
     @property
-    def ends(self) -> tuple[float, float]:
+    def ends(self) -> Span:
         """The positions of the first and the last node [-]."""
         return self.nodes[0].position, self.nodes[-1].position
 
@@ -143,12 +144,13 @@ def _merged(drawn: list[Lever]) -> list[Lever]:
 
 def _joined(one: Lever, other: Lever, common: Sequence[int]) -> Lever | None:
     """Two levers on one line: the points of the second go where the common links are."""
-    ours, theirs = ([_node(lever, link) for link in common] for lever in (one, other))
-    if None in ours or None in theirs:
+    ours, theirs = (
+        [node.position for link in common for node in lever.nodes if node.link == link]
+        for lever in (one, other)
+    )
+    if len({*ours}) < 2 or len({*theirs}) < 2 or len(ours) + len(theirs) > 4:
         return None
-    (a, b), (c, d) = ([node.position for node in nodes if node] for nodes in (ours, theirs))
-    if a == b or c == d:
-        return None
+    (a, b), (c, d) = ours, theirs
     nodes = {node.link: node for node in one.nodes}
     for node in other.nodes:
         place = a + (node.position - c) * (b - a) / (d - c)
@@ -159,12 +161,6 @@ def _joined(one: Lever, other: Lever, common: Sequence[int]) -> Lever | None:
             nodes[node.link] = node._replace(position=place)
     name, devices = f"{one.name} + {other.name}", one.devices + other.devices
     return Lever(name, tuple(sorted(nodes.values(), key=lambda node: node.position)), devices)
-
-
-def _node(lever: Lever, link: int) -> LeverNode | None:
-    """The point of a link, if it has just one."""
-    found = [node for node in lever.nodes if node.link == link]
-    return found[0] if len(found) == 1 else None
 
 
 def shafts(case: Transmission, drawn: Sequence[Lever]) -> list[Lever]:

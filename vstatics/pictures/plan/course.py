@@ -15,9 +15,9 @@ from vstatics.pictures.plan.rays import KinematicPlan
 from vstatics.pictures.run.events import event_text, named_events
 from vstatics.pictures.sheet import labels
 from vstatics.pictures.sheet.ends import LineEnd, beside
-from vstatics.pictures.sheet.labels import LEADER
+from vstatics.pictures.sheet.labels import LEADER, widest
 from vstatics.pictures.sheet.line_styles import link_look
-from vstatics.pictures.sheet.pen import Pen, tick_texts, widest
+from vstatics.pictures.sheet.pen import Pen, tick_texts
 from vstatics.pictures.sheet.style import LEADER_WIDTH, Style, number
 from vstatics.simulation.record.motion import Event, Motion
 

@@ -146,7 +146,7 @@ def _near(across: list[Label], turned: list[Label], wide: float) -> GearRow:
     places = labels.spread(wanted, sizes, 0.0, wide)
     if all(abs(one - other) <= LEADER for one, other in zip(places, wanted, strict=True)):
         return GearRow(across, upright=False, height=max(labels.height(a.text) for a in across))
-    return GearRow(turned, upright=True, height=max(labels.width(a.text) for a in turned))
+    return GearRow(turned, upright=True, height=labels.widest(one.text for one in turned))
 
 
 def draw_plan(pen: Pen, case: Transmission, one: DrawnPlan, above: float) -> None:

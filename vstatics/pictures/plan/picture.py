@@ -15,8 +15,8 @@ from vstatics.pictures.plan.panel import draw_plan, drawn_plan
 from vstatics.pictures.plan.rays import KinematicPlan, plans
 from vstatics.pictures.sheet.ends import height_of, width_of
 from vstatics.pictures.sheet.head import sheet_head
-from vstatics.pictures.sheet.labels import LEADER
-from vstatics.pictures.sheet.pen import AxisScale, Pen, tick_texts, widest
+from vstatics.pictures.sheet.labels import LEADER, widest
+from vstatics.pictures.sheet.pen import AxisScale, Pen, tick_texts
 from vstatics.pictures.sheet.style import MARGIN, Style
 from vstatics.pictures.sheet.words import title
 from vstatics.simulation.record.motion import Motion

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Floats
 from vstatics.pictures.run.events import short
+from vstatics.pictures.sheet.labels import Span
 from vstatics.pictures.sheet.style import number
 from vstatics.pictures.sheet.tolerances import SAME_RUN_SPEED
 from vstatics.simulation.record.motion import Motion
@@ -63,16 +64,17 @@ class ElementStates(NamedTuple):
     name: str
     element: int
     """Its place."""
-    slips: tuple[tuple[float, float], ...]
+    slips: tuple[Span, ...]
     """From when till when. [s]"""
-    sticks: tuple[tuple[float, float], ...]
+    sticks: tuple[Span, ...]
 
 
 def panels(case: Transmission, motion: Motion) -> list[MotionPanel]:
     """The panels of a run, but those in which nothing happens."""
-    slips = [_of_element(n, motion.slips, k) for k, n in loaded(motion)]
-    heat = [_of_element(n, motion.heat / 1e3, k) for k, n in loaded(motion)]
-    carried = [_of_element(n, motion.torques, k) for k, n in loaded(motion)]
+    slips, heat, carried = (
+        [MotionLine((short(n),), values[:, k], element=k) for k, n in loaded(motion)]
+        for values in (motion.slips, motion.heat / 1e3, motion.torques)
+    )
     elastic = [MotionLine((short(n),), motion.torques[:, k]) for k, n in _elastic(case, motion)]
     springs = {short(spring.name) for spring in case.springs}
     found = [
@@ -83,10 +85,6 @@ def panels(case: Transmission, motion: Motion) -> list[MotionPanel]:
         _panel("heat, kJ", "теплота, кДж", heat),
     ]
     return [panel for panel in found if panel.lines]
-
-
-def _of_element(name: str, values: Floats, place: int) -> MotionLine:
-    return MotionLine((short(name),), values[:, place], element=place)
 
 
 def loaded(motion: Motion) -> list[tuple[int, str]]:
@@ -215,7 +213,7 @@ def _states(motion: Motion, place: int, name: str) -> ElementStates:
     return ElementStates(short(name), place, slipping, tuple(_spans(motion.time, carries & ~moves)))
 
 
-def _spans(time: Floats, holds: NDArray[np.bool_]) -> Iterator[tuple[float, float]]:
+def _spans(time: Floats, holds: NDArray[np.bool_]) -> Iterator[Span]:
     """From when till when something holds that is known between instants."""
     edges = np.flatnonzero(np.diff(np.r_[False, holds, False]))
     for start, end in edges.reshape(-1, 2):

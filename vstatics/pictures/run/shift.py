@@ -28,7 +28,7 @@ from vstatics.pictures.run.lines import (
 from vstatics.pictures.sheet import labels
 from vstatics.pictures.sheet.ends import LineEnd, along, beside, height_of, width_of
 from vstatics.pictures.sheet.head import Meaning, sheet_head
-from vstatics.pictures.sheet.labels import LEADER, Label
+from vstatics.pictures.sheet.labels import LEADER, Label, widest
 from vstatics.pictures.sheet.line_styles import (
     Look,
     element_look,
@@ -36,7 +36,7 @@ from vstatics.pictures.sheet.line_styles import (
     spring_look,
     striped_look,
 )
-from vstatics.pictures.sheet.pen import AxisScale, Pen, widest
+from vstatics.pictures.sheet.pen import AxisScale, Pen
 from vstatics.pictures.sheet.style import LEADER_WIDTH, MARGIN, Style, number
 from vstatics.pictures.sheet.words import TURN_TOGETHER, title
 from vstatics.simulation.record.motion import Motion

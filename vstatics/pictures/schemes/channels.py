@@ -11,6 +11,8 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Literal, NamedTuple
 
+from vstatics.pictures.sheet.labels import Span
+
 ABOVE, BELOW = 1, -1
 
 Reach = Literal["row", "edge", "pass", "none"]
@@ -109,15 +111,8 @@ class PlacedRow:
     """Left ends of the items that are there, by their index."""
     widths: Mapping[int, float]
     taps: Sequence[PlacedTap]
-    spans: Mapping[Track, tuple[float, float]]
+    spans: Mapping[Track, Span]
     width: float
-
-
-def end_track(spans: Mapping[Track, tuple[float, float]], wire: int, side: int) -> Track:
-    """The track that reaches an end: of two the one below, which is nearer to the axis."""
-    if (wire, BELOW) in spans:
-        return wire, BELOW
-    return (wire, ABOVE) if (wire, ABOVE) in spans else (wire, side)
 
 
 Sided = tuple[int, int, float, Reach, str, float]

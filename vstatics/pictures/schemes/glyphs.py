@@ -18,13 +18,13 @@ MESH = 3.0
 """Between the lines of teeth of two wheels that mesh. [pt]"""
 
 
-NAME_LETTERS = 14
+DEVICE_NAME_LETTERS = 14
 """Longer names of devices are broken at blanks. [letters]"""
 HATCH_STEP, HATCH_WIDTH = 5.0, 0.5
 """From slanted line to slanted line, and their width. [pt]"""
 
 
-def lines_of(name: str, letters: int = NAME_LETTERS) -> str:
+def lines_of(name: str, letters: int = DEVICE_NAME_LETTERS) -> str:
     """A name on as many lines as it needs.
 
     >>> lines_of("low and reverse brake").split(chr(10))

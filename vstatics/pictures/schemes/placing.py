@@ -13,9 +13,9 @@ from vstatics.pictures.schemes.channels import (
     Arrangement,
     PlacedRow,
     Track,
-    end_track,
     number_of,
 )
+from vstatics.pictures.sheet.labels import Point
 
 TRACK_PITCH = 17.0
 """From track to track. [pt]"""
@@ -36,14 +36,15 @@ class Placement:
     levels: Mapping[Track, int]
     half: float
     """Half the height of the row."""
-    labels: Mapping[int, tuple[float, float]]
+    labels: Mapping[int, Point]
     """Middle of the name of each wire that is named on its track."""
     from_left: Sequence[int] = ()
     to_right: Sequence[int] = ()
 
     def end_of(self, wire: int) -> Track:
-        """The track by which a wire reaches an end of the picture."""
-        return end_track(self.row.spans, wire, self.arrangement.sides[wire])
+        """The track by which a wire reaches an end: of two the one below, nearer to the axis."""
+        sides = [side for side in (BELOW, ABOVE) if (wire, side) in self.row.spans]
+        return wire, (*sides, self.arrangement.sides[wire])[0]
 
     def y(self, track: Track) -> float:
         """Of a track."""
@@ -63,7 +64,7 @@ class Placement:
             if left < x < right and low < self.y(track) < high and wire != track[0]
         ]
 
-    def joints(self) -> list[tuple[tuple[float, float], int]]:
+    def joints(self) -> list[tuple[Point, int]]:
         """Where a wire branches."""
         places = []
         for track, (low, high) in self.row.spans.items():
@@ -98,7 +99,7 @@ def placed(
     for _ in range(3 * len(names) + 3):
         row = board.row(arrangement, extra)
         bare = Placement(arrangement, row, _levels(row, arrangement), half, {})
-        labels: dict[int, tuple[float, float]] = {}
+        labels: dict[int, Point] = {}
         for wire, width in names.items():
             middle, y, lack, before = _room(bare, wire, width + 2 * PAD, board.gap)
             if lack > 0:

@@ -12,6 +12,7 @@ from typing import NamedTuple
 
 from vstatics.pictures.schemes.board import Board
 from vstatics.pictures.schemes.channels import ABOVE, Arrangement
+from vstatics.pictures.sheet.groups import grouped
 
 STEPS, MOST_STEPS = 150, 2500
 """Of an attempt, for each item and wire, and in all."""
@@ -65,11 +66,12 @@ def _start(board: Board) -> Arrangement:
 
 def _middles(board: Board) -> list[float]:
     """By item, its rank, or the mean rank of those that its wires join."""
-    places: dict[int, list[float]] = {}
-    for item in board.items:
-        if item.rank is not None:
-            for wire in {tap.wire for tap in item.variants[0]}:
-                places.setdefault(wire, []).append(item.rank)
+    places = grouped(
+        (wire, item.rank)
+        for item in board.items
+        if item.rank is not None
+        for wire in {tap.wire for tap in item.variants[0]}
+    )
     found = []
     for item in board.items:
         joined = [
@@ -103,29 +105,21 @@ def _annealed(
 
 def _settled(board: Board, arrangement: Arrangement, cost: float) -> tuple[Arrangement, float]:
     """The arrangement after each change of one variant or of two neighbours that helps."""
+    items = list(enumerate(board.items))
+    changes = [(index, variant) for index, item in items for variant in range(len(item.variants))]
     for _ in range(CHANGE_SWEEPS):
         before = cost
-        for index, item in enumerate(board.items):
-            for variant in range(len(item.variants)):
-                arrangement, cost = _better(
-                    board, arrangement, cost, _varied(arrangement, index, variant)
-                )
-        for place in range(len(board.items) - 1):
-            arrangement, cost = _better(
-                board, arrangement, cost, _exchanged(board, arrangement, place)
-            )
+        for place, variant in [*changes, *((index, -1) for index, _ in items[:-1])]:
+            if variant < 0:
+                other = _exchanged(board, arrangement, place)
+            else:
+                other = _varied(arrangement, place, variant)
+            value = math.inf if other is None else board.cost(other, cost)
+            if other is not None and value < cost:
+                arrangement, cost = other, value
         if cost == before:
             break
     return arrangement, cost
-
-
-def _better(
-    board: Board, arrangement: Arrangement, cost: float, other: Arrangement | None
-) -> tuple[Arrangement, float]:
-    if other is None:
-        return arrangement, cost
-    value = board.cost(other, cost)
-    return (other, value) if value < cost else (arrangement, cost)
 
 
 def _varied(arrangement: Arrangement, index: int, variant: int) -> Arrangement | None:

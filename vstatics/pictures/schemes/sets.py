@@ -16,7 +16,7 @@ from vstatics.elements.group import PlanetGroup
 from vstatics.pictures.schemes.channels import ABOVE, BELOW, Tap
 from vstatics.pictures.schemes.glyphs import FACE, MESH, SLEEVE, Glyph, Stroke, member_tap, teeth
 from vstatics.pictures.sheet import labels
-from vstatics.pictures.sheet.labels import Point
+from vstatics.pictures.sheet.labels import Point, Span
 from vstatics.pictures.sheet.style import SMALL
 
 RADIUS, SMALL_RADIUS = 14.0, 9.0
@@ -85,7 +85,7 @@ class HalfSection:
         own = self.group.planets[planet]
         return [n for n, col in enumerate(self.columns) if set(col.rims.values()) & set(own)]
 
-    def reach(self, rim: str) -> tuple[float, float]:
+    def reach(self, rim: str) -> Span:
         """From its first plane to its last."""
         own = [n for n, column in enumerate(self.columns) if rim in column.rims.values()]
         return self.x(own[0]), self.x(own[-1])
@@ -108,12 +108,10 @@ class HalfSection:
 
 def section_of(group: PlanetGroup) -> HalfSection:
     """The planes of a group in the order in which its axles are least in the way."""
-    section = HalfSection(group, _levels(group))
-    columns = _columns(group, section.levels)
-    if len(columns) > MOST_COLUMNS:
-        return HalfSection(group, section.levels, columns)
-    orders = (HalfSection(group, section.levels, order) for order in permutations(columns))
-    return min(orders, key=_disorder)
+    levels = _levels(group)
+    columns = _columns(group, levels)
+    orders = permutations(columns) if len(columns) <= MOST_COLUMNS else [columns]
+    return min((HalfSection(group, levels, order) for order in orders), key=_disorder)
 
 
 def _disorder(section: HalfSection) -> float:
@@ -263,15 +261,11 @@ def _planet_strokes(section: HalfSection) -> list[Stroke]:
 def _wheels(section: HalfSection) -> Iterator[Tap]:
     """Where suns and rings meet the planets."""
     for number, column in enumerate(section.columns):
-        x = section.x(number)
-        if column.sun is not None:
-            low = min(column.rims)
-            y = section.y(low) - section.radius(column.rims[low]) - MESH
-            yield member_tap(column.sun.member, column.sun.link, BELOW, x, y)
-        if column.ring is not None:
-            high = max(column.rims)
-            y = section.y(high) + section.radius(column.rims[high]) + MESH
-            yield member_tap(column.ring.member, column.ring.link, ABOVE, x, y)
+        low, high = min(column.rims), max(column.rims)
+        for wheel, level, way in ((column.sun, low, BELOW), (column.ring, high, ABOVE)):
+            if wheel is not None:
+                y = section.y(level) + way * (section.radius(column.rims[level]) + MESH)
+                yield member_tap(wheel.member, wheel.link, way, section.x(number), y)
 
 
 def _texts(section: HalfSection, wheels: Sequence[Tap]) -> Iterator[tuple[Point, str, str]]:

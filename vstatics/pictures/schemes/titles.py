@@ -11,7 +11,7 @@ from vstatics.numerics.traced import plain
 from vstatics.pictures.schemes.scheme import Device, Scheme, ratio_text
 from vstatics.pictures.sheet.gear_state import PictureState
 from vstatics.pictures.sheet.style import Style, number
-from vstatics.pictures.sheet.words import word
+from vstatics.pictures.sheet.words import quantity, term, word
 from vstatics.statics.results import Results
 
 
@@ -48,27 +48,21 @@ def titles_of(
     devices = []
     for device in scheme.devices:
         facts = ", ".join(filter(None, _facts(results.case, device, style)))
-        housing = style.text("housing", "корпус")
         joins = ", ".join(
-            f"{word(member, style)} = {scheme.name(link) if link else housing}"
+            f"{word(member, style)} = {scheme.name(link) if link else term('housing', style)}"
             for member, link in device.members.items()
         )
         own = {one: value for one, value in next(torques, {}).items() if value}
-        carried = f"{style.text('torque', 'момент')} " if own else ""
+        carried = f"{term('torque', style)} " if own else ""
         carried += ", ".join(
             f"{word(one, style)} {number(value)}".strip() for one, value in own.items()
         )
         devices.append(f"{device.name}: {'; '.join(filter(None, (facts, joins, carried)))}")
-    return Titles(
-        devices, [_link(name, link, style, state) for link, name in enumerate(scheme.links, 1)]
-    )
-
-
-def _link(name: str, link: int, style: Style, state: PictureState | None) -> str:
-    speed = (
-        "" if state is None else f": {style.text('speed', 'скорость')} {number(state.speeds[link])}"
-    )
-    return name + speed
+    links = list(scheme.links)
+    if state is not None:
+        speeds = enumerate(links, 1)
+        links = [f"{one}: {quantity('speed', state.speeds[n], style)}" for n, one in speeds]
+    return Titles(devices, links)
 
 
 def _facts(case: Transmission, device: Device, style: Style) -> Iterator[str]:

@@ -8,22 +8,20 @@ from typing import NamedTuple
 
 from vstatics.pictures.schemes.placing import Placement
 from vstatics.pictures.schemes.scheme import Scheme, SchemeState
-from vstatics.pictures.sheet.labels import Point
+from vstatics.pictures.sheet.groups import grouped
+from vstatics.pictures.sheet.labels import Point, Segment, Span
 
 CUT = 4.0
 """Half the gap of a wire where another crosses it. [pt]"""
 WIRE_NAME_GAP = 3.0
 """From a name to the line on which it stands. [pt]"""
 
-Stretch = tuple[Point, Point]
-"""A level line from left to right, or an upright one from below."""
-
 
 class WireLines(NamedTuple):
-    """The lines of a link [pt]."""
+    """The lines of a link: level ones from left to right, upright ones from below [pt]."""
 
-    loaded: Sequence[Stretch]
-    pale: Sequence[Stretch]
+    loaded: Sequence[Segment]
+    pale: Sequence[Segment]
     """No torque passes these."""
     points: frozenset[Point]
     """Where loaded lines begin, end, or branch."""
@@ -46,86 +44,69 @@ def wire_lines(
     widths : mapping of int to float
         Of the names that stand on their wires. [pt]
     """
-    cuts: dict[tuple[int, float], list[tuple[float, float]]] = {}
-    for x, y, _, wire in placement.crossings():
-        cuts.setdefault((wire, y), []).append((x - CUT, x + CUT))
+    gaps = [((wire, y), x, CUT) for x, y, _, wire in placement.crossings()]
     for wire, (x, y) in placement.labels.items():
-        half = widths[wire] / 2 + WIRE_NAME_GAP
-        cuts.setdefault((wire, y), []).append((x - half, x + half))
-    lines = _upright(placement)
-    for track, (left, right) in placement.row.spans.items():
-        y = placement.y(track)
-        lines.setdefault(track[0], []).append(((left, y), (right, y)))
-    ends = None if state.loaded is None else _ends(placement, scheme, state, state.loaded)
-    inside = _inside(placement)
+        gaps.append(((wire, y), x, widths[wire] / 2 + WIRE_NAME_GAP))
+    cuts = grouped((level, (x - half, x + half)) for level, x, half in gaps)
+    spans = ((track, placement.y(track), ends) for track, ends in placement.row.spans.items())
+    level = ((track[0], ((left, y), (right, y))) for track, y, (left, right) in spans)
+    lines = grouped([*_upright(placement), *level])
+    ends = grouped(_ends(placement, scheme, state))
+    inside = grouped(_inside(placement))
     found: dict[int, WireLines] = {}
     for wire, own in lines.items():
-        loaded: list[Stretch] = own
+        runs = [(line, True) for line in own]
         points = {at for line in own for at in line}
-        if ends is not None:
-            split = [_split(line, own, ends.get(wire, set())) for line in own]
+        if state.loaded is not None:
+            met = {*ends.get(wire, ())}
+            split = [_split(line, own, met) for line in own]
             steps = [step for points in split for step in pairwise(points)]
-            kept = _between(ends.get(wire, set()), [*steps, *inside.get(wire, [])])
+            kept = _between(met, [*steps, *inside.get(wire, [])])
             points = {at for step in kept for at in step}
-            runs = [(run, there) for along in split for run, there in _runs(along, kept)]
-            loaded = [run for run, there in runs if there]
-            pale = [run for run, there in runs if not there]
-        else:
-            pale = []
-        found[wire] = WireLines(
-            [piece for line in loaded for piece in _cut(line, cuts.get((wire, line[0][1]), []))],
-            [piece for line in pale for piece in _cut(line, cuts.get((wire, line[0][1]), []))],
-            frozenset(points),
-        )
+            runs = [run for along in split for run in _runs(along, kept)]
+        pieces = [
+            (piece, there)
+            for line, there in runs
+            for piece in _cut(line, cuts.get((wire, line[0][1]), []))
+        ]
+        loaded, pale = ([piece for piece, one in pieces if one == there] for there in (True, False))
+        found[wire] = WireLines(loaded, pale, frozenset(points))
     return found
 
 
-def _upright(placement: Placement) -> dict[int, list[Stretch]]:
+def _upright(placement: Placement) -> Iterator[tuple[int, Segment]]:
     """Those of taps; two that meet from above and below are one."""
-    spans: dict[tuple[int, float], list[tuple[float, float]]] = {}
-    for x, low, high, wire in placement.verticals():
-        spans.setdefault((wire, x), []).append((low, high))
-    lines: dict[int, list[Stretch]] = {}
+    spans = grouped(((wire, x), (low, high)) for x, low, high, wire in placement.verticals())
     for (wire, x), own in spans.items():
         ends = sorted(own)
         if len(ends) > 1 and ends[0][1] >= ends[1][0]:
             ends = [(ends[0][0], ends[-1][1])]
-        lines.setdefault(wire, []).extend(((x, low), (x, high)) for low, high in ends)
-    return lines
+        yield from ((wire, ((x, low), (x, high))) for low, high in ends)
 
 
-def _ends(
-    placement: Placement, scheme: Scheme, state: SchemeState, loaded: Sequence[frozenset[int]]
-) -> dict[int, set[Point]]:
+def _ends(placement: Placement, scheme: Scheme, state: SchemeState) -> Iterator[tuple[int, Point]]:
     """Where something that carries torque meets each wire."""
-    ends: dict[int, set[Point]] = {}
+    loaded = state.loaded or ()
     taps = [tap for tap in placement.row.taps if tap.item < len(loaded) and tap.reach != "none"]
     outside = {tap.item for tap in taps if tap.reach != "row"}
     for tap in taps:
         if tap.wire in loaded[tap.item] and (tap.reach != "row" or tap.item not in outside):
-            y = tap.y if tap.reach == "row" else placement.edge(tap.side)
-            ends.setdefault(tap.wire, set()).add((tap.x, y))
+            yield tap.wire, (tap.x, tap.y if tap.reach == "row" else placement.edge(tap.side))
     for port in scheme.ports:
         if port not in state.idle_ports:
             x = 0.0 if port.role == "input" else placement.row.width
-            at = x, placement.y(placement.end_of(port.link))
-            ends.setdefault(port.link, set()).add(at)
-    return ends
+            yield port.link, (x, placement.y(placement.end_of(port.link)))
 
 
-def _inside(placement: Placement) -> dict[int, list[Stretch]]:
+def _inside(placement: Placement) -> Iterator[tuple[int, Segment]]:
     """What joins the wires above and below a device within it: the bar of a carrier."""
-    taps: dict[tuple[int, int, float], list[Point]] = {}
-    for tap in placement.row.taps:
-        if tap.reach == "row":
-            taps.setdefault((tap.item, tap.wire, tap.x), []).append((tap.x, tap.y))
-    bars: dict[int, list[Stretch]] = {}
+    own = [tap for tap in placement.row.taps if tap.reach == "row"]
+    taps = grouped(((tap.item, tap.wire, tap.x), (tap.x, tap.y)) for tap in own)
     for (_, wire, _), points in taps.items():
-        bars.setdefault(wire, []).extend(combinations(points, 2))
-    return bars
+        yield from ((wire, bar) for bar in combinations(points, 2))
 
 
-def _split(line: Stretch, others: Iterable[Stretch], ends: Iterable[Point]) -> list[Point]:
+def _split(line: Segment, others: Iterable[Segment], ends: Iterable[Point]) -> list[Point]:
     """The points of a line at which it may branch, in their order."""
     points = {*line, *(at for at in ends if _is_on(at, line))}
     is_upright = line[0][0] == line[1][0]
@@ -137,12 +118,12 @@ def _split(line: Stretch, others: Iterable[Stretch], ends: Iterable[Point]) -> l
     return sorted(points)
 
 
-def _is_on(at: Point, line: Stretch) -> bool:
+def _is_on(at: Point, line: Segment) -> bool:
     (left, low), (right, high) = line
     return left <= at[0] <= right and low <= at[1] <= high
 
 
-def _between(ends: set[Point], steps: Iterable[Stretch]) -> set[Stretch]:
+def _between(ends: set[Point], steps: Iterable[Segment]) -> set[Segment]:
     """The steps that are left if those that lead to no end are taken away."""
     kept = {step for step in steps if step[0] != step[1]}
     while True:
@@ -153,7 +134,7 @@ def _between(ends: set[Point], steps: Iterable[Stretch]) -> set[Stretch]:
         kept = {step for step in kept if not loose & {*step}}
 
 
-def _runs(points: Sequence[Point], kept: set[Stretch]) -> Iterator[tuple[Stretch, bool]]:
+def _runs(points: Sequence[Point], kept: set[Segment]) -> Iterator[tuple[Segment, bool]]:
     """A line in as few pieces as differ in whether torque passes."""
     start = 0
     marks = [step in kept for step in pairwise(points)]
@@ -163,7 +144,7 @@ def _runs(points: Sequence[Point], kept: set[Stretch]) -> Iterator[tuple[Stretch
             start = place
 
 
-def _cut(line: Stretch, gaps: Iterable[tuple[float, float]]) -> Iterator[Stretch]:
+def _cut(line: Segment, gaps: Iterable[Span]) -> Iterator[Segment]:
     """What gaps leave of a level line."""
     (left, y), (right, top) = line
     if left == right:

@@ -84,7 +84,12 @@ def shown_of(state: GearState) -> PictureState:
         plain(state.ratio),
         [0.0, *map(plain, state.speeds)],
         joined_by_elements(case, gear),
-        _is_still(state),
+        [  # as `roles` decides it; a support, which holds one link, is not meant
+            state.calculable
+            and all(state.search.idle[place] for place in device.mechanisms)
+            and is_one_piece(device, state.speeds)
+            for device in case.own_devices
+        ],
         mechanism_roles(state),
         [torque != 0 for torque in torques[case.among_devices.stop : -1]],
         [
@@ -94,17 +99,6 @@ def shown_of(state: GearState) -> PictureState:
         _loaded_links(state),
         _leaving(state) if state.calculable else {},
     )
-
-
-def _is_still(state: GearState) -> list[bool]:
-    """As `roles` decides it; a support, which holds one link, is not meant."""
-    idle, speeds = state.search.idle, state.speeds
-    return [
-        state.calculable
-        and all(idle[place] for place in device.mechanisms)
-        and is_one_piece(device, speeds)
-        for device in state.case.own_devices
-    ]
 
 
 def _loaded_links(state: GearState) -> list[frozenset[int]]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from functools import cache, partial
 from typing import Any, NamedTuple
 
@@ -93,6 +93,11 @@ def width(text: str, size: float = SIZE, *, bold: bool = False) -> float:
 
 title_width = partial(width, size=TITLE, bold=True)
 """Width of a title [pt]."""
+
+
+def widest(texts: Iterable[str]) -> float:
+    """Width of the widest text [pt]."""
+    return max((width(one) for one in texts), default=0.0)
 
 
 def height(text: str, size: float = SIZE) -> float:

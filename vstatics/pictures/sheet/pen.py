@@ -17,7 +17,7 @@ from matplotlib.patches import Polygon
 from matplotlib.transforms import Affine2D, Bbox, Transform, TransformedBbox
 
 from vstatics.numerics.arrays import Floats
-from vstatics.pictures.sheet.labels import LINE_HEIGHT, POINTS_PER_INCH, Point, width
+from vstatics.pictures.sheet.labels import LINE_HEIGHT, POINTS_PER_INCH, Point
 from vstatics.pictures.sheet.line_styles import Look
 from vstatics.pictures.sheet.style import FRAME_WIDTH, LARGE_NUMBER, SIZE, TICK_LENGTH, Style
 from vstatics.pictures.sheet.svg import halo, told
@@ -272,8 +272,3 @@ def tick_texts(values: Sequence[float], alike: Sequence[float] = ()) -> list[str
     ):
         decimals += 1
     return [typeset(f"{one:z.{decimals}f}") for one in values]
-
-
-def widest(texts: Iterable[str]) -> float:
-    """Width of the widest text [pt]."""
-    return max((width(one) for one in texts), default=0.0)

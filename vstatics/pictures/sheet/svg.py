@@ -29,7 +29,7 @@ from matplotlib.text import Text
 from vstatics.pictures.sheet.style import FAMILIES, SIZE, Style
 
 SVG = "http://www.w3.org/2000/svg"
-_GROUP = f"{{{SVG}}}g"
+_GROUP, _TITLE = f"{{{SVG}}}g", f"{{{SVG}}}title"
 XLINK = "http://www.w3.org/1999/xlink"
 HALO = 2.0
 """Width of the paper around a text that stands over lines. [pt]"""
@@ -88,13 +88,14 @@ def written_as_svg(figure: Figure, title: str, style: Style) -> bytes:
         _shorten(element)
     _unwrap(root)
     root.set("viewBox", _plain(root.get("viewBox", "")))
-    root.set("font-family", FAMILIES)
-    root.set("font-size", _SIZE)
-    root.set("stroke-linejoin", "round")
-    root.set("role", "img")
+    root.attrib |= {
+        "font-family": FAMILIES,
+        "font-size": _SIZE,
+        "stroke-linejoin": "round",
+        "role": "img",
+    }
     del root.attrib["version"]
-    if title:
-        root.insert(0, _title(title))
+    _add_title(root, title)
     ET.register_namespace("", SVG)
     ET.register_namespace("xlink", XLINK)
     text = ET.tostring(root, encoding="unicode")
@@ -115,42 +116,37 @@ def _letters_kept(figure: Figure) -> Iterator[None]:
 
 def _strip(root: ET.Element) -> None:
     """Take out what says nothing: metadata, the style for all elements, blanks."""
-    for parent in list(root.iter()):
+    for parent in reversed(list(root.iter())):
         for child in list(parent):
             name = child.tag.rpartition("}")[2]
-            if name in ("metadata", "style"):
+            if name in ("metadata", "style") or (name == "defs" and not len(child)):
                 parent.remove(child)
             child.tail = None
-        if parent.tag != f"{{{SVG}}}text":
+        if not parent.tag.endswith("}text"):
             parent.text = None
-    for parent in list(root.iter()):
-        for child in list(parent):
-            if child.tag == f"{{{SVG}}}defs" and not len(child):
-                parent.remove(child)
 
 
 def _say(element: ET.Element, style: Style) -> None:
     """Give a group its title, halo and data, and take the names that nobody refers to."""
-    if element.tag != f"{{{SVG}}}g" or "id" not in element.attrib:
-        return
-    said = element.attrib.pop("id")
+    said = element.attrib.pop("id", "") if element.tag == _GROUP else ""
     if not said.startswith("{"):
         return
     mark = json.loads(said)
     for key, value in mark["data"].items():
         element.set(f"data-{key}", value)
     if mark["halo"]:
-        around = {"paint-order": "stroke", "stroke": style.paper, "stroke-width": f"{HALO:g}px"}
-        for key, value in around.items():
-            element.set(key, value)
-    if mark["title"]:
-        element.insert(0, _title(mark["title"]))
+        element.attrib |= {
+            "paint-order": "stroke",
+            "stroke": style.paper,
+            "stroke-width": f"{HALO:g}px",
+        }
+    _add_title(element, mark["title"])
 
 
-def _title(text: str) -> ET.Element:
-    found = ET.Element(f"{{{SVG}}}title")
-    found.text = text
-    return found
+def _add_title(element: ET.Element, text: str) -> None:
+    if text:
+        element.insert(0, ET.Element(_TITLE))
+        element[0].text = text
 
 
 def _shorten(element: ET.Element) -> None:
@@ -187,7 +183,7 @@ def _unwrap(parent: ET.Element) -> None:
     children: list[ET.Element] = []
     for child in parent:
         _unwrap(child)
-        bare = child.tag == _GROUP and not child.attrib and not _has_title(child)
+        bare = child.tag == _GROUP and not child.attrib and child.find(_TITLE) is None
         for one in list(child) if bare else [child]:
             if not (children and _joins(children[-1], one)):
                 children.append(one)
@@ -202,7 +198,3 @@ def _joins(line: ET.Element, other: ET.Element) -> bool:
         return False
     line.set("d", line.attrib["d"] + other.attrib["d"])
     return True
-
-
-def _has_title(group: ET.Element) -> bool:
-    return len(group) > 0 and group[0].tag == f"{{{SVG}}}title"

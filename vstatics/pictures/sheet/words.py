@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from vstatics.model.transmission import Transmission
-from vstatics.pictures.sheet.style import Style
+from vstatics.pictures.sheet.style import Style, number
 from vstatics.statics.status import Status
 
 KINDS = {
@@ -57,6 +57,17 @@ ELEMENTS = {
     "spring": "пружина",
 }
 """Members of elements and their kinds."""
+TERMS = {
+    "speed": "скорость",
+    "torque": "момент",
+    "power": "мощность",
+    "lost": "потери",
+    "efficiency": "КПД",
+    "housing": "корпус",
+    "family": "семейство",
+    "gear": "передача",
+}
+"""What several pictures tell of."""
 
 TURN_TOGETHER = "striped: links turn together", "полосы: звенья вращаются вместе"
 """What stripes of a line mean."""
@@ -71,6 +82,20 @@ def word(name: str, style: Style) -> str:
     return style.text(name.replace("_", " "), ELEMENTS.get(name, name))
 
 
+def term(name: str, style: Style) -> str:
+    """One of `TERMS` in the language of a picture."""
+    return style.text(name, TERMS[name])
+
+
+def quantity(name: str, value: float, style: Style) -> str:
+    """What a number is, and the number.
+
+    >>> quantity("speed", 0.5, Style("ru"))
+    'скорость 0.500'
+    """
+    return f"{term(name, style)} {number(value)}"
+
+
 def fault(status: Status, style: Style) -> str:
     """What keeps a gear from being calculated."""
     return style.text(status.english, status.russian)
@@ -78,7 +103,7 @@ def fault(status: Status, style: Style) -> str:
 
 def gear_title(gear: str, style: Style) -> str:
     """How a gear is called."""
-    return f"{style.text('gear', 'передача')} {gear}"
+    return f"{term('gear', style)} {gear}"
 
 
 def title(case: Transmission, subject: str) -> str:

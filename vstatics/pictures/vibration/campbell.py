@@ -11,9 +11,9 @@ from matplotlib.figure import Figure
 from vstatics.model.transmission import Gear, Transmission
 from vstatics.pictures.sheet.ends import LineEnd, along, beside, height_of, width_of
 from vstatics.pictures.sheet.head import sheet_head
-from vstatics.pictures.sheet.labels import LEADER, Label, height, width
+from vstatics.pictures.sheet.labels import LEADER, Label, height, widest, width
 from vstatics.pictures.sheet.line_styles import Look
-from vstatics.pictures.sheet.pen import Pen, widest
+from vstatics.pictures.sheet.pen import Pen
 from vstatics.pictures.sheet.style import MARGIN, SMALL_NUMBER, Style, number
 from vstatics.pictures.sheet.words import gear_title, title
 from vstatics.pictures.vibration.shown_modes import modes_of, why_none

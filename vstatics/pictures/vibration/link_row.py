@@ -60,7 +60,7 @@ def _names(links: ModeLinks, pitch: float) -> list[tuple[int, str]]:
 
 def height(links: ModeLinks, pitch: float) -> float:
     """Of the row with the names above it and the devices below it [pt]."""
-    up = max((labels.width(name) for _, name in _names(links, pitch)), default=0.0)
+    up = labels.widest(name for _, name in _names(links, pitch))
     up += LEADER + labels.LABEL_GAP
     return up + _above(links) + _below(links)
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from matplotlib.figure import Figure
 
 from vstatics.pictures.sheet.head import BELOW, sheet_head
-from vstatics.pictures.sheet.labels import height, width, wrapped
+from vstatics.pictures.sheet.labels import height, widest, wrapped
 from vstatics.pictures.sheet.pen import Pen
 from vstatics.pictures.sheet.style import MARGIN, Style, number
 from vstatics.pictures.sheet.words import gear_title, title
@@ -165,7 +165,7 @@ def _columns(parts: Sequence[_GearModesPart]) -> _ModeColumns:
     count = max((len(part.links.names) for part in parts if part.links), default=0)
     shapes = link_row.breadth(count)
     return _ModeColumns(
-        max((width(row.said) for row in rows), default=0.0),
+        widest(row.said for row in rows),
         shapes,
         shapes / max(count, 1),
         max([mode_shares.SHARE_BAR_WIDTH, *(mode_shares.width(row.elastic) for row in rows)]),

@@ -76,7 +76,7 @@ def height(shares: Sequence[Share]) -> float:
 
 def width(shares: Sequence[Share]) -> float:
     """Of the bars with their names and numbers [pt]."""
-    return max((labels.width(one.name) for one in shares), default=0.0) + BAR_GAP + SHARE_BAR_WIDTH
+    return labels.widest(one.name for one in shares) + BAR_GAP + SHARE_BAR_WIDTH
 
 
 def draw(pen: Pen, right: float, top: float, shares: Sequence[Share]) -> None:
