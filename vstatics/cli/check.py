@@ -20,7 +20,7 @@ from vstatics.errors import CaseError, Problem, ReadError, plural
 from vstatics.statics.diagnosis import freedom, given_conditions
 from vstatics.statics.results import Results
 from vstatics.statics.status import CONFLICT, TIED_UP
-from vstatics.tables.grid import Grid, text
+from vstatics.tables.grid import Grid, grid_of
 from vstatics.tables.text import lines
 
 if TYPE_CHECKING:
@@ -71,9 +71,9 @@ def conditions(file: str, results: Results) -> Grid:
         verdict += [CONFLICT.english] * bool(conflict)
         count = given_conditions(gear) + len(held)
         state = f"{count} of {free} conditions: {', '.join(verdict) or 'ok'} (engaged: {engaged})"
-        rows.append([f"gear {gear.name}", state])
+        rows.append((f"gear {gear.name}", state))
     title = f"{file}: {', '.join(counts)}; degrees of freedom: {free}"
-    return Grid(title, [text(""), text("")], rows)
+    return grid_of(title, ["", ""], rows)
 
 
 @click.command()
@@ -213,4 +213,4 @@ def _scenario_summary(file: str, scenario: Scenario) -> Grid:
     }
     parts = [f"{count} {plural(noun, count)}" for noun, count in counts.items() if count]
     told = ", ".join(parts) or "nothing happens"
-    return Grid(f"{file}: {scenario.duration:g} s, {told}", [text(""), text("")], [])
+    return Grid(f"{file}: {scenario.duration:g} s, {told}", (), ())

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator
 from vstatics.explain.equations import System
 from vstatics.explain.explanation import Explanation
 from vstatics.explain.sums import in_numbers, in_symbols
-from vstatics.tables.grid import Column, Grid, table, whole
+from vstatics.tables.grid import Column, Grid, grid_of, whole
 
 
 def grids(explained: Iterable[Explanation]) -> Iterator[Grid]:
@@ -32,7 +32,7 @@ def matrix(one: Explanation) -> Grid:
     """The structural-distribution matrix of what can carry torque."""
     columns = (Column(name, over="device") for name in one.columns)
     rows = zip(one.rows, one.matrix.tolist(), strict=True)
-    return table("matrix", ("link", *columns), ((name, *row) for name, row in rows))
+    return grid_of("matrix", ("link", *columns), ((name, *row) for name, row in rows))
 
 
 def _systems(one: Explanation) -> Iterator[tuple[str, System]]:
@@ -46,7 +46,7 @@ def _equations(one: Explanation) -> Grid:
         for name, system in _systems(one)
         for equation in system.equations
     ]
-    return table("equations", ["of", "equation of", "in symbols", "in numbers"], rows)
+    return grid_of("equations", ["of", "equation of", "in symbols", "in numbers"], rows)
 
 
 def _solution(one: Explanation) -> Grid:
@@ -55,13 +55,13 @@ def _solution(one: Explanation) -> Grid:
         for name, system in _systems(one)
         for unknown, value in system.values.items()
     ]
-    return table("solution", ["of", "unknown", "value"], rows)
+    return grid_of("solution", ["of", "unknown", "value"], rows)
 
 
 def _signs(one: Explanation) -> Grid:
     headings = "torque", "motion", "power", "sign", "ratio", "efficiency", "ratio with losses"
     rows = [(*sign[:4], whole(sign.sign), *sign[5:]) for sign in one.signs]
-    return table("power signs", ["mechanism", *headings, "why"], rows)
+    return grid_of("power signs", ["mechanism", *headings, "why"], rows)
 
 
 def _ratio(one: Explanation) -> Grid:
@@ -71,4 +71,4 @@ def _ratio(one: Explanation) -> Grid:
         rows.append((one.formula.left, one.formula.text, one.formula.value))
         rows += one.formula.symbols
         rows += ((name, "given", speed) for name, speed in one.formula.speeds.items())
-    return table("ratio", ["symbol", "is", "value"], rows)
+    return grid_of("ratio", ["symbol", "is", "value"], rows)

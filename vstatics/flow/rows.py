@@ -8,7 +8,7 @@ from collections.abc import Iterator, Sequence
 from vstatics.flow.grids import around, doubt, power_grid
 from vstatics.flow.power_flow import GearFlow, PowerFlow
 from vstatics.flow.shared_planets import words
-from vstatics.tables.grid import Grid, Row, table, text
+from vstatics.tables.grid import Grid, Row, grid_of, text
 from vstatics.tables.numbers import fixed
 from vstatics.tables.ports import ports_grid
 
@@ -37,7 +37,7 @@ def grids(flows: Sequence[GearFlow]) -> Iterator[Grid]:
         for loop in side.loops
     ]
     if loops:
-        yield table("Circulating power", ["gear", "loop", "power", "note"], loops)
+        yield grid_of("Circulating power", ["gear", "loop", "power", "note"], loops)
 
 
 def _power(by_gear: Sequence[tuple[str, Grid]]) -> Grid:
@@ -67,7 +67,7 @@ def _balance(flows: Sequence[GearFlow]) -> Grid:
         values = [math.nan if side is None else getattr(side, name) for name in names]
         notes = [flow.note, "" if side is None else doubt(side, fixed)]
         rows.append((flow.gear, *values, "; ".join(filter(None, notes))))
-    return table("Balance", ["gear", *names, "note"], rows)
+    return grid_of("Balance", ["gear", *names, "note"], rows)
 
 
 def _side(flow: GearFlow) -> PowerFlow | None:

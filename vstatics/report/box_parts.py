@@ -8,7 +8,7 @@ from vstatics.report.overview import line_of
 from vstatics.report.page_pictures import inline
 from vstatics.report.parts import figure
 from vstatics.synthesis.boxes.listing import BoxListing, ListedBox
-from vstatics.tables.grid import Cell, Column, Grid, Row, exact, sign, text, whole
+from vstatics.tables.grid import Cell, Column, Grid, Values, exact, grid_of, sign
 from vstatics.tables.html import Markup, tables, tag
 
 
@@ -26,41 +26,32 @@ def all_grid(listing: BoxListing, most: int, drawn: Collection[int]) -> Grid:
         The numbers of those with a diagram, to which the table links.
     """
     numbers = ("family", "loss [%]", "torque", "planet speed", "slip", "error [%]")
-    columns = [
-        text("box"),
-        *map(Column, (*numbers, "brakes", "clutches")),
-        *(Column(one, is_sign=True) for one in ("Pareto", "single", "planar")),
-        *map(text, ("code", "elements")),
-    ]
-    rows: list[Row] = [
-        [
+    signs = (Column(one, is_sign=True) for one in ("Pareto", "single", "planar"))
+    front = ("box", *numbers, "brakes", "clutches")
+    rows: list[Values] = [
+        (
             box_link(box) if box.number in drawn else f"box {box.number}",
-            whole(box.family),
-            exact(100 * box.loss),
-            exact(box.torque),
-            exact(box.planet_speed),
-            exact(box.slip),
-            exact(100 * box.error),
-            *map(whole, (box.brakes, box.clutches)),
+            box.family,
+            100 * box.loss,
+            *(box.torque, box.planet_speed, box.slip, 100 * box.error),
+            *(box.brakes, box.clutches),
             *map(_mark, (box.pareto, box.single, box.planar)),
-            box.code,
-            " ".join(box.elements),
-        ]
+            *(box.code, " ".join(box.elements)),
+        )
         for box in listing.boxes[:most]
     ]
-    return Grid("Boxes in their order", columns, rows)
+    return grid_of("Boxes in their order", [*front, *signs, "code", "elements"], rows)
 
 
 def family_grid(listing: BoxListing) -> Grid:
     """Families with the ratios of their gears."""
     names = list(dict.fromkeys(name for box in listing.boxes for name in box.gears))
-    columns = [Column("family"), Column("boxes"), text("its boxes"), *map(Column, names)]
-    rows: list[Row] = []
+    rows: list[Values] = []
     for family, boxes in list(listing.families.items())[:MOST_FAMILIES]:
         own = {name: gear.ratio for name, gear in boxes[0].gears.items()}
-        ratios = [exact(own.get(name)) for name in names]
-        rows.append([whole(family), whole(len(boxes)), _numbers(boxes), *ratios])
-    return Grid("Families: boxes with equal ratios in all gears", columns, rows)
+        rows.append((family, len(boxes), _numbers(boxes), *map(own.get, names)))
+    headings = ["family", "boxes", "its boxes", *names]
+    return grid_of("Families: boxes with equal ratios in all gears", headings, rows)
 
 
 MOST_FAMILIES = 1000
@@ -76,22 +67,18 @@ def _numbers(boxes: Sequence[ListedBox]) -> str:
 
 def gear_grid(box: ListedBox) -> Grid:
     """Which elements are engaged in each gear, what its ratio is and should be."""
-    columns = [
-        text("gear"),
-        *(Column(name, is_sign=True) for name in box.elements),
-        *map(Column, ("ratio", "target", "off [%]")),
-    ]
-    rows: list[Row] = [
-        [
+    signs = (Column(name, is_sign=True) for name in box.elements)
+    rows: list[Values] = [
+        (
             name,
             *(_mark(element in gear.engaged) for element in box.elements),
-            exact(gear.ratio),
-            exact(gear.target),
-            exact(100 * (gear.ratio / gear.target - 1) if gear.target else None),
-        ]
+            gear.ratio,
+            gear.target,
+            100 * (gear.ratio / gear.target - 1) if gear.target else None,
+        )
         for name, gear in box.gears.items()
     ]
-    return Grid("Gears", columns, rows)
+    return grid_of("Gears", ["gear", *signs, "ratio", "target", "off [%]"], rows)
 
 
 def _mark(holds: bool) -> Cell:  # noqa: FBT001 - what the cell says
@@ -101,8 +88,7 @@ def _mark(holds: bool) -> Cell:  # noqa: FBT001 - what the cell says
 
 def ratio_grid(box: ListedBox) -> Grid:
     """The internal ratios of its sets."""
-    rows: list[Row] = [[name, exact(ratio)] for name, ratio in box.ratios.items()]
-    return Grid("Sets", [text("set"), Column("ratio")], rows)
+    return grid_of("Sets", ["set", "ratio"], box.ratios.items())
 
 
 def shown_box(box: ListedBox, svg: bytes | None, digits: int | None) -> Iterator[Markup]:

@@ -15,7 +15,7 @@ from vstatics.model.transmission import Mechanism, ShiftElement, Transmission
 from vstatics.report.page_pictures import NAMES, Drawn, picture_of
 from vstatics.report.parts import figures, gear_link, of_gear
 from vstatics.statics.results import Results
-from vstatics.tables.grid import Cell, Column, Grid, Row, exact, text, whole
+from vstatics.tables.grid import Cell, Column, Grid, Values, grid_of, whole
 from vstatics.tables.html import Markup, table, tables, tag
 
 if TYPE_CHECKING:
@@ -107,17 +107,15 @@ def frequencies(gears: Sequence[GearModes]) -> Grid:
     (['gear', 'rigid modes', 'note'], [['1', '1', ''], ['2', '-', 'tied up']])
     """
     most = max(len(gear.modes) for gear in gears)
-    modes = [Column(str(number), over="mode") for number in range(1, most + 1)]
-    columns = [text("gear"), Column("rigid modes"), *modes]
-    rows: list[Row] = []
+    modes = (Column(str(number), over="mode") for number in range(1, most + 1))
+    rows: list[Values] = []
     for gear in gears:
         rigid = Cell("-") if gear.error else whole(gear.rigid_modes)
-        missing = [exact(None)] * (most - len(gear.modes))
-        rows.append([gear.name, rigid, *(exact(mode.frequency) for mode in gear.modes), *missing])
-    if any(gear.error for gear in gears):
-        columns.append(text("note"))
-        rows = [[*row, gear.error] for row, gear in zip(rows, gears, strict=True)]
-    return Grid("Natural frequencies [Hz]", columns, rows)
+        missing = [None] * (most - len(gear.modes))
+        frequencies = (mode.frequency for mode in gear.modes)
+        rows.append((gear.name, rigid, *frequencies, *missing, gear.error))
+    title = "Natural frequencies [Hz]"
+    return grid_of(title, ["gear", Column("rigid modes"), *modes, "note"], rows, optional=["note"])
 
 
 def _gear(gear: GearModes, pictures: Sequence[Drawn], digits: int | None) -> Iterator[Markup]:

@@ -21,7 +21,7 @@ from vstatics.summary.extremes import (
 )
 from vstatics.summary.grids import ACCELERATION, INERTIA, other_combinations
 from vstatics.summary.inertia import GearInertia
-from vstatics.tables.grid import Cell, Grid, Row, exact, table, whole
+from vstatics.tables.grid import Cell, Grid, Row, exact, grid_of, whole
 from vstatics.tables.quantities import headed
 
 LARGEST = {
@@ -54,7 +54,7 @@ def contrasted(summaries: Sequence[Summary]) -> Iterator[Grid]:
     headings = [part for letter in letters(len(summaries)) for part in (letter, "where")]
     if any(summary.inertias for summary in summaries):
         yield _inertias(summaries)
-    yield table("In all", ["quantity", *headings], _in_all(summaries), key="in all")
+    yield grid_of("In all", ["quantity", *headings], _in_all(summaries), key="in all")
     for letter, summary in zip(letters(len(summaries)), summaries, strict=True):
         if summary.combinations is not None:
             grid = other_combinations(summary)
@@ -72,7 +72,7 @@ def _gears(summaries: Sequence[Summary]) -> Grid:
         found = [by_name.get(name, _MISSING) for by_name in lines]
         values = zip(*((line.ratio, line.step, line.efficiency) for line in found), strict=True)
         rows.append([name, *(value for of_all in values for value in of_all)])
-    return table("Gears", ["gear", *headings], rows, key="gears")
+    return grid_of("Gears", ["gear", *headings], rows, key="gears")
 
 
 def _names(summaries: Sequence[Summary]) -> Sequence[str]:
@@ -95,7 +95,7 @@ def _inertias(summaries: Sequence[Summary]) -> Grid:
         for name, found in by_gear.items()
     ]
     title = "Inertia at the input, acceleration of the input"
-    return table(title, ["gear", *headings], rows, key="inertia")
+    return grid_of(title, ["gear", *headings], rows, key="inertia")
 
 
 def _in_order(first: Sequence[str], second: Sequence[str]) -> list[str]:

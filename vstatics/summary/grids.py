@@ -9,7 +9,7 @@ from typing import NamedTuple
 from vstatics.statics.results import Results
 from vstatics.summary import Summary
 from vstatics.summary.extremes import LOSSY_TORQUES, PLANETS, SLIPS, TORQUES, Largest, quantity
-from vstatics.tables.grid import NO, YES, Cell, Column, Grid, Row, exact, table
+from vstatics.tables.grid import NO, YES, Cell, Column, Grid, Row, exact, grid_of
 from vstatics.tables.ports import port_tables, ports_grid
 from vstatics.tables.quantities import UNITS, Quantity, headed
 
@@ -50,7 +50,7 @@ def grids(summary: Summary) -> Iterator[Grid]:
 def _design(summary: Summary) -> Grid:
     lines = summary.design.gears
     headings = "gear", "ratio", "next", "step", "efficiency", "state"
-    return table("Gears", headings, lines, key="gears", optional=["state"])
+    return grid_of("Gears", headings, lines, key="gears", optional=["state"])
 
 
 def element_signs(results: Results, index: int, marks: Marks) -> Iterator[Cell]:
@@ -70,7 +70,7 @@ def _spread(summary: Summary) -> Grid:
     if len(forward) < 2:
         return Grid("Spread", (), ())
     row = forward[0], forward[-1], summary.design.spread
-    return table("Spread", ["from", "to", "spread"], [row], key="spread")
+    return grid_of("Spread", ["from", "to", "spread"], [row], key="spread")
 
 
 def _transitions(summary: Summary) -> Grid:
@@ -79,7 +79,7 @@ def _transitions(summary: Summary) -> Grid:
         for one in summary.transitions
     ]
     headings = "from", "to", "jumps", "kind", "released", "engaged"
-    return table("Transitions", headings, rows, key="transitions")
+    return grid_of("Transitions", headings, rows, key="transitions")
 
 
 def _largest(summary: Summary) -> Iterator[Grid]:
@@ -94,7 +94,7 @@ def _planets(summary: Summary, *, loaded: bool) -> Grid:
     lines = summary.largest.get(shown.key, ())  # those of gear pairs, say, are none
     rows = [[one.row, *_cells(shown, one)] for one in lines if not math.isnan(one.value)]
     title = "Largest speeds of planets against their carriers"
-    return table(title, headings, rows, key="planets" + WITH_LOAD * loaded)
+    return grid_of(title, headings, rows, key="planets" + WITH_LOAD * loaded)
 
 
 def _elements(summary: Summary, *, loaded: bool) -> Grid:
@@ -110,7 +110,7 @@ def _elements(summary: Summary, *, loaded: bool) -> Grid:
     ]
     title = "Largest slip when open, largest torque when engaged"
     key = "shift elements" + WITH_LOAD * loaded
-    return table(title, ["element", *headings], rows, key=key)
+    return grid_of(title, ["element", *headings], rows, key=key)
 
 
 def _cells(shown: Quantity, line: Largest) -> Row:
@@ -134,7 +134,7 @@ def _by_gear(
     """A row for each name with a number for each gear."""
     gears = summary.results.case.gears
     columns = (Column(gear.name, over="gear") for gear in gears)
-    return table(title, (heading, *columns), ((name, *values) for name, values in rows), key=key)
+    return grid_of(title, (heading, *columns), ((name, *values) for name, values in rows), key=key)
 
 
 def other_combinations(summary: Summary) -> Grid:
@@ -145,7 +145,7 @@ def other_combinations(summary: Summary) -> Grid:
         return Grid(f"{title}: none", (), ())
     rows = [(one.ratio, one.efficiency, one.gear, one.engaged, one.holding) for one in others]
     headings = "ratio", "efficiency", "same as", "engaged", "holding"
-    return table(title, headings, rows, key="combinations", optional=["holding"])
+    return grid_of(title, headings, rows, key="combinations", optional=["holding"])
 
 
 def _margins(summary: Summary) -> Iterator[Grid]:
@@ -159,7 +159,7 @@ def _margins(summary: Summary) -> Iterator[Grid]:
         for one in summary.margins
     ]
     headings = "element", headed("capacity", unit), "least", "gear"
-    yield table("Least margin, capacity by torque", headings, rows, key="margins")
+    yield grid_of("Least margin, capacity by torque", headings, rows, key="margins")
     by_element = [(one.element, one.by_gear) for one in summary.margins]
     yield _by_gear(summary, "Margins by gear", "margins by gear", "element", by_element)
 
@@ -168,11 +168,11 @@ def _duty(summary: Summary) -> Grid:
     cycle = summary.cycle
     title = "Duty cycle: share of the input energy, efficiency"
     rows = [*cycle.stages, ("in all", 1.0, cycle.efficiency)] if cycle else ()
-    return table(title, ["gear", "energy", "efficiency"], rows, key="duty")
+    return grid_of(title, ["gear", "energy", "efficiency"], rows, key="duty")
 
 
 def _inertias(summary: Summary) -> Grid:
     """Accelerations only where a load gives one."""
     title = "Inertia at the input, acceleration of the input"
     headings = ["gear", INERTIA, ACCELERATION]
-    return table(title, headings, summary.inertias, key="inertia", optional=[ACCELERATION])
+    return grid_of(title, headings, summary.inertias, key="inertia", optional=[ACCELERATION])

@@ -122,7 +122,7 @@ Values = Sequence[Value]
 """What a row is made of."""
 
 
-def table(
+def grid_of(
     title: str,
     headings: Iterable[str | Column],
     rows: Iterable[Iterable[Value]],
@@ -143,7 +143,7 @@ def table(
 
     Examples
     --------
-    >>> grid = table("Gears", ["gear", "ratio", "note"], [["1", 3.5, ""]], optional=["note"])
+    >>> grid = grid_of("Gears", ["gear", "ratio", "note"], [["1", 3.5, ""]], optional=["note"])
     >>> grid.columns[0] == text("gear"), grid.columns[1] == Column("ratio"), grid.texts
     (True, True, [['1', '3.500']])
     """

@@ -9,7 +9,7 @@ import numpy as np
 from vstatics.numerics.arrays import Booleans
 from vstatics.statics.results import Results
 from vstatics.statics.roles import roles
-from vstatics.tables.grid import NO, NOTHING, Cell, Column, Grid, exact, sign, table, text, whole
+from vstatics.tables.grid import NO, NOTHING, Cell, Column, Grid, exact, grid_of, sign, text, whole
 from vstatics.tables.names import ROWS
 from vstatics.tables.quantities import Table
 from vstatics.tables.values import tables
@@ -68,7 +68,7 @@ def _with_roles(grid: Grid, results: Results) -> Grid:
 def of_messages(results: Results) -> Grid:
     """What there is to say of the gears."""
     rows = ((one.gear, one.severity, one.text) for one in results.messages)
-    return table("Messages", ["gear", "severity", "message"], rows, key="messages")
+    return grid_of("Messages", ["gear", "severity", "message"], rows, key="messages")
 
 
 def _by_gear(lists: Sequence[Table]) -> Grid:
@@ -145,7 +145,7 @@ def structural_zeros(table: Table, results: Results) -> Booleans:
 def without_zeros(grid: Grid) -> Grid:
     """A table in which what is exactly 0 is blank; the values stay.
 
-    >>> from vstatics.tables.grid import Column, exact, text, table
+    >>> from vstatics.tables.grid import Column, exact, text
     >>> cells = [exact(0.0), exact(0.5)]
     >>> without_zeros(Grid("t", [text("x"), Column("y"), Column("z")], [["a", *cells]])).texts
     [['a', '', '.500']]
@@ -159,7 +159,7 @@ def without_zeros(grid: Grid) -> Grid:
 def without_missing(grid: Grid) -> Grid:
     """A table in which numbers that do not exist are blank, where that is what is usual.
 
-    >>> from vstatics.tables.grid import Column, exact, text, table
+    >>> from vstatics.tables.grid import Column, exact, text
     >>> without_missing(Grid("t", [text("x"), Column("y")], [["a", exact(None)]])).texts
     [['a', '']]
     """

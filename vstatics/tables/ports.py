@@ -10,7 +10,7 @@ from vstatics.statics.physical import gear_scales
 from vstatics.statics.ports import GearPorts, Port, ports
 from vstatics.statics.results import Results
 from vstatics.statics.state import GearState
-from vstatics.tables.grid import Cell, Column, Grid, exact, text
+from vstatics.tables.grid import Cell, Grid, exact, grid_of
 from vstatics.tables.quantities import UNITS, headed
 
 MEASURES = (("speed", "rpm"), ("torque", "Nm"), ("power", "kW"))
@@ -78,15 +78,10 @@ def ports_grid(gears: Sequence[PortTable], *, named: bool = True) -> Grid:
     physical = {
         unit for _, unit in MEASURES if not any(math.isnan(one.scales[unit]) for one in gears)
     }
-    columns = [text("gear")] * named + [text("port")]
-    for name, unit in MEASURES:
-        columns.append(Column(headed(name, unit if unit in physical else "")))
-    columns.append(text("way"))
-    rows: list[list[Cell | str]] = []
-    for gear in gears:
-        front = [gear.gear] * named
-        rows += [[*front, *row] for row in _rows(gear, physical)]
-    return Grid("Ports", columns, rows, key="ports")
+    measures = (headed(name, unit if unit in physical else "") for name, unit in MEASURES)
+    headings = [*["gear"] * named, "port", *measures, "way"]
+    rows = ([*[gear.gear] * named, *row] for gear in gears for row in _rows(gear, physical))
+    return grid_of("Ports", headings, rows, key="ports")
 
 
 def _rows(gear: PortTable, physical: set[str]) -> Iterator[list[Cell | str]]:

@@ -9,14 +9,14 @@ from collections.abc import Iterator, Mapping
 
 from vstatics.simulation.record.motion import Motion
 from vstatics.simulation.tolerances import CLOSED_BALANCE
-from vstatics.tables.grid import Column, Grid, Row, exact, table, text
+from vstatics.tables.grid import Column, Grid, Row, exact, grid_of, text
 
 
 def motion_grids(motion: Motion) -> Iterator[Grid]:
     """All tables that have something to say."""
     if motion.stopped is not None:
         why = [[motion.stopped.message]]
-        yield table("Stopped before its end", ["why"], why, key="stopped")
+        yield grid_of("Stopped before its end", ["why"], why, key="stopped")
     yield _events(motion)
     yield _energy(motion)
     rows = [
@@ -25,7 +25,7 @@ def motion_grids(motion: Motion) -> Iterator[Grid]:
         if peak.torque
     ]
     if rows:
-        yield table("Largest torques", ["device", "torque [N*m]", "time [s]"], rows, key="peaks")
+        yield grid_of("Largest torques", ["device", "torque [N*m]", "time [s]"], rows, key="peaks")
     if motion.reached:
         yield _targets(motion)
 
@@ -81,4 +81,4 @@ def _targets(motion: Motion) -> Grid:
     )
     road = "distance [m]"
     headings = "link", "speed [rad/s]", "time [s]", "angle [rad]", road
-    return table("Speeds reached", headings, rows, key="targets", optional=[road])
+    return grid_of("Speeds reached", headings, rows, key="targets", optional=[road])

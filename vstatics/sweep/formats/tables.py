@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from vstatics.sweep.chunk import STATUS, Chunk
 from vstatics.sweep.formats import Format
 from vstatics.tables import latex, markdown, xlsx
-from vstatics.tables.grid import Cell, Column, Values, exact, table, text
+from vstatics.tables.grid import Cell, Column, Values, exact, grid_of, text
 
 CELL_DIGITS = 12
 """Significant ones, as in CSV."""
@@ -22,7 +22,7 @@ def write(path: str, form: Format, headings: Sequence[str], chunks: Iterable[Chu
     OSError
     """
     columns = (text(one) if one == "status" else Column(one) for one in headings)
-    grid = table("Variants", columns, (row for chunk in chunks for row in _rows(chunk)))
+    grid = grid_of("Variants", columns, (row for chunk in chunks for row in _rows(chunk)))
     if form == "xlsx":
         data = xlsx.write([("", [grid])], several=False)
     else:

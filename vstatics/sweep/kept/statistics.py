@@ -9,7 +9,7 @@ import numpy as np
 
 from vstatics.errors import plural
 from vstatics.numerics.arrays import Floats
-from vstatics.tables.grid import Grid, table
+from vstatics.tables.grid import Grid, grid_of
 
 FORMAT, VERSION = "vstatics-samples", 1
 PARTS = (0.05, 0.5, 0.95)
@@ -88,7 +88,7 @@ def _grid(title: str, found: Mapping[str, Statistics], key: str) -> Grid:
     if together:
         number = runs.pop()
         title += f", {number} {plural('run', number)}"
-    return table(title, ["", *heads, "runs"], rows, key=key, optional=["runs"])
+    return grid_of(title, ["", *heads, "runs"], rows, key=key, optional=["runs"])
 
 
 def statistics_document(

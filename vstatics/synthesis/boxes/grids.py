@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from vstatics.synthesis.boxes.choice import RankedBox, family_count
-from vstatics.tables.grid import Column, Grid, Row, Values, exact, sign, table, text, whole
+from vstatics.tables.grid import Column, Grid, Row, Values, exact, grid_of, sign, text, whole
 
 
 def box_grids(searched: int, boxes: Sequence[RankedBox]) -> Iterator[Grid]:
@@ -28,7 +28,7 @@ def _counts(searched: int, boxes: Sequence[RankedBox]) -> Grid:
     best = sum(box.pareto for box in boxes)
     counts = {"searched": searched, "found": len(boxes)}
     counts |= {"families": family_count(boxes), "Pareto list": best}
-    return table("Boxes", ["what", "boxes"], counts.items())
+    return grid_of("Boxes", ["what", "boxes"], counts.items())
 
 
 def all_boxes(boxes: Sequence[RankedBox]) -> Grid:
@@ -103,4 +103,4 @@ def _of_families(boxes: Sequence[RankedBox]) -> Grid:
         )
     columns = ("family", "boxes", "loss from [%]", "to [%]", "error [%]")
     names = [gear.name for gear in gears]
-    return table("Families", [*columns, *names], rows)
+    return grid_of("Families", [*columns, *names], rows)

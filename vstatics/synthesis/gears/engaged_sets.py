@@ -9,7 +9,7 @@ from typing import NamedTuple
 from vstatics.model.transmission import ShiftElement
 from vstatics.numerics.arrays import Booleans, Floats
 from vstatics.synthesis.gears.kinds import EngagedKind, Indices
-from vstatics.tables.grid import Column, Grid, sign, table
+from vstatics.tables.grid import Column, Grid, grid_of, sign
 
 
 class EngagedSet(NamedTuple):
@@ -78,7 +78,7 @@ def combination_grids(found: Iterable[EngagedSet]) -> Iterator[Grid]:
         kinds[one.kind] += 1
         rows.append((one.engaged, one.kind, one.ratio, sign(one.free)))
     headings = "engaged", "kind", "ratio", Column("free", is_sign=True)
-    yield table("Combinations", headings, rows, key="combinations")
+    yield grid_of("Combinations", headings, rows, key="combinations")
     named = (kind.word for kind in reversed(EngagedKind))
     counts = ((kind, kinds[kind]) for kind in named if kinds[kind])
-    yield table("Kinds", ["kind", "combinations"], counts, key="kinds")
+    yield grid_of("Kinds", ["kind", "combinations"], counts, key="kinds")

@@ -14,7 +14,7 @@ from vstatics.synthesis.ratios.least_squares import MOST_FIT_STEPS
 from vstatics.synthesis.ratios.problem import FitProblem
 from vstatics.synthesis.ratios.search import start_count
 from vstatics.synthesis.ratios.space import FitPoints, fit_space
-from vstatics.tables.grid import Grid, table
+from vstatics.tables.grid import Grid, grid_of
 from vstatics.writers.plain_json import plain_data
 
 
@@ -61,6 +61,6 @@ def dry_grids(problem: FitProblem) -> Iterator[Grid]:
     }
     for title, (key, *headings) in parts.items():
         rows = ((name, *map(number, one.values())) for name, one in known[key].items())
-        yield table(title, headings, rows, key=key * (key == "gears"))
+        yield grid_of(title, headings, rows, key=key * (key == "gears"))
     seconds = f"at most {max(known['seconds'], 0.1):.2g} s"
-    yield table("Search", ["", ""], [["starts", str(known["starts"])], ["time", seconds]])
+    yield grid_of("Search", ["", ""], [["starts", str(known["starts"])], ["time", seconds]])

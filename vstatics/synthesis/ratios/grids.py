@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from vstatics.synthesis.ratios.fitting import Fit, deviation
 from vstatics.synthesis.ratios.problem import FitProblem
 from vstatics.synthesis.tolerances import TINY_RATIO
-from vstatics.tables.grid import Cell, Grid, Values, exact, table
+from vstatics.tables.grid import Cell, Grid, Values, exact, grid_of
 
 DEVIATION_DECIMALS = 9
 """Digits of a deviation; what is below them is rounding."""
@@ -52,7 +52,7 @@ def _gears(found: Fit) -> Grid:
             note = "not met" if gear.name in found.unmet else "met"
             off = 100 * round(deviation(ratio, target), DEVIATION_DECIMALS)
         rows.append((gear.name, number(target), exact(ratio, 4), off, note))
-    return table("Gears", ["gear", "wanted", "ratio", "off [%]", "note"], rows)
+    return grid_of("Gears", ["gear", "wanted", "ratio", "off [%]", "note"], rows)
 
 
 def _mechanisms(found: Fit) -> Grid:
@@ -63,7 +63,7 @@ def _mechanisms(found: Fit) -> Grid:
         low, high = problem.bounds.low[index], problem.bounds.high[index]
         numbers = (number(one) for one in (ratio, low, high))
         rows.append((name, *numbers, mechanism_note(problem, index, ratio, found)))
-    return table("Mechanisms", ["mechanism", "ratio", "from", "to", "note"], rows)
+    return grid_of("Mechanisms", ["mechanism", "ratio", "from", "to", "note"], rows)
 
 
 def mechanism_note(problem: FitProblem, index: int, ratio: float, found: Fit) -> str:
@@ -84,4 +84,4 @@ def _solutions(found: Fit) -> Grid:
         (number, exact(one.residual, 6), *(exact(one.ratios[name], 4) for name in names))
         for number, one in enumerate(found.solutions, 1)
     ]
-    return table("All solutions", ["solution", "residual", *names], rows, key="solutions")
+    return grid_of("All solutions", ["solution", "residual", *names], rows, key="solutions")

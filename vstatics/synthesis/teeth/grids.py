@@ -10,7 +10,7 @@ from vstatics.synthesis.teeth.layout import named_ratios
 from vstatics.synthesis.teeth.limits import TeethLimits
 from vstatics.synthesis.teeth.problem import TeethProblem
 from vstatics.synthesis.teeth.solutions import TeethSolution
-from vstatics.tables.grid import Cell, Grid, Values, exact, table, whole
+from vstatics.tables.grid import Cell, Grid, Values, exact, grid_of, whole
 
 
 def teeth_grids(found: FoundTeeth) -> Iterator[Grid]:
@@ -46,7 +46,7 @@ def _wanted(problem: TeethProblem, best: TeethSolution) -> Grid:
         target = targets.get(name)
         error = _error(target.apart_from(ratio)) if target else None
         rows.append((name, number(target.wanted if target else None), exact(ratio, 4), error))
-    return table("Gears", ["gear", "wanted", "ratio", "error"], rows)
+    return grid_of("Gears", ["gear", "wanted", "ratio", "error"], rows)
 
 
 def _teeth(problem: TeethProblem, best: TeethSolution) -> Grid:
@@ -59,7 +59,7 @@ def _teeth(problem: TeethProblem, best: TeethSolution) -> Grid:
         rows.append((layout.name, teeth, best.planets.get(layout.name), ratios, modules))
     modules = "modules [mm]"
     headings = "element", "teeth", "planets", "ratio", modules
-    return table("Teeth", headings, rows, optional=[] if best.modules else [modules])
+    return grid_of("Teeth", headings, rows, optional=[] if best.modules else [modules])
 
 
 def _solutions(found: FoundTeeth) -> Grid:
@@ -68,7 +68,7 @@ def _solutions(found: FoundTeeth) -> Grid:
     for place, one in enumerate(found.solutions, 1):
         teeth = ["/".join(map(str, one.teeth[name].values())) for name in names]
         rows.append((place, _error(one.error), *teeth))
-    return table("Solutions", ["solution", "error", *names], rows)
+    return grid_of("Solutions", ["solution", "error", *names], rows)
 
 
 def _choice(found: FoundTeeth) -> Grid:
@@ -76,7 +76,7 @@ def _choice(found: FoundTeeth) -> Grid:
     rows = (
         (one.layout.name, int(one.total), len(one.rows), len(one.ratios)) for one in found.tables
     )
-    return table("Choice", ["element", "teeth and planets", "teeth", "ratios"], rows)
+    return grid_of("Choice", ["element", "teeth and planets", "teeth", "ratios"], rows)
 
 
 def asked_grids(problem: TeethProblem) -> Iterator[Grid]:
@@ -91,4 +91,4 @@ def asked_grids(problem: TeethProblem) -> Iterator[Grid]:
         for wheel, (low, high) in zip(layout.wheels, limits.of_wheels(layout), strict=True):
             front = f"{layout.name}.{wheel}", whole(low), whole(high)
             rows.append((*front, planets, layout.element.kind))
-    yield table("Ranges", ["wheel", "from", "to", "planets", "kind"], rows)
+    yield grid_of("Ranges", ["wheel", "from", "to", "planets", "kind"], rows)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
-from vstatics.tables.grid import Grid, Values, table
+from vstatics.tables.grid import Grid, Values, grid_of
 from vstatics.torsion.clutch.dumped import DumpCase, DumpTorque
 from vstatics.torsion.clutch.given import Dump
 
@@ -47,9 +47,9 @@ def grids(given: Dump, made: DumpTorque) -> Iterator[Grid]:
     if made.engagement is not None:
         name = f"dynamic factor, engaged at a rate of {made.engagement.rate:g}"
         rows.append((name, made.engagement.factor, "-"))
-    yield table(f"Clutch dump: {HAPPENS[made.case]}", ["", "value", "unit"], rows, key="dump")
+    yield grid_of(f"Clutch dump: {HAPPENS[made.case]}", ["", "value", "unit"], rows, key="dump")
     if made.messages:
-        yield table("Messages", [""], ([str(one)] for one in made.messages), key="messages")
+        yield grid_of("Messages", [""], ([str(one)] for one in made.messages), key="messages")
 
 
 _UNITS = {
@@ -98,11 +98,11 @@ def gears_grids(gears: Sequence[GearDump]) -> Iterator[Grid]:
         factors = [one.engagement.factor if one.engagement else None for _, one in made]
         rows.append(("dynamic factor, engaged at the rate", *factors))
     names = (name for name, _ in made)
-    yield table(f"Clutch dump, on {gears[0].to}", ["gear", *names], rows, key="dump")
+    yield grid_of(f"Clutch dump, on {gears[0].to}", ["gear", *names], rows, key="dump")
     yield from _reduced(gears)
     messages = [(name, str(message)) for name, one in made for message in one.messages]
     if messages:
-        yield table("Messages", ["gear", ""], messages, key="messages")
+        yield grid_of("Messages", ["gear", ""], messages, key="messages")
     yield from _failed(gears)
 
 
@@ -115,10 +115,10 @@ def _reduced(gears: Sequence[GearDump]) -> Iterator[Grid]:
             for name, unit in _UNITS.items()
         )
         headings = ["gear", *(name for name, _ in given)]
-        yield table(f"Reduced to {gears[0].to}", headings, rows, key="reduced")
+        yield grid_of(f"Reduced to {gears[0].to}", headings, rows, key="reduced")
 
 
 def _failed(gears: Sequence[GearDump]) -> Iterator[Grid]:
     failed = [(gear.name, gear.error) for gear in gears if gear.error]
     if failed:
-        yield table("No such torque", ["gear", "why"], failed, key="errors")
+        yield grid_of("No such torque", ["gear", "why"], failed, key="errors")

@@ -8,7 +8,7 @@ from collections.abc import Iterator, Mapping, Sequence
 import numpy as np
 
 from vstatics.numerics.arrays import Complex, Floats, first_largest
-from vstatics.tables.grid import Cell, Column, Grid, Row, Values, exact, table, text, whole
+from vstatics.tables.grid import Cell, Column, Grid, Row, Values, exact, grid_of, text, whole
 from vstatics.torsion.forced.cycle import summed
 from vstatics.torsion.forced.harmonic_torques import GearResponse
 
@@ -33,7 +33,7 @@ def largest_grids(gears: Sequence[GearResponse]) -> Iterator[Grid]:
                 cells = [_largest(gear.speeds, one[name]) for one in by_name]
                 rows.append((name, *(cell for pair in cells for cell in pair)))
             if rows:
-                yield table(f"Gear {gear.name}: largest {title}", ["name", *columns], rows)
+                yield grid_of(f"Gear {gear.name}: largest {title}", ["name", *columns], rows)
 
 
 def speed_grids(gears: Sequence[GearResponse]) -> Iterator[Grid]:
@@ -45,7 +45,7 @@ def speed_grids(gears: Sequence[GearResponse]) -> Iterator[Grid]:
             for order, values in zip(gear.orders, by_name, strict=True):
                 sizes = np.abs(np.array([gear.speeds, *values.values()]))
                 name = f"Gear {gear.name}, order {order.order:g}: {title}"
-                made = table(name, ["speed [rpm]", *values], sizes.T.tolist())
+                made = grid_of(name, ["speed [rpm]", *values], sizes.T.tolist())
                 yield made._replace(group=title.partition(" [")[0])
 
 
@@ -92,7 +92,7 @@ def sum_grids(gears: Sequence[GearResponse]) -> Iterator[Grid]:
                 rows.append((name, *cells[0], *cells[1]))
             headings = "name", "largest over a cycle", "at [rpm]", "RMS", "at [rpm]"
             if rows:
-                made = table(f"Gear {gear.name}, all orders: {title}", headings, rows)
+                made = grid_of(f"Gear {gear.name}, all orders: {title}", headings, rows)
                 yield made._replace(group=f"all orders, {title.partition(' of ')[0]}")
 
 
@@ -100,4 +100,4 @@ def _faults(gears: Sequence[GearResponse]) -> Iterator[Grid]:
     """Why gears have no response."""
     rows = [(gear.name, gear.error) for gear in gears if gear.error]
     if rows:
-        yield table("Notes", ["gear", "note"], rows, key="notes")
+        yield grid_of("Notes", ["gear", "note"], rows, key="notes")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 
-from vstatics.tables.grid import Grid, Values, exact, table
+from vstatics.tables.grid import Grid, Values, exact, grid_of
 from vstatics.torsion.reduction.reduced_values import Amounts, GearReduction
 from vstatics.torsion.reduction.simplification import Simplification
 
@@ -33,7 +33,7 @@ def reduction_grids(to: str, gears: Sequence[GearReduction]) -> Iterator[Grid]:
     notes += [(gear.name, link, note) for gear in gears for link, note in gear.notes.items()]
     notes += [(gear.name, "", gear.error) for gear in gears if gear.error]
     if notes:
-        yield table("Notes", ["gear", "link", "note"], notes, key="notes")
+        yield grid_of("Notes", ["gear", "link", "note"], notes, key="notes")
 
 
 def _by_gear(
@@ -44,7 +44,7 @@ def _by_gear(
         (name, *(exact(amounts.get(name), 4) for amounts in by_gear)) for name in names
     ]
     headings = heading, *(gear.name for gear in gears)
-    return table(title, headings, rows, key=title.split(maxsplit=1)[0].lower())
+    return grid_of(title, headings, rows, key=title.split(maxsplit=1)[0].lower())
 
 
 def simplification_grids(found: Simplification) -> Iterator[Grid]:
@@ -66,17 +66,17 @@ def simplification_grids(found: Simplification) -> Iterator[Grid]:
         for step in found.steps
     ]
     title = f"Steps, by rule {found.rule}" + ": none" * (not rows)
-    yield table(title, ["step", *headings], rows, key="steps")
+    yield grid_of(title, ["step", *headings], rows, key="steps")
     scheme = found.scheme
     inertias = (exact(inertia, 6) for inertia in scheme.inertias)
     masses = zip(scheme.names, inertias, strict=True)
-    yield table("Masses", ["link", "inertia [kg*m^2]"], masses, key="masses")
+    yield grid_of("Masses", ["link", "inertia [kg*m^2]"], masses, key="masses")
     springs = (
         (spring.name, _form(spring.twist, scheme.names), exact(spring.compliance, 6))
         for spring in scheme.springs
     )
     headings = ["spring", "twist", "compliance [rad/(N*m)]"]
-    yield table("Springs", headings, springs, key="springs")
+    yield grid_of("Springs", headings, springs, key="springs")
 
 
 def _form(twist: Mapping[int, float], names: Sequence[str]) -> str:

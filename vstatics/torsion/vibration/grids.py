@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 
-from vstatics.tables.grid import Cell, Grid, Values, exact, table, whole
+from vstatics.tables.grid import Cell, Grid, Values, exact, grid_of, whole
 from vstatics.tables.numbers import certain, fixed
 from vstatics.torsion.tolerances import LEAST_SHOWN_PART
 from vstatics.torsion.vibration.gear_modes import GearModes, Mode
@@ -48,7 +48,7 @@ def _damped(gears: Sequence[GearModes]) -> Iterator[Grid]:
     rows = [(gear.name, one.real, one.imag) for gear in gears for one in gear.damped]
     if rows:
         headings = "gear", "real [1/s]", "imaginary [rad/s]"
-        yield table("Eigenvalues of damped vibration", headings, rows, key="damped")
+        yield grid_of("Eigenvalues of damped vibration", headings, rows, key="damped")
 
 
 def _rigid(gears: Sequence[GearModes]) -> Grid:
@@ -58,7 +58,7 @@ def _rigid(gears: Sequence[GearModes]) -> Grid:
         for gear in gears
     )
     headings = "gear", "rigid modes", "note"
-    return table("Rigid modes", headings, rows, key="rigid", optional=["note"])
+    return grid_of("Rigid modes", headings, rows, key="rigid", optional=["note"])
 
 
 _HEADINGS = ("mode", "omega [rad/s]", "frequency [Hz]", "damping [-]", "damped [Hz]", "nodes")
@@ -70,7 +70,7 @@ def _frequencies(gears: Sequence[GearModes]) -> Grid:
         for number, mode in enumerate(gear.modes, 1):
             numbers = mode.omega, mode.frequency, mode.damping_ratio, mode.damped_frequency
             rows.append((gear.name, number, *numbers, mode.nodes))
-    return table("Natural frequencies", ["gear", *_HEADINGS], rows, key="frequencies")
+    return grid_of("Natural frequencies", ["gear", *_HEADINGS], rows, key="frequencies")
 
 
 def _most(gears: Sequence[GearModes]) -> Grid:
@@ -81,7 +81,7 @@ def _most(gears: Sequence[GearModes]) -> Grid:
         for number, mode in enumerate(gear.modes, 1)
     )
     headings = "gear", "mode", "device", "share", "link", "share"
-    return table("Where most of the energy is", headings, rows, key="energy")
+    return grid_of("Where most of the energy is", headings, rows, key="energy")
 
 
 def _largest(shares: Mapping[str, float]) -> tuple[str, float | None]:
@@ -100,7 +100,7 @@ def _by_mode(
     by_mode = [values(mode) for mode in gear.modes]
     headings = [f"{number}: {mode.omega:.4g}" for number, mode in enumerate(gear.modes, 1)]
     rows: list[Values] = [(name, *(cell(one[name]) for one in by_mode)) for name in by_mode[0]]
-    made = table(f"Gear {gear.name}: {what}", [heading, *headings], rows)
+    made = grid_of(f"Gear {gear.name}: {what}", [heading, *headings], rows)
     return made._replace(group=what.partition(" at ")[0])
 
 
@@ -126,7 +126,7 @@ def identified_grids(omega: float, made: Identified) -> Iterator[Grid]:
     headings = "device", "compliance [rad/(N*m)]", _DAMPING
     title = f"Calculated {made.omega:.5g} rad/s, measured {omega:.5g}: "
     title += f"all compliances by {(made.omega / omega) ** 2:.5g}"
-    yield table(title, headings, rows, key="identified", optional=[_DAMPING])
+    yield grid_of(title, headings, rows, key="identified", optional=[_DAMPING])
 
 
 def damped_grids(decrements: Mapping[str, float], made: Damped) -> Iterator[Grid]:
@@ -144,6 +144,6 @@ def damped_grids(decrements: Mapping[str, float], made: Damped) -> Iterator[Grid
     ]
     rows.append(("mode", made.decrement, "", ""))
     headings = ["device", "decrement", "share of elastic energy", _DAMPING]
-    yield table(f"Dampings at {made.omega:.5g} rad/s", headings, rows, key="dampings")
+    yield grid_of(f"Dampings at {made.omega:.5g} rad/s", headings, rows, key="dampings")
     if made.notes:
-        yield table("Messages", [""], ([one] for one in made.notes), key="messages")
+        yield grid_of("Messages", [""], ([one] for one in made.notes), key="messages")
